@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# What all of Blossom's targets have in common.
+
+# Warnings and sanitizers of our own build; never exported.
+function(blossom_own target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow)
+  # GCC 12 sees an overlap in "text" + std::string() where there is none (its bug 105651).
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    target_compile_options(${target} PRIVATE -Wno-restrict)
+  endif()
+  if(BLOSSOM_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(BLOSSOM_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                             -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()
+
+# A library of this folder's sources, included from the root: #include "core/forms/patch.h".
+function(blossom_library name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp
+       ${CMAKE_CURRENT_SOURCE_DIR}/*.h)
+  list(FILTER sources EXCLUDE REGEX "/gpl/")
+  add_library(blossom_${name} ${sources})
+  add_library(Blossom::${name} ALIAS blossom_${name})
+  set_target_properties(blossom_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(blossom_${name} PUBLIC cxx_std_20)
+  target_include_directories(blossom_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/blossom>)
+  blossom_own(blossom_${name})
+endfunction()

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The area of trimmed faces, accurate enough to see that pieces add up to their face.
+
+#pragma once
+
+#include <TopoDS_Face.hxx>
+
+namespace blossom::occt {
+
+/// The area of a face, square model units.
+///
+///   A = integral over the face's chart of |S_u x S_v| = integral along its wires of F dv,
+///   F(u, v) = integral from the chart's left end to u of |S_u x S_v|(s, v) ds   (Green)
+///
+/// Both integrals are adaptive and start from cells between the knots.
+///
+/// cells     cells that each span starts with; more of them check the result
+/// accuracy  1e-10 relative where the surface is smooth between its knots; gaps of wires in the
+///           chart within the edges' tolerances count for what they are
+/// throws    BadModel if the face has no wire or an edge has no pcurve
+///
+/// Source: Green's theorem; `core/math/quadrature.h`.
+double area(const TopoDS_Face& face, int cells = 1);
+
+}  // namespace blossom::occt

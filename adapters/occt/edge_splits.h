@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Splitting the edges of a model once for all faces that share them.
+//
+// First every face tells where its cuts meet its edges; then each edge is split, and all its
+// faces take the same pieces, so that shells stay sewn.
+
+#pragma once
+
+#include <vector>
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include "core/math/interval.h"
+
+namespace blossom::occt {
+
+/// A piece of an edge between two neighbouring splits.
+struct EdgePiece {
+  TopoDS_Edge edge;  ///< forward; the edge itself when it is not split
+  Interval range;    ///< increasing, the edge's own parameters
+  int from = 0;      ///< splits at the ends, see EdgeSplits
+  int to = 0;
+};
+
+class EdgeSplits {
+ public:
+  /// Numbers of an edge's own vertices among its splits; new ones follow.
+  static constexpr int kFirst = 0;
+  static constexpr int kLast = 1;
+
+  /// tolerance  splits of an edge closer than this, or than the edge's own tolerance, are one, and
+  ///            a few of the edge's tolerances when different faces ask for them; likewise a split
+  ///            and a vertex. Model units.
+  explicit EdgeSplits(double tolerance) : tolerance_(tolerance) {}
+
+  /// Asks for a split and returns its number, which may be that of an older one or of a vertex.
+  /// face          the face that asks
+  /// uncertainty   how far from the parameter's point the split may lie as well; model units
+  int add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face& face,
+          double uncertainty = 0);
+
+  /// Whether anybody asked for a split inside of the edge.
+  bool is_split(const TopoDS_Edge& edge) const;
+
+  /// The vertex of a split. The same object every time.
+  TopoDS_Vertex vertex(const TopoDS_Edge& edge, int split) const;
+
+  /// The edge's own parameter of a split.
+  double parameter(const TopoDS_Edge& edge, int split) const;
+
+  /// The pieces, by increasing parameter. The same objects every time; no split of the edge can
+  /// be added any more.
+  const std::vector<EdgePiece>& pieces(const TopoDS_Edge& edge);
+
+ private:
+  struct Split {
+    double parameter = 0;
+    TopoDS_Vertex vertex;
+    TopoDS_Face face;  // that asked for it first; none for the edge's own vertices
+  };
+  struct Record {
+    TopoDS_Edge edge;  ///< forward
+    std::vector<Split> splits;
+    std::vector<EdgePiece> pieces;
+  };
+  Record& record(const TopoDS_Edge& edge);
+  const Record* find(const TopoDS_Edge& edge) const;
+  double reach(const Record& of, const Split& split, const TopoDS_Face& face) const;
+
+  double tolerance_;
+  TopTools_IndexedMapOfShape index_;
+  std::vector<Record> records_;
+};
+
+}  // namespace blossom::occt

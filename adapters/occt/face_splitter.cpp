@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The first two steps: where cuts, wires and other cuts meet. The last one is in face_pieces.cpp.
+#include "adapters/occt/face_splitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <BRep_Tool.hxx>
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kMargin = 1.1;
+// A cut that stops short of a wire would have met it at most so many times farther along the wire.
+constexpr double kObliqueness = 8;
+
+bool boxes_meet(const PlanarBox& a, const PlanarBox& b, double margin) {
+  for (int k = 0; k < 2; ++k)
+    if (a.low[k] > b.high[k] + margin || b.low[k] > a.high[k] + margin) return false;
+  return true;
+}
+
+// The curve stays within `reach` between the two parameters.
+bool is_near(const PlanarCurve& curve, double s, double t, double reach) {
+  const Vec2 point = point_at(curve, s);
+  return distance(point, point_at(curve, t)) <= reach &&
+         distance(point, point_at(curve, 0.5 * (s + t))) <= reach;
+}
+
+}  // namespace
+
+FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, EdgeSplits& splits,
+                           double tolerance)
+    : given_(face),
+      trims_(face_trims(face)),
+      cuts_(std::move(cuts)),
+      splits_(splits),
+      tolerance_(tolerance) {
+  for (const Vec2& corner : trims_.corners) vertices_.push_back({corner, -1, -1, -1, {}});
+  for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
+      const Coedge& of = trims_.loops[loop][i];
+      Vertex& start = vertices_[static_cast<std::size_t>(of.from)];
+      start.loop = static_cast<int>(loop);
+      start.coedge = static_cast<int>(i);
+      start.split = of.reversed() ? EdgeSplits::kLast : EdgeSplits::kFirst;
+    }
+  add_strands();
+  for (Strand& strand : strands_) add_wire_stops(strand);
+}
+
+void FaceSplitter::settle() {
+  for (Strand& strand : strands_) {
+    add_end_stop(strand, strand.curve.domain().from);
+    add_end_stop(strand, strand.curve.domain().to);
+  }
+  add_crossings();
+  for (Strand& strand : strands_) finish_stops(strand);
+}
+
+const Coedge& FaceSplitter::coedge(int loop, int index) const {
+  return trims_.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(index)];
+}
+
+double FaceSplitter::reach(const Strand& strand) const {
+  return std::max(tolerance_, cuts_[static_cast<std::size_t>(strand.cut)].tolerance);
+}
+
+void FaceSplitter::note(int cut, const std::string& what) {
+  const std::string text = "cut " + std::to_string(cut + 1) + " " + what;
+  if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
+}
+
+void FaceSplitter::add_strands() {
+  for (std::size_t i = 0; i < cuts_.size(); ++i) {
+    const PlanarCurve curve = chart_curve(trims_, cuts_[i].chart);
+    for (const Vec2& shift : period_shifts(trims_, curve))
+      strands_.push_back({static_cast<int>(i), shift, transformed(curve, {1, 1}, shift), {}, {}});
+  }
+}
+
+int FaceSplitter::vertex_at_split(int loop, int index, int split) {
+  const Coedge& of = coedge(loop, index);
+  if (split == EdgeSplits::kFirst) return of.reversed() ? of.to : of.from;
+  if (split == EdgeSplits::kLast) return of.reversed() ? of.from : of.to;
+  const auto known = std::find_if(vertices_.begin(), vertices_.end(), [&](const Vertex& vertex) {
+    return vertex.loop == loop && vertex.coedge == index && vertex.split == split;
+  });
+  if (known != vertices_.end()) return static_cast<int>(known - vertices_.begin());
+  const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
+  vertices_.push_back({point, loop, index, split, {}});
+  return static_cast<int>(vertices_.size()) - 1;
+}
+
+int FaceSplitter::vertex_of(const TrimMeeting& meeting, double uncertainty) {
+  const Coedge& of = coedge(meeting.loop, meeting.coedge);
+  return vertex_at_split(meeting.loop, meeting.coedge,
+                         splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty));
+}
+
+void FaceSplitter::add_wire_stops(Strand& strand) {
+  ClippedCurve found = clipped(trims_, strand.curve, reach(strand));
+  for (const TrimMeeting& meeting : found.meetings)
+    strand.stops.emplace_back(meeting.at, vertex_of(meeting, 0));
+  strand.runs = std::move(found.runs);
+  if (!found.complete) note(strand.cut, "runs so close to an edge that not all crossings are sure");
+}
+
+// A cut may stop at the natural border of the surface while the wire leaves it, by as much as the
+// tolerance of its edge allows, or because the surface goes on there; its end is taken to the wire.
+void FaceSplitter::add_end_stop(Strand& strand, double end) {
+  if (has_stop(strand, end)) return;
+  const Vec2 point = point_at(strand.curve, end);
+  TrimMeeting nearest_meeting;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
+      const Coedge& of = trims_.loops[loop][i];
+      const PlanarFoot foot = nearest(of.curve, point);
+      const double reach = std::max(BRep_Tool::Tolerance(of.edge), kMargin * trims_.overshoot);
+      if (foot.distance >= least || foot.distance > reach) continue;
+      least = foot.distance;
+      nearest_meeting = {end, static_cast<int>(loop), static_cast<int>(i), foot.parameter};
+    }
+  if (std::isfinite(least))
+    strand.stops.emplace_back(end, vertex_of(nearest_meeting, kObliqueness * least));
+}
+
+// Whether a stop is known that is this place of the curve but for the tolerance.
+bool FaceSplitter::has_stop(const Strand& strand, double at) const {
+  return std::any_of(strand.stops.begin(), strand.stops.end(), [&](const auto& stop) {
+    return is_near(strand.curve, stop.first, at, 8 * reach(strand));
+  });
+}
+
+// The vertex within tolerance of the point, or a new node. Borders come first, so that a node of
+// two cuts that end in one edge is the split of that edge.
+int FaceSplitter::node_near(const Vec2& point) {
+  int nearest = -1;
+  double least = 4 * tolerance_;
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    const double gap = distance(vertices_[i].point, point);
+    if (gap <= least) {
+      least = gap;
+      nearest = static_cast<int>(i);
+    }
+  }
+  if (nearest >= 0) return nearest;
+  vertices_.push_back({point, -1, -1, -1, {}});
+  return static_cast<int>(vertices_.size()) - 1;
+}
+
+void FaceSplitter::add_crossings() {
+  for (std::size_t i = 0; i < strands_.size(); ++i)
+    for (std::size_t k = i + 1; k < strands_.size(); ++k) {
+      Strand &a = strands_[i], &b = strands_[k];
+      if (!boxes_meet(box_of(a.curve), box_of(b.curve), tolerance_)) continue;
+      const PlanarCrossings common = crossings(a.curve, b.curve, std::max(reach(a), reach(b)));
+      for (const PlanarCrossing& crossing : common.points) {
+        const int node = node_near(crossing.point);
+        a.stops.emplace_back(crossing.a, node);
+        b.stops.emplace_back(crossing.b, node);
+      }
+      if (!common.complete) note(a.cut, "runs so close to another cut that not all nodes are sure");
+    }
+}
+
+// Adds the ends, sorts, and joins stops at one vertex with next to nothing between them.
+void FaceSplitter::finish_stops(Strand& strand) {
+  const Interval domain = strand.curve.domain();
+  for (const double end : {domain.from, domain.to})
+    if (!has_stop(strand, end))
+      strand.stops.emplace_back(end, node_near(point_at(strand.curve, end)));
+  std::sort(strand.stops.begin(), strand.stops.end());
+  std::vector<std::pair<double, int>> stops;
+  for (const auto& stop : strand.stops)
+    if (stops.empty() || stops.back().second != stop.second ||
+        !is_near(strand.curve, stops.back().first, stop.first, 8 * reach(strand)))
+      stops.push_back(stop);
+  strand.stops = std::move(stops);
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Splitting one face along cuts.
+
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/edge_splits.h"
+#include "adapters/occt/face_trims.h"
+#include "core/forms/spline.h"
+#include "core/trimming/pieces.h"
+
+namespace blossom::occt {
+
+/// A curve that a face is to be cut along. The two splines share their parameter.
+struct FaceCut {
+  Spline curve;          ///< in space
+  Spline2 chart;         ///< in the face's own parameters
+  double tolerance = 0;  ///< of the edges that come of it; at least what OCCT asks for is taken
+};
+
+/// A piece of a cut on the border of a piece of the face.
+struct CutUse {
+  int cut = 0;  ///< index of the cut
+  Interval at;  ///< parameters of the cut; walked from-to, the piece of the face is on the left
+  TopoDS_Edge edge;  ///< in the wire of the piece
+};
+
+struct FacePiece {
+  TopoDS_Face face;  ///< oriented as the face it comes from
+  std::vector<CutUse> cuts;
+};
+
+struct FaceSplit {
+  std::vector<FacePiece> pieces;
+  std::vector<std::string> notes;  ///< cuts that were left out, and why
+};
+
+/// Splits a face in three steps, each for all faces of a model before the next, so that all have
+/// told where they meet their edges before an edge is split:
+///
+///   FaceSplitter splitter(face, cuts, splits, tolerance);   // where cuts cross wires
+///   splitter.settle();                                      // loose ends, crossings of cuts
+///   FaceSplit split = splitter.split();                     // the pieces
+///
+/// Cuts are clipped to the inside of the face. They may cross each other, seams and wires, end
+/// anywhere, and end in one another. What does not divide the face is left out and noted. A run
+/// along an existing edge divides nothing either, but is reported as a use of the cut. Seams stay
+/// edges: pieces on the two sides of a seam are joined by it, not merged.
+class FaceSplitter {
+ public:
+  /// tolerance   points of cuts and edges closer than this are one; model units
+  /// throws      BadModel as `face_trims`
+  FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, EdgeSplits& splits,
+               double tolerance);
+
+  /// Takes ends that stop just short of a wire to it, preferably where a neighbour splits the same
+  /// edge already, and finds where cuts cross each other.
+  void settle();
+
+  /// The pieces. When nothing divides the face and no edge is split it is the face itself.
+  FaceSplit split();
+
+ private:
+  // Where arcs meet: a split of a coedge (its ends among them) or, without one, a node inside.
+  struct Vertex {
+    Vec2 point;
+    int loop = -1, coedge = -1, split = -1;
+    TopoDS_Vertex shape;  // of nodes, once an edge needed it
+  };
+  // A cut as it lies over the face, moved by whole periods.
+  struct Strand {
+    int cut = 0;
+    Vec2 shift;
+    PlanarCurve curve;
+    std::vector<TrimRun> runs;
+    std::vector<std::pair<double, int>> stops;  // parameters and vertices
+  };
+  // What an arc of the arrangement stands for.
+  struct Origin {
+    TopoDS_Edge edge;          // walked along the arc
+    std::vector<CutUse> uses;  // of cuts, along the arc
+    int strand = -1;           // of cuts only
+    int loop = -1;             // of borders only
+  };
+
+  void add_strands();
+  void add_wire_stops(Strand& strand);
+  void add_end_stop(Strand& strand, double end);
+  bool has_stop(const Strand& strand, double at) const;
+  void add_crossings();
+  void finish_stops(Strand& strand);
+  int vertex_of(const TrimMeeting& meeting, double uncertainty);
+  int vertex_at_split(int loop, int coedge, int split);
+  int node_near(const Vec2& point);
+  double reach(const Strand& strand) const;
+  const Coedge& coedge(int loop, int index) const;
+  void note(int cut, const std::string& what);
+
+  void add_border_arcs();
+  void add_border_arc(int loop, int index, const EdgePiece& piece);
+  std::vector<CutUse> runs_along(int loop, int index, const EdgePiece& piece) const;
+  bool add_cut_arcs();
+  bool add_cut_arc(const Strand& strand, const std::pair<double, int>& from,
+                   const std::pair<double, int>& to);
+  TopoDS_Edge cut_edge(const Strand& strand, const Interval& at, int from, int to);
+  const TopoDS_Vertex& shape_of(int vertex, const Strand& strand, double parameter);
+
+  FaceSplit divided(const ChartPieces& found);
+  FaceSplit undivided();
+  bool adds_up(const ChartPieces& found) const;
+  void add_wire(const Cycle& cycle, FacePiece& piece) const;
+
+  TopoDS_Face given_;
+  FaceTrims trims_;
+  std::vector<FaceCut> cuts_;
+  EdgeSplits& splits_;
+  double tolerance_;
+  std::vector<Vertex> vertices_;  // the corners of the wires first
+  std::vector<Strand> strands_;
+  std::vector<ChartArc> arcs_;
+  std::vector<Origin> origins_;  // one for each arc
+  std::vector<std::string> notes_;
+};
+
+/// One face by itself.
+FaceSplit split_face(const TopoDS_Face& face, const std::vector<FaceCut>& cuts,
+                     double tolerance = 1e-7);
+
+}  // namespace blossom::occt

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/face_trims.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_Surface.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/pcurves.h"
+#include "core/trimming/loops.h"
+
+namespace blossom::occt {
+namespace {
+
+// A distance that counts as on the border, where no other is given. Model units, about.
+constexpr double kOnBorder = 1e-7;
+// Relative to the box: parameters of natural borders are exact up to rounding.
+constexpr double kNaturalError = 1e-9;
+
+Coedge coedge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  double first = 0, last = 0;
+  const Handle(Geom2d_Curve) pcurve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  if (pcurve.IsNull()) throw BadModel("an edge has no parametric curve on the face it bounds");
+  return {edge, planar_curve(pcurve, {first, last}), BRep_Tool::Degenerated(edge), 0, 0};
+}
+
+Vec2 end_point(const Coedge& coedge, bool last) {
+  const Interval domain = coedge.curve.domain();
+  return point_at(coedge.curve, last != coedge.reversed() ? domain.to : domain.from);
+}
+
+// The starts and ends of coedges at one vertex of the model.
+struct Meeting {
+  TopoDS_Vertex vertex;
+  std::vector<Coedge*> starts;
+  std::vector<Coedge*> ends;
+};
+
+std::vector<Meeting> meetings(FaceTrims& trims) {
+  std::vector<Meeting> all;
+  const auto at_vertex = [&](const TopoDS_Vertex& vertex) -> Meeting& {
+    if (vertex.IsNull()) throw BadModel("an edge of a face has no vertices");
+    const auto known = std::find_if(all.begin(), all.end(), [&](const Meeting& meeting) {
+      return meeting.vertex.IsSame(vertex);
+    });
+    return known != all.end() ? *known : all.emplace_back(Meeting{vertex, {}, {}});
+  };
+  for (auto& loop : trims.loops)
+    for (Coedge& coedge : loop) {
+      at_vertex(TopExp::FirstVertex(coedge.edge, Standard_True)).starts.push_back(&coedge);
+      at_vertex(TopExp::LastVertex(coedge.edge, Standard_True)).ends.push_back(&coedge);
+    }
+  return all;
+}
+
+// Joins each end to a start, nearest pairs first.
+void join(Meeting meeting, FaceTrims& trims) {
+  if (meeting.starts.size() != meeting.ends.size()) throw BadModel("a wire of a face is open");
+  while (!meeting.ends.empty()) {
+    std::size_t best_end = 0, best_start = 0;
+    double nearest_gap = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < meeting.ends.size(); ++i)
+      for (std::size_t k = 0; k < meeting.starts.size(); ++k) {
+        const double gap =
+            distance(end_point(*meeting.ends[i], true), end_point(*meeting.starts[k], false));
+        if (gap < nearest_gap) {
+          nearest_gap = gap;
+          best_end = i;
+          best_start = k;
+        }
+      }
+    meeting.ends[best_end]->to = meeting.starts[best_start]->from =
+        static_cast<int>(trims.corners.size());
+    trims.corners.push_back(end_point(*meeting.ends[best_end], true));
+    trims.largest_gap = std::max(trims.largest_gap, nearest_gap);
+    meeting.ends.erase(meeting.ends.begin() + static_cast<std::ptrdiff_t>(best_end));
+    meeting.starts.erase(meeting.starts.begin() + static_cast<std::ptrdiff_t>(best_start));
+  }
+}
+
+PlanarBox box_of_loops(const FaceTrims& trims) {
+  PlanarBox box = box_of(trims.loops.front().front().curve);
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) box = united(box, box_of(coedge.curve));
+  return box;
+}
+
+double power_of_two(double length) {
+  return length > 0 && std::isfinite(length) ? std::exp2(std::round(std::log2(length))) : 1.0;
+}
+
+// The mean lengths of the surface's derivatives over the box, rounded to powers of two.
+Vec2 chart_scale(const Handle(Geom_Surface) & surface, const PlanarBox& box) {
+  constexpr int kSamples = 5;
+  Vec2 sum;
+  for (int i = 0; i < kSamples; ++i)
+    for (int j = 0; j < kSamples; ++j) {
+      const double u = at({box.low[0], box.high[0]}, (i + 0.5) / kSamples);
+      const double v = at({box.low[1], box.high[1]}, (j + 0.5) / kSamples);
+      gp_Pnt point;
+      gp_Vec du, dv;
+      surface->D1(u, v, point, du, dv);
+      sum += {du.Magnitude(), dv.Magnitude()};
+    }
+  return {power_of_two(sum[0] / (kSamples * kSamples)),
+          power_of_two(sum[1] / (kSamples * kSamples))};
+}
+
+double overshoot(const Handle(Geom_Surface) & surface, const FaceTrims& trims) {
+  Vec2 low, high;
+  surface->Bounds(low[0], high[0], low[1], high[1]);
+  double most = 0;
+  for (int k = 0; k < 2; ++k)
+    if (trims.period[k] == 0)
+      most = std::max({most, trims.scale[k] * low[k] - trims.box.low[k],
+                       trims.box.high[k] - trims.scale[k] * high[k]});
+  return most;
+}
+
+bool lies_on_border(const PlanarCurve& curve, const PlanarBox& box) {
+  const PlanarBox own = box_of(curve);
+  for (int k = 0; k < 2; ++k) {
+    const double error = kNaturalError * (box.high[k] - box.low[k]);
+    if (own.high[k] <= box.low[k] + error || own.low[k] >= box.high[k] - error) return true;
+  }
+  return false;
+}
+
+bool is_natural(const FaceTrims& trims) {
+  return trims.loops.size() == 1 &&
+         std::all_of(trims.loops.front().begin(), trims.loops.front().end(),
+                     [&](const Coedge& coedge) { return lies_on_border(coedge.curve, trims.box); });
+}
+
+bool holds(const PlanarBox& box, const PlanarBox& other) {
+  for (int k = 0; k < 2; ++k) {
+    const double error = kNaturalError * (box.high[k] - box.low[k]);
+    if (other.low[k] < box.low[k] - error || other.high[k] > box.high[k] + error) return false;
+  }
+  return true;
+}
+
+// Between neighbouring parameters the curve is inside or outside as a whole.
+std::vector<double> divisions(const PlanarCurve& curve, const ClippedCurve& found) {
+  const Interval domain = curve.domain();
+  std::vector<double> at{domain.from, domain.to};
+  for (const TrimMeeting& meeting : found.meetings) at.push_back(meeting.at);
+  for (const TrimRun& run : found.runs) at.insert(at.end(), {run.at.from, run.at.to});
+  std::sort(at.begin(), at.end());
+  at.erase(std::unique(at.begin(), at.end()), at.end());
+  return at;
+}
+
+bool on_run(const ClippedCurve& found, double parameter) {
+  return std::any_of(found.runs.begin(), found.runs.end(), [&](const TrimRun& run) {
+    return run.at.from <= parameter && parameter <= run.at.to;
+  });
+}
+
+void append(std::vector<Interval>& intervals, const Interval& next) {
+  if (!intervals.empty() && intervals.back().to >= next.from)
+    intervals.back().to = std::max(intervals.back().to, next.to);
+  else
+    intervals.push_back(next);
+}
+
+// Intervals inside or, if asked, along wires; those of one kind are joined.
+std::vector<Interval> inside_of(const FaceTrims& trims, const PlanarCurve& curve,
+                                const ClippedCurve& found, bool with_runs) {
+  std::vector<Interval> inside;
+  const std::vector<double> at = divisions(curve, found);
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    const double middle = 0.5 * (at[i] + at[i + 1]);
+    const bool along = on_run(found, middle);
+    if (along ? with_runs : is_inside(trims, point_at(curve, middle)))
+      append(inside, {at[i], at[i + 1]});
+  }
+  return inside;
+}
+
+void meet(const FaceTrims& trims, const PlanarCurve& curve, double tolerance, int loop, int index,
+          ClippedCurve& found) {
+  const Coedge& coedge =
+      trims.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(index)];
+  const PlanarCrossings common = crossings(curve, coedge.curve, tolerance);
+  for (const PlanarCrossing& point : common.points)
+    found.meetings.push_back({point.a, loop, index, point.b});
+  for (const PlanarOverlap& run : common.overlaps)
+    found.runs.push_back({run.a, loop, index, run.b});
+  found.complete = found.complete && common.complete;
+}
+
+std::vector<Interval> united(std::vector<Interval> intervals) {
+  std::sort(intervals.begin(), intervals.end(),
+            [](const Interval& a, const Interval& b) { return a.from < b.from; });
+  std::vector<Interval> joined;
+  for (const Interval& interval : intervals) append(joined, interval);
+  return joined;
+}
+
+}  // namespace
+
+FaceTrims face_trims(const TopoDS_Face& face) {
+  FaceTrims trims;
+  trims.face = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(trims.face);
+  if (surface.IsNull()) throw BadModel("a face has no surface");
+  for (TopoDS_Iterator wire(trims.face); wire.More(); wire.Next()) {
+    if (wire.Value().ShapeType() != TopAbs_WIRE) continue;
+    std::vector<Coedge> loop;
+    for (TopoDS_Iterator edge(wire.Value()); edge.More(); edge.Next())
+      if (edge.Value().Orientation() == TopAbs_FORWARD ||
+          edge.Value().Orientation() == TopAbs_REVERSED)
+        loop.push_back(coedge_of(TopoDS::Edge(edge.Value()), trims.face));
+    if (!loop.empty()) trims.loops.push_back(std::move(loop));
+  }
+  if (trims.loops.empty()) throw BadModel("a face has no wire");
+  trims.scale = chart_scale(surface, box_of_loops(trims));
+  for (auto& loop : trims.loops)
+    for (Coedge& coedge : loop)
+      coedge.curve = transformed(std::move(coedge.curve), trims.scale, {});
+  trims.period = {surface->IsUPeriodic() ? surface->UPeriod() * trims.scale[0] : 0,
+                  surface->IsVPeriodic() ? surface->VPeriod() * trims.scale[1] : 0};
+  for (Meeting& meeting : meetings(trims)) join(std::move(meeting), trims);
+  trims.box = box_of_loops(trims);
+  trims.overshoot = overshoot(surface, trims);
+  trims.natural = is_natural(trims);
+  return trims;
+}
+
+PlanarCurve chart_curve(const FaceTrims& trims, const Spline2& chart) {
+  return transformed(planar_curve(chart), trims.scale, {});
+}
+
+std::vector<Vec2> period_shifts(const FaceTrims& trims, const PlanarCurve& curve) {
+  const PlanarBox box = box_of(curve);
+  std::array<std::vector<double>, 2> moves;
+  for (int k = 0; k < 2; ++k) {
+    auto& along = moves[static_cast<std::size_t>(k)];
+    // A move that only touches the box would give the other side of a seam a second time.
+    const auto reaches = [&](double move, double margin) {
+      return box.low[k] + move <= trims.box.high[k] + margin &&
+             box.high[k] + move >= trims.box.low[k] - margin;
+    };
+    if (reaches(0, kOnBorder)) along.push_back(0);
+    for (int turn = -2; trims.period[k] > 0 && turn <= 2; ++turn)
+      if (turn != 0 && reaches(turn * trims.period[k], -kOnBorder))
+        along.push_back(turn * trims.period[k]);
+  }
+  std::vector<Vec2> shifts;
+  for (const double u : moves[0])
+    for (const double v : moves[1]) shifts.push_back({u, v});
+  return shifts;
+}
+
+ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double tolerance) {
+  ClippedCurve found;
+  for (std::size_t loop = 0; loop < trims.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims.loops[loop].size(); ++i)
+      meet(trims, curve, tolerance, static_cast<int>(loop), static_cast<int>(i), found);
+  std::sort(found.meetings.begin(), found.meetings.end(),
+            [](const TrimMeeting& a, const TrimMeeting& b) { return a.at < b.at; });
+  found.inside = inside_of(trims, curve, found, false);
+  return found;
+}
+
+bool is_inside(const FaceTrims& trims, const Vec2& point) {
+  for (int k = 0; k < 2; ++k)
+    if (point[k] < trims.box.low[k] || point[k] > trims.box.high[k]) return false;
+  if (trims.natural) return true;
+  int winding = 0;
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      const int sign = coedge.reversed() ? -1 : 1;
+      for (const PlanarSpan& span : coedge.curve.spans)
+        winding += sign * ray_crossings(PlanarPath{span.curve}, point);
+      const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
+      winding += ray_crossings(corner(coedge.from), end_point(coedge, false), point) +
+                 ray_crossings(end_point(coedge, true), corner(coedge.to), point);
+    }
+  return winding > 0;
+}
+
+std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& chart) {
+  return clip_to_trims(face_trims(face), chart);
+}
+
+std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart) {
+  const PlanarCurve curve = chart_curve(trims, chart);
+  if (trims.natural && holds(trims.box, box_of(curve))) return {curve.domain()};
+  std::vector<Interval> inside;
+  for (const Vec2& shift : period_shifts(trims, curve)) {
+    const PlanarCurve moved = transformed(curve, {1, 1}, shift);
+    const ClippedCurve found = clipped(trims, moved, kOnBorder);
+    const std::vector<Interval> more = inside_of(trims, moved, found, true);
+    inside.insert(inside.end(), more.begin(), more.end());
+  }
+  return united(std::move(inside));
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// All intersections of two shapes, face by face, written back as Open CASCADE curves.
+
+#pragma once
+
+#include <vector>
+
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TopoDS_Face.hxx>
+
+#include "core/surface_intersection.h"
+
+namespace blossom::occt {
+
+/// An intersection curve as Open CASCADE takes it; the three share their parameter.
+struct EdgeCurves {
+  Handle(Geom_BSplineCurve) curve;
+  Handle(Geom2d_BSplineCurve) pcurve_a;
+  Handle(Geom2d_BSplineCurve) pcurve_b;
+  double tolerance = 0;  ///< for the edge: max(1e-7, 1.1 x deviation), model units
+};
+
+/// The intersection of one face with another. Numbers are indices into the callers' lists.
+struct FaceIntersection {
+  int face_a = 0;
+  int face_b = 0;
+  SurfaceIntersection found;      ///< clipped to the trims of both faces
+  std::vector<EdgeCurves> edges;  ///< one for each of found.curves
+};
+
+struct ShapeIntersection {
+  Status status = Status::Complete;     ///< the weakest of all pairs
+  std::vector<FaceIntersection> pairs;  ///< only pairs with something to tell
+  Certificate certificate;              ///< summed over all pairs
+  long face_pairs = 0;                  ///< pairs whose boxes met
+};
+
+/// Intersects every face of one list with every face of the other.
+/// throws   BadModel if a face cannot be converted; the message has the face's place in its list
+ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
+                            const IntersectionOptions& options = {});
+
+}  // namespace blossom::occt

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Models in files: STEP with names, colours, layers and assembly, IGES and BREP.
+
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+namespace blossom::occt {
+
+/// A shape with the names, colours, layers, units and assembly that it came with.
+class Model {
+ public:
+  /// An empty model, to which shapes are added.
+  Model();
+  Model(Model&&) noexcept;
+  Model& operator=(Model&&) noexcept;
+  ~Model();
+
+  /// The shape of all parts, in one compound when there are several. Millimetres.
+  const TopoDS_Shape& shape() const;
+
+  int face_count() const;
+
+  /// A face by its number, 1-based in the order of TopExp::MapShapes.
+  /// throws   BadModel, naming the file and the number, if there is none
+  TopoDS_Face face(int number) const;
+
+  /// The file it was read from; empty otherwise.
+  const std::filesystem::path& file() const;
+
+  /// The length unit of that file, "MM", "INCH", ...; in memory all is millimetre.
+  const std::string& file_unit() const;
+
+  /// For each face, by number - 1, its name, or that of its part; empty when neither has one.
+  std::vector<std::string> face_names() const;
+
+  /// Adds a shape as a part of its own.
+  /// colour   red, green, blue in [0, 1], sRGB; empty for none
+  void add(const TopoDS_Shape& shape, const std::string& name,
+           const std::vector<double>& colour = {});
+
+  /// Puts pieces in the place of faces, by face number; no pieces takes the face out. All other
+  /// faces keep their edges, names and colours; pieces take the face's colour and its name,
+  /// numbered ("TopFace.1", "TopFace.2") if there are several. A part that is used several times
+  /// is cut only where the face was named, and gets a copy of its own for that.
+  ///
+  /// Pieces lie in model space and are oriented beside `face(number)`. A solid stays a solid when
+  /// its shells stay closed, so when pieces make up their face and keep its border edges; else it
+  /// becomes its open shells, one for each connected group of faces. A part without faces goes.
+  /// Faces have new numbers afterwards. Areas and volumes that the file gave for changed parts
+  /// are dropped.
+  /// throws   BadModel if there is no such face or a piece is null; nothing is changed then
+  void replace_faces(const std::map<int, std::vector<TopoDS_Face>>& pieces);
+
+ private:
+  friend Model read_model(const std::filesystem::path& file);
+  friend void write_model(const Model& model, const std::filesystem::path& file);
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Reads .step .stp .iges .igs .brep .brp (any case).
+/// A STEP or IGES file's length unit is kept for writing. Faces that Open CASCADE cannot make from
+/// a sound STEP file are left out, with a warning.
+/// throws   BadModel if the file is missing, no file, empty, cut off, damaged, or holds no shape,
+///          or a number of its geometry is not finite or a weight not positive; the message names
+///          the file, the face, edge or entity, and the cause
+/// Safe to call from several threads; they wait for each other.
+Model read_model(const std::filesystem::path& file);
+
+/// Writes by the file's ending, beside the target, and renames when all is on the disk: an
+/// interrupted or failed write leaves what was there before. Numbers keep 16 digits. Names,
+/// colours, layers and the assembly go into STEP; IGES keeps names of 8 letters, BREP shapes only.
+/// A link stays a link, and a device is written to directly.
+/// throws   Failure if the file cannot be written; BadModel if the ending is not known
+void write_model(const Model& model, const std::filesystem::path& file);
+
+/// Writes `text` in the same safe way.
+void write_text(const std::string& text, const std::filesystem::path& file);
+
+/// Sends Open CASCADE's messages to stderr, warnings and worse only. Call it once, first.
+void quiet_messages();
+
+}  // namespace blossom::occt

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What reading, writing and changing models share. For this folder only.
+
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include <TDF_Label.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Shape.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+
+#include "adapters/occt/shapes.h"
+
+namespace blossom::occt {
+
+enum class Format { Step, Iges, Brep };
+
+/// By the ending, in any case.
+/// throws   BadModel if the ending is not known
+Format format_of(const std::filesystem::path& file);
+
+/// Reading, writing and documents share tables of Open CASCADE that are not thread-safe.
+std::recursive_mutex& exchange_lock();
+
+/// An XDE document, closed at the end of its life.
+class Document {
+ public:
+  Document();
+  ~Document();
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  const Handle(TDocStd_Document) & handle() const { return handle_; }
+  TDF_Label main() const { return handle_->Main(); }
+  Handle(XCAFDoc_ShapeTool) shapes() const;
+
+  /// The length unit of the file, in the words of `write.step.unit`: "MM", "INCH", ...
+  std::string unit = "MM";
+
+ private:
+  Handle(TDocStd_Document) handle_;
+};
+
+/// The shape of a label as its parts say: a part, an instance or an assembly.
+TopoDS_Shape assembled(const TDF_Label& label);
+
+/// The name of a label in UTF-8; empty if it has none.
+std::string name_of(const TDF_Label& label);
+
+struct Model::Impl {
+  Document document;
+  std::filesystem::path file;
+  TopoDS_Shape shape;
+  TopTools_IndexedMapOfShape faces;
+
+  /// Takes shape and face numbers from the document.
+  void refresh();
+};
+
+/// Refuses text that is no whole file of its format.
+/// throws   BadModel with the cause, without the file's name
+void check_whole(Format format, std::string_view text);
+
+/// A length unit's name in a file, "millimetre" or "INCH", in the words of `write.step.unit`.
+std::string unit_named(std::string name);
+
+/// throws   BadModel with the cause, without the file's name
+void read_step(Document& document, const std::filesystem::path& file);
+
+/// Returns why a surface was left out, in a few words; empty when all is well.
+/// throws   BadModel with the cause, without the file's name
+std::string read_brep(Document& document, const std::string& text);
+
+}  // namespace blossom::occt

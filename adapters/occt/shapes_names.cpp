@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the parts and faces of a model are called.
+
+#include <TCollection_AsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+
+#include "adapters/occt/shapes_detail.h"
+
+namespace blossom::occt {
+namespace {
+
+// Names go to the faces below a label, which stands at a place in the model.
+class FaceNames {
+ public:
+  explicit FaceNames(const TopTools_IndexedMapOfShape& faces)
+      : faces_(faces), names_(static_cast<std::size_t>(faces.Extent())) {}
+
+  void visit(const TDF_Label& label, const TopLoc_Location& place) {
+    TDF_Label part;
+    if (XCAFDoc_ShapeTool::GetReferredShape(label, part))
+      return visit(part, place * XCAFDoc_ShapeTool::GetLocation(label));
+    TDF_LabelSequence below;
+    if (XCAFDoc_ShapeTool::IsAssembly(label)) {
+      XCAFDoc_ShapeTool::GetComponents(label, below);
+      for (const TDF_Label& component : below) visit(component, place);
+      return;
+    }
+    name_all(XCAFDoc_ShapeTool::GetShape(label), place, name_of(label));
+    XCAFDoc_ShapeTool::GetSubShapes(label, below);
+    for (const TDF_Label& face : below)
+      name_all(XCAFDoc_ShapeTool::GetShape(face), place, name_of(face));
+  }
+
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  void name_all(TopoDS_Shape shape, const TopLoc_Location& place, const std::string& name) {
+    if (shape.IsNull() || name.empty()) return;
+    shape.Location(place * shape.Location(), false);
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+      if (const int number = faces_.FindIndex(it.Current()); number > 0)
+        names_[static_cast<std::size_t>(number - 1)] = name;
+  }
+
+  const TopTools_IndexedMapOfShape& faces_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace
+
+std::string name_of(const TDF_Label& label) {
+  Handle(TDataStd_Name) name;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
+  return TCollection_AsciiString(name->Get()).ToCString();
+}
+
+std::vector<std::string> Model::face_names() const {
+  FaceNames found(impl_->faces);
+  TDF_LabelSequence parts;
+  impl_->document.shapes()->GetFreeShapes(parts);
+  for (const TDF_Label& part : parts) found.visit(part, TopLoc_Location());
+  return found.names();
+}
+
+const std::string& Model::file_unit() const { return impl_->document.unit; }
+
+}  // namespace blossom::occt

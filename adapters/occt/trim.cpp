@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/trim.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/area.h"
+#include "adapters/occt/errors.h"
+#include "adapters/occt/intersection.h"
+#include "core/base/errors.h"
+
+namespace blossom::occt {
+namespace {
+
+// A face of the part on its way through the work.
+struct Job {
+  const PartFace* of = nullptr;
+  std::vector<FaceCut> cuts;
+  std::vector<CutSource> sources;
+  std::unique_ptr<FaceSplitter> splitter;
+  FaceSplit split;
+  bool failed = false;
+};
+
+std::string face_name(const PartFace& face) { return "face " + std::to_string(face.number); }
+
+void fail(Job& job, const std::string& cause, TrimResult& result) {
+  result.notes.push_back(face_name(*job.of) + ": " + cause + ", it stays whole");
+  result.status = weaker(result.status, Status::Tolerance);
+  job.failed = true;
+  job.split = {{{job.of->face, {}}}, {}};
+}
+
+// Runs a step of a job; what a broken face throws costs that face alone.
+template <class Step>
+void attempt(Job& job, TrimResult& result, Step&& step) {
+  try {
+    guarded("splitting " + face_name(*job.of), std::forward<Step>(step));
+  } catch (const BadModel& error) {
+    fail(job, error.what(), result);
+  } catch (const Failure& error) {
+    fail(job, error.what(), result);
+  }
+}
+
+// The tools' faces in one list, with the tool that each comes from.
+struct ToolFaces {
+  std::vector<TopoDS_Face> faces;
+  std::vector<int> tool;
+};
+
+ToolFaces all_faces(const std::vector<TrimTool>& tools) {
+  ToolFaces all;
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    for (const TopoDS_Face& face : tools[i].faces) {
+      all.faces.push_back(face);
+      all.tool.push_back(static_cast<int>(i));
+    }
+  return all;
+}
+
+void note_places(const FaceIntersection& pair, const PartFace& face, TrimResult& result) {
+  for (const Place& place : pair.found.places)
+    if (place.kind == PlaceKind::Overlap || place.kind == PlaceKind::Open)
+      result.notes.push_back(face_name(face) + ": " + to_string(place.kind) +
+                             " with a tool's face, nothing is cut there");
+}
+
+void add_cuts(const FaceIntersection& pair, const ToolFaces& tools, Job& job, TrimResult& result) {
+  const auto tool_face = static_cast<std::size_t>(pair.face_b);
+  for (std::size_t i = 0; i < pair.found.curves.size(); ++i) {
+    const IntersectionCurve& curve = pair.found.curves[i];
+    if (curve.tangential) {
+      result.notes.push_back(face_name(*job.of) +
+                             ": a tool touches it along a curve, which is not cut");
+      continue;
+    }
+    job.cuts.push_back({curve.curve, curve.chart_a, pair.edges[i].tolerance});
+    job.sources.push_back({tools.tool[tool_face], tools.faces[tool_face], curve.chart_b});
+  }
+  note_places(pair, *job.of, result);
+}
+
+std::vector<Job> jobs_of(const std::vector<PartFace>& part, const std::vector<TrimTool>& tools,
+                         const TrimOptions& options, TrimResult& result) {
+  std::vector<Job> jobs(part.size());
+  std::vector<TopoDS_Face> faces;
+  std::vector<std::size_t> job_of;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    jobs[i].of = &part[i];
+    if (!part[i].cut) continue;
+    attempt(jobs[i], result, [&] { face_trims(part[i].face); });
+    if (jobs[i].failed) continue;
+    faces.push_back(part[i].face);
+    job_of.push_back(i);
+  }
+  const ToolFaces all = all_faces(tools);
+  const ShapeIntersection found = intersect(faces, all.faces, options.intersection);
+  result.status = weaker(result.status, found.status);
+  result.certificate = found.certificate;
+  for (const FaceIntersection& pair : found.pairs)
+    add_cuts(pair, all, jobs[job_of[static_cast<std::size_t>(pair.face_a)]], result);
+  return jobs;
+}
+
+bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (splits.is_split(TopoDS::Edge(it.Current()))) return true;
+  return false;
+}
+
+void split_all(std::vector<Job>& jobs, const TrimOptions& options, TrimResult& result) {
+  const double tolerance = options.intersection.tolerances.point;
+  EdgeSplits splits(tolerance);
+  const auto begin = [&](Job& job) {
+    attempt(job, result, [&] {
+      job.splitter = std::make_unique<FaceSplitter>(job.of->face, job.cuts, splits, tolerance);
+    });
+  };
+  for (Job& job : jobs)
+    if (!job.cuts.empty()) begin(job);
+  for (Job& job : jobs)
+    if (job.splitter) attempt(job, result, [&] { job.splitter->settle(); });
+  for (Job& job : jobs) {
+    if (!job.splitter && !job.failed && has_split_edge(job.of->face, splits)) begin(job);
+    if (!job.splitter || job.failed) {
+      if (!job.failed) job.split = {{{job.of->face, {}}}, {}};
+      continue;
+    }
+    attempt(job, result, [&] { job.split = job.splitter->split(); });
+    for (const std::string& note : job.split.notes)
+      result.notes.push_back(face_name(*job.of) + ": " + note);
+  }
+}
+
+// One answer out of those for the single tools.
+PieceSide combined(const std::vector<ToolSide>& sides, bool solids) {
+  const auto all = [&](ToolSide side) {
+    return std::all_of(sides.begin(), sides.end(), [side](ToolSide s) { return s == side; });
+  };
+  const auto any = [&](ToolSide side) {
+    return std::find(sides.begin(), sides.end(), side) != sides.end();
+  };
+  if (solids && any(ToolSide::Below)) return PieceSide::Inside;
+  if (any(ToolSide::Unknown)) return PieceSide::Unknown;
+  if (all(ToolSide::Above)) return solids ? PieceSide::Outside : PieceSide::Above;
+  return all(ToolSide::Below) ? PieceSide::Below : PieceSide::Mixed;
+}
+
+struct Judged {
+  PieceSide side = PieceSide::Unknown;
+  bool above = false;  ///< of all tools
+  bool below = false;
+};
+
+std::vector<Judged> judged(const std::vector<Job>& jobs, const std::vector<TrimTool>& tools) {
+  std::vector<SidedPiece> pieces;
+  for (const Job& job : jobs)
+    if (job.of->cut)
+      for (const FacePiece& piece : job.split.pieces)
+        pieces.push_back({&piece, &job.cuts, &job.sources});
+  std::vector<std::vector<ToolSide>> sides(pieces.size());
+  for (std::size_t k = 0; k < tools.size(); ++k) {
+    const std::vector<ToolSide> found = sides_of(pieces, tools[k], static_cast<int>(k));
+    for (std::size_t i = 0; i < pieces.size(); ++i) sides[i].push_back(found[i]);
+  }
+  const bool solids =
+      std::all_of(tools.begin(), tools.end(), [](const TrimTool& tool) { return tool.is_solid(); });
+  std::vector<Judged> result;
+  for (const std::vector<ToolSide>& each : sides) {
+    const auto count = [&](ToolSide side) {
+      return static_cast<std::size_t>(std::count(each.begin(), each.end(), side));
+    };
+    result.push_back({combined(each, solids), count(ToolSide::Above) == each.size(),
+                      count(ToolSide::Below) == each.size()});
+  }
+  return result;
+}
+
+bool is_kept(const Judged& judged, int number, const TrimOptions& options) {
+  switch (options.keep) {
+    case Keep::Above: return judged.above;
+    case Keep::Below: return judged.below;
+    case Keep::Inside: return judged.side == PieceSide::Inside;
+    case Keep::Outside: return judged.side == PieceSide::Outside;
+    case Keep::Number: return number == options.piece;
+    case Keep::All: break;
+  }
+  return true;
+}
+
+void check_piece(const TrimPiece& piece, TrimResult& result) {
+  if (!BRepCheck_Analyzer(piece.shape).IsValid()) {
+    result.notes.push_back("piece " + std::to_string(piece.number) + " of face " +
+                           std::to_string(piece.face) + " is not valid by BRepCheck");
+    result.status = weaker(result.status, Status::Tolerance);
+  }
+}
+
+void collect(const std::vector<Job>& jobs, const std::vector<Judged>& sides,
+             const TrimOptions& options, TrimResult& result) {
+  std::size_t next = 0;
+  for (const Job& job : jobs) {
+    std::vector<TopoDS_Face> kept;
+    for (const FacePiece& piece : job.split.pieces) {
+      if (!job.of->cut) {
+        kept.push_back(piece.face);
+        continue;
+      }
+      const Judged& side = sides[next++];
+      const int number = static_cast<int>(next);
+      result.pieces.push_back({number, job.of->number, side.side, is_kept(side, number, options),
+                               area(piece.face), piece.face});
+      if (!job.cuts.empty()) check_piece(result.pieces.back(), result);
+      if (result.pieces.back().kept) kept.push_back(piece.face);
+      if (side.side == PieceSide::Unknown && options.keep != Keep::All &&
+          options.keep != Keep::Number)
+        result.notes.push_back("piece " + std::to_string(number) +
+                               ": its side is not decided, it is not kept");
+    }
+    if (job.of->cut) result.areas[job.of->number] = area(job.of->face);
+    if (kept.size() != 1 || !kept.front().IsSame(job.of->face))
+      result.replacements[job.of->number] = std::move(kept);
+  }
+}
+
+void check_options(const std::vector<TrimTool>& tools, const TrimOptions& options) {
+  if (options.keep != Keep::Inside && options.keep != Keep::Outside) return;
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    if (!tools[i].is_solid())
+      throw InvalidInput("trim: inside and outside need closed solids, tool " +
+                         std::to_string(i + 1) + " is none");
+}
+
+}  // namespace
+
+const char* to_string(PieceSide side) {
+  switch (side) {
+    case PieceSide::Above: return "above";
+    case PieceSide::Below: return "below";
+    case PieceSide::Inside: return "inside";
+    case PieceSide::Outside: return "outside";
+    case PieceSide::Mixed: return "mixed";
+    case PieceSide::Unknown: break;
+  }
+  return "unknown";
+}
+
+TrimResult trim(const std::vector<PartFace>& part, const std::vector<TrimTool>& tools,
+                const TrimOptions& options) {
+  check_options(tools, options);
+  TrimResult result;
+  std::vector<Job> jobs = jobs_of(part, tools, options, result);
+  split_all(jobs, options, result);
+  const std::vector<Judged> sides = judged(jobs, tools);
+  collect(jobs, sides, options, result);
+  const int count = static_cast<int>(result.pieces.size());
+  if (options.keep == Keep::Number && (options.piece < 1 || options.piece > count))
+    throw InvalidInput("trim: there is no piece " + std::to_string(options.piece) + ", only 1 to " +
+                       std::to_string(count));
+  return result;
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/trim_sides.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include <BOPTools_AlgoTools3D.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Surface.hxx>
+#include <IntTools_Context.hxx>
+#include <Precision.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+
+namespace blossom::occt {
+namespace {
+
+// Below this cosine between the way into the piece and the tool's normal, a side is not decided.
+constexpr double kLeastCosine = 1e-4;
+// Places on a cut, as fractions, where the side is looked at.
+constexpr std::array kLooks{0.5, 0.23, 0.77};
+
+gp_Vec oriented_normal(const TopoDS_Face& face, const Vec2& uv) {
+  gp_Pnt point;
+  gp_Vec du, dv;
+  BRep_Tool::Surface(face)->D1(uv[0], uv[1], point, du, dv);
+  const gp_Vec normal = du.Crossed(dv);
+  return face.Orientation() == TopAbs_REVERSED ? normal.Reversed() : normal;
+}
+
+double cosine(const gp_Vec& a, const gp_Vec& b) {
+  const double size = a.Magnitude() * b.Magnitude();
+  return size > 0 ? a.Dot(b) / size : 0;
+}
+
+ToolSide side_from(double cosine) {
+  if (std::abs(cosine) < kLeastCosine) return ToolSide::Unknown;
+  return cosine > 0 ? ToolSide::Above : ToolSide::Below;
+}
+
+// Every piece as a node; the pieces that hang together have one root.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+Groups joined(const std::vector<SidedPiece>& pieces, int tool) {
+  TopTools_MapOfShape cut_edges;
+  for (const SidedPiece& piece : pieces)
+    for (const CutUse& use : piece.piece->cuts)
+      if ((*piece.sources)[static_cast<std::size_t>(use.cut)].tool == tool) cut_edges.Add(use.edge);
+  TopTools_IndexedMapOfShape edges;
+  std::vector<std::size_t> first_user;
+  Groups groups(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (TopExp_Explorer it(pieces[i].piece->face, TopAbs_EDGE); it.More(); it.Next()) {
+      if (cut_edges.Contains(it.Current())) continue;
+      const auto number = static_cast<std::size_t>(edges.Add(it.Current()));
+      if (number > first_user.size())
+        first_user.push_back(i);
+      else
+        groups.join(i, first_user[number - 1]);
+    }
+  return groups;
+}
+
+// What the cuts on a piece's border say, all together.
+struct Votes {
+  bool above = false;
+  bool below = false;
+  ToolSide side() const {
+    return above == below ? ToolSide::Unknown : above ? ToolSide::Above : ToolSide::Below;
+  }
+};
+
+Votes votes_of(const SidedPiece& piece, int tool) {
+  Votes votes;
+  for (const CutUse& use : piece.piece->cuts) {
+    if ((*piece.sources)[static_cast<std::size_t>(use.cut)].tool != tool) continue;
+    const ToolSide side = side_at_cut(piece, use);
+    votes.above = votes.above || side == ToolSide::Above;
+    votes.below = votes.below || side == ToolSide::Below;
+  }
+  return votes;
+}
+
+std::optional<gp_Pnt> point_inside(const TopoDS_Face& face) {
+  gp_Pnt point;
+  gp_Pnt2d uv;
+  const Handle(IntTools_Context) context = new IntTools_Context;
+  if (BOPTools_AlgoTools3D::PointInFace(face, point, uv, context) != 0) return std::nullopt;
+  return point;
+}
+
+ToolSide side_of_solids(const std::vector<TopoDS_Solid>& solids, const gp_Pnt& point) {
+  for (const TopoDS_Solid& solid : solids) {
+    const TopAbs_State state =
+        BRepClass3d_SolidClassifier(solid, point, Precision::Confusion()).State();
+    if (state == TopAbs_IN) return ToolSide::Below;
+    if (state != TopAbs_OUT) return ToolSide::Unknown;
+  }
+  return ToolSide::Above;
+}
+
+// By the nearest point; where faces are equally near (at their common edge) by the one whose
+// normal is the most decided.
+ToolSide side_of_faces(const std::vector<TopoDS_Face>& faces, const gp_Pnt& point) {
+  const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(point);
+  double least = std::numeric_limits<double>::infinity(), decided = 0;
+  for (const TopoDS_Face& face : faces) {
+    const BRepExtrema_DistShapeShape distance(vertex, face);
+    if (!distance.IsDone() || distance.NbSolution() == 0 ||
+        distance.Value() > least + Precision::Confusion())
+      continue;
+    const gp_Pnt foot = distance.PointOnShape2(1);
+    const gp_Pnt2d uv =
+        ShapeAnalysis_Surface(BRep_Tool::Surface(face)).ValueOfUV(foot, Precision::Confusion());
+    const double found = cosine(gp_Vec(foot, point), oriented_normal(face, {uv.X(), uv.Y()}));
+    const bool nearer = distance.Value() < least - Precision::Confusion();
+    if (nearer || std::abs(found) > std::abs(decided)) decided = found;
+    least = std::min(least, distance.Value());
+  }
+  return side_from(decided);
+}
+
+ToolSide side_by_point(const TopoDS_Face& piece, const TrimTool& tool) {
+  const std::optional<gp_Pnt> point = point_inside(piece);
+  if (!point) return ToolSide::Unknown;
+  return tool.is_solid() ? side_of_solids(tool.solids, *point) : side_of_faces(tool.faces, *point);
+}
+
+}  // namespace
+
+TrimTool trim_tool(const TopoDS_Shape& shape) {
+  TrimTool tool;
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i) tool.faces.push_back(TopoDS::Face(faces(i)));
+  TopTools_IndexedMapOfShape bounding;
+  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
+    TopTools_IndexedDataMapOfShapeListOfShape users;
+    TopExp::MapShapesAndAncestors(it.Current(), TopAbs_EDGE, TopAbs_FACE, users);
+    for (int i = 1; i <= users.Extent(); ++i)
+      if (users(i).Extent() < 2 && !BRep_Tool::Degenerated(TopoDS::Edge(users.FindKey(i))))
+        return tool;  // an open shell
+    TopExp::MapShapes(it.Current(), TopAbs_FACE, bounding);
+    tool.solids.push_back(TopoDS::Solid(it.Current()));
+  }
+  if (bounding.Extent() != faces.Extent()) tool.solids.clear();
+  return tool;
+}
+
+ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {
+  const auto index = static_cast<std::size_t>(use.cut);
+  const FaceCut& cut = (*piece.cuts)[index];
+  const CutSource& source = (*piece.sources)[index];
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(piece.piece->face);
+  const double direction = use.at.to > use.at.from ? 1 : -1;
+  Votes votes;
+  for (const double look : kLooks) {
+    const double s = at(use.at, look);
+    const Vec2 uv = point_at(cut.chart, s);
+    const Vec2 along = direction * derivative_at(cut.chart, s);
+    gp_Pnt point;
+    gp_Vec du, dv;
+    surface->D1(uv[0], uv[1], point, du, dv);
+    const gp_Vec inwards = du * -along[1] + dv * along[0];
+    const ToolSide side = side_from(
+        cosine(inwards, oriented_normal(source.tool_face, point_at(source.tool_chart, s))));
+    votes.above = votes.above || side == ToolSide::Above;
+    votes.below = votes.below || side == ToolSide::Below;
+  }
+  return votes.side();
+}
+
+std::vector<ToolSide> sides_of(const std::vector<SidedPiece>& pieces, const TrimTool& tool,
+                               int number) {
+  Groups groups = joined(pieces, number);
+  std::vector<Votes> own(pieces.size()), common(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    own[i] = votes_of(pieces[i], number);
+    Votes& group = common[groups.root(i)];
+    group.above = group.above || own[i].above;
+    group.below = group.below || own[i].below;
+  }
+  std::vector<ToolSide> sides(pieces.size(), ToolSide::Unknown);
+  std::vector<std::optional<ToolSide>> by_point(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::size_t root = groups.root(i);
+    const Votes& group = common[root];
+    if (group.above && group.below) {
+      sides[i] = own[i].side();
+    } else if (group.above || group.below) {
+      sides[i] = group.side();
+    } else {
+      if (!by_point[root]) by_point[root] = side_by_point(pieces[i].piece->face, tool);
+      sides[i] = *by_point[root];
+    }
+  }
+  return sides;
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/blending/border_rows.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/math/binomial.h"
+
+namespace blossom {
+namespace {
+
+bool runs_along_v(Side side) { return side == Side::UMin || side == Side::UMax; }
+
+bool is_at_end(Side side) { return side == Side::UMax || side == Side::VMax; }
+
+/// One patch behind a border: its points counted inwards from the border, then along it.
+struct PatchView {
+  const RationalBezierPatch& patch;
+  Side side;
+
+  int along() const { return runs_along_v(side) ? patch.degree_v() : patch.degree_u(); }
+  int inwards() const { return runs_along_v(side) ? patch.degree_u() : patch.degree_v(); }
+  const Vec4& operator()(int depth, int k) const {
+    const int i = is_at_end(side) ? inwards() - depth : depth;
+    return runs_along_v(side) ? patch.points(i, k) : patch.points(k, i);
+  }
+};
+
+const RationalBezierPatch& patch_behind(const BezierSurface& surface, Side side, int span) {
+  const Grid<RationalBezierPatch>& all = surface.patches;
+  if (runs_along_v(side)) return all(is_at_end(side) ? all.rows() - 1 : 0, span);
+  return all(span, is_at_end(side) ? all.columns() - 1 : 0);
+}
+
+/// Scales each span so that the weights continue those of the span before.
+void align_weights(Border& border) {
+  double weight = 1;
+  for (std::size_t span = 0; span < border.edges.size(); ++span) {
+    const double factor = weight / border.edges[span].front()[3];
+    for (Vec4& point : border.edges[span]) point *= factor;
+    for (Vec4& vector : border.across[span]) vector *= factor;
+    weight = border.edges[span].back()[3];
+  }
+}
+
+/// The part of a row over [0, t] and the part over [t, 1], by de Casteljau.
+struct Halves {
+  Row left;
+  Row right;
+};
+
+Halves halves(Row row, double t) {
+  Halves parts{{row.front()}, {row.back()}};
+  for (std::size_t left = row.size() - 1; left > 0; --left) {
+    for (std::size_t i = 0; i < left; ++i) row[i] = (1 - t) * row[i] + t * row[i + 1];
+    parts.left.push_back(row.front());
+    parts.right.push_back(row[left - 1]);
+  }
+  std::reverse(parts.right.begin(), parts.right.end());
+  return parts;
+}
+
+Row part_of(const Row& row, const Interval& t) {
+  Row part = row;
+  if (t.to < 1) part = halves(part, t.to).left;
+  if (t.from > 0) part = halves(part, t.from / t.to).right;
+  return part;
+}
+
+int span_at(const Border& border, double x) {
+  const auto after = std::upper_bound(border.breaks.begin(), border.breaks.end(), x);
+  const auto span = after - border.breaks.begin() - 1;
+  return static_cast<int>(
+      std::clamp<std::ptrdiff_t>(span, 0, static_cast<std::ptrdiff_t>(border.breaks.size()) - 2));
+}
+
+double local_at(const Border& border, int span, double x, double snap) {
+  const double low = border.breaks[static_cast<std::size_t>(span)];
+  const double high = border.breaks[static_cast<std::size_t>(span) + 1];
+  if (x <= low + snap) return 0;
+  if (x >= high - snap) return 1;
+  return local_parameter(border.law, {at(border.range, low), at(border.range, high)},
+                         at(border.range, x));
+}
+
+struct HomogeneousJet {
+  Vec4 value;
+  Vec4 derivative;
+};
+
+HomogeneousJet homogeneous_jet(Row row, double t) {
+  const auto degree = static_cast<double>(row.size() - 1);
+  for (std::size_t left = row.size() - 1; left > 1; --left)
+    for (std::size_t i = 0; i < left; ++i) row[i] = (1 - t) * row[i] + t * row[i + 1];
+  if (row.size() == 1) return {row[0], {}};
+  return {(1 - t) * row[0] + t * row[1], degree * (row[1] - row[0])};
+}
+
+Vec3 in_space(const Vec4& vector, const Vec4& value) {
+  const Vec4 difference = vector - (vector[3] / value[3]) * value;
+  return Vec3{difference[0], difference[1], difference[2]} * (1 / value[3]);
+}
+
+}  // namespace
+
+Border border_of(const BezierSurface& surface, Side side) {
+  const bool along_v = runs_along_v(side);
+  const std::vector<double>& along = along_v ? surface.v_knots : surface.u_knots;
+  const std::vector<double>& inwards = along_v ? surface.u_knots : surface.v_knots;
+  const ParameterLaw inward_law = along_v ? surface.u_law : surface.v_law;
+  const Interval behind = is_at_end(side) ? Interval{inwards[inwards.size() - 2], inwards.back()}
+                                          : Interval{inwards[0], inwards[1]};
+
+  Border border;
+  border.range = {along.front(), along.back()};
+  border.law = along_v ? surface.v_law : surface.u_law;
+  border.depth = length(behind);
+  border.closed = along_v ? surface.closed_v : surface.closed_u;
+  for (const double knot : along)
+    border.breaks.push_back((knot - along.front()) / length(border.range));
+
+  const double speed = parameter_derivative(inward_law, behind, is_at_end(side) ? 1 : 0);
+  for (int span = 0; span + 1 < static_cast<int>(along.size()); ++span) {
+    const PatchView net{patch_behind(surface, side, span), side};
+    Row& edge = border.edges.emplace_back();
+    Row& across = border.across.emplace_back();
+    for (int k = 0; k <= net.along(); ++k) {
+      edge.push_back(net(0, k));
+      across.push_back((net.inwards() / speed) * (net(0, k) - net(1, k)));
+    }
+  }
+  align_weights(border);
+  return border;
+}
+
+BorderPiece piece_of(const Border& border, const Interval& x, double snap) {
+  const bool backward = x.from > x.to;
+  const Interval rising = backward ? Interval{x.to, x.from} : x;
+  const int span = span_at(border, at(rising, 0.5));
+  Interval local{local_at(border, span, rising.from, snap),
+                 local_at(border, span, rising.to, snap)};
+  BorderPiece piece{.edge = part_of(border.edges[static_cast<std::size_t>(span)], local),
+                    .across = part_of(border.across[static_cast<std::size_t>(span)], local),
+                    .span = span,
+                    .local = local};
+  if (!backward) return piece;
+  std::reverse(piece.edge.begin(), piece.edge.end());
+  std::reverse(piece.across.begin(), piece.across.end());
+  piece.local = {local.to, local.from};
+  return piece;
+}
+
+SpaceJet jet_at(const Row& row, double t) {
+  const HomogeneousJet jet = homogeneous_jet(row, t);
+  const Vec4& p = jet.value;
+  return {Vec3{p[0], p[1], p[2]} * (1 / p[3]), in_space(jet.derivative, p)};
+}
+
+Vec3 across_at(const Row& edge, const Row& across, double t) {
+  return in_space(homogeneous_jet(across, t).value, homogeneous_jet(edge, t).value);
+}
+
+Vec3 point_at(const Border& border, double x) {
+  const int span = span_at(border, x);
+  return jet_at(border.edges[static_cast<std::size_t>(span)], local_at(border, span, x, 0)).point;
+}
+
+Row product(const std::vector<double>& factor, const Row& row) {
+  const int n = static_cast<int>(factor.size()) - 1;
+  const int m = static_cast<int>(row.size()) - 1;
+  Row result(factor.size() + row.size() - 1);
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= m; ++j) {
+      const double share = binomial(n, i) * binomial(m, j) / binomial(n + m, i + j);
+      result[static_cast<std::size_t>(i + j)] +=
+          (share * factor[static_cast<std::size_t>(i)]) * row[static_cast<std::size_t>(j)];
+    }
+  return result;
+}
+
+Row raised(const Row& row, int degree) {
+  const auto missing = static_cast<std::size_t>(degree + 1) - row.size();
+  if (missing == 0) return row;
+  return product(std::vector<double>(missing + 1, 1.0), row);
+}
+
+}  // namespace blossom

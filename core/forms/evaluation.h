@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Values and derivatives of a patch at a point, without allocation.
+//
+// Bernstein polynomials are positive on [0, 1], so the sums below lose no digits there.
+
+#pragma once
+
+#include "core/forms/patch.h"
+
+namespace blossom {
+
+/// Point and partial derivatives by the patch's local parameters, model units.
+struct PatchJet {
+  Vec3 point;
+  Vec3 u, v;
+  Vec3 uu, uv, vv;  ///< zero when only first derivatives were asked for
+};
+
+/// The jet of a rational patch at (u, v); `order` is 1 or 2. Any real parameters.
+/// Cost: O((n + 1)(m + 1)).
+PatchJet jet_at(const RationalBezierPatch& patch, double u, double v, int order);
+
+}  // namespace blossom

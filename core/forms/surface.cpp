@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/forms/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/errors.h"
+#include "core/forms/evaluation.h"
+
+namespace blossom {
+namespace {
+
+// tan(alpha / 2): the range of the stereographic parameter of an arc is [-k, k].
+double arc_range(const Interval& span) { return std::tan(0.25 * length(span)); }
+
+std::size_t span_of(const std::vector<double>& knots, double parameter) {
+  const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
+  return static_cast<std::size_t>(above - knots.begin()) - 1;
+}
+
+[[noreturn]] void refuse(const char* name, const std::string& cause) {
+  throw InvalidInput(std::string("surface ") + name + ": " + cause);
+}
+
+void validate_knots(const std::vector<double>& knots, int spans, const char* name,
+                    const char* direction) {
+  if (static_cast<int>(knots.size()) != spans + 1)
+    refuse(name, std::to_string(spans) + " spans in " + direction + " take " +
+                     std::to_string(spans + 1) + " knots, got " + std::to_string(knots.size()));
+  for (std::size_t i = 0; i < knots.size(); ++i)
+    if (!std::isfinite(knots[i]) || (i > 0 && knots[i] <= knots[i - 1]))
+      refuse(name, std::string("the knots in ") + direction + " are not finite and increasing");
+}
+
+void validate_patch(const RationalBezierPatch& patch, const char* name) {
+  const int degree = std::max(patch.degree_u(), patch.degree_v());
+  if (std::min(patch.degree_u(), patch.degree_v()) < 1 || degree > kMaxDegree)
+    refuse(name, "degrees must be in 1.." + std::to_string(kMaxDegree) + ", got " +
+                     std::to_string(patch.degree_u()) + " x " + std::to_string(patch.degree_v()));
+  for (const Vec4& p : patch.points.values()) {
+    for (int k = 0; k < 4; ++k)
+      if (!std::isfinite(p[k])) refuse(name, "a control point is not finite");
+    if (!(p[3] > 0)) refuse(name, "a weight is not positive: " + std::to_string(p[3]));
+  }
+}
+
+}  // namespace
+
+double parameter_at(ParameterLaw law, const Interval& span, double t) {
+  if (law == ParameterLaw::Linear || t == 0 || t == 1) return at(span, t);
+  return at(span, 0.5) + 2 * std::atan(arc_range(span) * (2 * t - 1));
+}
+
+double parameter_derivative(ParameterLaw law, const Interval& span, double t) {
+  if (law == ParameterLaw::Linear) return length(span);
+  const double k = arc_range(span);
+  const double x = k * (2 * t - 1);
+  return 4 * k / (1 + x * x);
+}
+
+double parameter_second_derivative(ParameterLaw law, const Interval& span, double t) {
+  if (law == ParameterLaw::Linear) return 0;
+  const double k = arc_range(span);
+  const double x = k * (2 * t - 1);
+  return -16 * k * k * x / ((1 + x * x) * (1 + x * x));
+}
+
+double local_parameter(ParameterLaw law, const Interval& span, double parameter) {
+  if (law == ParameterLaw::Linear) return (parameter - span.from) / length(span);
+  return 0.5 * (1 + std::tan(0.5 * (parameter - at(span, 0.5))) / arc_range(span));
+}
+
+Vec3 point_at(const BezierSurface& surface, const Vec2& uv) {
+  const double u = std::clamp(uv[0], surface.u_knots.front(), surface.u_knots.back());
+  const double v = std::clamp(uv[1], surface.v_knots.front(), surface.v_knots.back());
+  const std::size_t i = span_of(surface.u_knots, u);
+  const std::size_t j = span_of(surface.v_knots, v);
+  const double s = local_parameter(surface.u_law, {surface.u_knots[i], surface.u_knots[i + 1]}, u);
+  const double t = local_parameter(surface.v_law, {surface.v_knots[j], surface.v_knots[j + 1]}, v);
+  return jet_at(surface.patches(static_cast<int>(i), static_cast<int>(j)), s, t, 1).point;
+}
+
+void validate(const BezierSurface& surface, const char* name) {
+  if (surface.patches.empty()) refuse(name, "it has no patches");
+  validate_knots(surface.u_knots, surface.patches.rows(), name, "u");
+  validate_knots(surface.v_knots, surface.patches.columns(), name, "v");
+  for (const RationalBezierPatch& patch : surface.patches.values()) validate_patch(patch, name);
+  if (!(surface.error >= 0)) refuse(name, "its error bound is not a number");
+}
+
+}  // namespace blossom

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/arc_chains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace blossom {
+namespace {
+
+// Border points found from two sides agree to rounding; twice the slack of one side.
+constexpr double kJoin = 2 * kSamePoint;
+
+// Parameters over a whole surface: index of the span plus the local parameter.
+Point4 over_surfaces(const SurfaceCells& a, const SurfaceCells& b, int patch_a, int patch_b,
+                     const Point4& x) {
+  return {a.span_u(patch_a) + x[0], a.span_v(patch_a) + x[1], b.span_u(patch_b) + x[2],
+          b.span_v(patch_b) + x[3]};
+}
+
+bool same(const Point4& p, const Point4& q) {
+  for (std::size_t i = 0; i < 4; ++i)
+    if (std::abs(p[i] - q[i]) > kJoin) return false;
+  return true;
+}
+
+// An end of an arc: 2 * arc for `from`, 2 * arc + 1 for `to`.
+class Graph {
+ public:
+  Graph(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b)
+      : found_(found), a_(a), b_(b) {
+    for (const FoundArc& arc : found.arcs)
+      for (const Point4& x : {arc.arc.from, arc.arc.to})
+        points_.push_back(over_surfaces(a, b, arc.patch_a, arc.patch_b, x));
+    vertex_.assign(points_.size(), -1);
+    join_ends();
+  }
+
+  std::vector<Chain> chains(std::vector<Clump>& clumps) {
+    std::vector<Chain> result;
+    used_.assign(found_.arcs.size(), false);
+    for (std::size_t e = 0; e < points_.size(); ++e)
+      if (!used_[e / 2] && ends_at(e).size() != 2) result.push_back(walk(e, clumps));
+    for (std::size_t e = 0; e < points_.size(); e += 2)
+      if (!used_[e / 2]) result.push_back(walk(e, clumps));
+    return result;
+  }
+
+ private:
+  const std::vector<std::size_t>& ends_at(std::size_t end) const {
+    return ends_[static_cast<std::size_t>(vertex_[end])];
+  }
+
+  // Points near each other have near values of one generic linear function.
+  void join_ends() {
+    const auto value = [&](std::size_t e) {
+      const Point4& p = points_[e];
+      return p[0] + 0.6180339887 * p[1] + 0.4142135623 * p[2] + 0.2360679774 * p[3];
+    };
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t e = 0; e < points_.size(); ++e) order.emplace_back(value(e), e);
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const std::size_t e = order[i].second;
+      for (std::size_t j = i; j-- > 0 && order[i].first - order[j].first <= 3 * kJoin;)
+        if (same(points_[e], points_[order[j].second])) {
+          vertex_[e] = vertex_[order[j].second];
+          break;
+        }
+      if (vertex_[e] < 0) {
+        vertex_[e] = static_cast<int>(ends_.size());
+        ends_.emplace_back();
+      }
+      ends_[static_cast<std::size_t>(vertex_[e])].push_back(e);
+    }
+  }
+
+  Chain walk(std::size_t first, std::vector<Clump>& clumps) {
+    Chain chain;
+    std::size_t end = first;
+    while (true) {
+      used_[end / 2] = true;
+      chain.links.push_back({static_cast<int>(end / 2), end % 2 == 0});
+      const std::size_t far = end ^ 1;
+      const auto& there = ends_at(far);
+      if (there.size() != 2) {
+        chain.ends = {end_kind(first, clumps), end_kind(far, clumps)};
+        return chain;
+      }
+      const std::size_t next = there[0] == far ? there[1] : there[0];
+      if (used_[next / 2]) {
+        chain.closed = true;
+        return chain;
+      }
+      end = next;
+    }
+  }
+
+  ChainEnd end_kind(std::size_t end, std::vector<Clump>& clumps) const {
+    const Point4& p = points_[end];
+    const auto on_border = [&](std::size_t i, int spans) {
+      return p[i] <= kJoin || p[i] >= spans - kJoin;
+    };
+    const auto& grid_a = a_.surface().patches;
+    const auto& grid_b = b_.surface().patches;
+    if (ends_at(end).size() == 1) {
+      if (on_border(0, grid_a.rows()) || on_border(1, grid_a.columns()))
+        return {CurveEnd::BorderA, -1};
+      if (on_border(2, grid_b.rows()) || on_border(3, grid_b.columns()))
+        return {CurveEnd::BorderB, -1};
+    }
+    for (std::size_t c = 0; c < clumps.size(); ++c)
+      for (const int i : clumps[c].pairs)
+        if (holds(found_.critical[static_cast<std::size_t>(i)], p)) {
+          ++clumps[c].arc_ends;
+          return {CurveEnd::Place, static_cast<int>(c)};
+        }
+    return {CurveEnd::Place, -1};
+  }
+
+  bool holds(const CriticalPair& pair, const Point4& p) const {
+    Point4 low, high;
+    for (std::size_t i = 0; i < 4; ++i) {
+      low[i] = pair.box[i].from;
+      high[i] = pair.box[i].to;
+    }
+    low = over_surfaces(a_, b_, pair.patch_a, pair.patch_b, low);
+    high = over_surfaces(a_, b_, pair.patch_a, pair.patch_b, high);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (p[i] < low[i] - kJoin || p[i] > high[i] + kJoin) return false;
+    return true;
+  }
+
+  const PairSearchResult& found_;
+  const SurfaceCells& a_;
+  const SurfaceCells& b_;
+  std::vector<Point4> points_;
+  std::vector<int> vertex_;                     // of an end
+  std::vector<std::vector<std::size_t>> ends_;  // of a vertex
+  std::vector<bool> used_;
+};
+
+}  // namespace
+
+std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& a,
+                             const SurfaceCells& b, std::vector<Clump>& clumps) {
+  return Graph(found, a, b).chains(clumps);
+}
+
+std::vector<FoundGraze> lone_grazes(const PairSearchResult& found, const SurfaceCells& a,
+                                    const SurfaceCells& b) {
+  std::vector<Point4> known;
+  for (const FoundArc& arc : found.arcs)
+    for (const Point4& x : {arc.arc.from, arc.arc.to})
+      known.push_back(over_surfaces(a, b, arc.patch_a, arc.patch_b, x));
+  std::vector<FoundGraze> lone;
+  for (const FoundGraze& graze : found.grazes) {
+    const Point4 p = over_surfaces(a, b, graze.patch_a, graze.patch_b, graze.x);
+    if (std::any_of(known.begin(), known.end(), [&](const Point4& q) { return same(p, q); }))
+      continue;
+    known.push_back(p);
+    lone.push_back(graze);
+  }
+  return lone;
+}
+
+}  // namespace blossom

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Arcs of cells joined into whole branches by the identity of their border points.
+
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/intersection/critical_places.h"
+#include "core/intersection/pair_search.h"
+
+namespace blossom {
+
+/// An arc in a chain; `forward` runs it from `from` to `to`.
+struct ChainLink {
+  int arc = 0;
+  bool forward = true;
+};
+
+/// Where a chain ends.
+struct ChainEnd {
+  CurveEnd kind = CurveEnd::Closed;
+  int clump = -1;  ///< for CurveEnd::Place: the clump, or -1 for an end that nothing explains
+};
+
+struct Chain {
+  std::vector<ChainLink> links;
+  std::array<ChainEnd, 2> ends;
+  bool closed = false;
+};
+
+/// Joins arcs end to end. Inside the surfaces exactly two arcs meet in a border point; on a
+/// border one ends. An end that is neither, nor in a clump, has no explanation: its chain gets
+/// CurveEnd::Place without a clump, and the result may not be called complete.
+/// clumps   their `arc_ends` are counted
+std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& a,
+                             const SurfaceCells& b, std::vector<Clump>& clumps);
+
+/// The grazes at which no arc ends, each once: contacts of the surfaces at one of their corners.
+std::vector<FoundGraze> lone_grazes(const PairSearchResult& found, const SurfaceCells& a,
+                                    const SurfaceCells& b);
+
+}  // namespace blossom

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/border_roots.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/forms/evaluation.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kNewtonSteps = 12;
+constexpr double kSettled = 1e-13;  // a Newton step below this is rounding; fraction of a patch
+constexpr double kStalled = 1e-10;  // so is one below this that no longer shrinks: ill conditioned
+constexpr double kBorderSlack = 4e-11;  // a root this close to a face is on it; fraction of a patch
+constexpr int kKrawczykSteps = 16;
+constexpr int kSlidingSamples = 9;       // points of an arc that must all lie on a face
+constexpr double kTangentToFace = 1e-6;  // slower than this across a face means undecided
+
+struct Root {
+  Point4 x;
+  Point4 tangent;  // in the cells' own parameters
+};
+
+using Columns = std::array<Vec3, 4>;
+
+Columns jacobian(const PatchJet& a, const PatchJet& b) { return {a.u, a.v, -b.u, -b.v}; }
+
+// Solves M y = r by Cramer's rule; nothing if M is singular.
+std::optional<Vec3> solve(const Vec3& c0, const Vec3& c1, const Vec3& c2, const Vec3& r) {
+  const Vec3 n = cross(c1, c2);
+  const double d = dot(c0, n);
+  if (d == 0 || !std::isfinite(1 / d)) return std::nullopt;
+  return Vec3{dot(r, n) / d, dot(c0, cross(r, c2)) / d, dot(c0, cross(c1, r)) / d};
+}
+
+// The points of a cell's border: the first or last row or column of its net.
+struct Border {
+  std::array<double, 3 * (kMaxDegree + 1)> points;
+  int count = 0;
+};
+
+Border border_of(const Cell& cell, const NetShape& shape, bool across_u, bool high) {
+  Border border;
+  border.count = across_u ? shape.columns : shape.rows;
+  const int step = across_u ? 1 : shape.columns;
+  const int first = !high ? 0 : across_u ? (shape.rows - 1) * shape.columns : shape.columns - 1;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < border.count; ++i)
+      border.points[static_cast<std::size_t>(k * border.count + i)] =
+          cell.hull[k * shape.plane_size() + first + i * step];
+  return border;
+}
+
+bool outside(double low, double high, double other_low, double other_high) {
+  return low > other_high || high < other_low;
+}
+
+// True if the border curve of one cell proves not to meet the other cell.
+bool border_apart(const Border& border, double margin, const Cell& other) {
+  const double* p = border.points.data();
+  const int n = border.count;
+  for (int k = 0; k < 3; ++k) {
+    const auto [low, high] = std::minmax_element(p + k * n, p + (k + 1) * n);
+    if (outside(*low - margin, *high + margin, other.low[k], other.high[k])) return true;
+  }
+  const Vec3& normal = other.plane.normal;
+  double low = 0, high = 0;
+  for (int i = 0; i < n; ++i) {
+    const double h = normal[0] * p[i] + normal[1] * p[i + n] + normal[2] * p[i + 2 * n];
+    low = i == 0 ? h : std::min(low, h);
+    high = i == 0 ? h : std::max(high, h);
+  }
+  return outside(low - 2 * margin, high + 2 * margin, other.plane.low, other.plane.high);
+}
+
+enum class Face { Empty, Root, Undecided };
+
+class PairBorder {
+ public:
+  PairBorder(const CellTree& tree_a, const Cell& a, const CellTree& tree_b, const Cell& b,
+             const JacobianBounds& bounds)
+      : tree_a_(tree_a), a_(a), tree_b_(tree_b), b_(b), bounds_(bounds), box_(box_of(a, b)) {}
+
+  // All roots on the eight faces; false if some face stays undecided. Faces along which the arc
+  // itself runs have no roots of their own.
+  bool find(std::vector<Root>& roots, int along) {
+    std::vector<Point4> points;
+    for (int axis = 0; axis < 4; ++axis) {
+      minor_known_ = false;
+      for (const bool high : {false, true}) {
+        Point4 x;
+        const Face face = decide(axis, high, x);
+        if (face == Face::Root) points.push_back(x);
+        if (face != Face::Undecided) continue;
+        if (axis == along || !slides_along(axis, high, along)) return false;
+        sliding_[static_cast<std::size_t>(axis)][high] = true;
+      }
+    }
+    return std::all_of(points.begin(), points.end(),
+                       [&](const Point4& x) { return add(roots, x, along); });
+  }
+
+  // Does the arc run on inside the box in the direction `sign` of its tangent?
+  bool enters(const Root& root, double sign) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double rate = sign * root.tangent[i];
+      if (at_face(root.x, i, false) && rate < 0) return false;
+      if (at_face(root.x, i, true) && rate > 0) return false;
+    }
+    return true;
+  }
+
+  bool slides() const {
+    return std::any_of(sliding_.begin(), sliding_.end(),
+                       [](const auto& s) { return s[0] || s[1]; });
+  }
+
+  // An arc along an upper border belongs to the neighbour, if there is one; an arc along a
+  // border that is one point in space, the pole of a sphere, is none.
+  bool belongs_elsewhere(const SurfaceBorders& borders, const CellArc& arc) const {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (sliding_[i][1] && !borders.high[i]) return true;
+    Point4 middle;
+    for (std::size_t i = 0; i < 4; ++i) middle[i] = 0.5 * (arc.from[i] + arc.to[i]);
+    const auto point = [&](const Point4& x) {
+      return jet_at(tree_a_.patch(), x[0], x[1], 1).point;
+    };
+    const Vec3 start = point(arc.from);
+    const double reach = std::max(distance(start, point(middle)), distance(start, point(arc.to)));
+    return slides() && reach <= 16 * std::max(a_.margin, b_.margin);
+  }
+
+ private:
+  Face decide(int axis, bool high, Point4& root) {
+    const bool on_a = axis < 2;
+    const Border border = on_a ? border_of(a_, tree_a_.shape(), axis == 0, high)
+                               : border_of(b_, tree_b_.shape(), axis == 2, high);
+    if (border_apart(border, on_a ? a_.margin : b_.margin, on_a ? b_ : a_)) return Face::Empty;
+    if (!minor_known_) minor_ = bounds_.minor(axis);
+    minor_known_ = true;
+    if (!minor_.regular) return Face::Undecided;
+
+    Point4 start;
+    for (std::size_t i = 0; i < 4; ++i) start[i] = at(box_[i], 0.5);
+    const Interval& range = box_[static_cast<std::size_t>(axis)];
+    start[static_cast<std::size_t>(axis)] = high ? range.to : range.from;
+    const auto solution = newton(tree_a_.patch(), tree_b_.patch(), start, axis, box_);
+    // The minor is regular, so there is at most one root: found means done.
+    if (solution && inside(*solution)) {
+      root = *solution;
+      return Face::Root;
+    }
+    return krawczyk_empties(start, axis) ? Face::Empty : Face::Undecided;
+  }
+
+  // True if the box meets the arc, and only along the given face.
+  bool slides_along(int axis, bool high, int along) const {
+    const auto j = static_cast<std::size_t>(axis), k = static_cast<std::size_t>(along);
+    const double face = high ? box_[j].to : box_[j].from;
+    int on_face = 0;
+    for (int i = 0; i < kSlidingSamples; ++i) {
+      Point4 start;
+      for (std::size_t l = 0; l < 4; ++l) start[l] = at(box_[l], 0.5);
+      start[j] = face;
+      start[k] = at(box_[k], (i + 0.5) / kSlidingSamples);
+      const auto x = newton(tree_a_.patch(), tree_b_.patch(), start, along, box_);
+      if (!x || !inside(*x)) continue;
+      if (std::abs((*x)[j] - face) > kBorderSlack) return false;
+      ++on_face;
+    }
+    return on_face > 1;
+  }
+
+  bool at_face(const Point4& x, std::size_t i, bool high) const {
+    return !sliding_[i][high] && std::abs(x[i] - (high ? box_[i].to : box_[i].from)) <= kSamePoint;
+  }
+
+  bool inside(const Point4& x) const {
+    for (std::size_t i = 0; i < 4; ++i)
+      if (x[i] < box_[i].from - kBorderSlack || x[i] > box_[i].to + kBorderSlack) return false;
+    return true;
+  }
+
+  // Any root in the box Y with middle y and radius r lies in y - C F(y) +- E r; intersecting
+  // again and again empties Y if there is none. In the cells' own parameters.
+  bool krawczyk_empties(Point4 y, int axis) const {
+    const auto kept = kept_columns(axis);
+    std::array<double, 3> radius{0.5, 0.5, 0.5};
+    for (int step = 0; step < kKrawczykSteps; ++step) {
+      const Vec3 f = jet_at(tree_a_.patch(), y[0], y[1], 1).point -
+                     jet_at(tree_b_.patch(), y[2], y[3], 1).point;
+      std::array<double, 3> next_radius{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(kept[i]);
+        const double width = length(box_[k]);
+        double shift = 0, spread = 0;
+        for (std::size_t j = 0; j < 3; ++j) {
+          shift += minor_.inverse[i][j] * f[static_cast<int>(j)];
+          spread += minor_.spread[i][j] * radius[j];
+        }
+        spread = spread * (1 + 1e-12) + 1e-14;
+        const double middle = (y[k] - box_[k].from) / width;
+        const double low = std::max(middle - shift - spread, middle - radius[i]);
+        const double high = std::min(middle - shift + spread, middle + radius[i]);
+        if (low > high) return true;
+        y[k] = box_[k].from + 0.5 * (low + high) * width;
+        next_radius[i] = 0.5 * (high - low);
+      }
+      radius = next_radius;
+    }
+    return false;
+  }
+
+  // False if the arc is too nearly tangent to a face it meets here.
+  bool add(std::vector<Root>& roots, const Point4& x, int along) const {
+    for (const Root& known : roots) {
+      double gap = 0;
+      for (std::size_t i = 0; i < 4; ++i) gap = std::max(gap, std::abs(known.x[i] - x[i]));
+      if (gap < kSamePoint) return true;
+    }
+    Root root{x, tangent_at(tree_a_.patch(), tree_b_.patch(), x, along)};
+    double largest = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      root.tangent[i] /= length(box_[i]);
+      largest = std::max(largest, std::abs(root.tangent[i]));
+    }
+    if (!(largest > 0)) return false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      root.tangent[i] /= largest;
+      if ((at_face(x, i, false) || at_face(x, i, true)) &&
+          std::abs(root.tangent[i]) < kTangentToFace)
+        return false;
+    }
+    roots.push_back(root);
+    return true;
+  }
+
+  const CellTree& tree_a_;
+  const Cell& a_;
+  const CellTree& tree_b_;
+  const Cell& b_;
+  const JacobianBounds& bounds_;
+  Box4 box_;
+  Minor minor_;
+  bool minor_known_ = false;
+  std::array<std::array<bool, 2>, 4> sliding_{};  // by parameter, low and high face
+};
+
+}  // namespace
+
+Box4 box_of(const Cell& a, const Cell& b) { return {a.u, a.v, b.u, b.v}; }
+
+std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                             const Point4& start, int fixed, const Box4& box) {
+  const auto kept = kept_columns(fixed);
+  Point4 x = start;
+  double last_step = 1;
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const PatchJet ja = jet_at(a, x[0], x[1], 1), jb = jet_at(b, x[2], x[3], 1);
+    const Columns j = jacobian(ja, jb);
+    const auto column = [&](int i) {
+      return j[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])];
+    };
+    const auto delta = solve(column(0), column(1), column(2), ja.point - jb.point);
+    if (!delta) return std::nullopt;
+    double largest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(kept[static_cast<std::size_t>(i)]);
+      const double width = length(box[k]);
+      x[k] -= (*delta)[i];
+      if (!(x[k] > box[k].from - 0.5 * width && x[k] < box[k].to + 0.5 * width))
+        return std::nullopt;
+      largest = std::max(largest, std::abs((*delta)[i]));
+    }
+    if (largest < kSettled || (largest < kStalled && largest > 0.25 * last_step)) return x;
+    last_step = largest;
+  }
+  return std::nullopt;
+}
+
+Point4 tangent_at(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                  int along) {
+  const Columns j = jacobian(jet_at(a, x[0], x[1], 1), jet_at(b, x[2], x[3], 1));
+  Point4 tangent{};
+  for (int k = 0; k < 4; ++k) {
+    const auto kept = kept_columns(k);
+    const auto column = [&](std::size_t i) { return j[static_cast<std::size_t>(kept[i])]; };
+    const double minor = dot(column(0), cross(column(1), column(2)));
+    tangent[static_cast<std::size_t>(k)] = k % 2 == 0 ? minor : -minor;
+  }
+  if (tangent[static_cast<std::size_t>(along)] < 0)
+    for (double& t : tangent) t = -t;
+  return tangent;
+}
+
+std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const CellTree& tree_b,
+                                const Cell& b, const JacobianBounds& bounds,
+                                const SurfaceBorders& borders, int along) {
+  PairBorder border(tree_a, a, tree_b, b, bounds);
+  std::vector<Root> roots;
+  if (!border.find(roots, along)) return std::nullopt;
+  const auto k = static_cast<std::size_t>(along);
+  std::sort(roots.begin(), roots.end(),
+            [k](const Root& p, const Root& q) { return p.x[k] < q.x[k]; });
+  PairArcs found;
+  bool open = false;
+  for (const Root& root : roots) {
+    const bool starts = border.enters(root, 1), stops = border.enters(root, -1);
+    if (starts && stops) return std::nullopt;
+    if (!starts && !stops) {
+      found.grazes.push_back(root.x);
+      continue;
+    }
+    if (starts == open) return std::nullopt;
+    if (starts)
+      found.arcs.push_back({root.x, root.x, along, border.slides()});
+    else
+      found.arcs.back().to = root.x;
+    open = starts;
+  }
+  if (open) return std::nullopt;
+  std::erase_if(found.arcs,
+                [&](const CellArc& arc) { return border.belongs_elsewhere(borders, arc); });
+  found.along_border = border.slides() && !found.arcs.empty();
+  return found;
+}
+
+}  // namespace blossom

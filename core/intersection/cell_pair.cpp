@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/cell_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blossom {
+namespace {
+
+constexpr double kInverseRoundoff = 1e-14;  // relative, of a 3 x 3 inverse times its matrix
+constexpr int kPowerSteps = 4;              // towards the Perron vector of the spread
+
+bool boxes_apart(const Cell& a, const Cell& b) {
+  for (int k = 0; k < 3; ++k)
+    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return true;
+  return false;
+}
+
+struct Heights {
+  double low;
+  double high;
+};
+
+__attribute__((target_clones("avx512f", "avx2", "default"))) Heights heights(const double* p,
+                                                                             int count, double nx,
+                                                                             double ny, double nz) {
+  const double* y = p + count;
+  const double* z = y + count;
+  double low = nx * p[0] + ny * y[0] + nz * z[0];
+  double high = low;
+  for (int i = 1; i < count; ++i) {
+    const double h = nx * p[i] + ny * y[i] + nz * z[i];
+    low = h < low ? h : low;
+    high = h > high ? h : high;
+  }
+  return {low, high};
+}
+
+// Heights of a cell over another one's plane, margin included; |normal| <= 1.
+Heights heights_over(const FatPlane& plane, const Cell& cell, int points) {
+  const Heights h = heights(cell.hull, points, plane.normal[0], plane.normal[1], plane.normal[2]);
+  return {h.low - 2 * cell.margin, h.high + 2 * cell.margin};
+}
+
+bool above_or_below(const FatPlane& plane, const Cell& cell, int points) {
+  const Heights h = heights_over(plane, cell, points);
+  return h.low > plane.high || h.high < plane.low;
+}
+
+bool slab_holds(const FatPlane& plane, const Cell& cell, int points, double thickness) {
+  if (plane.normal == Vec3{}) return false;
+  const Heights h = heights_over(plane, cell, points);
+  return std::max(h.high, plane.high) - std::min(h.low, plane.low) <= thickness;
+}
+
+double determinant(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(a, cross(b, c)); }
+
+bool spectral_radius_below_one(const Matrix3& e) {
+  std::array<double, 3> x{1, 1, 1};
+  for (int step = 0; step < kPowerSteps; ++step) {
+    std::array<double, 3> y{};
+    double largest = 0, ratio = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) y[i] += e[i][j] * x[j];
+      ratio = std::max(ratio, y[i] / x[i]);
+      largest = std::max(largest, y[i]);
+    }
+    if (ratio < 1) return true;
+    // A little of the largest keeps every entry positive.
+    for (std::size_t i = 0; i < 3; ++i) x[i] = y[i] / largest + 1e-3;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool separated(const Cell& a, const Cell& b, int points_a, int points_b) {
+  return boxes_apart(a, b) || above_or_below(a.plane, b, points_b) ||
+         above_or_below(b.plane, a, points_a);
+}
+
+bool within_slab(const Cell& a, const Cell& b, int points_a, int points_b, double thickness) {
+  return slab_holds(a.plane, b, points_b, thickness) || slab_holds(b.plane, a, points_a, thickness);
+}
+
+std::array<int, 3> kept_columns(int left_out) {
+  std::array<int, 3> kept{};
+  std::size_t next = 0;
+  for (int k = 0; k < 4; ++k)
+    if (k != left_out) kept[next++] = k;
+  return kept;
+}
+
+JacobianBounds::JacobianBounds(const Cell& a, const Cell& b)
+    : columns_{a.du, a.dv, VectorBounds{-b.du.middle, b.du.radius},
+               VectorBounds{-b.dv.middle, b.dv.radius}} {}
+
+int JacobianBounds::best_column() const {
+  int best = 0;
+  double largest = -1;
+  for (int k = 0; k < 4; ++k) {
+    const auto kept = kept_columns(k);
+    std::array<Vec3, 3> c;
+    for (std::size_t i = 0; i < 3; ++i)
+      c[i] = unit(columns_[static_cast<std::size_t>(kept[i])].middle);
+    const double d = std::abs(determinant(c[0], c[1], c[2]));
+    if (d > largest) {
+      largest = d;
+      best = k;
+    }
+  }
+  return best;
+}
+
+Minor JacobianBounds::minor(int left_out) const {
+  const auto kept = kept_columns(left_out);
+  std::array<VectorBounds, 3> c;
+  for (std::size_t i = 0; i < 3; ++i) c[i] = columns_[static_cast<std::size_t>(kept[i])];
+  const double d = determinant(c[0].middle, c[1].middle, c[2].middle);
+  Minor result;
+  if (d == 0 || !std::isfinite(1 / d)) return result;
+  // Row i of the inverse is the cross product of the two other columns over d.
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 row = cross(c[(i + 1) % 3].middle, c[(i + 2) % 3].middle) * (1 / d);
+    for (int k = 0; k < 3; ++k) result.inverse[i][static_cast<std::size_t>(k)] = row[k];
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int axis = static_cast<int>(k);
+        sum += std::abs(result.inverse[i][k]) *
+               (c[j].radius[axis] + kInverseRoundoff * std::abs(c[j].middle[axis]));
+      }
+      result.spread[i][j] = sum;
+    }
+  result.regular = spectral_radius_below_one(result.spread);
+  return result;
+}
+
+}  // namespace blossom

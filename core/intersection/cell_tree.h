@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The cells of one patch: a binary tree of sub-patches, made when asked for and kept.
+//
+// A cell carries its control points (from `core/subdivision`, nothing else), a box, a fat plane
+// and bounds of its derivatives. All pairs that a cell takes part in share them. Every bound
+// contains the rounding of the net it was made from.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/forms/patch.h"
+#include "core/intersection/options.h"
+#include "core/math/interval.h"
+#include "core/math/vec.h"
+#include "core/subdivision/cell_nets.h"
+
+namespace blossom {
+
+/// Bounds of a vector that varies over a cell: middle +- radius in each coordinate.
+struct VectorBounds {
+  Vec3 middle;
+  Vec3 radius;
+};
+
+/// All points p of the cell satisfy low <= normal . p <= high.
+struct FatPlane {
+  Vec3 normal;  ///< unit, or zero when the cell is too degenerate to have one
+  double low = 0;
+  double high = 0;
+};
+
+struct Cell {
+  Interval u, v;        ///< place in the patch's [0, 1]^2
+  int depth = 0;        ///< halvings since the whole patch
+  int child = -1;       ///< index of the lower half, the upper one follows; -1: none
+  bool split_u = true;  ///< the direction of its halving
+  const double* homogeneous = nullptr;   ///< Bezier net, 3 or 4 planes
+  const double* coefficients = nullptr;  ///< monomial form of the same, when that is the source
+  const double* hull = nullptr;          ///< control points in space, 3 planes
+  double margin = 0;                     ///< rounding of a hull coordinate, model units
+  Vec3 low, high;                        ///< box of the hull, margin included
+  FatPlane plane;
+  VectorBounds du, dv;  ///< derivatives by the cell's own [0, 1] parameters
+  double bend = 0;      ///< how far it is from flat and affine, model units
+  double extent = 0;    ///< diagonal of the box
+};
+
+class CellTree {
+ public:
+  /// patch     its points are taken relative to `origin`, to keep digits far from zero
+  /// cut       where cells are halved, in (0, 1); off 1/2, since singular points like dyadic lines
+  CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin, CellForm form,
+           double cut);
+
+  const Cell& operator[](int index) const { return cells_[static_cast<std::size_t>(index)]; }
+
+  /// Index of the lower half of a cell, made if it is not there. Invalidates references.
+  int split(int index);
+
+  bool monomial() const { return monomial_; }
+  int size() const { return static_cast<int>(cells_.size()); }
+  const NetShape& shape() const { return shape_; }
+
+  /// The patch, relative to the origin.
+  const RationalBezierPatch& patch() const { return patch_; }
+
+ private:
+  double* allocate(int count);
+  void finish(Cell& cell);
+  double rounding_of(const Cell& cell) const;
+  void make_hull(Cell& cell);
+  void bound_polynomial_derivatives(Cell& cell) const;
+  void bound_rational_derivatives(Cell& cell) const;
+  void choose_direction(Cell& cell) const;
+
+  RationalBezierPatch patch_;
+  NetShape shape_;
+  bool rational_;
+  bool monomial_ = false;
+  double cut_;
+  double origin_scale_;
+  double net_scale_ = 0;          // largest absolute value of the net
+  double hull_scale_ = 0;         // largest absolute coordinate of a control point in space
+  double coefficient_scale_ = 0;  // largest sum of absolute coefficients over the planes
+  double least_weight_ = 1;
+  std::vector<Cell> cells_;
+  std::vector<std::unique_ptr<double[]>> blocks_;
+  int free_in_block_ = 0;
+};
+
+}  // namespace blossom

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Critical pairs of cells gathered into places.
+//
+// Neighbouring critical pairs belong together: a touch, a node or a tangential contact leaves a
+// clump of them. What a clump is follows from its size and from the arcs that end on it.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/bounds/box_tree.h"
+#include "core/intersection/pair_search.h"
+
+namespace blossom {
+
+/// A connected set of critical pairs.
+struct Clump {
+  std::vector<int> pairs;  ///< indices into the search's critical pairs
+  Box box;                 ///< relative to the origin
+  bool thin = true;        ///< all pairs ended because the surfaces are within tolerance there
+  int arc_ends = 0;        ///< curves that end in it
+};
+
+/// The clumps of all critical pairs. Pairs whose boxes meet are in one clump; of very many
+/// pairs, also those that fall into neighbouring cells of a grid.
+std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs);
+
+/// A point of least distance between the surfaces near a start, by Newton's method on
+///   (A - B) . B_s = 0,  (A - B) . B_t = 0,  A_u . N_B = 0,  A_v . N_B = 0
+///
+/// box       the search ends where a parameter leaves it by more than its width
+/// returns   the four local parameters; nothing without convergence
+///
+/// Source: Kriezis, Patrikalakis and Wolter 1992, collinear normal points.
+std::optional<Point4> collinear_normal_point(const RationalBezierPatch& a,
+                                             const RationalBezierPatch& b, const Point4& start,
+                                             const Box4& box);
+
+}  // namespace blossom

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a caller may ask of an intersection.
+
+#pragma once
+
+#include <functional>
+
+#include "core/base/tolerances.h"
+
+namespace blossom {
+
+/// The form that the nets of cells are made from.
+enum class CellForm {
+  Auto,      ///< whichever has the smaller error bound
+  Monomial,  ///< re-centred monomial coefficients
+  Bezier,    ///< Bezier nets, halved
+};
+
+struct IntersectionOptions {
+  Tolerances tolerances{};
+  CellForm form = CellForm::Auto;
+
+  /// Pairs of cells examined before giving up with Status::Stopped.
+  long budget = 2'000'000;
+
+  /// Seconds before giving up with Status::Stopped; 0 means no limit.
+  double time_limit = 0;
+
+  /// Asked now and then; true stops the work with Status::Stopped.
+  std::function<bool()> cancelled{};
+};
+
+}  // namespace blossom

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/pair_search.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <optional>
+
+#include "core/bounds/box_tree.h"
+#include "core/intersection/cell_pair.h"
+
+namespace blossom {
+namespace {
+
+// A slab this part of the tolerance thick ends the search: below it, splitting would only tell
+// contacts apart that differ by less than the tolerance.
+constexpr double kSlabPart = 1.0 / 1024;
+constexpr int kDeepest = 56;              // halvings of a patch: 2^-28 in each direction
+constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
+constexpr int kAskEvery = 1024;           // pairs between looks at the clock
+constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
+
+struct Pair {
+  int cell_a;
+  int cell_b;
+  int along;  // >= 0: already certified over this parameter, halved for its border only
+};
+
+class Search {
+ public:
+  Search(SurfaceCells& a, SurfaceCells& b, const IntersectionOptions& options,
+         PairSearchResult& result)
+      : a_(a),
+        b_(b),
+        options_(options),
+        slab_(kSlabPart * options.tolerances.point),
+        result_(result),
+        started_(std::chrono::steady_clock::now()) {}
+
+  void run(int patch_a, int patch_b) {
+    patch_a_ = patch_a;
+    patch_b_ = patch_b;
+    tree_a_ = &a_.tree(patch_a);
+    tree_b_ = &b_.tree(patch_b);
+    stack_.assign(1, {0, 0, -1});
+    while (!stack_.empty()) {
+      const Pair pair = stack_.back();
+      stack_.pop_back();
+      if (out_of_budget())
+        keep(pair, false);
+      else
+        examine(pair);
+    }
+  }
+
+ private:
+  bool out_of_budget() {
+    if (result_.stopped) return true;
+    ++examined_;
+    if (examined_ > options_.budget) return stop("the budget of cell pairs is spent");
+    if (examined_ % kAskEvery != 0) return false;
+    if (options_.cancelled && options_.cancelled()) return stop("cancelled");
+    if (a_.stored_points() + b_.stored_points() > kMostStored)
+      return stop("the memory for cells is spent");
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
+    if (options_.time_limit > 0 && spent.count() > options_.time_limit)
+      return stop("the time limit is reached");
+    return false;
+  }
+
+  bool stop(const char* reason) {
+    result_.stopped = true;
+    result_.certificate.reasons.emplace_back(reason);
+    return true;
+  }
+
+  void examine(Pair pair) {
+    const Cell& a = (*tree_a_)[pair.cell_a];
+    const Cell& b = (*tree_b_)[pair.cell_b];
+    const int points_a = tree_a_->shape().plane_size(), points_b = tree_b_->shape().plane_size();
+    Certificate& certificate = result_.certificate;
+    certificate.depth = std::max({certificate.depth, a.depth, b.depth});
+    certificate.rounding_bound = std::max({certificate.rounding_bound, a.margin, b.margin});
+    if (separated(a, b, points_a, points_b)) {
+      ++certificate.excluded;
+      return;
+    }
+    const JacobianBounds bounds(a, b);
+    if (pair.along < 0) pair.along = certified_column(bounds);
+    if (pair.along >= 0) {
+      const auto held = arcs_in(*tree_a_, a, *tree_b_, b, bounds, borders(a, b), pair.along);
+      if (held) {
+        ++certificate.certified;
+        result_.along_border = result_.along_border || held->along_border;
+        for (const CellArc& arc : held->arcs)
+          result_.arcs.push_back({patch_a_, patch_b_, box_of(a, b), arc});
+        for (const Point4& x : held->grazes) result_.grazes.push_back({patch_a_, patch_b_, x});
+        return;
+      }
+    }
+    const bool thin = a.plane.high - a.plane.low <= slab_ && b.plane.high - b.plane.low <= slab_ &&
+                      within_slab(a, b, points_a, points_b, slab_);
+    if (thin || (a.depth >= kDeepest && b.depth >= kDeepest))
+      keep(pair, thin);
+    else
+      halve(pair);
+  }
+
+  // The upper borders of the pair beyond which the surfaces end.
+  SurfaceBorders borders(const Cell& a, const Cell& b) const {
+    const auto last = [](const Interval& place, int span, int spans, bool closed) {
+      return place.to == 1 && span == spans - 1 && !closed;
+    };
+    const BezierSurface &sa = a_.surface(), &sb = b_.surface();
+    return {{last(a.u, a_.span_u(patch_a_), sa.patches.rows(), sa.closed_u),
+             last(a.v, a_.span_v(patch_a_), sa.patches.columns(), sa.closed_v),
+             last(b.u, b_.span_u(patch_b_), sb.patches.rows(), sb.closed_u),
+             last(b.v, b_.span_v(patch_b_), sb.patches.columns(), sb.closed_v)}};
+  }
+
+  static int certified_column(const JacobianBounds& bounds) {
+    const int best = bounds.best_column();
+    if (bounds.minor(best).regular) return best;
+    for (int k = 0; k < 4; ++k)
+      if (k != best && bounds.minor(k).regular) return k;
+    return -1;
+  }
+
+  void halve(const Pair& pair) {
+    const Cell& a = (*tree_a_)[pair.cell_a];
+    const Cell& b = (*tree_b_)[pair.cell_b];
+    const bool halve_a = b.depth >= kDeepest ||
+                         (a.depth < kDeepest &&
+                          a.bend + kExtentWeight * a.extent >= b.bend + kExtentWeight * b.extent);
+    const int child = halve_a ? tree_a_->split(pair.cell_a) : tree_b_->split(pair.cell_b);
+    for (int half = 0; half < 2; ++half)
+      stack_.push_back(halve_a ? Pair{child + half, pair.cell_b, pair.along}
+                               : Pair{pair.cell_a, child + half, pair.along});
+  }
+
+  void keep(const Pair& pair, bool thin) {
+    const Cell& a = (*tree_a_)[pair.cell_a];
+    const Cell& b = (*tree_b_)[pair.cell_b];
+    CriticalPair critical{patch_a_, patch_b_, box_of(a, b), {}, {}, thin};
+    for (int k = 0; k < 3; ++k) {
+      critical.low[k] = std::max(a.low[k], b.low[k]);
+      critical.high[k] = std::min(a.high[k], b.high[k]);
+      if (critical.low[k] > critical.high[k]) return;  // apart, though never examined
+    }
+    ++result_.certificate.critical;
+    result_.critical.push_back(critical);
+  }
+
+  SurfaceCells& a_;
+  SurfaceCells& b_;
+  const IntersectionOptions& options_;
+  const double slab_;
+  PairSearchResult& result_;
+  const std::chrono::steady_clock::time_point started_;
+  long examined_ = 0;
+  int patch_a_ = 0, patch_b_ = 0;
+  CellTree* tree_a_ = nullptr;
+  CellTree* tree_b_ = nullptr;
+  std::vector<Pair> stack_;
+};
+
+std::vector<Box> patch_boxes(SurfaceCells& cells) {
+  std::vector<Box> boxes;
+  for (int i = 0; i < cells.patches(); ++i) {
+    const Cell& root = cells.tree(i)[0];
+    boxes.push_back({root.low, root.high});
+  }
+  return boxes;
+}
+
+}  // namespace
+
+SurfaceCells::SurfaceCells(const BezierSurface& surface, const Vec3& origin, CellForm form,
+                           double cut)
+    : surface_(surface), origin_(origin), form_(form), cut_(cut) {
+  trees_.resize(surface.patches.values().size());
+}
+
+CellTree& SurfaceCells::tree(int patch) {
+  auto& tree = trees_[static_cast<std::size_t>(patch)];
+  if (!tree)
+    tree = std::make_unique<CellTree>(surface_.patches.values()[static_cast<std::size_t>(patch)],
+                                      surface_.rational, origin_, form_, cut_);
+  return *tree;
+}
+
+Interval SurfaceCells::knots_u(int patch) const {
+  const auto i = static_cast<std::size_t>(span_u(patch));
+  return {surface_.u_knots[i], surface_.u_knots[i + 1]};
+}
+
+Interval SurfaceCells::knots_v(int patch) const {
+  const auto j = static_cast<std::size_t>(span_v(patch));
+  return {surface_.v_knots[j], surface_.v_knots[j + 1]};
+}
+
+long SurfaceCells::cells() const {
+  return std::accumulate(trees_.begin(), trees_.end(), 0L,
+                         [](long sum, const auto& t) { return t ? sum + t->size() : sum; });
+}
+
+long SurfaceCells::stored_points() const {
+  return std::accumulate(trees_.begin(), trees_.end(), 0L, [](long sum, const auto& t) {
+    return t ? sum + static_cast<long>(t->size()) * t->shape().plane_size() : sum;
+  });
+}
+
+bool SurfaceCells::monomial() const {
+  return std::any_of(trees_.begin(), trees_.end(),
+                     [](const auto& t) { return t && t->monomial(); });
+}
+
+PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b,
+                              const IntersectionOptions& options) {
+  PairSearchResult result;
+  Search search(a, b, options, result);
+  const BoxTree boxes_a(patch_boxes(a)), boxes_b(patch_boxes(b));
+  boxes_a.for_each_meeting(boxes_b, [&](int i, int j) { search.run(i, j); });
+  (a.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += a.cells();
+  (b.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += b.cells();
+  return result;
+}
+
+}  // namespace blossom

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What an intersection of two surfaces is: curves, points, and how far all that is proven.
+
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/base/status.h"
+#include "core/base/tolerances.h"
+#include "core/forms/spline.h"
+#include "core/math/interval.h"
+#include "core/math/vec.h"
+
+namespace blossom {
+
+/// A point common to both surfaces. Parameters are the surfaces' own.
+struct SurfacePoint {
+  Vec3 point;
+  Vec2 uv_a;
+  Vec2 uv_b;
+};
+
+/// Largest distances found along a curve, model units.
+struct Deviation {
+  double a = 0;        ///< 3D curve to its chart curve's image on surface a
+  double b = 0;        ///< likewise on b
+  double between = 0;  ///< between the two images
+};
+
+/// Where a curve ends.
+enum class CurveEnd {
+  Closed,   ///< nowhere: the curve is a loop
+  BorderA,  ///< on the border of surface a (perhaps of b too)
+  BorderB,  ///< on the border of surface b only
+  Place,    ///< at one of the listed places
+  Trim,     ///< on a trimming curve of a face
+};
+
+struct IntersectionCurve {
+  Spline curve;     ///< in space
+  Spline2 chart_a;  ///< in the parameters of a; same knots as `curve`
+  Spline2 chart_b;
+  std::vector<SurfacePoint> samples;      ///< in order; on both surfaces to rounding
+  std::vector<double> sample_parameters;  ///< increasing; where about they lie on `curve`
+  std::array<CurveEnd, 2> ends{};
+  bool closed = false;  ///< the first sample is repeated at the end
+  bool tangential = false;
+  double length = 0;       ///< model units
+  double least_angle = 0;  ///< between the normals along the curve, radians
+  Deviation deviation;
+};
+
+enum class PlaceKind { Touch, Node, Cusp, Tangential, Overlap, Open };
+
+/// "touch", "node", ... as in the JSON report.
+const char* to_string(PlaceKind kind);
+
+/// A place in which the surfaces stay within tolerance of each other, or which stayed open.
+struct Place {
+  PlaceKind kind = PlaceKind::Open;
+  Vec3 box_low;  ///< axis-parallel box, model units
+  Vec3 box_high;
+  double gap_low = 0;  ///< distance of the surfaces in the place, model units
+  double gap_high = 0;
+  std::array<Interval, 4> parameters{};  ///< ranges of u, v on a and u, v on b
+};
+
+/// What was examined and how it ended; the numbers behind the status.
+struct Certificate {
+  long excluded = 0;                 ///< cell pairs proven not to meet
+  long certified = 0;                ///< cell pairs proven to hold nothing but regular arcs
+  long critical = 0;                 ///< cell pairs that stayed undecided
+  long cells_bezier = 0;             ///< cells whose nets came from the Bezier form
+  long cells_monomial = 0;           ///< cells whose nets came from the monomial form
+  int depth = 0;                     ///< deepest bisection of a patch
+  double rounding_bound = 0;         ///< largest rounding margin added to a net, model units
+  double least_angle = 0;            ///< least angle between normals on the curves, radians
+  std::vector<std::string> reasons;  ///< why the status is not complete
+};
+
+struct SurfaceIntersection {
+  Status status = Status::Complete;
+  std::vector<IntersectionCurve> curves;
+  std::vector<SurfacePoint> points;  ///< isolated contacts
+  std::vector<SurfacePoint> nodes;   ///< where branches cross
+  std::vector<Place> places;
+  Certificate certificate;
+};
+
+}  // namespace blossom

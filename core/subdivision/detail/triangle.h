@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Triangles out of tensor-product nets, over any scalar.
+
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/forms/triangle.h"
+#include "core/math/detail/bernstein.h"
+#include "core/math/matrix.h"
+
+namespace blossom::detail {
+
+/// Coefficients of the product of two polynomials.
+template <class Scalar>
+std::vector<Scalar> convolution(const std::vector<Scalar>& f, const std::vector<Scalar>& g) {
+  std::vector<Scalar> result(f.size() + g.size() - 1, Scalar(0));
+  for (std::size_t i = 0; i < f.size(); ++i)
+    for (std::size_t j = 0; j < g.size(); ++j) result[i + j] += f[i] * g[j];
+  return result;
+}
+
+/// Row (i, j) at its place in a triangle: the blossoms of B_0^n .. B_n^n at i copies of a, j of b
+/// and n - i - j of c.
+template <class Scalar>
+Grid<Scalar> corner_matrix(int n, const Scalar& a, const Scalar& b, const Scalar& c) {
+  using Triangle = BezierTriangleOf<Scalar>;
+  Grid<Scalar> matrix(static_cast<int>(Triangle::count(n)), n + 1);
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; i + j <= n; ++j) {
+      const std::vector<Scalar> weights =
+          convolution(convolution(bernstein(i, a), bernstein(j, b)), bernstein(n - i - j, c));
+      const int row = static_cast<int>(Triangle::index(n, i, j));
+      for (int k = 0; k <= n; ++k) matrix(row, k) = weights[index(k)];
+    }
+  return matrix;
+}
+
+/// Points of the triangle of degree n + m from the (n + 1) x (m + 1) net.
+template <class Point>
+std::vector<Point> triangle_from_net(
+    const Grid<Point>& net, const std::array<Vec<typename Point::scalar_type, 2>, 3>& corners) {
+  using Scalar = typename Point::scalar_type;
+  using Triangle = BezierTriangleOf<Point>;
+  const int n = net.rows() - 1, m = net.columns() - 1, degree = n + m;
+  const auto& [a, b, c] = corners;
+  const Grid<Point> values = product_transposed(product(corner_matrix(n, a[0], b[0], c[0]), net),
+                                                corner_matrix(m, a[1], b[1], c[1]));
+  std::vector<Point> points;
+  for (int nu = 0; nu <= degree; ++nu)
+    for (int mu = 0; nu + mu <= degree; ++mu) {
+      const int lambda = degree - nu - mu;
+      Point sum{};
+      for (int i = std::max(0, nu - m); i <= std::min(nu, n); ++i)
+        for (int j = std::max(0, n - i - lambda); j <= std::min(mu, n - i); ++j) {
+          if (nu - i + mu - j > m) continue;
+          const double count = binomial(nu, i) * binomial(mu, j) * binomial(lambda, n - i - j);
+          sum += values(static_cast<int>(Triangle::index(n, i, j)),
+                        static_cast<int>(Triangle::index(m, nu - i, mu - j))) *
+                 Scalar(count);
+        }
+      points.push_back(sum * (Scalar(1) / Scalar(binomial(degree, n))));
+    }
+  return points;
+}
+
+}  // namespace blossom::detail

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/surface_intersection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/base/errors.h"
+#include "core/bounds/box_tree.h"
+#include "core/forms/evaluation.h"
+#include "core/intersection/arc_chains.h"
+#include "core/intersection/critical_places.h"
+#include "core/intersection/pair_search.h"
+#include "core/tracing/fit.h"
+#include "core/tracing/trace.h"
+
+namespace blossom {
+namespace {
+
+// Cells are halved off their middle: singular points like dyadic lines.
+constexpr double kCut = 0.4865;
+
+// A clump larger than this part of the surfaces' size is more than a point.
+constexpr double kPointClump = 1e-2;
+
+// A chain this many times as long as the clump that holds both its ends belongs to the clump.
+constexpr double kClumpReach = 4;
+
+constexpr int kClosestStarts = 24;  // critical pairs tried for a clump's closest point
+
+Box hull_box(const BezierSurface& surface) {
+  Box box;
+  for (const RationalBezierPatch& patch : surface.patches.values())
+    for (const Vec4& p : patch.points.values()) {
+      const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+      box = joined(box, {x, x});
+    }
+  return box;
+}
+
+class Assembly {
+ public:
+  Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options)
+      : a_(a), b_(b), options_(options) {
+    const Box box_a = hull_box(a), box_b = hull_box(b);
+    size_ = std::max(diagonal(box_a), diagonal(box_b));
+    const Vec3 low = box_a.low, high = box_a.high;
+    origin_ = 0.5 * (low + high);
+  }
+
+  SurfaceIntersection run() {
+    SurfaceCells cells_a(a_, origin_, options_.form, kCut);
+    SurfaceCells cells_b(b_, origin_, options_.form, kCut);
+    found_ = search_pairs(cells_a, cells_b, options_);
+    clumps_ = clumps_of(found_.critical);
+    const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, clumps_);
+    result_.certificate = found_.certificate;
+    if (found_.stopped) result_.status = Status::Stopped;
+    if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
+    for (const Chain& chain : chains)
+      if (!within_clump(cells_a, chain)) add_curve(cells_a, cells_b, chain);
+    for (const FoundGraze& graze : lone_grazes(found_, cells_a, cells_b))
+      add_corner_contact(cells_a, cells_b, graze);
+    for (const Clump& clump : clumps_) add_place(cells_a, cells_b, clump);
+    note_approximations();
+    return std::move(result_);
+  }
+
+ private:
+  void weaken(Status status, const std::string& reason) {
+    result_.status = weaker(result_.status, status);
+    auto& reasons = result_.certificate.reasons;
+    if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
+      reasons.push_back(reason);
+  }
+
+  // A chain that begins and ends in one clump, and is not much longer than it, is part of that
+  // contact: a loop whose depth is far below tolerance, certified in places.
+  bool within_clump(SurfaceCells& cells_a, const Chain& chain) {
+    if (chain.closed || chain.ends[0].clump < 0 || chain.ends[0].clump != chain.ends[1].clump)
+      return false;
+    Clump& clump = clumps_[static_cast<std::size_t>(chain.ends[0].clump)];
+    const Box box = end_box(cells_a, chain);
+    if (!clump.thin || diagonal(box) > kClumpReach * diagonal(clump.box)) return false;
+    clump.arc_ends -= 2;
+    clump.box = joined(clump.box, box);
+    return true;
+  }
+
+  void add_corner_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const FoundGraze& graze) {
+    const auto& patch = cells_a.tree(graze.patch_a).patch();
+    const SurfacePoint contact{
+        jet_at(patch, graze.x[0], graze.x[1], 1).point + origin_,
+        {parameter_at(a_.u_law, cells_a.knots_u(graze.patch_a), graze.x[0]),
+         parameter_at(a_.v_law, cells_a.knots_v(graze.patch_a), graze.x[1])},
+        {parameter_at(b_.u_law, cells_b.knots_u(graze.patch_b), graze.x[2]),
+         parameter_at(b_.v_law, cells_b.knots_v(graze.patch_b), graze.x[3])}};
+    // At a seam a curve ends under other parameters of the same point.
+    for (const IntersectionCurve& curve : result_.curves)
+      for (const SurfacePoint& end : {curve.samples.front(), curve.samples.back()})
+        if (distance(end.point, contact.point) <= options_.tolerances.point) return;
+    result_.points.push_back(contact);
+    Place place = place_at(contact);
+    place.kind = PlaceKind::Touch;
+    result_.places.push_back(place);
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+  }
+
+  Place place_at(const SurfacePoint& p) const {
+    const double r = options_.tolerances.point;
+    Place place{PlaceKind::Open, p.point - Vec3{r, r, r}, p.point + Vec3{r, r, r}, 0, r, {}};
+    place.parameters = {Interval{p.uv_a[0], p.uv_a[0]}, Interval{p.uv_a[1], p.uv_a[1]},
+                        Interval{p.uv_b[0], p.uv_b[0]}, Interval{p.uv_b[1], p.uv_b[1]}};
+    return place;
+  }
+
+  void add_curve(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
+    const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
+    if (slides(chain) && tracer.stations().back() <= contact_length())
+      return add_border_touch(cells_a, chain, tracer);
+    IntersectionCurve curve =
+        fitted(tracer, a_, b_, {.tolerance = options_.tolerances.point, .size = size_});
+    const Deviation& d = curve.deviation;
+    if (!std::isfinite(curve.length + d.a + d.b + d.between)) return add_untraced(cells_a, chain);
+    curve.closed = chain.closed;
+    curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
+    for (std::size_t side = 0; side < 2; ++side)
+      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0)
+        add_loose_end(side == 0 ? curve.samples.front() : curve.samples.back());
+    double& least = result_.certificate.least_angle;
+    least = result_.curves.empty() ? curve.least_angle : std::min(least, curve.least_angle);
+    result_.curves.push_back(std::move(curve));
+  }
+
+  bool slides(const Chain& chain) const {
+    return std::any_of(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) {
+      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.slides;
+    });
+  }
+
+  // A curve that only touches the border stays within tolerance of it for about this long.
+  double contact_length() const { return 0.1 * std::sqrt(options_.tolerances.point * size_); }
+
+  void add_border_touch(SurfaceCells& cells_a, const Chain& chain, const ChainTracer& tracer) {
+    const CurvePoint middle = tracer.at(0.5 * tracer.stations().back(), true);
+    const SurfacePoint contact{middle.point, middle.a, middle.b};
+    if (!known_contact(contact.point)) result_.points.push_back(contact);
+    const Box box = end_box(cells_a, chain);
+    Place place = place_at(contact);
+    place.kind = PlaceKind::Touch;
+    place.box_low = box.low + origin_;
+    place.box_high = box.high + origin_;
+    result_.places.push_back(place);
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+  }
+
+  bool known_contact(const Vec3& point) const {
+    return std::any_of(result_.points.begin(), result_.points.end(), [&](const SurfacePoint& p) {
+      return distance(p.point, point) <= contact_length();
+    });
+  }
+
+  // A branch that is proven to be there but cannot be written down, at a pole perhaps.
+  void add_untraced(SurfaceCells& cells_a, const Chain& chain) {
+    const Box box = end_box(cells_a, chain);
+    Place place{PlaceKind::Open, box.low + origin_, box.high + origin_, 0, diagonal(box), {}};
+    result_.places.push_back(place);
+    weaken(Status::Stopped, "a branch could not be traced");
+  }
+
+  // The box of all ends of a chain's arcs, relative to the origin.
+  Box end_box(SurfaceCells& cells_a, const Chain& chain) const {
+    Box box;
+    for (const ChainLink& link : chain.links) {
+      const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
+      for (const Point4& x : {arc.arc.from, arc.arc.to}) {
+        const Vec3 p = jet_at(cells_a.tree(arc.patch_a).patch(), x[0], x[1], 1).point;
+        box = joined(box, {p, p});
+      }
+    }
+    return box;
+  }
+
+  void add_loose_end(const SurfacePoint& end) {
+    result_.places.push_back(place_at(end));
+    weaken(Status::Stopped, "a branch ends inside both surfaces without a reason");
+  }
+
+  // What a clump is: by its size, by whether the surfaces are within tolerance all over it, and
+  // by the arcs that end on it.
+  void add_place(SurfaceCells& cells_a, SurfaceCells& cells_b, const Clump& clump) {
+    Place place{PlaceKind::Open,          clump.box.low + origin_,
+                clump.box.high + origin_, 0,
+                diagonal(clump.box),      parameters_of(cells_a, cells_b, clump)};
+    if (clump.thin) place.gap_high = options_.tolerances.point;
+    const bool point = diagonal(clump.box) <= options_.tolerances.point;
+    if (!point && (!clump.thin || diagonal(clump.box) > kPointClump * size_)) {
+      result_.places.push_back(place);
+      weaken(Status::Stopped, "places stayed open");
+      return;
+    }
+    const SurfacePoint contact = closest_point(cells_a, cells_b, clump, place.gap_low);
+    if (clump.arc_ends == 0) {
+      place.kind = PlaceKind::Touch;
+      if (place.gap_low <= options_.tolerances.point) result_.points.push_back(contact);
+      place.gap_high = std::max(place.gap_low, place.gap_high);
+    } else if (clump.arc_ends == 2) {
+      place.kind = PlaceKind::Cusp;
+    } else if (clump.arc_ends > 2) {
+      place.kind = PlaceKind::Node;
+      result_.nodes.push_back(contact);
+    }
+    result_.places.push_back(place);
+    if (place.kind == PlaceKind::Open)
+      weaken(Status::Stopped, "places stayed open");
+    else
+      weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+  }
+
+  std::array<Interval, 4> parameters_of(const SurfaceCells& cells_a, const SurfaceCells& cells_b,
+                                        const Clump& clump) const {
+    std::array<Interval, 4> all;
+    all.fill({1e300, -1e300});
+    for (const int i : clump.pairs) {
+      const CriticalPair& pair = found_.critical[static_cast<std::size_t>(i)];
+      const std::array spans{cells_a.knots_u(pair.patch_a), cells_a.knots_v(pair.patch_a),
+                             cells_b.knots_u(pair.patch_b), cells_b.knots_v(pair.patch_b)};
+      const std::array laws{a_.u_law, a_.v_law, b_.u_law, b_.v_law};
+      for (std::size_t k = 0; k < 4; ++k) {
+        all[k].from = std::min(all[k].from, parameter_at(laws[k], spans[k], pair.box[k].from));
+        all[k].to = std::max(all[k].to, parameter_at(laws[k], spans[k], pair.box[k].to));
+      }
+    }
+    return all;
+  }
+
+  // The point of least distance that a few of the clump's pairs lead to.
+  SurfacePoint closest_point(SurfaceCells& cells_a, SurfaceCells& cells_b, const Clump& clump,
+                             double& gap) const {
+    SurfacePoint best;
+    gap = 1e300;
+    const std::size_t step = clump.pairs.size() / kClosestStarts + 1;
+    for (std::size_t i = 0; i < clump.pairs.size(); i += step) {
+      const CriticalPair& pair = found_.critical[static_cast<std::size_t>(clump.pairs[i])];
+      const auto& patch_a = cells_a.tree(pair.patch_a).patch();
+      const auto& patch_b = cells_b.tree(pair.patch_b).patch();
+      Point4 x;
+      for (std::size_t k = 0; k < 4; ++k) x[k] = at(pair.box[k], 0.5);
+      if (const auto polished = collinear_normal_point(patch_a, patch_b, x, pair.box))
+        x = *polished;
+      for (double& t : x) t = std::clamp(t, 0.0, 1.0);
+      const Vec3 p = jet_at(patch_a, x[0], x[1], 1).point, q = jet_at(patch_b, x[2], x[3], 1).point;
+      if (distance(p, q) >= gap) continue;
+      gap = distance(p, q);
+      best.point = 0.5 * (p + q) + origin_;
+      best.uv_a = {parameter_at(a_.u_law, cells_a.knots_u(pair.patch_a), x[0]),
+                   parameter_at(a_.v_law, cells_a.knots_v(pair.patch_a), x[1])};
+      best.uv_b = {parameter_at(b_.u_law, cells_b.knots_u(pair.patch_b), x[2]),
+                   parameter_at(b_.v_law, cells_b.knots_v(pair.patch_b), x[3])};
+    }
+    return best;
+  }
+
+  void note_approximations() {
+    const double error = std::max(a_.error, b_.error);
+    if (error > 0)
+      weaken(Status::Tolerance, "a surface is an approximation within " + std::to_string(error));
+  }
+
+  const BezierSurface& a_;
+  const BezierSurface& b_;
+  const IntersectionOptions& options_;
+  double size_ = 0;
+  Vec3 origin_;
+  PairSearchResult found_;
+  std::vector<Clump> clumps_;
+  SurfaceIntersection result_;
+};
+
+}  // namespace
+
+SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
+                              const IntersectionOptions& options) {
+  validate(a, "a");
+  validate(b, "b");
+  if (!(options.tolerances.point > 0) || !std::isfinite(options.tolerances.point))
+    throw InvalidInput("intersect: the point tolerance must be positive and finite");
+  return Assembly(a, b, options).run();
+}
+
+}  // namespace blossom

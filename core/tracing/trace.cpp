@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tracing/trace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/forms/evaluation.h"
+
+namespace blossom {
+namespace {
+
+constexpr double kBesidePole = 1e-4;  // fraction of a link
+
+// Rates of (u, v) along `direction`, by least squares in the tangent plane.
+Vec2 rates(const Vec3& su, const Vec3& sv, const Vec3& direction) {
+  const Vec3 n = cross(su, sv);
+  const double square = dot(n, n);
+  return {dot(cross(direction, sv), n) / square, dot(cross(su, direction), n) / square};
+}
+
+Vec3 second_form(const PatchJet& jet, const Vec2& rate) {
+  return jet.uu * (rate[0] * rate[0]) + jet.uv * (2 * rate[0] * rate[1]) +
+         jet.vv * (rate[1] * rate[1]);
+}
+
+// The curvature vector k of the curve: k . n = (second form) . n on either surface, k . t = 0.
+Vec3 curvature(const Vec3& tangent, const Vec3& n1, const Vec3& n2, const Vec3& q1,
+               const Vec3& q2) {
+  const Vec3 c1 = cross(n2, tangent), c2 = cross(tangent, n1);
+  const double d = dot(n1, c1);
+  return (c1 * dot(q1, n1) + c2 * dot(q2, n2)) * (1 / d);
+}
+
+// Local parameters and their derivatives in the surface's own parameters.
+void to_own(const BezierSurface& surface, const Interval& span_u, const Interval& span_v, double u,
+            double v, const Vec2& rate, const Vec2& second, Vec2& p, Vec2& p1, Vec2& p2) {
+  const Vec2 du{parameter_derivative(surface.u_law, span_u, u),
+                parameter_derivative(surface.v_law, span_v, v)};
+  const Vec2 ddu{parameter_second_derivative(surface.u_law, span_u, u),
+                 parameter_second_derivative(surface.v_law, span_v, v)};
+  p = {parameter_at(surface.u_law, span_u, u), parameter_at(surface.v_law, span_v, v)};
+  for (int i = 0; i < 2; ++i) {
+    p1[i] = du[i] * rate[i];
+    p2[i] = ddu[i] * rate[i] * rate[i] + du[i] * second[i];
+  }
+}
+
+}  // namespace
+
+ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
+                         const Vec3& origin, const Chain& chain)
+    : found_(found), a_(a), b_(b), origin_(origin), chain_(chain) {
+  stations_.push_back(0);
+  for (const ChainLink& link : chain.links) {
+    const FoundArc& arc = found.arcs[static_cast<std::size_t>(link.arc)];
+    const auto& patch = a.tree(arc.patch_a).patch();
+    Vec3 last = jet_at(patch, arc.arc.from[0], arc.arc.from[1], 1).point;
+    double sum = 0;
+    for (const double fraction : {0.5, 1.0}) {
+      const Point4 x = fraction < 1 ? parameters_on(arc, fraction) : arc.arc.to;
+      const Vec3 next = jet_at(patch, x[0], x[1], 1).point;
+      sum += distance(last, next);
+      last = next;
+    }
+    stations_.push_back(stations_.back() + std::max(sum, 1e-300));
+  }
+}
+
+CurvePoint ChainTracer::at(double station, bool after) const {
+  const auto first = stations_.begin();
+  const auto found = after ? std::upper_bound(first, stations_.end(), station)
+                           : std::lower_bound(first, stations_.end(), station);
+  const auto last_link = static_cast<std::ptrdiff_t>(chain_.links.size()) - 1;
+  const auto link =
+      static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(found - first - 1, 0, last_link));
+  const double width = stations_[link + 1] - stations_[link];
+  const double fraction = std::clamp((station - stations_[link]) / width, 0.0, 1.0);
+  CurvePoint p = on_link(link, fraction);
+  if (std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second)) && p.sine > 0) return p;
+  // At a pole a surface has no normal: the derivatives are those of a point just beside it.
+  CurvePoint beside =
+      on_link(link, fraction < 0.5 ? fraction + kBesidePole : fraction - kBesidePole);
+  beside.point = p.point;
+  beside.a = p.a;
+  beside.b = p.b;
+  return beside;
+}
+
+CurvePoint ChainTracer::on_link(std::size_t index, double fraction) const {
+  const ChainLink& link = chain_.links[index];
+  const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
+  return differentiate(arc, parameters_on(arc, link.forward ? fraction : 1 - fraction),
+                       link.forward);
+}
+
+Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
+  if (fraction <= 0) return arc.arc.from;
+  if (fraction >= 1) return arc.arc.to;
+  Point4 x;
+  for (std::size_t i = 0; i < 4; ++i)
+    x[i] = (1 - fraction) * arc.arc.from[i] + fraction * arc.arc.to[i];
+  const auto solve = [&](const Point4& start) {
+    return newton(a_.tree(arc.patch_a).patch(), b_.tree(arc.patch_b).patch(), start, arc.arc.along,
+                  arc.box);
+  };
+  if (const auto solution = solve(x)) return *solution;
+  // The chord leads too far off: follow the arc from its beginning in small steps.
+  constexpr int kSteps = 32;
+  const auto along = static_cast<std::size_t>(arc.arc.along);
+  const double goal = x[along];
+  Point4 y = arc.arc.from;
+  for (int step = 1; step <= kSteps; ++step) {
+    Point4 start = y;
+    start[along] =
+        arc.arc.from[along] + (goal - arc.arc.from[along]) * step / static_cast<double>(kSteps);
+    if (const auto next = solve(start)) y = *next;
+  }
+  return y;
+}
+
+CurvePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool forward) const {
+  const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
+  const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);
+  const Vec3 n1 = unit(cross(p.u, p.v)), n2 = unit(cross(q.u, q.v));
+  CurvePoint result;
+  Vec3 tangent = cross(n1, n2);
+  result.sine = norm(tangent);
+  tangent = unit(tangent);
+  // The sign that makes the arc's own parameter grow, turned when the chain runs it backwards.
+  const Vec2 ra = rates(p.u, p.v, tangent), rb = rates(q.u, q.v, tangent);
+  const int along = arc.arc.along;
+  const double growth = along < 2 ? ra[along] : rb[along - 2];
+  const double sign = (growth > 0) == forward ? 1 : -1;
+  tangent = tangent * sign;
+  const Vec2 rate_a = ra * sign, rate_b = rb * sign;
+
+  const Vec3 qa = second_form(p, rate_a), qb = second_form(q, rate_b);
+  const Vec3 k = curvature(tangent, n1, n2, qa, qb);
+  result.point = p.point + origin_;
+  result.first = tangent;
+  result.second = k;
+  to_own(a_.surface(), a_.knots_u(arc.patch_a), a_.knots_v(arc.patch_a), x[0], x[1], rate_a,
+         rates(p.u, p.v, k - qa), result.a, result.a_first, result.a_second);
+  to_own(b_.surface(), b_.knots_u(arc.patch_b), b_.knots_v(arc.patch_b), x[2], x[3], rate_b,
+         rates(q.u, q.v, k - qb), result.b, result.b_first, result.b_second);
+  return result;
+}
+
+}  // namespace blossom

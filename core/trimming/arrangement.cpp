@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/trimming/arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+#include "core/base/errors.h"
+
+namespace blossom {
+namespace {
+
+// Arms whose directions differ by less are ordered by curvature. Radians; the end of a fitted
+// curve has its direction about this well.
+constexpr double kSameDirection = 1e-7;
+
+// A half-edge as a number: arc * 2, plus 1 when reversed.
+using Walk = std::size_t;
+
+Walk walk_of(std::size_t arc, bool reversed) { return 2 * arc + (reversed ? 1 : 0); }
+Walk twin(Walk walk) { return walk ^ 1u; }
+HalfEdge half_edge(Walk walk) { return {static_cast<int>(walk / 2), walk % 2 == 1}; }
+
+// How a half-edge leaves its vertex.
+struct Arm {
+  Walk walk = 0;
+  double angle = 0;      ///< in (-pi, pi]
+  double curvature = 0;  ///< to the left positive
+  double secant = 0;     ///< turn from the direction to a point farther on, to the left positive
+};
+
+Arm arm_of(const ChartArc& arc, Walk walk) {
+  const bool reversed = walk % 2 == 1;
+  const PlanarBezier& curve = reversed ? arc.path.back() : arc.path.front();
+  const double sign = reversed ? -1 : 1;
+  const double start = reversed ? 1 : 0;
+  const PlanarJet jet = jet_at(curve, start);
+  const Vec2 far = jet_at(curve, reversed ? 0.75 : 0.25).point - jet.point;
+  Vec2 direction = sign * jet.first;
+  double curvature = 0;
+  if (norm(direction) > 1e-9 * norm(far))
+    curvature = cross(direction, jet.second) / std::pow(norm(direction), 3);
+  else
+    direction = jet_at(curve, reversed ? 1 - 1e-4 : 1e-4).point - jet.point;
+  return {walk, std::atan2(direction[1], direction[0]), curvature,
+          std::atan2(cross(direction, far), dot(direction, far))};
+}
+
+// Counter-clockwise round the vertex. The circle is opened in its widest gap, so that arms with
+// the same direction stay together.
+void order(std::vector<Arm>& arms) {
+  const auto by_angle = [](const Arm& a, const Arm& b) { return a.angle < b.angle; };
+  std::sort(arms.begin(), arms.end(), by_angle);
+  std::size_t first = 0;
+  double widest = arms.front().angle + 2 * std::numbers::pi - arms.back().angle;
+  for (std::size_t i = 1; i < arms.size(); ++i)
+    if (arms[i].angle - arms[i - 1].angle > widest) {
+      widest = arms[i].angle - arms[i - 1].angle;
+      first = i;
+    }
+  for (std::size_t i = 0; i < first; ++i) arms[i].angle += 2 * std::numbers::pi;
+  std::sort(arms.begin(), arms.end(), by_angle);
+  for (std::size_t low = 0, high = 0; low < arms.size(); low = high) {
+    for (high = low + 1;
+         high < arms.size() && arms[high].angle - arms[high - 1].angle < kSameDirection;)
+      ++high;
+    std::sort(arms.begin() + static_cast<std::ptrdiff_t>(low),
+              arms.begin() + static_cast<std::ptrdiff_t>(high), [](const Arm& a, const Arm& b) {
+                const double size = std::max(std::abs(a.curvature), std::abs(b.curvature));
+                if (std::abs(a.curvature - b.curvature) > kSameDirection * size)
+                  return a.curvature < b.curvature;
+                return a.secant < b.secant;
+              });
+  }
+}
+
+int vertex_count(std::span<const ChartArc> arcs) {
+  int count = 0;
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (arcs[i].path.empty() || std::min(arcs[i].from, arcs[i].to) < 0)
+      throw InvalidInput("cycles: arc " + std::to_string(i) + " has no path or a negative vertex");
+    count = std::max({count, arcs[i].from + 1, arcs[i].to + 1});
+  }
+  return count;
+}
+
+constexpr Walk kNone = static_cast<Walk>(-1);
+
+// The half-edge that follows each half-edge: of all that leave its end, the one next clockwise
+// from its twin.
+std::vector<Walk> successors(std::span<const ChartArc> arcs, const std::vector<bool>& left_out) {
+  std::vector<std::vector<Arm>> stars(static_cast<std::size_t>(vertex_count(arcs)));
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (left_out[i]) continue;
+    const Walk forward = walk_of(i, false), backward = walk_of(i, true);
+    stars[static_cast<std::size_t>(arcs[i].from)].push_back(arm_of(arcs[i], forward));
+    stars[static_cast<std::size_t>(arcs[i].to)].push_back(arm_of(arcs[i], backward));
+  }
+  std::vector<Walk> next(2 * arcs.size(), kNone);
+  for (std::vector<Arm>& star : stars) {
+    if (star.empty()) continue;
+    order(star);
+    for (std::size_t k = 0; k < star.size(); ++k) {
+      const std::size_t clockwise = (k + star.size() - 1) % star.size();
+      next[twin(star[k].walk)] = star[clockwise].walk;
+    }
+  }
+  return next;
+}
+
+// The number of each half-edge's cycle; kNone for half-edges left out.
+struct Walked {
+  std::vector<std::size_t> cycle_of;
+  std::vector<Cycle> cycles;
+};
+
+Walked walked(const std::vector<Walk>& next) {
+  Walked result{std::vector<std::size_t>(next.size(), kNone), {}};
+  for (Walk start = 0; start < next.size(); ++start) {
+    if (next[start] == kNone || result.cycle_of[start] != kNone) continue;
+    Cycle cycle;
+    for (Walk walk = start; result.cycle_of[walk] == kNone; walk = next[walk]) {
+      result.cycle_of[walk] = result.cycles.size();
+      cycle.push_back(half_edge(walk));
+    }
+    result.cycles.push_back(std::move(cycle));
+  }
+  return result;
+}
+
+Vec2 start_of(std::span<const ChartArc> arcs, const HalfEdge& edge) {
+  const PlanarPath& path = arcs[static_cast<std::size_t>(edge.arc)].path;
+  return edge.reversed ? end_of(path) : start_of(path);
+}
+
+Vec2 end_of(std::span<const ChartArc> arcs, const HalfEdge& edge) {
+  return start_of(arcs, HalfEdge{edge.arc, !edge.reversed});
+}
+
+}  // namespace
+
+Cycles cycles(std::span<const ChartArc> arcs) {
+  std::vector<bool> left_out(arcs.size(), false);
+  Cycles result;
+  Walked all = walked(successors(arcs, left_out));
+  for (std::size_t i = 0; i < arcs.size(); ++i)
+    if (!arcs[i].border && all.cycle_of[walk_of(i, false)] == all.cycle_of[walk_of(i, true)]) {
+      left_out[i] = true;
+      result.dangling.push_back(static_cast<int>(i));
+    }
+  if (!result.dangling.empty()) all = walked(successors(arcs, left_out));
+  result.cycles = std::move(all.cycles);
+  return result;
+}
+
+double signed_area(std::span<const ChartArc> arcs, const Cycle& cycle) {
+  const Vec2 origin = start_of(arcs, cycle.front());
+  double sum = 0;
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const double along = area_along(arcs[static_cast<std::size_t>(cycle[i].arc)].path, origin);
+    sum += cycle[i].reversed ? -along : along;
+    const Vec2 from = end_of(arcs, cycle[i]);
+    const Vec2 to = start_of(arcs, cycle[(i + 1) % cycle.size()]);
+    sum += 0.5 * cross(from - origin, to - origin);
+  }
+  return sum;
+}
+
+bool encloses(std::span<const ChartArc> arcs, const Cycle& cycle, const Vec2& point) {
+  int sum = 0;
+  for (std::size_t i = 0; i < cycle.size(); ++i) {
+    const int crossed = ray_crossings(arcs[static_cast<std::size_t>(cycle[i].arc)].path, point);
+    sum += cycle[i].reversed ? -crossed : crossed;
+    sum +=
+        ray_crossings(end_of(arcs, cycle[i]), start_of(arcs, cycle[(i + 1) % cycle.size()]), point);
+  }
+  return sum != 0;
+}
+
+}  // namespace blossom

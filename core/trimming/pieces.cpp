@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/trimming/pieces.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+namespace blossom {
+namespace {
+
+// Which arcs hang together, over common vertices.
+class Components {
+ public:
+  explicit Components(std::span<const ChartArc> arcs) {
+    int count = 0;
+    for (const ChartArc& arc : arcs) count = std::max({count, arc.from + 1, arc.to + 1});
+    parent_.resize(static_cast<std::size_t>(count));
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    for (const ChartArc& arc : arcs) parent_[root(index(arc.from))] = root(index(arc.to));
+  }
+  std::size_t of(const ChartArc& arc) { return root(index(arc.from)); }
+
+ private:
+  static std::size_t index(int vertex) { return static_cast<std::size_t>(vertex); }
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  std::vector<std::size_t> parent_;
+};
+
+bool is_inside(std::span<const ChartArc> arcs, const Cycle& cycle) {
+  return std::none_of(cycle.begin(), cycle.end(), [&](const HalfEdge& edge) {
+    return edge.reversed && arcs[static_cast<std::size_t>(edge.arc)].border;
+  });
+}
+
+struct Outer {
+  std::size_t piece = 0;
+  std::size_t component = 0;
+  double area = 0;
+};
+
+const ChartArc& first_arc(std::span<const ChartArc> arcs, const Cycle& cycle) {
+  return arcs[static_cast<std::size_t>(cycle.front().arc)];
+}
+
+}  // namespace
+
+ChartPieces pieces(std::span<const ChartArc> arcs) {
+  Cycles all = cycles(arcs);
+  std::vector<ChartArc> kept(arcs.begin(), arcs.end());
+  for (const int arc : all.dangling)  // a cut that is left out connects nothing
+    kept[static_cast<std::size_t>(arc)].to = kept[static_cast<std::size_t>(arc)].from;
+  Components components(kept);
+
+  ChartPieces result;
+  result.dangling = std::move(all.dangling);
+  std::vector<Outer> outers;
+  std::vector<Cycle> holes;
+  for (Cycle& cycle : all.cycles) {
+    if (!is_inside(arcs, cycle)) continue;
+    const double area = signed_area(arcs, cycle);
+    if (area <= 0) {
+      holes.push_back(std::move(cycle));
+      continue;
+    }
+    outers.push_back({result.pieces.size(), components.of(first_arc(arcs, cycle)), area});
+    result.pieces.push_back({std::move(cycle), {}});
+  }
+  std::sort(outers.begin(), outers.end(),
+            [](const Outer& a, const Outer& b) { return a.area < b.area; });
+  for (Cycle& hole : holes) {
+    const ChartArc& arc = first_arc(arcs, hole);
+    const Vec2 inside = middle_of(arc.path);
+    const auto around = std::find_if(outers.begin(), outers.end(), [&](const Outer& outer) {
+      return outer.component != components.of(arc) &&
+             encloses(arcs, result.pieces[outer.piece].outer, inside);
+    });
+    if (around == outers.end())
+      result.consistent = false;
+    else
+      result.pieces[around->piece].holes.push_back(std::move(hole));
+  }
+  return result;
+}
+
+}  // namespace blossom

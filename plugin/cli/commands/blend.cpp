@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom blend KIND ...`: surfaces between surfaces.
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "adapters/occt/strip.h"
+#include "plugin/cli/commands/commands.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/inputs.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/options.h"
+#include "plugin/cli/output.h"
+#include "plugin/cli/picture/picture.h"
+
+namespace blossom::cli {
+namespace {
+
+const std::map<std::string, Side> kSides = {
+    {"umin", Side::UMin}, {"umax", Side::UMax}, {"vmin", Side::VMin}, {"vmax", Side::VMax}};
+
+struct StripCommand {
+  std::string a;
+  std::string b;
+  std::string edge_a;  ///< empty: the nearest
+  std::string edge_b;
+  double weight_a = StripOptions{}.weight_a;
+  double weight_b = StripOptions{}.weight_b;
+  CommonOptions common;
+};
+
+Input read_one_face(const std::string& text) {
+  Input input = read_input(text);
+  if (input.faces.size() != 1)
+    throw UsageError(text + ": a strip starts from one face, these are " +
+                     std::to_string(input.faces.size()) + "; name one, as in " +
+                     input.model.file().string() + "#1");
+  return input;
+}
+
+std::optional<Side> side_of(const std::string& word) {
+  if (word.empty()) return std::nullopt;
+  return kSides.at(word);
+}
+
+struct Timed {
+  occt::FaceStrip made;
+  double seconds = 0;
+};
+
+Timed timed_strip(const Input& a, const Input& b, const StripCommand& command) {
+  const auto start = std::chrono::steady_clock::now();
+  Timed timed;
+  timed.made =
+      occt::strip_between(a.faces.front(), b.faces.front(),
+                          {.side_a = side_of(command.edge_a),
+                           .side_b = side_of(command.edge_b),
+                           .strip = {.weight_a = command.weight_a, .weight_b = command.weight_b}});
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  timed.seconds = took.count();
+  return timed;
+}
+
+Json contact_json(const StripContact& contact) {
+  return {{"gap", contact.gap}, {"normal_angle", contact.normal_angle}, {"scale", contact.scale}};
+}
+
+StripContact worst_of(const Strip& strip) {
+  const auto& [a, b] = strip.contacts;
+  return {std::max(a.gap, b.gap), std::max(a.normal_angle, b.normal_angle), 0};
+}
+
+Json side_json(const Input& input, Side side, double weight) {
+  return {{"file", input.name},
+          {"face", input.numbers.front()},
+          {"edge", to_string(side)},
+          {"weight", weight}};
+}
+
+Json report_of(const Input& a, const Input& b, const StripCommand& command, const Timed& timed) {
+  const occt::FaceStrip& made = timed.made;
+  const StripContact worst = worst_of(made.strip);
+  return {{"schema", "blossom.blend/1"},
+          {"kind", "strip"},
+          {"a", side_json(a, made.side_a, command.weight_a)},
+          {"b", side_json(b, made.side_b, command.weight_b)},
+          {"backward", made.strip.backward},
+          {"degree", {made.surface->UDegree(), made.surface->VDegree()}},
+          {"spans", {made.surface->NbUKnots() - 1, made.surface->NbVKnots() - 1}},
+          {"rational", made.strip.surface.rational},
+          {"continuity",
+           {{"gap", worst.gap},
+            {"normal_angle", worst.normal_angle},
+            {"a", contact_json(made.strip.contacts[0])},
+            {"b", contact_json(made.strip.contacts[1])}}},
+          {"source_error", made.strip.surface.error},
+          {"seconds", timed.seconds}};
+}
+
+std::string summary(const Input& a, const Input& b, const Timed& timed) {
+  const occt::FaceStrip& made = timed.made;
+  const StripContact worst = worst_of(made.strip);
+  std::ostringstream text;
+  text << "strip from " << a.name << " " << to_string(made.side_a) << " to " << b.name << " "
+       << to_string(made.side_b) << (made.strip.backward ? " (backwards)" : "") << ": degree "
+       << made.surface->UDegree() << " x " << made.surface->VDegree() << ", "
+       << counted(static_cast<std::size_t>(made.surface->NbUKnots() - 1), "span")
+       << "\n  largest gap " << worst.gap << ", largest angle between normals "
+       << worst.normal_angle << " rad, " << timed.seconds << " s\n";
+  return text.str();
+}
+
+void write_outputs(const Input& a, const Input& b, const StripCommand& command,
+                   const Timed& timed) {
+  if (!command.common.output.empty()) {
+    occt::Model model;
+    model.add(timed.made.face, "strip");
+    occt::write_model(model, command.common.output);
+  }
+  if (!command.common.picture.empty()) {
+    Picture picture;
+    picture.groups = {
+        {a.faces, kFirstColour}, {b.faces, kFirstColour}, {{timed.made.face}, kSecondColour}};
+    occt::write_text(picture_png(picture), command.common.picture);
+  }
+  if (!command.common.json.empty())
+    write_json(report_of(a, b, command, timed), command.common.json);
+  if (command.common.json != "-" && !command.common.quiet) print(summary(a, b, timed));
+}
+
+int run(const StripCommand& command) {
+  check_outputs(command.common);
+  const Input a = read_one_face(command.a);
+  const Input b = read_one_face(command.b);
+  stop_if_interrupted();
+  const Timed timed = timed_strip(a, b, command);
+  stop_if_interrupted();
+  write_outputs(a, b, command, timed);
+  return kExitComplete;
+}
+
+void add_strip(CLI::App& blend, int& exit_code) {
+  CLI::App* const command = blend.add_subcommand(
+      "strip", "a strip between two faces that continues both with their tangent planes, exactly");
+  const auto options = std::make_shared<StripCommand>();
+  command->add_option("a", options->a, "one face: A, or A#3")->required()->type_name("A");
+  command->add_option("b", options->b, "likewise")->required()->type_name("B");
+  for (const auto& [name, edge] :
+       {std::pair{"--edge-a", &options->edge_a}, {"--edge-b", &options->edge_b}})
+    command->add_option(name, *edge, "border of the face; the nearest when not given")
+        ->check(CLI::IsMember(kSides))
+        ->type_name("");
+  for (const auto& [name, weight] :
+       {std::pair{"--weight-a", &options->weight_a}, {"--weight-b", &options->weight_b}})
+    command->add_option(name, *weight, "how far the face's tangents reach into the strip")
+        ->check(CLI::PositiveNumber)
+        ->type_name("X")
+        ->capture_default_str();
+  add_common_options(*command, options->common, "write the strip (.step, .brep, .iges)");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace
+
+void add_blend(CLI::App& app, int& exit_code) {
+  CLI::App* const blend = app.add_subcommand("blend", "surfaces between surfaces");
+  blend->require_subcommand(1);
+  add_strip(*blend, exit_code);
+}
+
+}  // namespace blossom::cli

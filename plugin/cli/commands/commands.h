@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The commands of the program `blossom`.
+//
+// Each function adds one subcommand with its options; when it is chosen, its callback does the
+// work and stores the exit code. Errors leave as exceptions, main.cpp turns them into messages.
+
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace blossom::cli {
+
+void add_info(CLI::App& app, int& exit_code);
+void add_intersect(CLI::App& app, int& exit_code);
+void add_trim(CLI::App& app, int& exit_code);
+void add_blend(CLI::App& app, int& exit_code);
+
+}  // namespace blossom::cli

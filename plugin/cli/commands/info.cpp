@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom info F`: what a model is made of, and whether it is sound.
+
+#include <array>
+#include <cstdio>
+#include <iomanip>
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include <BRepBndLib.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <ShapeAnalysis_ShapeTolerance.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "plugin/cli/commands/commands.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/face_facts.h"
+#include "plugin/cli/inputs.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/options.h"
+#include "plugin/cli/output.h"
+
+namespace blossom::cli {
+namespace {
+
+constexpr std::array kCounted = {std::pair{TopAbs_SOLID, "solids"},
+                                 std::pair{TopAbs_SHELL, "shells"}, std::pair{TopAbs_FACE, "faces"},
+                                 std::pair{TopAbs_EDGE, "edges"},
+                                 std::pair{TopAbs_VERTEX, "vertices"}};
+
+struct ModelFacts {
+  std::vector<FaceFacts> faces;
+  std::map<std::string, int> surfaces;  ///< faces per surface type
+  Bnd_Box box;
+  double least_tolerance = 0;  ///< of faces, edges and vertices, model units
+  double largest_tolerance = 0;
+  bool valid = true;  ///< every listed face is
+};
+
+ModelFacts model_facts(const Input& input) {
+  ModelFacts facts;
+  const std::vector<std::string> names = input.model.face_names();
+  for (std::size_t i = 0; i < input.faces.size(); ++i) {
+    stop_if_interrupted();
+    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i]));
+    FaceFacts& face = facts.faces.back();
+    face.name = names[static_cast<std::size_t>(face.number - 1)];
+    ++facts.surfaces[face.surface];
+    facts.valid = facts.valid && face.problems.empty();
+  }
+  ShapeAnalysis_ShapeTolerance tolerances;
+  facts.least_tolerance = tolerances.Tolerance(input.model.shape(), -1);
+  facts.largest_tolerance = tolerances.Tolerance(input.model.shape(), 1);
+  // Numbers that are none would go into the box, too.
+  if (facts.valid) BRepBndLib::AddOptimal(input.model.shape(), facts.box, Standard_False);
+  return facts;
+}
+
+int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, kind, map);
+  return map.Extent();
+}
+
+std::array<std::array<double, 3>, 2> corners(const Bnd_Box& box) {
+  std::array<std::array<double, 3>, 2> c{};
+  box.Get(c[0][0], c[0][1], c[0][2], c[1][0], c[1][1], c[1][2]);
+  return c;
+}
+
+Json face_json(const FaceFacts& face) {
+  Json json = {{"number", face.number}, {"name", face.name}, {"surface", face.surface}};
+  if (face.degree_u > 0) {
+    json["degree"] = {face.degree_u, face.degree_v};
+    json["spans"] = {face.spans_u, face.spans_v};
+    json["rational"] = face.rational;
+  }
+  json["periodic"] = {face.periodic_u, face.periodic_v};
+  json["wires"] = face.wires;
+  json["edges"] = face.edges;
+  json["tolerance"] = face.tolerance;
+  json["valid"] = face.problems.empty();
+  json["problems"] = face.problems;
+  return json;
+}
+
+Json info_json(const Input& input, const ModelFacts& facts) {
+  Json json = {{"schema", "blossom.info/1"},
+               {"file", input.name},
+               {"unit", "mm"},
+               {"file_unit", input.model.file_unit()}};
+  for (const auto& [kind, word] : kCounted) json["counts"][word] = count(input.model.shape(), kind);
+  json["surfaces"] = facts.surfaces;
+  json["box"] = facts.box.IsVoid() ? Json(nullptr) : Json(corners(facts.box));
+  json["tolerance"] = {{"least", facts.least_tolerance}, {"largest", facts.largest_tolerance}};
+  json["valid"] = facts.valid;
+  json["faces"] = Json::array();
+  for (const FaceFacts& face : facts.faces) json["faces"].push_back(face_json(face));
+  return json;
+}
+
+std::string face_line(const FaceFacts& face) {
+  std::ostringstream line;
+  line << std::setw(6) << face.number << "  " << std::left << std::setw(11) << face.surface;
+  std::ostringstream form;
+  if (face.degree_u > 0) {
+    form << "degree " << face.degree_u << " x " << face.degree_v << ", spans " << face.spans_u
+         << " x " << face.spans_v << (face.rational ? ", rational" : "");
+  }
+  line << std::setw(42) << form.str() << std::setw(10) << face.tolerance
+       << (face.problems.empty() ? "valid  " : "NOT VALID: ");
+  for (std::size_t i = 0; i < face.problems.size(); ++i)
+    line << (i == 0 ? "" : "; ") << face.problems[i];
+  line << (face.name.empty() || face.problems.empty() ? "" : "  ") << face.name << "\n";
+  return line.str();
+}
+
+std::string info_text(const Input& input, const ModelFacts& facts) {
+  std::ostringstream text;
+  text << input.name << "\n ";
+  for (const auto& [kind, word] : kCounted)
+    text << " " << count(input.model.shape(), kind) << " " << word;
+  text << "\n  surfaces:";
+  for (const auto& [word, number] : facts.surfaces) text << " " << number << " " << word;
+  if (!facts.box.IsVoid()) {
+    const auto c = corners(facts.box);
+    text << "\n  box (mm): [" << c[0][0] << ", " << c[0][1] << ", " << c[0][2] << "] to ["
+         << c[1][0] << ", " << c[1][1] << ", " << c[1][2] << "]";
+  }
+  text << "\n  tolerances: " << facts.least_tolerance << " to " << facts.largest_tolerance << "\n  "
+       << (facts.valid ? "valid" : "NOT VALID") << ", file in " << input.model.file_unit() << "\n";
+  if (!facts.faces.empty())
+    text << "  face  surface    form" << std::string(38, ' ') << "tolerance validity, name\n";
+  for (const FaceFacts& face : facts.faces) text << face_line(face);
+  return text.str();
+}
+
+struct Options {
+  std::string input;
+  std::string json;
+};
+
+int run(const Options& options) {
+  CommonOptions outputs;
+  outputs.json = options.json;
+  check_outputs(outputs);
+  const Input input = read_input(options.input, Faces::Optional);
+  const ModelFacts facts = model_facts(input);
+  stop_if_interrupted();
+  if (options.json.empty())
+    print(info_text(input, facts));
+  else
+    write_json(info_json(input, facts), options.json);
+  return kExitComplete;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, int& exit_code) {
+  CLI::App* const command =
+      app.add_subcommand("info", "faces by surface type, degrees, spans, tolerances, validity");
+  const auto options = std::make_shared<Options>();
+  command->add_option("input", options->input, "model, or some of its faces")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--json", options->json, "report instead of text; - is stdout")
+      ->type_name("FILE");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace blossom::cli

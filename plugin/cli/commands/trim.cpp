@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom trim PART TOOL...`: a part cut along its intersections with tools.
+
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "adapters/occt/trim.h"
+#include "plugin/cli/commands/commands.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/inputs.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/intersection_report.h"
+#include "plugin/cli/options.h"
+#include "plugin/cli/output.h"
+#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/progress.h"
+
+namespace blossom::cli {
+namespace {
+
+struct Options {
+  std::string part;
+  std::vector<std::string> tools;
+  std::string keep;
+  bool allow_incomplete = false;
+  CommonOptions common;
+  EngineOptions engine;
+};
+
+struct Inputs {
+  Input part;
+  std::vector<Input> tools;
+};
+
+struct Timed {
+  occt::TrimResult made;
+  double seconds = 0;
+};
+
+occt::TrimOptions trim_options(const std::string& keep) {
+  static const std::map<std::string, occt::Keep> words = {{"above", occt::Keep::Above},
+                                                          {"below", occt::Keep::Below},
+                                                          {"inside", occt::Keep::Inside},
+                                                          {"outside", occt::Keep::Outside},
+                                                          {"all", occt::Keep::All}};
+  occt::TrimOptions options;
+  if (const auto word = words.find(keep); word != words.end()) {
+    options.keep = word->second;
+    return options;
+  }
+  const bool number = !keep.empty() && keep.size() <= 9 &&
+                      keep.find_first_not_of("0123456789") == std::string::npos;
+  if (!number)
+    throw UsageError(
+        "--keep takes above, below, inside, outside, all or the number of a piece, not '" + keep +
+        "'");
+  options.keep = occt::Keep::Number;
+  options.piece = std::stoi(keep);
+  return options;
+}
+
+// Every face of the model, since neighbours of those to cut share edges with them.
+std::vector<occt::PartFace> part_faces(const Input& part) {
+  std::vector<occt::PartFace> faces;
+  for (int number = 1; number <= part.model.face_count(); ++number)
+    faces.push_back({number, part.model.face(number), false});
+  for (const int number : part.numbers) faces[static_cast<std::size_t>(number) - 1].cut = true;
+  return faces;
+}
+
+occt::TrimTool tool_of(const Input& tool) {
+  if (static_cast<int>(tool.faces.size()) == tool.model.face_count())
+    return occt::trim_tool(tool.model.shape());
+  return {tool.faces, {}};
+}
+
+Timed timed_trim(const Inputs& inputs, const Options& options) {
+  Progress progress("trimming", options.common.quiet);
+  occt::TrimOptions wanted = trim_options(options.keep);
+  wanted.intersection = intersection_options(options.engine, progress);
+  const std::vector<occt::PartFace> part = part_faces(inputs.part);
+  std::vector<occt::TrimTool> tools;
+  for (const Input& tool : inputs.tools) tools.push_back(tool_of(tool));
+  const auto start = std::chrono::steady_clock::now();
+  Timed result{occt::trim(part, tools, wanted), 0};
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  stop_if_interrupted();
+  result.seconds = took.count();
+  return result;
+}
+
+Json report_of(const Inputs& inputs, const Options& options, const Timed& timed, bool written) {
+  Json tools = Json::array(), pieces = Json::array(), areas = Json::array();
+  for (const Input& tool : inputs.tools) tools.push_back(tool.name);
+  std::map<int, double> sums;
+  for (const occt::TrimPiece& piece : timed.made.pieces) {
+    pieces.push_back({{"face", piece.face},
+                      {"piece", piece.number},
+                      {"side", to_string(piece.side)},
+                      {"kept", piece.kept},
+                      {"area", piece.area}});
+    sums[piece.face] += piece.area;
+  }
+  for (const auto& [face, area] : timed.made.areas)
+    areas.push_back({{"face", face}, {"area", area}, {"pieces", sums[face]}});
+  return {{"schema", "blossom.trim/1"},
+          {"part", inputs.part.name},
+          {"tools", std::move(tools)},
+          {"keep", options.keep},
+          {"status", to_string(timed.made.status)},
+          {"written", written},
+          {"seconds", timed.seconds},
+          {"pieces", std::move(pieces)},
+          {"areas", std::move(areas)},
+          {"notes", timed.made.notes},
+          {"certificate", to_json(timed.made.certificate)}};
+}
+
+std::size_t kept_count(const occt::TrimResult& made) {
+  std::size_t count = 0;
+  for (const occt::TrimPiece& piece : made.pieces) count += piece.kept ? 1 : 0;
+  return count;
+}
+
+std::string summary(const Inputs& inputs, const Timed& timed) {
+  std::ostringstream text;
+  text << inputs.part.name << ": " << to_string(timed.made.status) << ", "
+       << counted(timed.made.areas.size(), "face") << " in "
+       << counted(timed.made.pieces.size(), "piece") << ", " << kept_count(timed.made) << " kept, "
+       << timed.seconds << " s\n";
+  for (const occt::TrimPiece& piece : timed.made.pieces)
+    text << "  piece " << piece.number << " of face " << piece.face << ": " << to_string(piece.side)
+         << ", area " << piece.area << (piece.kept ? "" : ", left out") << "\n";
+  for (const std::string& note : timed.made.notes) text << "  " << note << "\n";
+  return text.str();
+}
+
+Picture picture_of(const Inputs& inputs, const occt::TrimResult& made) {
+  Picture picture;
+  picture.groups = {{{}, kFirstColour, kFirstOpacity}, {{}, kSecondColour, kSecondOpacity}};
+  for (const occt::TrimPiece& piece : made.pieces)
+    if (piece.kept) picture.groups.front().faces.push_back(piece.shape);
+  for (const Input& tool : inputs.tools)
+    picture.groups.back().faces.insert(picture.groups.back().faces.end(), tool.faces.begin(),
+                                       tool.faces.end());
+  return picture;
+}
+
+// Why no model is written though one was asked for; empty if nothing speaks against it.
+std::string obstacle(const Inputs& inputs, const Timed& timed, const Options& options) {
+  if (timed.made.status == Status::Stopped && !options.allow_incomplete)
+    return "the intersection is not complete; --allow-incomplete writes what there is";
+  const std::size_t others =
+      static_cast<std::size_t>(inputs.part.model.face_count()) - inputs.part.numbers.size();
+  if (kept_count(timed.made) + others == 0) return "no piece is on the side to keep";
+  return {};
+}
+
+void write_outputs(Inputs& inputs, const Timed& timed, const Options& options) {
+  const std::string reason = obstacle(inputs, timed, options);
+  const bool write = !options.common.output.empty() && reason.empty();
+  std::string png;
+  if (!options.common.picture.empty()) png = picture_png(picture_of(inputs, timed.made));
+  const std::string text = summary(inputs, timed);
+  const Json report = report_of(inputs, options, timed, write);
+  if (write) inputs.part.model.replace_faces(timed.made.replacements);
+  stop_if_interrupted();
+
+  if (write)
+    occt::write_model(inputs.part.model, options.common.output);
+  else if (!options.common.output.empty())
+    std::cerr << "blossom: " << options.common.output << " is not written: " << reason << '\n';
+  if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);
+  if (!options.common.json.empty()) write_json(report, options.common.json);
+  if (options.common.json != "-" && !options.common.quiet) print(text);
+}
+
+int run(const Options& options) {
+  check_outputs(options.common);
+  trim_options(options.keep);  // a wrong word is told before a long reading
+  Inputs inputs{read_input(options.part), {}};
+  for (const std::string& tool : options.tools) inputs.tools.push_back(read_input(tool));
+  stop_if_interrupted();
+  const Timed timed = timed_trim(inputs, options);
+  write_outputs(inputs, timed, options);
+  return exit_code(timed.made.status);
+}
+
+}  // namespace
+
+void add_trim(CLI::App& app, int& exit_code) {
+  CLI::App* const command =
+      app.add_subcommand("trim", "a part cut along its intersections with tools");
+  const auto options = std::make_shared<Options>();
+  command->add_option("part", options->part, "model to be cut, or some of its faces")
+      ->required()
+      ->type_name("PART");
+  command->add_option("tools", options->tools, "models that cut it, or some of their faces")
+      ->required()
+      ->type_name("TOOL");
+  command
+      ->add_option("--keep", options->keep,
+                   "above (where the tools' normals point), below, inside, outside (of solid "
+                   "tools), all, or the number of a piece")
+      ->required()
+      ->type_name("SIDE");
+  command->add_flag("--allow-incomplete", options->allow_incomplete,
+                    "write the model even if the intersection was stopped");
+  add_common_options(*command, options->common, "write the trimmed model (.step, .brep, .iges)");
+  add_engine_options(*command, options->engine);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/exit_code.h"
+
+namespace blossom::cli {
+
+int exit_code(Status status) {
+  switch (status) {
+    case Status::Complete: return kExitComplete;
+    case Status::Tolerance: return kExitTolerance;
+    case Status::Stopped: break;
+  }
+  return kExitStopped;
+}
+
+}  // namespace blossom::cli

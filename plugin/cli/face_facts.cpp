@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/face_facts.h"
+
+#include <sstream>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepCheck.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepCheck_ListIteratorOfListOfStatus.hxx>
+#include <BRepCheck_ListOfStatus.hxx>
+#include <BRepCheck_Result.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/surfaces.h"
+
+namespace blossom::cli {
+namespace {
+
+const char* surface_word(GeomAbs_SurfaceType type) {
+  switch (type) {
+    case GeomAbs_Plane: return "plane";
+    case GeomAbs_Cylinder: return "cylinder";
+    case GeomAbs_Cone: return "cone";
+    case GeomAbs_Sphere: return "sphere";
+    case GeomAbs_Torus: return "torus";
+    case GeomAbs_BezierSurface: return "bezier";
+    case GeomAbs_BSplineSurface: return "bspline";
+    case GeomAbs_SurfaceOfRevolution: return "revolution";
+    case GeomAbs_SurfaceOfExtrusion: return "extrusion";
+    case GeomAbs_OffsetSurface: return "offset";
+    case GeomAbs_OtherSurface: break;
+  }
+  return "other";
+}
+
+int count(const TopoDS_Face& face, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(face, kind, map);
+  return map.Extent();
+}
+
+void add_statuses(const BRepCheck_ListOfStatus& statuses, std::vector<std::string>& problems) {
+  for (BRepCheck_ListIteratorOfListOfStatus it(statuses); it.More(); it.Next()) {
+    if (it.Value() == BRepCheck_NoError) continue;
+    std::ostringstream text;
+    BRepCheck::Print(it.Value(), text);
+    std::string word = text.str();
+    while (!word.empty() && (word.back() == '\n' || word.back() == ' ')) word.pop_back();
+    problems.push_back(word);
+  }
+}
+
+std::vector<std::string> problems_of(const TopoDS_Face& face) {
+  // Open CASCADE's checker does not look for numbers that are none, and can loop on them.
+  try {
+    occt::guarded("converting the face", [&] { occt::bezier_surface(face); });
+  } catch (const std::runtime_error& error) {
+    return {error.what()};
+  }
+  std::vector<std::string> problems;
+  occt::guarded("checking the face", [&] {
+    const BRepCheck_Analyzer analyzer(face);
+    if (analyzer.IsValid()) return;
+    for (const TopAbs_ShapeEnum kind : {TopAbs_FACE, TopAbs_WIRE, TopAbs_EDGE, TopAbs_VERTEX}) {
+      TopTools_IndexedMapOfShape shapes;
+      TopExp::MapShapes(face, kind, shapes);
+      for (int i = 1; i <= shapes.Extent(); ++i)
+        if (!analyzer.Result(shapes(i)).IsNull())
+          add_statuses(analyzer.Result(shapes(i))->Status(), problems);
+    }
+    if (problems.empty()) problems.push_back("BRepCheck finds an edge that does not fit the face");
+  });
+  return problems;
+}
+
+}  // namespace
+
+FaceFacts face_facts(const TopoDS_Face& face, int number) {
+  FaceFacts facts;
+  facts.number = number;
+  facts.wires = count(face, TopAbs_WIRE);
+  facts.edges = count(face, TopAbs_EDGE);
+  facts.tolerance = BRep_Tool::Tolerance(face);
+  if (BRep_Tool::Surface(face).IsNull()) {
+    facts.surface = "none";
+    facts.problems = {"the face has no surface"};
+    return facts;
+  }
+  const BRepAdaptor_Surface surface(face, Standard_False);
+  facts.surface = surface_word(surface.GetType());
+  if (surface.GetType() == GeomAbs_BezierSurface || surface.GetType() == GeomAbs_BSplineSurface) {
+    const bool bezier = surface.GetType() == GeomAbs_BezierSurface;
+    facts.degree_u = surface.UDegree();
+    facts.degree_v = surface.VDegree();
+    facts.spans_u = bezier ? 1 : surface.NbUKnots() - 1;
+    facts.spans_v = bezier ? 1 : surface.NbVKnots() - 1;
+    facts.rational = surface.IsURational() || surface.IsVRational();
+  }
+  facts.periodic_u = surface.IsUPeriodic();
+  facts.periodic_v = surface.IsVPeriodic();
+  facts.problems = problems_of(face);
+  return facts;
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Inputs of commands: a file, or some faces of a file, as in `wing.step#3,5-9`.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/shapes.h"
+
+namespace blossom::cli {
+
+/// What the user wrote, taken apart. No ranges means all faces.
+struct InputName {
+  std::filesystem::path file;
+  std::vector<std::pair<int, int>> faces;  ///< first and last number of each range, 1-based
+};
+
+/// Takes `FILE`, `FILE#3` or `FILE#3,5-9` apart. A file that is really called so wins.
+/// throws   UsageError if what follows the last '#' is no list of face numbers
+InputName parse_input(const std::string& text);
+
+/// A model with the faces that the user means.
+struct Input {
+  std::string name;  ///< as the user wrote it
+  occt::Model model;
+  std::vector<int> numbers;        ///< face numbers, 1-based as `info` prints them, each once
+  std::vector<TopoDS_Face> faces;  ///< likewise
+};
+
+/// Whether a model without any face is an input at all.
+enum class Faces { Required, Optional };
+
+/// Reads the file and picks the faces.
+/// throws   UsageError as parse_input; occt::BadModel if the file cannot be read, has no face
+///          though they are required, or a face number does not exist
+Input read_input(const std::string& text, Faces need = Faces::Required);
+
+}  // namespace blossom::cli

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/intersection_report.h"
+
+namespace blossom::cli {
+namespace {
+
+struct FaceNumbers {
+  int a = 0;
+  int b = 0;
+};
+
+Json with_faces(const FaceNumbers& faces, Json json) {
+  json["face_a"] = faces.a;
+  json["face_b"] = faces.b;
+  return json;
+}
+
+Json point_json(const SurfacePoint& point, const FaceNumbers& faces) {
+  Json json = with_faces(faces, {{"point", to_json(point.point)}});
+  json["uv_a"] = to_json(point.uv_a);
+  json["uv_b"] = to_json(point.uv_b);
+  return json;
+}
+
+Json curve_json(const IntersectionCurve& curve, const FaceNumbers& faces) {
+  Json json = with_faces(faces, {{"closed", curve.closed}, {"tangential", curve.tangential}});
+  Json points = Json::array(), uv_a = Json::array(), uv_b = Json::array();
+  for (const SurfacePoint& sample : curve.samples) {
+    points.push_back(to_json(sample.point));
+    uv_a.push_back(to_json(sample.uv_a));
+    uv_b.push_back(to_json(sample.uv_b));
+  }
+  json["points"] = std::move(points);
+  json["uv_a"] = std::move(uv_a);
+  json["uv_b"] = std::move(uv_b);
+  json["length"] = curve.length;
+  json["degree"] = curve.curve.degree;
+  json["poles"] = curve.curve.points.size();
+  json["least_angle"] = curve.least_angle;
+  json["deviation"] = {
+      {"a", curve.deviation.a}, {"b", curve.deviation.b}, {"between", curve.deviation.between}};
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const Vec2& point) { return Json::array({point[0], point[1]}); }
+
+Json to_json(const Vec3& point) { return Json::array({point[0], point[1], point[2]}); }
+
+Json to_json(const Certificate& certificate) {
+  return {{"excluded", certificate.excluded},
+          {"certified", certificate.certified},
+          {"critical", certificate.critical},
+          {"cells_bezier", certificate.cells_bezier},
+          {"cells_monomial", certificate.cells_monomial},
+          {"depth", certificate.depth},
+          {"rounding_bound", certificate.rounding_bound},
+          {"least_angle", certificate.least_angle},
+          {"reasons", certificate.reasons}};
+}
+
+Json to_json(const Place& place) {
+  return {{"kind", to_string(place.kind)},
+          {"box", Json::array({to_json(place.box_low), to_json(place.box_high)})},
+          {"gap", Json::array({place.gap_low, place.gap_high})}};
+}
+
+Json intersection_report(const Input& a, const Input& b, const occt::ShapeIntersection& found,
+                         const RunTimes& times) {
+  Json report = {{"schema", "blossom.intersection/1"},
+                 {"a", a.name},
+                 {"b", b.name},
+                 {"status", to_string(found.status)},
+                 {"seconds", times.seconds},
+                 {"seconds_first", times.first}};
+  for (const char* list : {"curves", "points", "nodes", "overlaps", "places"})
+    report[list] = Json::array();
+  for (const occt::FaceIntersection& pair : found.pairs) {
+    const FaceNumbers faces{a.numbers[static_cast<std::size_t>(pair.face_a)],
+                            b.numbers[static_cast<std::size_t>(pair.face_b)]};
+    for (const IntersectionCurve& curve : pair.found.curves)
+      report["curves"].push_back(curve_json(curve, faces));
+    for (const SurfacePoint& point : pair.found.points)
+      report["points"].push_back(point_json(point, faces));
+    for (const SurfacePoint& node : pair.found.nodes)
+      report["nodes"].push_back(point_json(node, faces));
+    for (const Place& place : pair.found.places)
+      report["places"].push_back(with_faces(faces, to_json(place)));
+  }
+  report["certificate"] = to_json(found.certificate);
+  report["certificate"]["face_pairs"] = found.face_pairs;
+  return report;
+}
+
+}  // namespace blossom::cli

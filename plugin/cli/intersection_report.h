@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The JSON report of an intersection; see schemas/intersection-1.md.
+
+#pragma once
+
+#include "adapters/occt/intersection.h"
+#include "plugin/cli/inputs.h"
+#include "plugin/cli/output.h"
+
+namespace blossom::cli {
+
+/// Seconds from two shapes in memory to finished curves.
+struct RunTimes {
+  double seconds = 0;  ///< the median of all calls
+  double first = 0;    ///< the first call in the process
+};
+
+/// Pieces that other commands' reports have in common with it.
+Json to_json(const Vec2& point);
+Json to_json(const Vec3& point);
+Json to_json(const Certificate& certificate);
+Json to_json(const Place& place);
+
+/// The whole object, schema "blossom.intersection/1".
+Json intersection_report(const Input& a, const Input& b, const occt::ShapeIntersection& found,
+                         const RunTimes& times);
+
+}  // namespace blossom::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The program `blossom`: chooses the command and turns errors into messages and exit codes.
+
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/shapes.h"
+#include "core/base/errors.h"
+#include "plugin/cli/commands/commands.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/version.h"
+
+namespace blossom::cli {
+namespace {
+
+int failed(const std::exception& error, int code) {
+  std::cerr << "blossom: " << error.what() << '\n';
+  return code;
+}
+
+int misused(const CLI::ParseError& error, int argc, char** argv) {
+  const bool no_such_command = error.get_name() == "RequiredError" && argc > 1 &&
+                               argv[1][0] != '-' &&
+                               std::string(error.what()) == "A subcommand is required";
+  const std::string message =
+      no_such_command ? "there is no command '" + std::string(argv[1]) + "'" : error.what();
+  std::cerr << "blossom: " << message << "\n'blossom --help' shows what there is\n";
+  return kExitBadInput;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Intersect, trim and blend free-form surfaces of CAD models"};
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  app.footer(
+      "An input is FILE, or some of its faces: FILE#3 or FILE#3,5-9 (numbers as in 'info').\n");
+
+  int code = kExitComplete;
+  add_info(app, code);
+  add_intersect(app, code);
+  add_trim(app, code);
+  add_blend(app, code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help and --version
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    return misused(error, argc, argv);
+  }
+  return code;
+}
+
+int run_guarded(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const Interrupted& error) {
+    return failed(error, kExitInterrupted);
+  } catch (const UsageError& error) {
+    return failed(error, kExitBadInput);
+  } catch (const InvalidInput& error) {
+    return failed(error, kExitBadInput);
+  } catch (const occt::BadModel& error) {
+    return failed(error, kExitBadInput);
+  } catch (const std::exception& error) {
+    return failed(error, kExitFailure);
+  } catch (...) {  // Open CASCADE's exceptions are no std::exception
+    std::cerr << "blossom: internal error: " << occt::current_failure_text() << '\n';
+    return kExitFailure;
+  }
+}
+
+}  // namespace
+}  // namespace blossom::cli
+
+int main(int argc, char** argv) {
+  blossom::cli::watch_for_interruption();
+  blossom::occt::quiet_messages();
+  return blossom::cli::run_guarded(argc, argv);
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/options.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "adapters/occt/errors.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
+
+namespace blossom::cli {
+namespace {
+
+constexpr std::array<std::string_view, 6> kModelEndings = {".step", ".stp",  ".iges",
+                                                           ".igs",  ".brep", ".brp"};
+
+const std::map<std::string, CellForm> kForms = {
+    {"auto", CellForm::Auto}, {"monomial", CellForm::Monomial}, {"bezier", CellForm::Bezier}};
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+void require_writable(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    throw occt::Failure(file.string() + ": cannot be written, it is a folder");
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, error))
+    throw occt::Failure(file.string() + ": cannot be written, there is no folder " +
+                        folder.string());
+  // Only making a file tells: permissions mean nothing to root, and some folders take no files.
+  std::string probe = (folder / ".blossom-XXXXXX").string();
+  const int descriptor = mkstemp(probe.data());
+  if (descriptor < 0)
+    throw occt::Failure(file.string() + ": cannot be written, the folder " + folder.string() +
+                        " takes no file: " + std::strerror(errno));
+  close(descriptor);
+  unlink(probe.c_str());
+}
+
+std::string positive_number(const std::string& text) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    if (used == text.size() && std::isfinite(value) && value > 0) return {};
+  } catch (const std::exception&) {  // no number: answered below
+  }
+  return "'" + text + "' is no positive number";
+}
+
+}  // namespace
+
+void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output) {
+  if (!output.empty()) command.add_option("-o,--output", options.output, output)->type_name("FILE");
+  command.add_option("--json", options.json, "write a report; - is stdout")->type_name("FILE");
+  command.add_option("--picture", options.picture, "write a picture (PNG)")->type_name("FILE");
+  command.add_flag("-q,--quiet", options.quiet, "say nothing but errors");
+}
+
+void add_engine_options(CLI::App& command, EngineOptions& options) {
+  command.add_option("--tolerance", options.tolerance, "what counts as one point, in model units")
+      ->check(CLI::Validator(positive_number, "POSITIVE"))
+      ->type_name("T")
+      ->capture_default_str();
+  command.add_option("--form", options.form, "form that the nets of cells are made from")
+      ->check(CLI::IsMember(kForms))
+      ->type_name("")
+      ->capture_default_str();
+  command.add_option("--time-limit", options.time_limit, "stop after so many seconds")
+      ->check(CLI::Validator(positive_number, "POSITIVE"))
+      ->type_name("S");
+  command.add_option("--budget", options.budget, "stop after so many pairs of cells")
+      ->check(CLI::Range(1L, 1'000'000'000'000L))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--threads", options.threads, "how many threads may work; 0 is all")
+      ->check(CLI::Range(0, 4096))
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+IntersectionOptions intersection_options(const EngineOptions& options, Progress& progress) {
+  IntersectionOptions result;
+  result.tolerances.point = options.tolerance;
+  result.form = kForms.at(options.form);
+  result.budget = options.budget;
+  result.time_limit = options.time_limit;
+  result.cancelled = [&progress] {
+    progress.tick();
+    return interrupted();
+  };
+  return result;
+}
+
+void check_outputs(const CommonOptions& options) {
+  std::set<std::filesystem::path> seen;
+  for (const std::string* file : {&options.output, &options.json, &options.picture}) {
+    if (file->empty() || (file == &options.json && *file == "-")) continue;
+    if (!seen.insert(std::filesystem::absolute(*file).lexically_normal()).second)
+      throw UsageError(*file + ": two outputs cannot be the same file");
+    require_writable(*file);
+  }
+  if (options.output.empty()) return;
+  const std::string ending = lower_case(std::filesystem::path(options.output).extension());
+  if (std::ranges::find(kModelEndings, ending) == kModelEndings.end())
+    throw UsageError(options.output +
+                     ": the ending says no known format; .step, .brep and .iges are");
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Options that commands have in common.
+
+#pragma once
+
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "core/surface_intersection.h"
+#include "plugin/cli/progress.h"
+
+namespace blossom::cli {
+
+struct CommonOptions {
+  std::string output;   ///< -o: a model file; empty for none
+  std::string json;     ///< --json: a file, or "-" for stdout; empty for none
+  std::string picture;  ///< --picture: a PNG file; empty for none
+  bool quiet = false;
+};
+
+/// What an intersection may be told; for commands that intersect on their way, too.
+struct EngineOptions {
+  double tolerance = Tolerances{}.point;
+  std::string form = "auto";
+  double time_limit = 0;
+  long budget = IntersectionOptions{}.budget;
+  int threads = 0;
+};
+
+/// -o, --json, --picture, --quiet.
+/// output    what -o gets, for the help text; empty if the command writes no model
+void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output);
+
+/// --tolerance, --form, --time-limit, --budget, --threads.
+void add_engine_options(CLI::App& command, EngineOptions& options);
+
+/// The options of the core; the work ticks `progress` and stops at an interruption.
+/// progress  has to live as long as the result is used
+IntersectionOptions intersection_options(const EngineOptions& options, Progress& progress);
+
+/// Looks at the outputs before any work is done.
+/// throws    UsageError if two outputs are the same file or -o has an unknown ending;
+///           occt::Failure if one is a folder or lies in a folder that cannot be written
+void check_outputs(const CommonOptions& options);
+
+}  // namespace blossom::cli

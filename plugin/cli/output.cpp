@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/output.h"
+
+#include <iostream>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/shapes.h"
+
+namespace blossom::cli {
+
+void print(const std::string& text) {
+  std::cout << text << std::flush;
+  if (!std::cout) throw occt::Failure("stdout: cannot be written");
+}
+
+void write_json(const Json& report, const std::string& target) {
+  // File names may hold bytes that are no UTF-8.
+  const std::string text = report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (target == "-")
+    print(text);
+  else
+    occt::write_text(text, target);
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace blossom::cli

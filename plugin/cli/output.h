@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where results go: stdout or a file, never half of one.
+
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace blossom::cli {
+
+/// Objects keep the order in which their members were added.
+using Json = nlohmann::ordered_json;
+
+/// Writes a result to stdout.
+/// throws   occt::Failure if stdout does not take it (a full disk, a closed pipe)
+void print(const std::string& text);
+
+/// Writes a report on one line. Numbers are the shortest that read back as the same double;
+/// what is not finite is null.
+/// target   a file, or "-" for stdout
+/// throws   occt::Failure if it cannot be written; what was there before is then still there
+void write_json(const Json& report, const std::string& target);
+
+/// "1 curve", "2 curves".
+std::string counted(std::size_t count, const std::string& noun);
+
+}  // namespace blossom::cli

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/picture/mesh.h"
+
+#include <cmath>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/errors.h"
+
+namespace blossom::cli {
+namespace {
+
+constexpr double kAngle = 0.2;  // radians between neighbouring triangles: looks smooth when shaded
+
+Vec3 to_vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+
+Vec3 normal_at(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv) {
+  gp_Pnt point;
+  gp_Vec along_u, along_v;
+  surface.D1(uv.X(), uv.Y(), point, along_u, along_v);
+  return unit(to_vec(along_u.Crossed(along_v).XYZ()));
+}
+
+std::vector<std::vector<Vec3>> outlines_of(const TopoDS_Face& face,
+                                           const Handle(Poly_Triangulation) & triangles,
+                                           const TopLoc_Location& place,
+                                           const std::vector<Vec3>& points) {
+  std::vector<std::vector<Vec3>> outlines;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    const Handle(Poly_PolygonOnTriangulation) polygon =
+        BRep_Tool::PolygonOnTriangulation(edge, triangles, place);
+    // A seam is no border to the eye.
+    if (polygon.IsNull() || BRep_Tool::IsClosed(edge, face)) continue;
+    outlines.emplace_back();
+    for (int i = 1; i <= polygon->NbNodes(); ++i)
+      outlines.back().push_back(points[static_cast<std::size_t>(polygon->Node(i) - 1)]);
+  }
+  return outlines;
+}
+
+PictureMesh mesh_of(const TopoDS_Face& face, double deflection) {
+  const TopoDS_Face copy = TopoDS::Face(BRepBuilderAPI_Copy(face, Standard_False).Shape());
+  BRepMesh_IncrementalMesh(copy, deflection, Standard_False, kAngle, Standard_False);
+  TopLoc_Location place;
+  const Handle(Poly_Triangulation) found = BRep_Tool::Triangulation(copy, place);
+  if (found.IsNull()) throw occt::Failure("a face cannot be triangulated for the picture");
+
+  PictureMesh mesh;
+  const BRepAdaptor_Surface surface(copy, Standard_False);
+  for (int i = 1; i <= found->NbNodes(); ++i) {
+    mesh.points.push_back(to_vec(found->Node(i).Transformed(place).XYZ()));
+    mesh.normals.push_back(found->HasUVNodes() ? normal_at(surface, found->UVNode(i)) : Vec3{});
+  }
+  for (int i = 1; i <= found->NbTriangles(); ++i) {
+    std::array<int, 3> t{};
+    found->Triangle(i).Get(t[0], t[1], t[2]);
+    mesh.triangles.push_back({t[0] - 1, t[1] - 1, t[2] - 1});
+  }
+  mesh.outlines = outlines_of(copy, found, place, mesh.points);
+  return mesh;
+}
+
+}  // namespace
+
+PictureMesh picture_mesh(const TopoDS_Face& face, double deflection) {
+  return occt::guarded("triangulating a face", [&] { return mesh_of(face, deflection); });
+}
+
+double size_of(const std::vector<TopoDS_Face>& faces) {
+  Bnd_Box box;
+  for (const TopoDS_Face& face : faces) BRepBndLib::Add(face, box, Standard_False);
+  return box.IsVoid() ? 0 : std::sqrt(box.SquareExtent());
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// blintersect result shapeA shapeB [tolerance]
+
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <DBRep.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/intersection.h"
+#include "adapters/occt/intersection_edges.h"
+#include "plugin/draw/commands/commands.h"
+
+namespace blossom::draw {
+namespace {
+
+std::vector<TopoDS_Face> faces_named(const char* name) {
+  const TopoDS_Shape shape = DBRep::Get(name);
+  if (shape.IsNull()) throw occt::BadModel(std::string(name) + ": there is no such shape");
+  std::vector<TopoDS_Face> faces = occt::faces_of(shape);
+  if (faces.empty()) throw occt::BadModel(std::string(name) + ": there is no face in it");
+  return faces;
+}
+
+double tolerance_from(const std::string& text) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    if (used == text.size() && std::isfinite(value) && value > 0) return value;
+  } catch (const std::logic_error&) {  // no number: answered below
+  }
+  throw occt::BadModel("'" + text + "' is no positive number");
+}
+
+void intersect_named(Draw_Interpretor& interpreter, int count, const char** words) {
+  IntersectionOptions options;
+  if (count == 5) options.tolerances.point = tolerance_from(words[4]);
+  const std::vector<TopoDS_Face> a = faces_named(words[2]);
+  const std::vector<TopoDS_Face> b = faces_named(words[3]);
+
+  const occt::ShapeIntersection found = occt::intersect(a, b, options);
+
+  std::size_t curves = 0;
+  for (const occt::FaceIntersection& pair : found.pairs) curves += pair.found.curves.size();
+  DBRep::Set(words[1], occt::compound_of(found));
+  interpreter << static_cast<int>(curves) << " " << to_string(found.status);
+}
+
+/// 0, or 1 for a Tcl error whose text is the message.
+int blintersect(Draw_Interpretor& interpreter, int count, const char** words) {
+  if (count != 4 && count != 5) {
+    interpreter << "usage: " << words[0] << " result shapeA shapeB [tolerance]";
+    return 1;
+  }
+  try {
+    intersect_named(interpreter, count, words);
+    return 0;
+  } catch (const std::exception& error) {
+    interpreter << words[0] << ": " << error.what();
+  } catch (...) {  // Open CASCADE's exceptions are no std::exception
+    const std::string text = occt::current_failure_text();
+    interpreter << words[0] << ": internal error: " << text.c_str();
+  }
+  return 1;
+}
+
+}  // namespace
+
+void add_blintersect(Draw_Interpretor& interpreter) {
+  interpreter.Add("blintersect",
+                  "blintersect result shapeA shapeB [tolerance]"
+                  "\n\t\t: all intersections of the faces of two shapes, as a compound of edges"
+                  "\n\t\t: (and vertices at isolated contacts). The answer is the number of"
+                  "\n\t\t: curves and complete, tolerance or stopped.",
+                  __FILE__, blintersect, kGroup);
+}
+
+}  // namespace blossom::draw

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/python/results.h"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "adapters/occt/brep_bytes.h"
+#include "adapters/occt/intersection_edges.h"
+
+namespace py = pybind11;
+
+namespace blossom::python {
+namespace {
+
+struct Intersection {
+  SharedAnswer answer;
+};
+
+struct Curve {
+  SharedAnswer answer;
+  const occt::FaceIntersection* pair = nullptr;
+  std::size_t number = 0;
+
+  const IntersectionCurve& get() const { return pair->found.curves[number]; }
+};
+
+struct Contact {
+  SharedAnswer answer;
+  const occt::FaceIntersection* pair = nullptr;
+  const SurfacePoint* where = nullptr;
+};
+
+struct PlaceOf {
+  SharedAnswer answer;
+  const occt::FaceIntersection* pair = nullptr;
+  const Place* place = nullptr;
+};
+
+// Face numbers are 1-based at every door.
+template <class Part>
+int face_a(const Part& part) {
+  return part.pair->face_a + 1;
+}
+template <class Part>
+int face_b(const Part& part) {
+  return part.pair->face_b + 1;
+}
+
+/// A view that cannot be written to; it keeps the answer alive.
+template <std::size_t Rank>
+py::array view(const SharedAnswer& answer, const double* first,
+               const std::array<py::ssize_t, Rank>& shape,
+               const std::array<py::ssize_t, Rank>& strides) {
+  auto* owner = new SharedAnswer(answer);
+  const py::capsule base(owner, [](void* held) { delete static_cast<SharedAnswer*>(held); });
+  py::array array(py::dtype::of<double>(), shape, strides, first, base);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
+template <int Dim>
+py::array view(const SharedAnswer& answer, const Vec<double, Dim>& vector) {
+  return view<1>(answer, vector.coordinates.data(), {Dim}, {sizeof(double)});
+}
+
+/// One member of all samples: (n, Dim), without a copy.
+template <int Dim>
+py::array samples(const Curve& curve, Vec<double, Dim> SurfacePoint::*member) {
+  const std::vector<SurfacePoint>& all = curve.get().samples;
+  const auto count = static_cast<py::ssize_t>(all.size());
+  const double* first = all.empty() ? nullptr : (all.front().*member).coordinates.data();
+  return view<2>(curve.answer, first, {count, Dim}, {sizeof(SurfacePoint), sizeof(double)});
+}
+
+py::dict deviation(const Deviation& deviation) {
+  using namespace py::literals;
+  return py::dict("a"_a = deviation.a, "b"_a = deviation.b, "between"_a = deviation.between);
+}
+
+py::dict certificate(const Certificate& proof) {
+  using namespace py::literals;
+  return py::dict("excluded"_a = proof.excluded, "certified"_a = proof.certified,
+                  "critical"_a = proof.critical, "cells_bezier"_a = proof.cells_bezier,
+                  "cells_monomial"_a = proof.cells_monomial, "depth"_a = proof.depth,
+                  "rounding_bound"_a = proof.rounding_bound, "least_angle"_a = proof.least_angle,
+                  "reasons"_a = proof.reasons);
+}
+
+py::list curves(const Intersection& self) {
+  py::list list;
+  for (const occt::FaceIntersection& pair : self.answer->found.pairs)
+    for (std::size_t i = 0; i < pair.found.curves.size(); ++i)
+      list.append(Curve{self.answer, &pair, i});
+  return list;
+}
+
+py::list contacts(const Intersection& self,
+                  std::vector<SurfacePoint> SurfaceIntersection::*member) {
+  py::list list;
+  for (const occt::FaceIntersection& pair : self.answer->found.pairs)
+    for (const SurfacePoint& where : pair.found.*member)
+      list.append(Contact{self.answer, &pair, &where});
+  return list;
+}
+
+py::list places(const Intersection& self) {
+  py::list list;
+  for (const occt::FaceIntersection& pair : self.answer->found.pairs)
+    for (const Place& place : pair.found.places) list.append(PlaceOf{self.answer, &pair, &place});
+  return list;
+}
+
+std::string summary(const Intersection& self) {
+  const auto count = [](const py::list& list) { return std::to_string(list.size()); };
+  return "<blossom.Intersection: " + std::string(to_string(self.answer->found.status)) + ", " +
+         count(curves(self)) + " curves, " + count(contacts(self, &SurfaceIntersection::points)) +
+         " points, " + count(places(self)) + " places>";
+}
+
+void add_curve(py::module_& module) {
+  py::class_<Curve>(module, "Curve", "One curve, from border or node to border or node, or closed.")
+      .def_property_readonly("points",
+                             [](const Curve& c) { return samples(c, &SurfacePoint::point); })
+      .def_property_readonly("uv_a", [](const Curve& c) { return samples(c, &SurfacePoint::uv_a); })
+      .def_property_readonly("uv_b", [](const Curve& c) { return samples(c, &SurfacePoint::uv_b); })
+      .def_property_readonly("closed", [](const Curve& c) { return c.get().closed; })
+      .def_property_readonly("tangential", [](const Curve& c) { return c.get().tangential; })
+      .def_property_readonly("length", [](const Curve& c) { return c.get().length; })
+      .def_property_readonly("degree", [](const Curve& c) { return c.get().curve.degree; })
+      .def_property_readonly("poles", [](const Curve& c) { return c.get().curve.points.size(); })
+      .def_property_readonly("deviation",
+                             [](const Curve& c) { return deviation(c.get().deviation); })
+      .def_property_readonly("face_a", &face_a<Curve>)
+      .def_property_readonly("face_b", &face_b<Curve>);
+}
+
+void add_contact(py::module_& module) {
+  py::class_<Contact>(module, "Contact", "A point that both faces have in common.")
+      .def_property_readonly("point",
+                             [](const Contact& c) { return view(c.answer, c.where->point); })
+      .def_property_readonly("uv_a", [](const Contact& c) { return view(c.answer, c.where->uv_a); })
+      .def_property_readonly("uv_b", [](const Contact& c) { return view(c.answer, c.where->uv_b); })
+      .def_property_readonly("face_a", &face_a<Contact>)
+      .def_property_readonly("face_b", &face_b<Contact>);
+}
+
+void add_place(py::module_& module) {
+  py::class_<PlaceOf>(module, "Place",
+                      "A box in which the faces stay within tolerance, or which stayed open.")
+      .def_property_readonly("kind", [](const PlaceOf& p) { return to_string(p.place->kind); })
+      .def_property_readonly(
+          "box",
+          [](const PlaceOf& p) {
+            return std::pair{p.place->box_low.coordinates, p.place->box_high.coordinates};
+          })
+      .def_property_readonly("gap",
+                             [](const PlaceOf& p) {
+                               return std::pair{p.place->gap_low, p.place->gap_high};
+                             })
+      .def_property_readonly("face_a", &face_a<PlaceOf>)
+      .def_property_readonly("face_b", &face_b<PlaceOf>);
+}
+
+}  // namespace
+
+void add_results(py::module_& module) {
+  add_curve(module);
+  add_contact(module);
+  add_place(module);
+  py::class_<Intersection>(module, "Intersection", "All intersections of two shapes.")
+      .def_property_readonly(
+          "status", [](const Intersection& s) { return to_string(s.answer->found.status); })
+      .def_property_readonly("curves", &curves)
+      .def_property_readonly(
+          "points", [](const Intersection& s) { return contacts(s, &SurfaceIntersection::points); })
+      .def_property_readonly(
+          "nodes", [](const Intersection& s) { return contacts(s, &SurfaceIntersection::nodes); })
+      .def_property_readonly("places", &places)
+      .def_property_readonly(
+          "certificate",
+          [](const Intersection& s) { return certificate(s.answer->found.certificate); })
+      .def_property_readonly("seconds", [](const Intersection& s) { return s.answer->seconds; })
+      .def(
+          "to_brep",
+          [](const Intersection& s) {
+            std::string text;
+            {
+              const py::gil_scoped_release released;
+              text = occt::brep_text(occt::compound_of(s.answer->found));
+            }
+            return py::bytes(text);
+          },
+          "The edges, and vertices at isolated contacts, as a compound in BRep text.")
+      .def("__repr__", &summary);
+}
+
+py::object python_answer(Answer answer) {
+  return py::cast(Intersection{std::make_shared<const Answer>(std::move(answer))});
+}
+
+}  // namespace blossom::python

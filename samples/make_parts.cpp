@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Makes the two STEP files that samples/run.sh works on: hull.step with the skin of a boat, and
+// cutters.step with its deck and the tunnel of a bow thruster, named and coloured.
+//
+// usage: make_parts FOLDER
+
+#include <exception>
+#include <filesystem>
+#include <iostream>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+
+#include "adapters/occt/shapes.h"
+#include "samples/hull_parts.h"
+
+namespace {
+
+TopoDS_Face face_on(const Handle(Geom_BSplineSurface) & surface) {
+  return BRepBuilderAPI_MakeFace(surface, 1e-7).Face();
+}
+
+void make_parts(const std::filesystem::path& folder) {
+  namespace samples = blossom::samples;
+  std::filesystem::create_directories(folder);
+
+  blossom::occt::Model hull;
+  hull.add(face_on(samples::hull_skin()), "Hull", {0.36, 0.56, 0.78});
+  blossom::occt::write_model(hull, folder / "hull.step");
+
+  blossom::occt::Model cutters;
+  cutters.add(face_on(samples::deck()), "Deck", {0.93, 0.69, 0.33});
+  cutters.add(face_on(samples::thruster_tunnel()), "Thruster tunnel", {0.55, 0.75, 0.45});
+  blossom::occt::write_model(cutters, folder / "cutters.step");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: make_parts FOLDER\n";
+    return 2;
+  }
+  blossom::occt::quiet_messages();
+  try {
+    make_parts(argv[1]);
+  } catch (const std::exception& error) {
+    std::cerr << "make_parts: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Installs what is missing, builds Blossom and its samples, runs them and says where results are.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../tests/support/setup.sh"
+
+step "packages"
+install_packages "${build_packages[@]}"
+
+step "configure"
+configure release
+
+step "build"
+cmake --build "$build" -j "$(build_jobs)" --target blossom samples
+
+step "sample: evaluate by blossom"
+"$build/samples/01_evaluate_by_blossom"
+
+step "sample: a boat"
+results=$root/build/samples
+bash "$root/samples/boat.sh" "$build/plugin/cli/blossom" "$build/samples" "$results"
+
+printf '\nAll samples ran. Results: %s\n' "$results"
+ls -1 "$results"

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/area.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// A bicubic wave of 5 x 3 spans with simple knots.
+TopoDS_Face wave() {
+  TColgp_Array2OfPnt poles(1, 8, 1, 6);
+  for (int i = 1; i <= 8; ++i)
+    for (int j = 1; j <= 6; ++j) poles(i, j) = gp_Pnt(i, j, std::sin(1.3 * i * j));
+  TColStd_Array1OfReal u(1, 6), v(1, 4);
+  TColStd_Array1OfInteger mu(1, 6), mv(1, 4);
+  for (int i = 1; i <= 6; ++i) u(i) = i * i, mu(i) = i == 1 || i == 6 ? 4 : 1;
+  for (int i = 1; i <= 4; ++i) v(i) = i, mv(i) = i == 1 || i == 4 ? 4 : 1;
+  return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(poles, u, v, mu, mv, 3, 3), 1e-7);
+}
+
+TEST(Area, OfElementaryFacesIsExactTo1e13) {
+  const TopoDS_Face sphere = BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(gp_Ax3(), 2), 1e-7);
+  EXPECT_NEAR(area(sphere), 16 * kPi, 1e-13 * 16 * kPi);
+  const TopoDS_Face torus = BRepBuilderAPI_MakeFace(new Geom_ToroidalSurface(gp_Ax3(), 3, 1), 1e-7);
+  EXPECT_NEAR(area(torus), 12 * kPi * kPi, 1e-13 * 12 * kPi * kPi);
+  const TopoDS_Face cone = BRepBuilderAPI_MakeFace(new Geom_ConicalSurface(gp_Ax3(), kPi / 6, 0), 0,
+                                                   2 * kPi, 0, 2, 1e-7);
+  EXPECT_NEAR(area(cone), 2 * kPi, 1e-12);  // slant 2, radius 1
+}
+
+TEST(Area, OfAFaceWithAHoleLeavesTheHoleOut) {
+  const gp_Circ circle(gp_Ax2(gp_Pnt(2, 2, 0), gp_Dir(0, 0, -1)), 1);
+  BRepBuilderAPI_MakeFace maker(gp_Pln(), 0, 4, 0, 4);
+  maker.Add(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle)));
+  EXPECT_NEAR(area(maker.Face()), 16 - kPi, 1e-13);
+}
+
+TEST(Area, DoesNotDependOnTheOrientation) {
+  const TopoDS_Face face = wave();
+  EXPECT_DOUBLE_EQ(area(face), area(TopoDS::Face(face.Reversed())));
+}
+
+TEST(Area, ChangesByLessThan1e10WhenCellsAreDivided) {
+  const TopoDS_Face face = wave();
+  const double found = area(face);
+  for (const int cells : {2, 3, 5}) EXPECT_NEAR(area(face, cells), found, 1e-10 * found);
+}
+
+}  // namespace
+}  // namespace blossom::occt

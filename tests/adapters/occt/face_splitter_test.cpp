@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/face_splitter.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+
+#include "adapters/occt/errors.h"
+#include "tests/adapters/occt/trim_cases.h"
+
+namespace blossom::occt {
+namespace {
+
+using namespace testing;
+
+constexpr double kPi = std::numbers::pi;
+
+TopoDS_Face square() { return BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4); }
+
+TopoDS_Face square_with_hole() {
+  const gp_Circ circle(gp_Ax2(gp_Pnt(2, 2, 0), gp_Dir(0, 0, -1)), 1);
+  BRepBuilderAPI_MakeFace maker(square());
+  maker.Add(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle)));
+  return maker.Face();
+}
+
+TopoDS_Face cylinder() {
+  return BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), 2), 0, 2 * kPi, 0, 3, 1e-7);
+}
+
+TopoDS_Face sphere() {
+  return BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(gp_Ax3(), 2), 1e-7);
+}
+
+TopoDS_Face torus() {
+  return BRepBuilderAPI_MakeFace(new Geom_ToroidalSurface(gp_Ax3(), 3, 1), 1e-7);
+}
+
+double smallest_area(const FaceSplit& split) {
+  double least = 1e300;
+  for (const FacePiece& piece : split.pieces) least = std::min(least, area(piece.face));
+  return least;
+}
+
+TEST(FaceSplitter, StraightCutMakesTwoRectangles) {
+  const TopoDS_Face face = square();
+  const FaceSplit split = split_face(face, {line_cut(face, {1, 0}, {1, 4})});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 4, 1e-9);
+}
+
+TEST(FaceSplitter, ReversedFaceGivesReversedPieces) {
+  const TopoDS_Face face = TopoDS::Face(square().Reversed());
+  expect_sound(face, split_face(face, {line_cut(face, {1, 0}, {2, 4})}), 2);
+}
+
+TEST(FaceSplitter, CutThatOvershootsIsClipped) {
+  const TopoDS_Face face = square();
+  const FaceSplit split = split_face(face, {line_cut(face, {1, -3}, {1, 9})});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 4, 1e-9);
+}
+
+TEST(FaceSplitter, CutShortByLessThanTheToleranceStillDivides) {
+  const TopoDS_Face face = square();
+  expect_sound(face, split_face(face, {line_cut(face, {1, 6e-8}, {1, 4 - 6e-8})}), 2);
+}
+
+TEST(FaceSplitter, CutThatEndsInsideIsLeftOutWithANote) {
+  const TopoDS_Face face = square();
+  const FaceSplit split = split_face(face, {line_cut(face, {1, 0}, {1, 3.9})});
+  ASSERT_EQ(split.pieces.size(), 1u);
+  EXPECT_TRUE(split.pieces[0].face.IsSame(face) || split.notes.size() == 1u);
+  ASSERT_EQ(split.notes.size(), 1u);
+  EXPECT_NE(split.notes[0].find("cut 1 ends inside"), std::string::npos);
+}
+
+TEST(FaceSplitter, CutOutsideLeavesTheFaceItself) {
+  const TopoDS_Face face = square();
+  const FaceSplit split = split_face(face, {line_cut(face, {9, 0}, {9, 4})});
+  ASSERT_EQ(split.pieces.size(), 1u);
+  EXPECT_TRUE(split.pieces[0].face.IsSame(face));
+  EXPECT_EQ(split.notes.size(), 1u);
+}
+
+TEST(FaceSplitter, DiagonalFromVertexToVertexMakesTwoTriangles) {
+  const TopoDS_Face face = square();
+  const FaceSplit split = split_face(face, {line_cut(face, {0, 0}, {4, 4})});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 8, 1e-9);
+  for (const auto& [edge, count] : edge_uses(split.pieces)) EXPECT_LE(count, 2);
+  EXPECT_EQ(edge_uses(split.pieces).size(), 5u);  // no old edge was split
+}
+
+TEST(FaceSplitter, ClosedCutMakesADiscAndAHole) {
+  const TopoDS_Face face = square();
+  const FaceSplit split = split_face(face, {loop_cut(face, {2, 2}, 1)});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), kPi, 2e-3);
+}
+
+TEST(FaceSplitter, CutAcrossAHoleEndsAtItsRim) {
+  const TopoDS_Face face = square_with_hole();
+  const FaceSplit split = split_face(face, {line_cut(face, {2, 0}, {2, 4})});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 8 - kPi / 2, 1e-9);
+}
+
+TEST(FaceSplitter, CutBesideAHoleLeavesTheHoleWithItsPiece) {
+  const TopoDS_Face face = square_with_hole();
+  const FaceSplit split = split_face(face, {line_cut(face, {0.5, 0}, {0.5, 4})});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 2, 1e-9);
+}
+
+TEST(FaceSplitter, TwoCrossingCutsMakeFourPieces) {
+  const TopoDS_Face face = square();
+  const FaceSplit split =
+      split_face(face, {line_cut(face, {1, 0}, {1, 4}), line_cut(face, {0, 3}, {4, 3})});
+  expect_sound(face, split, 4);
+  EXPECT_NEAR(smallest_area(split), 1, 1e-9);
+}
+
+TEST(FaceSplitter, CutsThatMeetInOnePointInsideDivideTogether) {
+  const TopoDS_Face face = square();
+  const FaceSplit split =
+      split_face(face, {line_cut(face, {1, 0}, {2, 2}), line_cut(face, {2, 2}, {0, 3}),
+                        line_cut(face, {4, 2}, {2, 2})});
+  expect_sound(face, split, 3);
+}
+
+TEST(FaceSplitter, RepeatedCutDividesOnce) {
+  const TopoDS_Face face = square();
+  const FaceSplit split =
+      split_face(face, {line_cut(face, {1, 0}, {1, 4}), line_cut(face, {1, 4}, {1, 0})});
+  expect_sound(face, split, 2);
+  ASSERT_EQ(split.notes.size(), 1u);
+}
+
+TEST(FaceSplitter, CutAlongAnEdgeDividesNothingButIsReported) {
+  const TopoDS_Face face = square();
+  const FaceSplit split = split_face(face, {line_cut(face, {0, 0}, {4, 0})});
+  ASSERT_EQ(split.pieces.size(), 1u);
+  EXPECT_TRUE(split.pieces[0].face.IsSame(face));
+  ASSERT_EQ(split.pieces[0].cuts.size(), 1u);
+  EXPECT_EQ(split.pieces[0].cuts[0].cut, 0);
+  EXPECT_LT(split.pieces[0].cuts[0].at.from, split.pieces[0].cuts[0].at.to);
+}
+
+TEST(FaceSplitter, CircleRoundACylinderMakesTwoBands) {
+  const TopoDS_Face face = cylinder();
+  const FaceSplit split = split_face(face, {line_cut(face, {0, 1}, {2 * kPi, 1})});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 4 * kPi, 1e-8);
+}
+
+TEST(FaceSplitter, LinesAlongACylinderKeepItsSeam) {
+  const TopoDS_Face face = cylinder();
+  const FaceSplit split =
+      split_face(face, {line_cut(face, {1, 0}, {1, 3}), line_cut(face, {4, 3}, {4, 0})});
+  expect_sound(face, split, 3);
+  EXPECT_NEAR(smallest_area(split), 2 * 3 * 1, 1e-8);
+}
+
+TEST(FaceSplitter, CutAwayFromTheChartByAPeriodIsBroughtBack) {
+  const TopoDS_Face face = cylinder();
+  const FaceSplit split = split_face(face, {loop_cut(face, {2 * kPi + 3, 1.5}, 0.5)});
+  expect_sound(face, split, 2);
+}
+
+TEST(FaceSplitter, CutAcrossTheSeamIsCutThere) {
+  const TopoDS_Face face = cylinder();
+  const FaceSplit split = split_face(face, {loop_cut(face, {2 * kPi, 1.5}, 0.5)});
+  expect_sound(face, split, 3);  // two half discs, joined by the seam, and the rest
+}
+
+TEST(FaceSplitter, CutAlongTheSeamOfACylinderDividesWithAnotherOne) {
+  const TopoDS_Face face = cylinder();
+  const FaceSplit split =
+      split_face(face, {line_cut(face, {0, 0}, {0, 3}), line_cut(face, {kPi, 0}, {kPi, 3})});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 6 * kPi, 1e-8);
+}
+
+TEST(FaceSplitter, EquatorMakesTwoHemispheres) {
+  const TopoDS_Face face = sphere();
+  const FaceSplit split = split_face(face, {line_cut(face, {0, 0}, {2 * kPi, 0})});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 8 * kPi, 1e-8);
+}
+
+TEST(FaceSplitter, MeridiansEndInThePolesOfASphere) {
+  const TopoDS_Face face = sphere();
+  const FaceSplit split =
+      split_face(face, {line_cut(face, {1, -kPi / 2}, {1, kPi / 2}),
+                        line_cut(face, {1 + kPi, kPi / 2}, {1 + kPi, -kPi / 2})});
+  expect_sound(face, split, 3);
+  EXPECT_NEAR(smallest_area(split), 8, 1e-8);  // the lune of one radian
+}
+
+TEST(FaceSplitter, CirclesRoundATorusMakeTubes) {
+  const TopoDS_Face face = torus();
+  expect_sound(face, split_face(face, {line_cut(face, {2, 0}, {2, 2 * kPi})}), 2);
+  expect_sound(face, split_face(face, {line_cut(face, {0, 2}, {2 * kPi, 2})}), 2);
+}
+
+TEST(FaceSplitter, ObliqueCutOfATorusCrossesBothSeams) {
+  const TopoDS_Face face = torus();
+  expect_sound(face, split_face(face, {line_cut(face, {5, 5}, {8, 8})}), 1);
+  expect_sound(face, split_face(face, {loop_cut(face, {2 * kPi, 2 * kPi}, 1)}), 5);
+}
+
+TEST(FaceSplitter, RefusesAFaceWithoutWires) {
+  TopoDS_Face bare;
+  BRep_Builder().MakeFace(bare, new Geom_Plane(gp_Pln()), 1e-7);
+  EXPECT_THROW(split_face(bare, {}), BadModel);
+}
+
+}  // namespace
+}  // namespace blossom::occt

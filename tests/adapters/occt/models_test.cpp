@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Real models: every face of every file becomes Bezier patches with the same points.
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <BRep_Tool.hxx>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/shapes.h"
+#include "adapters/occt/surfaces.h"
+#include "surfaces_samples.h"
+
+namespace blossom::occt {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Random;
+using testing::uniform;
+
+/// The models of the folder that BLOSSOM_TEST_DATA names.
+std::set<fs::path> models() {
+  std::set<fs::path> found;
+  const char* data = std::getenv("BLOSSOM_TEST_DATA");
+  if (data == nullptr) return found;
+  const std::set<std::string> endings{".stp", ".step", ".brep", ".iges", ".igs"};
+  for (const auto& entry : fs::directory_iterator(fs::path(data) / "models"))
+    if (endings.contains(entry.path().extension().string())) found.insert(entry.path());
+  return found;
+}
+
+double size_of(const BezierSurface& surface) {
+  double size = 0;
+  for (const RationalBezierPatch& patch : surface.patches.values())
+    for (const Vec4& p : patch.points.values())
+      size = std::max(size, max_norm(Vec3{p[0], p[1], p[2]} * (1 / p[3])));
+  return size;
+}
+
+void compare(const TopoDS_Face& face, const std::string& what, Random& random) {
+  const BezierSurface found = bezier_surface(face);
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  const double allowed = found.error + 256 * 0x1p-53 * size_of(found);
+  EXPECT_LE(found.error, 1e-7) << what;
+  double largest = 0;
+  for (int k = 0; k < 30; ++k) {
+    const double u = uniform(random, found.u_knots.front(), found.u_knots.back());
+    const double v = uniform(random, found.v_knots.front(), found.v_knots.back());
+    const Vec3 p = point_at(found, {u, v});
+    largest = std::max(largest, surface->Value(u, v).Distance(gp_Pnt(p[0], p[1], p[2])));
+  }
+  EXPECT_LE(largest, allowed) << what << " " << surface->DynamicType()->Name();
+}
+
+TEST(RealModels, HaveFacesThatBecomePatchesWithTheSamePoints) {
+  const std::set<fs::path> files = models();
+  if (files.empty())
+    GTEST_SKIP() << "set BLOSSOM_TEST_DATA to a folder with models/ to test on real models";
+  quiet_messages();
+  Random random(1);
+  for (const fs::path& file : files) {
+    const Model model = read_model(file);
+    EXPECT_GT(model.face_count(), 0) << file;
+    for (int i = 1; i <= model.face_count(); ++i) {
+      const std::string what = file.filename().string() + " face " + std::to_string(i);
+      EXPECT_NO_THROW(compare(model.face(i), what, random)) << what;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blossom::occt

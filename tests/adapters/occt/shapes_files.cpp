@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Files made with Open CASCADE alone, without the code under test.
+
+#include "shapes_files.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include <BRepBndLib.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <Bnd_Box.hxx>
+#include <Interface_Static.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Controller.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_LayerTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <gp_Trsf.hxx>
+
+#include "adapters/occt/shapes.h"
+
+namespace blossom::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+Handle(TDocStd_Document) new_document() {
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  return document;
+}
+
+std::string name_of(const TDF_Label& label) {
+  Handle(TDataStd_Name) name;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return "-";
+  return TCollection_AsciiString(name->Get()).ToCString();
+}
+
+Quantity_Color colour(double r, double g, double b) { return {r, g, b, Quantity_TOC_sRGB}; }
+
+/// Writes a document and closes it.
+void write(const Handle(TDocStd_Document) & document, const fs::path& file,
+           const std::string& unit) {
+  XCAFDoc_DocumentTool::ShapeTool(document->Main())->UpdateAssemblies();
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("write.step.unit", unit.c_str());
+  STEPCAFControl_Writer writer;
+  Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
+  writer.Transfer(document, STEPControl_AsIs);
+  writer.Write(file.c_str());
+  XCAFApp_Application::GetApplication()->Close(document);
+}
+
+/// Tells the labels of a document.
+class Teller {
+ public:
+  explicit Teller(const Handle(TDocStd_Document) & document)
+      : colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())),
+        layers_(XCAFDoc_DocumentTool::LayerTool(document->Main())) {
+    TDF_LabelSequence roots;
+    XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
+    for (const TDF_Label& root : roots) tell(root, 0);
+    TDF_LabelSequence layers;
+    layers_->GetLayerLabels(layers);
+    for (const TDF_Label& layer : layers) {
+      TDF_LabelSequence members;
+      layers_->GetShapesOfLayer(layer, members);
+      out_ << "layer " << name_of(layer) << ":";
+      for (const TDF_Label& member : members) out_ << " " << name_of(member);
+      out_ << "\n";
+    }
+  }
+
+  std::string text() const { return out_.str(); }
+
+ private:
+  std::string looks(const TDF_Label& label) const {
+    Quantity_Color found;
+    std::string text;
+    if (colours_->GetColor(label, XCAFDoc_ColorSurf, found) ||
+        colours_->GetColor(label, XCAFDoc_ColorGen, found))
+      text += std::string(" ") + Quantity_Color::ColorToHex(found).ToCString();
+    return text;
+  }
+
+  static std::string size(const TopoDS_Shape& shape) {
+    Bnd_Box box;
+    BRepBndLib::AddOptimal(shape, box, false, false);
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(3);
+    const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
+    for (int i = 1; i <= 3; ++i) text << " " << low.Coord(i) + 0.0 << ".." << high.Coord(i) + 0.0;
+    return text.str();
+  }
+
+  void tell(const TDF_Label& label, int depth) {
+    const std::string indent(static_cast<std::size_t>(2 * depth), ' ');
+    TDF_Label part = label;
+    XCAFDoc_ShapeTool::GetReferredShape(label, part);
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    out_ << indent << name_of(label);
+    if (part != label) out_ << " of " << name_of(part);
+    out_ << looks(part) << size(shape)
+         << (BRepCheck_Analyzer(shape).IsValid() ? " valid" : " invalid") << "\n";
+    TDF_LabelSequence subs, components;
+    XCAFDoc_ShapeTool::GetSubShapes(part, subs);
+    std::vector<std::string> lines;
+    for (const TDF_Label& sub : subs)
+      lines.push_back(indent + "  * " + name_of(sub) + looks(sub) + "\n");
+    std::sort(lines.begin(), lines.end());
+    for (const std::string& line : lines) out_ << line;
+    XCAFDoc_ShapeTool::GetComponents(part, components);
+    for (const TDF_Label& component : components) tell(component, depth + 1);
+  }
+
+  Handle(XCAFDoc_ColorTool) colours_;
+  Handle(XCAFDoc_LayerTool) layers_;
+  std::ostringstream out_;
+};
+
+}  // namespace
+
+Folder::Folder() {
+  occt::quiet_messages();
+  std::string pattern = (fs::temp_directory_path() / "blossom-test-XXXXXX").string();
+  path_ = ::mkdtemp(pattern.data());
+}
+
+Folder::~Folder() {
+  std::error_code ignored;
+  fs::permissions(path_, fs::perms::owner_all, ignored);
+  fs::remove_all(path_, ignored);
+}
+
+std::vector<std::string> Folder::names() const {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator(path_))
+    found.push_back(entry.path().filename().string());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_content(const fs::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+void write_machine(const fs::path& file, const std::string& unit) {
+  const Handle(TDocStd_Document) document = new_document();
+  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const auto colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  const auto layers = XCAFDoc_DocumentTool::LayerTool(document->Main());
+  const auto add = [&](const TopoDS_Shape& shape, const char* name, const Quantity_Color& look) {
+    const TDF_Label label = shapes->AddShape(shape, false);
+    TDataStd_Name::Set(label, name);
+    colours->SetColor(label, look, XCAFDoc_ColorSurf);
+    return label;
+  };
+  const auto name_face = [&](const TDF_Label& part, int number, const char* name) {
+    TopExp_Explorer face(XCAFDoc_ShapeTool::GetShape(part), TopAbs_FACE);
+    while (--number > 0) face.Next();
+    const TDF_Label label = shapes->AddSubShape(part, face.Current());
+    TDataStd_Name::Set(label, name);
+    return label;
+  };
+  const TDF_Label plate =
+      add(BRepPrimAPI_MakeBox(40, 30, 10).Shape(), "Base plate", colour(0.2, 0.4, 0.8));
+  const TDF_Label pin = add(BRepPrimAPI_MakeBox(gp_Pnt(-4, -4, 0), gp_Pnt(4, 4, 20)).Shape(), "Pin",
+                            colour(0.8, 0.8, 0));
+  layers->SetLayer(plate, "plates");
+  colours->SetColor(name_face(plate, 6, "TopFace"), colour(1, 0, 0), XCAFDoc_ColorSurf);
+  colours->SetColor(name_face(plate, 3, "SideFace"), colour(0, 1, 0), XCAFDoc_ColorSurf);
+  name_face(pin, 1, "Left");
+  colours->SetColor(name_face(pin, 2, "Right"), colour(1, 0, 1), XCAFDoc_ColorSurf);
+  const TDF_Label machine = shapes->NewShape();
+  TDataStd_Name::Set(machine, "Machine");
+  TDataStd_Name::Set(shapes->AddComponent(machine, plate, TopLoc_Location()), "plate:1");
+  for (const int i : {1, 2}) {
+    gp_Trsf move;
+    move.SetTranslation(gp_Vec(20 * i - 10, 15, 10));
+    TDataStd_Name::Set(shapes->AddComponent(machine, pin, TopLoc_Location(move)),
+                       TCollection_ExtendedString("pin:") + i);
+  }
+  write(document, file, unit);
+}
+
+void write_pairs(const fs::path& file) {
+  const Handle(TDocStd_Document) document = new_document();
+  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const TDF_Label box = shapes->AddShape(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), false);
+  TDataStd_Name::Set(box, "Box");
+  const TopoDS_Shape face =
+      TopExp_Explorer(XCAFDoc_ShapeTool::GetShape(box), TopAbs_FACE).Current();
+  TDataStd_Name::Set(shapes->AddSubShape(box, face), TCollection_ExtendedString("Fläche", true));
+  const auto pair_of = [&](const TDF_Label& part, const char* name, const char* item, double step) {
+    const TDF_Label assembly = shapes->NewShape();
+    TDataStd_Name::Set(assembly, name);
+    for (const int i : {1, 2}) {
+      gp_Trsf move;
+      move.SetTranslation(gp_Vec(step * i, 0, 0));
+      TDataStd_Name::Set(shapes->AddComponent(assembly, part, TopLoc_Location(move)),
+                         TCollection_ExtendedString(item) + i);
+    }
+    return assembly;
+  };
+  pair_of(pair_of(box, "Pair", "box:", 2), "Pairs", "pair:", 10);
+  write(document, file, "MM");
+}
+
+std::string story(const fs::path& file) {
+  Handle(TDocStd_Document) document = new_document();
+  STEPCAFControl_Reader reader;
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
+  reader.SetColorMode(true);
+  reader.SetNameMode(true);
+  reader.SetLayerMode(true);
+  if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return "unreadable";
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
+  if (!reader.Transfer(document)) return "nothing";
+  const std::string text =
+      "in " + std::string(lengths.First().ToCString()) + "\n" + Teller(document).text();
+  XCAFApp_Application::GetApplication()->Close(document);
+  return text;
+}
+
+}  // namespace blossom::testing

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Files for tests of reading and writing: a folder of its own, an assembly, a file's story.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace blossom::testing {
+
+/// A new folder that is removed with all it holds.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+  /// Names of all that is there, hidden files too, sorted.
+  std::vector<std::string> names() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string content(const std::filesystem::path& file);
+void write_content(const std::filesystem::path& file, const std::string& text);
+
+/// An assembly "Machine" of a blue plate "Base plate" in the layer "plates" with a red face
+/// "TopFace" and a green face "SideFace", and two instances "pin:1", "pin:2" of a yellow "Pin" with
+/// the faces "Left" and "Right", which is violet. All parts are boxes: faces 1 to 6 are the
+/// plate's, 7 to 12 and 13 to 18 the pins'. unit    as `write.step.unit` takes it
+void write_machine(const std::filesystem::path& file, const std::string& unit = "MM");
+
+/// Two instances "pair:1", "pair:2" of an assembly of two instances "box:1", "box:2" of a "Box",
+/// whose face 1 is called "Fläche". Faces 1 to 6 are box:1 in pair:1, 7 to 12 box:2, and so on.
+void write_pairs(const std::filesystem::path& file);
+
+/// What a STEP file holds, a line for each label: names, colours, layers, sizes, validity.
+std::string story(const std::filesystem::path& file);
+
+}  // namespace blossom::testing

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/trim.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepTools_ReShape.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Pln.hxx>
+
+#include "adapters/occt/area.h"
+#include "core/base/errors.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+std::vector<PartFace> part_of(const TopoDS_Shape& shape, const std::set<int>& selected = {}) {
+  std::vector<PartFace> part;
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i)
+    part.push_back({i, TopoDS::Face(faces(i)), selected.empty() || selected.contains(i)});
+  return part;
+}
+
+TrimTool plane_tool(const gp_Pnt& at, const gp_Dir& normal, double size = 20) {
+  return trim_tool(BRepBuilderAPI_MakeFace(gp_Pln(at, normal), -size, size, -size, size).Face());
+}
+
+// The shape with the faces replaced, all faces in one compound that shares the edges.
+TopoDS_Shape rebuilt(const TopoDS_Shape& shape, const TrimResult& result) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  BRep_Builder builder;
+  TopoDS_Compound compound;
+  builder.MakeCompound(compound);
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    const auto replaced = result.replacements.find(i);
+    if (replaced == result.replacements.end())
+      builder.Add(compound, faces(i));
+    else
+      for (const TopoDS_Face& face : replaced->second) builder.Add(compound, face);
+  }
+  return compound;
+}
+
+// Edges by the number of times that faces use them; degenerated ones left out.
+std::map<int, int> uses_of_edges(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape edges;
+  std::map<int, int> uses, count;
+  for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next())
+    if (!BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) ++uses[edges.Add(it.Current())];
+  for (const auto& [edge, times] : uses) ++count[times];
+  return count;
+}
+
+double sum_of_areas(const TrimResult& result) {
+  double sum = 0;
+  for (const TrimPiece& piece : result.pieces) sum += piece.area;
+  return sum;
+}
+
+double kept_area(const TrimResult& result) {
+  double sum = 0;
+  for (const TrimPiece& piece : result.pieces)
+    if (piece.kept) sum += piece.area;
+  return sum;
+}
+
+TEST(Trim, BoxCutByAPlaneStaysSewn) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 3, 2).Shape();
+  const TrimResult result = trim(part_of(box), {plane_tool({1, 1, 1}, {1, 0.2, 0.1})});
+
+  EXPECT_EQ(result.status, Status::Complete);
+  EXPECT_TRUE(result.notes.empty()) << result.notes.front();
+  EXPECT_EQ(result.pieces.size(), 10u);  // two faces on the sides, four cut in two
+  const TopoDS_Shape whole = rebuilt(box, result);
+  EXPECT_TRUE(BRepCheck_Analyzer(whole).IsValid());
+  EXPECT_EQ(uses_of_edges(whole), (std::map<int, int>{{2, 12 + 4 + 4}}));
+  EXPECT_NEAR(sum_of_areas(result), 52, 52e-9);
+}
+
+TEST(Trim, NeighbourOfACutFaceTakesTheSplitEdges) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 3, 2).Shape();
+  const TrimResult result = trim(part_of(box, {6}), {plane_tool({1, 0, 0}, {1, 0, 0})});
+
+  EXPECT_EQ(result.pieces.size(), 2u);
+  EXPECT_EQ(result.replacements.size(), 3u);  // the top and its neighbours across the cut's ends
+  const TopoDS_Shape whole = rebuilt(box, result);
+  EXPECT_TRUE(BRepCheck_Analyzer(whole).IsValid());
+  EXPECT_EQ(uses_of_edges(whole), (std::map<int, int>{{2, 12 + 2 + 1}}));
+}
+
+TEST(Trim, PiecesAboveLieWhereTheToolsNormalPoints) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 3, 2).Shape();
+  TrimOptions options;
+  options.keep = Keep::Above;
+  const TrimResult above = trim(part_of(box), {plane_tool({1, 0, 0}, {1, 0, 0})}, options);
+  EXPECT_NEAR(kept_area(above), 6 + 3 * 10, 1e-8);
+  options.keep = Keep::Below;
+  const TrimResult below = trim(part_of(box), {plane_tool({1, 0, 0}, {1, 0, 0})}, options);
+  EXPECT_NEAR(kept_area(below), 6 + 1 * 10, 1e-8);
+  const TrimResult turned = trim(part_of(box), {plane_tool({1, 0, 0}, {-1, 0, 0})}, options);
+  EXPECT_NEAR(kept_area(turned), 6 + 3 * 10, 1e-8);
+}
+
+TEST(Trim, SideFollowsTheOrientationOfTheToolsFace) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 3, 2).Shape();
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln({1, 0, 0}, {1, 0, 0}), -9, 9, -9, 9);
+  TrimOptions options;
+  options.keep = Keep::Above;
+  const TrimResult result = trim(part_of(box), {trim_tool(face.Reversed())}, options);
+  EXPECT_NEAR(kept_area(result), 6 + 1 * 10, 1e-8);
+}
+
+TEST(Trim, FaceThatNoToolMeetsIsSidedByThePlane) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 3, 2).Shape();
+  const TrimResult result = trim(part_of(box), {plane_tool({9, 0, 0}, {1, 0, 0})});
+  for (const TrimPiece& piece : result.pieces) EXPECT_EQ(piece.side, PieceSide::Below);
+  EXPECT_TRUE(result.replacements.empty());
+}
+
+TEST(Trim, SphereCutsADiscOutOfAFaceOfABox) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(4, 4, 4).Shape();
+  const TrimTool ball = trim_tool(BRepPrimAPI_MakeSphere(gp_Pnt(2, 2, 3.9), 1).Shape());
+  ASSERT_TRUE(ball.is_solid());
+  TrimOptions options;
+  options.keep = Keep::Inside;
+  const TrimResult result = trim(part_of(box), {ball}, options);
+  EXPECT_EQ(result.pieces.size(), 7u);
+  EXPECT_NEAR(kept_area(result), 0.99 * kPi, 1e-6);
+  EXPECT_NEAR(sum_of_areas(result), 96, 96e-9);
+}
+
+TEST(Trim, CylinderCutByAPlaneHasBandsOfHandComputedArea) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 4).Shape();
+  TrimOptions options;
+  options.keep = Keep::Below;
+  const TrimResult result = trim(part_of(cylinder), {plane_tool({0, 0, 1}, {0, 1, 3})}, options);
+  EXPECT_TRUE(result.notes.empty()) << result.notes.front();
+  EXPECT_NEAR(kept_area(result), 2 * kPi * 1 + kPi, 1e-6);
+  EXPECT_TRUE(BRepCheck_Analyzer(rebuilt(cylinder, result)).IsValid());
+}
+
+TEST(Trim, SphereCutByAPlaneIsTwoCaps) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(2).Shape();
+  TrimOptions options;
+  options.keep = Keep::Above;
+  const TrimResult result = trim(part_of(ball), {plane_tool({0, 0, 1}, {0, 0, 1})}, options);
+  EXPECT_NEAR(kept_area(result), 2 * kPi * 2 * 1, 1e-6);
+}
+
+TEST(Trim, TwoPlanesCutAFaceInFour) {
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
+  const TrimResult result =
+      trim(part_of(face), {plane_tool({1, 0, 0}, {1, 0, 0}), plane_tool({0, 3, 0}, {0, 1, 0})});
+  ASSERT_EQ(result.pieces.size(), 4u);
+  std::map<PieceSide, double> area_of;
+  for (const TrimPiece& piece : result.pieces) area_of[piece.side] += piece.area;
+  EXPECT_NEAR(area_of[PieceSide::Above], 3, 1e-9);
+  EXPECT_NEAR(area_of[PieceSide::Below], 3, 1e-9);
+  EXPECT_NEAR(area_of[PieceSide::Mixed], 10, 1e-9);
+}
+
+TEST(Trim, ToolOfSeveralFacesCutsAcrossItsEdges) {
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
+  const TrimTool corner = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(1, 1, -1), 2, 2, 2).Shape());
+  TrimOptions options;
+  options.keep = Keep::Outside;
+  const TrimResult result = trim(part_of(face), {corner}, options);
+  ASSERT_EQ(result.pieces.size(), 2u);
+  EXPECT_NEAR(kept_area(result), 12, 1e-8);
+}
+
+TEST(Trim, KeepsThePieceWithTheNumberAndRefusesOneThatIsNotThere) {
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
+  TrimOptions options;
+  options.keep = Keep::Number;
+  options.piece = 2;
+  const TrimResult result = trim(part_of(face), {plane_tool({1, 0, 0}, {1, 0, 0})}, options);
+  ASSERT_EQ(result.pieces.size(), 2u);
+  EXPECT_FALSE(result.pieces[0].kept);
+  EXPECT_TRUE(result.pieces[1].kept);
+  options.piece = 3;
+  EXPECT_THROW(trim(part_of(face), {plane_tool({1, 0, 0}, {1, 0, 0})}, options), InvalidInput);
+}
+
+TEST(Trim, RefusesInsideOfAnOpenTool) {
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
+  TrimOptions options;
+  options.keep = Keep::Inside;
+  EXPECT_THROW(trim(part_of(face), {plane_tool({1, 0, 0}, {1, 0, 0})}, options), InvalidInput);
+}
+
+TEST(Trim, ToolThatEndsInsideTheFaceIsNoted) {
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
+  const TrimResult result = trim(part_of(face), {plane_tool({2, 2, 0}, {1, 0, 0}, 1)});
+  EXPECT_EQ(result.pieces.size(), 1u);
+  EXPECT_TRUE(result.replacements.empty());
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("face 1: cut 1 ends inside"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace blossom::occt

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Whatever is wrong with its inputs and outputs, the program says so in one message, answers with
+// the right exit code, and leaves nothing half done.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_Array2OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using testing::blossom;
+using testing::Finished;
+
+class BadInput : public ::testing::Test {
+ protected:
+  BadInput() {
+    testing::write({testing::bowl()}, folder / "bowl.brep");
+    testing::write({testing::lid(0.25)}, folder / "lid.step");
+  }
+
+  // Intersects bowl.brep with the file, and expects to be told why it cannot be.
+  void expect_refused(const std::string& file, const std::string& why) {
+    const std::vector<std::string> before = folder.listing();
+    const Finished run = blossom({"intersect", folder / "bowl.brep", folder / file, "-o",
+                                  folder / "out.step", "--json", folder / "out.json"});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(file), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(why), std::string::npos) << run.err;
+    EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
+    EXPECT_EQ(folder.listing(), before);
+  }
+
+  void write_text(const std::string& file, const std::string& text) {
+    std::ofstream(folder / file, std::ios::binary) << text;
+  }
+
+  testing::TestFolder folder;
+};
+
+TEST_F(BadInput, MissingFileIsNamed) { expect_refused("nowhere.step", "no such file"); }
+
+TEST_F(BadInput, FolderIsNoModel) {
+  std::filesystem::create_directory(folder / "folder.step");
+  expect_refused("folder.step", "folder");
+}
+
+TEST_F(BadInput, EmptyFileIsNoModel) {
+  write_text("empty.step", "");
+  expect_refused("empty.step", "empty");
+  write_text("empty.brep", "");
+  expect_refused("empty.brep", "empty");
+}
+
+TEST_F(BadInput, CutOffStepIsRefused) {
+  const std::string whole = testing::text_of(folder / "lid.step");
+  write_text("cut.step", whole.substr(0, whole.size() * 2 / 3));
+  expect_refused("cut.step", "cut off");
+}
+
+TEST_F(BadInput, CutOffBrepIsRefused) {
+  const std::string whole = testing::text_of(folder / "bowl.brep");
+  write_text("cut.brep", whole.substr(0, whole.size() / 2));
+  expect_refused("cut.brep", "cut");
+}
+
+TEST_F(BadInput, TextIsNoModel) {
+  write_text("letter.step", "Dear shipyard, please find the hull enclosed.\n");
+  expect_refused("letter.step", "");
+}
+
+TEST_F(BadInput, UnknownEndingIsRefused) {
+  write_text("lid.doc", testing::text_of(folder / "lid.step"));
+  expect_refused("lid.doc", "");
+}
+
+// A rational face of one span, with the numbers 7.125 as a coordinate and 0.625 as a weight.
+TopoDS_Face marked_face() {
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  TColStd_Array2OfReal weights(1, 3, 1, 3);
+  for (int i = 1; i <= 3; ++i)
+    for (int j = 1; j <= 3; ++j) {
+      poles(i, j) = gp_Pnt(i, j, i == 2 && j == 2 ? 7.125 : 0);
+      weights(i, j) = i == 2 && j == 2 ? 0.625 : 1;
+    }
+  TColStd_Array1OfReal knots(1, 2);
+  knots(1) = 0;
+  knots(2) = 1;
+  TColStd_Array1OfInteger counts(1, 2);
+  counts.Init(3);
+  return BRepBuilderAPI_MakeFace(
+             new Geom_BSplineSurface(poles, weights, knots, knots, counts, counts, 2, 2), 1e-7)
+      .Face();
+}
+
+class BadNumbers : public BadInput {
+ protected:
+  // The marked face with `from` written as `to`.
+  void write_changed(const std::string& file, const std::string& from, const std::string& to) {
+    testing::write({marked_face()}, folder / "marked.brep");
+    std::string text = testing::text_of(folder / "marked.brep");
+    const std::size_t place = text.find(from);
+    ASSERT_NE(place, std::string::npos);
+    text.replace(place, from.size(), to);
+    write_text(file, text);
+  }
+};
+
+TEST_F(BadNumbers, UnchangedAreAccepted) {
+  write_changed("good.brep", "7.125", "7.125");
+  EXPECT_EQ(blossom({"info", folder / "good.brep"}).code, 0);
+}
+
+TEST_F(BadNumbers, PoleThatIsNoNumberIsRefused) {
+  write_changed("nan.brep", "7.125", "nan");
+  expect_refused("nan.brep", "");
+}
+
+TEST_F(BadNumbers, InfinitePoleIsRefused) {
+  write_changed("inf.brep", "7.125", "inf");
+  expect_refused("inf.brep", "");
+}
+
+TEST_F(BadNumbers, ZeroWeightIsRefused) {
+  write_changed("zero.brep", "0.625", "0");
+  expect_refused("zero.brep", "");
+}
+
+TEST_F(BadNumbers, NegativeWeightIsRefused) {
+  write_changed("negative.brep", "0.625", "-0.625");
+  expect_refused("negative.brep", "");
+}
+
+TEST_F(BadInput, FaceThatDoesNotExistIsNamed) {
+  const Finished run =
+      blossom({"intersect", folder / "bowl.brep", (folder / "lid.step").string() + "#1,2"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("lid.step: there is no face 2"), std::string::npos) << run.err;
+}
+
+class BadOutput : public BadInput {
+ protected:
+  void expect_failure(const std::vector<std::string>& options, int code) {
+    const std::vector<std::string> before = folder.listing();
+    std::vector<std::string> all = {"intersect", folder / "bowl.brep", folder / "lid.step"};
+    all.insert(all.end(), options.begin(), options.end());
+    const Finished run = blossom(all);
+    EXPECT_EQ(run.code, code) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(options.back()), std::string::npos) << run.err;
+    EXPECT_EQ(folder.listing(), before);
+  }
+};
+
+TEST_F(BadOutput, FolderThatIsNotThere) {
+  expect_failure({"-o", folder / "no folder/out.step"}, 1);
+  expect_failure({"--json", folder / "no folder/out.json"}, 1);
+  expect_failure({"--picture", folder / "no folder/out.png"}, 1);
+}
+
+TEST_F(BadOutput, FolderThatCannotBeWritten) {
+  // Not even root may create files there.
+  expect_failure({"--json", "/proc/blossom.json"}, 1);
+  expect_failure({"-o", "/proc/blossom.step"}, 1);
+  expect_failure({"--picture", "/proc/blossom.png"}, 1);
+}
+
+TEST_F(BadOutput, FolderInThePlaceOfTheFile) {
+  std::filesystem::create_directory(folder / "out.step");
+  expect_failure({"-o", folder / "out.step"}, 1);
+}
+
+TEST_F(BadOutput, EndingThatIsNoFormat) { expect_failure({"-o", folder / "out.docx"}, 2); }
+
+TEST_F(BadOutput, SameFileTwice) {
+  expect_failure({"--picture", folder / "out.x", "--json", folder / "out.x"}, 2);
+}
+
+TEST_F(BadOutput, FailureKeepsWhatWasThere) {
+  write_text("out.json", "old");
+  testing::write({testing::lid(0.25)}, folder / "out.step");
+  const std::string old = testing::text_of(folder / "out.step");
+  expect_failure(
+      {"-o", folder / "out.step", "--json", folder / "out.json", "--picture", "/proc/blossom.png"},
+      1);
+  EXPECT_EQ(testing::text_of(folder / "out.json"), "old");
+  EXPECT_TRUE(testing::text_of(folder / "out.step") == old);
+}
+
+TEST_F(BadOutput, FullDiskIsAFailure) {
+  const Finished run = blossom(
+      {"intersect", folder / "bowl.brep", folder / "lid.step", "--json", "-"}, "", "/dev/full");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("stdout"), std::string::npos) << run.err;
+}
+
+class BadUsage : public ::testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(BadUsage, IsToldOnStderrWithExitCode2) {
+  const Finished run = blossom(GetParam());
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_EQ(run.err.rfind("blossom: ", 0), 0u) << run.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Arguments, BadUsage,
+    ::testing::Values(
+        std::vector<std::string>{}, std::vector<std::string>{"unite"},
+        std::vector<std::string>{"info"}, std::vector<std::string>{"intersect", "a.step"},
+        std::vector<std::string>{"intersect", "a.step", "b.step", "c.step"},
+        std::vector<std::string>{"intersect", "a.step", "b.step", "--tolerance", "0"},
+        std::vector<std::string>{"intersect", "a.step", "b.step", "--tolerance", "nan"},
+        std::vector<std::string>{"intersect", "a.step", "b.step", "--form", "spline"},
+        std::vector<std::string>{"intersect", "a.step", "b.step", "--repeat", "0"},
+        std::vector<std::string>{"intersect", "a.step", "b.step", "--time-limit", "-1"},
+        std::vector<std::string>{"intersect", "a.step", "b.step", "--colour"}));
+
+}  // namespace
+}  // namespace blossom

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom info`, `--version` and `--help`, as a user runs them.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using nlohmann::json;
+using testing::blossom;
+using testing::Finished;
+
+TEST(InfoCommand, TellsSurfaceDegreeSpansAndValidityOfEachFace) {
+  const testing::TestFolder folder;
+  testing::write({testing::bowl(), testing::half_pipe()}, folder / "parts.brep");
+
+  const Finished run = blossom({"info", folder / "parts.brep", "--json", "-"});
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json info = json::parse(run.out);
+  EXPECT_EQ(info["schema"], "blossom.info/1");
+  EXPECT_EQ(info["counts"]["faces"], 2);
+  EXPECT_EQ(info["surfaces"], json({{"bezier", 2}}));
+  EXPECT_EQ(info["valid"], true);
+  EXPECT_NEAR(info["box"][1][2].get<double>(), 2, 1e-6);
+  const json& pipe = info["faces"][1];
+  EXPECT_EQ(pipe["number"], 2);
+  EXPECT_EQ(pipe["degree"], json({3, 1}));
+  EXPECT_EQ(pipe["spans"], json({1, 1}));
+  EXPECT_EQ(pipe["rational"], true);
+  EXPECT_EQ(info["faces"][0]["rational"], false);
+  EXPECT_EQ(pipe["tolerance"], 1e-7);
+  EXPECT_EQ(pipe["valid"], true);
+}
+
+TEST(InfoCommand, NamesFacesAfterTheirParts) {
+  const testing::TestFolder folder;
+  testing::write({testing::bowl(), testing::half_pipe()}, folder / "parts.step");
+  const Finished run = blossom({"info", folder / "parts.step", "--json", "-"});
+  const json info = json::parse(run.out);
+  EXPECT_EQ(info["file_unit"], "MM");
+  EXPECT_EQ(info["faces"][0]["name"], "part 1");
+  EXPECT_EQ(info["faces"][1]["name"], "part 2");
+}
+
+TEST(InfoCommand, ListsOnlyTheChosenFaces) {
+  const testing::TestFolder folder;
+  testing::write({testing::bowl(), testing::half_pipe()}, folder / "parts.brep");
+  const Finished run = blossom({"info", (folder / "parts.brep").string() + "#2", "--json", "-"});
+  const json info = json::parse(run.out);
+  ASSERT_EQ(info["faces"].size(), 1u);
+  EXPECT_EQ(info["faces"][0]["number"], 2);
+}
+
+TEST(InfoCommand, PrintsATableForPeople) {
+  const testing::TestFolder folder;
+  testing::write({testing::half_pipe()}, folder / "pipe.step");
+  const Finished run = blossom({"info", folder / "pipe.step"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("1 faces"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("degree 3 x 1, spans 1 x 1, rational"), std::string::npos) << run.out;
+  EXPECT_EQ(run.err, "");
+}
+
+TEST(Program, SaysItsVersionAndLicence) {
+  const Finished run = blossom({"--version"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.out.find("blossom " BLOSSOM_VERSION), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("Licence: LGPL-2.1-or-later"), std::string::npos) << run.out;
+}
+
+TEST(Program, ShowsItsCommands) {
+  const Finished run = blossom({"--help"});
+  EXPECT_EQ(run.code, 0);
+  for (const char* command : {"info", "intersect"})
+    EXPECT_NE(run.out.find(command), std::string::npos) << run.out;
+}
+
+}  // namespace
+}  // namespace blossom

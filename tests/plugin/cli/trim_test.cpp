@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom trim` on a bowl and a lid, whose pieces have areas known by hand.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <nlohmann/json.hpp>
+
+#include "adapters/occt/area.h"
+#include "adapters/occt/shapes.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using nlohmann::json;
+using testing::blossom;
+using testing::Finished;
+
+// z = x^2 + y^2 below z = h: pi / 6 ((1 + 4 h)^(3/2) - 1).
+double bowl_area(double height) {
+  return std::numbers::pi / 6 * (std::pow(1 + 4 * height, 1.5) - 1);
+}
+
+class TrimCommand : public ::testing::Test {
+ protected:
+  Finished trim(double height, std::vector<std::string> options) {
+    testing::write({testing::bowl()}, folder / "bowl.brep");
+    testing::write({testing::lid(height)}, folder / "lid.brep");
+    options.insert(options.begin(), {"trim", folder / "bowl.brep", folder / "lid.brep"});
+    return blossom(options);
+  }
+
+  testing::TestFolder folder;
+};
+
+TEST_F(TrimCommand, ReportsPiecesWithSidesAndAreas) {
+  const Finished run = trim(0.25, {"--keep", "all", "--json", "-"});
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const json report = json::parse(run.out);
+  EXPECT_EQ(report["schema"], "blossom.trim/1");
+  EXPECT_EQ(report["status"], "complete");
+  EXPECT_EQ(report["written"], false);
+  EXPECT_TRUE(report["notes"].empty());
+  ASSERT_EQ(report["pieces"].size(), 2u);
+  double below = 0;
+  for (const json& piece : report["pieces"]) {
+    EXPECT_EQ(piece["face"], 1);
+    EXPECT_EQ(piece["kept"], true);
+    if (piece["side"] == "below") below += piece["area"].get<double>();
+  }
+  EXPECT_NEAR(below, bowl_area(0.25), 1e-7);
+  EXPECT_NE(report["pieces"][0]["side"], report["pieces"][1]["side"]);
+  const double before = report["areas"][0]["area"], after = report["areas"][0]["pieces"];
+  EXPECT_NEAR(before, after, 1e-9 * before);
+  EXPECT_GT(report["certificate"]["certified"], 0);
+}
+
+TEST_F(TrimCommand, WritesTheCapBelowTheLid) {
+  const Finished run = trim(0.25, {"--keep", "below", "-o", folder / "cap.step", "--quiet"});
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const occt::Model cap = occt::read_model(folder / "cap.step");
+  ASSERT_EQ(cap.face_count(), 1);
+  EXPECT_TRUE(BRepCheck_Analyzer(cap.shape()).IsValid());
+  EXPECT_NEAR(occt::area(cap.face(1)), bowl_area(0.25), 1e-6);
+}
+
+TEST_F(TrimCommand, KeepsAPieceByTheNumberThatItPrinted) {
+  ASSERT_EQ(trim(0.25, {"--keep", "1", "-o", folder / "one.brep"}).code, 0);
+  ASSERT_EQ(trim(0.25, {"--keep", "2", "-o", folder / "two.brep"}).code, 0);
+  const double one = occt::area(occt::read_model(folder / "one.brep").face(1));
+  const double two = occt::area(occt::read_model(folder / "two.brep").face(1));
+  EXPECT_NEAR(std::min(one, two), bowl_area(0.25), 1e-7);
+  EXPECT_GT(std::max(one, two), 3);
+}
+
+TEST_F(TrimCommand, WritesNothingWhenTheIntersectionWasStopped) {
+  const std::vector<std::string> options = {"--keep", "all", "--budget",
+                                            "1",      "-o",  folder / "out.brep"};
+  const Finished run = trim(0.25, options);
+
+  EXPECT_EQ(run.code, 4);
+  EXPECT_NE(run.err.find("--allow-incomplete"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.brep"));
+
+  std::vector<std::string> allowed = options;
+  allowed.push_back("--allow-incomplete");
+  EXPECT_EQ(trim(0.25, allowed).code, 4);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out.brep"));
+}
+
+TEST_F(TrimCommand, SaysWhenNothingIsLeftToWrite) {
+  const Finished run = trim(-1, {"--keep", "below", "-o", folder / "none.brep"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.err.find("no piece is on the side to keep"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.brep"));
+}
+
+TEST_F(TrimCommand, RefusesAWordThatIsNoSide) {
+  const Finished run = trim(0.25, {"--keep", "left"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("'left'"), std::string::npos) << run.err;
+}
+
+TEST_F(TrimCommand, RefusesInsideOfAnOpenToolAndANumberThatIsNotThere) {
+  EXPECT_EQ(trim(0.25, {"--keep", "inside"}).code, 2);
+  const Finished run = trim(0.25, {"--keep", "7"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("no piece 7"), std::string::npos) << run.err;
+}
+
+TEST_F(TrimCommand, DrawsAPicture) {
+  ASSERT_EQ(trim(0.25, {"--keep", "below", "--picture", folder / "cap.png"}).code, 0);
+  EXPECT_GT(std::filesystem::file_size(folder / "cap.png"), 1000u);
+}
+
+}  // namespace
+}  // namespace blossom

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# blintersect: results, the Tcl answer, and errors in words.
+
+proc claim {what holds} {
+  if {!$holds} { error "does not hold: $what" }
+  puts "holds: $what"
+}
+
+# A command that has to fail; gives back its message.
+proc message_of {args} {
+  if {![catch {uplevel #0 $args} message]} { error "no error from: $args" }
+  return $message
+}
+
+# DRAW's shapes are variables, so a procedure sees them only from the top level.
+proc count_of {shape kind} {
+  regexp "$kind *: *(\\d+)" [uplevel #0 [list nbshapes $shape]] whole count
+  return $count
+}
+
+if {[catch {
+  pload MODELING
+  pload -BlossomPlugin BLOSSOM
+  # A second time changes nothing.
+  pload -BlossomPlugin BLOSSOM
+
+  # Two planes that cross in the segment x = 0, z = 0, |y| <= 5.
+  plane p 0 0 0 0 0 1
+  mkface a p -5 5 -5 5
+  plane q 0 0 0 1 0 0
+  mkface b q -5 5 -5 5
+  set answer [blintersect r a b]
+  claim "two planes cross in one proven curve" [expr {[string trim $answer] eq "1 complete"}]
+  claim "the result is one edge" [expr {[count_of r EDGE] == 1}]
+  regexp {Mass *: *([0-9.e+-]+)} [lprops r] whole length
+  claim "of length 10" [expr {abs($length - 10) < 1e-6}]
+  set answer [blintersect r a b 1e-5]
+  claim "a tolerance may be given" [expr {[lindex $answer 0] == 1}]
+
+  plane q 0 0 7 0 0 1
+  mkface far q -5 5 -5 5
+  set answer [blintersect r a far]
+  claim "nothing is proven empty" [expr {[string trim $answer] eq "0 complete"}]
+  claim "and the result is an empty compound" [expr {[count_of r EDGE] == 0}]
+
+  claim "a missing shape is named" \
+      [string match "*nosuch: there is no such shape*" [message_of blintersect r a nosuch]]
+  vertex v 1 2 3
+  claim "a shape without faces is named" \
+      [string match "*v: there is no face in it*" [message_of blintersect r v a]]
+  claim "a bad tolerance is refused" \
+      [string match "*'-1' is no positive number*" [message_of blintersect r a b -1]]
+  claim "too few words show the usage" \
+      [string match "*usage: blintersect result*" [message_of blintersect r a]]
+} problem]} {
+  puts "FAILED: $problem"
+  exit 1
+}
+puts "\nALL CLAIMS HOLD"
+exit 0

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Installs what is missing, builds everything and runs the tests.
+#
+#   tests/run.sh           the quick tests
+#   tests/run.sh --full    all tests, and the quick ones once more under the sanitizers
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/support/setup.sh"
+
+full=no
+case "${1-}" in
+  "") ;;
+  --full) full=yes ;;
+  *) echo "usage: tests/run.sh [--full]" >&2; exit 2 ;;
+esac
+
+step "packages"
+install_packages "${build_packages[@]}" "${test_packages[@]}"
+
+step "configure"
+configure release
+
+step "build"
+cmake --build "$build" -j "$(build_jobs)"
+
+step "test"
+labels=(-L quick)
+if [ "$full" = yes ]; then labels=(); fi
+ctest --test-dir "$build" "${labels[@]}" -j "$(nproc)" --output-on-failure --no-tests=error \
+  --output-junit "$build/tests.xml"
+
+if [ "$full" = yes ]; then
+  step "build with sanitizers"
+  configure asan
+  cmake --build "$root/build/asan" -j "$(build_jobs)"
+  step "test with sanitizers"
+  (cd "$root" && ctest --preset asan -j "$(nproc)")
+fi
+
+printf '\nAll passed. Program: %s\nTest report: %s\n' "$build/plugin/cli/blossom" "$build/tests.xml"
