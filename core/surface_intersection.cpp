@@ -95,10 +95,8 @@ class Assembly {
          parameter_at(a_.v_law, cells_a.knots_v(graze.patch_a), graze.x[1])},
         {parameter_at(b_.u_law, cells_b.knots_u(graze.patch_b), graze.x[2]),
          parameter_at(b_.v_law, cells_b.knots_v(graze.patch_b), graze.x[3])}};
-    // At a seam a curve ends under other parameters of the same point.
-    for (const IntersectionCurve& curve : result_.curves)
-      for (const SurfacePoint& end : {curve.samples.front(), curve.samples.back()})
-        if (distance(end.point, contact.point) <= options_.tolerances.point) return;
+    if (known_contact(contact.point) || ends_curve(contact.point) || in_clump(contact.point))
+      return;
     result_.points.push_back(contact);
     Place place = place_at(contact);
     place.kind = PlaceKind::Touch;
@@ -157,6 +155,22 @@ class Assembly {
   bool known_contact(const Vec3& point) const {
     return std::any_of(result_.points.begin(), result_.points.end(), [&](const SurfacePoint& p) {
       return distance(p.point, point) <= contact_length();
+    });
+  }
+
+  // At a seam a curve ends under other parameters of the same point.
+  bool ends_curve(const Vec3& point) const {
+    return std::any_of(result_.curves.begin(), result_.curves.end(), [&](const auto& curve) {
+      return distance(curve.samples.front().point, point) <= contact_length() ||
+             distance(curve.samples.back().point, point) <= contact_length();
+    });
+  }
+
+  bool in_clump(const Vec3& point) const {
+    const double r = options_.tolerances.point;
+    const Vec3 low = point - origin_ - Vec3{r, r, r}, high = point - origin_ + Vec3{r, r, r};
+    return std::any_of(clumps_.begin(), clumps_.end(), [&](const Clump& clump) {
+      return meet(clump.box, {low, high});
     });
   }
 

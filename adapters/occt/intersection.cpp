@@ -2,6 +2,7 @@
 #include "adapters/occt/intersection.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -190,12 +191,20 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
                                     [&](int i, int j) { pairs.emplace_back(i, j); });
   std::sort(pairs.begin(), pairs.end());
 
+  // The time limit is for all pairs together; what is left when it is over stops at once, with
+  // its place listed.
+  constexpr double kLeastSeconds = 1e-3;
+  const auto started = std::chrono::steady_clock::now();
+  IntersectionOptions left = options;
   ShapeIntersection result;
   result.face_pairs = static_cast<long>(pairs.size());
   for (const auto& [i, j] : pairs) {
     const FaceData& face_a = faces_a[static_cast<std::size_t>(i)];
     const FaceData& face_b = faces_b[static_cast<std::size_t>(j)];
-    FaceIntersection pair{i, j, intersect(face_a.surface, face_b.surface, options), {}};
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
+    if (options.time_limit > 0)
+      left.time_limit = std::max(kLeastSeconds, options.time_limit - spent.count());
+    FaceIntersection pair{i, j, intersect(face_a.surface, face_b.surface, left), {}};
     clip(pair.found, face_a, face_b);
     for (const IntersectionCurve& curve : pair.found.curves)
       pair.edges.push_back(edge_curves(curve));

@@ -98,8 +98,10 @@ class Search {
         return;
       }
     }
-    const bool thin = a.plane.high - a.plane.low <= slab_ && b.plane.high - b.plane.low <= slab_ &&
-                      within_slab(a, b, points_a, points_b, slab_);
+    const double tolerance = options_.tolerances.point;
+    const bool thin = (a.extent <= tolerance && b.extent <= tolerance) ||
+                      (a.plane.high - a.plane.low <= slab_ && b.plane.high - b.plane.low <= slab_ &&
+                       within_slab(a, b, points_a, points_b, slab_));
     if (thin || (a.depth >= kDeepest && b.depth >= kDeepest))
       keep(pair, thin);
     else

@@ -13,6 +13,7 @@ namespace blossom {
 struct Integral {
   double value = 0;
   double error = 0;  ///< estimate, the sum over all cells; not a bound
+  double size = 0;   ///< integral of the absolute value, about
 };
 
 namespace quadrature {
@@ -35,29 +36,37 @@ inline constexpr std::array kGaussWeights{
 
 inline constexpr int kDeepest = 40;
 
+// Below these no halving helps: rounding of the sums, relative to the size; and a part of the
+// wanted tolerance, so that noise in the function does not ask for ever smaller cells.
+inline constexpr double kRounding = 1e-14;
+inline constexpr double kLeastPart = 1.0 / 1024;
+
 template <class Function>
 Integral cell(Function& function, double from, double to) {
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  double fine = 0, coarse = 0;
+  double fine = 0, coarse = 0, size = 0;
   for (std::size_t i = 0; i < kNodes.size(); ++i) {
     const bool centre = kNodes[i] == 0;
-    const double sum =
-        centre ? function(middle)
-               : function(middle - half * kNodes[i]) + function(middle + half * kNodes[i]);
+    const double low = function(middle - half * kNodes[i]);
+    const double high = centre ? 0 : function(middle + half * kNodes[i]);
+    const double sum = low + high;
     fine += kWeights[i] * sum;
+    size += kWeights[i] * (std::abs(low) + std::abs(high));
     if (i % 2 == 1) coarse += kGaussWeights[i / 2] * sum;
   }
-  return {half * fine, std::abs(half * (fine - coarse))};
+  return {half * fine, std::abs(half * (fine - coarse)), std::abs(half) * size};
 }
 
 template <class Function>
-Integral halved(Function& function, double from, double to, double tolerance, int depth) {
+Integral halved(Function& function, double from, double to, double tolerance, double least,
+                int depth) {
   const Integral whole = cell(function, from, to);
-  if (whole.error <= tolerance || depth >= kDeepest) return whole;
+  const double enough = std::max({tolerance, least, kRounding * whole.size});
+  if (whole.error <= enough || depth >= kDeepest) return whole;
   const double middle = 0.5 * (from + to);
-  const Integral low = halved(function, from, middle, 0.5 * tolerance, depth + 1);
-  const Integral high = halved(function, middle, to, 0.5 * tolerance, depth + 1);
-  return {low.value + high.value, low.error + high.error};
+  const Integral low = halved(function, from, middle, 0.5 * tolerance, least, depth + 1);
+  const Integral high = halved(function, middle, to, 0.5 * tolerance, least, depth + 1);
+  return {low.value + high.value, low.error + high.error, low.size + high.size};
 }
 
 }  // namespace quadrature
@@ -73,7 +82,7 @@ Integral halved(Function& function, double from, double to, double tolerance, in
 /// Source: Gauss and Kronrod's pair of 7 and 15 points.
 template <class Function>
 Integral integral(Function&& function, double from, double to, double tolerance) {
-  return quadrature::halved(function, from, to, tolerance, 0);
+  return quadrature::halved(function, from, to, tolerance, quadrature::kLeastPart * tolerance, 0);
 }
 
 }  // namespace blossom

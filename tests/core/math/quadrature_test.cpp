@@ -32,5 +32,17 @@ TEST(Quadrature, HalvesItsCellsTowardsAKink) {
   EXPECT_LE(found.error, 1e-12);
 }
 
+TEST(Integral, EndsSoonWhereTheFunctionIsNoisy) {
+  long calls = 0;
+  const auto noisy = [&](double x) {
+    ++calls;
+    // A smooth function with noise above what the tolerance asks for in a small cell.
+    return 1 + 1e-12 * std::sin(1e9 * x);
+  };
+
+  EXPECT_NEAR(integral(noisy, 0, 1, 1e-13).value, 1, 1e-11);
+  EXPECT_LT(calls, 1'000'000);
+}
+
 }  // namespace
 }  // namespace blossom
