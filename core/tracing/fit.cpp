@@ -110,7 +110,7 @@ class Fitter {
     IntersectionCurve curve;
     write_splines(curve);
     sample(curve);
-    curve.deviation = measured_deviation(curve, a_, b_, 12);
+    measure(curve.deviation);
     return curve;
   }
 
@@ -232,6 +232,19 @@ class Fitter {
     }
   }
 
+  // The largest distances between the three images, over 13 parameters of each span.
+  void measure(Deviation& worst) const {
+    constexpr int kParts = 12;
+    for (const Segment& segment : segments_)
+      for (int k = 0; k <= kParts; ++k) {
+        const Vec7 x = value_at(segment.curve, k / static_cast<double>(kParts));
+        const Vec3 on_a = point_at(a_, chart_a(x)), on_b = point_at(b_, chart_b(x));
+        worst.a = std::max(worst.a, distance(space(x), on_a));
+        worst.b = std::max(worst.b, distance(space(x), on_b));
+        worst.between = std::max(worst.between, distance(on_a, on_b));
+      }
+  }
+
   // Exact points, dense enough to draw and to compare the curve by its chords.
   void sample(IntersectionCurve& curve) const {
     Vec3 low = space(segments_.front().start.value), high = low;
@@ -283,23 +296,6 @@ class Fitter {
 IntersectionCurve fitted(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b,
                          const FitOptions& options) {
   return Fitter(tracer, a, b, options).run();
-}
-
-Deviation measured_deviation(const IntersectionCurve& curve, const BezierSurface& a,
-                             const BezierSurface& b, int count) {
-  Deviation worst;
-  const auto& knots = curve.curve.knots;
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
-    for (int k = 0; k <= count; ++k) {
-      const double t = at(Interval{knots[i], knots[i + 1]}, k / static_cast<double>(count));
-      const Vec3 x = point_at(curve.curve, t);
-      const Vec3 on_a = point_at(a, point_at(curve.chart_a, t));
-      const Vec3 on_b = point_at(b, point_at(curve.chart_b, t));
-      worst.a = std::max(worst.a, distance(x, on_a));
-      worst.b = std::max(worst.b, distance(x, on_b));
-      worst.between = std::max(worst.between, distance(on_a, on_b));
-    }
-  return worst;
 }
 
 }  // namespace blossom

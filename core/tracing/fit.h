@@ -24,8 +24,4 @@ struct FitOptions {
 IntersectionCurve fitted(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b,
                          const FitOptions& options);
 
-/// The largest distances between a curve's three images, over `count` parameters in each span.
-Deviation measured_deviation(const IntersectionCurve& curve, const BezierSurface& a,
-                             const BezierSurface& b, int count);
-
 }  // namespace blossom
