@@ -317,6 +317,54 @@ TEST(SurfaceIntersection, OfARationalSurfaceKeepsTheSurfacesOwnAngle) {
   }
 }
 
+// A half cylinder of two spans about the z axis, and the plane x = 0 that holds its knot line.
+TEST(SurfaceIntersection, AlongAKnotLineIsFoundButNotCalledProven) {
+  BezierSurface cylinder{{0, kPi / 2, kPi}, {0, 3}};
+  cylinder.u_law = ParameterLaw::Angle;
+  cylinder.rational = true;
+  cylinder.patches = Grid<RationalBezierPatch>(2, 1);
+  const double w = std::sqrt(0.5);
+  for (int span = 0; span < 2; ++span) {
+    Grid<Vec4> net(3, 2);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 2; ++j) {
+        const double x = span == 0 ? (i < 2 ? 1 : 0) : (i > 0 ? -1 : 0);
+        const double y = (span == 0) == (i == 0) && i != 1 ? 0 : 1;
+        const double weight = i == 1 ? w : 1;
+        net(i, j) = {weight * x, weight * y, weight * 3.0 * j, weight};
+      }
+    cylinder.patches(span, 0) = RationalBezierPatch{net};
+  }
+  BezierSurface plane{{0, 1}, {0, 1}};
+  Grid<Vec4> corners(2, 2);
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) corners(i, j) = {0, -2.0 + 4.3 * i, -1.0 + 5.1 * j, 1};
+  plane.patches = Grid<RationalBezierPatch>(1, 1, RationalBezierPatch{corners});
+
+  const SurfaceIntersection found = intersect(cylinder, plane);
+
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.curves.size(), 1u);
+  EXPECT_NEAR(found.curves[0].length, 3, 1e-12);
+  for (const SurfacePoint& sample : found.curves[0].samples)
+    EXPECT_NEAR(sample.uv_a[0], kPi / 2, 1e-9);
+}
+
+TEST(SurfaceIntersection, TangentToAKnotLineEndsSoonAndLosesNothing) {
+  const CubicPair pair = cubic_pair(loop(kA, kB, 0.2));
+  const BezierSurface a = split_in_u(pair.a, kA + 0.2);
+
+  const SurfaceIntersection found = intersect(a, pair.b);
+
+  EXPECT_LT(found.certificate.critical, 5000);
+  for (int i = 0; i < 400; ++i) {
+    const double angle = 2 * kPi * i / 400;
+    const Vec3 p = on_base(kA + 0.2 * std::cos(angle), kB + 0.2 * std::sin(angle));
+    EXPECT_TRUE(on_some_curve(found, p, 5e-4) || in_some_place(found, p, 1e-9)) << angle;
+  }
+  EXPECT_TRUE(found.status != Status::Complete || closed_curves(found) == 1);
+}
+
 TEST(SurfaceIntersection, OfPatchesThatShareACornerIsThatPoint) {
   const auto bilinear = [](Vec3 o, Vec3 e, Vec3 f) {
     BezierSurface s{{0, 1}, {0, 1}};
