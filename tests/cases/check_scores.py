@@ -27,10 +27,10 @@ def polynomial_degree(path):
     """The largest degree of a face in BREP text, or None if it is rational."""
     words = open(path).read().split()
     start = words.index("Surfaces") + 2
-    kind = int(words[start])
-    numbers = [int(word) for word in words[start + 1:start + 9]]
-    degrees = numbers[2:4] if kind == 8 else numbers[4:6]
-    return None if numbers[0] or numbers[1] else max(degrees)
+    bezier = words[start] == "8"
+    rational_u, rational_v = words[start + 1:start + 3]
+    degrees = words[start + 3:start + 5] if bezier else words[start + 5:start + 7]
+    return None if "1" in (rational_u, rational_v) else max(int(word) for word in degrees)
 
 
 def deep_loop(case):
