@@ -24,6 +24,9 @@ step "build"
 cmake --build "$build" -j "$(build_jobs)"
 
 step "test"
+if [ -z "${BLOSSOM_TEST_DATA-}" ]; then
+  echo "BLOSSOM_TEST_DATA is not set: the tests on real models are skipped"
+fi
 labels=(-L quick)
 if [ "$full" = yes ]; then labels=(); fi
 ctest --test-dir "$build" "${labels[@]}" -j "$(nproc)" --output-on-failure --no-tests=error \
