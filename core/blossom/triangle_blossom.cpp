@@ -66,6 +66,18 @@ Point blossom_at(const MonomialPatchOf<Point>& patch, std::span<const Vec2> argu
 }
 
 template <class Point>
+Point blossom_at(const BezierTriangleOf<Point>& triangle, std::span<const Vec2> arguments) {
+  detail::check_triangle("blossom_at", triangle, 2 * kMaxDegree);
+  check("blossom_at", arguments);
+  if (static_cast<int>(arguments.size()) != triangle.degree)
+    throw InvalidInput("blossom_at: a triangle of degree " + std::to_string(triangle.degree) +
+                       " takes as many arguments, got " + std::to_string(arguments.size()));
+  BezierTriangleOf<Point> value = triangle;
+  for (const Vec2& argument : arguments) value = detail::blossom_step(value, argument);
+  return value.points[0];
+}
+
+template <class Point>
 BezierTriangleOf<Point> bezier_points(const MonomialPatchOf<Point>& patch,
                                       const TriangleCorners& corners, int degree) {
   check("bezier_points", patch, degree, kMaxDegree);
@@ -94,12 +106,13 @@ double triangle_scale(const MonomialPatchOf<Point>& patch, const TriangleCorners
   return largest;
 }
 
-#define BLOSSOM_INSTANTIATE(Point)                                                 \
-  template Point blossom_at(const MonomialPatchOf<Point>&, std::span<const Vec2>); \
-  template BezierTriangleOf<Point> bezier_points(const MonomialPatchOf<Point>&,    \
-                                                 const TriangleCorners&, int);     \
-  template BezierTriangleOf<Point> bezier_points(const MonomialPatchOf<Point>&,    \
-                                                 const TriangleCorners&);          \
+#define BLOSSOM_INSTANTIATE(Point)                                                  \
+  template Point blossom_at(const MonomialPatchOf<Point>&, std::span<const Vec2>);  \
+  template Point blossom_at(const BezierTriangleOf<Point>&, std::span<const Vec2>); \
+  template BezierTriangleOf<Point> bezier_points(const MonomialPatchOf<Point>&,     \
+                                                 const TriangleCorners&, int);      \
+  template BezierTriangleOf<Point> bezier_points(const MonomialPatchOf<Point>&,     \
+                                                 const TriangleCorners&);           \
   template double triangle_scale(const MonomialPatchOf<Point>&, const TriangleCorners&, int);
 BLOSSOM_INSTANTIATE(Vec2)
 BLOSSOM_INSTANTIATE(Vec3)

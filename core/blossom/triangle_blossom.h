@@ -41,6 +41,18 @@ using TriangleCorners = std::array<Vec2, 3>;
 template <class Point>
 Point blossom_at(const MonomialPatchOf<Point>& patch, std::span<const Vec2> arguments);
 
+/// The same of a Bezier triangle: each argument is a level of de Casteljau's algorithm.
+///
+/// arguments    N barycentric points (x, y) of the triangle, any reals
+/// throws       InvalidInput if the number of arguments or of points does not fit the degree, an
+///              argument is not finite, or the degree is not 0..2 kMaxDegree
+/// accuracy     (5 N + 1) 2^-53 for arguments in the triangle, relative to the largest coordinate
+/// cost         O(N^3)
+///
+/// Source: Ramshaw 1989.
+template <class Point>
+Point blossom_at(const BezierTriangleOf<Point>& triangle, std::span<const Vec2> arguments);
+
 /// The Bezier points of the surface on a triangle.
 ///
 ///   q_{nu mu} = sum_ij a_ij / (N! / (i! j! (N - i - j)!)) sum over i_alpha, i_beta, j_alpha,

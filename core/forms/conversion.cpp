@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/forms/conversion.h"
 
-#include <string>
-
-#include "core/base/errors.h"
 #include "core/forms/detail/checks.h"
 #include "core/forms/detail/conversion.h"
 
@@ -31,12 +28,7 @@ MonomialPatchOf<Point> monomial_form(const BezierPatchOf<Point>& patch, Origin o
 
 template <class Point>
 MonomialPatchOf<Point> monomial_form(const BezierTriangleOf<Point>& triangle) {
-  detail::check_degree("monomial_form", triangle.degree);
-  const std::size_t wanted = BezierTriangleOf<Point>::count(triangle.degree);
-  if (triangle.points.size() != wanted)
-    throw InvalidInput("monomial_form: a triangle of degree " + std::to_string(triangle.degree) +
-                       " has " + std::to_string(wanted) + " points, got " +
-                       std::to_string(triangle.points.size()));
+  detail::check_triangle("monomial_form", triangle, kMaxDegree);
   return {detail::monomial_triangle(triangle), 0, 0, 1, 1};
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/forms/de_casteljau.h"
 
-#include <string>
-
-#include "core/base/errors.h"
 #include "core/forms/detail/checks.h"
+#include "core/forms/function.h"
 
 namespace blossom {
 namespace {
@@ -51,7 +49,7 @@ void check(const char* function, const BezierPatchOf<Point>& patch) {
 
 template <class Point>
 Point point_at(const BezierCurveOf<Point>& curve, double t) {
-  detail::check_degree("point_at", curve.degree());
+  detail::check_degree("point_at", curve.degree(), kMaxProductDegree);
   return derivatives(curve.points, t).point;
 }
 
@@ -66,11 +64,7 @@ Point point_at(const BezierPatchOf<Point>& patch, double u, double v) {
 template <class Point>
 Point point_at(const BezierTriangleOf<Point>& triangle, double x, double y) {
   const int n = triangle.degree;
-  detail::check_degree("point_at", n, 2 * kMaxDegree);
-  if (triangle.points.size() != BezierTriangleOf<Point>::count(n))
-    throw InvalidInput("point_at: a triangle of degree " + std::to_string(n) + " has " +
-                       std::to_string(BezierTriangleOf<Point>::count(n)) + " points, got " +
-                       std::to_string(triangle.points.size()));
+  detail::check_triangle("point_at", triangle, 2 * kMaxDegree);
   const double z = 1 - x - y;
   BezierTriangleOf<Point> level = triangle;
   for (int left = n - 1; left >= 0; --left)
@@ -82,7 +76,7 @@ Point point_at(const BezierTriangleOf<Point>& triangle, double x, double y) {
 
 template <class Point>
 CurveDerivatives<Point> derivatives_at(const BezierCurveOf<Point>& curve, double t) {
-  detail::check_degree("derivatives_at", curve.degree());
+  detail::check_degree("derivatives_at", curve.degree(), kMaxProductDegree);
   return derivatives(curve.points, t);
 }
 
@@ -112,6 +106,7 @@ PatchDerivatives<Point> derivatives_at(const BezierPatchOf<Point>& patch, double
   template Point point_at(const BezierTriangleOf<Point>&, double, double);              \
   template CurveDerivatives<Point> derivatives_at(const BezierCurveOf<Point>&, double); \
   template PatchDerivatives<Point> derivatives_at(const BezierPatchOf<Point>&, double, double);
+BLOSSOM_INSTANTIATE(double)
 BLOSSOM_INSTANTIATE(Vec2)
 BLOSSOM_INSTANTIATE(Vec3)
 BLOSSOM_INSTANTIATE(Vec4)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Points and derivatives of Bezier curves, patches and triangles by de Casteljau's algorithm.
 //
-// Slow next to `core/forms/evaluation.h`, but it takes points of two, three and four
+// Slow next to `core/forms/evaluation.h`, but it takes numbers and points of two, three and four
 // coordinates. Four are homogeneous and stay so: the results then are not projected.
 //
 // In [0, 1] a coordinate of a point has an error of at most de_casteljau_error, relative to the
@@ -33,8 +33,9 @@ struct PatchDerivatives {
 
 /// C(t), S(u, v), T(x, y).
 ///
-/// throws    InvalidInput if there is no point, a degree is above kMaxDegree (twice that for a
-///           triangle), or the number of points does not fit the degree
+/// throws    InvalidInput if there is no point, a degree is above kMaxDegree (kMaxProductDegree for
+///           a curve, twice kMaxDegree for a triangle), or the number of points does not fit the
+///           degree
 /// cost      O(n^2), O(n m (n + m)), O(N^3)
 ///
 /// Source: de Casteljau 1985.

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/forms/triangle.h"
+#include "core/math/detail/scalar.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
 
@@ -45,6 +47,20 @@ Point casteljau_blossom(std::vector<Point> points, std::span<const double> param
     points.pop_back();
   }
   return points[0];
+}
+
+/// The blossom of a triangle with one argument given: a triangle of one degree less.
+template <class Point>
+BezierTriangleOf<Point> blossom_step(const BezierTriangleOf<Point>& triangle,
+                                     const Vec<scalar_of<Point>, 2>& argument) {
+  using Scalar = scalar_of<Point>;
+  const Scalar rest = Scalar(1) - argument[0] - argument[1];
+  BezierTriangleOf<Point> result{triangle.degree - 1, {}};
+  for (int nu = 0; nu <= result.degree; ++nu)
+    for (int mu = 0; nu + mu <= result.degree; ++mu)
+      result.points.push_back(triangle(nu + 1, mu) * argument[0] +
+                              triangle(nu, mu + 1) * argument[1] + triangle(nu, mu) * rest);
+  return result;
 }
 
 template <int Dim>

@@ -9,6 +9,7 @@
 
 #include "core/base/errors.h"
 #include "core/forms/curve.h"
+#include "core/forms/triangle.h"
 #include "core/math/interval.h"
 
 namespace blossom::detail {
@@ -25,6 +26,17 @@ inline void check_degree(const char* function, int degree, int highest = kMaxDeg
   if (degree >= 0 && degree <= highest) return;
   throw InvalidInput(std::string(function) + ": the degree must be 0.." + std::to_string(highest) +
                      ", got " + std::to_string(degree));
+}
+
+/// Throws InvalidInput unless 0 <= degree <= highest and the number of points fits the degree.
+template <class Point>
+void check_triangle(const char* function, const BezierTriangleOf<Point>& triangle, int highest) {
+  check_degree(function, triangle.degree, highest);
+  const std::size_t wanted = BezierTriangleOf<Point>::count(triangle.degree);
+  if (triangle.points.size() == wanted) return;
+  throw InvalidInput(std::string(function) + ": a triangle of degree " +
+                     std::to_string(triangle.degree) + " has " + std::to_string(wanted) +
+                     " points, got " + std::to_string(triangle.points.size()));
 }
 
 /// Throws InvalidInput unless both ends are finite.

@@ -96,6 +96,39 @@ TEST_P(ExactCheckProperty, DoublesOfATriangleAreWithinTheStatedBound) {
   EXPECT_TRUE(check.within()) << check.largest_error << " above " << check.bound;
 }
 
+TEST_P(ExactCheckProperty, CompositionsAndNormalsAreWithinTheStatedBounds) {
+  auto random = seeded(GetParam());
+  const int n = 1 + GetParam() % 3, m = 1 + GetParam() % 2, d = GetParam() % 6;
+  const RationalBezierPatch patch = testing::random_patch<Vec4>(random, n, m);
+  const BezierCurve2 curve = testing::random_curve<Vec2>(random, d);
+
+  const cgal::ExactCheck composed = cgal::check_composition(patch, curve);
+  const cgal::ExactCheck normals = cgal::check_normal_net(testing::random_patch(random, n, m));
+  const cgal::ExactCheck rational_normals = cgal::check_normal_net(patch);
+
+  EXPECT_TRUE(composed.within()) << composed.largest_error << " above " << composed.bound;
+  EXPECT_TRUE(normals.within()) << normals.largest_error << " above " << normals.bound;
+  EXPECT_TRUE(rational_normals.within()) << rational_normals.largest_error;
+  EXPECT_GT(rational_normals.largest_error, 0);
+}
+
+TEST_P(ExactCheckProperty, SignsAreThoseOfTheCore) {
+  auto random = seeded(GetParam());
+  const int n = 1 + GetParam() % 7;
+  BezierFunction f;
+  BezierFunction2 g{Grid<double>(n + 1, 2)};
+  // Small whole numbers give many zeros.
+  for (int k = 0; k <= n; ++k) f.points.push_back(testing::pick(random, -1, 1));
+  for (double& c : g.points.values()) c = testing::pick(random, -1, 1);
+
+  for (double numerator : {-1.0, 0.0, 1.0, 2.0, uniform(random, 0, 1)})
+    for (double denominator : {-3.0, 1.0, 2.0}) {
+      const Ratio t{numerator, denominator}, half{1, 2};
+      EXPECT_EQ(cgal::exact_sign_at(f, t), sign_at(f, t));
+      EXPECT_EQ(cgal::exact_sign_at(g, t, half), sign_at(g, t, half));
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, ExactCheckProperty, ::testing::Range(0, 26));
 
 TEST(ExactCheck, SeesTheRoundingOfAThird) {
@@ -111,6 +144,8 @@ TEST(ExactCheck, SeesTheRoundingOfAThird) {
 TEST(ExactCheck, RefusesWhatTheCoreRefuses) {
   EXPECT_THROW(cgal::exact_bezier_points(MonomialCurve{}, {0, 1}), InvalidInput);
   EXPECT_THROW(cgal::check_bezier_points(MonomialPatch{}, {0, 1}, {0, 1}), InvalidInput);
+  EXPECT_THROW(cgal::check_composition(RationalBezierPatch{}, BezierCurve2{}), InvalidInput);
+  EXPECT_THROW(cgal::exact_sign_at(BezierFunction{}, Ratio{}), InvalidInput);
 }
 
 TEST(ExactCheck, NamesTheLibraryItUses) {

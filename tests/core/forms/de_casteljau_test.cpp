@@ -122,11 +122,18 @@ TEST(DeCasteljau, DerivativesAlongVAreThoseAlongUOfTheTransposedPatch) {
   EXPECT_LE(coordinate_gap(found.vv, expected.uu), 1e-13);
 }
 
+TEST(DeCasteljau, TakesCurvesOfTheDegreesThatProductsHave) {
+  BezierCurve line;
+  for (int k = 0; k <= 60; ++k) line.points.push_back({k / 60.0, 1, 0});
+
+  EXPECT_LE(coordinate_gap(point_at(line, 0.25), Vec3{0.25, 1, 0}), de_casteljau_error(60));
+}
+
 TEST(DeCasteljau, RefusesNetsThatDoNotFit) {
   EXPECT_THROW(point_at(BezierCurve{}, 0.5), InvalidInput);
   EXPECT_THROW(point_at(BezierPatch{}, 0.5, 0.5), InvalidInput);
   EXPECT_THROW(point_at(BezierTriangle{2, std::vector<Vec3>(5)}, 0.5, 0.25), InvalidInput);
-  EXPECT_THROW(derivatives_at(BezierCurve{std::vector<Vec3>(27)}, 0.5), InvalidInput);
+  EXPECT_THROW(derivatives_at(BezierCurve{std::vector<Vec3>(62)}, 0.5), InvalidInput);
 }
 
 }  // namespace

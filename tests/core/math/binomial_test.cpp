@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/math/detail/bernstein.h"
+#include "core/math/detail/scaled_bernstein.h"
+#include "core/math/whole_binomial.h"
 #include "tests/support/exact.h"
 
 namespace blossom {
@@ -31,6 +33,28 @@ TEST(Binomial, IsExactInDoubleUpToTheHighestIndex) {
       value = value * (n - k) / (k + 1);
     }
   }
+}
+
+TEST(WholeBinomial, IsExactUpToTheHighestIndex) {
+  for (int n = 0; n <= kMaxWholeBinomial; ++n) {
+    Rational value = 1;
+    for (int k = 0; k <= n; ++k) {
+      EXPECT_EQ(Rational(whole_binomial(n, k)), value) << n << ", " << k;
+      EXPECT_EQ(detail::binomial_as<Rational>(n, k), value) << n << ", " << k;
+      EXPECT_EQ(detail::binomial_as<double>(n, k), value.convert_to<double>()) << n << ", " << k;
+      value = value * (n - k) / (k + 1);
+    }
+  }
+  EXPECT_EQ(whole_binomial(4, 5), 0u);
+}
+
+TEST(MixedPowers, AreProductsOfPowersByHand) {
+  // (1 - t)^(2 - i) t^i as plain coefficients in Bernstein form: one of them each.
+  const std::vector<double> a{1, 0}, b{0, 1};
+  const Grid<double> powers = detail::mixed_powers(std::span(a), std::span(b), 2);
+  for (int i = 0; i <= 2; ++i)
+    for (int k = 0; k <= 2; ++k) EXPECT_EQ(powers(i, k), i == k ? 1 : 0);
+  EXPECT_EQ(detail::mixed_powers(std::span(a), std::span(b), 0), Grid<double>(1, 1, 1.0));
 }
 
 TEST(Trinomial, CountsWaysToDealThreeHands) {
