@@ -22,11 +22,12 @@ struct SurfacePoint {
   Vec2 uv_b;
 };
 
-/// Largest distances found along a curve, model units.
+/// Bounds on the distances along a curve, model units.
 struct Deviation {
   double a = 0;        ///< 3D curve to its chart curve's image on surface a
   double b = 0;        ///< likewise on b
   double between = 0;  ///< between the two images
+  bool proven = true;  ///< false: on some piece of the curve, only the largest of samples
 };
 
 /// Where a curve ends.

@@ -4,94 +4,144 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/tracing/deviation.h"
+#include "core/tracing/sites.h"
+#include "core/tracing/spline_fit.h"
 
 namespace blossom {
 namespace {
 
-using Vec7 = Vec<double, 7>;
-using Quintic = std::array<Vec7, 6>;
-
-constexpr int kDegree = 5;
-constexpr int kDeepest = 12;                 // halvings of a segment between two breaks
-constexpr std::size_t kMostSegments = 5000;  // where the fit ends whatever its deviation
-constexpr double kLongestTurn = 1.0;         // radians of the tangent in one segment
-constexpr double kToleranceShare = 0.2;      // of the wanted tolerance, left to one fit
-constexpr double kLengthShare = 1.5e-7;      // of a curve's length: small loops keep their shape
-constexpr double kRounding = 1e-12;          // of the size: no fit is asked for more
-constexpr double kLeastSine = 1e-3;          // below it, agreement is not tightened further
+constexpr double kToleranceShare = 0.2;   // of the wanted tolerance, left to one fit
+constexpr double kLengthShare = 1.5e-7;   // of a curve's length: small loops keep their shape
+constexpr double kRounding = 1e-12;       // of the size: no fit is asked for more
+constexpr double kSamplingShare = 0.125;  // of the fit's error, left to the pieces it is made from
+constexpr int kMostRounds = 8;            // of choosing knots
+constexpr double kAim = 0.7;              // part of the wanted accuracy that knots are chosen for
+constexpr int kMovingRounds = 2;          // then knots stay, and are only added
+constexpr double kWorthARound = 0.93;     // of the knots at most, or no further round is made
+constexpr double kLeastError = 1e-12;     // of the wanted, to guess from: below it is rounding
+constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kLeastSamples = 49;
-constexpr double kKink = 1e-7;           // tangents farther apart than this: a kink
-constexpr double kCurvatureJump = 1e-6;  // relative; curvatures farther apart: tangent continuous
-constexpr std::array kChecks{0.11, 0.31, 0.5, 0.69, 0.89};
 
-struct Jet7 {
-  Vec7 value, first, second;
+// Errors of quintics over spans of one width: of splines with simple knots over that of a Hermite
+// piece. For one derivative of order 6 it is 61 (Favard's constant 1.2726 over pi^6, times 6! 2^6);
+// of the coordinates' errors most cancel in the gaps, and so few are left.
+constexpr double kSplineOverHermite = 6;
+
+// How many spans a unit of length wants, between neighbouring parameters.
+struct Density {
+  std::vector<double> parameters, values;
 };
 
-Vec7 seven(const Vec3& x, const Vec2& a, const Vec2& b) {
-  return {x[0], x[1], x[2], a[0], a[1], b[0], b[1]};
+// The width of spans changes by a bounded part of the way: an error may vanish by chance.
+void level(Density& density) {
+  std::vector<double>& values = density.values;
+  const auto middle = [&](std::size_t i) {
+    return 0.5 * (density.parameters[i] + density.parameters[i + 1]);
+  };
+  const auto raise = [&](std::size_t to, std::size_t from) {
+    const double way = std::abs(middle(to) - middle(from));
+    values[to] = std::max(values[to], 1 / (1 / values[from] + kWidening * way));
+  };
+  for (std::size_t i = 1; i < values.size(); ++i) raise(i, i - 1);
+  for (std::size_t i = values.size(); i-- > 1;) raise(i - 1, i);
 }
 
-Jet7 jet_of(const CurvePoint& p) {
-  return {seven(p.point, p.a, p.b), seven(p.first, p.a_first, p.b_first),
-          seven(p.second, p.a_second, p.b_second)};
-}
-
-Vec3 space(const Vec7& x) { return {x[0], x[1], x[2]}; }
-Vec2 chart_a(const Vec7& x) { return {x[3], x[4]}; }
-Vec2 chart_b(const Vec7& x) { return {x[5], x[6]}; }
-
-Quintic hermite(const Jet7& p, const Jet7& q, double width) {
-  Quintic c;
-  c[0] = p.value;
-  c[1] = c[0] + p.first * (width / 5);
-  c[2] = 2 * c[1] - c[0] + p.second * (width * width / 20);
-  c[5] = q.value;
-  c[4] = c[5] - q.first * (width / 5);
-  c[3] = 2 * c[4] - c[5] + q.second * (width * width / 20);
-  return c;
-}
-
-// The blossom of a Bezier segment on [from, to] at five parameters.
-Vec7 blossom_value(Quintic c, const Interval& place, const double* parameters) {
-  for (std::size_t level = 0; level < kDegree; ++level) {
-    const double t = (parameters[level] - place.from) / length(place);
-    for (std::size_t i = 0; i + level < kDegree; ++i) c[i] = (1 - t) * c[i] + t * c[i + 1];
+Density first_density(const SmoothRun& run) {
+  Density density;
+  density.parameters.push_back(run.sites.front().parameter);
+  for (std::size_t i = 0; i < run.pieces.size(); ++i) {
+    const double width = length(run.pieces[i].place);
+    const double error = std::max(run.errors[i], kLeastError);
+    density.parameters.push_back(run.pieces[i].place.to);
+    density.values.push_back(std::pow(error * kSplineOverHermite / kAim, 1.0 / 6) / width);
   }
-  return c[0];
+  level(density);
+  return density;
 }
 
-Vec7 value_at(const Quintic& c, double t) {
-  const std::array<double, 5> same{t, t, t, t, t};
-  return blossom_value(c, {0, 1}, same.data());
-}
-
-// Length in space by five-point Gauss quadrature of the hodograph.
-double arc_length(const Quintic& c) {
-  constexpr std::array<std::array<double, 2>, 5> kGauss{{{0.046910077030668, 0.118463442528095},
-                                                         {0.230765344947158, 0.239314335249683},
-                                                         {0.5, 0.284444444444444},
-                                                         {0.769234655052842, 0.239314335249683},
-                                                         {0.953089922969332, 0.118463442528095}}};
-  double sum = 0;
-  for (const auto& [t, weight] : kGauss) {
-    std::array<Vec3, 5> d;
-    for (std::size_t i = 0; i < 5; ++i) d[i] = 5 * (space(c[i + 1]) - space(c[i]));
-    for (std::size_t level = 4; level > 0; --level)
-      for (std::size_t i = 0; i < level; ++i) d[i] = (1 - t) * d[i] + t * d[i + 1];
-    sum += weight * norm(d[0]);
+Density next_density(const RunSpline& spline, const std::vector<double>& errors) {
+  Density density{spline.knots, {}};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double change = std::clamp(std::pow(errors[i] / kAim, 1.0 / 6), 0.4, 2.0);
+    density.values.push_back(change / (spline.knots[i + 1] - spline.knots[i]));
   }
-  return sum;
+  level(density);
+  return density;
 }
 
-struct Segment {
-  double from = 0, to = 0;  // stations of the tracer
-  Jet7 start, stop;
-  double width = 0;  // arc length
-  Quintic curve{};
-  double turn = 0;  // angle between the end tangents
-  double sine = 1;  // least of the ends'
+// The knots that share the integral of the density evenly.
+std::vector<double> knots_of(const Density& density) {
+  double total = 0;
+  for (std::size_t i = 0; i < density.values.size(); ++i)
+    total += density.values[i] * (density.parameters[i + 1] - density.parameters[i]);
+  const double spans = std::max(1.0, std::ceil(total - 1e-9));
+  std::vector<double> knots{density.parameters.front()};
+  double reached = 0;
+  std::size_t i = 0;
+  for (double k = 1; k < spans; ++k) {
+    const double goal = k * total / spans;
+    const auto share = [&] {
+      return density.values[i] * (density.parameters[i + 1] - density.parameters[i]);
+    };
+    while (i + 1 < density.values.size() && reached + share() < goal) {
+      reached += share();
+      ++i;
+    }
+    const double knot = density.parameters[i] + (goal - reached) / density.values[i];
+    if (knot > knots.back() && knot < density.parameters.back()) knots.push_back(knot);
+  }
+  knots.push_back(density.parameters.back());
+  return knots;
+}
+
+// Splines of runs one after the other, with one knot of its own multiplicity where two meet.
+struct JoinedSpline {
+  std::vector<double> knots;
+  std::vector<int> multiplicities;
+  std::vector<Vec7> poles;
 };
+
+// Where both have d derivatives in common, d + 1 poles of each are replaced by d + 1 of both. The
+// only one that is in neither, at a curvature continuous knot b, is the blossom at (l, b, b, b, r)
+// with the knots next to b: affine in r, and known at b and at the knot before l.
+void append(JoinedSpline& joined, const RunSpline& next, int multiplicity_at_end) {
+  std::size_t skipped = 0;
+  if (!joined.poles.empty()) {
+    const int multiplicity = joined.multiplicities.back();
+    skipped = multiplicity == kFitDegree - 2 ? 2 : 1;
+    const Vec7 at_b = joined.poles[joined.poles.size() - 2];
+    const Vec7 at_l2 = joined.poles[joined.poles.size() - 3];
+    if (multiplicity < kFitDegree) joined.poles.pop_back();
+    if (multiplicity < kFitDegree - 1) {
+      const std::size_t last = joined.knots.size() - 1;
+      const double b = joined.knots[last];
+      const double l2 = joined.knots[joined.multiplicities[last - 1] > 1 ? last - 1 : last - 2];
+      joined.poles.back() = at_b + (at_b - at_l2) * ((next.knots[1] - b) / (b - l2));
+    }
+  } else {
+    joined.knots.push_back(next.knots.front());
+    joined.multiplicities.push_back(kFitDegree + 1);
+  }
+  joined.knots.insert(joined.knots.end(), next.knots.begin() + 1, next.knots.end());
+  joined.multiplicities.resize(joined.knots.size(), 1);
+  joined.multiplicities.back() = multiplicity_at_end;
+  joined.poles.insert(joined.poles.end(), next.poles.begin() + static_cast<std::ptrdiff_t>(skipped),
+                      next.poles.end());
+}
+
+std::vector<double> halved_where_missed(const RunSpline& spline,
+                                        const std::vector<double>& errors) {
+  std::vector<double> knots{spline.knots.front()};
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (errors[i] > 1) knots.push_back(0.5 * (spline.knots[i] + spline.knots[i + 1]));
+    knots.push_back(spline.knots[i + 1]);
+  }
+  return knots;
+}
 
 class Fitter {
  public:
@@ -106,189 +156,132 @@ class Fitter {
             kRounding * options.size)) {}
 
   IntersectionCurve run() {
-    make_segments();
+    runs_ = smooth_runs(tracer_, a_, b_, wanted_, kSamplingShare);
     IntersectionCurve curve;
+    if (runs_.empty()) {
+      curve.length = std::numeric_limits<double>::quiet_NaN();
+      return curve;
+    }
     write_splines(curve);
     sample(curve);
-    measure(curve.deviation);
+    curve.deviation = proven_deviation(curve, a_, b_);
     return curve;
   }
 
  private:
-  // Kinks, where surfaces have creases, and jumps of curvature end a segment.
-  void make_segments() {
-    const std::vector<double>& stations = tracer_.stations();
-    std::vector<double> breaks{stations.front()};
-    for (std::size_t i = 1; i + 1 < stations.size(); ++i)
-      if (multiplicity(tracer_.at(stations[i], false), tracer_.at(stations[i], true)) > 3)
-        breaks.push_back(stations[i]);
-    breaks.push_back(stations.back());
-    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) fit(breaks[i], breaks[i + 1], 0);
-  }
-
-  // Of a knot where one link meets the next: in space and in both charts.
-  static int multiplicity(const CurvePoint& before, const CurvePoint& after) {
-    if (distance(before.first, after.first) > kKink ||
-        jumps(before.a_first, after.a_first, 0, kKink) ||
-        jumps(before.b_first, after.b_first, 0, kKink))
-      return kDegree;
-    if (jumps(before.second, after.second, 1, kCurvatureJump) ||
-        jumps(before.a_second, after.a_second, norm(after.a_first), kCurvatureJump) ||
-        jumps(before.b_second, after.b_second, norm(after.b_first), kCurvatureJump))
-      return kDegree - 1;
-    return kDegree - 2;
-  }
-
-  // A difference beyond rounding, measured against the values and a part of `scale`.
-  template <int Dim>
-  static bool jumps(const Vec<double, Dim>& x, const Vec<double, Dim>& y, double scale,
-                    double relative) {
-    return distance(x, y) > relative * std::max(norm(x) + norm(y), 1e-3 * scale);
-  }
-
-  void fit(double from, double to, int depth) {
-    const CurvePoint p = tracer_.at(from, true), q = tracer_.at(to, false);
-    Segment segment{from, to, jet_of(p), jet_of(q), 0, {}, 0, std::min(p.sine, q.sine)};
-    segment.turn = std::acos(std::clamp(dot(p.first, q.first), -1.0, 1.0));
-    segment.width = distance(p.point, q.point);
-    // The parameter is arc length, which the curve itself has to tell: three rounds settle it.
-    for (int round = 0; round < 3; ++round) {
-      segment.curve = hermite(segment.start, segment.stop, segment.width);
-      segment.width = arc_length(segment.curve);
+  // The spline of a run with the fewest knots found; nothing if none was good enough.
+  std::optional<RunSpline> fit(const SmoothRun& run) const {
+    std::optional<RunSpline> best;
+    std::vector<double> knots = knots_of(first_density(run));
+    for (int round = 0; round < kMostRounds; ++round) {
+      RunSpline spline = least_squares_spline(run.pieces, knots);
+      // Hermite pieces with triple knots would be as short.
+      if (spline.poles.size() > 3 * run.pieces.size() + 3) break;
+      const std::vector<double> errors = span_errors(run, spline);
+      const bool good = *std::max_element(errors.begin(), errors.end()) <= 1;
+      knots = !good && round >= kMovingRounds ? halved_where_missed(spline, errors)
+                                              : knots_of(next_density(spline, errors));
+      if (good && (!best || spline.poles.size() < best->poles.size())) best = std::move(spline);
+      if (best && static_cast<double>(knots.size()) >
+                      kWorthARound * static_cast<double>(best->knots.size()))
+        break;
     }
-    segment.curve = hermite(segment.start, segment.stop, segment.width);
-    if (depth < kDeepest && segments_.size() < kMostSegments && !good(segment)) {
-      const double middle = 0.5 * (from + to);
-      fit(from, middle, depth + 1);
-      fit(middle, to, depth + 1);
-      return;
-    }
-    segments_.push_back(segment);
+    return best;
   }
 
-  bool good(const Segment& segment) const {
-    if (segment.turn > kLongestTurn) return false;
-    const double between = wanted_ * std::clamp(segment.sine, kLeastSine, 1.0);
-    for (const double t : kChecks) {
-      const Vec7 x = value_at(segment.curve, t);
-      const Vec3 on_a = point_at(a_, chart_a(x)), on_b = point_at(b_, chart_b(x));
-      if (distance(on_a, on_b) > between || distance(space(x), on_a) > wanted_ ||
-          distance(space(x), on_b) > wanted_)
-        return false;
+  // The largest gap in every span as a part of the wanted accuracy.
+  std::vector<double> span_errors(const SmoothRun& run, const RunSpline& spline) const {
+    std::vector<double> errors(spline.knots.size() - 1, 0.0);
+    std::size_t site = 0;
+    for (std::size_t i = 0; i < spline.values.size(); ++i) {
+      const std::size_t span = i / kFitChecks.size();
+      while (site + 2 < run.sites.size() && run.sites[site + 1].parameter < spline.knots[span])
+        ++site;
+      const double sine = std::min(run.sites[site].point.sine, run.sites[site + 1].point.sine);
+      const Gaps gaps = gaps_at(a_, b_, spline.values[i]);
+      errors[span] = std::max(errors[span], relative_gap(gaps, wanted_, sine));
     }
-    return passes_middle(segment);
-  }
-
-  // All three images may agree on another branch: the true middle point has to be near.
-  bool passes_middle(const Segment& segment) const {
-    const Vec3 middle = tracer_.at(0.5 * (segment.from + segment.to), true).point;
-    double best = 1e300;
-    double t = 0.5;
-    for (int step = 0; step < 6; ++step) {
-      const Vec3 x = space(value_at(segment.curve, t));
-      best = std::min(best, distance(x, middle));
-      const Vec3 ahead = space(value_at(segment.curve, std::min(t + 1e-4, 1.0)));
-      const Vec3 rate = (ahead - x) * 1e4;
-      const double square = dot(rate, rate);
-      if (square == 0) break;
-      t = std::clamp(t + dot(middle - x, rate) / square, 0.0, 0.9999);
-    }
-    return best <= 4 * wanted_ / std::clamp(segment.sine, 0.1, 1.0);
+    return errors;
   }
 
   void write_splines(IntersectionCurve& curve) const {
-    std::vector<double> knots{0};
-    std::vector<int> multiplicities{kDegree + 1};
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      knots.push_back(knots.back() + segments_[i].width);
-      const bool last = i + 1 == segments_.size();
-      multiplicities.push_back(last ? kDegree + 1
-                                    : multiplicity(tracer_.at(segments_[i].to, false),
-                                                   tracer_.at(segments_[i].to, true)));
-    }
-    curve.length = knots.back();
-    curve.curve = {kDegree, knots, multiplicities, {}};
-    curve.chart_a = {kDegree, knots, multiplicities, {}};
-    curve.chart_b = {kDegree, knots, multiplicities, {}};
-
-    std::vector<double> flat;
-    std::vector<std::size_t> segment_of;  // by the index of a knot of `flat`: where it starts one
-    for (std::size_t i = 0; i < knots.size(); ++i)
-      for (int m = 0; m < multiplicities[i]; ++m) {
-        flat.push_back(knots[i]);
-        segment_of.push_back(std::min(i, segments_.size() - 1));
+    JoinedSpline joined;
+    for (const SmoothRun& run : runs_) {
+      if (const auto spline = fit(run)) {
+        append(joined, *spline, run.multiplicity);
+        continue;
       }
-    // Control point i is the blossom at the knots i + 1 .. i + 5, of any segment they reach.
-    for (std::size_t i = 0; i + kDegree + 1 < flat.size(); ++i) {
-      std::size_t span = i + kDegree / 2;
-      while (span > i && !(flat[span] < flat[span + 1])) --span;
-      while (!(flat[span] < flat[span + 1])) ++span;
-      const std::size_t s = segment_of[span];
-      const Vec7 x =
-          blossom_value(segments_[s].curve, {knots[s], knots[s + 1]}, flat.data() + i + 1);
-      curve.curve.points.push_back(space(x));
-      curve.chart_a.points.push_back(chart_a(x));
-      curve.chart_b.points.push_back(chart_b(x));
+      for (const QuinticPiece& piece : run.pieces)
+        append(joined,
+               {{piece.place.from, piece.place.to}, {piece.points.begin(), piece.points.end()}, {}},
+               &piece == &run.pieces.back() ? run.multiplicity : kFitDegree - 2);
+    }
+    joined.multiplicities.back() = kFitDegree + 1;
+    curve.length = joined.knots.back();
+    curve.curve = {kFitDegree, joined.knots, joined.multiplicities, {}};
+    curve.chart_a = {kFitDegree, joined.knots, joined.multiplicities, {}};
+    curve.chart_b = {kFitDegree, joined.knots, joined.multiplicities, {}};
+    for (const Vec7& pole : joined.poles) {
+      curve.curve.points.push_back(space(pole));
+      curve.chart_a.points.push_back(chart_a(pole));
+      curve.chart_b.points.push_back(chart_b(pole));
     }
   }
 
-  // The largest distances between the three images, over 13 parameters of each span.
-  void measure(Deviation& worst) const {
-    constexpr int kParts = 12;
-    for (const Segment& segment : segments_)
-      for (int k = 0; k <= kParts; ++k) {
-        const Vec7 x = value_at(segment.curve, k / static_cast<double>(kParts));
-        const Vec3 on_a = point_at(a_, chart_a(x)), on_b = point_at(b_, chart_b(x));
-        worst.a = std::max(worst.a, distance(space(x), on_a));
-        worst.b = std::max(worst.b, distance(space(x), on_b));
-        worst.between = std::max(worst.between, distance(on_a, on_b));
-      }
+  // The chord of a piece may leave the curve by so much.
+  double largest_sag() const {
+    Vec3 low = runs_.front().sites.front().point.point, high = low;
+    for (const SmoothRun& run : runs_)
+      for (const QuinticPiece& piece : run.pieces)
+        for (const double t : {0.25, 0.5, 0.75, 1.0}) {
+          const Vec3 x = space(value_at(piece.points, t));
+          for (int k = 0; k < 3; ++k) {
+            low[k] = std::min(low[k], x[k]);
+            high[k] = std::max(high[k], x[k]);
+          }
+        }
+    return std::max(std::min(1e-4 * options_.size, 1e-3 * distance(low, high)), 1e-300);
   }
 
   // Exact points, dense enough to draw and to compare the curve by its chords.
   void sample(IntersectionCurve& curve) const {
-    Vec3 low = space(segments_.front().start.value), high = low;
-    for (const Segment& segment : segments_)
-      for (const double t : {0.25, 0.5, 0.75, 1.0}) {
-        const Vec3 x = space(value_at(segment.curve, t));
-        for (int k = 0; k < 3; ++k) {
-          low[k] = std::min(low[k], x[k]);
-          high[k] = std::max(high[k], x[k]);
-        }
-      }
-    const double sag = std::min(1e-4 * options_.size, 1e-3 * distance(low, high));
+    const double sag = largest_sag();
     curve.least_angle = 1;
     const auto add = [&](const CurvePoint& p, double parameter) {
       curve.samples.push_back({p.point, p.a, p.b});
       curve.sample_parameters.push_back(parameter);
       curve.least_angle = std::min(curve.least_angle, p.sine);
     };
-    double reached = 0;
-    for (const Segment& segment : segments_) {
-      const double bend =
-          std::max({norm(space(segment.start.second)), norm(space(segment.stop.second)),
-                    segment.turn / segment.width});
-      const double by_sag = segment.width * std::sqrt(bend / (6 * std::max(sag, 1e-300)));
-      const double by_count = static_cast<double>(kLeastSamples) * segment.width / curve.length;
-      const int count =
-          static_cast<int>(std::ceil(std::clamp(std::max(by_sag, by_count), 1.0, 1e4)));
-      for (int i = 0; i < count; ++i) {
-        const double fraction = i / static_cast<double>(count);
-        add(tracer_.at(segment.from + (segment.to - segment.from) * fraction, true),
-            reached + segment.width * fraction);
+    add(runs_.front().sites.front().point, runs_.front().sites.front().parameter);
+    for (const SmoothRun& run : runs_)
+      for (std::size_t k = 0; k < run.pieces.size(); ++k) {
+        const Site &start = run.sites[k], &stop = run.sites[k + 1];
+        const int count = samples_between(start, stop, sag, curve.length);
+        for (int i = 1; i < count; ++i) {
+          const double fraction = i / static_cast<double>(count);
+          add(tracer_.at(at(Interval{start.station, stop.station}, fraction), true),
+              at(Interval{start.parameter, stop.parameter}, fraction));
+        }
+        add(stop.point, stop.parameter);
       }
-      reached += segment.width;
-    }
-    add(tracer_.at(segments_.back().to, false), reached);
     curve.least_angle = std::asin(std::min(curve.least_angle, 1.0));
+  }
+
+  static int samples_between(const Site& start, const Site& stop, double sag, double whole) {
+    const double width = stop.parameter - start.parameter;
+    const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
+    const double bend = std::max({norm(start.point.second), norm(stop.point.second), turn / width});
+    const double by_sag = width * std::sqrt(bend / (6 * sag));
+    const double by_count = static_cast<double>(kLeastSamples) * width / whole;
+    return static_cast<int>(std::ceil(std::clamp(std::max(by_sag, by_count), 1.0, 1e4)));
   }
 
   const ChainTracer& tracer_;
   const BezierSurface& a_;
   const BezierSurface& b_;
   const FitOptions& options_;
-  const double wanted_;  // agreement of a segment's images, model units
-  std::vector<Segment> segments_;
+  const double wanted_;  // agreement of the three images, model units
+  std::vector<SmoothRun> runs_;
 };
 
 }  // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // B-splines along a traced chain: in space and in both charts, on common knots.
 //
-// The three curves are one quintic spline in seven coordinates. Between two points of the chain
-// it takes over position, tangent and curvature of all of them (Hermite), with arc length as
-// parameter, so it is curvature continuous wherever the intersection is. Segments are halved
-// until the three images agree.
+// The three curves are one quintic spline in seven coordinates, with arc length as parameter. Its
+// knots are simple where the curve is smooth, chosen by the error that a first spline leaves, and
+// triple to fivefold where a knot line of a surface lets a derivative jump. It is fitted by least
+// squares to Hermite pieces between traced points (`core/tracing/spline_fit.h`); where that does
+// not become good enough, the pieces themselves are the spline.
 
 #pragma once
 
@@ -19,8 +20,15 @@ struct FitOptions {
   double size = 1;  ///< diagonal of the larger surface: samples get chords within 1e-4 of it
 };
 
-/// The curve of a chain: splines, samples, length, least angle and measured deviation. `ends`,
+/// The curve of a chain: splines, samples, length, least angle and proven deviation. `ends`,
 /// `closed` and `tangential` are left to the caller.
+///
+///   (1) ends, in space and in both charts, are those of the chain; a loop ends where it begins
+///   (2) the derivative of order k is continuous at a knot of multiplicity 5 - k
+///
+/// returns   the deviation is a fifth of the tolerance or less, unless rounding or the depth of the
+///           halving prevents it: it then says what was reached.
+///           A chain without any length gives no curve, and its length is not a number
 IntersectionCurve fitted(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b,
                          const FitOptions& options);
 

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tracing/deviation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/errors.h"
+#include "core/forms/degree.h"
+#include "core/tracing/image_gap.h"
+#include "core/tracing/sites.h"
+
+namespace blossom {
+namespace {
+
+constexpr double kSlack = 1.25;       // of a bound over the largest value seen
+constexpr int kMostHalvings = 400;    // of error forms, for one of the three bounds
+constexpr int kDeepest = 12;          // halvings of a span before its forms are made
+constexpr int kUnprovenSamples = 33;  // of a piece without a bound
+constexpr double kEndOfPiece = 1e-9;  // cuts so near an end of a span are none
+
+// The blossom at five parameters of the form with these points over [0, 1].
+Vec7 blossom_of(QuinticPoints c, const std::array<double, 5>& parameters) {
+  for (std::size_t level = 0; level < 5; ++level)
+    for (std::size_t i = 0; i + level < 5; ++i)
+      c[i] = (1 - parameters[level]) * c[i] + parameters[level] * c[i + 1];
+  return c[0];
+}
+
+QuinticPoints piece_of(const QuinticPoints& c, double from, double to) {
+  QuinticPoints result;
+  for (std::size_t k = 0; k <= 5; ++k) {
+    std::array<double, 5> parameters;
+    for (std::size_t i = 0; i < 5; ++i) parameters[i] = i < k ? to : from;
+    result[k] = blossom_of(c, parameters);
+  }
+  return result;
+}
+
+// The Bezier points of the spline's span [flat[span], flat[span + 1]]: blossoms at its ends.
+QuinticPoints span_points(const std::vector<Vec7>& poles, const std::vector<double>& flat,
+                          std::size_t span) {
+  QuinticPoints result;
+  for (std::size_t k = 0; k <= 5; ++k) {
+    std::array<Vec7, 6> d;
+    std::copy_n(poles.begin() + static_cast<std::ptrdiff_t>(span - 5), 6, d.begin());
+    for (std::size_t r = 1; r <= 5; ++r) {
+      const double t = r <= k ? flat[span + 1] : flat[span];
+      for (std::size_t j = 5; j >= r; --j) {
+        const double low = flat[span - 5 + j], high = flat[span + 1 + j - r];
+        const double s = (t - low) / (high - low);
+        d[j] = (1 - s) * d[j - 1] + s * d[j];
+      }
+    }
+    result[k] = d[5];
+  }
+  return result;
+}
+
+// A vector function in Bezier form whose length is to be bounded.
+struct ErrorForm {
+  BezierCurve form;
+  double factor = 1;  // the function is the form times at most this, and at least 1 / this
+  double margin = 0;
+
+  double bound() const {
+    double largest = 0;
+    for (const Vec3& p : form.points) largest = std::max(largest, dot(p, p));
+    return std::sqrt(largest) * factor * (1 + 0x1p-40) + margin;
+  }
+
+  // A value that it has.
+  double seen() const {
+    return std::max(norm(form.points.front()), norm(form.points.back())) / factor;
+  }
+};
+
+// Splits a form at the middle: de Casteljau's triangle.
+ErrorForm cut_off_first_half(ErrorForm& form) {
+  ErrorForm first = form;
+  std::vector<Vec3>& p = form.form.points;
+  const std::size_t n = p.size() - 1;
+  for (std::size_t k = 0; k <= n; ++k) {
+    first.form.points[k] = p[0];
+    for (std::size_t i = 0; i + k < n; ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
+  }
+  return first;
+}
+
+// A bound on the largest length of all forms: the form with the largest bound is halved until
+// that is hardly more than a value that occurs.
+double proven_maximum(std::vector<ErrorForm> forms) {
+  std::vector<std::pair<double, std::size_t>> heap;
+  double seen = 0;
+  const auto add = [&](std::size_t i) {
+    heap.push_back({forms[i].bound(), i});
+    std::push_heap(heap.begin(), heap.end());
+    seen = std::max(seen, forms[i].seen());
+  };
+  for (std::size_t i = 0; i < forms.size(); ++i) add(i);
+  for (int step = 0; step < kMostHalvings && !heap.empty(); ++step) {
+    const auto [bound, worst] = heap.front();
+    const double margin = forms[worst].margin;
+    if (bound - margin <= kSlack * seen || bound <= 2 * margin) break;
+    std::pop_heap(heap.begin(), heap.end());
+    heap.pop_back();
+    forms.push_back(cut_off_first_half(forms[worst]));
+    add(worst);
+    add(forms.size() - 1);
+  }
+  return heap.empty() ? 0 : heap.front().first;
+}
+
+class Proof {
+ public:
+  Proof(const BezierSurface& a, const BezierSurface& b)
+      : surface_a_(a), surface_b_(b), a_(a, 3), b_(b, 5) {}
+
+  // A span of the curve, cut where a chart passes into another patch.
+  void add_span(const QuinticPoints& points) {
+    std::vector<double> cuts;
+    a_.add_cuts(points, cuts);
+    b_.add_cuts(points, cuts);
+    std::sort(cuts.begin(), cuts.end());
+    double last = 0;
+    for (const double cut : cuts) {
+      if (cut - last < kEndOfPiece || 1 - cut < kEndOfPiece) continue;
+      add_piece(piece_of(points, last, cut), 0);
+      last = cut;
+    }
+    add_piece(last > 0 ? piece_of(points, last, 1) : points, 0);
+  }
+
+  Deviation bounds() && {
+    result_.a = std::max(result_.a, proven_maximum(std::move(forms_a_)));
+    result_.b = std::max(result_.b, proven_maximum(std::move(forms_b_)));
+    result_.between = std::max(result_.between, proven_maximum(std::move(forms_between_)));
+    return result_;
+  }
+
+ private:
+  void add_piece(const QuinticPoints& piece, int depth) {
+    auto a = a_.on(piece, depth), b = a ? b_.on(piece, depth) : std::optional<ImageGap>{};
+    if (a && b) return add_forms(*a, *b);
+    if (depth == kDeepest || unprovable_) return sample(piece);
+    add_piece(piece_of(piece, 0, 0.5), depth + 1);
+    add_piece(piece_of(piece, 0.5, 1), depth + 1);
+  }
+
+  // What the forms leave out is a part of either function.
+  void add_forms(const ImageGap& a, const ImageGap& b) {
+    forms_a_.push_back({a.form, 1 / (1 - a.relative), a.margin});
+    forms_b_.push_back({b.form, 1 / (1 - b.relative), b.margin});
+    const double margin = forms_a_.back().bound() * a.relative + a.margin +
+                          forms_b_.back().bound() * b.relative + b.margin;
+    const int degree = std::max(a.form.degree(), b.form.degree());
+    BezierCurve between = elevated(a.form, degree);
+    const BezierCurve other = elevated(b.form, degree);
+    for (std::size_t k = 0; k < between.points.size(); ++k) between.points[k] -= other.points[k];
+    forms_between_.push_back({std::move(between), 1, margin});
+  }
+
+  void sample(const QuinticPoints& piece) {
+    unprovable_ = true;
+    result_.proven = false;
+    for (int i = 0; i < kUnprovenSamples; ++i) {
+      const double t = i / (kUnprovenSamples - 1.0);
+      const Gaps gaps = gaps_at(surface_a_, surface_b_, value_at(piece, t));
+      result_.a = std::max(result_.a, gaps.a);
+      result_.b = std::max(result_.b, gaps.b);
+      result_.between = std::max(result_.between, gaps.between);
+    }
+  }
+
+  const BezierSurface& surface_a_;
+  const BezierSurface& surface_b_;
+  ImageGaps a_, b_;
+  std::vector<ErrorForm> forms_a_, forms_b_, forms_between_;
+  Deviation result_;
+  bool unprovable_ = false;
+};
+
+void check(const IntersectionCurve& curve) {
+  const auto same = [&](const auto& chart) {
+    return chart.degree == kFitDegree && chart.knots == curve.curve.knots &&
+           chart.multiplicities == curve.curve.multiplicities &&
+           chart.points.size() == curve.curve.points.size();
+  };
+  if (curve.curve.degree != kFitDegree || !same(curve.chart_a) || !same(curve.chart_b))
+    throw InvalidInput("proven_deviation: the three splines must have degree 5 and the same knots");
+}
+
+}  // namespace
+
+Deviation proven_deviation(const IntersectionCurve& curve, const BezierSurface& a,
+                           const BezierSurface& b) {
+  check(curve);
+  std::vector<Vec7> poles;
+  for (std::size_t i = 0; i < curve.curve.points.size(); ++i)
+    poles.push_back(seven(curve.curve.points[i], curve.chart_a.points[i], curve.chart_b.points[i]));
+  std::vector<double> flat;
+  for (std::size_t i = 0; i < curve.curve.knots.size(); ++i)
+    flat.insert(flat.end(), static_cast<std::size_t>(curve.curve.multiplicities[i]),
+                curve.curve.knots[i]);
+  Proof proof(a, b);
+  for (std::size_t span = kFitDegree; span + kFitDegree + 1 < flat.size(); ++span)
+    if (flat[span] < flat[span + 1]) proof.add_span(span_points(poles, flat, span));
+  return std::move(proof).bounds();
+}
+
+}  // namespace blossom

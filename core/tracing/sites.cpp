@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tracing/sites.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace blossom {
+namespace {
+
+constexpr int kDeepest = 12;               // halvings of a link
+constexpr std::size_t kMostPieces = 5000;  // where sampling ends whatever the accuracy
+constexpr double kLongestTurn = 1.0;       // radians of the tangent in one piece
+constexpr double kLeastSine = 1e-3;        // below it, agreement is not tightened further
+constexpr double kKink = 1e-7;             // tangents farther apart than this: a kink
+constexpr double kCurvatureJump = 1e-6;    // relative; curvatures farther apart: tangent continuous
+constexpr double kSamePoint = 1e-3;  // of the wanted accuracy: the ends of a loop meet so closely
+constexpr double kSameParameter = 1e-10;  // relative, likewise
+constexpr double kOnKnot = 1e-9;          // of a span: a parameter so near a knot lies on it
+// Where a Hermite piece is tried. Its error is about t^3 (1 - t)^3 times a constant: what it has to
+// be multiplied with to give that of the middle.
+struct Probe {
+  double t, factor;
+};
+constexpr std::array<Probe, 2> kProbes{{{0.42, 1.08}, {0.64, 1.28}}};
+constexpr std::array<Probe, 1> kMiddleProbe{{{0.5, 1}}};
+
+// Length in space by five-point Gauss quadrature of the hodograph.
+double arc_length(const std::array<Vec3, 6>& points) {
+  constexpr std::array<std::array<double, 2>, 5> kGauss{{{0.046910077030668, 0.118463442528095},
+                                                         {0.230765344947158, 0.239314335249683},
+                                                         {0.5, 0.284444444444444},
+                                                         {0.769234655052842, 0.239314335249683},
+                                                         {0.953089922969332, 0.118463442528095}}};
+  std::array<Vec3, 5> steps;
+  for (std::size_t i = 0; i < 5; ++i) steps[i] = 5 * (points[i + 1] - points[i]);
+  double sum = 0;
+  for (const auto& [t, weight] : kGauss) {
+    std::array<Vec3, 5> d = steps;
+    for (std::size_t level = 4; level > 0; --level)
+      for (std::size_t i = 0; i < level; ++i) d[i] = (1 - t) * d[i] + t * d[i + 1];
+    sum += weight * norm(d[0]);
+  }
+  return sum;
+}
+
+// The parameter is arc length, which the curve itself has to tell: from that of a circle's arc, two
+// rounds settle it.
+QuinticPiece piece_between(const CurvePoint& p, const CurvePoint& q) {
+  const std::array start{p.point, p.first, p.second}, stop{q.point, q.first, q.second};
+  const Vec3 turn = q.first - p.first;
+  double width = distance(p.point, q.point) * (1 + dot(turn, turn) / 24);
+  for (int round = 0; round < 2; ++round) width = arc_length(hermite_points(start, stop, width));
+  const auto jet = [](const CurvePoint& x) {
+    return std::array{seven(x.point, x.a, x.b), seven(x.first, x.a_first, x.b_first),
+                      seven(x.second, x.a_second, x.b_second)};
+  };
+  return {{0, width}, hermite_points(jet(p), jet(q), width)};
+}
+
+// A difference beyond rounding, measured against the values and a part of `scale`.
+template <int Dim>
+bool jumps(const Vec<double, Dim>& x, const Vec<double, Dim>& y, double scale, double relative) {
+  return distance(x, y) > relative * std::max(norm(x) + norm(y), 1e-3 * scale);
+}
+
+// Of a knot where one link meets the next: in space and in both charts.
+int multiplicity(const CurvePoint& before, const CurvePoint& after) {
+  if (distance(before.first, after.first) > kKink ||
+      jumps(before.a_first, after.a_first, 0, kKink) ||
+      jumps(before.b_first, after.b_first, 0, kKink))
+    return kFitDegree;
+  if (jumps(before.second, after.second, 1, kCurvatureJump) ||
+      jumps(before.a_second, after.a_second, norm(after.a_first), kCurvatureJump) ||
+      jumps(before.b_second, after.b_second, norm(after.b_first), kCurvatureJump))
+    return kFitDegree - 1;
+  return kFitDegree - 2;
+}
+
+bool on_knot(const std::vector<double>& knots, double parameter) {
+  for (std::size_t i = 1; i + 1 < knots.size(); ++i)
+    if (std::abs(parameter - knots[i]) <= kOnKnot * (knots[i + 1] - knots[i - 1])) return true;
+  return false;
+}
+
+// The distance of a piece's middle to a point near it, by the distance to the tangent line of the
+// nearest parameter.
+double distance_from(const QuinticPiece& piece, const Vec3& point) {
+  double best = 1e300, t = 0.5;
+  for (int step = 0; step < 6; ++step) {
+    const Vec3 x = space(value_at(piece.points, t));
+    const double gap = distance(x, point);
+    if (gap >= best) break;
+    best = gap;
+    const Vec3 rate = (space(value_at(piece.points, std::min(t + 1e-4, 1.0))) - x) * 1e4;
+    const double square = dot(rate, rate);
+    if (square == 0) break;
+    t = std::clamp(t + dot(point - x, rate) / square, 0.0, 0.9999);
+  }
+  return best;
+}
+
+class Sampler {
+ public:
+  Sampler(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b, double wanted,
+          double limit)
+      : tracer_(tracer), a_(a), b_(b), wanted_(wanted), limit_(limit) {}
+
+  std::vector<SmoothRun> run() {
+    const std::vector<double>& stations = tracer_.stations();
+    begin_run({stations.front(), 0, tracer_.at(stations.front(), true)});
+    for (std::size_t i = 1; i < stations.size(); ++i) {
+      Site next{stations[i], 0, tracer_.at(stations[i], false)};
+      const bool last = i + 1 == stations.size();
+      if (last) close(next.point, runs_.front().sites.front().point);
+      refine(Site(runs_.back().sites.back()), next, 0);
+      if (!last && may_break(next.point)) break_here();
+    }
+    drop_empty_runs();
+    return std::move(runs_);
+  }
+
+ private:
+  void begin_run(const Site& site) { runs_.push_back({{site}, {}, {}, 0}); }
+
+  // Begins a new run where a derivative may jump. Both have one point, and the derivatives in
+  // common that agree.
+  void break_here() {
+    Site site = runs_.back().sites.back();
+    const CurvePoint& before = site.point;
+    CurvePoint after = tracer_.at(site.station, true);
+    const int found = multiplicity(before, after);
+    if (found == kFitDegree - 2 && !on_line_knot(before)) return;
+    runs_.back().multiplicity = found;
+    after.point = before.point;
+    after.a = before.a;
+    after.b = before.b;
+    if (found < kFitDegree) {
+      after.first = before.first;
+      after.a_first = before.a_first;
+      after.b_first = before.b_first;
+    }
+    if (found < kFitDegree - 1) {
+      after.second = before.second;
+      after.a_second = before.a_second;
+      after.b_second = before.b_second;
+    }
+    site.point = after;
+    begin_run(site);
+  }
+
+  // Links without any length leave nothing behind but the knot's multiplicity.
+  void drop_empty_runs() {
+    std::vector<SmoothRun> kept;
+    for (SmoothRun& run : runs_)
+      if (!run.pieces.empty())
+        kept.push_back(std::move(run));
+      else if (!kept.empty())
+        kept.back().multiplicity = std::max(kept.back().multiplicity, run.multiplicity);
+    runs_ = std::move(kept);
+  }
+
+  // A loop ends in its first point, exactly; at a seam only in space.
+  void close(CurvePoint& last, const CurvePoint& first) const {
+    if (distance(last.point, first.point) > kSamePoint * wanted_) return;
+    last.point = first.point;
+    if (distance(last.a, first.a) <= kSameParameter * norm(first.a)) last.a = first.a;
+    if (distance(last.b, first.b) <= kSameParameter * norm(first.b)) last.b = first.b;
+  }
+
+  // Surfaces are smooth but at their knots.
+  bool may_break(const CurvePoint& p) const {
+    return on_knot(a_.u_knots, p.a[0]) || on_knot(a_.v_knots, p.a[1]) ||
+           on_knot(b_.u_knots, p.b[0]) || on_knot(b_.v_knots, p.b[1]);
+  }
+
+  // The knots of an angle are those of its circle's arcs: the surface goes on unchanged there.
+  bool on_line_knot(const CurvePoint& p) const {
+    return (a_.u_law == ParameterLaw::Linear && on_knot(a_.u_knots, p.a[0])) ||
+           (a_.v_law == ParameterLaw::Linear && on_knot(a_.v_knots, p.a[1])) ||
+           (b_.u_law == ParameterLaw::Linear && on_knot(b_.u_knots, p.b[0])) ||
+           (b_.v_law == ParameterLaw::Linear && on_knot(b_.v_knots, p.b[1]));
+  }
+
+  // The last site of the run is at the start. A piece that is nearly good enough is so in halves.
+  void refine(const Site& start, const Site& stop, int depth) {
+    const QuinticPiece piece = piece_between(start.point, stop.point);
+    const double error = error_of(piece, start, stop, kProbes);
+    const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
+    if ((error <= limit_ && turn <= kLongestTurn) || depth >= kDeepest || count_ >= kMostPieces)
+      return append(piece, error, stop);
+    const double station = 0.5 * (start.station + stop.station);
+    const Site middle{station, 0, tracer_.at(station, true)};
+    // All three images may agree on another branch: the true middle point has to be near.
+    const double off = distance_from(piece, middle.point.point) * middle.point.sine / wanted_;
+    const double worst = std::max(error, off);
+    const bool halves = turn <= kLongestTurn && worst <= 32 * limit_;
+    for (const auto& [from, to] : {std::pair{&start, &middle}, std::pair{&middle, &stop}})
+      if (!halves || !append_half(*from, *to, worst / 64)) refine(*from, *to, depth + 1);
+  }
+
+  // `expected` is the error by its order; the piece tells whether it is.
+  bool append_half(const Site& start, const Site& stop, double expected) {
+    const QuinticPiece piece = piece_between(start.point, stop.point);
+    const double error = error_of(piece, start, stop, kMiddleProbe);
+    if (error > limit_) return false;
+    append(piece, std::max(error, expected), stop);
+    return true;
+  }
+
+  double error_of(const QuinticPiece& piece, const Site& start, const Site& stop,
+                  std::span<const Probe> probes) const {
+    const double sine = std::min(start.point.sine, stop.point.sine);
+    double error = 0;
+    for (const auto& [t, factor] : probes) {
+      const Gaps gaps = gaps_at(a_, b_, value_at(piece.points, t));
+      error = std::max(error, factor * relative_gap(gaps, wanted_, sine));
+    }
+    return error;
+  }
+
+  void append(QuinticPiece piece, double error, Site stop) {
+    SmoothRun& run = runs_.back();
+    ++count_;
+    if (!(length(piece.place) > 0)) {  // both ends in one point, or no point at all
+      run.sites.back().station = stop.station;
+      return;
+    }
+    const double from = run.sites.back().parameter;
+    piece.place = {from, from + length(piece.place)};
+    stop.parameter = piece.place.to;
+    run.pieces.push_back(piece);
+    run.errors.push_back(error);
+    run.sites.push_back(stop);
+  }
+
+  const ChainTracer& tracer_;
+  const BezierSurface& a_;
+  const BezierSurface& b_;
+  const double wanted_, limit_;
+  std::size_t count_ = 0;
+  std::vector<SmoothRun> runs_;
+};
+
+}  // namespace
+
+Vec7 seven(const Vec3& x, const Vec2& a, const Vec2& b) {
+  return {x[0], x[1], x[2], a[0], a[1], b[0], b[1]};
+}
+
+Vec3 space(const Vec7& x) { return {x[0], x[1], x[2]}; }
+Vec2 chart_a(const Vec7& x) { return {x[3], x[4]}; }
+Vec2 chart_b(const Vec7& x) { return {x[5], x[6]}; }
+
+Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x) {
+  const Vec3 on_a = point_at(a, chart_a(x)), on_b = point_at(b, chart_b(x));
+  return {distance(space(x), on_a), distance(space(x), on_b), distance(on_a, on_b)};
+}
+
+double relative_gap(const Gaps& gaps, double wanted, double sine) {
+  const double between = gaps.between / std::clamp(sine, kLeastSine, 1.0);
+  return std::max({gaps.a, gaps.b, between}) / wanted;
+}
+
+std::vector<SmoothRun> smooth_runs(const ChainTracer& tracer, const BezierSurface& a,
+                                   const BezierSurface& b, double wanted, double limit) {
+  return Sampler(tracer, a, b, wanted, limit).run();
+}
+
+}  // namespace blossom

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tracing/fit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/surface_intersection.h"
+#include "tests/core/tracing/surface_pairs.h"
+
+namespace blossom {
+namespace {
+
+using testing::surface_pairs;
+using testing::SurfacePair;
+
+// Open CASCADE takes 114 poles for the same curve and tolerance.
+TEST(Fit, OfALoopTakesFewPoles) {
+  const testing::CubicPair pair = testing::cubic_pair(testing::loop(0.43, 0.57, 0.2));
+
+  const SurfaceIntersection found = intersect(pair.a, pair.b);
+
+  ASSERT_EQ(found.curves.size(), 1u);
+  const IntersectionCurve& curve = found.curves[0];
+  EXPECT_LE(curve.curve.points.size(), 40u);
+  EXPECT_EQ(curve.curve.degree, 5);
+  EXPECT_TRUE(curve.closed);
+  EXPECT_TRUE(curve.deviation.proven);
+  EXPECT_LE(std::max({curve.deviation.a, curve.deviation.b, curve.deviation.between}), 1e-7);
+}
+
+TEST(Fit, OfAStraightLineIsOneSpan) {
+  const auto found = intersect(testing::plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
+                               testing::plane({0.3, -1, -1}, {0, 3, 0}, {0, 0, 2}));
+
+  ASSERT_EQ(found.curves.size(), 1u);
+  EXPECT_EQ(found.curves[0].curve.points.size(), 6u);
+  EXPECT_NEAR(found.curves[0].length, 1, 1e-14);
+}
+
+class FitOf : public ::testing::TestWithParam<SurfacePair> {};
+
+TEST_P(FitOf, BeginsAndEndsInTheTracedPointsExactly) {
+  for (const IntersectionCurve& curve : intersect(GetParam().a, GetParam().b).curves) {
+    EXPECT_EQ(curve.curve.points.front(), curve.samples.front().point);
+    EXPECT_EQ(curve.chart_a.points.front(), curve.samples.front().uv_a);
+    EXPECT_EQ(curve.chart_b.points.front(), curve.samples.front().uv_b);
+    EXPECT_EQ(curve.curve.points.back(), curve.samples.back().point);
+    EXPECT_EQ(curve.chart_a.points.back(), curve.samples.back().uv_a);
+    EXPECT_EQ(curve.chart_b.points.back(), curve.samples.back().uv_b);
+    if (curve.closed) {
+      EXPECT_EQ(curve.curve.points.front(), curve.curve.points.back());
+    }
+  }
+}
+
+TEST_P(FitOf, IsParametrisedByArcLength) {
+  for (const IntersectionCurve& curve : intersect(GetParam().a, GetParam().b).curves) {
+    EXPECT_EQ(curve.curve.domain(), (Interval{0, curve.length}));
+    for (int i = 0; i <= 200; ++i) {
+      const double t = at(curve.curve.domain(), (i + 0.5) / 201);
+      EXPECT_NEAR(norm(derivative_at(curve.curve, t)), 1, 1e-4);
+    }
+  }
+}
+
+// Derivatives of every order that the knot's multiplicity leaves agree from both sides.
+TEST_P(FitOf, HasItsTangentOnBothSidesOfAKnot) {
+  for (const IntersectionCurve& curve : intersect(GetParam().a, GetParam().b).curves)
+    for (std::size_t i = 1; i + 1 < curve.curve.knots.size(); ++i) {
+      if (curve.curve.multiplicities[i] >= 5) continue;
+      const double h = 1e-9 * curve.length, t = curve.curve.knots[i];
+      EXPECT_LE(distance(derivative_at(curve.curve, t - h), derivative_at(curve.curve, t + h)),
+                1e-6);
+    }
+}
+
+TEST_P(FitOf, HoldsTheTolerance) {
+  for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9}) {
+    IntersectionOptions options;
+    options.tolerances.point = tolerance;
+    const SurfaceIntersection found = intersect(GetParam().a, GetParam().b, options);
+    ASSERT_FALSE(found.curves.empty());
+    for (const IntersectionCurve& curve : found.curves) {
+      const Deviation& d = curve.deviation;
+      EXPECT_LE(std::max({d.a, d.b, d.between}), tolerance) << curve.curve.points.size();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, FitOf, ::testing::ValuesIn(surface_pairs()),
+                         [](const auto& test) { return test.param.name; });
+
+// The knot of a surface becomes a knot of the curve, as smooth as the surface is there.
+TEST(Fit, HasAKnotOfTheRightMultiplicityWhereTheSurfaceHasOne) {
+  for (const auto& [name, multiplicity] :
+       {std::pair{"third_derivative_jumps", 3}, {"curvature_jumps", 4}, {"crease", 5}}) {
+    const auto pairs = surface_pairs();
+    const auto& pair = *std::find_if(pairs.begin(), pairs.end(),
+                                     [&](const SurfacePair& p) { return p.name == name; });
+    const SurfaceIntersection found = intersect(pair.a, pair.b);
+    ASSERT_EQ(found.curves.size(), 1u) << name;
+    const Spline& curve = found.curves[0].curve;
+    int at_knot = 0;
+    for (std::size_t i = 1; i + 1 < curve.knots.size(); ++i) {
+      const bool there = std::abs(point_at(curve, curve.knots[i])[0] - 0.4) < 1e-9;
+      EXPECT_EQ(curve.multiplicities[i], there ? multiplicity : 1) << name;
+      at_knot += there;
+    }
+    EXPECT_EQ(at_knot, 2) << name;
+  }
+}
+
+}  // namespace
+}  // namespace blossom

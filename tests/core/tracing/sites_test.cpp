@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tracing/sites.h"
+
+#include <gtest/gtest.h>
+
+#include "core/intersection/pair_search.h"
+#include "tests/core/tracing/surface_pairs.h"
+
+namespace blossom {
+namespace {
+
+class SmoothRuns : public ::testing::TestWithParam<testing::SurfacePair> {
+ protected:
+  template <class Check>
+  void each_chain(const Check& check) {
+    constexpr double kCut = 0.4865;
+    const Vec3 origin;
+    SurfaceCells a(GetParam().a, origin, CellForm::Auto, kCut);
+    SurfaceCells b(GetParam().b, origin, CellForm::Auto, kCut);
+    const PairSearchResult found = search_pairs(a, b, {});
+    std::vector<Clump> clumps;
+    const std::vector<Chain> chains = chains_of(found, a, b, clumps);
+    ASSERT_FALSE(chains.empty());
+    for (const Chain& chain : chains) check(ChainTracer(found, a, b, origin, chain));
+  }
+};
+
+// The probes see a piece at two places; its error elsewhere is not much larger.
+TEST_P(SmoothRuns, HavePiecesAsGoodAsWanted) {
+  for (const double wanted : {1e-6, 1e-9})
+    each_chain([&](const ChainTracer& tracer) {
+      for (const SmoothRun& run : smooth_runs(tracer, GetParam().a, GetParam().b, wanted, 0.125))
+        for (std::size_t i = 0; i < run.pieces.size(); ++i)
+          for (int k = 1; k < 20; ++k) {
+            const Vec7 x = value_at(run.pieces[i].points, k / 20.0);
+            const double sine = std::min(run.sites[i].point.sine, run.sites[i + 1].point.sine);
+            EXPECT_LE(relative_gap(gaps_at(GetParam().a, GetParam().b, x), wanted, sine), 0.4);
+          }
+    });
+}
+
+TEST_P(SmoothRuns, FollowEachOther) {
+  each_chain([&](const ChainTracer& tracer) {
+    const auto runs = smooth_runs(tracer, GetParam().a, GetParam().b, 1e-7, 0.125);
+    EXPECT_EQ(runs.front().sites.front().station, 0);
+    EXPECT_EQ(runs.back().sites.back().station, tracer.stations().back());
+    double reached = 0;
+    for (const SmoothRun& run : runs) {
+      ASSERT_EQ(run.sites.size(), run.pieces.size() + 1);
+      ASSERT_EQ(run.errors.size(), run.pieces.size());
+      for (std::size_t i = 0; i < run.pieces.size(); ++i) {
+        EXPECT_EQ(run.pieces[i].place.from, reached);
+        EXPECT_GT(run.pieces[i].place.to, reached);
+        reached = run.pieces[i].place.to;
+        EXPECT_EQ(run.sites[i].point.point, space(run.pieces[i].points.front()));
+        EXPECT_EQ(run.sites[i + 1].point.point, space(run.pieces[i].points.back()));
+      }
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, SmoothRuns, ::testing::ValuesIn(testing::surface_pairs()),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace blossom
