@@ -16,8 +16,11 @@ cmake --build "$build" -j "$(build_jobs)" --target blossom samples
 step "sample: evaluate by blossom"
 "$build/samples/01_evaluate_by_blossom"
 
-step "sample: a boat"
+step "sample: pictures of the papers"
 results=$root/build/samples
+"$build/samples/03_pictures_of_the_papers" "$results"
+
+step "sample: a boat"
 bash "$root/samples/boat.sh" "$build/plugin/cli/blossom" "$build/samples" "$results"
 
 printf '\nAll samples ran. Results: %s\n' "$results"

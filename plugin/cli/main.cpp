@@ -47,6 +47,8 @@ int run(int argc, char** argv) {
   add_intersect(app, code);
   add_trim(app, code);
   add_blend(app, code);
+  add_subdivide(app, code);
+  add_convert(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version

@@ -110,7 +110,7 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
   return result;
 }
 
-void check_outputs(const CommonOptions& options) {
+void check_outputs(const CommonOptions& options, Outputs outputs) {
   std::set<std::filesystem::path> seen;
   for (const std::string* file : {&options.output, &options.json, &options.picture}) {
     if (file->empty() || (file == &options.json && *file == "-")) continue;
@@ -120,9 +120,11 @@ void check_outputs(const CommonOptions& options) {
   }
   if (options.output.empty()) return;
   const std::string ending = lower_case(std::filesystem::path(options.output).extension());
+  const bool nets = outputs == Outputs::ModelsAndNets;
+  if (nets && ending == ".json") return;
   if (std::ranges::find(kModelEndings, ending) == kModelEndings.end())
-    throw UsageError(options.output +
-                     ": the ending says no known format; .step, .brep and .iges are");
+    throw UsageError(options.output + ": the ending says no known format; " +
+                     (nets ? ".step, .brep, .iges and .json are" : ".step, .brep and .iges are"));
 }
 
 }  // namespace blossom::cli

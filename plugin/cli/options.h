@@ -39,9 +39,12 @@ void add_engine_options(CLI::App& command, EngineOptions& options);
 /// progress  has to live as long as the result is used
 IntersectionOptions intersection_options(const EngineOptions& options, Progress& progress);
 
+/// What -o takes: models, or files of nets (.json), too.
+enum class Outputs { Models, ModelsAndNets };
+
 /// Looks at the outputs before any work is done.
 /// throws    UsageError if two outputs are the same file or -o has an unknown ending;
 ///           occt::Failure if one is a folder or lies in a folder that cannot be written
-void check_outputs(const CommonOptions& options);
+void check_outputs(const CommonOptions& options, Outputs outputs = Outputs::Models);
 
 }  // namespace blossom::cli

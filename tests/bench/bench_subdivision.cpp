@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <random>
@@ -14,6 +15,7 @@
 
 #include <Eigen/Dense>
 
+#include "core/blossom/patch_blossom.h"
 #include "core/blossom/triangle_blossom.h"
 #include "core/subdivision/bulk.h"
 #include "core/subdivision/bulk_triangles.h"
@@ -87,11 +89,12 @@ std::map<std::string, double>& pieces_of_name() {
 
 void add(const std::string& name, double pieces, std::function<void()> work) {
   pieces_of_name()[name] = pieces;
-  benchmark::RegisterBenchmark(name.c_str(), [work](benchmark::State& state) {
+  benchmark::RegisterBenchmark(name.c_str(), [work, name](benchmark::State& state) {
     for (auto _ : state) {
       work();
       benchmark::ClobberMemory();
     }
+    state.counters["pieces"] = pieces_of_name().at(name);
   });
 }
 
@@ -168,6 +171,36 @@ void add_pieces(int degree) {
   });
 }
 
+// The values of a net as the coefficients of a patch.
+MonomialPatch coefficients_of(const NetShape& shape, const LaneVector& net) {
+  MonomialPatch patch{Grid<Vec3>(shape.rows, shape.columns)};
+  for (int k = 0; k < shape.size(); ++k)
+    patch.coefficients
+        .values()[static_cast<std::size_t>(k % shape.plane_size())][k / shape.plane_size()] =
+        net[static_cast<std::size_t>(k)];
+  return patch;
+}
+
+void add_closed_forms(int degree) {
+  const Input in(degree);
+  const MonomialPatch patch = coefficients_of(in.shape, in.net);
+  const BezierPatch printed = printed_points(patch, in.u(0), in.v(0)),
+                    closed = bezier_points(patch, in.u(0), in.v(0));
+  for (std::size_t k = 0; k < closed.points.values().size(); ++k)
+    if (distance(printed.points.values()[k], closed.points.values()[k]) > 1e-12) {
+      std::fprintf(stderr, "formula (9) and its factors differ\n");
+      std::exit(1);
+    }
+  add(name("printed_9", degree), kPieces, [patch, in] {
+    for (std::size_t k = 0; k < kPieces; ++k)
+      benchmark::DoNotOptimize(printed_points(patch, in.u(k), in.v(k)));
+  });
+  add(name("closed_form", degree), kPieces, [patch, in] {
+    for (std::size_t k = 0; k < kPieces; ++k)
+      benchmark::DoNotOptimize(bezier_points(patch, in.u(k), in.v(k)));
+  });
+}
+
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 void add_eigen(int degree) {
@@ -228,11 +261,7 @@ void add_triangles() {
       subdivide_triangles_by_differences(plan, kPlanes, net, triangles(lists), out, level);
     });
   }
-  MonomialPatch patch{Grid<Vec3>(kDegree + 1, kDegree + 1)};
-  for (int k = 0; k < shape.size(); ++k)
-    patch.coefficients
-        .values()[static_cast<std::size_t>(k % shape.plane_size())][k / shape.plane_size()] =
-        net[static_cast<std::size_t>(k)];
+  const MonomialPatch patch = coefficients_of(shape, net);
   add(name("triangle_printed_14", 2 * kDegree), 1, [=] {
     benchmark::DoNotOptimize(
         bezier_points(patch, TriangleCorners{Vec2{0.1, 0.2}, Vec2{0.7, 0.3}, Vec2{0.4, 0.9}}));
@@ -291,8 +320,10 @@ void print_own(const BestTimes& best, int degree, SimdLevel level) {
   const double lanes = best(name("de_casteljau_lanes", degree, how));
   const double segment =
       best(name("occt_copy_and_segment", degree)) - best(name("occt_copy", degree));
-  std::printf("(%d,%d) %-7s Segment %.0f, plain dC %.0f, lane dC %.1f, Eigen %.0f ns\n", degree,
-              degree, how.c_str(), segment, plain, lanes, best(name("eigen", degree)));
+  std::printf("(%d,%d) %-7s (9) printed %.0f, closed form %.0f, ", degree, degree, how.c_str(),
+              best(name("printed_9", degree)), best(name("closed_form", degree)));
+  std::printf("Segment %.0f, plain dC %.0f, lane dC %.1f, Eigen %.0f ns\n", segment, plain, lanes,
+              best(name("eigen", degree)));
   for (const char* what : {"pieces_matrices", "pieces_pyramid", "single"}) {
     const double time = best(name(what, degree, how));
     std::printf("  %-16s %7.1f ns: Segment x%.0f, plain dC x%.1f, lane dC x%.2f\n", what, time,
@@ -315,6 +346,7 @@ void register_all() {
   for (int degree : kDegrees) {
     add_grids(degree);
     add_pieces(degree);
+    add_closed_forms(degree);
     add_eigen(degree);
 #ifdef BLOSSOM_BENCH_OCCT
     add_occt(degree);

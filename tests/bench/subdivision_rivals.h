@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What bulk subdivision is measured against: de Casteljau's algorithm, plain and vectorised, and
-// the multiply-add peak of each vector width.
+// What bulk subdivision is measured against: the printed sums, de Casteljau's algorithm, plain and
+// vectorised, and the multiply-add peak of each vector width.
 
 #pragma once
 
+#include "core/forms/patch.h"
 #include "core/subdivision/bulk.h"
 
 namespace blossom::bench {
+
+/// The Bezier points on a rectangle by formula (9) of Vlachkova 2025, sum by sum. For coefficients
+/// with centre 0 and scale 1.
+BezierPatch printed_points(const MonomialPatch& patch, const Interval& u, const Interval& v);
 
 /// The net on a sub-rectangle by two splits in each direction, value by value.
 void plain_de_casteljau(const NetShape& shape, const double* net, const Interval& u,

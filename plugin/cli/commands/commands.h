@@ -14,5 +14,7 @@ void add_info(CLI::App& app, int& exit_code);
 void add_intersect(CLI::App& app, int& exit_code);
 void add_trim(CLI::App& app, int& exit_code);
 void add_blend(CLI::App& app, int& exit_code);
+void add_subdivide(CLI::App& app, int& exit_code);
+void add_convert(CLI::App& app, int& exit_code);
 
 }  // namespace blossom::cli

@@ -84,7 +84,7 @@ CanvasLine line_of(const std::vector<Vec3>& points, const View& view, double lif
 
 }  // namespace
 
-std::string picture_png(const Picture& picture) {
+Image picture_image(const Picture& picture) {
   const std::vector<ColouredMesh> meshes = meshes_of(picture);
   const View view = view_of(picture, meshes);
   const double lift = kLift * picture.width * kSamples;
@@ -106,7 +106,9 @@ std::string picture_png(const Picture& picture) {
   };
   for (const auto& curve : picture.curves) add_thick(curve, kCurveWidth);
   for (const Vec3& point : picture.points) add_thick({point}, kPointWidth);
-  return png_bytes(drawn(canvas));
+  return drawn(canvas);
 }
+
+std::string picture_png(const Picture& picture) { return png_bytes(picture_image(picture)); }
 
 }  // namespace blossom::cli

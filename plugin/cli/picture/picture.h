@@ -9,6 +9,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "core/math/vec.h"
+#include "plugin/cli/picture/png.h"
 
 namespace blossom::cli {
 
@@ -34,8 +35,12 @@ struct Picture {
   int height = 900;
 };
 
-/// The bytes of a PNG file.
+/// The picture as an image.
 /// throws   occt::Failure if a face cannot be triangulated
+Image picture_image(const Picture& picture);
+
+/// The bytes of a PNG file.
+/// throws   likewise
 std::string picture_png(const Picture& picture);
 
 }  // namespace blossom::cli

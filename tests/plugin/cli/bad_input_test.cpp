@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -43,7 +42,7 @@ class BadInput : public ::testing::Test {
   }
 
   void write_text(const std::string& file, const std::string& text) {
-    std::ofstream(folder / file, std::ios::binary) << text;
+    testing::write_text(folder / file, text);
   }
 
   testing::TestFolder folder;
@@ -225,7 +224,18 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"intersect", "a.step", "b.step", "--form", "spline"},
         std::vector<std::string>{"intersect", "a.step", "b.step", "--repeat", "0"},
         std::vector<std::string>{"intersect", "a.step", "b.step", "--time-limit", "-1"},
-        std::vector<std::string>{"intersect", "a.step", "b.step", "--colour"}));
+        std::vector<std::string>{"intersect", "a.step", "b.step", "--colour"},
+        std::vector<std::string>{"subdivide"},
+        std::vector<std::string>{"subdivide", "a.step", "--levels", "-1"},
+        std::vector<std::string>{"subdivide", "a.step", "--interval", "0"},
+        std::vector<std::string>{"subdivide", "a.step", "--rectangle", "0", "1", "0"},
+        std::vector<std::string>{"subdivide", "a.step", "--rectangle", "0", "1", "0", "nan"},
+        std::vector<std::string>{"subdivide", "a.step", "--q", "1"},
+        std::vector<std::string>{"subdivide", "a.step", "-o", "a.txt"},
+        std::vector<std::string>{"convert", "a.step"},
+        std::vector<std::string>{"convert", "a.step", "-o", "a.txt"},
+        std::vector<std::string>{"convert", "a.step", "-o", "a.json", "--to", "spheres"},
+        std::vector<std::string>{"convert", "a.step", "-o", "b.step", "--to", "monomial"}));
 
 }  // namespace
 }  // namespace blossom

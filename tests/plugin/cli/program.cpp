@@ -10,7 +10,10 @@
 #include <sstream>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 
@@ -83,6 +86,10 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
 TopoDS_Face bowl() {
   // x^2 over [-1, 1] has the Bezier values 1, -1, 1.
   TColgp_Array2OfPnt poles(1, 3, 1, 3);
@@ -111,6 +118,18 @@ TopoDS_Face half_pipe() {
       weights.SetValue(i + 1, j + 1, inner ? 1.0 / 3 : 1);
     }
   return face_on(new Geom_BezierSurface(poles, weights));
+}
+
+TopoDS_Face four_spans() {
+  TColgp_Array2OfPnt poles(1, 3, 1, 3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) poles(i + 1, j + 1) = gp_Pnt(i, j, 0);
+  TColStd_Array1OfReal knots(1, 3);
+  for (int i = 0; i < 3; ++i) knots(i + 1) = i;
+  TColStd_Array1OfInteger counts(1, 3);
+  counts.Init(1);
+  counts(1) = counts(3) = 2;
+  return face_on(new Geom_BSplineSurface(poles, knots, knots, counts, counts, 1, 1));
 }
 
 void write(const std::vector<TopoDS_Face>& faces, const std::filesystem::path& file) {

@@ -42,6 +42,8 @@ Finished blossom(const std::vector<std::string>& arguments, const std::string& b
 
 std::string text_of(const std::filesystem::path& file);
 
+void write_text(const std::filesystem::path& file, const std::string& text);
+
 /// z = x^2 + y^2 over [-1, 1]^2 as a Bezier surface; x = 2 u - 1, y = 2 v - 1.
 TopoDS_Face bowl();
 
@@ -51,6 +53,9 @@ TopoDS_Face lid(double z);
 /// Half a cylinder of radius 1 round the z axis, from z = 0 to 0.8125, as a rational Bezier
 /// surface.
 TopoDS_Face half_pipe();
+
+/// The square [0, 2]^2 at z = 0 as a B-spline surface of 2 x 2 spans; x = u, y = v.
+TopoDS_Face four_spans();
 
 /// Writes faces as parts of a model, named "part 1", "part 2", ...
 void write(const std::vector<TopoDS_Face>& faces, const std::filesystem::path& file);

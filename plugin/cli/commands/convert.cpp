@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom convert F -o OUT`: between file formats, and to other forms of surfaces.
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "plugin/cli/commands/commands.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/nets/net_input.h"
+#include "plugin/cli/nets/net_json.h"
+#include "plugin/cli/nets/pieces.h"
+#include "plugin/cli/options.h"
+#include "plugin/cli/output.h"
+
+namespace blossom::cli {
+namespace {
+
+enum class Form { AsItIs, Bezier, Monomial, Triangles };
+
+const std::map<std::string, Form> kTargets = {
+    {"bezier", Form::Bezier}, {"monomial", Form::Monomial}, {"triangles", Form::Triangles}};
+
+struct Options {
+  std::string input;
+  std::string to;  ///< empty: the forms stay
+  CommonOptions common;
+};
+
+struct Made {
+  std::vector<Net> nets;  ///< empty if a model was written as it is
+  std::size_t faces = 0;
+  double seconds = 0;
+};
+
+std::vector<Net> converted(const std::vector<Net>& nets, Form form) {
+  std::vector<Net> result;
+  for (const Net& net : nets) {
+    stop_if_interrupted();
+    switch (form) {
+      case Form::AsItIs: result.push_back(net); break;
+      case Form::Bezier: result.push_back(bezier_net(net)); break;
+      case Form::Monomial: result.push_back(monomial_net(net)); break;
+      case Form::Triangles:
+        for (Net& triangle : triangle_nets(net)) result.push_back(std::move(triangle));
+        break;
+    }
+  }
+  return result;
+}
+
+Made write_as_it_is(const Options& options) {
+  Input input = read_input(options.input, Faces::Optional);
+  Made made;
+  made.faces = input.faces.size();
+  drop_other_faces(input);
+  stop_if_interrupted();
+  occt::write_model(input.model, options.common.output);
+  return made;
+}
+
+Made write_converted(const Options& options, Form form) {
+  NetInput input = read_net_input(options.input, Take::Faces);
+  Made made;
+  const auto start = std::chrono::steady_clock::now();
+  made.nets = converted(input.nets, form);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  made.seconds = took.count();
+  made.faces = input.model ? input.model->faces.size() : 0;
+  stop_if_interrupted();
+  write_nets(input, made.nets, options.common.output);
+  return made;
+}
+
+double largest_error(const Made& made) {
+  double error = 0;
+  for (const Net& net : made.nets) error = std::max(error, net.source.error);
+  return error;
+}
+
+Json report_of(const Options& options, const Made& made) {
+  return {{"schema", "blossom.conversion/1"},
+          {"file", options.input},
+          {"output", options.common.output},
+          {"to", options.to.empty() ? Json(nullptr) : Json(options.to)},
+          {"faces", made.faces},
+          {"nets", made.nets.size()},
+          {"error", largest_error(made)},
+          {"seconds", made.seconds}};
+}
+
+std::string summary(const Options& options, const Made& made) {
+  std::ostringstream text;
+  text << options.input << " to " << options.common.output << ": ";
+  if (made.faces > 0 || made.nets.empty()) text << counted(made.faces, "face");
+  if (made.faces > 0 && !made.nets.empty()) text << ", ";
+  if (!made.nets.empty()) text << counted(made.nets.size(), "net");
+  if (largest_error(made) > 0) text << ", within " << largest_error(made);
+  text << "\n";
+  return text.str();
+}
+
+int run(const Options& options) {
+  check_outputs(options.common, Outputs::ModelsAndNets);
+  const bool to_nets = is_net_file(options.common.output);
+  const Form form = options.to.empty() ? Form::AsItIs : kTargets.at(options.to);
+  if (form == Form::Monomial && !to_nets)
+    throw UsageError(options.common.output +
+                     ": models have no monomial form; --to monomial writes .json");
+  const bool from_nets = is_net_file(parse_input(options.input).file);
+  const Made made = form == Form::AsItIs && !from_nets && !to_nets ? write_as_it_is(options)
+                                                                   : write_converted(options, form);
+  if (!options.common.json.empty()) write_json(report_of(options, made), options.common.json);
+  if (options.common.json != "-" && !options.common.quiet) print(summary(options, made));
+  return kExitComplete;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, int& exit_code) {
+  CLI::App* const command = app.add_subcommand("convert", "between file formats and forms");
+  const auto options = std::make_shared<Options>();
+  command->add_option("input", options->input, "model, nets (.json), or some faces or nets")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("-o,--output", options->common.output, "write .step, .brep, .iges or .json")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--to", options->to, "every surface in this form; trims are left out")
+      ->check(CLI::IsMember(kTargets))
+      ->type_name("");
+  command->add_option("--json", options->common.json, "write a report; - is stdout")
+      ->type_name("FILE");
+  command->add_flag("-q,--quiet", options->common.quiet, "say nothing but errors");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom subdivide F`: sub-curves, sub-patches and sub-triangles by blossoms.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <TopoDS.hxx>
+
+#include "plugin/cli/commands/commands.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/nets/net_input.h"
+#include "plugin/cli/nets/net_json.h"
+#include "plugin/cli/nets/net_shapes.h"
+#include "plugin/cli/nets/pieces.h"
+#include "plugin/cli/options.h"
+#include "plugin/cli/output.h"
+#include "plugin/cli/picture/picture.h"
+
+namespace blossom::cli {
+namespace {
+
+// So many pieces need some gigabytes.
+constexpr double kMostPieces = 1 << 20;
+
+struct Options {
+  std::string input;
+  std::vector<double> interval;
+  std::vector<double> rectangle;
+  std::vector<double> triangle;
+  std::vector<double> q;
+  int levels = 0;
+  CommonOptions common;
+};
+
+Cut cut_of(const Options& options) {
+  for (const auto* list : {&options.interval, &options.rectangle, &options.triangle, &options.q})
+    for (const double x : *list)
+      if (!std::isfinite(x)) throw UsageError("a parameter of the place or of --q is not finite");
+  Cut cut;
+  cut.levels = options.levels;
+  if (const auto& i = options.interval; !i.empty()) cut.interval = Interval{i[0], i[1]};
+  if (const auto& r = options.rectangle; !r.empty())
+    cut.rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
+  if (const auto& t = options.triangle; !t.empty())
+    cut.triangle = {Vec2{t[0], t[1]}, Vec2{t[2], t[3]}, Vec2{t[4], t[5]}};
+  if (const auto& q = options.q; !q.empty()) cut.q = QParameters{q[0], q[1]};
+  return cut;
+}
+
+struct Timed {
+  std::vector<Net> pieces;
+  double seconds = 0;
+};
+
+std::string box_of(const std::vector<Net>& nets) {
+  std::ostringstream text;
+  Interval u = nets.front().u, v = nets.front().v;
+  for (const Net& net : nets) {
+    u = {std::min(u.from, net.u.from), std::max(u.to, net.u.to)};
+    v = {std::min(v.from, net.v.from), std::max(v.to, net.v.to)};
+  }
+  text << "[" << u.from << ", " << u.to << "]";
+  if (!is_curve(nets.front())) text << " x [" << v.from << ", " << v.to << "]";
+  return text.str();
+}
+
+Timed timed_pieces(const NetInput& input, const Cut& cut) {
+  double count = 0;
+  for (const Net& net : input.nets) count += piece_count(net, cut);
+  if (count > kMostPieces)
+    throw UsageError(input.name + ": these would be more than a million pieces; fewer --levels");
+  const auto start = std::chrono::steady_clock::now();
+  Timed timed;
+  for (const Net& net : input.nets)
+    for (Net& piece : pieces(net, cut)) timed.pieces.push_back(std::move(piece));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  timed.seconds = took.count();
+  if (timed.pieces.empty())
+    throw occt::BadModel(input.name + ": the place lies outside of the parameters " +
+                         box_of(input.nets));
+  return timed;
+}
+
+Json list_or_null(const std::vector<double>& values) {
+  return values.empty() ? Json(nullptr) : Json(values);
+}
+
+Json report_of(const NetInput& input, const Options& options, const Timed& timed) {
+  Json json = {{"schema", "blossom.subdivision/1"},
+               {"file", input.name},
+               {"interval", list_or_null(options.interval)},
+               {"rectangle", list_or_null(options.rectangle)},
+               {"triangle", list_or_null(options.triangle)},
+               {"levels", options.levels},
+               {"q", list_or_null(options.q)},
+               {"seconds", timed.seconds},
+               {"pieces", timed.pieces.size()},
+               {"nets", Json::array()}};
+  for (const Net& piece : timed.pieces) json["nets"].push_back(to_json(piece));
+  return json;
+}
+
+std::string summary(const NetInput& input, const Timed& timed) {
+  std::ostringstream text;
+  text << input.name << ": " << counted(timed.pieces.size(), "piece") << " of "
+       << counted(input.nets.size(), "net") << ", " << timed.seconds << " s\n";
+  return text.str();
+}
+
+// Pieces in two colours by turns, with their control nets when these are few.
+std::string picture_of(const std::vector<Net>& made) {
+  constexpr std::size_t kFew = 64;
+  Picture picture;
+  picture.groups = {{{}, kFirstColour}, {{}, kSecondColour}};
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    stop_if_interrupted();
+    if (!is_curve(made[i])) picture.groups[i % 2].faces.push_back(TopoDS::Face(net_shape(made[i])));
+    if (made.size() > kFew && !is_curve(made[i])) continue;
+    for (auto& line : net_lines(made[i])) picture.curves.push_back(std::move(line));
+  }
+  return picture_png(picture);
+}
+
+void write_outputs(NetInput& input, const Options& options, const Timed& timed) {
+  std::string png;
+  if (!options.common.picture.empty()) png = picture_of(timed.pieces);
+  if (!options.common.output.empty()) write_nets(input, timed.pieces, options.common.output);
+  if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);
+  if (!options.common.json.empty())
+    write_json(report_of(input, options, timed), options.common.json);
+  if (options.common.json != "-" && !options.common.quiet) print(summary(input, timed));
+}
+
+int run(const Options& options) {
+  check_outputs(options.common, Outputs::ModelsAndNets);
+  const Cut cut = cut_of(options);
+  NetInput input =
+      read_net_input(options.input, options.interval.empty() ? Take::Faces : Take::Edges);
+  const Timed timed = timed_pieces(input, cut);
+  stop_if_interrupted();
+  write_outputs(input, options, timed);
+  return kExitComplete;
+}
+
+}  // namespace
+
+void add_subdivide(CLI::App& app, int& exit_code) {
+  CLI::App* const command =
+      app.add_subcommand("subdivide", "sub-curves, sub-patches, sub-triangles by blossoms");
+  const auto options = std::make_shared<Options>();
+  command->add_option("input", options->input, "model, nets (.json), or some faces or nets")
+      ->required()
+      ->type_name("FILE");
+  CLI::Option* const interval =
+      command->add_option("--interval", options->interval, "this part of curves and of edges")
+          ->expected(2)
+          ->type_name("A B");
+  CLI::Option* const rectangle =
+      command->add_option("--rectangle", options->rectangle, "this part of faces and patches")
+          ->expected(4)
+          ->type_name("U0 U1 V0 V1")
+          ->excludes(interval);
+  command->add_option("--triangle", options->triangle, "the triangular patch over these corners")
+      ->expected(6)
+      ->type_name("U0 V0 U1 V1 U2 V2")
+      ->excludes(interval)
+      ->excludes(rectangle);
+  command->add_option("--levels", options->levels, "halve so often in each direction")
+      ->check(CLI::Range(0, 20))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--q", options->q, "give pieces by their (q1,q2)-Bezier points")
+      ->expected(2)
+      ->type_name("Q1 Q2");
+  add_common_options(*command, options->common, "write the pieces (.step, .brep, .iges, .json)");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom convert`: formats with names and colours, forms there and back, what is refused.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TopoDS.hxx>
+#include <nlohmann/json.hpp>
+
+#include "adapters/occt/shapes.h"
+#include "core/forms/conversion.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+class Convert : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  // Converts and returns the report.
+  Json convert(const std::string& from, const std::string& to, const std::string& form = {}) {
+    std::vector<std::string> arguments = {"convert", path(from), "-o", path(to), "--json", "-"};
+    if (!form.empty()) arguments.insert(arguments.end(), {"--to", form});
+    const Finished ran = blossom(arguments);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.code == 0 ? Json::parse(ran.out) : Json();
+  }
+
+  Json nets_of(const std::string& name) { return Json::parse(text_of(path(name)))["nets"]; }
+
+  TestFolder folder;
+};
+
+double gap(const Json& a, const Json& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    largest = std::max(largest, std::abs(a[k].get<double>() - b[k].get<double>()));
+  return largest;
+}
+
+TEST_F(Convert, KeepsNamesAndColoursBetweenModels) {
+  occt::quiet_messages();
+  occt::Model model;
+  model.add(bowl(), "bowl", {0.25, 0.5, 0.75});
+  model.add(lid(1), "lid");
+  occt::write_model(model, path("a.step"));
+
+  const Json report = convert("a.step", "b.stp");
+
+  EXPECT_EQ(report["schema"], "blossom.conversion/1");
+  EXPECT_EQ(report["faces"], 2);
+  EXPECT_EQ(report["to"], nullptr);
+  EXPECT_EQ(occt::read_model(path("b.stp")).face_names(),
+            (std::vector<std::string>{"bowl", "lid"}));
+  EXPECT_NE(text_of(path("b.stp")).find("COLOUR_RGB"), std::string::npos);
+}
+
+TEST_F(Convert, GoesThroughEveryModelFormat) {
+  write({bowl()}, folder / "a.step");
+  convert("a.step", "b.brep");
+  convert("b.brep", "c.iges");
+  convert("c.iges", "d.step");
+  const occt::Model model = occt::read_model(path("d.step"));
+  ASSERT_EQ(model.face_count(), 1);
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(model.face(1));
+  EXPECT_LE(surface->Value(0.5, 0.25).Distance(gp_Pnt(0, -0.5, 0.25)), 1e-14);
+}
+
+TEST_F(Convert, TakesOnlyTheChosenFaces) {
+  write({bowl(), lid(1), lid(2)}, folder / "a.step");
+  convert("a.step#1,3", "b.step");
+  EXPECT_EQ(occt::read_model(path("b.step")).face_names(),
+            (std::vector<std::string>{"part 1", "part 3"}));
+}
+
+TEST_F(Convert, SplitsFacesIntoBezierPatches) {
+  write({four_spans(), half_pipe()}, folder / "a.step");
+  const Json report = convert("a.step", "b.brep", "bezier");
+  EXPECT_EQ(report["faces"], 2);
+  EXPECT_EQ(report["nets"], 5);
+  EXPECT_EQ(report["error"], 0);
+
+  const occt::Model model = occt::read_model(path("b.brep"));
+  ASSERT_EQ(model.face_count(), 5);
+  EXPECT_TRUE(BRepCheck_Analyzer(model.shape()).IsValid());
+  for (int number = 1; number <= 5; ++number) {
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(model.face(number));
+    EXPECT_TRUE(surface->IsKind(STANDARD_TYPE(Geom_BezierSurface))) << number;
+  }
+}
+
+TEST_F(Convert, BezierNetsComeBackBitForBit) {
+  write({bowl()}, folder / "a.brep");
+  convert("a.brep", "a.json");
+  convert("a.json", "b.brep");
+  convert("b.brep", "b.json");
+  EXPECT_EQ(nets_of("a.json")[0]["points"], nets_of("b.json")[0]["points"]);
+  EXPECT_EQ(nets_of("a.json")[0]["points"][1][1], Json({0.0, 0.0, -2.0}));
+  convert("b.json", "c.json");
+  EXPECT_EQ(nets_of("b.json")[0]["points"], nets_of("c.json")[0]["points"]);
+}
+
+TEST_F(Convert, MonomialFormIsReCentred) {
+  write({bowl()}, folder / "a.brep");
+  convert("a.brep", "m.json", "monomial");
+  const Json net = nets_of("m.json")[0];
+  EXPECT_EQ(net["form"], "monomial");
+  EXPECT_EQ(net["centre"], Json({0.5, 0.5}));
+  EXPECT_EQ(net["scale"], Json({0.5, 0.5}));
+  // x = s, y = t, z = s^2 + t^2 for s = 2 u - 1, t = 2 v - 1.
+  EXPECT_EQ(net["points"][0][0], Json({0.0, 0.0, 0.0}));
+  EXPECT_EQ(net["points"][1][0], Json({1.0, 0.0, 0.0}));
+  EXPECT_EQ(net["points"][2][0], Json({0.0, 0.0, 1.0}));
+  EXPECT_EQ(net["points"][0][2], Json({0.0, 0.0, 1.0}));
+}
+
+TEST_F(Convert, RationalMonomialFormComesBackWithinItsBound) {
+  write({half_pipe()}, folder / "a.brep");
+  convert("a.brep", "a.json", "bezier");
+  convert("a.json", "m.json", "monomial");
+  convert("m.json", "b.json", "bezier");
+  const Json a = nets_of("a.json")[0], b = nets_of("b.json")[0];
+  EXPECT_EQ(a["rational"], true);
+  EXPECT_EQ(a["points"][0][0].size(), 4u);
+  for (std::size_t i = 0; i <= 3; ++i)
+    for (std::size_t j = 0; j <= 1; ++j)
+      for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_NEAR(a["points"][i][j][k].get<double>(), b["points"][i][j][k].get<double>(),
+                    2 * round_trip_error(3, 1, Origin::Middle));
+}
+
+TEST_F(Convert, MonomialFormsAreInTheParametersOfTheirSpans) {
+  write({four_spans()}, folder / "a.brep");
+  convert("a.brep", "m.json", "monomial");
+  const Json net = nets_of("m.json")[2];
+  EXPECT_EQ(net["u"], Json({1, 2}));
+  EXPECT_EQ(net["centre"], Json({1.5, 0.5}));
+  EXPECT_EQ(net["scale"], Json({0.5, 0.5}));
+  EXPECT_EQ(net["points"][0][0], Json({1.5, 0.5, 0.0}));
+  convert("m.json", "b.json", "bezier");
+  EXPECT_EQ(nets_of("b.json")[2]["points"][1][0], Json({2.0, 0.0, 0.0}));
+}
+
+TEST_F(Convert, MonomialFormsScaleWithTheDomainOfTheNet) {
+  write_text(folder / "a.json",
+             R"({"schema":"blossom.net/1","kind":"patch","degree":[1,1],"u":[1,4],"v":[-2,2],)"
+             R"("points":[[[0,0,0],[0,1,0]],[[6,0,0],[6,1,0]]]})");
+  convert("a.json", "m.json", "monomial");
+  const Json net = nets_of("m.json")[0];
+  EXPECT_EQ(net["centre"], Json({2.5, 0.0}));
+  EXPECT_EQ(net["scale"], Json({1.5, 2.0}));
+  convert("m.json", "b.json", "bezier");
+  EXPECT_EQ(nets_of("b.json")[0]["points"][1][1], Json({6.0, 1.0, 0.0}));
+}
+
+TEST_F(Convert, KeepsTheOrientationOfFaces) {
+  write({TopoDS::Face(lid(1).Reversed()), lid(2)}, folder / "a.brep");
+  convert("a.brep", "b.brep", "triangles");
+  const occt::Model model = occt::read_model(path("b.brep"));
+  ASSERT_EQ(model.face_count(), 4);
+  EXPECT_EQ(model.face(1).Orientation(), TopAbs_REVERSED);
+  EXPECT_EQ(model.face(3).Orientation(), TopAbs_FORWARD);
+}
+
+TEST_F(Convert, MakesTwoTrianglesOfAPatchThatShareTheDiagonal) {
+  write({bowl()}, folder / "a.brep");
+  EXPECT_EQ(convert("a.brep", "t.json", "triangles")["nets"], 2);
+  const Json nets = nets_of("t.json");
+  EXPECT_EQ(nets[0]["degree"], 4);
+  EXPECT_EQ(nets[0]["corners"], Json({{0, 0}, {1, 0}, {0, 1}}));
+  EXPECT_EQ(nets[1]["corners"], Json({{1, 1}, {0, 1}, {1, 0}}));
+  // The diagonal has no part of the first corner: row 0, from c to b and from b to c.
+  for (std::size_t k = 0; k <= 4; ++k)
+    EXPECT_LE(gap(nets[0]["points"][0][k], nets[1]["points"][0][4 - k]), 1e-15);
+}
+
+TEST_F(Convert, WritesTrianglesAsCollapsedPatches) {
+  write({half_pipe()}, folder / "a.step");
+  EXPECT_EQ(convert("a.step", "t.step", "triangles")["nets"], 2);
+  const occt::Model model = occt::read_model(path("t.step"));
+  ASSERT_EQ(model.face_count(), 2);
+  EXPECT_EQ(model.face_names()[0].rfind("part 1", 0), 0u) << model.face_names()[0];
+  EXPECT_TRUE(BRepCheck_Analyzer(model.shape()).IsValid());
+  // The corners of the lower left half are (0, 0), (1, 0), (0, 1); the last is the collapsed side.
+  const Handle(Geom_Surface) whole = BRep_Tool::Surface(half_pipe());
+  const Handle(Geom_Surface) half = BRep_Tool::Surface(model.face(1));
+  for (const double v : {0.0, 0.25, 1.0})
+    EXPECT_LE(half->Value(0, v).Distance(whole->Value(0, 1)), 1e-14);
+  for (const double u : {0.25, 0.5, 1.0})
+    for (const double v : {0.0, 0.5, 1.0})
+      EXPECT_LE(half->Value(u, v).Distance(whole->Value(u * v, 1 - u)), 1e-14);
+}
+
+TEST_F(Convert, TrianglesAtAPoleSurviveAStepFile) {
+  write_text(folder / "pole.json",
+             R"({"schema":"blossom.net/1","kind":"patch","degree":[2,2],"points":[)"
+             R"([[0,0,0],[1,0,1],[2,0,0]],[[0,1,1],[1,1,2],[2,1,1]],[[1,2,0],[1,2,0],[1,2,0]]]})");
+  convert("pole.json", "pole.step", "triangles");
+  const Json info = Json::parse(blossom({"info", path("pole.step"), "--json", "-"}).out);
+  EXPECT_EQ(info["counts"]["faces"], 2);
+  EXPECT_EQ(info["counts"]["edges"], 8);
+  EXPECT_EQ(info["valid"], true);
+  EXPECT_LE(info["tolerance"]["largest"], 1e-6);
+}
+
+TEST_F(Convert, RefusesFormsThatThereAreNot) {
+  write({bowl()}, folder / "a.brep");
+  write_text(folder / "curve.json",
+             R"({"schema":"blossom.net/1","kind":"curve","degree":1,"points":[[0,0,0],[1,0,0]]})");
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& why) {
+    const std::vector<std::string> before = folder.listing();
+    const Finished ran = blossom(arguments);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.err.find(why), std::string::npos) << ran.err;
+    EXPECT_EQ(folder.listing(), before);
+  };
+  refused({"convert", path("a.brep"), "-o", path("b.step"), "--to", "monomial"},
+          "models have no monomial form");
+  refused({"convert", path("curve.json"), "-o", path("b.json"), "--to", "triangles"},
+          "curve.json: net 1: a curve cannot become triangles");
+  refused({"convert", path("a.brep") + "#2", "-o", path("b.step")},
+          "a.brep: there is no face 2 in it");
+  refused({"convert", path("none.json"), "-o", path("b.step")}, "none.json: there is no such file");
+}
+
+}  // namespace
+}  // namespace blossom::testing
