@@ -9,6 +9,8 @@
 #include "core/bounds/box_tree.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/arc_chains.h"
+#include "core/intersection/contact_chains.h"
+#include "core/intersection/contact_points.h"
 #include "core/intersection/critical_places.h"
 #include "core/intersection/pair_search.h"
 #include "core/tracing/fit.h"
@@ -25,6 +27,8 @@ constexpr double kPointClump = 1e-2;
 
 // A chain this many times as long as the clump that holds both its ends belongs to the clump.
 constexpr double kClumpReach = 4;
+
+constexpr double kShortest = 4;  // tolerances: the shortest branch between contacts
 
 constexpr int kClosestStarts = 24;  // critical pairs tried for a clump's closest point
 
@@ -51,9 +55,13 @@ class Assembly {
   SurfaceIntersection run() {
     SurfaceCells cells_a(a_, origin_, options_.form, kCut);
     SurfaceCells cells_b(b_, origin_, options_.form, kCut);
-    found_ = search_pairs(cells_a, cells_b, options_);
+    found_ = search_pairs(cells_a, cells_b, size_, options_);
     clumps_ = clumps_of(found_.critical);
-    const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, clumps_);
+    contacts_ = contact_chains(found_, cells_a, cells_b, clumps_, size_, options_.tolerances.point);
+    attach(loose_ends(found_, cells_a, cells_b, contacts_), found_, cells_a, cells_b, contacts_,
+           size_, options_.tolerances.point);
+    meet_in_centres(contacts_, cells_a, cells_b, found_);
+    const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     result_.certificate = found_.certificate;
     if (found_.stopped) result_.status = Status::Stopped;
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
@@ -61,7 +69,10 @@ class Assembly {
       if (!within_clump(cells_a, chain)) add_curve(cells_a, cells_b, chain);
     for (const FoundGraze& graze : lone_grazes(found_, cells_a, cells_b))
       add_corner_contact(cells_a, cells_b, graze);
+    for (const ContactChain& contact : contacts_) add_contact(cells_a, cells_b, contact);
     for (const Clump& clump : clumps_) add_place(cells_a, cells_b, clump);
+    if (found_.cut_by_samples)
+      weaken(Status::Tolerance, "a branch near a contact was cut at a border by points of it");
     note_approximations();
     return std::move(result_);
   }
@@ -114,20 +125,90 @@ class Assembly {
 
   void add_curve(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
     const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
+    if (tracer.stations().back() <= kShortest * options_.tolerances.point &&
+        belongs_to_contact(chain))
+      return;
     if (slides(chain) && tracer.stations().back() <= contact_length())
       return add_border_touch(cells_a, chain, tracer);
+    const bool tangential = touches_along(chain);
+    const double gap = tangential ? largest_gap() : 0;
     IntersectionCurve curve =
-        fitted(tracer, a_, b_, {.tolerance = options_.tolerances.point, .size = size_});
+        fitted(tracer, a_, b_, {.tolerance = options_.tolerances.point + 20 * gap, .size = size_});
+    curve.tangential = tangential;
+    if (tangential) curve.least_angle = 0;
     const Deviation& d = curve.deviation;
     if (!std::isfinite(curve.length + d.a + d.b + d.between)) return add_untraced(cells_a, chain);
     curve.closed = chain.closed;
     curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
     for (std::size_t side = 0; side < 2; ++side)
-      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0)
+      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0 &&
+          chain.ends[side].contact < 0 && !tangential)
         add_loose_end(side == 0 ? curve.samples.front() : curve.samples.back());
     double& least = result_.certificate.least_angle;
     least = result_.curves.empty() ? curve.least_angle : std::min(least, curve.least_angle);
     result_.curves.push_back(std::move(curve));
+  }
+
+  // A branch as short as the tolerance at a listed contact is part of it.
+  static bool belongs_to_contact(const Chain& chain) {
+    return chain.closed
+               ? false
+               : std::any_of(chain.ends.begin(), chain.ends.end(), [](const ChainEnd& end) {
+                   return end.contact >= 0 || end.clump >= 0;
+                 });
+  }
+
+  bool touches_along(const Chain& chain) const {
+    return std::any_of(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) {
+      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.tangential;
+    });
+  }
+
+  // Of the surfaces along their tangential curves.
+  double largest_gap() const {
+    double gap = 0;
+    for (const ContactChain& contact : contacts_)
+      if (contact.curve)
+        for (const ContactPoint& p : contact.path) gap = std::max(gap, p.gap);
+    return gap;
+  }
+
+  SurfacePoint surface_point(SurfaceCells& cells_a, SurfaceCells& cells_b,
+                             const ContactPoint& p) const {
+    const Vec3 on_a = jet_at(cells_a.tree(p.patch_a).patch(), p.x[0], p.x[1], 1).point;
+    const Vec3 on_b = jet_at(cells_b.tree(p.patch_b).patch(), p.x[2], p.x[3], 1).point;
+    return {0.5 * (on_a + on_b) + origin_,
+            {parameter_at(a_.u_law, cells_a.knots_u(p.patch_a), p.x[0]),
+             parameter_at(a_.v_law, cells_a.knots_v(p.patch_a), p.x[1])},
+            {parameter_at(b_.u_law, cells_b.knots_u(p.patch_b), p.x[2]),
+             parameter_at(b_.v_law, cells_b.knots_v(p.patch_b), p.x[3])}};
+  }
+
+  void add_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const ContactChain& contact) {
+    Place place{PlaceKind::Tangential, {}, {}, 1e300, 0, {}};
+    place.parameters.fill({1e300, -1e300});
+    for (const ContactPoint& p : contact.path) {
+      const SurfacePoint x = surface_point(cells_a, cells_b, p);
+      const std::array values{x.uv_a[0], x.uv_a[1], x.uv_b[0], x.uv_b[1]};
+      for (std::size_t k = 0; k < 4; ++k) {
+        place.parameters[k].from = std::min(place.parameters[k].from, values[k]);
+        place.parameters[k].to = std::max(place.parameters[k].to, values[k]);
+      }
+      place.gap_low = std::min(place.gap_low, p.gap);
+      place.gap_high = std::max(place.gap_high, p.gap);
+    }
+    const double r = options_.tolerances.point;
+    place.box_low = contact.box.low + origin_ - Vec3{r, r, r};
+    place.box_high = contact.box.high + origin_ + Vec3{r, r, r};
+    if (!contact.curve) {
+      const SurfacePoint centre = surface_point(cells_a, cells_b, contact.centre);
+      const std::size_t arms = contact.arm_count();
+      place.kind = arms == 0 ? PlaceKind::Touch : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
+      if (arms == 0) result_.points.push_back(centre);
+      if (arms > 2) result_.nodes.push_back(centre);
+    }
+    result_.places.push_back(place);
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
   }
 
   bool slides(const Chain& chain) const {
@@ -259,9 +340,12 @@ class Assembly {
       const auto& patch_a = cells_a.tree(pair.patch_a).patch();
       const auto& patch_b = cells_b.tree(pair.patch_b).patch();
       Point4 x;
-      for (std::size_t k = 0; k < 4; ++k) x[k] = at(pair.box[k], 0.5);
-      if (const auto polished = collinear_normal_point(patch_a, patch_b, x, pair.box))
-        x = *polished;
+      double reach = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        x[k] = at(pair.box[k], 0.5);
+        reach = std::max(reach, 1.5 * length(pair.box[k]));
+      }
+      if (const auto polished = collinear_normal_point(patch_a, patch_b, x, reach)) x = *polished;
       for (double& t : x) t = std::clamp(t, 0.0, 1.0);
       const Vec3 p = jet_at(patch_a, x[0], x[1], 1).point, q = jet_at(patch_b, x[2], x[3], 1).point;
       if (distance(p, q) >= gap) continue;
@@ -287,6 +371,7 @@ class Assembly {
   double size_ = 0;
   Vec3 origin_;
   PairSearchResult found_;
+  std::vector<ContactChain> contacts_;
   std::vector<Clump> clumps_;
   SurfaceIntersection result_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace blossom {
 namespace {
@@ -27,20 +28,32 @@ bool same(const Point4& p, const Point4& q) {
 // An end of an arc: 2 * arc for `from`, 2 * arc + 1 for `to`.
 class Graph {
  public:
-  Graph(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b)
+  Graph(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
+        const std::vector<ContactChain>& contacts)
       : found_(found), a_(a), b_(b) {
     for (const FoundArc& arc : found.arcs)
       for (const Point4& x : {arc.arc.from, arc.arc.to})
         points_.push_back(over_surfaces(a, b, arc.patch_a, arc.patch_b, x));
     vertex_.assign(points_.size(), -1);
     join_ends();
+    for (const auto& join : found.joins) merge(join[0], join[1]);
+    contact_of_.assign(points_.size(), -1);
+    for (std::size_t c = 0; c < contacts.size(); ++c) add_contact(contacts[c], static_cast<int>(c));
+  }
+
+  std::vector<ArcEnd> loose() const {
+    std::vector<ArcEnd> ends;
+    for (std::size_t e = 0; e < points_.size(); ++e)
+      if (contact_of_[e] < 0 && ends_at(e).size() != 2 && !on_border(e)) ends.push_back(e);
+    return ends;
   }
 
   std::vector<Chain> chains(std::vector<Clump>& clumps) {
     std::vector<Chain> result;
     used_.assign(found_.arcs.size(), false);
     for (std::size_t e = 0; e < points_.size(); ++e)
-      if (!used_[e / 2] && ends_at(e).size() != 2) result.push_back(walk(e, clumps));
+      if (!used_[e / 2] && (ends_at(e).size() != 2 || contact_of_[e] >= 0))
+        result.push_back(walk(e, clumps));
     for (std::size_t e = 0; e < points_.size(); e += 2)
       if (!used_[e / 2]) result.push_back(walk(e, clumps));
     return result;
@@ -75,6 +88,25 @@ class Graph {
     }
   }
 
+  void merge(std::size_t e, std::size_t f) {
+    const int to = vertex_[e], from = vertex_[f];
+    if (to == from) return;
+    for (const std::size_t end : ends_[static_cast<std::size_t>(from)]) {
+      vertex_[end] = to;
+      ends_[static_cast<std::size_t>(to)].push_back(end);
+    }
+    ends_[static_cast<std::size_t>(from)].clear();
+  }
+
+  // Two arms of a point pass through it, as at a cusp; more of them end there, and so do those
+  // of a tangential curve.
+  void add_contact(const ContactChain& contact, int index) {
+    std::vector<std::size_t> arms(contact.arms[0]);
+    arms.insert(arms.end(), contact.arms[1].begin(), contact.arms[1].end());
+    if (!contact.curve && arms.size() == 2) return merge(arms[0], arms[1]);
+    for (const std::size_t end : arms) contact_of_[end] = index;
+  }
+
   Chain walk(std::size_t first, std::vector<Clump>& clumps) {
     Chain chain;
     std::size_t end = first;
@@ -83,7 +115,7 @@ class Graph {
       chain.links.push_back({static_cast<int>(end / 2), end % 2 == 0});
       const std::size_t far = end ^ 1;
       const auto& there = ends_at(far);
-      if (there.size() != 2) {
+      if (there.size() != 2 || contact_of_[far] >= 0) {
         chain.ends = {end_kind(first, clumps), end_kind(far, clumps)};
         return chain;
       }
@@ -96,26 +128,31 @@ class Graph {
     }
   }
 
-  ChainEnd end_kind(std::size_t end, std::vector<Clump>& clumps) const {
+  // The surface on whose border an end of a single arc lies.
+  std::optional<CurveEnd> on_border(std::size_t end) const {
+    if (ends_at(end).size() != 1) return std::nullopt;
     const Point4& p = points_[end];
-    const auto on_border = [&](std::size_t i, int spans) {
+    const auto at_end = [&](std::size_t i, int spans) {
       return p[i] <= kJoin || p[i] >= spans - kJoin;
     };
     const auto& grid_a = a_.surface().patches;
     const auto& grid_b = b_.surface().patches;
-    if (ends_at(end).size() == 1) {
-      if (on_border(0, grid_a.rows()) || on_border(1, grid_a.columns()))
-        return {CurveEnd::BorderA, -1};
-      if (on_border(2, grid_b.rows()) || on_border(3, grid_b.columns()))
-        return {CurveEnd::BorderB, -1};
-    }
+    if (at_end(0, grid_a.rows()) || at_end(1, grid_a.columns())) return CurveEnd::BorderA;
+    if (at_end(2, grid_b.rows()) || at_end(3, grid_b.columns())) return CurveEnd::BorderB;
+    return std::nullopt;
+  }
+
+  ChainEnd end_kind(std::size_t end, std::vector<Clump>& clumps) const {
+    if (contact_of_[end] >= 0) return {CurveEnd::Place, -1, contact_of_[end]};
+    if (const auto border = on_border(end)) return {*border, -1, -1};
+    const Point4& p = points_[end];
     for (std::size_t c = 0; c < clumps.size(); ++c)
       for (const int i : clumps[c].pairs)
         if (holds(found_.critical[static_cast<std::size_t>(i)], p)) {
           ++clumps[c].arc_ends;
-          return {CurveEnd::Place, static_cast<int>(c)};
+          return {CurveEnd::Place, static_cast<int>(c), -1};
         }
-    return {CurveEnd::Place, -1};
+    return {CurveEnd::Place, -1, -1};
   }
 
   bool holds(const CriticalPair& pair, const Point4& p) const {
@@ -137,14 +174,21 @@ class Graph {
   std::vector<Point4> points_;
   std::vector<int> vertex_;                     // of an end
   std::vector<std::vector<std::size_t>> ends_;  // of a vertex
+  std::vector<int> contact_of_;                 // of an end, or -1
   std::vector<bool> used_;
 };
 
 }  // namespace
 
 std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& a,
-                             const SurfaceCells& b, std::vector<Clump>& clumps) {
-  return Graph(found, a, b).chains(clumps);
+                             const SurfaceCells& b, const std::vector<ContactChain>& contacts,
+                             std::vector<Clump>& clumps) {
+  return Graph(found, a, b, contacts).chains(clumps);
+}
+
+std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells& a,
+                               const SurfaceCells& b, const std::vector<ContactChain>& contacts) {
+  return Graph(found, a, b, contacts).loose();
 }
 
 std::vector<FoundGraze> lone_grazes(const PairSearchResult& found, const SurfaceCells& a,

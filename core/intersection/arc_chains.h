@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "core/intersection/contact_chains.h"
 #include "core/intersection/critical_places.h"
 #include "core/intersection/pair_search.h"
 
@@ -20,7 +21,8 @@ struct ChainLink {
 /// Where a chain ends.
 struct ChainEnd {
   CurveEnd kind = CurveEnd::Closed;
-  int clump = -1;  ///< for CurveEnd::Place: the clump, or -1 for an end that nothing explains
+  int clump = -1;    ///< for CurveEnd::Place: the clump of critical pairs it ends in, or -1
+  int contact = -1;  ///< likewise the contact; if both are -1 nothing explains the end
 };
 
 struct Chain {
@@ -32,9 +34,15 @@ struct Chain {
 /// Joins arcs end to end. Inside the surfaces exactly two arcs meet in a border point; on a
 /// border one ends. An end that is neither, nor in a clump, has no explanation: its chain gets
 /// CurveEnd::Place without a clump, and the result may not be called complete.
-/// clumps   their `arc_ends` are counted
+/// contacts   branches may end in their arms
+/// clumps     their `arc_ends` are counted
 std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& a,
-                             const SurfaceCells& b, std::vector<Clump>& clumps);
+                             const SurfaceCells& b, const std::vector<ContactChain>& contacts,
+                             std::vector<Clump>& clumps);
+
+/// The ends of arcs that nothing explains: not on a border, not joined, in no contact or clump.
+std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells& a,
+                               const SurfaceCells& b, const std::vector<ContactChain>& contacts);
 
 /// The grazes at which no arc ends, each once: contacts of the surfaces at one of their corners.
 std::vector<FoundGraze> lone_grazes(const PairSearchResult& found, const SurfaceCells& a,

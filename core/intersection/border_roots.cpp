@@ -313,8 +313,10 @@ std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const Cel
       continue;
     }
     if (starts == open) return std::nullopt;
+    Point4 direction{};
+    direction[k] = 1;
     if (starts)
-      found.arcs.push_back({root.x, root.x, along, border.slides()});
+      found.arcs.push_back({root.x, root.x, direction, border.slides(), false});
     else
       found.arcs.back().to = root.x;
     open = starts;

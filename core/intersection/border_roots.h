@@ -24,12 +24,14 @@ using Box4 = std::array<Interval, 4>;
 
 Box4 box_of(const Cell& a, const Cell& b);
 
-/// An arc from `from` to `to`, along which parameter `along` grows; both ends on the border.
+/// An arc from `from` to `to`, along which direction . x grows; both ends on the border. For
+/// each value of direction . x there is one point.
 struct CellArc {
   Point4 from;
   Point4 to;
-  int along = 0;
-  bool slides = false;  ///< it runs along the border of the pair
+  Point4 direction{};
+  bool slides = false;      ///< it runs along the border of the pair
+  bool tangential = false;  ///< the surfaces touch along it
 };
 
 /// Which borders of a pair are borders of the whole surfaces, by parameter; not the second one

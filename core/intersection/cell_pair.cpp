@@ -79,6 +79,13 @@ bool separated(const Cell& a, const Cell& b, int points_a, int points_b) {
          above_or_below(b.plane, a, points_a);
 }
 
+bool separated_along(const Vec3& normal, const Cell& a, const Cell& b, int points_a, int points_b) {
+  const Vec3 n = unit(normal);
+  const Heights ha = heights_over({n, 0, 0}, a, points_a),
+                hb = heights_over({n, 0, 0}, b, points_b);
+  return ha.low > hb.high || ha.high < hb.low;
+}
+
 bool within_slab(const Cell& a, const Cell& b, int points_a, int points_b, double thickness) {
   return slab_holds(a.plane, b, points_b, thickness) || slab_holds(b.plane, a, points_a, thickness);
 }

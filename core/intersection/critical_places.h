@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/bounds/box_tree.h"
@@ -25,16 +24,5 @@ struct Clump {
 /// The clumps of all critical pairs. Pairs whose boxes meet are in one clump; of very many
 /// pairs, also those that fall into neighbouring cells of a grid.
 std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs);
-
-/// A point of least distance between the surfaces near a start, by Newton's method on
-///   (A - B) . B_s = 0,  (A - B) . B_t = 0,  A_u . N_B = 0,  A_v . N_B = 0
-///
-/// box       the search ends where a parameter leaves it by more than its width
-/// returns   the four local parameters; nothing without convergence
-///
-/// Source: Kriezis, Patrikalakis and Wolter 1992, collinear normal points.
-std::optional<Point4> collinear_normal_point(const RationalBezierPatch& a,
-                                             const RationalBezierPatch& b, const Point4& start,
-                                             const Box4& box);
 
 }  // namespace blossom

@@ -8,6 +8,7 @@
 
 #include "core/bounds/box_tree.h"
 #include "core/intersection/cell_pair.h"
+#include "core/intersection/contact_search.h"
 
 namespace blossom {
 namespace {
@@ -20,18 +21,35 @@ constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
 constexpr int kAskEvery = 1024;           // pairs between looks at the clock
 constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
 
+// Nearly parallel pairs this flat go to the search for contacts: the sines of the angles by which
+// the derivatives of both cells turn, added.
+constexpr double kFlat = 0.15;
+
 struct Pair {
   int cell_a;
   int cell_b;
   int along;  // >= 0: already certified over this parameter, halved for its border only
 };
 
+struct CellsPair {
+  int cell_a;
+  int cell_b;
+};
+
+struct CertifiedPair {
+  int cell_a;
+  int cell_b;
+  Box4 box;
+  PairArcs held;
+};
+
 class Search {
  public:
-  Search(SurfaceCells& a, SurfaceCells& b, const IntersectionOptions& options,
+  Search(SurfaceCells& a, SurfaceCells& b, double size, const IntersectionOptions& options,
          PairSearchResult& result)
       : a_(a),
         b_(b),
+        size_(size),
         options_(options),
         slab_(kSlabPart * options.tolerances.point),
         result_(result),
@@ -51,6 +69,7 @@ class Search {
       else
         examine(pair);
     }
+    settle();
   }
 
  private:
@@ -90,13 +109,12 @@ class Search {
     if (pair.along >= 0) {
       const auto held = arcs_in(*tree_a_, a, *tree_b_, b, bounds, borders(a, b), pair.along);
       if (held) {
-        ++certificate.certified;
-        result_.along_border = result_.along_border || held->along_border;
-        for (const CellArc& arc : held->arcs)
-          result_.arcs.push_back({patch_a_, patch_b_, box_of(a, b), arc});
-        for (const Point4& x : held->grazes) result_.grazes.push_back({patch_a_, patch_b_, x});
+        certified_.push_back({pair.cell_a, pair.cell_b, box_of(a, b), *held});
         return;
       }
+    } else if (nearly_parallel(a, b)) {
+      parallel_.push_back({pair.cell_a, pair.cell_b});
+      return;
     }
     const double tolerance = options_.tolerances.point;
     const bool thin = (a.extent <= tolerance && b.extent <= tolerance) ||
@@ -108,16 +126,82 @@ class Search {
       halve(pair);
   }
 
-  // The upper borders of the pair beyond which the surfaces end.
   SurfaceBorders borders(const Cell& a, const Cell& b) const {
-    const auto last = [](const Interval& place, int span, int spans, bool closed) {
-      return place.to == 1 && span == spans - 1 && !closed;
+    return upper_borders(a_, patch_a_, a, b_, patch_b_, b);
+  }
+
+  // True if both cells are nearly flat and some of their normals may be parallel.
+  static bool nearly_parallel(const Cell& a, const Cell& b) {
+    const auto turn = [](const Cell& c) {
+      return norm(c.du.radius) / norm(c.du.middle) + norm(c.dv.radius) / norm(c.dv.middle);
     };
-    const BezierSurface &sa = a_.surface(), &sb = b_.surface();
-    return {{last(a.u, a_.span_u(patch_a_), sa.patches.rows(), sa.closed_u),
-             last(a.v, a_.span_v(patch_a_), sa.patches.columns(), sa.closed_v),
-             last(b.u, b_.span_u(patch_b_), sb.patches.rows(), sb.closed_u),
-             last(b.v, b_.span_v(patch_b_), sb.patches.columns(), sb.closed_v)}};
+    const double turns = turn(a) + turn(b);
+    if (!(turns < kFlat)) return false;
+    const Vec3 na = unit(cross(a.du.middle, a.dv.middle));
+    const Vec3 nb = unit(cross(b.du.middle, b.dv.middle));
+    // A skew frame turns its normal by more than its sides turn.
+    const auto skew = [](const Cell& c) {
+      return norm(cross(unit(c.du.middle), unit(c.dv.middle)));
+    };
+    return norm(cross(na, nb)) <= 2 * turns / std::min(skew(a), skew(b));
+  }
+
+  // What the pairs of two patches gave. Cells of a that some nearly parallel pair holds are
+  // searched for contacts as a whole; what was certified inside them is dropped, so that nothing
+  // is found twice.
+  void settle() {
+    const auto cells = static_cast<std::size_t>(tree_a_->size());
+    std::vector<char> holds(cells, 0), dirty(cells, 0), covered(cells, 0);
+    for (const CellsPair& pair : parallel_) holds[static_cast<std::size_t>(pair.cell_a)] = 1;
+    dirty = holds;
+    for (std::size_t i = cells; i-- > 0;) {  // children come after their parents
+      const int child = (*tree_a_)[static_cast<int>(i)].child;
+      if (child < 0) continue;
+      const auto c = static_cast<std::size_t>(child);
+      holds[i] = holds[i] | holds[c] | holds[c + 1];
+    }
+    for (const CertifiedPair& pair : certified_) {
+      const auto i = static_cast<std::size_t>(pair.cell_a);
+      dirty[i] = dirty[i] | holds[i];
+    }
+    ContactTask task{patch_a_, patch_b_, {}, {}};
+    collect_dirty(0, false, dirty, covered, task.cells_a);
+    const auto part_of = [&](int cell) {
+      const Cell& b = (*tree_b_)[cell];
+      return std::array{b.u, b.v};
+    };
+    for (const CellsPair& pair : parallel_) task.parts_b.push_back(part_of(pair.cell_b));
+    for (const CertifiedPair& pair : certified_) {
+      if (covered[static_cast<std::size_t>(pair.cell_a)])
+        task.parts_b.push_back(part_of(pair.cell_b));
+      else
+        add(pair);
+    }
+    certified_.clear();
+    parallel_.clear();
+    if (!task.cells_a.empty()) search_contacts(a_, b_, task, size_, options_, result_);
+  }
+
+  void collect_dirty(int index, bool inside, const std::vector<char>& dirty,
+                     std::vector<char>& covered, std::vector<int>& cells) const {
+    const auto i = static_cast<std::size_t>(index);
+    if (!inside && dirty[i]) {
+      cells.push_back(index);
+      inside = true;
+    }
+    covered[i] = inside;
+    const int child = (*tree_a_)[index].child;
+    if (child < 0) return;
+    collect_dirty(child, inside, dirty, covered, cells);
+    collect_dirty(child + 1, inside, dirty, covered, cells);
+  }
+
+  void add(const CertifiedPair& pair) {
+    ++result_.certificate.certified;
+    result_.along_border = result_.along_border || pair.held.along_border;
+    for (const CellArc& arc : pair.held.arcs)
+      result_.arcs.push_back({patch_a_, patch_b_, pair.box, arc, {-1, -1}});
+    for (const Point4& x : pair.held.grazes) result_.grazes.push_back({patch_a_, patch_b_, x});
   }
 
   static int certified_column(const JacobianBounds& bounds) {
@@ -155,6 +239,7 @@ class Search {
 
   SurfaceCells& a_;
   SurfaceCells& b_;
+  const double size_;
   const IntersectionOptions& options_;
   const double slab_;
   PairSearchResult& result_;
@@ -164,6 +249,8 @@ class Search {
   CellTree* tree_a_ = nullptr;
   CellTree* tree_b_ = nullptr;
   std::vector<Pair> stack_;
+  std::vector<CertifiedPair> certified_;  // of the pair of patches at work
+  std::vector<CellsPair> parallel_;
 };
 
 std::vector<Box> patch_boxes(SurfaceCells& cells) {
@@ -217,10 +304,22 @@ bool SurfaceCells::monomial() const {
                      [](const auto& t) { return t && t->monomial(); });
 }
 
-PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b,
+SurfaceBorders upper_borders(const SurfaceCells& a, int patch_a, const Cell& cell_a,
+                             const SurfaceCells& b, int patch_b, const Cell& cell_b) {
+  const auto last = [](const Interval& place, int span, int spans, bool closed) {
+    return place.to == 1 && span == spans - 1 && !closed;
+  };
+  const BezierSurface &sa = a.surface(), &sb = b.surface();
+  return {{last(cell_a.u, a.span_u(patch_a), sa.patches.rows(), sa.closed_u),
+           last(cell_a.v, a.span_v(patch_a), sa.patches.columns(), sa.closed_v),
+           last(cell_b.u, b.span_u(patch_b), sb.patches.rows(), sb.closed_u),
+           last(cell_b.v, b.span_v(patch_b), sb.patches.columns(), sb.closed_v)}};
+}
+
+PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
                               const IntersectionOptions& options) {
   PairSearchResult result;
-  Search search(a, b, options, result);
+  Search search(a, b, size, options, result);
   const BoxTree boxes_a(patch_boxes(a)), boxes_b(patch_boxes(b));
   boxes_a.for_each_meeting(boxes_b, [&](int i, int j) { search.run(i, j); });
   (a.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += a.cells();

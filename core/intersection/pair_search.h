@@ -14,6 +14,7 @@
 #include "core/intersection/cell_tree.h"
 #include "core/intersection/options.h"
 #include "core/intersection/result.h"
+#include "core/intersection/valley.h"
 
 namespace blossom {
 
@@ -44,12 +45,24 @@ class SurfaceCells {
   std::vector<std::unique_ptr<CellTree>> trees_;
 };
 
+/// The contact of a branch that runs into one in another pair of patches.
+inline constexpr int kContactElsewhere = -2;
+
 /// An arc of the intersection in a pair of patches.
 struct FoundArc {
   int patch_a = 0;
   int patch_b = 0;
-  Box4 box;  ///< the certified pair it lies in
+  Box4 box;  ///< the certified pair it lies in, if there is one
   CellArc arc;
+  std::array<int, 2> contact{-1,
+                             -1};  ///< by end: the contact it runs into, kContactElsewhere, or -1
+};
+
+/// A piece of contact in a pair of patches.
+struct FoundContact {
+  int patch_a = 0;
+  int patch_b = 0;
+  CellContact contact;
 };
 
 /// A point where the intersection passes a corner of a pair without entering it.
@@ -70,14 +83,23 @@ struct CriticalPair {
 
 struct PairSearchResult {
   std::vector<FoundArc> arcs;
+  std::vector<std::array<std::size_t, 2>> joins;  ///< ends of arcs, 2 * arc + side, that are one
   std::vector<FoundGraze> grazes;
+  std::vector<FoundContact> contacts;
   std::vector<CriticalPair> critical;
   Certificate certificate;
-  bool along_border = false;  ///< an arc runs along a border; see PairArcs
+  bool cut_by_samples = false;  ///< branches were cut at a border by points, not by proof
+  bool along_border = false;    ///< an arc runs along a border; see PairArcs
   bool stopped = false;
 };
 
+/// The upper borders of a pair of cells beyond which the surfaces end.
+SurfaceBorders upper_borders(const SurfaceCells& a, int patch_a, const Cell& cell_a,
+                             const SurfaceCells& b, int patch_b, const Cell& cell_b);
+
 /// Examines all pairs of patches of the two surfaces.
-PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, const IntersectionOptions& options);
+/// size      of the surfaces, model units
+PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
+                              const IntersectionOptions& options);
 
 }  // namespace blossom

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kDeepest = 12;               // halvings of a link
 constexpr std::size_t kMostPieces = 5000;  // where sampling ends whatever the accuracy
+constexpr double kShortest = 0.1;          // of the wanted accuracy: no piece needs to be shorter
+constexpr double kNoLength = 1e-4;         // likewise: a piece shorter than this is a point
 constexpr double kLongestTurn = 1.0;       // radians of the tangent in one piece
 constexpr double kLeastSine = 1e-3;        // below it, agreement is not tightened further
 constexpr double kKink = 1e-7;             // tangents farther apart than this: a kink
@@ -188,7 +190,9 @@ class Sampler {
     const QuinticPiece piece = piece_between(start.point, stop.point);
     const double error = error_of(piece, start, stop, kProbes);
     const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
-    if ((error <= limit_ && turn <= kLongestTurn) || depth >= kDeepest || count_ >= kMostPieces)
+    const bool short_enough = !(length(piece.place) > kShortest * wanted_);
+    if ((error <= limit_ && turn <= kLongestTurn) || short_enough || depth >= kDeepest ||
+        count_ >= kMostPieces)
       return append(piece, error, stop);
     const double station = 0.5 * (start.station + stop.station);
     const Site middle{station, 0, tracer_.at(station, true)};
@@ -223,7 +227,7 @@ class Sampler {
   void append(QuinticPiece piece, double error, Site stop) {
     SmoothRun& run = runs_.back();
     ++count_;
-    if (!(length(piece.place) > 0)) {  // both ends in one point, or no point at all
+    if (!(length(piece.place) > kNoLength * wanted_)) {  // both ends in one point, or no point
       run.sites.back().station = stop.station;
       return;
     }

@@ -6,11 +6,27 @@
 #include <optional>
 
 #include "core/forms/evaluation.h"
+#include "core/intersection/contact_points.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kBesidePole = 1e-4;  // fraction of a link
+constexpr double kBeside = 1e-3;        // fraction of a link
+constexpr double kStraight = 0.9;       // cosine: a tangent farther from its chord is none
+constexpr double kLeastSine = 1e-6;     // below it derivatives are rounding
+constexpr double kBesideValley = 1e-3;  // likewise: half the step of a difference
+constexpr double kReach = 0.5;          // fraction of a patch
+
+// The direction across a tangential arc, in the parameters of a.
+Vec2 across(const FoundArc& arc) { return {-arc.arc.direction[1], arc.arc.direction[0]}; }
+
+// How far Newton's method may lead from a chord of the arc: twice the size of the cells it is in.
+double reach_of(const FoundArc& arc) {
+  double reach = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    reach = std::max({reach, length(arc.box[i]), 2 * std::abs(arc.arc.to[i] - arc.arc.from[i])});
+  return reach;
+}
 
 // Rates of (u, v) along `direction`, by least squares in the tangent plane.
 Vec2 rates(const Vec3& su, const Vec3& sv, const Vec3& direction) {
@@ -77,14 +93,34 @@ CurvePoint ChainTracer::at(double station, bool after) const {
   const double width = stations_[link + 1] - stations_[link];
   const double fraction = std::clamp((station - stations_[link]) / width, 0.0, 1.0);
   CurvePoint p = on_link(link, fraction);
-  if (std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second)) && p.sine > 0) return p;
-  // At a pole a surface has no normal: the derivatives are those of a point just beside it.
-  CurvePoint beside =
-      on_link(link, fraction < 0.5 ? fraction + kBesidePole : fraction - kBesidePole);
-  beside.point = p.point;
-  beside.a = p.a;
-  beside.b = p.b;
-  return beside;
+  if (std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second)) && p.sine > kLeastSine)
+    return p;
+  // At a pole a surface has no normal, at a node the two are parallel: the derivatives are taken
+  // from points beside it, by quadratic extrapolation.
+  const double step = fraction < 0.5 ? kBeside : -kBeside;
+  const CurvePoint q1 = on_link(link, fraction + step), q2 = on_link(link, fraction + 2 * step),
+                   q3 = on_link(link, fraction + 3 * step);
+  const auto extrapolated = [&](auto CurvePoint::*member) {
+    return 3 * (q1.*member - q2.*member) + q3.*member;
+  };
+  p.first = unit(extrapolated(&CurvePoint::first));
+  p.second = extrapolated(&CurvePoint::second);
+  p.a_first = extrapolated(&CurvePoint::a_first);
+  p.a_second = extrapolated(&CurvePoint::a_second);
+  p.b_first = extrapolated(&CurvePoint::b_first);
+  p.b_second = extrapolated(&CurvePoint::b_second);
+  const double width_here = distance(q3.point, p.point);
+  const Vec3 chord = unit(q3.point - p.point) * (step > 0 ? 1.0 : -1.0);
+  const bool smooth = dot(p.first, chord) > kStraight && norm(p.second) * width < 1 / kStraight;
+  if (smooth || !(width_here > 0)) return p;
+  // Too singular for that: the curve begins along its chord.
+  const double rate = (step > 0 ? 1 : -1) / width_here;
+  p.first = chord;
+  p.a_first = (q3.a - p.a) * rate;
+  p.b_first = (q3.b - p.b) * rate;
+  p.second = {};
+  p.a_second = p.b_second = {};
+  return p;
 }
 
 CurvePoint ChainTracer::on_link(std::size_t index, double fraction) const {
@@ -100,26 +136,83 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
   Point4 x;
   for (std::size_t i = 0; i < 4; ++i)
     x[i] = (1 - fraction) * arc.arc.from[i] + fraction * arc.arc.to[i];
+  const auto& patch_a = a_.tree(arc.patch_a).patch();
+  const auto& patch_b = b_.tree(arc.patch_b).patch();
+  if (arc.arc.tangential) {
+    const auto solution = valley_point(patch_a, patch_b, x, across(arc), arc.arc.direction, kReach);
+    return solution ? *solution : x;
+  }
   const auto solve = [&](const Point4& start) {
-    return newton(a_.tree(arc.patch_a).patch(), b_.tree(arc.patch_b).patch(), start, arc.arc.along,
-                  arc.box);
+    return curve_point(patch_a, patch_b, start, arc.arc.direction, reach_of(arc));
   };
   if (const auto solution = solve(x)) return *solution;
   // The chord leads too far off: follow the arc from its beginning in small steps.
   constexpr int kSteps = 32;
-  const auto along = static_cast<std::size_t>(arc.arc.along);
-  const double goal = x[along];
   Point4 y = arc.arc.from;
   for (int step = 1; step <= kSteps; ++step) {
+    // The next plane, nearest to where the arc is now.
+    const double part = fraction * step / static_cast<double>(kSteps);
+    double square = 0, missing = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double goal = arc.arc.from[i] + part * (arc.arc.to[i] - arc.arc.from[i]);
+      square += arc.arc.direction[i] * arc.arc.direction[i];
+      missing += arc.arc.direction[i] * (goal - y[i]);
+    }
     Point4 start = y;
-    start[along] =
-        arc.arc.from[along] + (goal - arc.arc.from[along]) * step / static_cast<double>(kSteps);
+    for (std::size_t i = 0; i < 4; ++i) start[i] += arc.arc.direction[i] * missing / square;
     if (const auto next = solve(start)) y = *next;
   }
   return y;
 }
 
+// Where the surfaces touch the tangent is that of the valley; the second derivative is the
+// difference of two of them.
+CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& x,
+                                             bool forward) const {
+  const auto& patch_a = a_.tree(arc.patch_a).patch();
+  const auto& patch_b = b_.tree(arc.patch_b).patch();
+  struct Rates {
+    Vec3 tangent;
+    Vec2 a, b;
+  };
+  const auto rates_at = [&](const Point4& at) {
+    Point4 tangent = valley_tangent(patch_a, patch_b, at, across(arc));
+    double growth = 0;
+    for (std::size_t i = 0; i < 4; ++i) growth += tangent[i] * arc.arc.direction[i];
+    const PatchJet p = jet_at(patch_a, at[0], at[1], 1);
+    const Vec3 rate = p.u * tangent[0] + p.v * tangent[1];
+    const double scale = ((growth > 0) == forward ? 1 : -1) / norm(rate);
+    return Rates{rate * scale,
+                 {tangent[0] * scale, tangent[1] * scale},
+                 {tangent[2] * scale, tangent[3] * scale}};
+  };
+  const Rates here = rates_at(x);
+  const auto beside = [&](double step) {
+    Point4 start = x;
+    for (std::size_t i = 0; i < 4; ++i) start[i] += step * arc.arc.direction[i];
+    const auto found =
+        valley_point(patch_a, patch_b, start, across(arc), arc.arc.direction, kReach);
+    return found ? *found : start;
+  };
+  const Point4 x0 = beside(-kBesideValley), x1 = beside(kBesideValley);
+  const Rates r0 = rates_at(x0), r1 = rates_at(x1);
+  const double width = (forward ? 1 : -1) * (distance(jet_at(patch_a, x0[0], x0[1], 1).point,
+                                                      jet_at(patch_a, x1[0], x1[1], 1).point));
+  CurvePoint result;
+  result.point = jet_at(patch_a, x[0], x[1], 1).point + origin_;
+  result.first = here.tangent;
+  result.second = (r1.tangent - r0.tangent) * (1 / width);
+  result.second = result.second - here.tangent * dot(result.second, here.tangent);
+  result.sine = 1;
+  to_own(a_.surface(), a_.knots_u(arc.patch_a), a_.knots_v(arc.patch_a), x[0], x[1], here.a,
+         (r1.a - r0.a) * (1 / width), result.a, result.a_first, result.a_second);
+  to_own(b_.surface(), b_.knots_u(arc.patch_b), b_.knots_v(arc.patch_b), x[2], x[3], here.b,
+         (r1.b - r0.b) * (1 / width), result.b, result.b_first, result.b_second);
+  return result;
+}
+
 CurvePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool forward) const {
+  if (arc.arc.tangential) return differentiate_valley(arc, x, forward);
   const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
   const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);
   const Vec3 n1 = unit(cross(p.u, p.v)), n2 = unit(cross(q.u, q.v));
@@ -129,8 +222,8 @@ CurvePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool
   tangent = unit(tangent);
   // The sign that makes the arc's own parameter grow, turned when the chain runs it backwards.
   const Vec2 ra = rates(p.u, p.v, tangent), rb = rates(q.u, q.v, tangent);
-  const int along = arc.arc.along;
-  const double growth = along < 2 ? ra[along] : rb[along - 2];
+  const Point4& d = arc.arc.direction;
+  const double growth = d[0] * ra[0] + d[1] * ra[1] + d[2] * rb[0] + d[3] * rb[1];
   const double sign = (growth > 0) == forward ? 1 : -1;
   tangent = tangent * sign;
   const Vec2 rate_a = ra * sign, rate_b = rb * sign;

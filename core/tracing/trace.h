@@ -21,7 +21,7 @@ struct CurvePoint {
   Vec3 second;
   Vec2 a, a_first, a_second;  ///< in the surfaces' own parameters
   Vec2 b, b_first, b_second;
-  double sine = 0;  ///< of the angle between the surfaces
+  double sine = 0;  ///< of the angle between the surfaces; 1 where they touch along the curve
 };
 
 class ChainTracer {
@@ -40,6 +40,7 @@ class ChainTracer {
   CurvePoint on_link(std::size_t link, double fraction) const;
   Point4 parameters_on(const FoundArc& arc, double fraction) const;
   CurvePoint differentiate(const FoundArc& arc, const Point4& x, bool forward) const;
+  CurvePoint differentiate_valley(const FoundArc& arc, const Point4& x, bool forward) const;
 
   const PairSearchResult& found_;
   SurfaceCells& a_;

@@ -177,24 +177,81 @@ TEST(SurfaceIntersection, ANodeIsNamedAndNoArmIsLost) {
   }
 }
 
-// What this engine does not classify, it lists: all of the truth lies in the places.
-class UnresolvedContact : public ::testing::TestWithParam<double> {};
+struct ContactRow {
+  const char* name;
+  Cubic h;
+  int curves;  ///< pieces between borders, nodes and places
+  int tangential;
+  int points;
+  int nodes;
+  PlaceKind kind;  ///< of the only place
+  double length;   ///< in the plane; 0: not compared
+};
 
-TEST_P(UnresolvedContact, LiesInTheListedPlacesAndIsNotCalledComplete) {
-  const CubicPair pair = cubic_pair(GetParam() * (kLine * kLine));
+class ContactFamily : public ::testing::TestWithParam<ContactRow> {};
 
-  const SurfaceIntersection found = intersect(pair.a, pair.b, {.budget = 20'000});
+TEST_P(ContactFamily, IsRightUpToTheListedPlace) {
+  const ContactRow& row = GetParam();
+  const CubicPair pair = cubic_pair(row.h);
 
-  EXPECT_EQ(found.status, Status::Stopped);
-  EXPECT_FALSE(found.certificate.reasons.empty());
+  const SurfaceIntersection found = intersect(pair.a, pair.b);
+
+  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_EQ(static_cast<int>(found.curves.size()), row.curves);
+  EXPECT_EQ(static_cast<int>(found.points.size()), row.points);
+  EXPECT_EQ(static_cast<int>(found.nodes.size()), row.nodes);
+  const auto tangential = std::count_if(found.curves.begin(), found.curves.end(),
+                                        [](const auto& curve) { return curve.tangential; });
+  EXPECT_EQ(tangential, row.tangential);
+  ASSERT_EQ(found.places.size(), 1u);
+  EXPECT_EQ(found.places[0].kind, row.kind);
+  EXPECT_NEAR(total_length(found), row.length, 1e-3 * row.length);
+  for (const IntersectionCurve& curve : found.curves)
+    for (const SurfacePoint& sample : curve.samples)
+      EXPECT_LE(distance(point_at(pair.a, sample.uv_a), point_at(pair.b, sample.uv_b)), 1e-8);
+}
+
+const Cubic kX3 = linear(-0.3, 1, 0), kX6 = linear(-0.6, 1, 0);
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, ContactFamily,
+    ::testing::Values(
+        ContactRow{"tangent_curve", kLine* kLine, 1, 1, 0, 0, PlaceKind::Tangential, 1.01980},
+        ContactRow{"tangent_curve_raised", kLine* kLine + constant(2e-9), 1, 1, 0, 0,
+                   PlaceKind::Tangential, 1.01980},
+        ContactRow{"crossing", kX* kY, 4, 0, 0, 1, PlaceKind::Node, 2},
+        ContactRow{"node", kY* kY + -1.0 * (kX * kX * linear(-kA + 0.3, 1, 0)), 3, 0, 0, 1,
+                   PlaceKind::Node, 2.1211},
+        ContactRow{"cusp", kY* kY + -1.0 * (kX * kX * kX), 1, 0, 0, 0, PlaceKind::Cusp, 1.4505},
+        ContactRow{"acnode", kY* kY + -1.0 * (kX3 * kX3 * kX6), 1, 0, 1, 0, PlaceKind::Touch,
+                   1.18466}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(SurfaceIntersection, TwoBranchesNearerThanTheToleranceAreAStripOfContact) {
+  const CubicPair pair = cubic_pair(kLine * kLine + constant(-1e-8));
+
+  const SurfaceIntersection found = intersect(pair.a, pair.b);
+
+  EXPECT_EQ(found.status, Status::Tolerance);
   for (int i = 0; i <= 200; ++i) {
     const double y = i / 200.0;
-    EXPECT_TRUE(in_some_place(found, on_base(0.6 - 0.2 * y, y), 1e-9)) << y;
+    EXPECT_TRUE(in_some_place(found, on_base(0.6 - 0.2 * y, y), 1e-4)) << y;
+    EXPECT_TRUE(on_some_curve(found, on_base(0.6 - 0.2 * y, y), 2e-4)) << y;
   }
 }
 
-// A tangential curve, and a whole overlap.
-INSTANTIATE_TEST_SUITE_P(Scales, UnresolvedContact, ::testing::Values(1.0, 0.0));
+// What the engine does not classify it lists: all of the truth lies in the places.
+TEST(SurfaceIntersection, AnOverlapLiesInTheListedPlacesAndIsNotCalledComplete) {
+  const CubicPair pair = cubic_pair(constant(0));
+
+  const SurfaceIntersection found = intersect(pair.a, pair.b, {.budget = 20'000});
+
+  EXPECT_NE(found.status, Status::Complete);
+  EXPECT_FALSE(found.certificate.reasons.empty());
+  for (int i = 0; i <= 20; ++i)
+    for (int j = 0; j <= 20; ++j)
+      EXPECT_TRUE(in_some_place(found, on_base(i / 20.0, j / 20.0), 1e-9)) << i << " " << j;
+}
 
 struct LoopRow {
   double scale;

@@ -17,9 +17,9 @@ class SmoothRuns : public ::testing::TestWithParam<testing::SurfacePair> {
     const Vec3 origin;
     SurfaceCells a(GetParam().a, origin, CellForm::Auto, kCut);
     SurfaceCells b(GetParam().b, origin, CellForm::Auto, kCut);
-    const PairSearchResult found = search_pairs(a, b, {});
+    const PairSearchResult found = search_pairs(a, b, 1, {});
     std::vector<Clump> clumps;
-    const std::vector<Chain> chains = chains_of(found, a, b, clumps);
+    const std::vector<Chain> chains = chains_of(found, a, b, {}, clumps);
     ASSERT_FALSE(chains.empty());
     for (const Chain& chain : chains) check(ChainTracer(found, a, b, origin, chain));
   }

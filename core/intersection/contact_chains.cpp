@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/contact_chains.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/forms/evaluation.h"
+#include "core/intersection/contact_points.h"
+
+namespace blossom {
+namespace {
+
+constexpr double kJoinRadius = 1e-3;  // of the size: ends of contacts at a common border of cells
+constexpr double kOnePoint = 1e-8;    // of the size: ends of pieces this close are one point
+constexpr double kBesides = 1e-5;     // of the size: points of contact this close are one
+constexpr double kPointClump = 1e-2;  // of the size: a larger clump is more than a point
+constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest point
+constexpr double kOnPath = 0.02;    // of the shorter one's length: pieces this close are the same
+constexpr double kOnBorder = 1e-9;  // fraction of a patch
+constexpr double kAttachGap = 4;    // tolerances: the most between a branch's end and its contact
+constexpr double kPolishReach = 0.02;  // fraction of a patch
+
+// A contact is a curve if it is longer than kShort and most of it is far closer than the
+// tolerance, or if it is longer than kLong and hardly anything is: a strip of constant gap. A zero
+// of order k shrinks by 64^(-1/k) when the tolerance does by 64, so points up to order 8 are told
+// from curves.
+constexpr double kShort = 1e-3;  // of the size
+constexpr double kLong = 0.05;
+constexpr double kCloser = 1.0 / 64;  // of the tolerance
+constexpr double kMostOfIt = 0.6;
+constexpr double kHardlyAny = 0.1;
+
+double gap_between(const Box& a, const Box& b) {
+  Vec3 gap;
+  for (int k = 0; k < 3; ++k) gap[k] = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
+  return norm(gap);
+}
+
+// A point of one pair of patches in the parameters of another one.
+Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int from_b,
+                  const Point4& x, const ContactPoint& to) {
+  return {x[0] + a.span_u(from_a) - a.span_u(to.patch_a),
+          x[1] + a.span_v(from_a) - a.span_v(to.patch_a),
+          x[2] + b.span_u(from_b) - b.span_u(to.patch_b),
+          x[3] + b.span_v(from_b) - b.span_v(to.patch_b)};
+}
+
+// Lengthens an arc to a contact: moves its end, or adds an arc in the contact's patches if its
+// end lies on their border. Returns the end that is at the contact then.
+ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
+                     ArcEnd end, const ContactPoint& to) {
+  FoundArc& arc = found.arcs[end / 2];
+  Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+  if (arc.patch_a == to.patch_a && arc.patch_b == to.patch_b) {
+    x = to.x;
+    for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = arc.arc.to[k] - arc.arc.from[k];
+    return end;
+  }
+  const Point4 start = in_patches(a, b, arc.patch_a, arc.patch_b, x, to);
+  double step = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (start[k] < -kOnBorder || start[k] > 1 + kOnBorder) return end;
+    step = std::max(step, std::abs(start[k] - to.x[k]));
+  }
+  if (step <= kOnBorder) return end;
+  FoundArc link{to.patch_a, to.patch_b, {}, {start, to.x}, {-1, -1}};
+  for (std::size_t k = 0; k < 4; ++k) link.arc.direction[k] = to.x[k] - start[k];
+  found.joins.push_back({end, 2 * found.arcs.size()});
+  found.arcs.push_back(link);
+  return 2 * found.arcs.size() - 1;
+}
+
+class Joiner {
+ public:
+  Joiner(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double size, double tolerance)
+      : found_(found), a_(a), b_(b), size_(size), tolerance_(tolerance) {}
+
+  std::vector<ContactChain> run(std::vector<Clump>& clumps) {
+    drop_repeated();
+    const std::size_t ends = 2 * found_.contacts.size();
+    partner_.assign(ends, -1);
+    arms_.resize(ends);
+    for (std::size_t i = 0; i < found_.arcs.size(); ++i) {
+      const auto& contact = found_.arcs[i].contact;
+      // A branch starts where a contact stops, and the other way round.
+      if (contact[0] >= 0) arms_[2 * static_cast<std::size_t>(contact[0]) + 1].push_back(2 * i);
+      if (contact[1] >= 0) arms_[2 * static_cast<std::size_t>(contact[1])].push_back(2 * i + 1);
+    }
+    pair_ends();
+    std::vector<ContactChain> chains;
+    used_.assign(found_.contacts.size(), false);
+    for (std::size_t e = 0; e < ends; ++e)
+      if (partner_[e] < 0 && !used_[e / 2]) chains.push_back(walk(e));
+    for (std::size_t e = 0; e < ends; e += 2)
+      if (!used_[e / 2]) chains.push_back(walk(e));
+    for (ContactChain& chain : chains) measure(chain);
+    std::erase_if(clumps, [&](const Clump& clump) {
+      const bool point = clump.thin && diagonal(clump.box) <= kPointClump * size_;
+      if (point) chains.push_back(contact_of(clump));
+      return point;
+    });
+    merge_points(chains);
+    for (ContactChain& chain : chains) {
+      if (chain.curve)
+        add_arcs(chain);
+      else
+        chain.centre = centre_of(chain);
+    }
+    return chains;
+  }
+
+ private:
+  // Parameters over the whole surface a.
+  Vec2 over_a(const FoundContact& piece, const Point4& x) const {
+    return {a_.span_u(piece.patch_a) + x[0], a_.span_v(piece.patch_a) + x[1]};
+  }
+
+  // Difference of parameters of a, across the seam of a closed surface if that is shorter.
+  Vec2 difference(const Vec2& p, const Vec2& q) const {
+    Vec2 d = p - q;
+    const BezierSurface& s = a_.surface();
+    if (s.closed_u) d[0] = std::remainder(d[0], s.patches.rows());
+    if (s.closed_v) d[1] = std::remainder(d[1], s.patches.columns());
+    return d;
+  }
+
+  double length_over_a(const FoundContact& piece) const {
+    const auto& path = piece.contact.path;
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < path.size(); ++k)
+      sum += norm(difference(over_a(piece, path[k + 1]), over_a(piece, path[k])));
+    return sum;
+  }
+
+  // True if all of piece i lies on piece j. A contact along a border of cells is found from both
+  // sides.
+  bool repeats(const FoundContact& i, const FoundContact& j) const {
+    const auto& path = j.contact.path;
+    const double reach = kOnPath * std::min(length_over_a(i), length_over_a(j));
+    return std::all_of(i.contact.path.begin(), i.contact.path.end(), [&](const Point4& x) {
+      for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+        const Vec2 run = difference(over_a(j, path[k + 1]), over_a(j, path[k]));
+        const Vec2 to = difference(over_a(i, x), over_a(j, path[k]));
+        const double t = std::clamp(dot(to, run) / std::max(dot(run, run), 1e-300), 0.0, 1.0);
+        if (norm(to - t * run) <= reach) return true;
+      }
+      return false;
+    });
+  }
+
+  void drop_repeated() {
+    auto& pieces = found_.contacts;
+    std::vector<int> goes_to(pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) goes_to[i] = static_cast<int>(i);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (std::size_t j = 0; j < pieces.size(); ++j) {
+        if (i == j || goes_to[j] != static_cast<int>(j) || !repeats(pieces[i], pieces[j])) continue;
+        goes_to[i] = static_cast<int>(j);
+        break;
+      }
+    std::vector<FoundContact> kept;
+    std::vector<int> place(pieces.size(), -1);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (goes_to[i] == static_cast<int>(i)) {
+        place[i] = static_cast<int>(kept.size());
+        kept.push_back(std::move(pieces[i]));
+      }
+    pieces = std::move(kept);
+    for (FoundArc& arc : found_.arcs)
+      for (int& contact : arc.contact)
+        if (contact >= 0)
+          contact = place[static_cast<std::size_t>(goes_to[static_cast<std::size_t>(contact)])];
+  }
+
+  const CellContact& contact(std::size_t i) const { return found_.contacts[i].contact; }
+
+  Vec3 point(int patch_a, const Point4& x) const {
+    return jet_at(a_.tree(patch_a).patch(), x[0], x[1], 1).point;
+  }
+
+  Vec3 end_point(std::size_t end) const {
+    const CellContact& c = contact(end / 2);
+    return point(found_.contacts[end / 2].patch_a, end % 2 == 0 ? c.path.front() : c.path.back());
+  }
+
+  // Ends that leave their cell belong together if each is the other's nearest.
+  void pair_ends() {
+    std::vector<std::size_t> leaving;
+    std::vector<Vec3> points;
+    for (std::size_t e = 0; e < partner_.size(); ++e)
+      if (contact(e / 2).leaves[e % 2]) {
+        leaving.push_back(e);
+        points.push_back(end_point(e));
+      }
+    const auto nearest = [&](std::size_t i) {
+      std::size_t best = leaving.size();
+      double least = kJoinRadius * size_;
+      for (std::size_t j = 0; j < leaving.size(); ++j)
+        if (leaving[j] / 2 != leaving[i] / 2 && distance(points[i], points[j]) < least) {
+          least = distance(points[i], points[j]);
+          best = j;
+        }
+      return best;
+    };
+    for (std::size_t i = 0; i < leaving.size(); ++i) {
+      const std::size_t j = nearest(i);
+      if (j < leaving.size() && nearest(j) == i)
+        partner_[leaving[i]] = static_cast<int>(leaving[j]);
+    }
+  }
+
+  ContactChain walk(std::size_t first) {
+    ContactChain chain;
+    chain.arms[0] = arms_[first];
+    std::size_t end = first;
+    while (true) {
+      used_[end / 2] = true;
+      const FoundContact& piece = found_.contacts[end / 2];
+      const std::size_t count = piece.contact.path.size();
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t at = end % 2 == 0 ? k : count - 1 - k;
+        chain.path.push_back(
+            {piece.patch_a, piece.patch_b, piece.contact.path[at], piece.contact.gaps[at]});
+      }
+      const std::size_t far = end ^ 1;
+      if (partner_[far] < 0) {
+        chain.arms[1] = arms_[far];
+        return chain;
+      }
+      const auto next = static_cast<std::size_t>(partner_[far]);
+      if (used_[next / 2]) {
+        chain.closed = next == first;
+        return chain;
+      }
+      end = next;
+    }
+  }
+
+  void measure(ContactChain& chain) const {
+    double close = 0;
+    for (std::size_t i = 0; i < chain.path.size(); ++i) {
+      const ContactPoint& q = chain.path[i];
+      const Vec3 at_q = point(q.patch_a, q.x);
+      chain.box = joined(chain.box, {at_q, at_q});
+      if (i == 0) continue;
+      const ContactPoint& p = chain.path[i - 1];
+      const double step = distance(point(p.patch_a, p.x), at_q);
+      chain.length += step;
+      if (std::max(p.gap, q.gap) <= kCloser * tolerance_) close += step;
+    }
+    chain.curve = chain.length > kShort * size_ &&
+                  (chain.closed || close > kMostOfIt * chain.length ||
+                   (chain.length > kLong * size_ && close < kHardlyAny * chain.length));
+  }
+
+  // The contact in a clump of cells, at the closest point that a few of its pairs lead to.
+  ContactChain contact_of(const Clump& clump) const {
+    ContactChain chain;
+    chain.box = clump.box;
+    chain.length = diagonal(clump.box);
+    ContactPoint best;
+    best.gap = 1e300;
+    const std::size_t step = clump.pairs.size() / kClosestStarts + 1;
+    for (std::size_t i = 0; i < clump.pairs.size(); i += step) {
+      const CriticalPair& pair = found_.critical[static_cast<std::size_t>(clump.pairs[i])];
+      const auto& patch_a = a_.tree(pair.patch_a).patch();
+      const auto& patch_b = b_.tree(pair.patch_b).patch();
+      ContactPoint p{pair.patch_a, pair.patch_b, {}, 0};
+      double reach = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        p.x[k] = at(pair.box[k], 0.5);
+        reach = std::max(reach, 1.5 * length(pair.box[k]));
+      }
+      if (const auto x = collinear_normal_point(patch_a, patch_b, p.x, reach)) p.x = *x;
+      for (double& t : p.x) t = std::clamp(t, 0.0, 1.0);
+      p.gap = distance(point(p.patch_a, p.x), jet_at(patch_b, p.x[2], p.x[3], 1).point);
+      if (p.gap < best.gap) best = p;
+    }
+    chain.path = {best};
+    return chain;
+  }
+
+  // Points of contact that lie next to each other, in several patches perhaps, are one.
+  void merge_points(std::vector<ContactChain>& chains) const {
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      for (std::size_t j = i + 1; j < chains.size(); ++j) {
+        ContactChain &p = chains[i], &q = chains[j];
+        if (p.curve || q.curve ||
+            gap_between(p.box, q.box) > 0.5 * (p.length + q.length) + kBesides * size_)
+          continue;
+        p.path.insert(p.path.end(), q.path.begin(), q.path.end());
+        for (std::size_t side = 0; side < 2; ++side)
+          p.arms[side].insert(p.arms[side].end(), q.arms[side].begin(), q.arms[side].end());
+        p.length = std::max({p.length, q.length, diagonal(joined(p.box, q.box))});
+        p.box = joined(p.box, q.box);
+        chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(j));
+        j = i;
+      }
+  }
+
+  // The tangential curve as arcs, piece by piece; ends of pieces that are one point are made so.
+  void add_arcs(ContactChain& chain) {
+    const std::size_t count = chain.path.size();
+    const std::size_t first_arc = found_.arcs.size();
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      ContactPoint &p = chain.path[i], &q = chain.path[i + 1];
+      const bool same_patches = p.patch_a == q.patch_a && p.patch_b == q.patch_b;
+      const double step = distance(point(p.patch_a, p.x), point(q.patch_a, q.x));
+      if (!same_patches || step <= kOnePoint * size_) {
+        if (same_patches) q.x = p.x;
+        continue;
+      }
+      FoundArc arc{p.patch_a, p.patch_b, {}, {p.x, q.x}, {-1, -1}};
+      for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = q.x[k] - p.x[k];
+      arc.arc.tangential = true;
+      if (found_.arcs.size() > first_arc)
+        found_.joins.push_back({2 * found_.arcs.size() - 1, 2 * found_.arcs.size()});
+      found_.arcs.push_back(arc);
+    }
+    if (found_.arcs.size() == first_arc) return;
+    const ArcEnd from = 2 * first_arc, to = 2 * found_.arcs.size() - 1;
+    if (chain.closed) found_.joins.push_back({to, from});
+    // Branches that fork off become ends at the same place.
+    for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
+      if (!chain.arms[side].empty()) {
+        const ContactPoint& end = side == 0 ? chain.path.front() : chain.path.back();
+        for (ArcEnd& arm : chain.arms[side]) arm = reach_contact(found_, a_, b_, arm, end);
+        chain.arms[side].push_back(side == 0 ? from : to);
+      }
+  }
+
+  ContactPoint centre_of(const ContactChain& chain) const {
+    const auto best = std::min_element(
+        chain.path.begin(), chain.path.end(),
+        [](const ContactPoint& p, const ContactPoint& q) { return p.gap < q.gap; });
+    ContactPoint centre = chain.path[chain.path.size() / 2];
+    const auto &patch_a = a_.tree(centre.patch_a).patch(),
+               &patch_b = b_.tree(centre.patch_b).patch();
+    if (const auto x = collinear_normal_point(patch_a, patch_b, centre.x, kPolishReach)) {
+      const double gap = std::abs(signed_gap(patch_a, patch_b, *x));
+      const double reach = std::max(chain.length, kShort * size_);
+      if (gap <= 2 * tolerance_ &&
+          distance(point(centre.patch_a, *x), point(centre.patch_a, centre.x)) <= reach) {
+        centre.x = *x;
+        centre.gap = gap;
+        return centre;
+      }
+    }
+    return *best;
+  }
+
+  PairSearchResult& found_;
+  SurfaceCells& a_;
+  SurfaceCells& b_;
+  const double size_, tolerance_;
+  std::vector<int> partner_;               // by end of a piece: 2 * piece + side
+  std::vector<std::vector<ArcEnd>> arms_;  // likewise
+  std::vector<char> used_;
+};
+
+}  // namespace
+
+namespace {
+
+// True if the surfaces stay within a few tolerances of each other between two points of contact,
+// as far as points in between tell.
+bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const ContactPoint& q,
+                double tolerance) {
+  const Point4 end = in_patches(a, b, q.patch_a, q.patch_b, q.x, p);
+  const auto &patch_a = a.tree(p.patch_a).patch(), &patch_b = b.tree(p.patch_b).patch();
+  for (const double t : {0.25, 0.5, 0.75}) {
+    Point4 x;
+    for (std::size_t k = 0; k < 4; ++k) x[k] = (1 - t) * p.x[k] + t * end[k];
+    const auto foot = foot_point(patch_a, patch_b, x, kPolishReach);
+    if (!foot || std::abs(signed_gap(patch_a, patch_b, *foot)) > kAttachGap * tolerance)
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<ContactChain> contact_chains(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
+                                         std::vector<Clump>& clumps, double size,
+                                         double tolerance) {
+  return Joiner(found, a, b, size, tolerance).run(clumps);
+}
+
+void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, SurfaceCells& a,
+            SurfaceCells& b, std::vector<ContactChain>& contacts, double size, double tolerance) {
+  for (const ArcEnd end : ends) {
+    const FoundArc& arc = found.arcs[end / 2];
+    const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+    const auto point = [&](int patch, const Point4& y) {
+      return jet_at(a.tree(patch).patch(), y[0], y[1], 1).point;
+    };
+    const Vec3 p = point(arc.patch_a, x);
+    double least = kJoinRadius * size;
+    ContactChain* nearest = nullptr;
+    std::size_t side = 0;
+    for (ContactChain& chain : contacts) {
+      if (chain.curve && arc.arc.tangential) continue;  // its own, perhaps
+      const ContactPoint &front = chain.path.front(), &back = chain.path.back();
+      const double to_front = distance(p, point(front.patch_a, front.x));
+      const double to_back = distance(p, point(back.patch_a, back.x));
+      const double d = chain.curve ? std::min(to_front, to_back) : gap_between(chain.box, {p, p});
+      if (d >= least) continue;
+      least = d;
+      nearest = &chain;
+      side = to_front <= to_back ? 0 : 1;
+    }
+    if (nearest == nullptr) continue;
+    const ContactPoint& goal = side == 0 ? nearest->path.front() : nearest->path.back();
+    if (in_contact(a, b, {arc.patch_a, arc.patch_b, x, 0}, goal, tolerance))
+      nearest->arms[side].push_back(end);
+  }
+}
+
+void meet_in_centres(std::vector<ContactChain>& contacts, const SurfaceCells& a,
+                     const SurfaceCells& b, PairSearchResult& found) {
+  for (ContactChain& contact : contacts)
+    if (!contact.curve)
+      for (auto& arms : contact.arms)
+        for (ArcEnd& end : arms) end = reach_contact(found, a, b, end, contact.centre);
+}
+
+}  // namespace blossom

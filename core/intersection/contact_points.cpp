@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/contact_points.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/forms/evaluation.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kSteps = 24;
+constexpr double kSettled = 1e-13;  // a step below this is rounding; fraction of a patch
+constexpr double kStalled = 1e-9;   // so is one below this that no longer shrinks
+
+using Row = std::array<double, 5>;  // four derivatives, then minus the value
+using System = std::array<Row, 4>;
+
+// Gaussian elimination with partial pivoting; false if singular.
+bool solve(System& m) {
+  for (std::size_t c = 0; c < 4; ++c) {
+    std::size_t pivot = c;
+    for (std::size_t r = c + 1; r < 4; ++r)
+      if (std::abs(m[r][c]) > std::abs(m[pivot][c])) pivot = r;
+    if (m[pivot][c] == 0) return false;
+    std::swap(m[c], m[pivot]);
+    for (std::size_t r = 0; r < 4; ++r) {
+      if (r == c) continue;
+      const double factor = m[r][c] / m[c][c];
+      for (std::size_t k = c; k < 5; ++k) m[r][k] -= factor * m[c][k];
+    }
+  }
+  for (std::size_t r = 0; r < 4; ++r) m[r][4] /= m[r][r];
+  return true;
+}
+
+template <class Equations>
+std::optional<Point4> newton(const Point4& start, double reach, const Equations& equations) {
+  Point4 x = start;
+  double last = 1e300;
+  for (int step = 0; step < kSteps; ++step) {
+    System m = equations(x);
+    if (!solve(m)) return std::nullopt;
+    double largest = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      x[i] += m[i][4];
+      if (!(std::abs(x[i] - start[i]) <= reach)) return std::nullopt;
+      largest = std::max(largest, std::abs(m[i][4]));
+    }
+    if (largest < kSettled || (largest < kStalled && largest > 0.25 * last)) return x;
+    last = largest;
+  }
+  return std::nullopt;
+}
+
+Row plane_row(const Point4& plane, const Point4& start, const Point4& x) {
+  Row row{plane[0], plane[1], plane[2], plane[3], 0};
+  for (std::size_t i = 0; i < 4; ++i) row[4] -= plane[i] * (x[i] - start[i]);
+  return row;
+}
+
+// Row k of A - B = 0.
+Row coincidence_row(const PatchJet& p, const PatchJet& q, int k) {
+  return {p.u[k], p.v[k], -q.u[k], -q.v[k], q.point[k] - p.point[k]};
+}
+
+// (A - B) . B_s = 0 and (A - B) . B_t = 0.
+Row foot_row(const PatchJet& p, const PatchJet& q, bool along_s) {
+  const Vec3 f = p.point - q.point;
+  const Vec3 &d = along_s ? q.u : q.v, &ds = along_s ? q.uu : q.uv, &dt = along_s ? q.uv : q.vv;
+  return {dot(p.u, d), dot(p.v, d), dot(f, ds) - dot(q.u, d), dot(f, dt) - dot(q.v, d), -dot(f, d)};
+}
+
+// A's derivative in the direction `across` lies in B's tangent plane.
+Row tangency_row(const PatchJet& p, const PatchJet& q, const Vec2& across) {
+  const Vec3 n = cross(q.u, q.v);
+  const Vec3 ns = cross(q.uu, q.v) + cross(q.u, q.uv), nt = cross(q.uv, q.v) + cross(q.u, q.vv);
+  const Vec3 d = p.u * across[0] + p.v * across[1];
+  return {dot(p.uu * across[0] + p.uv * across[1], n), dot(p.uv * across[0] + p.vv * across[1], n),
+          dot(d, ns), dot(d, nt), -dot(d, n)};
+}
+
+}  // namespace
+
+std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                  const Point4& start, const Point4& plane, double reach) {
+  return newton(start, reach, [&](const Point4& x) {
+    const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 1);
+    return System{coincidence_row(p, q, 0), coincidence_row(p, q, 1), coincidence_row(p, q, 2),
+                  plane_row(plane, start, x)};
+  });
+}
+
+std::optional<Point4> fold_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                 const Point4& start, const Vec2& across, double reach) {
+  return newton(start, reach, [&](const Point4& x) {
+    const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+    return System{coincidence_row(p, q, 0), coincidence_row(p, q, 1), coincidence_row(p, q, 2),
+                  tangency_row(p, q, across)};
+  });
+}
+
+std::optional<Point4> valley_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                   const Point4& start, const Vec2& across, const Point4& plane,
+                                   double reach) {
+  return newton(start, reach, [&](const Point4& x) {
+    const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+    return System{foot_row(p, q, true), foot_row(p, q, false), tangency_row(p, q, across),
+                  plane_row(plane, start, x)};
+  });
+}
+
+std::optional<Point4> foot_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                 const Point4& start, double reach) {
+  return newton(start, reach, [&](const Point4& x) {
+    const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 2);
+    return System{foot_row(p, q, true), foot_row(p, q, false), Row{1, 0, 0, 0, 0},
+                  Row{0, 1, 0, 0, 0}};
+  });
+}
+
+Point4 valley_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                      const Vec2& across) {
+  const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+  const std::array<Row, 3> rows{foot_row(p, q, true), foot_row(p, q, false),
+                                tangency_row(p, q, across)};
+  Point4 tangent{};
+  for (int k = 0; k < 4; ++k) {
+    const auto kept = kept_columns(k);
+    std::array<Vec3, 3> c;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        c[i][static_cast<int>(j)] = rows[j][static_cast<std::size_t>(kept[i])];
+    const double minor = dot(c[0], cross(c[1], c[2]));
+    tangent[static_cast<std::size_t>(k)] = k % 2 == 0 ? minor : -minor;
+  }
+  return tangent;
+}
+
+std::optional<Point4> collinear_normal_point(const RationalBezierPatch& a,
+                                             const RationalBezierPatch& b, const Point4& start,
+                                             double reach) {
+  return newton(start, reach, [&](const Point4& x) {
+    const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+    return System{foot_row(p, q, true), foot_row(p, q, false), tangency_row(p, q, {1, 0}),
+                  tangency_row(p, q, {0, 1})};
+  });
+}
+
+double signed_gap(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x) {
+  const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 1);
+  return dot(p.point - q.point, unit(cross(q.u, q.v)));
+}
+
+}  // namespace blossom

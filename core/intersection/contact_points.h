@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Single points on intersection curves and contacts, by Newton's method on the original patches.
+//
+// Unknown are the four local parameters (u, v, s, t). `plane` fixes one linear combination of
+// them: plane . x stays what it is at the start.
+
+#pragma once
+
+#include <optional>
+
+#include "core/intersection/border_roots.h"
+
+namespace blossom {
+
+/// The point of A(u, v) = B(s, t) in a plane of the parameters.
+///
+/// returns   nothing if the steps do not settle or lead farther than `reach` (in each parameter)
+std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                  const Point4& start, const Point4& plane, double reach);
+
+/// The point of A = B where the tangent direction `across` of A, in (u, v), is tangent to B
+/// too: where the curve turns back with respect to the other direction.
+std::optional<Point4> fold_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                 const Point4& start, const Vec2& across, double reach);
+
+/// The point in a plane of the parameters whose foot on B is (s, t) and where the distance to B
+/// has no slope in the direction `across`: a point of the valley along which surfaces touch.
+std::optional<Point4> valley_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                   const Point4& start, const Vec2& across, const Point4& plane,
+                                   double reach);
+
+/// The point with the same (u, v) whose foot on B is (s, t).
+std::optional<Point4> foot_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                 const Point4& start, double reach);
+
+/// The tangent of the valley at a point of it, in the four parameters, not normalised.
+Point4 valley_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                      const Vec2& across);
+
+/// The point whose foot on B is (s, t) and where both normals are parallel.
+///
+/// Source: Kriezis, Patrikalakis and Wolter 1992, collinear normal points.
+std::optional<Point4> collinear_normal_point(const RationalBezierPatch& a,
+                                             const RationalBezierPatch& b, const Point4& start,
+                                             double reach);
+
+/// The distance from A to B along B's normal at a point, signed.
+double signed_gap(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x);
+
+}  // namespace blossom

@@ -1,0 +1,459 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/contact_search.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "core/forms/evaluation.h"
+#include "core/intersection/cell_pair.h"
+#include "core/intersection/contact_points.h"
+#include "core/intersection/gap_model.h"
+#include "core/intersection/valley.h"
+#include "core/subdivision/patch_subdivision.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kMostChartHalvings = 24;
+constexpr int kShallow = 8;
+constexpr double kWidening = 0.2;  // of a chart's width
+constexpr double kLeastWidening = 0.05;
+constexpr int kDeepest = 44;          // halvings of a cell
+constexpr int kDeepestPiece = 40;     // likewise of a chart's piece
+constexpr int kCutDepth = 14;         // from here on valleys may cross the chart's border
+constexpr long kMostCells = 60'000;   // per pair of patches
+constexpr double kRegularMargin = 4;  // see `clearly_regular`
+constexpr double kBoxReserve = 0.1;   // of the box round a cell's foot points
+constexpr double kOnBorder = 1e-9;    // fraction of a patch
+
+// A chart of b and the cells of its piece.
+struct Chart {
+  int index;
+  GraphChart graph;
+  CellTree piece;
+};
+
+bool overlap(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
+
+bool within(const Interval& inner, const Interval& outer) {
+  return inner.from >= outer.from && inner.to <= outer.to;
+}
+
+using Box2 = std::array<Interval, 2>;
+
+bool within(const Box2& inner, const Box2& outer) {
+  return within(inner[0], outer[0]) && within(inner[1], outer[1]);
+}
+
+class ContactSearch {
+ public:
+  ContactSearch(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
+                const IntersectionOptions& options, PairSearchResult& result)
+      : a_(a),
+        b_(b),
+        task_(task),
+        tree_a_(a.tree(task.patch_a)),
+        tree_b_(b.tree(task.patch_b)),
+        options_(options),
+        valley_options_{options.tolerances.point, size},
+        result_(result) {}
+
+  void run() {
+    Interval s{1, 0}, t{1, 0};
+    for (const auto& part : task_.parts_b) {
+      s = {std::min(s.from, part[0].from), std::max(s.to, part[0].to)};
+      t = {std::min(t.from, part[1].from), std::max(t.to, part[1].to)};
+    }
+    cover(s, t, 0);
+  }
+
+ private:
+  double tolerance() const { return options_.tolerances.point; }
+
+  // Charts over the part of b that matters, each searched as soon as it is found.
+  void cover(const Interval& s, const Interval& t, int depth) {
+    const bool matters =
+        std::any_of(task_.parts_b.begin(), task_.parts_b.end(),
+                    [&](const auto& part) { return overlap(part[0], s) && overlap(part[1], t); });
+    if (!matters) return;
+    CellTree cells(sub_patch(tree_b_.patch(), s, t), tree_b_.shape().planes == 4, {},
+                   CellForm::Bezier, 0.5);
+    // Near a place where the parameters stand still only a small extension is a graph.
+    const double widening = depth < kShallow ? kWidening : kLeastWidening;
+    if (const auto graph = graph_chart(tree_b_, s, t, widening)) {
+      Chart chart{static_cast<int>(wide_.size()), *graph, std::move(cells)};
+      wide_.push_back({graph->wide_s, graph->wide_t});
+      for (const int cell : task_.cells_a) examine(cell, chart);
+      return;
+    }
+    if (depth == kMostChartHalvings) {
+      for (const int cell : task_.cells_a)
+        if (!apart(tree_a_[cell], cells[0])) keep(tree_a_[cell], s, t, cells[0], false);
+      return;
+    }
+    const bool halve_s = norm(cells[0].du.middle) + norm(cells[0].du.radius) >=
+                         norm(cells[0].dv.middle) + norm(cells[0].dv.radius);
+    const Interval& side = halve_s ? s : t;
+    const double cut = at(side, 0.4865);
+    const Interval low{side.from, cut}, high{cut, side.to};
+    cover(halve_s ? low : s, halve_s ? t : low, depth + 1);
+    cover(halve_s ? high : s, halve_s ? t : high, depth + 1);
+  }
+
+  bool apart(const Cell& a, const Cell& b) const {
+    return separated(a, b, tree_a_.shape().plane_size(), tree_b_.shape().plane_size());
+  }
+
+  // True if no cell of the chart's piece that is at least as small as `a` comes close to it.
+  bool misses(const Cell& a, CellTree& piece, int index) const {
+    const Cell b = piece[index];
+    if (apart(a, b)) return true;
+    if (b.extent <= a.extent || b.depth >= kDeepestPiece) return false;
+    const int child = piece.split(index);
+    return misses(a, piece, child) && misses(a, piece, child + 1);
+  }
+
+  bool out_of_budget() {
+    if (result_.stopped) return true;
+    if (++cells_ > kMostCells) return stop("the budget of contact cells is spent");
+    if (options_.cancelled && cells_ % 64 == 0 && options_.cancelled()) return stop("cancelled");
+    return false;
+  }
+
+  bool stop(const char* reason) {
+    result_.stopped = true;
+    result_.certificate.reasons.emplace_back(reason);
+    return true;
+  }
+
+  void examine(int index, Chart& chart) {
+    const Cell a = tree_a_[index];
+    const Cell piece = chart.piece[0];
+    if (apart(a, piece)) {
+      ++result_.certificate.excluded;
+      return;
+    }
+    const GraphChart& graph = chart.graph;
+    if (out_of_budget()) return keep(a, graph.s, graph.t, piece, false);
+    result_.certificate.depth = std::max(result_.certificate.depth, a.depth);
+    path_.push_back(index);
+    if (const auto model = gap_model(tree_a_, a, tree_b_, graph)) {
+      if (decide(index, *model, chart)) return path_.pop_back();
+    } else if (misses(a, chart.piece, 0)) {
+      ++result_.certificate.excluded;
+      return path_.pop_back();
+    }
+    if (a.depth >= kDeepest || a.extent <= tolerance()) {
+      keep(a, graph.s, graph.t, piece, a.extent <= tolerance());
+    } else {
+      const int child = tree_a_.split(index);
+      examine(child, chart);
+      examine(child + 1, chart);
+    }
+    path_.pop_back();
+  }
+
+  // Charts overlap, so that nothing is cut where they meet: a cell whose foot points lie in
+  // several of them belongs to the first that found something in it.
+  enum class Claim { Free, Taken, Partly };
+
+  Claim claim_of(int index, const Box2& foot, int chart) const {
+    for (const int cell : path_)
+      if (const auto found = claims_.find(cell); found != claims_.end())
+        for (const int other : found->second)
+          if (other != chart) {
+            if (within(foot, wide_[static_cast<std::size_t>(other)])) return Claim::Taken;
+            if (meets(foot, other)) return Claim::Partly;
+          }
+    if (const auto found = claims_below_.find(index); found != claims_below_.end())
+      for (const int other : found->second)
+        if (other != chart && meets(foot, other)) return Claim::Partly;
+    return Claim::Free;
+  }
+
+  bool meets(const Box2& foot, int chart) const {
+    const Box2& wide = wide_[static_cast<std::size_t>(chart)];
+    return overlap(foot[0], wide[0]) && overlap(foot[1], wide[1]);
+  }
+
+  void claim(int index, int chart) {
+    claims_[index].push_back(chart);
+    for (const int cell : path_)
+      if (cell != index) claims_below_[cell].insert(chart);
+  }
+
+  // Where the foot points of the cell lie, errors included.
+  static Box2 foot_box(const GapModel& model) {
+    Box2 box;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const TaylorRange r = range(model.foot[k], 1, 1);
+      box[k] = {r.low - model.foot_error[k], r.high + model.foot_error[k]};
+    }
+    return box;
+  }
+
+  // True if the cell needs no halving.
+  bool decide(int index, const GapModel& model, const Chart& chart) {
+    const Cell a = tree_a_[index];
+    const GraphChart& graph = chart.graph;
+    const Box2 foot = foot_box(model);
+    const TaylorRange gap = range(model.gap, 1, 1);
+    const double error = model.gap_error[0];
+    const bool outside = !overlap(foot[0], graph.s) || !overlap(foot[1], graph.t);
+    if (outside || gap.low > error + tolerance() || gap.high < -error - tolerance()) {
+      ++result_.certificate.excluded;
+      return true;
+    }
+    const Claim claimed = claim_of(index, foot, chart.index);
+    if (claimed == Claim::Taken) return true;
+    if (claimed == Claim::Partly) return false;
+    if (std::max(std::abs(gap.low), std::abs(gap.high)) + error <= tolerance()) {
+      keep(a, foot[0], foot[1], chart.piece[0], true);
+      claim(index, chart.index);
+      return true;
+    }
+    const double slope = regular_slope(model);
+    if ((slope > 0 && clearly_regular(model, slope) && add_regular(a, foot)) ||
+        add_valley(a, model, foot) || (slope > 0 && add_regular(a, foot))) {
+      claim(index, chart.index);
+      return true;
+    }
+    return false;
+  }
+
+  // A lower bound of the gap's slope in one direction over the cell, or 0.
+  static double regular_slope(const GapModel& model) {
+    const TaylorPolynomial gx = derivative_x(model.gap), gy = derivative_y(model.gap);
+    const Vec2 mean = unit(Vec2{gx[0], gy[0]});
+    double best = 0;
+    for (const Vec2& d : {mean, Vec2{1, 0}, Vec2{0, 1}}) {
+      TaylorPolynomial along;
+      for (std::size_t i = 0; i < along.size(); ++i) along[i] = d[0] * gx[i] + d[1] * gy[i];
+      const TaylorRange r = range(along, 1, 1);
+      best = std::max({best, r.low - model.gap_error[1], -r.high - model.gap_error[1]});
+    }
+    return best;
+  }
+
+  // Not one of two branches less than the tolerance apart: those belong to a valley.
+  bool clearly_regular(const GapModel& model, double slope) const {
+    double bend = model.gap_error[2];
+    for (int k = 2; k <= kTaylorDegree; ++k)
+      for (int j = 0; j <= k; ++j)
+        bend += k * (k - 1) * std::abs(model.gap[taylor_index(k - j, j)]);
+    return slope > kRegularMargin * std::sqrt(tolerance() * bend);
+  }
+
+  // The four-variable certificate on the cell and the box of its foot points.
+  bool add_regular(const Cell& a, const Box2& foot) {
+    const auto clipped = [](const Interval& x) {
+      const double by = kBoxReserve * length(x);
+      return Interval{std::max(x.from - by, 0.0), std::min(x.to + by, 1.0)};
+    };
+    const Interval s = clipped(foot[0]), t = clipped(foot[1]);
+    if (!(s.from < s.to && t.from < t.to)) return false;
+    const CellTree cells(sub_patch(tree_b_.patch(), s, t), tree_b_.shape().planes == 4, {},
+                         CellForm::Bezier, 0.5);
+    Cell b = cells[0];
+    b.u = s;
+    b.v = t;
+    if (apart(a, b)) {
+      ++result_.certificate.excluded;
+      return true;
+    }
+    const JacobianBounds bounds(a, b);
+    const int best = bounds.best_column();
+    for (int k = 0; k < 4; ++k) {
+      const int column = (best + k) % 4;
+      if (!bounds.minor(column).regular) continue;
+      const auto held = arcs_in(tree_a_, a, tree_b_, b, bounds, borders(a, b), column);
+      if (!held) return false;
+      ++result_.certificate.certified;
+      result_.along_border = result_.along_border || held->along_border;
+      for (const CellArc& arc : held->arcs)
+        result_.arcs.push_back({task_.patch_a, task_.patch_b, box_of(a, b), arc, {-1, -1}});
+      for (const Point4& x : held->grazes)
+        result_.grazes.push_back({task_.patch_a, task_.patch_b, x});
+      return true;
+    }
+    return false;
+  }
+
+  SurfaceBorders borders(const Cell& a, const Cell& b) const {
+    return upper_borders(a_, task_.patch_a, a, b_, task_.patch_b, b);
+  }
+
+  bool add_valley(const Cell& a, const GapModel& model, const Box2& foot) {
+    const auto read = valley_cell(tree_a_.patch(), a, tree_b_.patch(), model, valley_options_);
+    if (!read) return false;
+    const bool empty = read->contacts.empty() && read->branches.empty();
+    const bool inside = within(foot, {Interval{0, 1}, Interval{0, 1}});
+    if (!inside && !empty && read->contacts.empty() && a.depth < kCutDepth) return false;
+    ++result_.certificate.certified;
+    if (inside || empty) {
+      add(*read);
+    } else {
+      result_.cut_by_samples = true;
+      add(cut(*read));
+    }
+    return true;
+  }
+
+  void add(const ValleyCell& cell) {
+    const int first = static_cast<int>(result_.contacts.size());
+    for (const CellContact& contact : cell.contacts)
+      result_.contacts.push_back({task_.patch_a, task_.patch_b, contact});
+    for (const CellBranch& branch : cell.branches)
+      add_path(branch.path, branch.contact, first, false);
+  }
+
+  void add_path(const std::vector<Point4>& path, const std::array<int, 2>& contact, int first,
+                bool tangential) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      FoundArc arc{task_.patch_a, task_.patch_b, {}, {path[i], path[i + 1]}, {-1, -1}};
+      for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = path[i + 1][k] - path[i][k];
+      arc.arc.tangential = tangential;
+      const auto number = [&](int c) { return c >= 0 ? first + c : c; };
+      if (i == 0) arc.contact[0] = number(contact[0]);
+      if (i + 2 == path.size()) arc.contact[1] = number(contact[1]);
+      result_.arcs.push_back(arc);
+    }
+  }
+
+  // --- the part of a valley cell whose foot points lie in the patch
+
+  // By how much a point lies inside; negative outside.
+  static double depth_inside(const Point4& x) { return std::min({x[2], 1 - x[2], x[3], 1 - x[3]}); }
+
+  // Where a path crosses the patch's border between two of its points.
+  template <class PointIn>
+  std::optional<Point4> crossing(const Point4& in, const Point4& out,
+                                 const PointIn& point_in) const {
+    double first = 2;
+    std::size_t axis = 2;
+    double goal = 0;
+    for (const std::size_t k : {std::size_t{2}, std::size_t{3}})
+      for (const double end : {0.0, 1.0}) {
+        const double f = (end - in[k]) / (out[k] - in[k]);
+        const bool beyond = end == 0 ? out[k] < end : out[k] > end;
+        if (beyond && f < first) {
+          first = f;
+          axis = k;
+          goal = end;
+        }
+      }
+    if (first > 1) return std::nullopt;
+    Point4 start;
+    for (std::size_t k = 0; k < 4; ++k) start[k] = in[k] + first * (out[k] - in[k]);
+    start[axis] = goal;
+    Point4 plane{};
+    plane[axis] = 1;
+    auto x = point_in(start, plane);
+    if (x) (*x)[axis] = goal;
+    return x;
+  }
+
+  ValleyCell cut(const ValleyCell& cell) const {
+    ValleyCell result;
+    std::vector<int> contact_at(cell.contacts.size(), kContactElsewhere);
+    for (std::size_t i = 0; i < cell.contacts.size(); ++i) {
+      const CellContact& contact = cell.contacts[i];
+      const auto on_valley = [&](const Point4& start, const Point4& plane) {
+        const Vec2 across{contact.path.back()[1] - contact.path.front()[1],
+                          contact.path.front()[0] - contact.path.back()[0]};
+        return valley_point(tree_a_.patch(), tree_b_.patch(), start, across, plane, 0.5);
+      };
+      for (const auto& part : parts_inside(contact.path, on_valley)) {
+        CellContact piece;
+        piece.path = part.path;
+        for (const Point4& x : piece.path)
+          piece.gaps.push_back(std::abs(signed_gap(tree_a_.patch(), tree_b_.patch(), x)));
+        piece.leaves = {part.cut[0] || contact.leaves[0], part.cut[1] || contact.leaves[1]};
+        contact_at[i] = static_cast<int>(result.contacts.size());
+        result.contacts.push_back(piece);
+      }
+    }
+    const auto on_curve = [&](const Point4& start, const Point4& plane) {
+      return curve_point(tree_a_.patch(), tree_b_.patch(), start, plane, 0.5);
+    };
+    for (const CellBranch& branch : cell.branches)
+      for (const auto& part : parts_inside(branch.path, on_curve)) {
+        CellBranch piece{part.path, {-1, -1}};
+        for (std::size_t end = 0; end < 2; ++end)
+          if (!part.cut[end] && branch.contact[end] >= 0)
+            piece.contact[end] = contact_at[static_cast<std::size_t>(branch.contact[end])];
+        result.branches.push_back(piece);
+      }
+    return result;
+  }
+
+  struct PathPart {
+    std::vector<Point4> path;
+    std::array<bool, 2> cut{};
+  };
+
+  template <class PointIn>
+  std::vector<PathPart> parts_inside(const std::vector<Point4>& path,
+                                     const PointIn& point_in) const {
+    std::vector<PathPart> parts;
+    bool open = false;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const bool in = depth_inside(path[i]) >= -kOnBorder;
+      if (in && !open) {
+        parts.emplace_back();
+        if (i > 0) {
+          parts.back().cut[0] = true;
+          if (const auto x = crossing(path[i], path[i - 1], point_in))
+            parts.back().path.push_back(*x);
+        }
+      }
+      if (in) parts.back().path.push_back(path[i]);
+      if (!in && open) {
+        parts.back().cut[1] = true;
+        if (const auto x = crossing(path[i - 1], path[i], point_in))
+          parts.back().path.push_back(*x);
+      }
+      open = in;
+    }
+    std::erase_if(parts, [](const PathPart& part) { return part.path.size() < 2; });
+    return parts;
+  }
+
+  void keep(const Cell& a, const Interval& s, const Interval& t, const Cell& b, bool thin) {
+    CriticalPair critical{task_.patch_a, task_.patch_b, {a.u, a.v, s, t}, {}, {}, thin};
+    for (int k = 0; k < 3; ++k) {
+      critical.low[k] = std::max(a.low[k], b.low[k]);
+      critical.high[k] = std::min(a.high[k], b.high[k]);
+      if (critical.low[k] > critical.high[k]) return;
+    }
+    ++result_.certificate.critical;
+    result_.critical.push_back(critical);
+  }
+
+  SurfaceCells& a_;
+  SurfaceCells& b_;
+  const ContactTask& task_;
+  CellTree& tree_a_;
+  CellTree& tree_b_;
+  const IntersectionOptions& options_;
+  const ValleyOptions valley_options_;
+  PairSearchResult& result_;
+  long cells_ = 0;
+  std::vector<Box2> wide_;                     // of the charts so far
+  std::vector<int> path_;                      // the cell at work and its ancestors
+  std::map<int, std::vector<int>> claims_;     // charts, by cell of a
+  std::map<int, std::set<int>> claims_below_;  // likewise, of cells inside it
+};
+
+}  // namespace
+
+void search_contacts(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
+                     const IntersectionOptions& options, PairSearchResult& result) {
+  ContactSearch(a, b, task, size, options, result).run();
+}
+
+}  // namespace blossom

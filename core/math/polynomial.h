@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Polynomials of one variable on [-1, 1]: range and isolated roots.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace blossom {
+
+/// sum c_i t^i; at least one coefficient.
+using Polynomial = std::vector<double>;
+
+double value(const Polynomial& p, double t);
+Polynomial derivative(const Polynomial& p);
+Polynomial product(const Polynomial& a, const Polynomial& b);
+
+/// p(m + h t).
+Polynomial shifted(const Polynomial& p, double m, double h);
+
+/// Bounds on [-1, 1] by Bernstein coefficients.
+struct PolynomialRange {
+  double low;
+  double high;
+};
+PolynomialRange range(const Polynomial& p);
+
+/// A sign change of a function that is known as a polynomial within an error.
+struct IsolatedRoot {
+  double t;
+  bool rising;
+};
+
+/// All roots in [from, to], within [-1, 1], of every function f with |f - p| <= error and
+/// |f' - p'| <= slope_error.
+///
+/// returns   in order; each is simple, and there are no others. Nothing if the errors or a
+///           multiple root leave the number undecided
+std::optional<std::vector<IsolatedRoot>> isolated_roots(const Polynomial& p, double error,
+                                                        double slope_error, double from, double to);
+
+}  // namespace blossom

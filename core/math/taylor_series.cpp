@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/math/taylor_series.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace blossom {
+namespace {
+
+constexpr int K = kTaylorDegree;
+constexpr double kRoundoff = 2e-15;  // of a majorant: covers the sums that make it
+
+constexpr std::size_t start(int degree) { return taylor_index(degree, 0); }
+
+// Factor of z^k after d derivatives.
+constexpr double falling(int k, int d) {
+  double product = 1;
+  for (int i = 0; i < d; ++i) product *= k - i;
+  return product;
+}
+
+// c += a b, degrees up to K.
+void add_product(TaylorPolynomial& c, const TaylorPolynomial& a, const TaylorPolynomial& b) {
+  for (int p = 0; p <= K; ++p)
+    for (int i = 0; i <= p; ++i) {
+      const double factor = a[start(p) + static_cast<std::size_t>(i)];
+      if (factor == 0) continue;
+      for (int q = 0; p + q <= K; ++q) {
+        double* to = c.data() + start(p + q) + i;
+        const double* from = b.data() + start(q);
+        for (int j = 0; j <= q; ++j) to[j] += factor * from[j];
+      }
+    }
+}
+
+TaylorPolynomial times(const TaylorPolynomial& a, const TaylorPolynomial& b) {
+  TaylorPolynomial c{};
+  add_product(c, a, b);
+  return c;
+}
+
+std::array<double, 4> product_totals(const std::array<double, 4>& a,
+                                     const std::array<double, 4>& b) {
+  return {a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + 2 * a[1] * b[1] + a[0] * b[2],
+          a[3] * b[0] + 3 * a[2] * b[1] + 3 * a[1] * b[2] + a[0] * b[3]};
+}
+
+// Bernstein coefficients on [-1, 1] of x^i, by degree K: [nu][i].
+const std::array<std::array<double, K + 1>, K + 1>& bernstein_of_powers() {
+  static const auto table = [] {
+    std::array<std::array<double, K + 1>, K + 1> t{};
+    const auto binomial = [](int n, int k) {
+      double b = 1;
+      for (int i = 1; i <= k; ++i) b = b * (n - k + i) / i;
+      return b;
+    };
+    for (int nu = 0; nu <= K; ++nu)
+      for (int i = 0; i <= K; ++i) {
+        double sum = 0;  // [x^i] (1 - x)^(K - nu) (1 + x)^nu
+        for (int l = std::max(0, i - nu); l <= std::min(i, K - nu); ++l)
+          sum += (l % 2 == 0 ? 1 : -1) * binomial(K - nu, l) * binomial(nu, i - l);
+        t[static_cast<std::size_t>(nu)][static_cast<std::size_t>(i)] = sum / binomial(K, i);
+      }
+    return t;
+  }();
+  return table;
+}
+
+}  // namespace
+
+double TaylorSeries::tail(int d) const {
+  double kept = 0;
+  for (int k = d; k <= K; ++k) kept += falling(k, d) * low[static_cast<std::size_t>(k)];
+  const double all = total[static_cast<std::size_t>(d)];
+  return std::max(all - kept, 0.0) + kRoundoff * all;
+}
+
+TaylorSeries taylor_series(const double* c, int rows, int columns) {
+  TaylorSeries f;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const double value = c[i * columns + j];
+      if (i + j <= K) {
+        f.terms[taylor_index(i, j)] = value;
+        f.low[static_cast<std::size_t>(i + j)] += std::abs(value);
+      }
+      for (int d = 0; d < 4; ++d)
+        f.total[static_cast<std::size_t>(d)] += falling(i + j, d) * std::abs(value);
+    }
+  return f;
+}
+
+TaylorSeries taylor_series(const TaylorPolynomial& polynomial) {
+  TaylorSeries f;
+  f.terms = polynomial;
+  for (int k = 0; k <= K; ++k) {
+    double& sum = f.low[static_cast<std::size_t>(k)];
+    for (int j = 0; j <= k; ++j)
+      sum += std::abs(polynomial[start(k) + static_cast<std::size_t>(j)]);
+    for (int d = 0; d < 4; ++d) f.total[static_cast<std::size_t>(d)] += falling(k, d) * sum;
+  }
+  return f;
+}
+
+TaylorSeries operator+(TaylorSeries a, const TaylorSeries& b) {
+  for (std::size_t i = 0; i < a.terms.size(); ++i) a.terms[i] += b.terms[i];
+  for (std::size_t i = 0; i < a.low.size(); ++i) a.low[i] += b.low[i];
+  for (std::size_t i = 0; i < a.total.size(); ++i) a.total[i] += b.total[i];
+  return a;
+}
+
+TaylorSeries operator-(TaylorSeries a, const TaylorSeries& b) {
+  for (std::size_t i = 0; i < a.terms.size(); ++i) a.terms[i] -= b.terms[i];
+  for (std::size_t i = 0; i < a.low.size(); ++i) a.low[i] += b.low[i];
+  for (std::size_t i = 0; i < a.total.size(); ++i) a.total[i] += b.total[i];
+  return a;
+}
+
+TaylorSeries operator*(double s, TaylorSeries a) {
+  for (double& c : a.terms) c *= s;
+  for (double& c : a.low) c *= std::abs(s);
+  for (double& c : a.total) c *= std::abs(s);
+  return a;
+}
+
+TaylorSeries operator*(const TaylorSeries& a, const TaylorSeries& b) {
+  TaylorSeries c;
+  add_product(c.terms, a.terms, b.terms);
+  for (std::size_t i = 0; i <= K; ++i)
+    for (std::size_t j = 0; i + j <= K; ++j) c.low[i + j] += a.low[i] * b.low[j];
+  c.total = product_totals(a.total, b.total);
+  return c;
+}
+
+TaylorSeries reciprocal(const TaylorSeries& f, bool& exists) {
+  const double f0 = f.terms[0];
+  const double rest = f.total[0] - f.low[0];
+  exists = std::isfinite(1 / f0) && rest < 0.999 * std::abs(f0);
+  TaylorSeries r;
+  if (!exists) return r;
+  // With f = f0 (1 + d): r (1 + d) = 1 / f0, degree by degree.
+  TaylorPolynomial d{};
+  for (std::size_t i = 1; i < d.size(); ++i) d[i] = f.terms[i] / f0;
+  r.terms[0] = 1 / f0;
+  for (int k = 1; k <= K; ++k) {
+    const TaylorPolynomial product = times(d, r.terms);
+    for (int j = 0; j <= k; ++j) {
+      const std::size_t at = start(k) + static_cast<std::size_t>(j);
+      r.terms[at] = -product[at];
+    }
+  }
+  // Majorant 1 / (|f0| (1 - d^(z))).
+  std::array<double, K + 1> m{};
+  for (std::size_t k = 1; k <= K; ++k) m[k] = f.low[k] / std::abs(f0);
+  r.low[0] = 1 / std::abs(f0);
+  for (std::size_t k = 1; k <= K; ++k)
+    for (std::size_t j = 1; j <= k; ++j) r.low[k] += m[j] * r.low[k - j];
+  const double s = 1 / (1 - rest / std::abs(f0)), scale = 1 / std::abs(f0);
+  const double d1 = f.total[1] * scale, d2 = f.total[2] * scale, d3 = f.total[3] * scale;
+  r.total = {scale * s, scale * d1 * s * s, scale * (d2 * s * s + 2 * d1 * d1 * s * s * s),
+             scale * (d3 * s * s + 6 * d1 * d2 * s * s * s + 6 * d1 * d1 * d1 * s * s * s * s)};
+  return r;
+}
+
+TaylorPowers::TaylorPowers(const TaylorPolynomial& x, const TaylorPolynomial& y) {
+  powers_[0].terms[0] = 1;
+  powers_[0].low[0] = 1;
+  powers_[0].total[0] = 1;
+  const TaylorSeries sx = taylor_series(x), sy = taylor_series(y);
+  for (int k = 1; k <= K; ++k)
+    for (int j = 0; j <= k; ++j)
+      powers_[taylor_index(k - j, j)] =
+          j < k ? sx * powers_[taylor_index(k - j - 1, j)] : sy * powers_[taylor_index(0, k - 1)];
+}
+
+TaylorSeries TaylorPowers::compose(const TaylorSeries& f) const {
+  TaylorSeries r;
+  for (std::size_t i = 0; i < f.terms.size(); ++i) {
+    if (f.terms[i] == 0) continue;
+    const TaylorSeries& power = powers_[i];
+    const double factor = f.terms[i], size = std::abs(factor);
+    for (std::size_t k = 0; k < r.terms.size(); ++k) r.terms[k] += factor * power.terms[k];
+    for (std::size_t k = 0; k < r.low.size(); ++k) r.low[k] += size * power.low[k];
+    for (std::size_t k = 0; k < r.total.size(); ++k) r.total[k] += size * power.total[k];
+  }
+  // The terms f leaves out, by the chain rule on their bounds.
+  const auto most = [&](std::size_t d) {
+    return std::max(powers_[1].total[d], powers_[2].total[d]);
+  };
+  const double p1 = most(1), p2 = most(2), p3 = most(3);
+  const double f0 = f.tail(0), f1 = f.tail(1), f2 = f.tail(2), f3 = f.tail(3);
+  r.total[0] += f0;
+  r.total[1] += f1 * p1;
+  r.total[2] += f2 * p1 * p1 + f1 * p2;
+  r.total[3] += f3 * p1 * p1 * p1 + 3 * f2 * p1 * p2 + f1 * p3;
+  return r;
+}
+
+TaylorPolynomial compose_truncated(const TaylorPolynomial& f, const TaylorPolynomial& x,
+                                   const TaylorPolynomial& y) {
+  // Horner's scheme in x with polynomials in y as coefficients.
+  std::array<TaylorPolynomial, K + 1> y_powers{};
+  y_powers[0][0] = 1;
+  for (std::size_t j = 1; j <= K; ++j) y_powers[j] = times(y_powers[j - 1], y);
+  TaylorPolynomial result{};
+  for (int i = K; i >= 0; --i) {
+    if (i < K) result = times(result, x);
+    for (int j = 0; i + j <= K; ++j) {
+      const double factor = f[taylor_index(i, j)];
+      if (factor == 0) continue;
+      const TaylorPolynomial& power = y_powers[static_cast<std::size_t>(j)];
+      for (std::size_t k = 0; k < result.size(); ++k) result[k] += factor * power[k];
+    }
+  }
+  return result;
+}
+
+double value(const TaylorPolynomial& p, double x, double y) {
+  double sum = 0;
+  for (int i = K; i >= 0; --i) {
+    double row = 0;
+    for (int j = K - i; j >= 0; --j) row = row * y + p[taylor_index(i, j)];
+    sum = sum * x + row;
+  }
+  return sum;
+}
+
+TaylorPolynomial derivative_x(const TaylorPolynomial& p) {
+  TaylorPolynomial d{};
+  for (int i = 1; i <= K; ++i)
+    for (int j = 0; i + j <= K; ++j) d[taylor_index(i - 1, j)] = i * p[taylor_index(i, j)];
+  return d;
+}
+
+TaylorPolynomial derivative_y(const TaylorPolynomial& p) {
+  TaylorPolynomial d{};
+  for (int j = 1; j <= K; ++j)
+    for (int i = 0; i + j <= K; ++i) d[taylor_index(i, j - 1)] = j * p[taylor_index(i, j)];
+  return d;
+}
+
+TaylorPolynomial substitute(const TaylorPolynomial& p, double x0, double a, double b, double y0,
+                            double c, double d) {
+  TaylorPolynomial x{}, y{};
+  x[0] = x0;
+  x[1] = a;
+  x[2] = b;
+  y[0] = y0;
+  y[1] = c;
+  y[2] = d;
+  return compose_truncated(p, x, y);
+}
+
+TaylorRange range(const TaylorPolynomial& p, double rx, double ry) {
+  const auto& table = bernstein_of_powers();
+  std::array<double, K + 1> px, py;
+  px[0] = py[0] = 1;
+  for (std::size_t i = 1; i <= K; ++i) {
+    px[i] = px[i - 1] * rx;
+    py[i] = py[i - 1] * ry;
+  }
+  std::array<std::array<double, K + 1>, K + 1> rows{};  // [i][mu]
+  for (int i = 0; i <= K; ++i)
+    for (int j = 0; i + j <= K; ++j) {
+      const auto r = static_cast<std::size_t>(i), s = static_cast<std::size_t>(j);
+      const double factor = p[taylor_index(i, j)] * px[r] * py[s];
+      for (std::size_t mu = 0; mu <= K; ++mu) rows[r][mu] += factor * table[mu][s];
+    }
+  TaylorRange result{1e300, -1e300};
+  for (std::size_t nu = 0; nu <= K; ++nu)
+    for (std::size_t mu = 0; mu <= K; ++mu) {
+      double sum = 0;
+      for (std::size_t i = 0; i <= K; ++i) sum += table[nu][i] * rows[i][mu];
+      result.low = std::min(result.low, sum);
+      result.high = std::max(result.high, sum);
+    }
+  return result;
+}
+
+}  // namespace blossom

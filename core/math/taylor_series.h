@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Functions of two variables on [-1, 1]^2 as a polynomial of low total degree and a bound on the
+// rest.
+//
+// A series f = sum c_ij x^i y^j is carried as its terms of total degree up to kTaylorDegree and
+// as its majorant f^(z) = sum_k |f|_k z^k, where |f|_k is the sum of |c_ij| over i + j = k: the
+// low coefficients of f^, and the values of f^ and its derivatives at z = 1. Products, sums and
+// reciprocals of majorants bound those of the series, so what the truncation leaves out is
+// bounded without interval arithmetic. Directions of derivatives have largest entry 1.
+
+#pragma once
+
+#include <array>
+
+namespace blossom {
+
+inline constexpr int kTaylorDegree = 6;
+inline constexpr int kTaylorTerms = (kTaylorDegree + 1) * (kTaylorDegree + 2) / 2;
+
+/// Position of x^i y^j: by total degree, then by j.
+constexpr std::size_t taylor_index(int i, int j) {
+  return static_cast<std::size_t>((i + j) * (i + j + 1) / 2 + j);
+}
+
+/// A polynomial of total degree kTaylorDegree.
+using TaylorPolynomial = std::array<double, kTaylorTerms>;
+
+struct TaylorSeries {
+  TaylorPolynomial terms{};
+  std::array<double, kTaylorDegree + 1> low{};  ///< majorant coefficients up to kTaylorDegree
+  std::array<double, 4> total{};                ///< f^(1), f^'(1), f^''(1), f^'''(1)
+
+  /// Bound on the d-th directional derivative, d = 0..3, of the terms left out.
+  double tail(int d) const;
+};
+
+/// The series of sum c(i, j) x^i y^j; c holds rows x columns values, row-major.
+TaylorSeries taylor_series(const double* c, int rows, int columns);
+
+/// The polynomial as a series without a tail.
+TaylorSeries taylor_series(const TaylorPolynomial& polynomial);
+
+TaylorSeries operator+(TaylorSeries a, const TaylorSeries& b);
+TaylorSeries operator-(TaylorSeries a, const TaylorSeries& b);
+TaylorSeries operator*(double s, TaylorSeries a);
+TaylorSeries operator*(const TaylorSeries& a, const TaylorSeries& b);
+
+/// 1 / f. `exists` becomes false unless |f - f(0)| < |f(0)| is proven on the whole square.
+TaylorSeries reciprocal(const TaylorSeries& f, bool& exists);
+
+/// The powers x^i y^j, i + j <= kTaylorDegree, of two polynomials x, y with |x|, |y| <= 1.
+class TaylorPowers {
+ public:
+  TaylorPowers(const TaylorPolynomial& x, const TaylorPolynomial& y);
+
+  /// f(x, y) with its tail.
+  TaylorSeries compose(const TaylorSeries& f) const;
+
+ private:
+  std::array<TaylorSeries, kTaylorTerms> powers_;
+};
+
+/// f(x, y) truncated at kTaylorDegree, without a tail.
+TaylorPolynomial compose_truncated(const TaylorPolynomial& f, const TaylorPolynomial& x,
+                                   const TaylorPolynomial& y);
+
+/// Value and partial derivatives.
+double value(const TaylorPolynomial& p, double x, double y);
+TaylorPolynomial derivative_x(const TaylorPolynomial& p);
+TaylorPolynomial derivative_y(const TaylorPolynomial& p);
+
+/// The polynomial p(x0 + a x + b y, y0 + c x + d y) in x, y.
+TaylorPolynomial substitute(const TaylorPolynomial& p, double x0, double a, double b, double y0,
+                            double c, double d);
+
+/// Range of p over |x| <= rx, |y| <= ry, by its Bernstein coefficients.
+struct TaylorRange {
+  double low;
+  double high;
+};
+TaylorRange range(const TaylorPolynomial& p, double rx, double ry);
+
+}  // namespace blossom
