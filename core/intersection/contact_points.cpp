@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSteps = 24;
 constexpr double kSettled = 1e-13;  // a step below this is rounding; fraction of a patch
-constexpr double kStalled = 1e-9;   // so is one below this that no longer shrinks
+constexpr double kStalled = 1e-11;  // so is one below this that no longer shrinks
 
 using Row = std::array<double, 5>;  // four derivatives, then minus the value
 using System = std::array<Row, 4>;

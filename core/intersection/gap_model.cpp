@@ -24,47 +24,50 @@ struct SurfaceSeries {
   int degree = 0;       // sum of both
 };
 
-// Largest difference of a net from what its coefficients give back: the true error of the
-// coefficients as values, whatever the degree.
-double conversion_error(const NetShape& shape, const double* coefficients, const double* net,
-                        double scale) {
+// Largest difference of a plane of a net from what its coefficients give back: the true error of
+// the coefficients as values, whatever the degree.
+double conversion_error(const NetShape& shape, const double* coefficients, const double* net) {
+  const NetShape plane{shape.rows, shape.columns, 1};
   Planes back;
-  bezier_from_monomial(shape, coefficients, back.data());
-  double worst = 0, sum = 0;
-  for (int i = 0; i < shape.size(); ++i) {
+  bezier_from_monomial(plane, coefficients, back.data());
+  double worst = 0, sum = 0, scale = 0;
+  for (int i = 0; i < plane.size(); ++i) {
     worst = std::max(worst, std::abs(back[static_cast<std::size_t>(i)] - net[i]));
-    sum = std::max(sum, std::abs(coefficients[i]));
+    sum += std::abs(coefficients[i]);
+    scale = std::max(scale, std::abs(net[i]));
   }
-  const int terms = shape.plane_size();
-  return worst +
-         bezier_from_monomial_error(shape.rows - 1, shape.columns - 1) * (sum * terms + scale);
+  return worst + bezier_from_monomial_error(shape.rows - 1, shape.columns - 1) * (sum + scale) +
+         4 * kRoundoff * scale;
 }
 
 std::optional<SurfaceSeries> series_of(const NetShape& shape, const double* net,
                                        const double* coefficients) {
   Planes made;
-  double scale = 0;
-  for (int i = 0; i < shape.size(); ++i) scale = std::max(scale, std::abs(net[i]));
   if (coefficients == nullptr) {
     monomial_from_bezier(shape, net, made.data());
     coefficients = made.data();
   }
   SurfaceSeries result;
   result.degree = shape.rows + shape.columns - 2;
-  result.rounding = conversion_error(shape, coefficients, net, scale) + 4 * kRoundoff * scale;
   const int size = shape.plane_size();
-  for (int k = 0; k < 3; ++k)
-    result.point[static_cast<std::size_t>(k)] =
-        taylor_series(coefficients + k * size, shape.rows, shape.columns);
+  for (int k = 0; k < 3; ++k) {
+    const double* plane = coefficients + k * size;
+    result.rounding = std::max(result.rounding, conversion_error(shape, plane, net + k * size));
+    result.point[static_cast<std::size_t>(k)] = taylor_series(plane, shape.rows, shape.columns);
+  }
   if (shape.planes == 3) return result;
-  const TaylorSeries weight = taylor_series(coefficients + 3 * size, shape.rows, shape.columns);
+  const double* plane = coefficients + 3 * size;
   bool exists = false;
-  const TaylorSeries inverse = reciprocal(weight, exists);
+  const TaylorSeries inverse = reciprocal(taylor_series(plane, shape.rows, shape.columns), exists);
   if (!exists) return std::nullopt;
-  for (TaylorSeries& x : result.point) x = x * inverse;
-  const double largest =
-      std::max({result.point[0].total[0], result.point[1].total[0], result.point[2].total[0]});
-  result.rounding = result.rounding * inverse.total[0] * (1 + largest) + 64 * kRoundoff * largest;
+  double largest = 0;
+  for (TaylorSeries& x : result.point) {
+    x = x * inverse;
+    largest = std::max(largest, x.total[0]);
+  }
+  const double weight_error = conversion_error(shape, plane, net + 3 * size);
+  result.rounding =
+      (result.rounding + largest * weight_error) * inverse.total[0] + 64 * kRoundoff * largest;
   return result;
 }
 
