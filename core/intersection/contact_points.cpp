@@ -12,7 +12,9 @@ namespace {
 
 constexpr int kSteps = 24;
 constexpr double kSettled = 1e-13;  // a step below this is rounding; fraction of a patch
-constexpr double kStalled = 1e-11;  // so is one below this that no longer shrinks
+constexpr double kStalled = 1e-9;   // so is one below this that no longer shrinks,
+constexpr double kSlow = 1e-5;      // and the last of many, near singular points
+constexpr double kMeet = 1e-13;     // relative: surfaces this close meet
 
 using Row = std::array<double, 5>;  // four derivatives, then minus the value
 using System = std::array<Row, 4>;
@@ -35,8 +37,10 @@ bool solve(System& m) {
   return true;
 }
 
-template <class Equations>
-std::optional<Point4> newton(const Point4& start, double reach, const Equations& equations) {
+// `good` tells whether a point whose steps no longer shrink is a solution.
+template <class Equations, class Good>
+std::optional<Point4> newton(const Point4& start, double reach, const Equations& equations,
+                             const Good& good) {
   Point4 x = start;
   double last = 1e300;
   for (int step = 0; step < kSteps; ++step) {
@@ -48,11 +52,15 @@ std::optional<Point4> newton(const Point4& start, double reach, const Equations&
       if (!(std::abs(x[i] - start[i]) <= reach)) return std::nullopt;
       largest = std::max(largest, std::abs(m[i][4]));
     }
-    if (largest < kSettled || (largest < kStalled && largest > 0.25 * last)) return x;
+    const bool stalled =
+        (largest < kStalled && largest > 0.25 * last) || (largest < kSlow && step + 1 == kSteps);
+    if (largest < kSettled || (stalled && good(x))) return x;
     last = largest;
   }
   return std::nullopt;
 }
+
+constexpr auto kAlways = [](const Point4&) { return true; };
 
 Row plane_row(const Point4& plane, const Point4& start, const Point4& x) {
   Row row{plane[0], plane[1], plane[2], plane[3], 0};
@@ -85,39 +93,54 @@ Row tangency_row(const PatchJet& p, const PatchJet& q, const Vec2& across) {
 
 std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                   const Point4& start, const Point4& plane, double reach) {
-  return newton(start, reach, [&](const Point4& x) {
+  const auto equations = [&](const Point4& x) {
     const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 1);
     return System{coincidence_row(p, q, 0), coincidence_row(p, q, 1), coincidence_row(p, q, 2),
                   plane_row(plane, start, x)};
-  });
+  };
+  // Near a node the steps shrink slowly, but the surfaces meet all the same.
+  const auto meet = [&](const Point4& x) {
+    const Vec3 p = jet_at(a, x[0], x[1], 1).point, q = jet_at(b, x[2], x[3], 1).point;
+    return distance(p, q) <= kMeet * (1 + max_norm(p));
+  };
+  return newton(start, reach, equations, meet);
 }
 
 std::optional<Point4> fold_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                  const Point4& start, const Vec2& across, double reach) {
-  return newton(start, reach, [&](const Point4& x) {
-    const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
-    return System{coincidence_row(p, q, 0), coincidence_row(p, q, 1), coincidence_row(p, q, 2),
-                  tangency_row(p, q, across)};
-  });
+  return newton(
+      start, reach,
+      [&](const Point4& x) {
+        const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+        return System{coincidence_row(p, q, 0), coincidence_row(p, q, 1), coincidence_row(p, q, 2),
+                      tangency_row(p, q, across)};
+      },
+      kAlways);
 }
 
 std::optional<Point4> valley_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                    const Point4& start, const Vec2& across, const Point4& plane,
                                    double reach) {
-  return newton(start, reach, [&](const Point4& x) {
-    const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
-    return System{foot_row(p, q, true), foot_row(p, q, false), tangency_row(p, q, across),
-                  plane_row(plane, start, x)};
-  });
+  return newton(
+      start, reach,
+      [&](const Point4& x) {
+        const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+        return System{foot_row(p, q, true), foot_row(p, q, false), tangency_row(p, q, across),
+                      plane_row(plane, start, x)};
+      },
+      kAlways);
 }
 
 std::optional<Point4> foot_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                  const Point4& start, double reach) {
-  return newton(start, reach, [&](const Point4& x) {
-    const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 2);
-    return System{foot_row(p, q, true), foot_row(p, q, false), Row{1, 0, 0, 0, 0},
-                  Row{0, 1, 0, 0, 0}};
-  });
+  return newton(
+      start, reach,
+      [&](const Point4& x) {
+        const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 2);
+        return System{foot_row(p, q, true), foot_row(p, q, false), Row{1, 0, 0, 0, 0},
+                      Row{0, 1, 0, 0, 0}};
+      },
+      kAlways);
 }
 
 Point4 valley_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
@@ -141,11 +164,14 @@ Point4 valley_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b
 std::optional<Point4> collinear_normal_point(const RationalBezierPatch& a,
                                              const RationalBezierPatch& b, const Point4& start,
                                              double reach) {
-  return newton(start, reach, [&](const Point4& x) {
-    const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
-    return System{foot_row(p, q, true), foot_row(p, q, false), tangency_row(p, q, {1, 0}),
-                  tangency_row(p, q, {0, 1})};
-  });
+  return newton(
+      start, reach,
+      [&](const Point4& x) {
+        const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+        return System{foot_row(p, q, true), foot_row(p, q, false), tangency_row(p, q, {1, 0}),
+                      tangency_row(p, q, {0, 1})};
+      },
+      kAlways);
 }
 
 double signed_gap(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x) {
