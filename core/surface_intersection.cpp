@@ -12,6 +12,7 @@
 #include "core/intersection/contact_chains.h"
 #include "core/intersection/contact_points.h"
 #include "core/intersection/critical_places.h"
+#include "core/intersection/overlaps.h"
 #include "core/intersection/pair_search.h"
 #include "core/tracing/fit.h"
 #include "core/tracing/trace.h"
@@ -56,6 +57,7 @@ class Assembly {
     SurfaceCells cells_a(a_, origin_, options_.form, kCut);
     SurfaceCells cells_b(b_, origin_, options_.form, kCut);
     found_ = search_pairs(cells_a, cells_b, size_, options_);
+    add_overlaps(cells_a, cells_b);
     clumps_ = clumps_of(found_.critical);
     contacts_ = contact_chains(found_, cells_a, cells_b, clumps_, size_, options_.tolerances.point);
     attach(loose_ends(found_, cells_a, cells_b, contacts_), found_, cells_a, cells_b, contacts_,
@@ -83,6 +85,103 @@ class Assembly {
     auto& reasons = result_.certificate.reasons;
     if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
       reasons.push_back(reason);
+  }
+
+  // --- coincidence
+
+  // Regions in which the surfaces coincide become overlaps, borders that they share arcs; the
+  // critical pairs that these explain are taken out.
+  void add_overlaps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
+    const double tolerance = options_.tolerances.point;
+    std::vector<CriticalPair> thin;
+    for (const CriticalPair& pair : found_.critical)
+      if (pair.thin) thin.push_back(pair);
+    const std::vector<Clump> clumps = clumps_of(thin);
+    if (std::none_of(clumps.begin(), clumps.end(), [&](const Clump& clump) {
+          return diagonal(clump.box) > kPointClump * size_;
+        }))
+      return;
+    const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_);
+    for (const OverlapRegion& region : overlaps.regions) add_overlap(cells_a, cells_b, region);
+    for (const SharedBorder& border : overlaps.edges) add_shared_border(cells_a, border);
+  }
+
+  void add_overlap(SurfaceCells& cells_a, SurfaceCells& cells_b, const OverlapRegion& region) {
+    Overlap overlap;
+    Place place{PlaceKind::Overlap, {}, {}, 1e300, 0, {}};
+    place.parameters.fill({1e300, -1e300});
+    Box box;
+    for (const BoundaryLoop& loop : region.loops)
+      for (const ContactPoint& p : loop) {
+        const SurfacePoint x = surface_point(cells_a, cells_b, p);
+        overlap.boundary.push_back(x);
+        box = joined(box, {x.point, x.point});
+        widen(place, x, p.gap);
+      }
+    for (const CriticalPair& pair : taken(cells_a, region)) {
+      box = joined(box, {pair.low + origin_, pair.high + origin_});
+      widen(place, parameters_of(cells_a, cells_b, pair));
+      place.gap_low = 0;
+      place.gap_high = options_.tolerances.point;
+    }
+    overlap.gap_high = place.gap_high;
+    const double r = options_.tolerances.point;
+    place.box_low = box.low - Vec3{r, r, r};
+    place.box_high = box.high + Vec3{r, r, r};
+    result_.places.push_back(place);
+    result_.overlaps.push_back(std::move(overlap));
+    weaken(Status::Tolerance, "the surfaces coincide in the listed places");
+  }
+
+  // The critical pairs in a region or along a border, taken out of the search's.
+  template <class Coincidence>
+  std::vector<CriticalPair> taken(const SurfaceCells& cells_a, const Coincidence& coincidence) {
+    const auto rest =
+        std::stable_partition(found_.critical.begin(), found_.critical.end(),
+                              [&](const CriticalPair& pair) {
+                                return !pair.thin || !holds(coincidence, cells_a, pair);
+                              });
+    const std::vector<CriticalPair> result(rest, found_.critical.end());
+    found_.critical.erase(rest, found_.critical.end());
+    return result;
+  }
+
+  void add_shared_border(const SurfaceCells& cells_a, const SharedBorder& border) {
+    taken(cells_a, border);
+    for (std::size_t i = 0; i + 1 < border.path.size(); ++i) {
+      const ContactPoint &p = border.path[i], &q = border.path[i + 1];
+      shared_gap_ = std::max({shared_gap_, p.gap, q.gap});
+      if (p.patch_a != q.patch_a || p.patch_b != q.patch_b || p.x == q.x) continue;
+      FoundArc arc{p.patch_a, p.patch_b, {}, {p.x, q.x}, {-1, -1}};
+      for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = q.x[k] - p.x[k];
+      arc.arc.tangential = arc.arc.iso = true;
+      found_.arcs.push_back(arc);
+    }
+    weaken(Status::Tolerance, "the surfaces touch along a common border");
+  }
+
+  bool bounds_overlap(const SurfacePoint& end) const {
+    return std::any_of(result_.overlaps.begin(), result_.overlaps.end(), [&](const Overlap& o) {
+      return std::any_of(o.boundary.begin(), o.boundary.end(), [&](const SurfacePoint& p) {
+        return distance(p.point, end.point) <= contact_length();
+      });
+    });
+  }
+
+  static void widen(Place& place, const SurfacePoint& x, double gap) {
+    const std::array values{x.uv_a[0], x.uv_a[1], x.uv_b[0], x.uv_b[1]};
+    std::array<Interval, 4> all;
+    for (std::size_t k = 0; k < 4; ++k) all[k] = {values[k], values[k]};
+    widen(place, all);
+    place.gap_low = std::min(place.gap_low, gap);
+    place.gap_high = std::max(place.gap_high, gap);
+  }
+
+  static void widen(Place& place, const std::array<Interval, 4>& parameters) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      place.parameters[k].from = std::min(place.parameters[k].from, parameters[k].from);
+      place.parameters[k].to = std::max(place.parameters[k].to, parameters[k].to);
+    }
   }
 
   // A chain that begins and ends in one clump, and is not much longer than it, is part of that
@@ -141,8 +240,9 @@ class Assembly {
     curve.closed = chain.closed;
     curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
     for (std::size_t side = 0; side < 2; ++side)
-      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0 &&
-          chain.ends[side].contact < 0 && !tangential)
+      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place &&
+          chain.ends[side].clump < 0 && chain.ends[side].contact < 0 && !tangential &&
+          !bounds_overlap(side == 0 ? curve.samples.front() : curve.samples.back()))
         add_loose_end(side == 0 ? curve.samples.front() : curve.samples.back());
     double& least = result_.certificate.least_angle;
     least = result_.curves.empty() ? curve.least_angle : std::min(least, curve.least_angle);
@@ -166,7 +266,7 @@ class Assembly {
 
   // Of the surfaces along their tangential curves.
   double largest_gap() const {
-    double gap = 0;
+    double gap = shared_gap_;
     for (const ContactChain& contact : contacts_)
       if (contact.curve)
         for (const ContactPoint& p : contact.path) gap = std::max(gap, p.gap);
@@ -189,13 +289,7 @@ class Assembly {
     place.parameters.fill({1e300, -1e300});
     for (const ContactPoint& p : contact.path) {
       const SurfacePoint x = surface_point(cells_a, cells_b, p);
-      const std::array values{x.uv_a[0], x.uv_a[1], x.uv_b[0], x.uv_b[1]};
-      for (std::size_t k = 0; k < 4; ++k) {
-        place.parameters[k].from = std::min(place.parameters[k].from, values[k]);
-        place.parameters[k].to = std::max(place.parameters[k].to, values[k]);
-      }
-      place.gap_low = std::min(place.gap_low, p.gap);
-      place.gap_high = std::max(place.gap_high, p.gap);
+      widen(place, x, p.gap);
     }
     const double r = options_.tolerances.point;
     place.box_low = contact.box.low + origin_ - Vec3{r, r, r};
@@ -317,15 +411,25 @@ class Assembly {
     std::array<Interval, 4> all;
     all.fill({1e300, -1e300});
     for (const int i : clump.pairs) {
-      const CriticalPair& pair = found_.critical[static_cast<std::size_t>(i)];
-      const std::array spans{cells_a.knots_u(pair.patch_a), cells_a.knots_v(pair.patch_a),
-                             cells_b.knots_u(pair.patch_b), cells_b.knots_v(pair.patch_b)};
-      const std::array laws{a_.u_law, a_.v_law, b_.u_law, b_.v_law};
+      const std::array one =
+          parameters_of(cells_a, cells_b, found_.critical[static_cast<std::size_t>(i)]);
       for (std::size_t k = 0; k < 4; ++k) {
-        all[k].from = std::min(all[k].from, parameter_at(laws[k], spans[k], pair.box[k].from));
-        all[k].to = std::max(all[k].to, parameter_at(laws[k], spans[k], pair.box[k].to));
+        all[k].from = std::min(all[k].from, one[k].from);
+        all[k].to = std::max(all[k].to, one[k].to);
       }
     }
+    return all;
+  }
+
+  std::array<Interval, 4> parameters_of(const SurfaceCells& cells_a, const SurfaceCells& cells_b,
+                                        const CriticalPair& pair) const {
+    const std::array spans{cells_a.knots_u(pair.patch_a), cells_a.knots_v(pair.patch_a),
+                           cells_b.knots_u(pair.patch_b), cells_b.knots_v(pair.patch_b)};
+    const std::array laws{a_.u_law, a_.v_law, b_.u_law, b_.v_law};
+    std::array<Interval, 4> all;
+    for (std::size_t k = 0; k < 4; ++k)
+      all[k] = {parameter_at(laws[k], spans[k], pair.box[k].from),
+                parameter_at(laws[k], spans[k], pair.box[k].to)};
     return all;
   }
 
@@ -373,6 +477,7 @@ class Assembly {
   PairSearchResult found_;
   std::vector<ContactChain> contacts_;
   std::vector<Clump> clumps_;
+  double shared_gap_ = 0;  // along borders that both surfaces share
   SurfaceIntersection result_;
 };
 

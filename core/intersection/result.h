@@ -81,11 +81,21 @@ struct Certificate {
   std::vector<std::string> reasons;  ///< why the status is not complete
 };
 
+/// A connected region that both surfaces have in common.
+struct Overlap {
+  /// Its boundary, the region to the left as seen from the tip of a's normal; it repeats its first
+  /// point. A region with holes, or a band round a closed direction, has several loops: they follow
+  /// each other, each closed.
+  std::vector<SurfacePoint> boundary;
+  double gap_high = 0;  ///< largest distance of the surfaces in it, model units
+};
+
 struct SurfaceIntersection {
   Status status = Status::Complete;
   std::vector<IntersectionCurve> curves;
   std::vector<SurfacePoint> points;  ///< isolated contacts
   std::vector<SurfacePoint> nodes;   ///< where branches cross
+  std::vector<Overlap> overlaps;     ///< also listed in `places`
   std::vector<Place> places;
   Certificate certificate;
 };

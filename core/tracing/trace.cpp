@@ -138,6 +138,7 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
     x[i] = (1 - fraction) * arc.arc.from[i] + fraction * arc.arc.to[i];
   const auto& patch_a = a_.tree(arc.patch_a).patch();
   const auto& patch_b = b_.tree(arc.patch_b).patch();
+  if (arc.arc.iso) return foot_point(patch_a, patch_b, x, kReach).value_or(x);
   if (arc.arc.tangential) {
     const auto solution = valley_point(patch_a, patch_b, x, across(arc), arc.arc.direction, kReach);
     return solution ? *solution : x;
@@ -163,6 +164,34 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
     if (const auto next = solve(start)) y = *next;
   }
   return y;
+}
+
+// Along an iso-line of a everything follows from it; b's parameters are those of its foot.
+CurvePoint ChainTracer::differentiate_iso(const FoundArc& arc, const Point4& x,
+                                          bool forward) const {
+  const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
+  const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);
+  const int along = arc.arc.from[0] == arc.arc.to[0] ? 1 : 0;
+  const Vec3 &d = along == 0 ? p.u : p.v, &dd = along == 0 ? p.uu : p.vv;
+  const auto k = static_cast<std::size_t>(along);
+  // By arc length: r' = +-1 / |d|, r'' = -(d . dd) / |d|^4.
+  const double square = dot(d, d);
+  const double sign = (arc.arc.to[k] > arc.arc.from[k]) == forward ? 1 : -1;
+  Vec2 rate_a, second_a;
+  rate_a[along] = sign / std::sqrt(square);
+  second_a[along] = -dot(d, dd) / (square * square);
+  CurvePoint result;
+  result.point = p.point + origin_;
+  result.first = d * rate_a[along];
+  result.second = dd * (rate_a[along] * rate_a[along]) + d * second_a[along];
+  result.sine = 1;
+  const Vec2 rate_b = rates(q.u, q.v, result.first);
+  const Vec2 second_b = rates(q.u, q.v, result.second - second_form(q, rate_b));
+  to_own(a_.surface(), a_.knots_u(arc.patch_a), a_.knots_v(arc.patch_a), x[0], x[1], rate_a,
+         second_a, result.a, result.a_first, result.a_second);
+  to_own(b_.surface(), b_.knots_u(arc.patch_b), b_.knots_v(arc.patch_b), x[2], x[3], rate_b,
+         second_b, result.b, result.b_first, result.b_second);
+  return result;
 }
 
 // Where the surfaces touch the tangent is that of the valley; the second derivative is the
@@ -212,6 +241,7 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
 }
 
 CurvePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool forward) const {
+  if (arc.arc.iso) return differentiate_iso(arc, x, forward);
   if (arc.arc.tangential) return differentiate_valley(arc, x, forward);
   const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
   const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);

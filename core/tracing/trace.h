@@ -40,6 +40,7 @@ class ChainTracer {
   CurvePoint on_link(std::size_t link, double fraction) const;
   Point4 parameters_on(const FoundArc& arc, double fraction) const;
   CurvePoint differentiate(const FoundArc& arc, const Point4& x, bool forward) const;
+  CurvePoint differentiate_iso(const FoundArc& arc, const Point4& x, bool forward) const;
   CurvePoint differentiate_valley(const FoundArc& arc, const Point4& x, bool forward) const;
 
   const PairSearchResult& found_;

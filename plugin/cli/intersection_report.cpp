@@ -22,23 +22,33 @@ Json point_json(const SurfacePoint& point, const FaceNumbers& faces) {
   return json;
 }
 
+// A list of points as three lists of coordinates, the first one named `points`.
+void add_points(const std::vector<SurfacePoint>& list, const char* points, Json& json) {
+  for (const char* name : {points, "uv_a", "uv_b"}) json[name] = Json::array();
+  for (const SurfacePoint& p : list) {
+    json[points].push_back(to_json(p.point));
+    json["uv_a"].push_back(to_json(p.uv_a));
+    json["uv_b"].push_back(to_json(p.uv_b));
+  }
+}
+
 Json curve_json(const IntersectionCurve& curve, const FaceNumbers& faces) {
   Json json = with_faces(faces, {{"closed", curve.closed}, {"tangential", curve.tangential}});
-  Json points = Json::array(), uv_a = Json::array(), uv_b = Json::array();
-  for (const SurfacePoint& sample : curve.samples) {
-    points.push_back(to_json(sample.point));
-    uv_a.push_back(to_json(sample.uv_a));
-    uv_b.push_back(to_json(sample.uv_b));
-  }
-  json["points"] = std::move(points);
-  json["uv_a"] = std::move(uv_a);
-  json["uv_b"] = std::move(uv_b);
+  add_points(curve.samples, "points", json);
   json["length"] = curve.length;
   json["degree"] = curve.curve.degree;
   json["poles"] = curve.curve.points.size();
   json["least_angle"] = curve.least_angle;
-  json["deviation"] = {
-      {"a", curve.deviation.a}, {"b", curve.deviation.b}, {"between", curve.deviation.between}};
+  json["deviation"] = {{"a", curve.deviation.a},
+                       {"b", curve.deviation.b},
+                       {"between", curve.deviation.between},
+                       {"proven", curve.deviation.proven}};
+  return json;
+}
+
+Json overlap_json(const Overlap& overlap, const FaceNumbers& faces) {
+  Json json = with_faces(faces, Json::object());
+  add_points(overlap.boundary, "boundary", json);
   return json;
 }
 
@@ -85,6 +95,8 @@ Json intersection_report(const Input& a, const Input& b, const occt::ShapeInters
       report["points"].push_back(point_json(point, faces));
     for (const SurfacePoint& node : pair.found.nodes)
       report["nodes"].push_back(point_json(node, faces));
+    for (const Overlap& overlap : pair.found.overlaps)
+      report["overlaps"].push_back(overlap_json(overlap, faces));
     for (const Place& place : pair.found.places)
       report["places"].push_back(with_faces(faces, to_json(place)));
   }

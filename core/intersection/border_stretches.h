@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Stretches of the borders of one surface that lie on another one.
+
+#pragma once
+
+#include <vector>
+
+#include "core/intersection/pair_search.h"
+
+namespace blossom {
+
+/// A border of a surface: one parameter held at its lower or upper end.
+struct BorderLine {
+  int across = 0;  ///< the parameter held: 0 is u, 1 is v
+  bool upper = false;
+
+  friend bool operator==(const BorderLine&, const BorderLine&) = default;
+};
+
+/// The borders of a surface; closed directions have none.
+std::vector<BorderLine> border_lines(const BezierSurface& surface);
+
+/// The closest point of the other surface.
+struct Foot {
+  int patch = 0;
+  Vec2 x;          ///< local parameters in [0, 1]
+  Vec2 raw;        ///< likewise, before they were clamped to the surface
+  double gap = 0;  ///< distance, model units
+};
+
+/// A point of a border with its foot.
+struct BorderProbe {
+  double along = 0;  ///< span plus local parameter, along the border
+  int patch = 0;
+  Vec2 x;  ///< local parameters
+  Foot foot;
+};
+
+/// A stretch of a border within tolerance of the other surface; at least 2 points.
+struct BorderStretch {
+  BorderLine line;
+  std::vector<BorderProbe> points;  ///< by `along`, dense: chords are within 1e-4 of the size
+};
+
+/// A place on one surface's border where a stretch of the other surface's border ends.
+struct BorderJunction {
+  BorderLine line;
+  double along = 0;
+};
+
+/// Which stretches count.
+enum class StretchKind {
+  Any,
+  Interior,  ///< only those in the interior of the other surface
+};
+
+/// Follows the borders of `own` over `other`.
+class BorderFollower {
+ public:
+  /// others       by patch of `own`: the patches of `other` that it may lie on
+  /// tolerance    largest distance of a stretch, model units
+  BorderFollower(SurfaceCells& own, SurfaceCells& other, std::vector<std::vector<int>> others,
+                 double tolerance, double size);
+
+  /// All stretches of a border. They are sought from points a fraction of a span apart, so shorter
+  /// ones may be missed unless `junctions` names their ends.
+  std::vector<BorderStretch> stretches(const BorderLine& line, StretchKind kind,
+                                       const std::vector<double>& junctions);
+
+  /// Where the ends of a stretch lie on borders of the other surface.
+  std::vector<BorderJunction> junctions(const BorderStretch& stretch) const;
+
+  /// The stretch cut at the places given by `along`.
+  std::vector<BorderStretch> cut(const BorderStretch& stretch, const std::vector<double>& places);
+
+  /// True if the surfaces also coincide beside the stretch, inside `own`.
+  bool coincide_beside(const BorderStretch& stretch);
+
+  /// The stretch by a few points of which neighbours lie in the same pair of patches or are one
+  /// point in two pairs.
+  std::vector<BorderProbe> links(const BorderStretch& stretch);
+
+  Vec3 point(const BorderProbe& probe);
+
+ private:
+  struct Start {
+    int patch;
+    Vec2 x;
+    Vec3 point;
+  };
+
+  int spans(const BorderLine& line) const;
+  BorderProbe placed(const BorderLine& line, double along, int span) const;
+  BorderProbe placed(const BorderLine& line, double along) const;
+  bool probe(BorderProbe& at, const Foot* near);
+  bool follow(BorderProbe& at, Foot near);
+  bool search(BorderProbe& at);
+  const std::vector<Start>& starts(int patch);
+  bool move_on(Foot& foot) const;
+  int on_border(const Foot& foot, double width) const;
+  bool lies_on(const BorderProbe& at, bool found, StretchKind kind) const;
+  BorderProbe end_between(const BorderLine& line, BorderProbe in, double out, StretchKind kind);
+  void snap(const BorderLine& line, BorderProbe& end, double inwards);
+  void refine(BorderStretch& stretch);
+  std::vector<BorderProbe> patch_change(const BorderLine& line, BorderProbe from,
+                                        const BorderProbe& to);
+
+  SurfaceCells& own_;
+  SurfaceCells& other_;
+  std::vector<std::vector<int>> others_;
+  std::vector<std::vector<Start>> starts_;  // by patch of other
+  double tolerance_;
+  double size_;
+};
+
+}  // namespace blossom

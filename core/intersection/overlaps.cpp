@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/overlaps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "core/forms/evaluation.h"
+#include "core/intersection/border_stretches.h"
+
+namespace blossom {
+namespace {
+
+constexpr double kJoinTolerances = 100;  // ends this near are one
+constexpr double kJoinPart = 1e-6;       // or this part of the size
+constexpr double kGrown = 1.0;           // of a cell's width, when a boundary is sought in it
+
+// A directed piece of the boundary, or a piece of shared border.
+struct Piece {
+  std::vector<ContactPoint> path;
+  std::size_t from = 0, to = 0;  // vertices
+  bool used = false;
+};
+
+Vec2 over_surface(const SurfaceCells& a, const ContactPoint& p) {
+  return {a.span_u(p.patch_a) + p.x[0], a.span_v(p.patch_a) + p.x[1]};
+}
+
+// Spans of a closed direction, 0 of an open one.
+Vec2 periods(const BezierSurface& surface) {
+  return {surface.closed_u ? static_cast<double>(surface.patches.rows()) : 0.0,
+          surface.closed_v ? static_cast<double>(surface.patches.columns()) : 0.0};
+}
+
+// The value of p nearest to `near`, whole periods added.
+Vec2 unwrapped(Vec2 p, const Vec2& near, const Vec2& period) {
+  for (int k = 0; k < 2; ++k)
+    if (period[k] > 0) p[k] += period[k] * std::round((near[k] - p[k]) / period[k]);
+  return p;
+}
+
+std::vector<Vec2> unwrapped(const SurfaceCells& a, const BoundaryLoop& loop) {
+  const Vec2 period = periods(a.surface());
+  std::vector<Vec2> polygon;
+  for (const ContactPoint& p : loop) {
+    const Vec2 x = over_surface(a, p);
+    polygon.push_back(polygon.empty() ? x : unwrapped(x, polygon.back(), period));
+  }
+  return polygon;
+}
+
+// Crossings of a polygon with the ray from a point along the positive direction `axis`.
+int crossings(const std::vector<Vec2>& polygon, const Vec2& from, int axis) {
+  int count = 0;
+  for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
+    const Vec2 &p = polygon[i], &q = polygon[i + 1];
+    const double c = from[1 - axis];
+    if ((p[1 - axis] > c) == (q[1 - axis] > c)) continue;
+    const double f = (c - p[1 - axis]) / (q[1 - axis] - p[1 - axis]);
+    if (p[axis] + f * (q[axis] - p[axis]) > from[axis]) ++count;
+  }
+  return count;
+}
+
+// True if a point of the chart lies between the loops.
+bool encloses(const std::vector<BoundaryLoop>& loops, const SurfaceCells& a, const Vec2& point) {
+  const Vec2 period = periods(a.surface());
+  const int axis = period[1] > 0 && period[0] == 0 ? 0 : 1;
+  const double shift = period[1 - axis];
+  int count = 0;
+  for (const BoundaryLoop& loop : loops) {
+    const std::vector<Vec2> polygon = unwrapped(a, loop);
+    const int most = shift > 0 ? 2 : 0;
+    for (int i = -most; i <= most; ++i) {
+      Vec2 moved = point;
+      moved[1 - axis] += i * shift;
+      count += crossings(polygon, moved, axis);
+    }
+  }
+  return count % 2 == 1;
+}
+
+bool meets_box(const Vec2& p, const Vec2& q, const Vec2& low, const Vec2& high) {
+  double from = 0, to = 1;
+  for (int k = 0; k < 2; ++k) {
+    const double d = q[k] - p[k];
+    if (d == 0) {
+      if (p[k] < low[k] || p[k] > high[k]) return false;
+      continue;
+    }
+    const double s = (low[k] - p[k]) / d, t = (high[k] - p[k]) / d;
+    from = std::max(from, std::min(s, t));
+    to = std::min(to, std::max(s, t));
+  }
+  return from <= to;
+}
+
+// True if a path runs through the grown cell of a pair.
+bool runs_through(const std::vector<ContactPoint>& path, const SurfaceCells& a,
+                  const CriticalPair& pair) {
+  const Vec2 span{static_cast<double>(a.span_u(pair.patch_a)),
+                  static_cast<double>(a.span_v(pair.patch_a))};
+  Vec2 low, high, middle;
+  for (int k = 0; k < 2; ++k) {
+    const Interval& box = pair.box[static_cast<std::size_t>(k)];
+    low[k] = span[k] + box.from - kGrown * length(box);
+    high[k] = span[k] + box.to + kGrown * length(box);
+    middle[k] = span[k] + at(box, 0.5);
+  }
+  const Vec2 period = periods(a.surface());
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const Vec2 p = unwrapped(over_surface(a, path[i]), middle, period);
+    const Vec2 q = unwrapped(over_surface(a, path[i + 1]), p, period);
+    if (meets_box(p, q, low, high)) return true;
+  }
+  return false;
+}
+
+class OverlapFinder {
+ public:
+  OverlapFinder(SurfaceCells& a, SurfaceCells& b, const std::vector<CriticalPair>& coincident,
+                double tolerance, double size)
+      : a_(a),
+        b_(b),
+        coincident_(coincident),
+        join_(std::max(kJoinTolerances * tolerance, kJoinPart * size)),
+        on_b_(a, b, partners(a.patches(), &CriticalPair::patch_a, &CriticalPair::patch_b),
+              tolerance, size),
+        on_a_(b, a, partners(b.patches(), &CriticalPair::patch_b, &CriticalPair::patch_a),
+              tolerance, size) {}
+
+  Overlaps run() {
+    // What one surface's stretches end on may be too short for the other's samples: look twice.
+    find_stretches();
+    if (!junctions_a_.empty() || !junctions_b_.empty()) find_stretches();
+    take(on_b_, stretches_a_, junctions_a_, true);
+    take(on_a_, stretches_b_, junctions_b_, false);
+    for (Piece& piece : pieces_) {
+      piece.from = vertex(piece.path.front());
+      piece.to = vertex(piece.path.back());
+    }
+    group(loops());
+    return std::move(result_);
+  }
+
+ private:
+  using Junctions = std::vector<BorderJunction>;
+
+  std::vector<std::vector<int>> partners(int count, int CriticalPair::*own,
+                                         int CriticalPair::*other) const {
+    std::vector<std::set<int>> sets(static_cast<std::size_t>(count));
+    for (const CriticalPair& pair : coincident_)
+      sets[static_cast<std::size_t>(pair.*own)].insert(pair.*other);
+    std::vector<std::vector<int>> lists;
+    for (const auto& set : sets) lists.emplace_back(set.begin(), set.end());
+    return lists;
+  }
+
+  static std::vector<double> places_on(const BorderLine& line, const Junctions& junctions) {
+    std::vector<double> places;
+    for (const BorderJunction& junction : junctions)
+      if (junction.line == line) places.push_back(junction.along);
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
+  static std::vector<BorderStretch> stretches_of(BorderFollower& follower,
+                                                 const BezierSurface& surface, StretchKind kind,
+                                                 const Junctions& junctions) {
+    std::vector<BorderStretch> all;
+    for (const BorderLine& line : border_lines(surface)) {
+      const auto found = follower.stretches(line, kind, places_on(line, junctions));
+      all.insert(all.end(), found.begin(), found.end());
+    }
+    return all;
+  }
+
+  static Junctions junctions_of(const BorderFollower& follower,
+                                const std::vector<BorderStretch>& stretches) {
+    Junctions all;
+    for (const BorderStretch& stretch : stretches)
+      for (const BorderJunction& junction : follower.junctions(stretch)) all.push_back(junction);
+    return all;
+  }
+
+  // Borders of b count only inside a: where both surfaces have a border, it is a's.
+  void find_stretches() {
+    stretches_a_ = stretches_of(on_b_, a_.surface(), StretchKind::Any, junctions_a_);
+    stretches_b_ = stretches_of(on_a_, b_.surface(), StretchKind::Interior, junctions_b_);
+    junctions_b_ = junctions_of(on_b_, stretches_a_);
+    junctions_a_ = junctions_of(on_a_, stretches_b_);
+  }
+
+  static ContactPoint contact_point(const BorderProbe& p, bool of_a) {
+    const Vec2 &x = of_a ? p.x : p.foot.x, &y = of_a ? p.foot.x : p.x;
+    return {of_a ? p.patch : p.foot.patch,
+            of_a ? p.foot.patch : p.patch,
+            {x[0], x[1], y[0], y[1]},
+            p.foot.gap};
+  }
+
+  static std::vector<ContactPoint> contact_path(const std::vector<BorderProbe>& probes, bool of_a) {
+    std::vector<ContactPoint> path;
+    for (const BorderProbe& p : probes) path.push_back(contact_point(p, of_a));
+    return path;
+  }
+
+  void take(BorderFollower& follower, const std::vector<BorderStretch>& stretches,
+            const Junctions& junctions, bool of_a) {
+    for (const BorderStretch& whole : stretches)
+      for (const BorderStretch& part : follower.cut(whole, places_on(whole.line, junctions))) {
+        if (part.points.size() < 2) continue;
+        auto path = contact_path(part.points, of_a);
+        if (length_of(path) <= join_) continue;
+        if (follower.coincide_beside(part)) {
+          if (!runs_with_region_left(part.line, path, of_a)) std::reverse(path.begin(), path.end());
+          pieces_.push_back({std::move(path)});
+        } else if (of_a && is_held(path)) {
+          result_.edges.push_back({contact_path(follower.links(part), true)});
+        }
+      }
+  }
+
+  // The search met a coincidence along the path, at its middle and quarters.
+  bool is_held(const std::vector<ContactPoint>& path) const {
+    for (const std::size_t quarter : {1, 2, 3}) {
+      const std::size_t i = std::min(quarter * path.size() / 4, path.size() - 2);
+      const std::vector<ContactPoint> part{path[i], path[i + 1]};
+      if (std::none_of(coincident_.begin(), coincident_.end(),
+                       [&](const CriticalPair& pair) { return runs_through(part, a_, pair); }))
+        return false;
+    }
+    return true;
+  }
+
+  // Anticlockwise round the surface whose border it is, turned when the normals are opposite.
+  bool runs_with_region_left(const BorderLine& line, const std::vector<ContactPoint>& path,
+                             bool of_a) {
+    const bool left = (line.across == 0) == line.upper;
+    const ContactPoint& p = path[path.size() / 2];
+    return left == (of_a || dot(normal_of_a(p), normal_of_b(p)) > 0);
+  }
+
+  Vec3 normal_of_a(const ContactPoint& p) {
+    const PatchJet jet = jet_at(a_.tree(p.patch_a).patch(), p.x[0], p.x[1], 1);
+    return cross(jet.u, jet.v);
+  }
+
+  Vec3 normal_of_b(const ContactPoint& p) {
+    const PatchJet jet = jet_at(b_.tree(p.patch_b).patch(), p.x[2], p.x[3], 1);
+    return cross(jet.u, jet.v);
+  }
+
+  Vec3 point(const ContactPoint& p) {
+    return jet_at(a_.tree(p.patch_a).patch(), p.x[0], p.x[1], 1).point;
+  }
+
+  double length_of(const std::vector<ContactPoint>& path) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+      sum += distance(point(path[i]), point(path[i + 1]));
+    return sum;
+  }
+
+  std::size_t vertex(const ContactPoint& p) {
+    const Vec3 x = point(p);
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+      if (distance(vertices_[i], x) <= join_) return i;
+    vertices_.push_back(x);
+    return vertices_.size() - 1;
+  }
+
+  // The angle by which the boundary turns left from one piece to the next.
+  double turn(const Piece& in, const Piece& out) {
+    const ContactPoint& corner = in.path.back();
+    const Vec3 n = unit(normal_of_a(corner));
+    const Vec3 x = point(corner);
+    const Vec3 before = x - point(far_from(in.path, x, true));
+    const Vec3 after = point(far_from(out.path, x, false)) - x;
+    return std::atan2(dot(n, cross(before, after)), dot(before, after));
+  }
+
+  // The first point of a path, from one end, clearly apart from x.
+  const ContactPoint& far_from(const std::vector<ContactPoint>& path, const Vec3& x,
+                               bool from_back) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const ContactPoint& p = path[from_back ? path.size() - 1 - i : i];
+      if (distance(point(p), x) > 10 * join_) return p;
+    }
+    return from_back ? path.front() : path.back();
+  }
+
+  // Walks round the boundaries, turning left where several pieces go on; so regions that meet in
+  // a corner stay apart.
+  std::vector<BoundaryLoop> loops() {
+    std::vector<BoundaryLoop> found;
+    for (Piece& first : pieces_) {
+      if (first.used) continue;
+      BoundaryLoop loop;
+      Piece* piece = &first;
+      while (piece) {
+        piece->used = true;
+        loop.insert(loop.end(), piece->path.begin(), piece->path.end());
+        if (piece->to == first.from) break;
+        Piece* next = nullptr;
+        for (Piece& other : pieces_)
+          if (!other.used && other.from == piece->to &&
+              (!next || turn(*piece, other) > turn(*piece, *next)))
+            next = &other;
+        piece = next;
+      }
+      if (!piece) continue;  // no closed boundary: nothing is claimed
+      loop.push_back(loop.front());
+      found.push_back(std::move(loop));
+    }
+    return found;
+  }
+
+  struct ChartLoop {
+    BoundaryLoop loop;
+    double area = 0;
+    Vec2 winding;  // in spans
+    Vec2 inside;   // a point of it
+  };
+
+  ChartLoop charted(BoundaryLoop loop) const {
+    const std::vector<Vec2> polygon = unwrapped(a_, loop);
+    ChartLoop chart;
+    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
+      chart.area += 0.5 * (polygon[i][0] * polygon[i + 1][1] - polygon[i][1] * polygon[i + 1][0]);
+    chart.winding = polygon.back() - polygon.front();
+    chart.inside = polygon.front();
+    chart.loop = std::move(loop);
+    return chart;
+  }
+
+  // Loops into regions: outer loops, pairs of loops round a closed direction, and holes.
+  void group(std::vector<BoundaryLoop> all) {
+    std::vector<ChartLoop> holes, bands;
+    std::vector<double> areas;
+    for (BoundaryLoop& loop : all) {
+      ChartLoop chart = charted(std::move(loop));
+      if (max_norm(chart.winding) > 0.5) {
+        bands.push_back(std::move(chart));
+      } else if (chart.area > 0) {
+        result_.regions.push_back({{std::move(chart.loop)}});
+        areas.push_back(chart.area);
+      } else {
+        holes.push_back(std::move(chart));
+      }
+    }
+    pair_bands(bands);
+    areas.resize(result_.regions.size(), 1e300);
+    for (ChartLoop& hole : holes) {
+      int best = -1;
+      for (std::size_t i = 0; i < result_.regions.size(); ++i)
+        if (encloses(result_.regions[i].loops, a_, hole.inside) &&
+            (best < 0 || areas[i] < areas[static_cast<std::size_t>(best)]))
+          best = static_cast<int>(i);
+      if (best >= 0)
+        result_.regions[static_cast<std::size_t>(best)].loops.push_back(std::move(hole.loop));
+    }
+  }
+
+  // A band lies to the left of both its loops: one that runs along +u below one along -u, or one
+  // along -v left of one along +v.
+  void pair_bands(std::vector<ChartLoop>& bands) {
+    const auto axis = [](const ChartLoop& c) {
+      return std::abs(c.winding[0]) > std::abs(c.winding[1]) ? 0 : 1;
+    };
+    const auto is_low = [&](const ChartLoop& c) {
+      return axis(c) == 0 ? c.winding[0] > 0 : c.winding[1] < 0;
+    };
+    std::sort(bands.begin(), bands.end(), [&](const ChartLoop& c, const ChartLoop& d) {
+      return c.inside[1 - axis(c)] < d.inside[1 - axis(d)];
+    });
+    for (std::size_t i = 0; i + 1 < bands.size(); ++i)
+      if (is_low(bands[i]) && !is_low(bands[i + 1]))
+        result_.regions.push_back({{std::move(bands[i].loop), std::move(bands[i + 1].loop)}});
+  }
+
+  SurfaceCells& a_;
+  SurfaceCells& b_;
+  const std::vector<CriticalPair>& coincident_;
+  double join_;
+  BorderFollower on_b_;  // borders of a
+  BorderFollower on_a_;  // borders of b
+  std::vector<BorderStretch> stretches_a_, stretches_b_;
+  Junctions junctions_a_, junctions_b_;
+  std::vector<Piece> pieces_;
+  std::vector<Vec3> vertices_;
+  Overlaps result_;
+};
+
+}  // namespace
+
+Overlaps find_overlaps(SurfaceCells& a, SurfaceCells& b,
+                       const std::vector<CriticalPair>& coincident, double tolerance, double size) {
+  return OverlapFinder(a, b, coincident, tolerance, size).run();
+}
+
+bool holds(const OverlapRegion& region, const SurfaceCells& a, const CriticalPair& pair) {
+  for (const BoundaryLoop& loop : region.loops)
+    if (runs_through(loop, a, pair)) return true;
+  return encloses(region.loops, a,
+                  {a.span_u(pair.patch_a) + at(pair.box[0], 0.5),
+                   a.span_v(pair.patch_a) + at(pair.box[1], 0.5)});
+}
+
+bool holds(const SharedBorder& border, const SurfaceCells& a, const CriticalPair& pair) {
+  return runs_through(border.path, a, pair);
+}
+
+}  // namespace blossom

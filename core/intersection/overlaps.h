@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where two surfaces coincide: regions with an area, and borders that both share.
+//
+// The common region of two surfaces is bounded by pieces of the borders of either that lie on the
+// other. So the borders are followed over the other surface, and the pieces chained.
+
+#pragma once
+
+#include <vector>
+
+#include "core/intersection/contact_chains.h"
+#include "core/intersection/pair_search.h"
+
+namespace blossom {
+
+/// A stretch of border at which the surfaces touch but do not overlap: a smooth joint, say.
+/// Neighbours on the path lie in the same pair of patches, or are one point in two pairs.
+/// All points lie on a border of a.
+struct SharedBorder {
+  std::vector<ContactPoint> path;
+};
+
+/// A loop of a region's boundary, the region to its left as seen from the tip of a's normal.
+using BoundaryLoop = std::vector<ContactPoint>;
+
+/// A connected region in which the surfaces stay within tolerance of each other.
+struct OverlapRegion {
+  /// The outer loop, then holes; two loops for a band round a closed direction. Each repeats its
+  /// first point; consecutive points may lie in different patches.
+  std::vector<BoundaryLoop> loops;
+};
+
+struct Overlaps {
+  std::vector<OverlapRegion> regions;
+  std::vector<SharedBorder> edges;
+};
+
+/// Regions and shared borders of two surfaces.
+///
+/// coincident   thin critical pairs of the search; only pairs of patches that occur in them are
+///              looked at, and a shared border counts only where they hold it
+/// tolerance    surfaces closer than this coincide, model units
+/// size         of the surfaces, model units
+/// returns      regions wider than about 3 sqrt(tolerance size); found by samples, not proven
+///
+/// Source: `core/README.md`, "Intersection".
+Overlaps find_overlaps(SurfaceCells& a, SurfaceCells& b,
+                       const std::vector<CriticalPair>& coincident, double tolerance, double size);
+
+/// True if the pair's place on a lies in the region or meets its boundary.
+bool holds(const OverlapRegion& region, const SurfaceCells& a, const CriticalPair& pair);
+
+/// True if the border runs through the pair's place on a.
+bool holds(const SharedBorder& border, const SurfaceCells& a, const CriticalPair& pair);
+
+}  // namespace blossom
