@@ -12,7 +12,6 @@
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_points.h"
 #include "core/intersection/gap_model.h"
-#include "core/intersection/shared_chart.h"
 #include "core/intersection/valley.h"
 #include "core/subdivision/patch_subdivision.h"
 
@@ -30,10 +29,6 @@ constexpr long kMostCells = 60'000;   // per pair of patches
 constexpr double kRegularMargin = 4;  // see `clearly_regular`
 constexpr double kBoxReserve = 0.1;   // of the box round a cell's foot points
 constexpr double kOnBorder = 1e-9;    // fraction of a patch
-constexpr int kSharedDepth = 8;         // halvings of a cell that lies partly on b
-constexpr double kSharedSize = 1e-3;    // of the surfaces, of a cell that only touches b
-constexpr double kSharedPart = 1e-4;    // of a patch: what has less in common only touches
-constexpr std::size_t kSharedStarts = 3;
 
 // A chart of b and the cells of its piece.
 struct Chart {
@@ -73,7 +68,6 @@ class ContactSearch {
       s = {std::min(s.from, part[0].from), std::max(s.to, part[0].to)};
       t = {std::min(t.from, part[1].from), std::max(t.to, part[1].to)};
     }
-    find_shared();
     cover(s, t, 0);
   }
 
@@ -147,9 +141,7 @@ class ContactSearch {
     if (out_of_budget()) return keep(a, graph.s, graph.t, piece, false);
     result_.certificate.depth = std::max(result_.certificate.depth, a.depth);
     path_.push_back(index);
-    if (const auto foot = shared_foot(a, graph)) {
-      if (keep_shared(index, *foot, chart)) return path_.pop_back();
-    } else if (const auto model = gap_model(tree_a_, a, tree_b_, graph)) {
+    if (const auto model = gap_model(tree_a_, a, tree_b_, graph)) {
       if (decide(index, *model, chart)) return path_.pop_back();
     } else if (misses(a, chart.piece, 0)) {
       ++result_.certificate.excluded;
@@ -163,62 +155,6 @@ class ContactSearch {
       examine(child + 1, chart);
     }
     path_.pop_back();
-  }
-
-  // --- both patches are parts of one surface
-
-  void find_shared() {
-    const std::size_t step = task_.cells_a.size() / kSharedStarts + 1;
-    for (std::size_t i = 0; i < task_.cells_a.size() && !shared_; i += step) {
-      const Cell& a = tree_a_[task_.cells_a[i]];
-      const double u = at(a.u, 0.5), v = at(a.v, 0.5);
-      const Vec3 p = jet_at(tree_a_.patch(), u, v, 1).point;
-      double nearest = 1e300;
-      Point4 start{};
-      for (const auto& part : task_.parts_b) {
-        const double s = at(part[0], 0.5), t = at(part[1], 0.5);
-        const double d = distance(p, jet_at(tree_b_.patch(), s, t, 1).point);
-        if (d < nearest) start = {u, v, s, t};
-        nearest = std::min(nearest, d);
-      }
-      shared_ = shared_chart(tree_a_.patch(), tree_b_.patch(), start, tolerance());
-    }
-  }
-
-  // Where the cell lies on the chart, if both are one surface there.
-  std::optional<Box2> shared_foot(const Cell& a, const GraphChart& graph) const {
-    if (!shared_ || !within({a.u, a.v}, shared_->domain)) return std::nullopt;
-    Box2 foot = shared_->image(a.u, a.v);
-    // The surfaces agree up to the tolerance: so the foot points do up to a little more.
-    const PatchJet jet = jet_at(tree_b_.patch(), at(graph.s, 0.5), at(graph.t, 0.5), 1);
-    const double slack = 2 * tolerance() / norm(cross(jet.u, jet.v));
-    const Vec2 by{kOnBorder + slack * norm(jet.v), kOnBorder + slack * norm(jet.u)};
-    for (int k = 0; k < 2; ++k) {
-      Interval& x = foot[static_cast<std::size_t>(k)];
-      x = {x.from - by[k], x.to + by[k]};
-    }
-    if (!within(foot, {graph.wide_s, graph.wide_t})) return std::nullopt;
-    return foot;
-  }
-
-  // True if the cell needs no halving.
-  bool keep_shared(int index, const Box2& foot, const Chart& chart) {
-    const Cell a = tree_a_[index];
-    if (!overlap(foot[0], chart.graph.s) || !overlap(foot[1], chart.graph.t)) {
-      ++result_.certificate.excluded;
-      return true;
-    }
-    const Claim claimed = claim_of(index, foot, chart.index);
-    if (claimed != Claim::Free) return claimed == Claim::Taken;
-    const auto common = [](const Interval& x) { return std::min(x.to, 1.0) - std::max(x.from, 0.0); };
-    const double least = std::min(common(foot[0]), common(foot[1]));
-    const bool inside = within(foot, {Interval{0, 1}, Interval{0, 1}});
-    const bool fine = least > kSharedPart ? a.depth >= kSharedDepth
-                                        : a.extent <= kSharedSize * valley_options_.size;
-    if (!inside && !fine) return false;
-    keep(a, foot[0], foot[1], chart.piece[0], true);
-    claim(index, chart.index);
-    return true;
   }
 
   // Charts overlap, so that nothing is cut where they meet: a cell whose foot points lie in
@@ -506,7 +442,6 @@ class ContactSearch {
   const IntersectionOptions& options_;
   const ValleyOptions valley_options_;
   PairSearchResult& result_;
-  std::optional<SharedChart> shared_;
   long cells_ = 0;
   std::vector<Box2> wide_;                     // of the charts so far
   std::vector<int> path_;                      // the cell at work and its ancestors

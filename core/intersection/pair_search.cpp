@@ -9,6 +9,7 @@
 #include "core/bounds/box_tree.h"
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_search.h"
+#include "core/intersection/shared_cells.h"
 
 namespace blossom {
 namespace {
@@ -60,6 +61,7 @@ class Search {
     patch_b_ = patch_b;
     tree_a_ = &a_.tree(patch_a);
     tree_b_ = &b_.tree(patch_b);
+    shared_.emplace(*tree_a_, *tree_b_, options_.tolerances.point);
     stack_.assign(1, {0, 0, -1});
     while (!stack_.empty()) {
       const Pair pair = stack_.back();
@@ -104,6 +106,7 @@ class Search {
       ++certificate.excluded;
       return;
     }
+    if (const auto part = shared_->part(a, b)) return settle_shared(*part);
     const JacobianBounds bounds(a, b);
     if (pair.along < 0) pair.along = certified_column(bounds);
     if (pair.along >= 0) {
@@ -113,6 +116,8 @@ class Search {
         return;
       }
     } else if (nearly_parallel(a, b)) {
+      shared_->look_near(a, b);
+      if (const auto part = shared_->part(a, b)) return settle_shared(*part);
       parallel_.push_back({pair.cell_a, pair.cell_b});
       return;
     }
@@ -124,6 +129,17 @@ class Search {
       keep(pair, thin);
     else
       halve(pair);
+  }
+
+  // Both patches are parts of one surface: the pair coincides in a rectangle or not at all.
+  void settle_shared(const SharedPart& part) {
+    if (part.empty) {
+      ++result_.certificate.excluded;
+      return;
+    }
+    ++result_.certificate.critical;
+    result_.critical.push_back(
+        {patch_a_, patch_b_, part.box, part.hull.low, part.hull.high, true});
   }
 
   SurfaceBorders borders(const Cell& a, const Cell& b) const {
@@ -248,6 +264,7 @@ class Search {
   int patch_a_ = 0, patch_b_ = 0;
   CellTree* tree_a_ = nullptr;
   CellTree* tree_b_ = nullptr;
+  std::optional<SharedCells> shared_;  // of the pair of patches at work
   std::vector<Pair> stack_;
   std::vector<CertifiedPair> certified_;  // of the pair of patches at work
   std::vector<CellsPair> parallel_;

@@ -134,6 +134,11 @@ double distance_bound(const RationalBezierPatch& a, const RationalBezierPatch& b
   return (worst + 2 * error * scale) / least;
 }
 
+Interval range(const LinearRational& f, const Interval& x) {
+  const double p = f(x.from), q = f(x.to);
+  return {std::min(p, q), std::max(p, q)};
+}
+
 }  // namespace
 
 double LinearRational::operator()(double x) const {
@@ -142,11 +147,14 @@ double LinearRational::operator()(double x) const {
 }
 
 std::array<Interval, 2> SharedChart::image(const Interval& u, const Interval& v) const {
-  const auto part = [](const LinearRational& f, const Interval& x) {
-    const double p = f(x.from), q = f(x.to);
-    return Interval{std::min(p, q), std::max(p, q)};
-  };
-  return {part(s, transposed ? v : u), part(t, transposed ? u : v)};
+  return {range(s, transposed ? v : u), range(t, transposed ? u : v)};
+}
+
+std::array<Interval, 2> SharedChart::inverse_image(const Interval& in_s,
+                                                   const Interval& in_t) const {
+  const Interval from_s = range(s.inverse(), in_s), from_t = range(t.inverse(), in_t);
+  if (transposed) return {from_t, from_s};
+  return {from_s, from_t};
 }
 
 std::optional<SharedChart> shared_chart(const RationalBezierPatch& a, const RationalBezierPatch& b,

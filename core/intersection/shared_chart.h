@@ -25,6 +25,9 @@ struct LinearRational {
   double ratio = 1;  ///< of the rates at both ends; 1: linear
 
   double operator()(double x) const;
+
+  /// The inverse function.
+  LinearRational inverse() const { return {to, from, 1 / ratio}; }
 };
 
 /// Where the points of patch a lie on patch b.
@@ -35,6 +38,9 @@ struct SharedChart {
 
   /// The rectangle of b's parameters that belongs to one inside `domain`.
   std::array<Interval, 2> image(const Interval& u, const Interval& v) const;
+
+  /// Likewise the rectangle of a's parameters.
+  std::array<Interval, 2> inverse_image(const Interval& in_s, const Interval& in_t) const;
 };
 
 /// The chart through a point near (u, v, s, t).
