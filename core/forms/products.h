@@ -18,7 +18,8 @@ namespace blossom {
 ///
 /// returns      degree n + n' in each direction
 /// throws       InvalidInput if a form is empty or a degree of the result is above
-/// kMaxProductDegree accuracy     product_error, relative to the largest coefficients of f and of g
+///              kMaxProductDegree
+/// accuracy     product_error, relative to the largest coefficients of f and of g
 /// cost         O(n n'), O(n n' m m')
 ///
 /// Source: Farouki and Rajan 1988.
