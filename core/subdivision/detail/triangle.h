@@ -3,23 +3,15 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 #include "core/forms/triangle.h"
-#include "core/math/detail/bernstein.h"
+#include "core/math/detail/scaled_bernstein.h"
 #include "core/math/matrix.h"
 
 namespace blossom::detail {
-
-/// Coefficients of the product of two polynomials.
-template <class Scalar>
-std::vector<Scalar> convolution(const std::vector<Scalar>& f, const std::vector<Scalar>& g) {
-  std::vector<Scalar> result(f.size() + g.size() - 1, Scalar(0));
-  for (std::size_t i = 0; i < f.size(); ++i)
-    for (std::size_t j = 0; j < g.size(); ++j) result[i + j] += f[i] * g[j];
-  return result;
-}
 
 /// Row (i, j) at its place in a triangle: the blossoms of B_0^n .. B_n^n at i copies of a, j of b
 /// and n - i - j of c.
@@ -29,10 +21,11 @@ Grid<Scalar> corner_matrix(int n, const Scalar& a, const Scalar& b, const Scalar
   Grid<Scalar> matrix(static_cast<int>(Triangle::count(n)), n + 1);
   for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
-      const std::vector<Scalar> weights =
-          convolution(convolution(bernstein(i, a), bernstein(j, b)), bernstein(n - i - j, c));
-      const int row = static_cast<int>(Triangle::index(n, i, j));
-      for (int k = 0; k <= n; ++k) matrix(row, k) = weights[index(k)];
+      const auto row =
+          matrix.values().subspan(Triangle::index(n, i, j) * index(n + 1), index(n + 1));
+      std::ranges::copy(bernstein(i, a), row.begin());
+      multiply_in_place<Scalar>(row, i + 1, bernstein(j, b));
+      multiply_in_place<Scalar>(row, i + j + 1, bernstein(n - i - j, c));
     }
   return matrix;
 }
