@@ -97,9 +97,21 @@ BLOSSOM_INSTANTIATE(Vec3)
 BLOSSOM_INSTANTIATE(Vec4)
 #undef BLOSSOM_INSTANTIATE
 
-#define BLOSSOM_INSTANTIATE(Point)                                                    \
-  template ReducedOf<BezierCurveOf<Point>> reduced(const BezierCurveOf<Point>&, int); \
-  template ReducedOf<BezierPatchOf<Point>> reduced(const BezierPatchOf<Point>&, int, int);
+template <class Point>
+ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>& triangle, int degree) {
+  check_higher("reduced", degree, triangle.degree);
+  detail::check_triangle("reduced", triangle, kMaxDegree);
+  const Grid<double> matrix = detail::triangle_reduction_matrix(triangle.degree, degree);
+  const BezierTriangleOf<Point> lower{degree, product(matrix, triangle.points)};
+  const BezierTriangleOf<Point> raised = elevated(lower, triangle.degree);
+  return {lower, proven_distance<Point>(triangle.points, lower.points, raised.points,
+                                        triangle_elevation_error(degree, triangle.degree))};
+}
+
+#define BLOSSOM_INSTANTIATE(Point)                                                         \
+  template ReducedOf<BezierCurveOf<Point>> reduced(const BezierCurveOf<Point>&, int);      \
+  template ReducedOf<BezierPatchOf<Point>> reduced(const BezierPatchOf<Point>&, int, int); \
+  template ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>&, int);
 BLOSSOM_INSTANTIATE(Vec2)
 BLOSSOM_INSTANTIATE(Vec3)
 BLOSSOM_INSTANTIATE(Vec4)

@@ -19,7 +19,7 @@ namespace blossom {
 /// returns      degree + 1 points, model units
 /// throws       InvalidInput if a degree is below the form's or out of range, or the form has no
 ///              points or, for a triangle, not as many as its degree wants
-/// accuracy     relative to the largest coordinate elevation_error(degree), the sum of both
+/// accuracy     relative to the largest coordinate: elevation_error(degree), the sum of both
 /// degrees'
 ///              for a patch, triangle_elevation_error for a triangle
 ///
@@ -38,7 +38,9 @@ struct ReducedOf {
   double error = 0;  ///< bound on the distance at equal parameters, model units
 };
 
-/// The curve of a lower degree that is nearest in the mean square, among those with the same ends.
+/// The curve of a lower degree whose elevated control points are nearest to the given ones in the
+/// mean square, among those with the same ends. Without a condition on the ends (degree 0) that is
+/// the nearest curve in the mean square, too; with them, nearly.
 ///
 /// degree       0..n; with 0 the ends are given up
 /// returns      the curve, and the largest distance of its control points, elevated, from the
@@ -48,7 +50,7 @@ struct ReducedOf {
 ///              not 0..kMaxProductDegree
 /// cost         O(n^3)
 ///
-/// Source: Lutterkort, Peters, Reif 1999.
+/// Source: Lutterkort, Peters, Reif 1999; conditions on ends as in linear least squares.
 template <class Point>
 ReducedOf<BezierCurveOf<Point>> reduced(const BezierCurveOf<Point>& curve, int degree);
 
@@ -56,6 +58,17 @@ ReducedOf<BezierCurveOf<Point>> reduced(const BezierCurveOf<Point>& curve, int d
 template <class Point>
 ReducedOf<BezierPatchOf<Point>> reduced(const BezierPatchOf<Point>& patch, int degree_u,
                                         int degree_v);
+
+/// The triangle of a lower degree whose borders are the borders reduced, and whose elevated points
+/// are nearest to the given ones in the mean square. Triangles that share a side still share it, to
+/// rounding.
+///
+/// degree       0..N; with 0 the corners are given up
+/// throws       InvalidInput if the degree is above the triangle's, or that is above kMaxDegree or
+///              does not fit the number of points
+/// cost         O(N^6)
+template <class Point>
+ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>& triangle, int degree);
 
 /// Bound on the error of a coordinate of an elevated form of this degree, relative to the largest:
 /// a sum of at most degree / 2 + 1 terms, and 13 roundings of the binomials and products.

@@ -2,8 +2,11 @@
 #include "core/forms/detail/degree_reduction.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "core/forms/detail/products.h"
+#include "core/math/matrix.h"
 
 namespace blossom::detail {
 namespace {
@@ -56,26 +59,79 @@ Grid<double> identity_matrix(int size) {
   return matrix;
 }
 
+// Fills the rows of `result` that are not given such that elevation * result is nearest to the
+// identity. Given rows go to the right-hand side.
+void complete(const Grid<double>& elevation, const std::vector<bool>& given, Grid<double>& result) {
+  std::vector<int> open;
+  for (int i = 0; i < result.rows(); ++i)
+    if (!given[index(i)]) open.push_back(i);
+  if (open.empty()) return;
+  Grid<double> inner(elevation.rows(), static_cast<int>(open.size()));
+  for (int k = 0; k < inner.rows(); ++k)
+    for (int i = 0; i < inner.columns(); ++i) inner(k, i) = elevation(k, open[index(i)]);
+  Grid<double> wanted = product(elevation, result);
+  for (double& value : wanted.values()) value = -value;
+  for (int k = 0; k < wanted.rows(); ++k) wanted(k, k) += 1;
+  const Grid<double> found = least_squares(std::move(inner), std::move(wanted));
+  for (int i = 0; i < found.rows(); ++i)
+    for (int k = 0; k < found.columns(); ++k) result(open[index(i)], k) = found(i, k);
+}
+
+using Triangle = BezierTriangleOf<double>;
+
+// Column i: the i-th Bernstein polynomial of degree `lower`, elevated.
+Grid<double> triangle_elevation_matrix(int degree, int lower) {
+  const std::size_t count = Triangle::count(lower);
+  Grid<double> matrix(static_cast<int>(Triangle::count(degree)), static_cast<int>(count));
+  for (int i = 0; i < matrix.columns(); ++i) {
+    Triangle unit{lower, std::vector<double>(count, 0.0)};
+    unit.points[index(i)] = 1;
+    while (unit.degree < degree) unit = elevated_once(unit);
+    for (int k = 0; k < matrix.rows(); ++k) matrix(k, i) = unit.points[index(k)];
+  }
+  return matrix;
+}
+
+// Places of the points of a side: 0 from c to b, 1 from c to a, 2 from b to a.
+std::vector<int> side_of(int degree, int side) {
+  std::vector<int> places;
+  for (int k = 0; k <= degree; ++k) {
+    const int nu = side == 0 ? 0 : k;
+    const int mu = side == 0 ? k : side == 1 ? 0 : degree - k;
+    places.push_back(static_cast<int>(Triangle::index(degree, nu, mu)));
+  }
+  return places;
+}
+
 }  // namespace
 
 Grid<double> reduction_matrix(int degree, int lower) {
-  const Grid<double> elevation = elevation_matrix(degree, lower);
-  Grid<double> wanted = identity_matrix(degree + 1);
-  if (lower == degree) return wanted;
-  if (lower == 0) return least_squares(elevation, wanted);
-  // The ends are given: they go to the right-hand side.
+  if (lower == degree) return identity_matrix(degree + 1);
   Grid<double> result(lower + 1, degree + 1, 0.0);
-  result(0, 0) = result(lower, degree) = 1;
-  if (lower == 1) return result;
-  Grid<double> inner(degree + 1, lower - 1);
-  for (int k = 0; k <= degree; ++k) {
-    wanted(k, 0) -= elevation(k, 0);
-    wanted(k, degree) -= elevation(k, lower);
-    for (int i = 1; i < lower; ++i) inner(k, i - 1) = elevation(k, i);
+  std::vector<bool> given(index(lower + 1), false);
+  if (lower > 0) {
+    given.front() = given.back() = true;
+    result(0, 0) = result(lower, degree) = 1;
   }
-  const Grid<double> found = least_squares(inner, wanted);
-  for (int i = 1; i < lower; ++i)
-    for (int k = 0; k <= degree; ++k) result(i, k) = found(i - 1, k);
+  complete(elevation_matrix(degree, lower), given, result);
+  return result;
+}
+
+Grid<double> triangle_reduction_matrix(int degree, int lower) {
+  const int rows = static_cast<int>(Triangle::count(lower)),
+            columns = static_cast<int>(Triangle::count(degree));
+  if (lower == degree) return identity_matrix(columns);
+  Grid<double> result(rows, columns, 0.0);
+  std::vector<bool> given(index(rows), false);
+  const Grid<double> of_side = reduction_matrix(degree, lower);
+  for (int side = 0; side < 3 && lower > 0; ++side) {
+    const std::vector<int> to = side_of(lower, side), from = side_of(degree, side);
+    for (int i = 0; i <= lower; ++i) {
+      given[index(to[index(i)])] = true;
+      for (int k = 0; k <= degree; ++k) result(to[index(i)], from[index(k)]) = of_side(i, k);
+    }
+  }
+  complete(triangle_elevation_matrix(degree, lower), given, result);
   return result;
 }
 

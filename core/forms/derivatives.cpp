@@ -41,16 +41,15 @@ BezierTriangleOf<Point> derivative(const BezierTriangleOf<Point>& triangle, int 
   check_order("derivative", order_x);
   check_order("derivative", order_y);
   BezierTriangleOf<Point> result = triangle;
-  for (int k = 0; k < order_x; ++k) result = detail::derivative_along_x(result);
-  for (int k = 0; k < order_y; ++k) result = detail::derivative_along_y(result);
+  for (int k = 0; k < order_x; ++k) result = detail::one_derivative(result, detail::Along::U);
+  for (int k = 0; k < order_y; ++k) result = detail::one_derivative(result, detail::Along::V);
   return result;
 }
 
 RationalBezierCurve rational_derivative(const RationalBezierCurve& curve, int order) {
   check_order("rational_derivative", order);
   detail::check_degree("rational_derivative", curve.degree(), kMaxProductDegree / (order + 1));
-  return {
-      detail::only_row(detail::rational_derivative_net(detail::one_row(curve.points), 0, order))};
+  return {detail::only_row(detail::rational_derivative(detail::one_row(curve.points), 0, order))};
 }
 
 RationalBezierPatch rational_derivative(const RationalBezierPatch& patch, int order_u,
@@ -60,7 +59,16 @@ RationalBezierPatch rational_derivative(const RationalBezierPatch& patch, int or
   const int highest = kMaxProductDegree / (order_u + order_v + 1);
   detail::check_degree("rational_derivative", patch.degree_u(), highest);
   detail::check_degree("rational_derivative", patch.degree_v(), highest);
-  return {detail::rational_derivative_net(patch.points, order_u, order_v)};
+  return {detail::rational_derivative(patch.points, order_u, order_v)};
+}
+
+RationalBezierTriangle rational_derivative(const RationalBezierTriangle& triangle, int order_x,
+                                           int order_y) {
+  check_order("rational_derivative", order_x);
+  check_order("rational_derivative", order_y);
+  detail::check_triangle("rational_derivative", triangle,
+                         kMaxProductDegree / (order_x + order_y + 1));
+  return detail::rational_derivative(triangle, order_x, order_y);
 }
 
 #define BLOSSOM_INSTANTIATE(Point)                                                 \

@@ -50,6 +50,13 @@ BezierTriangleOf<Point> derivative(const BezierTriangleOf<Point>& triangle, int 
 RationalBezierCurve rational_derivative(const RationalBezierCurve& curve, int order);
 RationalBezierPatch rational_derivative(const RationalBezierPatch& patch, int order_u, int order_v);
 
+/// The same by the barycentric x and y.
+///
+/// throws       also if the number of points does not fit the degree
+/// accuracy     rational_triangle_derivative_error, likewise
+RationalBezierTriangle rational_derivative(const RationalBezierTriangle& triangle, int order_x,
+                                           int order_y);
+
 /// The largest value of a derivative's points for points of size 1: 2^r n! / (n - r)!.
 constexpr double derivative_growth(int degree, int order) {
   double growth = 1;
@@ -78,6 +85,15 @@ constexpr double rational_derivative_error(int degree_u, int degree_v, int order
   double size = 1;
   for (int k = 1; k <= order; ++k) size *= degree > 0 ? 4.0 * k * degree : 1;
   return (order * (terms + 17) + (order + 1) * (order + 1) + 13) * size * 0x1p-53;
+}
+
+/// Likewise of a triangle, by the total order: products of up to (n + 1)(n + 2) / 2 terms, and an
+/// elevation of 5 roundings for each step.
+constexpr double rational_triangle_derivative_error(int degree, int order) {
+  const int terms = (degree + 1) * (degree + 2) / 2;
+  double size = 1;
+  for (int k = 1; k <= order; ++k) size *= degree > 0 ? 4.0 * k * degree : 1;
+  return order * (terms + 22) * size * 0x1p-53;
 }
 
 }  // namespace blossom

@@ -69,6 +69,45 @@ Grid<T> scalar_product(const Grid<Scalar>& f, const Grid<T>& g) {
   return bernstein_product(f, g, [](const Scalar& s, const T& t) -> T { return t * s; });
 }
 
+/// N! / (nu! mu! (N - nu - mu)!): at most 3 roundings, none up to kMaxDegree.
+template <class Scalar>
+Scalar trinomial_as(int n, int nu, int mu) {
+  return binomial_as<Scalar>(n, nu) * binomial_as<Scalar>(n - nu, mu);
+}
+
+template <class T>
+BezierTriangleOf<T> scaled_triangle(BezierTriangleOf<T> triangle) {
+  using Scalar = scalar_of<T>;
+  for (int nu = 0; nu <= triangle.degree; ++nu)
+    for (int mu = 0; nu + mu <= triangle.degree; ++mu)
+      triangle(nu, mu) *= trinomial_as<Scalar>(triangle.degree, nu, mu);
+  return triangle;
+}
+
+template <class T>
+BezierTriangleOf<T> unscaled_triangle(BezierTriangleOf<T> triangle) {
+  using Scalar = scalar_of<T>;
+  for (int nu = 0; nu <= triangle.degree; ++nu)
+    for (int mu = 0; nu + mu <= triangle.degree; ++mu)
+      triangle(nu, mu) *= Scalar(Scalar(1) / trinomial_as<Scalar>(triangle.degree, nu, mu));
+  return triangle;
+}
+
+/// f g of triangles, the same sum over the multi-indices of both. Source: DeRose 1988.
+template <class Scalar, class T>
+BezierTriangleOf<T> scalar_product(const BezierTriangleOf<Scalar>& f,
+                                   const BezierTriangleOf<T>& g) {
+  const BezierTriangleOf<Scalar> a = scaled_triangle(f);
+  const BezierTriangleOf<T> b = scaled_triangle(g);
+  const int degree = f.degree + g.degree;
+  BezierTriangleOf<T> sum{degree, std::vector<T>(BezierTriangleOf<T>::count(degree), T{})};
+  for (int i = 0; i <= f.degree; ++i)
+    for (int j = 0; i + j <= f.degree; ++j)
+      for (int k = 0; k <= g.degree; ++k)
+        for (int l = 0; k + l <= g.degree; ++l) sum(i + k, j + l) += b(k, l) * a(i, j);
+  return unscaled_triangle(std::move(sum));
+}
+
 template <class Scalar>
 Grid<Vec<Scalar, 3>> cross_product(const Grid<Vec<Scalar, 3>>& f, const Grid<Vec<Scalar, 3>>& g) {
   return bernstein_product(f, g, cross<Scalar>);

@@ -211,8 +211,18 @@ Trial derivative_of_rational_patch(Random& random) {
   const int n = pick(random, 1, 3), m = pick(random, 1, 3);
   const RationalBezierPatch patch = random_patch<Vec4>(random, n, m);
   return {gap(rational_derivative(patch, 1, 0).points,
-              detail::rational_derivative_net(extended(patch.points), 1, 0)),
+              detail::rational_derivative(extended(patch.points), 1, 0)),
           rational_derivative_error(n, m, 1)};
+}
+
+Trial derivative_of_rational_triangle(Random& random) {
+  const int n = pick(random, 1, 5);
+  const int last = static_cast<int>(BezierTriangle::count(n)) - 1;
+  const RationalBezierTriangle triangle{n, random_curve<Vec4>(random, last).points};
+  const BezierTriangleOf<LongPoint<4>> reference{n, extended(triangle.points)};
+  return {gap(rational_derivative(triangle, 1, 1).points,
+              detail::rational_derivative(reference, 1, 1).points),
+          rational_triangle_derivative_error(n, 2)};
 }
 
 Trial cross_product_of_curves(Random& random) {
@@ -499,6 +509,7 @@ constexpr Path kPaths[] = {
     {"ElevationOfTriangle", elevation_of_triangle},
     {"DerivativeOfPatch", derivative_of_patch},
     {"DerivativeOfRationalPatch", derivative_of_rational_patch},
+    {"DerivativeOfRationalTriangle", derivative_of_rational_triangle},
     {"CrossProductOfCurves", cross_product_of_curves},
     {"TheoremOne", theorem_one},
     {"TheoremTwo", theorem_two},
@@ -540,7 +551,7 @@ TEST_P(ErrorBounds, HoldForRandomInputs) {
     ASSERT_LE(trial.error, trial.bound * (1 + kReferenceError)) << "trial " << k;
     if (trial.bound > 0) slack = std::max(slack, trial.error / trial.bound);
   }
-  if (trials() > 100000) std::printf("%-26s slack %.3f\n", GetParam().name, slack);
+  if (trials() > 100000) std::printf("%-30s slack %.3f\n", GetParam().name, slack);
 }
 
 TEST_P(ErrorBounds, AreNotEmpty) {

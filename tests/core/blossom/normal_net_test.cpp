@@ -62,8 +62,8 @@ TEST_P(NormalNetProperty, OfRationalPatchesIsTheThirdPowerOfTheWeightTimesTheNor
   const auto normal = detail::normal_net(net);
 
   ASSERT_EQ(normal.rows(), 3 * net.rows() - 3);
-  const auto along_u = detail::rational_derivative_net(net, 1, 0);
-  const auto along_v = detail::rational_derivative_net(net, 0, 1);
+  const auto along_u = detail::rational_derivative(net, 1, 0);
+  const auto along_v = detail::rational_derivative(net, 0, 1);
   const Rational u(1, 3), v(2, 5);
   const auto a = exact_point(along_u, u, v), b = exact_point(along_v, u, v);
   const Rational w = exact_point(net, u, v)[3];

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "core/base/errors.h"
 #include "core/forms/detail/products.h"
 #include "tests/core/forms/exact_forms.h"
@@ -158,7 +160,83 @@ TEST_P(DegreeProperty, ReducedIsNearestAmongItsNeighbours) {
     }
 }
 
+// The points of side mu = 0, from c to a.
+std::vector<Vec3> side(const BezierTriangle& triangle) {
+  std::vector<Vec3> points;
+  for (int nu = 0; nu <= triangle.degree; ++nu) points.push_back(triangle(nu, 0));
+  return points;
+}
+
+TEST_P(DegreeProperty, OfATriangleReducedGivesBackWhatWasRaised) {
+  auto random = seeded(GetParam());
+  const int n = pick(random, 0, 6);
+  const BezierTriangle triangle = random_triangle(random, n);
+
+  const auto back = reduced(elevated(triangle, n + pick(random, 0, 4)), n);
+
+  ASSERT_EQ(back.form.degree, n);
+  for (std::size_t k = 0; k < triangle.points.size(); ++k)
+    EXPECT_LE(max_norm(back.form.points[k] - triangle.points[k]), 1e-10);
+  EXPECT_LE(back.error, 1e-13);
+}
+
+TEST_P(DegreeProperty, OfATriangleReducedHasTheSidesReducedAndItsErrorHoldsExactly) {
+  auto random = seeded(GetParam());
+  const int n = pick(random, 1, 9), degree = pick(random, 1, n);
+  const BezierTriangle triangle = random_triangle(random, n);
+
+  const auto lower = reduced(triangle, degree);
+
+  const std::vector<Vec3> of_side = reduced(BezierCurve{side(triangle)}, degree).form.points;
+  for (std::size_t k = 0; k < of_side.size(); ++k)
+    EXPECT_LE(max_norm(side(lower.form)[k] - of_side[k]), 1e-12);
+  EXPECT_EQ(lower.form(0, degree), triangle(0, n));
+  auto raised = exact(lower.form);
+  while (raised.degree < n) raised = detail::elevated_once(raised);
+  for (std::size_t k = 0; k < raised.points.size(); ++k) {
+    const auto gap = exact(triangle.points[k]) - raised.points[k];
+    EXPECT_LE(dot(gap, gap), Rational(lower.error) * Rational(lower.error));
+  }
+}
+
+TEST_P(DegreeProperty, OfATriangleReducedIsNearestAmongItsNeighbours) {
+  auto random = seeded(GetParam());
+  const BezierTriangle triangle = random_triangle(random, 6);
+  const auto sum_of_squares = [&](const BezierTriangle& lower) {
+    double sum = 0;
+    const BezierTriangle higher = elevated(lower, 6);
+    for (std::size_t k = 0; k < higher.points.size(); ++k) {
+      const Vec3 gap = higher.points[k] - triangle.points[k];
+      sum += dot(gap, gap);
+    }
+    return sum;
+  };
+  const BezierTriangle lower = reduced(triangle, 4).form;
+
+  for (const auto& [nu, mu] : {std::pair{1, 1}, {1, 2}, {2, 1}})
+    for (double step : {-1e-3, 1e-3}) {
+      BezierTriangle neighbour = lower;
+      neighbour(nu, mu)[GetParam() % 3] += step;
+      EXPECT_GT(sum_of_squares(neighbour), sum_of_squares(lower));
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, DegreeProperty, ::testing::Range(0, 30));
+
+TEST(Degree, OfATriangleReducedToAConstantIsTheMeanOfThePoints) {
+  const auto middle = reduced(BezierTriangle{1, {{0, 0, 0}, {3, 0, 0}, {0, 3, 3}}}, 0);
+
+  EXPECT_LE(max_norm(middle.form.points[0] - Vec3{1, 1, 1}), 1e-15);
+  EXPECT_GE(middle.error * middle.error, 9 - 1e-12);  // to (0, 3, 3)
+  EXPECT_LE(middle.error, 3 + 1e-12);
+}
+
+TEST(Degree, OfTheHighestTrianglesIsReduced) {
+  auto random = seeded(1);
+  const BezierTriangle triangle = random_triangle(random, 24);
+
+  EXPECT_LE(reduced(elevated(triangle, 25), 24).error, 1e-11);
+}
 
 TEST(Degree, RefusesTheWrongDirection) {
   const BezierCurve line{{{0, 0, 0}, {1, 0, 0}}};
@@ -168,6 +246,9 @@ TEST(Degree, RefusesTheWrongDirection) {
   EXPECT_THROW(reduced(line, -1), InvalidInput);
   EXPECT_THROW(elevated(BezierCurve{}, 3), InvalidInput);
   EXPECT_THROW(elevated(BezierTriangle{2, std::vector<Vec3>(5)}, 3), InvalidInput);
+  EXPECT_THROW(reduced(BezierTriangle{2, std::vector<Vec3>(5)}, 1), InvalidInput);
+  EXPECT_THROW(reduced(BezierTriangle{2, std::vector<Vec3>(6)}, 3), InvalidInput);
+  EXPECT_THROW(reduced(BezierTriangle{26, std::vector<Vec3>(378)}, 3), InvalidInput);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/errors.h"
+#include "core/blossom/detail/triangle_conversion.h"
 #include "core/forms/de_casteljau.h"
 #include "core/forms/detail/derivatives.h"
 #include "tests/core/forms/exact_forms.h"
@@ -28,6 +29,13 @@ RationalBezierPatch random_rational(testing::Random& random, int n, int m) {
   RationalBezierPatch patch = random_patch<Vec4>(random, n, m);
   for (Vec4& point : patch.points.values()) point[3] = uniform(random, 0.5, 1);
   return patch;
+}
+
+RationalBezierTriangle random_rational_triangle(testing::Random& random, int degree) {
+  RationalBezierTriangle triangle{degree, {}};
+  for (const Vec3& p : random_triangle(random, degree).points)
+    triangle.points.push_back({p[0], p[1], p[2], uniform(random, 0.5, 1)});
+  return triangle;
 }
 
 TEST(Derivatives, OfTheTwistedCubicAreKnownByHand) {
@@ -69,6 +77,23 @@ TEST(Derivatives, OfARationalQuarterCircleAreTangentAndPointInwards) {
   }
   const Vec4 second = rational_derivative(circle, 2).points[0];
   EXPECT_EQ(second, (Vec4{-4, 0, 0, 1}));
+}
+
+TEST(Derivatives, OfARationalTriangleFollowTheQuotientRule) {
+  // x / (1 + x) over 1 + x: its derivative is 1 / (1 + x)^2, and the second one -2 / (1 + x)^3.
+  const RationalBezierTriangle triangle{1, {{0, 0, 0, 1}, {0, 0, 0, 1}, {1, 0, 0, 2}}};
+
+  const RationalBezierTriangle first = rational_derivative(triangle, 1, 0);
+  const RationalBezierTriangle second = rational_derivative(triangle, 2, 0);
+
+  ASSERT_EQ(first.degree, 2);
+  EXPECT_EQ(first(2, 0), (Vec4{1, 0, 0, 4}));
+  EXPECT_EQ(first(1, 1), (Vec4{1, 0, 0, 2}));
+  EXPECT_EQ(first(0, 2), (Vec4{1, 0, 0, 1}));
+  ASSERT_EQ(second.degree, 3);
+  EXPECT_EQ(second(3, 0), (Vec4{-2, 0, 0, 8}));
+  EXPECT_EQ(second(0, 3), (Vec4{-2, 0, 0, 1}));
+  EXPECT_EQ(rational_derivative(triangle, 0, 1)(1, 1), (Vec4{0, 0, 0, 2}));
 }
 
 class DerivativesProperty : public ::testing::TestWithParam<int> {};
@@ -116,8 +141,8 @@ TEST_P(DerivativesProperty, OfRationalPatchesAreLimitsOfTheirDifferenceQuotients
   };
   const Rational step(1, 1 << 20), u(1, 3), v(2, 5);
 
-  const auto mixed = exact_point(detail::rational_derivative_net(exact_net, 1, 1), u, v);
-  const auto second = exact_point(detail::rational_derivative_net(exact_net, 0, 2), u, v);
+  const auto mixed = exact_point(detail::rational_derivative(exact_net, 1, 1), u, v);
+  const auto second = exact_point(detail::rational_derivative(exact_net, 0, 2), u, v);
 
   const Rational corners = value(u + step, v + step) - value(u + step, v - step) -
                            value(u - step, v + step) + value(u - step, v - step);
@@ -132,7 +157,7 @@ TEST_P(DerivativesProperty, OfRationalPatchesAreWithinTheStatedError) {
   const RationalBezierPatch patch = random_rational(random, n, m);
 
   const RationalBezierPatch computed = rational_derivative(patch, 1, order);
-  const auto expected = detail::rational_derivative_net(exact(patch.points), 1, order);
+  const auto expected = detail::rational_derivative(exact(patch.points), 1, order);
 
   ASSERT_EQ(computed.degree_u(), (order + 2) * n);
   ASSERT_EQ(computed.degree_v(), (order + 2) * m);
@@ -140,6 +165,41 @@ TEST_P(DerivativesProperty, OfRationalPatchesAreWithinTheStatedError) {
     for (int j = 0; j <= computed.degree_v(); ++j)
       EXPECT_LE(exact_gap(computed.points(i, j), expected(i, j)),
                 rational_derivative_error(n, m, order + 1));
+}
+
+TEST_P(DerivativesProperty, OfRationalTrianglesAreThoseOfTheirCollapsedPatches) {
+  // On the side y = 0 of T(u (1 - v), u v): d/du is d/dx, and d/dv = u (d/dy - d/dx).
+  auto random = seeded(GetParam());
+  const auto triangle = exact(random_rational_triangle(random, pick(random, 1, 4)));
+  const auto patch = detail::collapsed_net(triangle);
+  const auto value = [](const auto& h) { return Vec<Rational, 3>{h[0], h[1], h[2]} * (1 / h[3]); };
+  const Rational u(2, 5), v(0);
+
+  const auto of = [&](int order_x, int order_y) {
+    return value(exact_point(detail::rational_derivative(triangle, order_x, order_y), u, v));
+  };
+  const auto of_patch = [&](int order_u, int order_v) {
+    return value(exact_point(detail::rational_derivative(patch, order_u, order_v), u, v));
+  };
+
+  EXPECT_EQ(of(1, 0), of_patch(1, 0));
+  EXPECT_EQ(of(2, 0), of_patch(2, 0));
+  EXPECT_EQ((of(0, 1) - of(1, 0)) * u, of_patch(0, 1));
+  EXPECT_EQ((of(0, 2) - of(1, 1) * Rational(2) + of(2, 0)) * Rational(u * u), of_patch(0, 2));
+}
+
+TEST_P(DerivativesProperty, OfRationalTrianglesAreWithinTheStatedError) {
+  auto random = seeded(GetParam());
+  const int n = pick(random, 0, 6), order = pick(random, 0, 2);
+  const RationalBezierTriangle triangle = random_rational_triangle(random, n);
+
+  const RationalBezierTriangle computed = rational_derivative(triangle, 1, order);
+  const auto expected = detail::rational_derivative(exact(triangle), 1, order);
+
+  ASSERT_EQ(computed.degree, (order + 2) * n);
+  for (std::size_t k = 0; k < expected.points.size(); ++k)
+    EXPECT_LE(exact_gap(computed.points[k], expected.points[k]),
+              rational_triangle_derivative_error(n, order + 1));
 }
 
 TEST_P(DerivativesProperty, OfTrianglesAddUpToTheChangeAlongALine) {
@@ -152,7 +212,7 @@ TEST_P(DerivativesProperty, OfTrianglesAddUpToTheChangeAlongALine) {
   auto sum = exact_point(triangle, x, y);
   Rational factor = 1;
   for (int k = 1; k <= triangle.degree; ++k) {
-    term = detail::derivative_along_x(term);
+    term = detail::one_derivative(term, detail::Along::U);
     factor /= 2 * k;
     sum += exact_point(term, x, y) * factor;
   }
@@ -167,6 +227,11 @@ TEST(Derivatives, RefuseNegativeOrdersEmptyFormsAndTooHighDegrees) {
   EXPECT_THROW(derivative(BezierCurve{{{0, 0, 0}}}, -1), InvalidInput);
   EXPECT_THROW(derivative(BezierTriangle{2, std::vector<Vec3>(5)}, 1, 0), InvalidInput);
   EXPECT_THROW(rational_derivative(RationalBezierCurve{std::vector<Vec4>(26)}, 2), InvalidInput);
+  EXPECT_THROW(rational_derivative(RationalBezierTriangle{1, std::vector<Vec4>(2)}, 1, 0),
+               InvalidInput);
+  const RationalBezierTriangle high{25, std::vector<Vec4>(351)};
+  EXPECT_THROW(rational_derivative(high, 1, 1), InvalidInput);
+  EXPECT_THROW(rational_derivative(high, 0, -1), InvalidInput);
 }
 
 }  // namespace
