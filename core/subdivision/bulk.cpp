@@ -53,8 +53,27 @@ detail::NetSource check_nets(const char* function, const NetShape& shape, std::s
   return detail::NetSource::Blocks;
 }
 
-detail::EndsView view(const PieceEnds& ends) {
-  return {ends.u_from.data(), ends.u_to.data(), ends.v_from.data(), ends.v_to.data()};
+// The ends of the blocks of pieces from a block on.
+detail::EndsView view(const PieceEnds& ends, std::size_t block = 0) {
+  const std::size_t from = block * kLanes;
+  return {ends.u_from.data() + from, ends.u_to.data() + from, ends.v_from.data() + from,
+          ends.v_to.data() + from};
+}
+
+// The farthest reach of the kLanes pieces of a block.
+double farthest_reach(const double* from, const double* to) {
+  double reach = 0;
+  for (int lane = 0; lane < kLanes; ++lane)
+    reach = std::max(reach, pyramid_reach({from[lane], to[lane]}));
+  return reach;
+}
+
+PiecePath block_path(const NetShape& shape, const NetSizes& sizes, const PieceEnds& ends,
+                     std::size_t block, double tolerance) {
+  const detail::EndsView of_block = view(ends, block);
+  return piece_path(shape.rows - 1, shape.columns - 1, sizes,
+                    farthest_reach(of_block.u_from, of_block.u_to),
+                    farthest_reach(of_block.v_from, of_block.v_to), tolerance);
 }
 
 }  // namespace
@@ -104,6 +123,39 @@ void subdivide_pieces_by_pyramid(const NetShape& shape, std::span<const double> 
   check_count(name, "out", out.size(), blocks * block_size(shape));
   detail::kernels(level).pyramid(source, shape, coefficients.data(), view(ends),
                                  static_cast<int>(blocks), out.data());
+}
+
+void subdivide_pieces_within(double tolerance, const NetShape& shape, const BothForms& net,
+                             const PieceEnds& ends, std::span<double> out, SimdLevel level) {
+  const char* const name = "subdivide_pieces_within";
+  detail::check_shape(name, shape);
+  const std::size_t blocks = check_ends(name, ends);
+  if (!(tolerance >= 0))
+    throw InvalidInput(std::string(name) + ": the tolerance must be 0 or above");
+  check_count(name, "bezier", net.bezier.size(), static_cast<std::size_t>(shape.size()));
+  check_count(name, "coefficients", net.coefficients.size(), net.bezier.size());
+  check_count(name, "out", out.size(), blocks * block_size(shape));
+  // Runs of blocks on one path go together: what a kernel prepares for a net, it prepares once.
+  std::size_t first = 0;
+  PiecePath path{};
+  const auto cut_until = [&](std::size_t end) {
+    const detail::EndsView run = view(ends, first);
+    const int count = static_cast<int>(end - first);
+    double* const to = out.data() + first * block_size(shape);
+    const detail::BulkKernels& kernels = detail::kernels(level);
+    if (path == PiecePath::MonomialPyramid)
+      kernels.pyramid(detail::NetSource::Shared, shape, net.coefficients.data(), run, count, to);
+    else
+      kernels.pieces(NetForm::Bezier, detail::NetSource::Shared, shape, net.bezier.data(), run,
+                     count, to);
+    first = end;
+  };
+  for (std::size_t block = 0; block < blocks; ++block) {
+    const PiecePath wanted = block_path(shape, net.sizes, ends, block, tolerance);
+    if (block > first && wanted != path) cut_until(block);
+    path = wanted;
+  }
+  if (first < blocks) cut_until(blocks);
 }
 
 void subdivide_piece(NetForm form, const NetShape& shape, std::span<const double> net,

@@ -105,6 +105,23 @@ void subdivide_pieces_by_pyramid(const NetShape& shape, std::span<const double> 
                                  const PieceEnds& ends, std::span<double> out,
                                  SimdLevel level = best_simd_level());
 
+/// The two forms of one net, for the choice of a path.
+struct BothForms {
+  std::span<const double> bezier;        ///< shape.size() values
+  std::span<const double> coefficients;  ///< made from them by monomial_from_bezier
+  NetSizes sizes;                        ///< net_sizes of them
+};
+
+/// Pieces with ends of their own, every kLanes of them by the fastest path that keeps all of them
+/// within a tolerance: piece_path for the widest reach in u and in v.
+///
+/// tolerance    model units
+/// throws       InvalidInput as above, or if the tolerance is negative or not a number
+/// accuracy     the tolerance, or bulk_bezier_error where no path keeps it
+void subdivide_pieces_within(double tolerance, const NetShape& shape, const BothForms& net,
+                             const PieceEnds& ends, std::span<double> out,
+                             SimdLevel level = best_simd_level());
+
 /// One piece of one net, made for the single call.
 ///
 /// out          receives shape.size() values

@@ -14,6 +14,14 @@ double power(double base, int exponent) {
   return result;
 }
 
+double growth(int degree, double reach) { return power(std::max(1.0, reach), degree); }
+
+double pyramid_error(int degree_u, int degree_v, const NetSizes& sizes, double reach_u,
+                     double reach_v) {
+  return (bulk_pyramid_error(degree_u, degree_v) * sizes.sum + sizes.conversion) *
+         growth(degree_u, reach_u) * growth(degree_v, reach_v);
+}
+
 double middle(double t) { return 2 * t - 1; }
 
 double bezier_norm(double t) { return std::abs(1 - t) + std::abs(t); }
@@ -28,8 +36,7 @@ double corners_growth(int degree, const std::array<Vec2, 3>& corners, int parame
 }  // namespace
 
 double pyramid_growth(int degree, const Interval& piece) {
-  const double reach = std::abs(middle(piece.from)) + 2 * std::abs(piece.to - piece.from);
-  return power(std::max(1.0, reach), degree);
+  return growth(degree, pyramid_reach(piece));
 }
 
 double bezier_growth(int degree, const Interval& piece) {
@@ -62,8 +69,7 @@ double piece_error(PiecePath path, int degree_u, int degree_v, const NetSizes& s
   if (path == PiecePath::BezierMatrices)
     return bulk_bezier_error(degree_u, degree_v) * sizes.largest * bezier_growth(degree_u, u) *
            bezier_growth(degree_v, v);
-  return (bulk_pyramid_error(degree_u, degree_v) * sizes.sum + sizes.conversion) *
-         pyramid_growth(degree_u, u) * pyramid_growth(degree_v, v);
+  return pyramid_error(degree_u, degree_v, sizes, pyramid_reach(u), pyramid_reach(v));
 }
 
 double triangle_error(TrianglePath path, int degree_u, int degree_v, const NetSizes& sizes,
@@ -77,9 +83,13 @@ double triangle_error(TrianglePath path, int degree_u, int degree_v, const NetSi
 
 PiecePath piece_path(int degree_u, int degree_v, const NetSizes& sizes, const Interval& u,
                      const Interval& v, double tolerance) {
-  const PiecePath fast = PiecePath::MonomialPyramid;
-  return piece_error(fast, degree_u, degree_v, sizes, u, v) <= tolerance
-             ? fast
+  return piece_path(degree_u, degree_v, sizes, pyramid_reach(u), pyramid_reach(v), tolerance);
+}
+
+PiecePath piece_path(int degree_u, int degree_v, const NetSizes& sizes, double reach_u,
+                     double reach_v, double tolerance) {
+  return pyramid_error(degree_u, degree_v, sizes, reach_u, reach_v) <= tolerance
+             ? PiecePath::MonomialPyramid
              : PiecePath::BezierMatrices;
 }
 

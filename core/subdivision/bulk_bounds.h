@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "core/math/interval.h"
 #include "core/math/vec.h"
@@ -44,8 +45,13 @@ constexpr double bulk_pyramid_error(int degree_u, int degree_v) {
   return (5 * (degree_u + degree_v) + 6) * 0x1p-53;
 }
 
-/// max(1, |a| + |b - a|)^n for the piece [a, b] in x = 2t - 1. It is 1 where the piece runs away
-/// from the middle, and large only if a wide piece crosses it.
+/// |a| + |b - a| for the piece [a, b] in x = 2t - 1: at most 1 where the piece runs away from the
+/// middle, and large only if a wide piece runs across it.
+inline double pyramid_reach(const Interval& piece) {
+  return std::abs(2 * piece.from - 1) + 2 * std::abs(piece.to - piece.from);
+}
+
+/// max(1, pyramid_reach)^n.
 double pyramid_growth(int degree, const Interval& piece);
 
 /// max over the ends t of (|1 - t| + |t|)^n: 1 inside [0, 1]. Outside, the errors of Bezier nets
@@ -92,6 +98,10 @@ PiecePath piece_path(int degree_u, int degree_v, const NetSizes& sizes, const In
                      const Interval& v, double tolerance);
 TrianglePath triangle_path(int degree_u, int degree_v, const NetSizes& sizes,
                            const std::array<Vec2, 3>& corners, double tolerance);
+
+/// The same for all pieces whose pyramid_reach is at most these.
+PiecePath piece_path(int degree_u, int degree_v, const NetSizes& sizes, double reach_u,
+                     double reach_v, double tolerance);
 
 /// The error bound of a path for a piece or a triangle, model units.
 double piece_error(PiecePath path, int degree_u, int degree_v, const NetSizes& sizes,

@@ -33,6 +33,7 @@ namespace {
 constexpr int kDegrees[] = {3, 5, 9};
 constexpr int kPieces = 64;
 constexpr int kPlanes = 3;
+constexpr double kTolerance = 1e-7;  // of nets in [-1, 1]
 
 const char* name_of(SimdLevel level) {
   switch (level) {
@@ -79,6 +80,18 @@ struct Input {
 
   NetShape shape;
   LaneVector net, u_from, v_from, u_to, v_to, out;
+};
+
+// The other form of the net, and the sizes of both.
+struct Forms {
+  explicit Forms(const Input& in) : coefficients(in.net.size()) {
+    monomial_from_bezier(in.shape, in.net.data(), coefficients.data());
+    sizes = net_sizes(in.shape, in.net, coefficients);
+  }
+  BothForms view(const Input& in) const { return {in.net, coefficients, sizes}; }
+
+  LaneVector coefficients;
+  NetSizes sizes;
 };
 
 // Pieces done by one iteration of each benchmark, by name.
@@ -152,6 +165,10 @@ void add_pieces(int degree) {
     add(name("pieces_pyramid", degree, name_of(level)), kPieces,
         [in = Input(degree), level]() mutable {
           subdivide_pieces_by_pyramid(in.shape, in.net, in.ends(), in.out, level);
+        });
+    add(name("pieces_within", degree, name_of(level)), kPieces,
+        [in = Input(degree), forms = Forms(Input(degree)), level]() mutable {
+          subdivide_pieces_within(kTolerance, in.shape, forms.view(in), in.ends(), in.out, level);
         });
     add(name("de_casteljau_lanes", degree, name_of(level)), kPieces,
         [in = Input(degree), level]() mutable {
@@ -314,6 +331,20 @@ void print_shared(const BestTimes& best, int degree, SimdLevel level) {
   std::printf("\n");
 }
 
+// Which path the pieces of a random net take.
+void print_choice(int degree) {
+  const Input in(degree);
+  const NetSizes sizes = Forms(in).sizes;
+  for (const double tolerance : {1e-7, 1e-9, 1e-11}) {
+    int pyramid = 0;
+    for (std::size_t k = 0; k < kPieces; ++k)
+      pyramid += piece_path(degree, degree, sizes, in.u(k), in.v(k), tolerance) ==
+                 PiecePath::MonomialPyramid;
+    std::printf("(%d,%d) within %.0e: %d of %d pieces by the pyramid\n", degree, degree, tolerance,
+                pyramid, kPieces);
+  }
+}
+
 void print_own(const BestTimes& best, int degree, SimdLevel level) {
   const std::string how = name_of(level);
   const double plain = best(name("de_casteljau_plain", degree));
@@ -324,7 +355,7 @@ void print_own(const BestTimes& best, int degree, SimdLevel level) {
               best(name("printed_9", degree)), best(name("closed_form", degree)));
   std::printf("Segment %.0f, plain dC %.0f, lane dC %.1f, Eigen %.0f ns\n", segment, plain, lanes,
               best(name("eigen", degree)));
-  for (const char* what : {"pieces_matrices", "pieces_pyramid", "single"}) {
+  for (const char* what : {"pieces_matrices", "pieces_pyramid", "pieces_within", "single"}) {
     const double time = best(name(what, degree, how));
     std::printf("  %-16s %7.1f ns: Segment x%.0f, plain dC x%.1f, lane dC x%.2f\n", what, time,
                 segment / time, plain / time, lanes / time);
@@ -362,6 +393,7 @@ void print_all(const BestTimes& best) {
     for (int degree : kDegrees) print_shared(best, degree, level);
   for (SimdLevel level : levels())
     for (int degree : kDegrees) print_own(best, degree, level);
+  for (int degree : kDegrees) print_choice(degree);
   print_triangles(best);
 }
 

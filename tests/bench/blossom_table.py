@@ -23,6 +23,7 @@ PATCHES = (
     ("single", "bulk form, one piece a call"),
     ("pieces_matrices", "bulk form, 64 pieces anywhere"),
     ("pieces_pyramid", "bulk form, the same by polar pyramids"),
+    ("pieces_within", "bulk form, the same by whichever path keeps 1e-7"),
     ("grid8", "bulk form, a grid of 8 x 8 pieces"),
 )
 TRIANGLES = (

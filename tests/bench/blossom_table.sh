@@ -11,7 +11,7 @@ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DBLOSSOM_BUILD_BENCH=ON
 cmake --build "$build" --parallel "${JOBS:-2}" --target bench_subdivision
 
 rows='^(printed_9|closed_form|de_casteljau_plain|de_casteljau_lanes|eigen|occt_copy|occt_copy_and_segment)/'
-rows+='|^(single|pieces_matrices|pieces_pyramid|grid8|triangles_t4|triangles_t1|triangle_printed_14)/'
+rows+='|^(single|pieces_matrices|pieces_pyramid|pieces_within|grid8|triangles_t4|triangles_t1|triangle_printed_14)/'
 taskset -c 0 "$build/tests/bench/bench_subdivision" --benchmark_filter="$rows" \
   --benchmark_min_time=0.02 --benchmark_repetitions=9 \
   --benchmark_enable_random_interleaving=true \

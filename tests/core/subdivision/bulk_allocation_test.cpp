@@ -23,14 +23,19 @@ void* counted(std::size_t size, std::size_t alignment) {
 }
 }  // namespace
 
-void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
+// Not in line: GCC would see one of a pair without the other, and warn of a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  return counted(size, alignof(std::max_align_t));
+}
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* place) noexcept { std::free(place); }
-void operator delete(void* place, std::size_t) noexcept { std::free(place); }
-void operator delete(void* place, std::align_val_t) noexcept { std::free(place); }
-void operator delete(void* place, std::size_t, std::align_val_t) noexcept { std::free(place); }
+[[gnu::noinline]] void operator delete(void* place) noexcept { std::free(place); }
+[[gnu::noinline]] void operator delete(void* place, std::size_t) noexcept { std::free(place); }
+[[gnu::noinline]] void operator delete(void* place, std::align_val_t) noexcept { std::free(place); }
+[[gnu::noinline]] void operator delete(void* place, std::size_t, std::align_val_t) noexcept {
+  std::free(place);
+}
 
 namespace blossom {
 namespace {
@@ -54,6 +59,7 @@ TEST_P(BulkAllocation, NoneWhileCutting) {
   subdivide_blocks(shape, nets, stack, stack, sheets);
   subdivide_pieces(NetForm::Bezier, shape, net, ends, pieces);
   subdivide_pieces_by_pyramid(shape, net, ends, pieces);
+  subdivide_pieces_within(1, shape, {net, net, {1, 1, 0}}, ends, pieces);
   subdivide_piece(NetForm::Bezier, shape, net, {0.25, 0.5}, {0.25, 0.5}, piece);
   subdivide_triangles(NetForm::Bezier, plan, 3, net, triangles, points);
   subdivide_triangles_by_differences(plan, 3, net, triangles, points);

@@ -361,6 +361,36 @@ TEST_P(BulkProperty, TheChosenPathKeepsTheToleranceWhereAnyDoes) {
   }
 }
 
+TEST_P(BulkProperty, PiecesWithinAToleranceTakeTheFastestPathThatKeepsIt) {
+  auto random = seeded(GetParam());
+  const LaneVector net = random_net(random, shape());
+  LaneVector coefficients(net.size());
+  monomial_from_bezier(shape(), net.data(), coefficients.data());
+  const BothForms forms{net, coefficients, net_sizes(shape(), net, coefficients)};
+  const Ends ends = random_ends(random, 4 * kLanes);
+  LaneVector bezier(4 * block_size(shape())), pyramid(bezier), chosen(bezier);
+  subdivide_pieces(NetForm::Bezier, shape(), net, ends.spans(), bezier);
+  subdivide_pieces_by_pyramid(shape(), coefficients, ends.spans(), pyramid);
+  for (const double tolerance : {0.0, 1e-14, 1e-11, 1e-8, 1.0, 1e300}) {
+    subdivide_pieces_within(tolerance, shape(), forms, ends.spans(), chosen);
+    for (std::size_t block = 0; block < 4; ++block) {
+      const auto same_as = [&](const LaneVector& other) {
+        const auto from = static_cast<std::ptrdiff_t>(block * block_size(shape()));
+        const auto to = from + static_cast<std::ptrdiff_t>(block_size(shape()));
+        return std::equal(chosen.begin() + from, chosen.begin() + to, other.begin() + from);
+      };
+      double error = 0;
+      for (std::size_t k = block * kLanes; k < (block + 1) * kLanes; ++k)
+        error = std::max(error, piece_error(PiecePath::MonomialPyramid, n(), m(), forms.sizes,
+                                            ends.u(k), ends.v(k)));
+      EXPECT_TRUE(same_as(pyramid) || same_as(bezier));
+      // The block's bound takes u from one piece and v from another, so it may be larger.
+      EXPECT_TRUE(error <= tolerance || same_as(bezier));
+      EXPECT_TRUE(tolerance < 1e300 || same_as(pyramid));
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Degrees, BulkProperty, ::testing::Range(0, 50));
 
 TEST(BulkSubdivision, ChoosesThePyramidForSmoothLowDegreesAndMatricesForHighOnes) {
@@ -373,6 +403,8 @@ TEST(BulkSubdivision, ChoosesThePyramidForSmoothLowDegreesAndMatricesForHighOnes
 TEST(BulkSubdivision, GrowthIsOneAwayFromTheMiddleAndThreeToTheNAcross) {
   EXPECT_EQ(pyramid_growth(5, {0.5, 0.75}), 1);
   EXPECT_EQ(pyramid_growth(5, {0.75, 0.875}), 1);
+  EXPECT_EQ(pyramid_growth(2, {0.25, 0.5}), 1);      // 1/2 + 1/2
+  EXPECT_EQ(pyramid_growth(2, {0.25, 0.75}), 2.25);  // 1/2 + 1
   EXPECT_EQ(pyramid_growth(5, {0, 1}), 243);
   EXPECT_EQ(bezier_growth(5, {0, 1}), 1);
   EXPECT_EQ(bezier_growth(2, {0, 2}), 9);
@@ -414,6 +446,23 @@ TEST_F(BulkRefusal, NamesWhatDoesNotFit) {
         subdivide_grid({27, 2, 3}, kSaddle, halves, halves, sheet);
       }),
       "subdivide_grid: a net must have 1..26 rows and columns and 1..4 planes, got 27 x 2, 3");
+}
+
+TEST_F(BulkRefusal, NamesWhatDoesNotFitWithinATolerance) {
+  const PieceEnds ends{lanes, lanes, lanes, lanes};
+  EXPECT_EQ(message_of([&] {
+              subdivide_pieces_within(1, kSaddleShape, {kSaddle, lanes, {}}, ends, block);
+            }),
+            "subdivide_pieces_within: coefficients must have 12 values, got 8");
+  EXPECT_EQ(message_of([&] {
+              subdivide_pieces_within(1, kSaddleShape, {kSaddle, kSaddle, {}}, ends, lanes);
+            }),
+            "subdivide_pieces_within: out must have 96 values, got 8");
+  EXPECT_EQ(
+      message_of([&] {
+        subdivide_pieces_within(std::nan(""), kSaddleShape, {kSaddle, kSaddle, {}}, ends, block);
+      }),
+      "subdivide_pieces_within: the tolerance must be 0 or above");
 }
 
 TEST_F(BulkRefusal, NamesTheEndThatIsNotFinite) {
