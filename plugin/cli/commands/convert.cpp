@@ -11,7 +11,9 @@
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <TopExp_Explorer.hxx>
 
+#include "adapters/occt/face_trims.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
@@ -38,8 +40,19 @@ struct Options {
 struct Made {
   std::vector<Net> nets;  ///< empty if a model was written as it is
   std::size_t faces = 0;
+  std::size_t trims_left_out = 0;  ///< faces that lost their trims
   double seconds = 0;
 };
+
+// Whether more than the border of its parameter box bounds a face. Trims that cannot be read count.
+bool is_trimmed(const TopoDS_Face& face) {
+  if (!TopExp_Explorer(face, TopAbs_WIRE).More()) return false;
+  try {
+    return !occt::face_trims(face).natural;
+  } catch (const occt::BadModel&) {
+    return true;
+  }
+}
 
 std::vector<Net> converted(const std::vector<Net>& nets, Form form) {
   std::vector<Net> result;
@@ -74,7 +87,11 @@ Made write_converted(const Options& options, Form form) {
   made.nets = converted(input.nets, form);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   made.seconds = took.count();
-  made.faces = input.model ? input.model->faces.size() : 0;
+  if (input.model) {
+    made.faces = input.model->faces.size();
+    made.trims_left_out =
+        static_cast<std::size_t>(std::ranges::count_if(input.model->faces, is_trimmed));
+  }
   stop_if_interrupted();
   write_nets(input, made.nets, options.common.output);
   return made;
@@ -93,6 +110,7 @@ Json report_of(const Options& options, const Made& made) {
           {"to", options.to.empty() ? Json(nullptr) : Json(options.to)},
           {"faces", made.faces},
           {"nets", made.nets.size()},
+          {"trims_left_out", made.trims_left_out},
           {"error", largest_error(made)},
           {"seconds", made.seconds}};
 }
@@ -103,6 +121,8 @@ std::string summary(const Options& options, const Made& made) {
   if (made.faces > 0 || made.nets.empty()) text << counted(made.faces, "face");
   if (made.faces > 0 && !made.nets.empty()) text << ", ";
   if (!made.nets.empty()) text << counted(made.nets.size(), "net");
+  if (made.trims_left_out > 0)
+    text << ", the trims of " << counted(made.trims_left_out, "face") << " left out";
   if (largest_error(made) > 0) text << ", within " << largest_error(made);
   text << "\n";
   return text.str();

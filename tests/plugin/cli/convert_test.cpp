@@ -5,11 +5,16 @@
 
 #include <cmath>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <TopoDS.hxx>
+#include <gp.hxx>
+#include <gp_Circ.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -95,6 +100,19 @@ TEST_F(Convert, SplitsFacesIntoBezierPatches) {
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(model.face(number));
     EXPECT_TRUE(surface->IsKind(STANDARD_TYPE(Geom_BezierSurface))) << number;
   }
+}
+
+TEST_F(Convert, SaysHowManyFacesLostTheirTrims) {
+  const TopoDS_Edge circle = BRepBuilderAPI_MakeEdge(gp_Circ(gp::XOY(), 1));
+  const TopoDS_Face disc = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(circle).Wire());
+  write({disc, bowl(), half_pipe(), four_spans()}, folder / "a.brep");
+  EXPECT_EQ(convert("a.brep", "b.brep", "bezier")["trims_left_out"], 1);
+  EXPECT_EQ(convert("a.brep", "t.json", "triangles")["trims_left_out"], 1);
+  EXPECT_EQ(convert("a.brep", "c.step")["trims_left_out"], 0);
+  EXPECT_EQ(convert("b.brep", "d.json")["trims_left_out"], 0);
+
+  const Finished ran = blossom({"convert", path("a.brep"), "-o", path("b.json")});
+  EXPECT_NE(ran.out.find(", the trims of 1 face left out"), std::string::npos) << ran.out;
 }
 
 TEST_F(Convert, BezierNetsComeBackBitForBit) {
