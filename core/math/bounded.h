@@ -86,25 +86,11 @@ class Bounded {
   }
   friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
   friend Bounded operator*(const Bounded& a, const Bounded& b) {
-    using detail::product_below;
-    const double lower =
-        std::min({product_below(a.lower_, b.lower_), product_below(a.lower_, b.upper_),
-                  product_below(a.upper_, b.lower_), product_below(a.upper_, b.upper_)});
-    const double minus_upper =
-        std::min({product_below(-a.lower_, b.lower_), product_below(-a.lower_, b.upper_),
-                  product_below(-a.upper_, b.lower_), product_below(-a.upper_, b.upper_)});
-    return {lower, -minus_upper};
+    return {least(detail::product_below, a, b), -least(detail::product_below, -a, b)};
   }
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
-    using detail::quotient_below;
     if (b.contains(0)) return {-detail::kInfinity, detail::kInfinity};
-    const double lower =
-        std::min({quotient_below(a.lower_, b.lower_), quotient_below(a.lower_, b.upper_),
-                  quotient_below(a.upper_, b.lower_), quotient_below(a.upper_, b.upper_)});
-    const double minus_upper =
-        std::min({quotient_below(-a.lower_, b.lower_), quotient_below(-a.lower_, b.upper_),
-                  quotient_below(-a.upper_, b.lower_), quotient_below(-a.upper_, b.upper_)});
-    return {lower, -minus_upper};
+    return {least(detail::quotient_below, a, b), -least(detail::quotient_below, -a, b)};
   }
   Bounded& operator+=(const Bounded& b) { return *this = *this + b; }
   Bounded& operator-=(const Bounded& b) { return *this = *this - b; }
@@ -112,6 +98,13 @@ class Bounded {
   Bounded& operator/=(const Bounded& b) { return *this = *this / b; }
 
  private:
+  // The least of an operation that is monotonic in each operand, so least at some pair of ends.
+  template <class Operation>
+  static double least(Operation below, const Bounded& a, const Bounded& b) {
+    return std::min({below(a.lower_, b.lower_), below(a.lower_, b.upper_),
+                     below(a.upper_, b.lower_), below(a.upper_, b.upper_)});
+  }
+
   double lower_ = 0;
   double upper_ = 0;
 };
