@@ -36,8 +36,8 @@ struct TriangleOfPatch {
   double error = 0;  ///< bound on the distance to collapsed_patch(triangle), model units
 };
 
-/// The triangle whose collapsed patch is nearest to the given one, each row in the mean square:
-/// undoes collapsed_patch. The degree is the patch's in u.
+/// The triangle whose layers are the patch's rows, brought to the degrees of layers by `elevated`
+/// and `reduced`: undoes collapsed_patch. The degree is the patch's in u.
 ///
 /// patch        side u = 0 should be a point, and row i have degree i in v; the error says by how
 ///              much they do not. Rows of lower degree in v are elevated

@@ -19,9 +19,8 @@ namespace blossom {
 /// returns      degree + 1 points, model units
 /// throws       InvalidInput if a degree is below the form's or out of range, or the form has no
 ///              points or, for a triangle, not as many as its degree wants
-/// accuracy     relative to the largest coordinate: elevation_error(degree), the sum of both
-/// degrees'
-///              for a patch, triangle_elevation_error for a triangle
+/// accuracy     relative to the largest coordinate: elevation_error(degree), for a patch the sum of
+///              those of both degrees, for a triangle triangle_elevation_error
 ///
 /// Source: Farin 2002.
 template <class Point>
@@ -39,8 +38,8 @@ struct ReducedOf {
 };
 
 /// The curve of a lower degree whose elevated control points are nearest to the given ones in the
-/// mean square, among those with the same ends. Without a condition on the ends (degree 0) that is
-/// the nearest curve in the mean square, too; with them, nearly.
+/// mean square, among those with the same ends. Where the ends are given up (degree 0) that is the
+/// nearest curve in the mean square, too; otherwise it need not be.
 ///
 /// degree       0..n; with 0 the ends are given up
 /// returns      the curve, and the largest distance of its control points, elevated, from the
@@ -60,8 +59,8 @@ ReducedOf<BezierPatchOf<Point>> reduced(const BezierPatchOf<Point>& patch, int d
                                         int degree_v);
 
 /// The triangle of a lower degree whose borders are the borders reduced, and whose elevated points
-/// are nearest to the given ones in the mean square. Triangles that share a side still share it, to
-/// rounding.
+/// are the nearest then to the given ones in the mean square. Triangles that share a side still
+/// share it, to rounding.
 ///
 /// degree       0..N; with 0 the corners are given up
 /// throws       InvalidInput if the degree is above the triangle's, or that is above kMaxDegree or
