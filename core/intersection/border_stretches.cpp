@@ -140,25 +140,25 @@ bool BorderFollower::probe(BorderProbe& at, const Foot* near) {
   return (near && follow(at, *near) && at.foot.gap <= tolerance_) || search(at);
 }
 
-// 2 * k + (1 at the upper end) if the foot lies on that border of the other surface, or -1.
-int BorderFollower::on_border(const Foot& foot, double width) const {
+// The borders of the other surface on which a foot lies.
+std::vector<BorderLine> BorderFollower::borders_at(const Foot& foot, double width) const {
   const BezierSurface& surface = other_.surface();
   const PatchJet jet = jet_at(other_.tree(foot.patch).patch(), foot.x[0], foot.x[1], 1);
-  for (const BorderLine& line : border_lines(surface)) {
+  std::vector<BorderLine> borders = border_lines(surface);
+  std::erase_if(borders, [&](const BorderLine& line) {
     const int k = line.across;
     const int span = k == 0 ? other_.span_u(foot.patch) : other_.span_v(foot.patch);
     const int last = (k == 0 ? surface.patches.rows() : surface.patches.columns()) - 1;
     const double end = line.upper ? 1 : 0;
-    if (span == (line.upper ? last : 0) &&
-        std::abs(foot.x[k] - end) * norm(derivative(jet, k)) <= width * tolerance_)
-      return 2 * k + (line.upper ? 1 : 0);
-  }
-  return -1;
+    return span != (line.upper ? last : 0) ||
+           std::abs(foot.x[k] - end) * norm(derivative(jet, k)) > width * tolerance_;
+  });
+  return borders;
 }
 
 bool BorderFollower::lies_on(const BorderProbe& at, bool found, StretchKind kind) const {
   return found && at.foot.gap <= tolerance_ &&
-         (kind == StretchKind::Any || on_border(at.foot, kBorderWidth) < 0);
+         (kind == StretchKind::Any || borders_at(at.foot, kBorderWidth).empty());
 }
 
 std::vector<BorderStretch> BorderFollower::stretches(const BorderLine& line, StretchKind kind,
@@ -208,33 +208,37 @@ BorderProbe BorderFollower::end_between(const BorderLine& line, BorderProbe in, 
     else
       out = middle.along;
   }
-  snap(line, in, inwards);
+  for (const BorderLine& border : borders_at(in.foot, 2 * kBorderWidth))
+    if (snap(line, in, inwards, border)) break;
   return in;
 }
 
-// Moves an end near a border of the other surface exactly onto it, by the secant method.
-void BorderFollower::snap(const BorderLine& line, BorderProbe& end, double inwards) {
-  const int border = on_border(end.foot, 2 * kBorderWidth);
-  if (border < 0) return;
-  const int k = border / 2;
-  const double goal = border % 2;
+// Moves an end near a border of the other surface exactly onto it, by the secant method. False if
+// the line does not cross that border there.
+bool BorderFollower::snap(const BorderLine& line, BorderProbe& end, double inwards,
+                          const BorderLine& border) {
+  const int k = border.across;
+  const double goal = border.upper ? 1 : 0;
   const auto miss = [&](double along) -> std::optional<BorderProbe> {
     BorderProbe at = placed(line, std::clamp(along, 0.0, static_cast<double>(spans(line))));
     if (!follow(at, end.foot) || at.foot.patch != end.foot.patch) return std::nullopt;
     return at;
   };
   auto p = miss(end.along + 0.01 * kSnapReach * inwards), q = miss(end.along);
+  // A line that runs along this border has nothing to cross.
+  if (!p || !q || std::abs(p->foot.raw[k] - q->foot.raw[k]) <= kSlack) return false;
   for (int i = 0; i < 8 && p && q; ++i) {
     const double f = p->foot.raw[k] - goal, g = q->foot.raw[k] - goal;
     if (std::abs(g) < 1e-14 || f == g) break;
     const double next = q->along - g * (q->along - p->along) / (g - f);
-    if (std::abs(next - end.along) > kSnapReach) return;
+    if (std::abs(next - end.along) > kSnapReach) return false;
     p = q;
     q = miss(next);
   }
-  if (!q || q->foot.gap > tolerance_ || std::abs(q->foot.raw[k] - goal) > kSlack) return;
+  if (!q || q->foot.gap > tolerance_ || std::abs(q->foot.raw[k] - goal) > kSlack) return false;
   end = *q;
   end.foot.x[k] = goal;
+  return true;
 }
 
 void BorderFollower::refine(BorderStretch& stretch) {
@@ -263,11 +267,11 @@ void BorderFollower::refine(BorderStretch& stretch) {
 std::vector<BorderJunction> BorderFollower::junctions(const BorderStretch& stretch) const {
   std::vector<BorderJunction> result;
   for (const BorderProbe* end : {&stretch.points.front(), &stretch.points.back()}) {
-    const int border = on_border(end->foot, kBorderWidth);
-    if (border < 0) continue;
-    const int k = border / 2;
-    const int span = k == 0 ? other_.span_v(end->foot.patch) : other_.span_u(end->foot.patch);
-    result.push_back({{k, border % 2 == 1}, span + end->foot.x[1 - k]});
+    for (const BorderLine& border : borders_at(end->foot, kBorderWidth)) {
+      const int k = border.across;
+      const int span = k == 0 ? other_.span_v(end->foot.patch) : other_.span_u(end->foot.patch);
+      result.push_back({border, span + end->foot.x[1 - k]});
+    }
   }
   return result;
 }

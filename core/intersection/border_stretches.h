@@ -97,10 +97,10 @@ class BorderFollower {
   bool search(BorderProbe& at);
   const std::vector<Start>& starts(int patch);
   bool move_on(Foot& foot) const;
-  int on_border(const Foot& foot, double width) const;
+  std::vector<BorderLine> borders_at(const Foot& foot, double width) const;
   bool lies_on(const BorderProbe& at, bool found, StretchKind kind) const;
   BorderProbe end_between(const BorderLine& line, BorderProbe in, double out, StretchKind kind);
-  void snap(const BorderLine& line, BorderProbe& end, double inwards);
+  bool snap(const BorderLine& line, BorderProbe& end, double inwards, const BorderLine& border);
   void refine(BorderStretch& stretch);
   std::vector<BorderProbe> patch_change(const BorderLine& line, BorderProbe from,
                                         const BorderProbe& to);

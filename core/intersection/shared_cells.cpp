@@ -29,11 +29,12 @@ Interval joined(const Interval& x, const Interval& y) {
   return {std::min(x.from, y.from), std::max(x.to, y.to)};
 }
 
-Interval common(const Interval& x, const Interval& y) {
-  return {std::max(x.from, y.from), std::min(x.to, y.to)};
+// What x has in common with `bounds`; if it lies outside by at most `slack`, the end next to it.
+std::optional<Interval> clipped(const Interval& x, const Interval& bounds, double slack) {
+  if (x.to < bounds.from - slack || x.from > bounds.to + slack) return std::nullopt;
+  return Interval{std::clamp(x.from, bounds.from, bounds.to),
+                  std::clamp(x.to, bounds.from, bounds.to)};
 }
-
-Interval widened(const Interval& x, double by) { return {x.from - by, x.to + by}; }
 
 }  // namespace
 
@@ -55,16 +56,16 @@ std::optional<SharedPart> SharedCells::part(const Cell& a, const Cell& b) const 
   const double sine = norm(cross(jet.u, jet.v));
   const double slack_s = kSlack + 2 * tolerance_ * norm(jet.v) / sine;
   const double slack_t = kSlack + 2 * tolerance_ * norm(jet.u) / sine;
-  const Interval s = common(widened(foot[0], slack_s), b.u);
-  const Interval t = common(widened(foot[1], slack_t), b.v);
+  const auto s = clipped(foot[0], b.u, slack_s), t = clipped(foot[1], b.v, slack_t);
   SharedPart result;
-  if (s.from > s.to || t.from > t.to) return result;
-  const auto place = chart_->inverse_image(widened(s, slack_s), widened(t, slack_t));
-  const Interval u = common(place[0], a.u), v = common(place[1], a.v);
-  if (u.from > u.to || v.from > v.to) return result;
+  if (!s || !t) return result;
+  const auto place = chart_->inverse_image(*s, *t);
+  const auto u = clipped(place[0], a.u, 1), v = clipped(place[1], a.v, 1);
+  if (!u || !v) return result;
   result.empty = false;
-  result.box = {u, v, s, t};
-  for (const Vec4& p : sub_patch(a_.patch(), u, v).points.values()) {
+  result.box = {*u, *v, *s, *t};
+  const RationalBezierPatch piece = sub_patch(a_.patch(), *u, *v);
+  for (const Vec4& p : piece.points.values()) {
     const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
     result.hull = blossom::joined(result.hull, {x, x});
   }

@@ -170,8 +170,12 @@ std::optional<SharedChart> shared_chart(const RationalBezierPatch& a, const Rati
   chart.s = (chart.transposed ? along_v : along_u)->map;
   chart.t = (chart.transposed ? along_u : along_v)->map;
   chart.domain = {along_u->map.from, along_v->map.from};
-  // An extension by a half multiplies errors by at most 3 for each degree.
-  const double growth = std::pow(3.0, b.degree_u() + b.degree_v()) * 0x1p-48;
+  // At t the weights of a point add up to |t| + |1 - t| for each degree.
+  const auto weights = [](const Interval& t) {
+    return std::max(std::abs(t.from) + std::abs(1 - t.from), std::abs(t.to) + std::abs(1 - t.to));
+  };
+  const double growth = std::pow(weights(chart.s.to), b.degree_u()) *
+                        std::pow(weights(chart.t.to), b.degree_v()) * 0x1p-48;
   const RationalBezierPatch piece = sub_patch(a, chart.domain[0], chart.domain[1]);
   if (!(distance_bound(piece, mapped(b, chart), growth) <= tolerance)) return std::nullopt;
   return chart;

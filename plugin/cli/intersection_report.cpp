@@ -39,10 +39,9 @@ Json curve_json(const IntersectionCurve& curve, const FaceNumbers& faces) {
   json["degree"] = curve.curve.degree;
   json["poles"] = curve.curve.points.size();
   json["least_angle"] = curve.least_angle;
-  json["deviation"] = {{"a", curve.deviation.a},
-                       {"b", curve.deviation.b},
-                       {"between", curve.deviation.between},
-                       {"proven", curve.deviation.proven}};
+  json["deviation"] = {
+      {"a", curve.deviation.a}, {"b", curve.deviation.b}, {"between", curve.deviation.between}};
+  json["deviation_proven"] = curve.deviation.proven;
   return json;
 }
 

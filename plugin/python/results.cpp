@@ -35,6 +35,12 @@ struct Contact {
   const SurfacePoint* where = nullptr;
 };
 
+struct OverlapOf {
+  SharedAnswer answer;
+  const occt::FaceIntersection* pair = nullptr;
+  const Overlap* overlap = nullptr;
+};
+
 struct PlaceOf {
   SharedAnswer answer;
   const occt::FaceIntersection* pair = nullptr;
@@ -68,13 +74,23 @@ py::array view(const SharedAnswer& answer, const Vec<double, Dim>& vector) {
   return view<1>(answer, vector.coordinates.data(), {Dim}, {sizeof(double)});
 }
 
-/// One member of all samples: (n, Dim), without a copy.
+/// One member of all points: (n, Dim), without a copy.
 template <int Dim>
-py::array samples(const Curve& curve, Vec<double, Dim> SurfacePoint::*member) {
-  const std::vector<SurfacePoint>& all = curve.get().samples;
+py::array members(const SharedAnswer& answer, const std::vector<SurfacePoint>& all,
+                  Vec<double, Dim> SurfacePoint::*member) {
   const auto count = static_cast<py::ssize_t>(all.size());
   const double* first = all.empty() ? nullptr : (all.front().*member).coordinates.data();
-  return view<2>(curve.answer, first, {count, Dim}, {sizeof(SurfacePoint), sizeof(double)});
+  return view<2>(answer, first, {count, Dim}, {sizeof(SurfacePoint), sizeof(double)});
+}
+
+template <int Dim>
+py::array samples(const Curve& curve, Vec<double, Dim> SurfacePoint::*member) {
+  return members(curve.answer, curve.get().samples, member);
+}
+
+template <int Dim>
+py::array boundary(const OverlapOf& o, Vec<double, Dim> SurfacePoint::*member) {
+  return members(o.answer, o.overlap->boundary, member);
 }
 
 py::dict deviation(const Deviation& deviation) {
@@ -108,6 +124,14 @@ py::list contacts(const Intersection& self,
   return list;
 }
 
+py::list overlaps(const Intersection& self) {
+  py::list list;
+  for (const occt::FaceIntersection& pair : self.answer->found.pairs)
+    for (const Overlap& overlap : pair.found.overlaps)
+      list.append(OverlapOf{self.answer, &pair, &overlap});
+  return list;
+}
+
 py::list places(const Intersection& self) {
   py::list list;
   for (const occt::FaceIntersection& pair : self.answer->found.pairs)
@@ -135,6 +159,8 @@ void add_curve(py::module_& module) {
       .def_property_readonly("poles", [](const Curve& c) { return c.get().curve.points.size(); })
       .def_property_readonly("deviation",
                              [](const Curve& c) { return deviation(c.get().deviation); })
+      .def_property_readonly("deviation_proven",
+                             [](const Curve& c) { return c.get().deviation.proven; })
       .def_property_readonly("face_a", &face_a<Curve>)
       .def_property_readonly("face_b", &face_b<Curve>);
 }
@@ -147,6 +173,20 @@ void add_contact(py::module_& module) {
       .def_property_readonly("uv_b", [](const Contact& c) { return view(c.answer, c.where->uv_b); })
       .def_property_readonly("face_a", &face_a<Contact>)
       .def_property_readonly("face_b", &face_b<Contact>);
+}
+
+void add_overlap(py::module_& module) {
+  py::class_<OverlapOf>(module, "Overlap",
+                        "An area that both faces have in common; the boundary repeats its first "
+                        "point and has the area to its left, seen from the tip of a's normal.")
+      .def_property_readonly("boundary",
+                             [](const OverlapOf& o) { return boundary(o, &SurfacePoint::point); })
+      .def_property_readonly("uv_a",
+                             [](const OverlapOf& o) { return boundary(o, &SurfacePoint::uv_a); })
+      .def_property_readonly("uv_b",
+                             [](const OverlapOf& o) { return boundary(o, &SurfacePoint::uv_b); })
+      .def_property_readonly("face_a", &face_a<OverlapOf>)
+      .def_property_readonly("face_b", &face_b<OverlapOf>);
 }
 
 void add_place(py::module_& module) {
@@ -171,6 +211,7 @@ void add_place(py::module_& module) {
 void add_results(py::module_& module) {
   add_curve(module);
   add_contact(module);
+  add_overlap(module);
   add_place(module);
   py::class_<Intersection>(module, "Intersection", "All intersections of two shapes.")
       .def_property_readonly(
@@ -180,6 +221,7 @@ void add_results(py::module_& module) {
           "points", [](const Intersection& s) { return contacts(s, &SurfaceIntersection::points); })
       .def_property_readonly(
           "nodes", [](const Intersection& s) { return contacts(s, &SurfaceIntersection::nodes); })
+      .def_property_readonly("overlaps", &overlaps)
       .def_property_readonly("places", &places)
       .def_property_readonly(
           "certificate",
