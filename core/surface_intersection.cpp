@@ -57,6 +57,7 @@ class Assembly {
     SurfaceCells cells_a(a_, origin_, options_.form, kCut);
     SurfaceCells cells_b(b_, origin_, options_.form, kCut);
     found_ = search_pairs(cells_a, cells_b, size_, options_);
+    result_.certificate = found_.certificate;
     add_overlaps(cells_a, cells_b);
     clumps_ = clumps_of(found_.critical);
     contacts_ = contact_chains(found_, cells_a, cells_b, clumps_, size_, options_.tolerances.point);
@@ -64,7 +65,6 @@ class Assembly {
            size_, options_.tolerances.point);
     meet_in_centres(contacts_, cells_a, cells_b, found_);
     const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
-    result_.certificate = found_.certificate;
     if (found_.stopped) result_.status = Status::Stopped;
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
     for (const Chain& chain : chains)

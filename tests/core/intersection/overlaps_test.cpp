@@ -104,6 +104,7 @@ int places(const SurfaceIntersection& found, PlaceKind kind) {
 void expect_one_overlap(const SurfaceIntersection& found, const BezierSurface& a,
                         const BezierSurface& b) {
   EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_FALSE(found.certificate.reasons.empty());
   EXPECT_TRUE(found.curves.empty());
   EXPECT_TRUE(found.points.empty());
   ASSERT_EQ(found.overlaps.size(), 1u);
@@ -216,6 +217,7 @@ TEST(Overlaps, PiecesThatMeetInACornerShareAPoint) {
 
   EXPECT_TRUE(found.overlaps.empty());
   EXPECT_TRUE(found.curves.empty());
+  EXPECT_EQ(places(found, PlaceKind::Touch), 1);
   ASSERT_EQ(found.points.size(), 1u);
   EXPECT_LE(distance(found.points[0].point, {0.5, 0.5, testing::base_cubic()(0.5, 0.5)}), 1e-9);
 }
