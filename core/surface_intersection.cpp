@@ -118,6 +118,7 @@ class Assembly {
         box = joined(box, {x.point, x.point});
         widen(place, x, p.gap);
       }
+    if (region.loops.size() > 1) overlap.boundary.push_back(overlap.boundary.front());
     for (const CriticalPair& pair : taken(cells_a, region)) {
       box = joined(box, {pair.low + origin_, pair.high + origin_});
       widen(place, parameters_of(cells_a, cells_b, pair));

@@ -24,6 +24,7 @@ constexpr double kChord = 5e-5;      // from the curve; fraction of the size
 constexpr int kMostRefinements = 8;
 constexpr std::size_t kLinkPoints = 16;
 constexpr double kBeside = 3;  // times sqrt(tolerance * size)
+constexpr double kOff = 0.05;  // beside a knot line, fraction of a patch
 
 Vec3 derivative(const PatchJet& jet, int k) { return k == 0 ? jet.u : jet.v; }
 
@@ -31,10 +32,20 @@ Vec3 derivative(const PatchJet& jet, int k) { return k == 0 ? jet.u : jet.v; }
 
 std::vector<BorderLine> border_lines(const BezierSurface& surface) {
   std::vector<BorderLine> lines;
-  for (const int across : {0, 1})
-    if (!(across == 0 ? surface.closed_u : surface.closed_v))
-      for (const bool upper : {false, true}) lines.push_back({across, upper});
+  for (const int across : {0, 1}) {
+    const int count = across == 0 ? surface.patches.rows() : surface.patches.columns();
+    for (int span = 0; span < count; ++span)
+      for (const bool upper : {false, true}) lines.push_back({across, span, upper});
+  }
   return lines;
+}
+
+std::optional<int> span_beyond(const BezierSurface& surface, const BorderLine& line) {
+  const int count = line.across == 0 ? surface.patches.rows() : surface.patches.columns();
+  const int span = line.span + (line.upper ? 1 : -1);
+  if (span >= 0 && span < count) return span;
+  if (!(line.across == 0 ? surface.closed_u : surface.closed_v)) return std::nullopt;
+  return (span + count) % count;
 }
 
 BorderFollower::BorderFollower(SurfaceCells& own, SurfaceCells& other,
@@ -55,9 +66,8 @@ BorderProbe BorderFollower::placed(const BorderLine& line, double along, int spa
   const auto& patches = own_.surface().patches;
   BorderProbe at;
   at.along = along;
-  const int last = (line.across == 0 ? patches.rows() : patches.columns()) - 1;
-  const int held = line.upper ? last : 0;
-  at.patch = line.across == 0 ? held * patches.columns() + span : span * patches.columns() + held;
+  at.patch = line.across == 0 ? line.span * patches.columns() + span
+                              : span * patches.columns() + line.span;
   at.x[line.across] = line.upper ? 1 : 0;
   at.x[1 - line.across] = along - span;
   return at;
@@ -148,9 +158,8 @@ std::vector<BorderLine> BorderFollower::borders_at(const Foot& foot, double widt
   std::erase_if(borders, [&](const BorderLine& line) {
     const int k = line.across;
     const int span = k == 0 ? other_.span_u(foot.patch) : other_.span_v(foot.patch);
-    const int last = (k == 0 ? surface.patches.rows() : surface.patches.columns()) - 1;
     const double end = line.upper ? 1 : 0;
-    return span != (line.upper ? last : 0) ||
+    return span != line.span ||
            std::abs(foot.x[k] - end) * norm(derivative(jet, k)) > width * tolerance_;
   });
   return borders;
@@ -163,13 +172,20 @@ bool BorderFollower::lies_on(const BorderProbe& at, bool found, StretchKind kind
 
 std::vector<BorderStretch> BorderFollower::stretches(const BorderLine& line, StretchKind kind,
                                                      const std::vector<double>& junctions) {
-  std::vector<double> places{junctions};
-  for (int i = 0; i <= kSamples * spans(line); ++i)
-    places.push_back(static_cast<double>(i) / kSamples);
+  std::vector<double> places;
+  for (int span = 0; span < spans(line); ++span) {
+    if (others_[static_cast<std::size_t>(placed(line, span, span).patch)].empty() ||
+        !is_crease(line, span))
+      continue;
+    for (int i = 0; i <= kSamples; ++i) places.push_back(span + static_cast<double>(i) / kSamples);
+    for (const double junction : junctions)
+      if (junction >= span && junction <= span + 1) places.push_back(junction);
+  }
   std::sort(places.begin(), places.end());
   std::vector<double> between;  // a short stretch between two junctions needs a point inside
   for (std::size_t i = 0; i + 1 < places.size(); ++i)
-    if (!junctions.empty()) between.push_back(0.5 * (places[i] + places[i + 1]));
+    if (!junctions.empty() && places[i + 1] - places[i] < 1)
+      between.push_back(0.5 * (places[i] + places[i + 1]));
   places.insert(places.end(), between.begin(), between.end());
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -178,12 +194,15 @@ std::vector<BorderStretch> BorderFollower::stretches(const BorderLine& line, Str
   bool open = false;
   for (std::size_t i = 0; i < places.size(); ++i) {
     BorderProbe at = placed(line, places[i]);
+    if (others_[static_cast<std::size_t>(at.patch)].empty())  // a span's end
+      at = placed(line, places[i], std::max(0, static_cast<int>(places[i]) - 1));
     const Foot* near = open ? &found.back().points.back().foot : nullptr;
     const bool on =
         !others_[static_cast<std::size_t>(at.patch)].empty() && lies_on(at, probe(at, near), kind);
     if (on && !open) {
       found.push_back({line, {}});
-      if (i > 0) found.back().points.push_back(end_between(line, at, places[i - 1], kind));
+      if (i > 0 && places[i] - places[i - 1] <= 0.5)
+        found.back().points.push_back(end_between(line, at, places[i - 1], kind));
     }
     if (on) found.back().points.push_back(at);
     if (!on && open) {
@@ -295,7 +314,7 @@ std::vector<BorderStretch> BorderFollower::cut(const BorderStretch& stretch,
   return parts;
 }
 
-bool BorderFollower::coincide_beside(const BorderStretch& stretch) {
+bool BorderFollower::coincide_inside(const BorderStretch& stretch) {
   const double least = kBeside * std::sqrt(tolerance_ * size_);
   const int k = stretch.line.across;
   const double from = stretch.points.front().along, to = stretch.points.back().along;
@@ -311,6 +330,41 @@ bool BorderFollower::coincide_beside(const BorderStretch& stretch) {
     if (hits >= 2) return true;
   }
   return false;
+}
+
+// True if the surfaces coincide beside a border, in its own row of patches or in the one beyond.
+bool BorderFollower::coincides_off(const BorderLine& line, double along, bool beyond) {
+  BorderProbe at = placed(line, along);
+  const int k = line.across;
+  bool below = line.upper;  // the point lies below the knot line
+  if (beyond) {
+    const auto& patches = own_.surface().patches;
+    const int span = *span_beyond(own_.surface(), line);
+    at.patch = k == 0 ? span * patches.columns() + own_.span_v(at.patch)
+                      : own_.span_u(at.patch) * patches.columns() + span;
+    below = !below;
+  }
+  at.x[k] = below ? 1 - kOff : kOff;
+  return search(at) && at.foot.gap <= tolerance_;
+}
+
+// True if the surface ends at the border, or the other one follows it on one side only.
+bool BorderFollower::is_crease(const BorderLine& line, int span) {
+  if (!span_beyond(own_.surface(), line)) return true;
+  for (const double part : {0.1, 0.35, 0.65, 0.9})
+    if (coincides_off(line, span + part, false) != coincides_off(line, span + part, true))
+      return true;
+  return false;
+}
+
+bool BorderFollower::bounds_coincidence(const BorderStretch& stretch) {
+  if (!coincide_inside(stretch)) return false;
+  if (!span_beyond(own_.surface(), stretch.line)) return true;
+  const double from = stretch.points.front().along, to = stretch.points.back().along;
+  int beyond = 0;
+  for (const double fraction : {0.25, 0.5, 0.75})
+    if (coincides_off(stretch.line, (1 - fraction) * from + fraction * to, true)) ++beyond;
+  return beyond < 2;
 }
 
 // Between two points of a stretch that lie in different pairs of patches.

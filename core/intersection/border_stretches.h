@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Stretches of the borders of one surface that lie on another one.
+// Stretches of the borders of one surface, and of its patches, that lie on another one.
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/intersection/pair_search.h"
 
 namespace blossom {
 
-/// A border of a surface: one parameter held at its lower or upper end.
+/// The lower or upper border of a row of patches. Inside a surface two of them share each knot
+/// line.
 struct BorderLine {
-  int across = 0;  ///< the parameter held: 0 is u, 1 is v
-  bool upper = false;
+  int across = 0;      ///< the parameter held: 0 is u, 1 is v
+  int span = 0;        ///< in that parameter
+  bool upper = false;  ///< at the end of the span
 
   friend bool operator==(const BorderLine&, const BorderLine&) = default;
 };
 
-/// The borders of a surface; closed directions have none.
+/// All such borders of a surface.
 std::vector<BorderLine> border_lines(const BezierSurface& surface);
+
+/// The span beyond a border; nothing where the surface ends.
+std::optional<int> span_beyond(const BezierSurface& surface, const BorderLine& line);
 
 /// The closest point of the other surface.
 struct Foot {
@@ -51,7 +57,7 @@ struct BorderJunction {
 /// Which stretches count.
 enum class StretchKind {
   Any,
-  Interior,  ///< only those in the interior of the other surface
+  Interior,  ///< only those in the interior of patches of the other surface
 };
 
 /// Follows the borders of `own` over `other`.
@@ -73,8 +79,9 @@ class BorderFollower {
   /// The stretch cut at the places given by `along`.
   std::vector<BorderStretch> cut(const BorderStretch& stretch, const std::vector<double>& places);
 
-  /// True if the surfaces also coincide beside the stretch, inside `own`.
-  bool coincide_beside(const BorderStretch& stretch);
+  /// True if the surfaces also coincide beside the stretch, in its row of patches, but not beyond
+  /// its border.
+  bool bounds_coincidence(const BorderStretch& stretch);
 
   /// The stretch by a few points of which neighbours lie in the same pair of patches or are one
   /// point in two pairs.
@@ -90,6 +97,9 @@ class BorderFollower {
   };
 
   int spans(const BorderLine& line) const;
+  bool coincide_inside(const BorderStretch& stretch);
+  bool coincides_off(const BorderLine& line, double along, bool beyond);
+  bool is_crease(const BorderLine& line, int span);
   BorderProbe placed(const BorderLine& line, double along, int span) const;
   BorderProbe placed(const BorderLine& line, double along) const;
   bool probe(BorderProbe& at, const Foot* near);

@@ -140,6 +140,7 @@ class OverlapFinder {
       piece.from = vertex(piece.path.front());
       piece.to = vertex(piece.path.back());
     }
+    drop_loose_pieces();
     group(loops());
     return std::move(result_);
   }
@@ -213,10 +214,10 @@ class OverlapFinder {
         if (part.points.size() < 2) continue;
         auto path = contact_path(part.points, of_a);
         if (length_of(path) <= join_) continue;
-        if (follower.coincide_beside(part)) {
+        if (follower.bounds_coincidence(part)) {
           if (!runs_with_region_left(part.line, path, of_a)) std::reverse(path.begin(), path.end());
           pieces_.push_back({std::move(path)});
-        } else if (of_a && is_held(path)) {
+        } else if (of_a && !span_beyond(a_.surface(), part.line) && is_held(path)) {
           result_.edges.push_back({contact_path(follower.links(part), true)});
         }
       }
@@ -269,6 +270,23 @@ class OverlapFinder {
       if (distance(vertices_[i], x) <= join_) return i;
     vertices_.push_back(x);
     return vertices_.size() - 1;
+  }
+
+  // Pieces that no other one continues bound nothing: where surfaces part slowly, a border stays
+  // within tolerance of the other surface beyond the region.
+  void drop_loose_pieces() {
+    const auto loose = [&](const Piece& piece) {
+      const auto any = [&](auto&& meets) {
+        return std::any_of(pieces_.begin(), pieces_.end(), meets);
+      };
+      return !any([&](const Piece& other) { return other.to == piece.from; }) ||
+             !any([&](const Piece& other) { return other.from == piece.to; });
+    };
+    while (true) {
+      const auto found = std::find_if(pieces_.begin(), pieces_.end(), loose);
+      if (found == pieces_.end()) return;
+      pieces_.erase(found);
+    }
   }
 
   // The angle by which the boundary turns left from one piece to the next.

@@ -85,7 +85,8 @@ struct Certificate {
 struct Overlap {
   /// Its boundary, the region to the left as seen from the tip of a's normal; it repeats its first
   /// point. A region with holes, or a band round a closed direction, has several loops: they follow
-  /// each other, each closed.
+  /// each other, each closed, and at last comes the first point again, so that the steps from loop
+  /// to loop cancel out in areas.
   std::vector<SurfacePoint> boundary;
   double gap_high = 0;  ///< largest distance of the surfaces in it, model units
 };

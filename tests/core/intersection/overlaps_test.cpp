@@ -231,6 +231,44 @@ TEST(Overlaps, PatchesOfACylinderOverlapAcrossTheirSpans) {
   EXPECT_NEAR(length_of(found.overlaps[0]), 2 * (1.6 + 0.4), 1e-3);
 }
 
+// A plane square of 3 x 3 patches, bicubic; only the middle one is raised.
+BezierSurface square_with_bump() {
+  BezierSurface surface{{0, 1, 2, 3}, {0, 1, 2, 3}};
+  surface.patches = Grid<RationalBezierPatch>(3, 3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      Grid<Vec4> net(4, 4);
+      for (int k = 0; k < 4; ++k)
+        for (int l = 0; l < 4; ++l) net(k, l) = {i + k / 3.0, j + l / 3.0, 0, 1};
+      if (i == 1 && j == 1)
+        for (const int k : {1, 2})
+          for (const int l : {1, 2}) net(k, l)[2] = 1;
+      surface.patches(i, j) = {net};
+    }
+  return surface;
+}
+
+TEST(Overlaps, APatchThatDiffersIsAHoleInTheOverlap) {
+  const BezierSurface a = square_with_bump(), b = square({1.5, 1.5}, 1.5, 0);
+  for (const bool exchanged : {false, true}) {
+    const SurfaceIntersection found = exchanged ? intersect(b, a) : intersect(a, b);
+
+    ASSERT_EQ(found.overlaps.size(), 1u);
+    EXPECT_NEAR(area(found.overlaps[0]), 8, 1e-6);
+  }
+}
+
+TEST(Overlaps, AKnotLineInsideAnOverlapBoundsNothing) {
+  BezierSurface a = square_with_bump();
+  for (Vec4& p : a.patches(1, 1).points.values()) p[2] = 0;
+  const BezierSurface b = square({1.5, 1.5}, 1.2, 0.3);
+
+  const SurfaceIntersection found = intersect(a, b);
+
+  expect_one_overlap(found, a, b);
+  EXPECT_LT(area(found.overlaps[0]), 2.4 * 2.4 + 1e-9);
+}
+
 TEST(Overlaps, FullCylindersOverlapInABandWithTwoCircles) {
   const BezierSurface a = cylinder(4, 0, 2 * std::numbers::pi, {0, 1});
   const BezierSurface b = cylinder(3, 0.7, 2 * std::numbers::pi, {0.4, 2});
