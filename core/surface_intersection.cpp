@@ -29,7 +29,8 @@ constexpr double kPointClump = 1e-2;
 // A chain this many times as long as the clump that holds both its ends belongs to the clump.
 constexpr double kClumpReach = 4;
 
-constexpr double kShortest = 4;  // tolerances: the shortest branch between contacts
+constexpr double kShortest = 4;    // tolerances: the shortest branch between contacts
+constexpr double kOnCurve = 1e-4;  // of the surfaces' size
 
 constexpr int kClosestStarts = 24;  // critical pairs tried for a clump's closest point
 
@@ -97,9 +98,8 @@ class Assembly {
     for (const CriticalPair& pair : found_.critical)
       if (pair.thin) thin.push_back(pair);
     const std::vector<Clump> clumps = clumps_of(thin);
-    if (std::none_of(clumps.begin(), clumps.end(), [&](const Clump& clump) {
-          return diagonal(clump.box) > kPointClump * size_;
-        }))
+    if (std::none_of(clumps.begin(), clumps.end(),
+                     [&](const Clump& clump) { return diagonal(clump.box) > kPointClump * size_; }))
       return;
     const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_);
     for (const OverlapRegion& region : overlaps.regions) add_overlap(cells_a, cells_b, region);
@@ -137,11 +137,9 @@ class Assembly {
   // The critical pairs in a region or along a border, taken out of the search's.
   template <class Coincidence>
   std::vector<CriticalPair> taken(const SurfaceCells& cells_a, const Coincidence& coincidence) {
-    const auto rest =
-        std::stable_partition(found_.critical.begin(), found_.critical.end(),
-                              [&](const CriticalPair& pair) {
-                                return !pair.thin || !holds(coincidence, cells_a, pair);
-                              });
+    const auto rest = std::stable_partition(
+        found_.critical.begin(), found_.critical.end(),
+        [&](const CriticalPair& pair) { return !pair.thin || !holds(coincidence, cells_a, pair); });
     const std::vector<CriticalPair> result(rest, found_.critical.end());
     found_.critical.erase(rest, found_.critical.end());
     return result;
@@ -241,8 +239,8 @@ class Assembly {
     curve.closed = chain.closed;
     curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
     for (std::size_t side = 0; side < 2; ++side)
-      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place &&
-          chain.ends[side].clump < 0 && chain.ends[side].contact < 0 && !tangential &&
+      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0 &&
+          chain.ends[side].contact < 0 && !tangential &&
           !bounds_overlap(side == 0 ? curve.samples.front() : curve.samples.back()))
         add_loose_end(side == 0 ? curve.samples.front() : curve.samples.back());
     double& least = result_.certificate.least_angle;
@@ -299,7 +297,7 @@ class Assembly {
       const SurfacePoint centre = surface_point(cells_a, cells_b, contact.centre);
       const std::size_t arms = contact.arm_count();
       place.kind = arms == 0 ? PlaceKind::Touch : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
-      if (arms == 0) result_.points.push_back(centre);
+      if (arms == 0 && !on_curve(centre.point)) result_.points.push_back(centre);
       if (arms > 2) result_.nodes.push_back(centre);
     }
     result_.places.push_back(place);
@@ -332,6 +330,20 @@ class Assembly {
     return std::any_of(result_.points.begin(), result_.points.end(), [&](const SurfacePoint& p) {
       return distance(p.point, point) <= contact_length();
     });
+  }
+
+  // A contact in the middle of a curve is no isolated point: so near is the chord of two samples.
+  bool on_curve(const Vec3& point) const {
+    const auto near = [&](const IntersectionCurve& curve) {
+      for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
+        const Vec3 from = curve.samples[i].point, step = curve.samples[i + 1].point - from;
+        const double square = dot(step, step);
+        const double t = square > 0 ? std::clamp(dot(point - from, step) / square, 0.0, 1.0) : 0.0;
+        if (distance(point, from + step * t) <= kOnCurve * size_) return true;
+      }
+      return false;
+    };
+    return std::any_of(result_.curves.begin(), result_.curves.end(), near);
   }
 
   // At a seam a curve ends under other parameters of the same point.
@@ -392,7 +404,8 @@ class Assembly {
     const SurfacePoint contact = closest_point(cells_a, cells_b, clump, place.gap_low);
     if (clump.arc_ends == 0) {
       place.kind = PlaceKind::Touch;
-      if (place.gap_low <= options_.tolerances.point) result_.points.push_back(contact);
+      if (place.gap_low <= options_.tolerances.point && !on_curve(contact.point))
+        result_.points.push_back(contact);
       place.gap_high = std::max(place.gap_low, place.gap_high);
     } else if (clump.arc_ends == 2) {
       place.kind = PlaceKind::Cusp;

@@ -155,6 +155,8 @@ void clip(SurfaceIntersection& found, const FaceData& a, const FaceData& b) {
   };
   std::erase_if(found.points, outside);
   std::erase_if(found.nodes, outside);
+  // What the trims leave of a common region is not known: it stays among the places only.
+  found.overlaps.clear();
 }
 
 EdgeCurves edge_curves(const IntersectionCurve& curve) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -97,6 +98,27 @@ TEST_F(IntersectCommand, ProvesThatThereIsNothing) {
     EXPECT_EQ(report[list], json::array()) << list;
 }
 
+TEST_F(IntersectCommand, ReportsTheBoundaryOfAnOverlap) {
+  testing::write({testing::bowl()}, folder / "bowl.brep");
+  const Finished run =
+      blossom({"intersect", folder / "bowl.brep", folder / "bowl.brep", "--json", "-"});
+
+  EXPECT_EQ(run.code, 3) << run.err;
+  const json report = json::parse(run.out);
+  EXPECT_EQ(report["curves"], json::array());
+  ASSERT_EQ(report["overlaps"].size(), 1u);
+  const json& overlap = report["overlaps"][0];
+  EXPECT_EQ(overlap["face_a"], 1);
+  EXPECT_EQ(overlap["face_b"], 1);
+  EXPECT_EQ(overlap["boundary"].front(), overlap["boundary"].back());
+  ASSERT_EQ(overlap["boundary"].size(), overlap["uv_a"].size());
+  ASSERT_EQ(overlap["boundary"].size(), overlap["uv_b"].size());
+  for (const json& p : overlap["boundary"])
+    EXPECT_NEAR(std::max(std::abs(p[0].get<double>()), std::abs(p[1].get<double>())), 1, 1e-9);
+  ASSERT_EQ(report["places"].size(), 1u);
+  EXPECT_EQ(report["places"][0]["kind"], "overlap");
+}
+
 TEST_F(IntersectCommand, ReportHasEveryFieldOfItsSchema) {
   const Finished run = intersect(0.25, {"--json", "-", "--repeat", "3"});
   const json report = json::parse(run.out);
@@ -114,6 +136,7 @@ TEST_F(IntersectCommand, ReportHasEveryFieldOfItsSchema) {
     EXPECT_GE(curve["deviation"][side].get<double>(), 0) << side;
     EXPECT_LE(curve["deviation"][side].get<double>(), 1e-6) << side;
   }
+  EXPECT_EQ(curve["deviation_proven"], true);
   for (const char* count : {"excluded", "certified", "critical", "cells_bezier", "cells_monomial"})
     EXPECT_TRUE(report["certificate"][count].is_number_integer()) << count;
   EXPECT_GT(report["certificate"]["certified"].get<long>(), 0);
