@@ -64,6 +64,7 @@ class Assembly {
     contacts_ = contact_chains(found_, cells_a, cells_b, clumps_, size_, options_.tolerances.point);
     attach(loose_ends(found_, cells_a, cells_b, contacts_), found_, cells_a, cells_b, contacts_,
            size_, options_.tolerances.point);
+    drop_scraps(cells_a, cells_b);
     meet_in_centres(contacts_, cells_a, cells_b, found_);
     const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     if (found_.stopped) result_.status = Status::Stopped;
@@ -183,6 +184,23 @@ class Assembly {
     }
   }
 
+  // Short chains from a point of contact back to it are parts of it that happened to be certified.
+  void drop_scraps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
+    std::vector<Clump> clumps = clumps_;
+    for (const Chain& chain : chains_of(found_, cells_a, cells_b, contacts_, clumps)) {
+      const int contact = chain.ends[0].contact;
+      if (chain.closed || contact < 0 || contact != chain.ends[1].contact) continue;
+      const ContactChain& at = contacts_[static_cast<std::size_t>(contact)];
+      const double most = kClumpReach * at.length + kShortest * options_.tolerances.point;
+      if (at.curve || diagonal(end_box(cells_a, chain)) > most) continue;
+      for (const ChainLink& link : chain.links)
+        found_.arcs[static_cast<std::size_t>(link.arc)].dropped = true;
+    }
+    for (ContactChain& contact : contacts_)
+      for (auto& arms : contact.arms)
+        std::erase_if(arms, [&](ArcEnd end) { return found_.arcs[end / 2].dropped; });
+  }
+
   // A chain that begins and ends in one clump, and is not much longer than it, is part of that
   // contact: a loop whose depth is far below tolerance, certified in places.
   bool within_clump(SurfaceCells& cells_a, const Chain& chain) {
@@ -223,11 +241,12 @@ class Assembly {
 
   void add_curve(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
     const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
-    if (tracer.stations().back() <= kShortest * options_.tolerances.point &&
-        belongs_to_contact(chain))
-      return;
+    if (tracer.stations().back() <= kShortest * options_.tolerances.point) {
+      if (belongs_to_contact(chain)) return;
+      if (chain.closed) return add_small_contact(cells_a, chain, tracer);
+    }
     if (slides(chain) && tracer.stations().back() <= contact_length())
-      return add_border_touch(cells_a, chain, tracer);
+      return add_small_contact(cells_a, chain, tracer);
     const bool tangential = touches_along(chain);
     const double gap = tangential ? largest_gap() : 0;
     IntersectionCurve curve =
@@ -313,8 +332,9 @@ class Assembly {
   // A curve that only touches the border stays within tolerance of it for about this long.
   double contact_length() const { return 0.1 * std::sqrt(options_.tolerances.point * size_); }
 
-  void add_border_touch(SurfaceCells& cells_a, const Chain& chain, const ChainTracer& tracer) {
+  void add_small_contact(SurfaceCells& cells_a, const Chain& chain, const ChainTracer& tracer) {
     const CurvePoint middle = tracer.at(0.5 * tracer.stations().back(), true);
+    if (in_contact(middle.point)) return;
     const SurfacePoint contact{middle.point, middle.a, middle.b};
     if (!known_contact(contact.point)) result_.points.push_back(contact);
     const Box box = end_box(cells_a, chain);
@@ -368,6 +388,14 @@ class Assembly {
     Place place{PlaceKind::Open, box.low + origin_, box.high + origin_, 0, diagonal(box), {}};
     result_.places.push_back(place);
     weaken(Status::Stopped, "a branch could not be traced");
+  }
+
+  bool in_contact(const Vec3& point) const {
+    const double r = contact_length();
+    const Vec3 low = point - origin_ - Vec3{r, r, r}, high = point - origin_ + Vec3{r, r, r};
+    return std::any_of(contacts_.begin(), contacts_.end(), [&](const ContactChain& contact) {
+      return !contact.curve && meet(contact.box, {low, high});
+    });
   }
 
   // The box of all ends of a chain's arcs, relative to the origin.

@@ -18,6 +18,7 @@ namespace {
 
 // Of the rough area; the integrals' error estimates exceed their errors by far.
 constexpr double kRelativeTolerance = 1e-11;
+constexpr double kCoordinateRounding = 1e-15;
 
 // The surface over the box of the trims. The inner integral runs along the direction with fewer
 // spans, called x; the other one is y.
@@ -35,18 +36,24 @@ class Density {
     y_knots_ = inner_ == 0 ? v : u;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) rough_ += value_at((i + 0.5) / 4, (j + 0.5) / 4) / 16;
-    rough_ *= (high_[0] - low_[0]) * (high_[1] - low_[1]);
+    double rounding = kCoordinateRounding * rough_;
+    for (int k = 0; k < 2; ++k) {
+      rough_ *= high_[k] - low_[k];
+      rounding *= std::max(std::abs(low_[k]), std::abs(high_[k]));
+    }
+    tolerance_ = std::max(kRelativeTolerance * rough_, rounding);
   }
 
   int inner() const { return inner_; }
-  double rough_area() const { return rough_; }
+  /// For the whole area: no sum can be better than the coordinates of the trims.
+  double tolerance() const { return tolerance_; }
   const std::vector<double>& y_knots() const { return y_knots_; }
 
   // F: the integral along x from the left end to `x`, at y.
   double strip(double x, double y, int cells) const {
     auto density = [&](double s) { return inner_ == 0 ? value(s, y) : value(y, s); };
     const double width = high_[1 - inner_] - low_[1 - inner_];
-    const double tolerance = kRelativeTolerance * rough_ / std::max(width, 1e-300);
+    const double tolerance = tolerance_ / std::max(width, 1e-300);
     double sum = 0;
     for (std::size_t i = 0; i + 1 < x_knots_.size(); ++i) {
       const double to = i + 2 == x_knots_.size() ? x : std::min(x_knots_[i + 1], x);
@@ -85,7 +92,7 @@ class Density {
   Vec2 low_, high_;
   std::vector<double> x_knots_, y_knots_;  // of the surface inside the box, the box's ends too
   int inner_ = 0;
-  double rough_ = 0;
+  double rough_ = 0, tolerance_ = 0;
 };
 
 // What a straight way adds, forward along it: gaps that tolerances leave in the wires.
@@ -97,7 +104,7 @@ double across(const Vec2& from, const Vec2& to, const FaceTrims& trims, const De
     const Vec2 point = (1 - t) * from + t * to;
     return density.strip(point[x] / trims.scale[x], point[y] / trims.scale[y], 1) * dy;
   };
-  return integral(rate, 0, 1, kRelativeTolerance * density.rough_area()).value;
+  return integral(rate, 0, 1, density.tolerance()).value;
 }
 
 // Local parameters of a span at which it crosses a knot line of the surface, with 0 and 1: there
@@ -128,7 +135,7 @@ std::vector<double> breaks(const PlanarBezier& curve, int y, double scale,
 // Along the coedge as the wire walks it, from corner to corner.
 double along(const Coedge& coedge, const FaceTrims& trims, const Density& density, int cells) {
   const int x = density.inner(), y = 1 - x;
-  const double tolerance = kRelativeTolerance * density.rough_area();
+  const double tolerance = density.tolerance();
   double sum = 0;
   for (const PlanarSpan& span : coedge.curve.spans) {
     auto rate = [&](double t) {

@@ -44,13 +44,16 @@ class Graph {
   std::vector<ArcEnd> loose() const {
     std::vector<ArcEnd> ends;
     for (std::size_t e = 0; e < points_.size(); ++e)
-      if (contact_of_[e] < 0 && ends_at(e).size() != 2 && !on_border(e)) ends.push_back(e);
+      if (!found_.arcs[e / 2].dropped && contact_of_[e] < 0 && ends_at(e).size() != 2 &&
+          !on_border(e))
+        ends.push_back(e);
     return ends;
   }
 
   std::vector<Chain> chains(std::vector<Clump>& clumps) {
     std::vector<Chain> result;
-    used_.assign(found_.arcs.size(), false);
+    used_.clear();
+    for (const FoundArc& arc : found_.arcs) used_.push_back(arc.dropped);
     for (std::size_t e = 0; e < points_.size(); ++e)
       if (!used_[e / 2] && (ends_at(e).size() != 2 || contact_of_[e] >= 0))
         result.push_back(walk(e, clumps));
@@ -71,7 +74,8 @@ class Graph {
       return p[0] + 0.6180339887 * p[1] + 0.4142135623 * p[2] + 0.2360679774 * p[3];
     };
     std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t e = 0; e < points_.size(); ++e) order.emplace_back(value(e), e);
+    for (std::size_t e = 0; e < points_.size(); ++e)
+      if (!found_.arcs[e / 2].dropped) order.emplace_back(value(e), e);
     std::sort(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
       const std::size_t e = order[i].second;
@@ -90,7 +94,7 @@ class Graph {
 
   void merge(std::size_t e, std::size_t f) {
     const int to = vertex_[e], from = vertex_[f];
-    if (to == from) return;
+    if (to == from || to < 0 || from < 0) return;
     for (const std::size_t end : ends_[static_cast<std::size_t>(from)]) {
       vertex_[end] = to;
       ends_[static_cast<std::size_t>(to)].push_back(end);

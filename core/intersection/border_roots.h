@@ -32,7 +32,7 @@ struct CellArc {
   Point4 direction{};
   bool slides = false;      ///< it runs along the border of the pair
   bool tangential = false;  ///< the surfaces touch along it
-  bool iso = false;         ///< it runs along an iso-line of a: one of u, v is the same at both ends
+  bool iso = false;  ///< it runs along an iso-line of a: one of u, v is the same at both ends
 };
 
 /// Which borders of a pair are borders of the whole surfaces, by parameter; not the second one

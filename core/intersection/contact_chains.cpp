@@ -15,9 +15,10 @@ constexpr double kOnePoint = 1e-8;    // of the size: ends of pieces this close 
 constexpr double kBesides = 1e-5;     // of the size: points of contact this close are one
 constexpr double kPointClump = 1e-2;  // of the size: a larger clump is more than a point
 constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest point
-constexpr double kOnPath = 0.02;    // of the shorter one's length: pieces this close are the same
-constexpr double kOnBorder = 1e-9;  // fraction of a patch
-constexpr double kAttachGap = 4;    // tolerances: the most between a branch's end and its contact
+constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
+constexpr double kOnBorder = 1e-9;   // fraction of a patch
+constexpr double kAttachGap = 4;     // tolerances: the most between a branch's end and its contact
+constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
 
 // A contact is a curve if it is longer than kShort and most of it is far closer than the
@@ -253,6 +254,35 @@ class Joiner {
                    (chain.length > kLong * size_ && close < kHardlyAny * chain.length));
   }
 
+  // A point of least distance near a pair of cells: a crossing, where the surfaces are not
+  // parallel, or a point with common normal.
+  ContactPoint closest_in(const CriticalPair& pair) const {
+    const auto& patch_a = a_.tree(pair.patch_a).patch();
+    const auto& patch_b = b_.tree(pair.patch_b).patch();
+    Point4 middle;
+    double reach = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      middle[k] = at(pair.box[k], 0.5);
+      reach = std::max(reach, 1.5 * length(pair.box[k]));
+    }
+    ContactPoint best{pair.patch_a, pair.patch_b, middle, 1e300};
+    const auto consider = [&](const std::optional<Point4>& found) {
+      if (!found) return;
+      ContactPoint p{pair.patch_a, pair.patch_b, *found, 0};
+      for (double& t : p.x) t = std::clamp(t, 0.0, 1.0);
+      p.gap = distance(point(p.patch_a, p.x), jet_at(patch_b, p.x[2], p.x[3], 1).point);
+      if (p.gap < best.gap) best = p;
+    };
+    consider(middle);
+    consider(collinear_normal_point(patch_a, patch_b, middle, reach));
+    for (std::size_t k = 0; k < 4 && best.gap > 0; ++k) {
+      Point4 plane{};
+      plane[k] = 1;
+      consider(curve_point(patch_a, patch_b, middle, plane, reach));
+    }
+    return best;
+  }
+
   // The contact in a clump of cells, at the closest point that a few of its pairs lead to.
   ContactChain contact_of(const Clump& clump) const {
     ContactChain chain;
@@ -263,17 +293,7 @@ class Joiner {
     const std::size_t step = clump.pairs.size() / kClosestStarts + 1;
     for (std::size_t i = 0; i < clump.pairs.size(); i += step) {
       const CriticalPair& pair = found_.critical[static_cast<std::size_t>(clump.pairs[i])];
-      const auto& patch_a = a_.tree(pair.patch_a).patch();
-      const auto& patch_b = b_.tree(pair.patch_b).patch();
-      ContactPoint p{pair.patch_a, pair.patch_b, {}, 0};
-      double reach = 0;
-      for (std::size_t k = 0; k < 4; ++k) {
-        p.x[k] = at(pair.box[k], 0.5);
-        reach = std::max(reach, 1.5 * length(pair.box[k]));
-      }
-      if (const auto x = collinear_normal_point(patch_a, patch_b, p.x, reach)) p.x = *x;
-      for (double& t : p.x) t = std::clamp(t, 0.0, 1.0);
-      p.gap = distance(point(p.patch_a, p.x), jet_at(patch_b, p.x[2], p.x[3], 1).point);
+      const ContactPoint p = closest_in(pair);
       if (p.gap < best.gap) best = p;
     }
     chain.path = {best};
@@ -339,7 +359,7 @@ class Joiner {
     if (const auto x = collinear_normal_point(patch_a, patch_b, centre.x, kPolishReach)) {
       const double gap = std::abs(signed_gap(patch_a, patch_b, *x));
       const double reach = std::max(chain.length, kShort * size_);
-      if (gap <= 2 * tolerance_ &&
+      if (gap <= best->gap + kRounding * size_ &&
           distance(point(centre.patch_a, *x), point(centre.patch_a, centre.x)) <= reach) {
         centre.x = *x;
         centre.gap = gap;

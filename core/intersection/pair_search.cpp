@@ -138,8 +138,7 @@ class Search {
       return;
     }
     ++result_.certificate.critical;
-    result_.critical.push_back(
-        {patch_a_, patch_b_, part.box, part.hull.low, part.hull.high, true});
+    result_.critical.push_back({patch_a_, patch_b_, part.box, part.hull.low, part.hull.high, true});
   }
 
   SurfaceBorders borders(const Cell& a, const Cell& b) const {

@@ -56,6 +56,7 @@ struct FoundArc {
   CellArc arc;
   std::array<int, 2> contact{-1,
                              -1};  ///< by end: the contact it runs into, kContactElsewhere, or -1
+  bool dropped = false;            ///< it is part of a contact
 };
 
 /// A piece of contact in a pair of patches.

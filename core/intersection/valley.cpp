@@ -21,6 +21,7 @@ constexpr double kEdgeGap = 1.0 / 256;    // tolerances: gap along an edge that 
 constexpr double kAcross = 0.7;           // cosine: a direction that crosses an edge
 constexpr int kMostPieces = 400;
 constexpr int kMostExactPieces = 40;
+constexpr int kDepthSamples = 8;
 constexpr double kShortestPiece = 1e-9;  // of the cell
 constexpr int kBranchSteps = 6;
 constexpr int kContactSteps = 4;
@@ -298,7 +299,7 @@ class Reader {
       // By signs alone where that is possible, so that shallow loops stay loops.
       exact_ = !in.contact && !out.contact;
       pieces_left_ = kMostExactPieces;
-      if (!exact_ || !label(in.w, out.w, in, out, pieces)) {
+      if (!exact_ || !label(in.w, out.w, in, out, pieces) || !beyond_tolerance(merged(pieces))) {
         exact_ = false;
         pieces.clear();
         pieces_left_ = kMostPieces;
@@ -307,6 +308,20 @@ class Reader {
       if (in.contact != (pieces.front().label == Label::Contact)) return false;
       if (out.contact != (pieces.back().label == Label::Contact)) return false;
       valleys_.push_back(merged(pieces));
+    }
+    return true;
+  }
+
+  // True if between two changes of sign the gap always grows to a good part of the tolerance: what
+  // is shallower is a contact.
+  bool beyond_tolerance(const std::vector<Piece>& pieces) const {
+    for (std::size_t i = 1; i + 1 < pieces.size(); ++i) {
+      double most = 0;
+      for (int k = 0; k <= kDepthSamples; ++k) {
+        const double w = pieces[i].from + (pieces[i].to - pieces[i].from) * k / kDepthSamples;
+        if (const auto z = valley_at(w)) most = std::max(most, std::abs(value(gap_, w, *z)));
+      }
+      if (most <= kErrorShare * tolerance()) return false;
     }
     return true;
   }
