@@ -107,10 +107,10 @@ struct CubicPair {
 };
 
 /// The pair that meets where h = 0 over the unit square.
-inline CubicPair cubic_pair(const Cubic& h) {
+inline CubicPair cubic_pair(const Cubic& h, const Cubic& base = base_cubic()) {
   const double c = 1.6 * std::cos(0.4), s = 1.6 * std::sin(0.4);
-  return {graph(base_cubic() + h, {0, 0}, {1, 0}, {0, 1}),
-          graph(base_cubic(), {0.5 - 0.5 * (c - s), 0.5 - 0.5 * (s + c)}, {c, s}, {-s, c})};
+  return {graph(base + h, {0, 0}, {1, 0}, {0, 1}),
+          graph(base, {0.5 - 0.5 * (c - s), 0.5 - 0.5 * (s + c)}, {c, s}, {-s, c})};
 }
 
 /// scale ((x - a)^2 + (y - b)^2 - r^2): a loop of radius r, scale r^2 deep.

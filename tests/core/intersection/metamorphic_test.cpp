@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The same intersection whichever way the same two surfaces are written down.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/surface_intersection.h"
+#include "tests/support/components.h"
+#include "tests/support/cubic_family.h"
+#include "tests/support/surface_changes.h"
+
+namespace blossom {
+namespace {
+
+using testing::Components;
+using testing::components;
+using testing::constant;
+using testing::Cubic;
+using testing::cubic_pair;
+using testing::CubicPair;
+using testing::linear;
+using testing::loop;
+using testing::moved;
+using testing::Random;
+using testing::random_motion;
+using testing::random_weight;
+using testing::uniform;
+
+const Cubic kX = linear(-0.43, 1, 0), kY = linear(-0.57, 0, 1), kMiddleY = linear(-0.5, 0, 1);
+const Cubic kLine = linear(-0.6, 1, 0.2);
+
+std::vector<PlaceKind> kinds(const SurfaceIntersection& found) {
+  std::vector<PlaceKind> all;
+  for (const Place& place : found.places) all.push_back(place.kind);
+  return all;
+}
+
+std::vector<double> lengths(const SurfaceIntersection& found, double scale) {
+  std::vector<double> all;
+  for (const IntersectionCurve& curve : found.curves) all.push_back(curve.length / scale);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+struct Row {
+  const char* name;
+  Cubic h;
+  Components expected;
+  std::vector<PlaceKind> places{};
+
+  bool regular() const { return places.empty(); }
+};
+
+const std::vector<Row> kRows{
+    {"transversal", linear(-0.5, 1, 0) + 0.3 * kMiddleY + 0.4 * (kMiddleY * kMiddleY), {.open = 1}},
+    {"loop_5e_2", loop(0.43, 0.57, 0.05), {.closed = 1}},
+    {"loop_1e_3", loop(0.43, 0.57, 0.001), {.closed = 1}},
+    {"near_tangent_1e_2", kLine* kLine + constant(-1e-4), {.open = 2}},
+    {"oval_and_branch",
+     kY* kY + -1.0 * (linear(-0.2, 1, 0) * linear(-0.4, 1, 0) * linear(-0.7, 1, 0)),
+     {.open = 1, .closed = 1}},
+    {"touch", loop(0.43, 0.57, 0), {.points = 1}, {PlaceKind::Touch}},
+    {"tangent_curve", kLine* kLine, {.open = 1, .tangential = 1}, {PlaceKind::Tangential}},
+    {"crossing", kX* kY, {.open = 4, .nodes = 1}, {PlaceKind::Node}},
+    {"node",
+     kY* kY + -1.0 * (kX * kX * linear(-0.13, 1, 0)),
+     {.open = 3, .nodes = 1},
+     {PlaceKind::Node}},
+    {"cusp", kY* kY + -1.0 * (kX * kX * kX), {.open = 1}, {PlaceKind::Cusp}},
+};
+
+struct Change {
+  const char* name;
+  std::function<CubicPair(const CubicPair&, Random&)> apply;
+  double scale = 1;
+};
+
+Change motion(const char* name, double scale) {
+  const auto apply = [scale](const CubicPair& pair, Random& random) {
+    testing::Motion motion = random_motion(random);
+    motion.scale = scale;
+    return CubicPair{moved(pair.a, motion), moved(pair.b, motion)};
+  };
+  return {name, apply, scale};
+}
+
+Change scaling(const char* name, double scale) {
+  const auto apply = [scale](const CubicPair& pair, Random&) {
+    return CubicPair{moved(pair.a, {.scale = scale}), moved(pair.b, {.scale = scale})};
+  };
+  return {name, apply, scale};
+}
+
+Change elevation(const char* name, int a, int b) {
+  const auto apply = [a, b](const CubicPair& pair, Random&) {
+    return CubicPair{testing::elevated(pair.a, a), testing::elevated(pair.b, b)};
+  };
+  return {name, apply};
+}
+
+BezierSurface split_in_v(const BezierSurface& surface, double cut) {
+  return testing::exchanged(testing::split_in_u(testing::exchanged(surface), cut));
+}
+
+Change split(const char* name, const auto& cut_a, const auto& cut_b) {
+  const auto apply = [=](const CubicPair& pair, Random& random) {
+    const double cut = uniform(random, 0.15, 0.85);
+    return CubicPair{cut_a(pair.a, cut), cut_b(pair.b, cut)};
+  };
+  return {name, apply};
+}
+
+BezierSurface same(const BezierSurface& surface, double) { return surface; }
+
+const std::vector<Change> kChanges{
+    {"swapped",
+     [](const CubicPair& p, Random&) {
+       return CubicPair{p.b, p.a};
+     }},
+    {"reversed",
+     [](const CubicPair& p, Random&) {
+       return CubicPair{testing::reversed(p.a), testing::reversed(p.b)};
+     }},
+    {"exchanged",
+     [](const CubicPair& p, Random&) {
+       return CubicPair{testing::exchanged(p.a), testing::exchanged(p.b)};
+     }},
+    motion("rotated", 1),
+    motion("rotated_and_small", 1e-3),
+    motion("rotated_and_large", 1e3),
+    scaling("small", 1e-3),
+    scaling("large", 1e3),
+    elevation("elevated_a", 5, 3),
+    elevation("elevated_b", 3, 5),
+    elevation("elevated_both", 7, 7),
+    split("split_a_in_u", testing::split_in_u, same),
+    split("split_a_in_v", split_in_v, same),
+    split("split_b_in_u", same, testing::split_in_u),
+    split("split_b_in_v", same, split_in_v),
+    {"weighted_a",
+     [](const CubicPair& p, Random& random) {
+       return CubicPair{testing::weighted(p.a, random_weight(random)), p.b};
+     }},
+    {"weighted_b",
+     [](const CubicPair& p, Random& random) {
+       return CubicPair{p.a, testing::weighted(p.b, random_weight(random))};
+     }},
+};
+
+class Metamorphic : public ::testing::TestWithParam<std::tuple<int, int>> {
+ protected:
+  const Row& row() const { return kRows[static_cast<std::size_t>(std::get<0>(GetParam()))]; }
+  const Change& change() const {
+    return kChanges[static_cast<std::size_t>(std::get<1>(GetParam()))];
+  }
+};
+
+// Three draws of what is random in a change.
+TEST_P(Metamorphic, ChangesNothing) {
+  const CubicPair pair = cubic_pair(row().h);
+  const std::vector<double> before = lengths(intersect(pair.a, pair.b), 1);
+  for (int seed = 0; seed < 3; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random = testing::seeded(seed);
+    const CubicPair changed = change().apply(pair, random);
+
+    const SurfaceIntersection found = intersect(
+        changed.a, changed.b, {.tolerances = {.point = Tolerances{}.point * change().scale}});
+
+    EXPECT_EQ(components(found), row().expected);
+    EXPECT_EQ(kinds(found), row().places);
+    EXPECT_NE(found.status, Status::Stopped);
+    if (row().regular()) {
+      EXPECT_EQ(found.status, Status::Complete);
+    }
+    const std::vector<double> after = lengths(found, change().scale);
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t i = 0; i < after.size(); ++i)
+      EXPECT_NEAR(after[i], before[i], (row().regular() ? 1e-6 : 1e-3) * before[i]);
+  }
+}
+
+std::string case_name(const ::testing::TestParamInfo<std::tuple<int, int>>& which) {
+  const auto [row, change] = which.param;
+  return std::string(kRows[static_cast<std::size_t>(row)].name) + "__" +
+         kChanges[static_cast<std::size_t>(change)].name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, Metamorphic,
+                         ::testing::Combine(::testing::Range(0, static_cast<int>(kRows.size())),
+                                            ::testing::Range(0, static_cast<int>(kChanges.size()))),
+                         case_name);
+
+}  // namespace
+}  // namespace blossom
