@@ -398,6 +398,17 @@ bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const C
   return true;
 }
 
+// A contact's arm in the parameters of the contact's patches.
+ContactArm arm_of(const ContactChain& contact, ArcEnd end, const SurfaceCells& a,
+                  const SurfaceCells& b, const PairSearchResult& found) {
+  const FoundArc& arc = found.arcs[end / 2];
+  const auto here = [&](const Point4& x) {
+    return in_patches(a, b, arc.patch_a, arc.patch_b, x, contact.centre);
+  };
+  return end % 2 == 0 ? ContactArm{here(arc.arc.to), here(arc.arc.from)}
+                      : ContactArm{here(arc.arc.from), here(arc.arc.to)};
+}
+
 }  // namespace
 
 std::vector<ContactChain> contact_chains(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
@@ -436,12 +447,26 @@ void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, Surf
   }
 }
 
-void meet_in_centres(std::vector<ContactChain>& contacts, const SurfaceCells& a,
-                     const SurfaceCells& b, PairSearchResult& found) {
-  for (ContactChain& contact : contacts)
-    if (!contact.curve)
-      for (auto& arms : contact.arms)
-        for (ArcEnd& end : arms) end = reach_contact(found, a, b, end, contact.centre);
+void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, SurfaceCells& b,
+                     PairSearchResult& found) {
+  for (ContactChain& contact : contacts) {
+    if (contact.curve) continue;
+    const auto &patch_a = a.tree(contact.centre.patch_a).patch(),
+               &patch_b = b.tree(contact.centre.patch_b).patch();
+    std::vector<ContactArm> arms;
+    for (const auto& side : contact.arms)
+      for (const ArcEnd end : side) arms.push_back(arm_of(contact, end, a, b, found));
+    const bool joins = arms.size() == 2;
+    if (joins)
+      contact.centre.x = meeting_point(patch_a, patch_b, {arms[0], arms[1]}, contact.centre.x);
+    // A branch that only passes by the centre of a node ends beside it.
+    std::size_t next = 0;
+    for (auto& side : contact.arms)
+      for (ArcEnd& end : side)
+        if (const ContactArm& arm = arms[next++];
+            joins || leads_to(patch_a, patch_b, arm, contact.centre.x))
+          end = reach_contact(found, a, b, end, contact.centre);
+  }
 }
 
 }  // namespace blossom

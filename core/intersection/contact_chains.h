@@ -48,8 +48,9 @@ std::vector<ContactChain> contact_chains(PairSearchResult& found, SurfaceCells& 
 void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, SurfaceCells& a,
             SurfaceCells& b, std::vector<ContactChain>& contacts, double size, double tolerance);
 
-/// Lengthens the arms of all points to the points.
-void meet_in_centres(std::vector<ContactChain>& contacts, const SurfaceCells& a,
-                     const SurfaceCells& b, PairSearchResult& found);
+/// Lengthens the arms of all points to the points they lead to, two arms to a point of the branch
+/// they are of.
+void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, SurfaceCells& b,
+                     PairSearchResult& found);
 
 }  // namespace blossom

@@ -16,6 +16,11 @@ constexpr double kStalled = 1e-9;   // so is one below this that no longer shrin
 constexpr double kSlow = 1e-5;      // and the last of many, near singular points
 constexpr double kMeet = 1e-13;     // relative: surfaces this close meet
 
+// How far Newton may lead, in lengths of the way an arm has left: from the arm's chord, and to
+// another meeting point than the given one.
+constexpr double kArmBend = 0.5;
+constexpr double kArmReach = 2;
+
 using Row = std::array<double, 5>;  // four derivatives, then minus the value
 using System = std::array<Row, 4>;
 
@@ -172,6 +177,66 @@ std::optional<Point4> collinear_normal_point(const RationalBezierPatch& a,
                       tangency_row(p, q, {0, 1})};
       },
       kAlways);
+}
+
+namespace {
+
+Point4 between(const Point4& p, const Point4& q, double t) {
+  Point4 x;
+  for (std::size_t k = 0; k < 4; ++k) x[k] = (1 - t) * p[k] + t * q[k];
+  return x;
+}
+
+Point4 difference(const Point4& p, const Point4& q) {
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2], p[3] - q[3]};
+}
+
+double largest(const Point4& x) {
+  return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), std::abs(x[3])});
+}
+
+// Where the branch turns round: its tangent runs across the mean direction of the arms.
+std::optional<Point4> turning_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                    const std::array<ContactArm, 2>& arms, const Point4& centre) {
+  Vec2 along{};
+  for (const ContactArm& arm : arms)
+    along += unit(Vec2{arm.end[0] - centre[0], arm.end[1] - centre[1]});
+  if (!(norm(along) > 0)) return std::nullopt;
+  const Point4 middle = between(arms[0].end, arms[1].end, 0.5);
+  return fold_point(a, b, middle, {-along[1], along[0]},
+                    kArmReach * largest(difference(middle, centre)));
+}
+
+// Where the branch crosses the plane that bisects the ends of the arms.
+std::optional<Point4> middle_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                   const std::array<ContactArm, 2>& arms) {
+  const Point4 apart = difference(arms[1].end, arms[0].end);
+  return curve_point(a, b, between(arms[0].end, arms[1].end, 0.5), apart,
+                     kArmReach * largest(apart));
+}
+
+}  // namespace
+
+bool leads_to(const RationalBezierPatch& a, const RationalBezierPatch& b, const ContactArm& arm,
+              const Point4& goal) {
+  const Point4 direction = difference(goal, arm.start);
+  const double reach = kArmBend * largest(difference(goal, arm.end));
+  const auto fractions = {0.25, 0.5, 0.75, 0.9, 0.98};
+  return std::all_of(fractions.begin(), fractions.end(), [&](double t) {
+    return curve_point(a, b, between(arm.end, goal, t), direction, reach).has_value();
+  });
+}
+
+Point4 meeting_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                     const std::array<ContactArm, 2>& arms, const Point4& centre) {
+  for (const auto& x :
+       {std::optional(centre), turning_point(a, b, arms, centre), middle_point(a, b, arms)}) {
+    const auto inside = [](double t) { return t >= 0 && t <= 1; };
+    if (x && std::all_of(x->begin(), x->end(), inside) && leads_to(a, b, arms[0], *x) &&
+        leads_to(a, b, arms[1], *x))
+      return *x;
+  }
+  return centre;
 }
 
 double signed_gap(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x) {

@@ -47,4 +47,22 @@ std::optional<Point4> collinear_normal_point(const RationalBezierPatch& a,
 /// The distance from A to B along B's normal at a point, signed.
 double signed_gap(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x);
 
+/// A branch that comes to an end in a contact, in the parameters of one pair of patches.
+struct ContactArm {
+  Point4 start;  ///< of its last arc
+  Point4 end;    ///< in the contact
+};
+
+/// True if the branch goes on from the arm's end to the goal, close to the straight line, as far as
+/// points on the way tell.
+bool leads_to(const RationalBezierPatch& a, const RationalBezierPatch& b, const ContactArm& arm,
+              const Point4& goal);
+
+/// The point in which two branches that end in a contact go over into each other: the given
+/// centre if both lead there, else where the branch turns round or passes between them. If the
+/// surfaces do not quite touch, the closest point lies beside the branch: the tip of a cusp that
+/// is rounded off, for one.
+Point4 meeting_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                     const std::array<ContactArm, 2>& arms, const Point4& centre);
+
 }  // namespace blossom
