@@ -40,6 +40,10 @@ constexpr double kTolerance = 1e-7;
 // What is less deep than this many tolerances may be taken as contact or as what it is.
 constexpr double kBand = 6;
 
+// Curves are written within the tolerance, and within more where they are led into a contact that
+// is not quite one; this much would be a jump.
+constexpr double kWellWritten = 1e-5;
+
 // A contact nearer to the border than its own size, or a curve that all but touches the border,
 // has another answer.
 constexpr double kBorderMargin = 1e-5;
@@ -250,6 +254,15 @@ double largest_offset(const Draw& draw, const Placed& placed, const SurfaceInter
   return largest;
 }
 
+// The splines stay near the surfaces and are as long as the chords of their samples.
+bool well_written(const IntersectionCurve& curve) {
+  double chords = 0;
+  for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i)
+    chords += distance(curve.samples[i].point, curve.samples[i + 1].point);
+  return curve.deviation.between <= kWellWritten &&
+         std::abs(curve.length - chords) <= 0.01 * chords;
+}
+
 // What is wrong with an answer; empty if nothing is.
 std::string fault(const Draw& draw, const Placed& placed, const SurfaceIntersection& found) {
   const Components c = components(found);
@@ -259,6 +272,8 @@ std::string fault(const Draw& draw, const Placed& placed, const SurfaceIntersect
   const std::vector<Components> accepted = draw.accepted();
   if (std::find(accepted.begin(), accepted.end(), c) == accepted.end()) return "wrong";
   if (largest_offset(draw, placed, found) > kBand * kTolerance) return "off the curve";
+  for (const IntersectionCurve& curve : found.curves)
+    if (!well_written(curve)) return "badly written";
   return "";
 }
 
@@ -272,7 +287,8 @@ std::string described(const Draw& draw, const Placed& placed, const SurfaceInter
   for (const Place& place : found.places)
     out << "\n  place: " << to_string(place.kind) << " of size "
         << norm(place.box_high - place.box_low);
-  for (const IntersectionCurve& curve : found.curves) out << "\n  curve: " << curve.length;
+  for (const IntersectionCurve& curve : found.curves)
+    out << "\n  curve: " << curve.length << ", deviation " << curve.deviation.between;
   return out.str();
 }
 
