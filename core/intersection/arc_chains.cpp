@@ -39,21 +39,20 @@ class Graph {
     for (const auto& join : found.joins) merge(join[0], join[1]);
     contact_of_.assign(points_.size(), -1);
     for (std::size_t c = 0; c < contacts.size(); ++c) add_contact(contacts[c], static_cast<int>(c));
+    drop_shortest(contacts);
   }
 
   std::vector<ArcEnd> loose() const {
     std::vector<ArcEnd> ends;
     for (std::size_t e = 0; e < points_.size(); ++e)
-      if (!found_.arcs[e / 2].dropped && contact_of_[e] < 0 && ends_at(e).size() != 2 &&
-          !on_border(e))
+      if (!dropped_[e / 2] && contact_of_[e] < 0 && ends_at(e).size() != 2 && !on_border(e))
         ends.push_back(e);
     return ends;
   }
 
   std::vector<Chain> chains(std::vector<Clump>& clumps) {
     std::vector<Chain> result;
-    used_.clear();
-    for (const FoundArc& arc : found_.arcs) used_.push_back(arc.dropped);
+    used_ = dropped_;
     for (std::size_t e = 0; e < points_.size(); ++e)
       if (!used_[e / 2] && (ends_at(e).size() != 2 || contact_of_[e] >= 0))
         result.push_back(walk(e, clumps));
@@ -109,6 +108,23 @@ class Graph {
     arms.insert(arms.end(), contact.arms[1].begin(), contact.arms[1].end());
     if (!contact.curve && arms.size() == 2) return merge(arms[0], arms[1]);
     for (const std::size_t end : arms) contact_of_[end] = index;
+  }
+
+  // An arc across the corner of a cell may be so short that its ends are one point. Its neighbours
+  // join there without it.
+  void drop_shortest(const std::vector<ContactChain>& contacts) {
+    for (const FoundArc& arc : found_.arcs) dropped_.push_back(arc.dropped);
+    std::vector<bool> arm(found_.arcs.size(), false);
+    for (const ContactChain& contact : contacts)
+      for (const auto& side : contact.arms)
+        for (const std::size_t end : side) arm[end / 2] = true;
+    for (std::size_t i = 0; i < found_.arcs.size(); ++i) {
+      if (dropped_[i]) continue;
+      auto& ends = ends_[static_cast<std::size_t>(vertex_[2 * i])];
+      if (arm[i] || vertex_[2 * i] != vertex_[2 * i + 1] || ends.size() <= 2) continue;
+      std::erase_if(ends, [&](std::size_t end) { return end / 2 == i; });
+      dropped_[i] = true;
+    }
   }
 
   Chain walk(std::size_t first, std::vector<Clump>& clumps) {
@@ -179,6 +195,7 @@ class Graph {
   std::vector<int> vertex_;                     // of an end
   std::vector<std::vector<std::size_t>> ends_;  // of a vertex
   std::vector<int> contact_of_;                 // of an end, or -1
+  std::vector<bool> dropped_;                   // arcs
   std::vector<bool> used_;
 };
 
