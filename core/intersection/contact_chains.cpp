@@ -22,14 +22,15 @@ constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
 
 // A contact is a curve if it is longer than kShort and most of it is far closer than the
-// tolerance, or if it is longer than kLong and hardly anything is: a strip of constant gap. A zero
-// of order k shrinks by 64^(-1/k) when the tolerance does by 64, so points up to order 8 are told
-// from curves.
+// tolerance, or if it is longer than kLong and either hardly anything is or the gap of most of it
+// is the same within kEven: a strip of constant gap. A zero of order k shrinks by 64^(-1/k) when
+// the tolerance does by 64, so points up to order 8 are told from curves.
 constexpr double kShort = 1e-3;  // of the size
 constexpr double kLong = 0.05;
 constexpr double kCloser = 1.0 / 64;  // of the tolerance
 constexpr double kMostOfIt = 0.6;
 constexpr double kHardlyAny = 0.1;
+constexpr double kEven = 1.5;  // of the square of the distance to a zero it is a fifth
 
 double gap_between(const Box& a, const Box& b) {
   Vec3 gap;
@@ -237,21 +238,42 @@ class Joiner {
     }
   }
 
+  // A step of a contact: its gap and its length.
+  using Steps = std::vector<std::pair<double, double>>;
+
+  static double length_between(const Steps& steps, double low, double high) {
+    double sum = 0;
+    for (const auto& [gap, step] : steps)
+      if (gap >= low && gap <= high) sum += step;
+    return sum;
+  }
+
+  // True if most of a contact has the same gap: that of its middle by size.
+  static bool has_even_gap(Steps steps, double length) {
+    std::sort(steps.begin(), steps.end());
+    double sum = 0;
+    for (const auto& [gap, step] : steps)
+      if ((sum += step) >= 0.5 * length)
+        return length_between(steps, gap / kEven, gap * kEven) > kMostOfIt * length;
+    return false;
+  }
+
   void measure(ContactChain& chain) const {
-    double close = 0;
+    Steps steps;
     for (std::size_t i = 0; i < chain.path.size(); ++i) {
       const ContactPoint& q = chain.path[i];
       const Vec3 at_q = point(q.patch_a, q.x);
       chain.box = joined(chain.box, {at_q, at_q});
       if (i == 0) continue;
       const ContactPoint& p = chain.path[i - 1];
-      const double step = distance(point(p.patch_a, p.x), at_q);
-      chain.length += step;
-      if (std::max(p.gap, q.gap) <= kCloser * tolerance_) close += step;
+      steps.push_back({std::max(p.gap, q.gap), distance(point(p.patch_a, p.x), at_q)});
+      chain.length += steps.back().second;
     }
+    const double close = length_between(steps, 0, kCloser * tolerance_);
+    const bool strip = chain.length > kLong * size_ &&
+                       (close < kHardlyAny * chain.length || has_even_gap(steps, chain.length));
     chain.curve = chain.length > kShort * size_ &&
-                  (chain.closed || close > kMostOfIt * chain.length ||
-                   (chain.length > kLong * size_ && close < kHardlyAny * chain.length));
+                  (chain.closed || close > kMostOfIt * chain.length || strip);
   }
 
   // A point of least distance near a pair of cells: a crossing, where the surfaces are not
@@ -349,24 +371,26 @@ class Joiner {
       }
   }
 
+  // The closest point of those that the middle of the path and its own closest point lead to.
   ContactPoint centre_of(const ContactChain& chain) const {
-    const auto best = std::min_element(
+    ContactPoint best = *std::min_element(
         chain.path.begin(), chain.path.end(),
         [](const ContactPoint& p, const ContactPoint& q) { return p.gap < q.gap; });
-    ContactPoint centre = chain.path[chain.path.size() / 2];
-    const auto &patch_a = a_.tree(centre.patch_a).patch(),
-               &patch_b = b_.tree(centre.patch_b).patch();
-    if (const auto x = collinear_normal_point(patch_a, patch_b, centre.x, kPolishReach)) {
-      const double gap = std::abs(signed_gap(patch_a, patch_b, *x));
-      const double reach = std::max(chain.length, kShort * size_);
-      if (gap <= best->gap + kRounding * size_ &&
-          distance(point(centre.patch_a, *x), point(centre.patch_a, centre.x)) <= reach) {
-        centre.x = *x;
-        centre.gap = gap;
-        return centre;
-      }
+    const double reach = std::max(chain.length, kShort * size_);
+    double least = best.gap + kRounding * size_;
+    for (ContactPoint centre : {chain.path[chain.path.size() / 2], best}) {
+      const auto &patch_a = a_.tree(centre.patch_a).patch(),
+                 &patch_b = b_.tree(centre.patch_b).patch();
+      const auto x = collinear_normal_point(patch_a, patch_b, centre.x, kPolishReach);
+      if (!x || distance(point(centre.patch_a, *x), point(centre.patch_a, centre.x)) > reach)
+        continue;
+      centre.gap = std::abs(signed_gap(patch_a, patch_b, *x));
+      if (centre.gap > least) continue;
+      least = centre.gap;
+      centre.x = *x;
+      best = centre;
     }
-    return *best;
+    return best;
   }
 
   PairSearchResult& found_;
