@@ -250,7 +250,7 @@ class Assembly {
     const bool tangential = touches_along(chain);
     const double gap = tangential ? largest_gap() : 0;
     IntersectionCurve curve =
-        fitted(tracer, a_, b_, {.tolerance = options_.tolerances.point + 20 * gap, .size = size_});
+        fitted(tracer, a_, b_, {.tolerance = options_.tolerances.point, .gap = gap, .size = size_});
     curve.tangential = tangential;
     if (tangential) curve.least_angle = 0;
     const Deviation& d = curve.deviation;

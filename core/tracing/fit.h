@@ -17,6 +17,7 @@ namespace blossom {
 
 struct FitOptions {
   double tolerance = 1e-7;  ///< wanted agreement of the three images, model units
+  double gap = 0;   ///< distance of the surfaces along the curve; the images agree no better
   double size = 1;  ///< diagonal of the larger surface: samples get chords within 1e-4 of it
 };
 
