@@ -191,7 +191,9 @@ class Assembly {
       const int contact = chain.ends[0].contact;
       if (chain.closed || contact < 0 || contact != chain.ends[1].contact) continue;
       const ContactChain& at = contacts_[static_cast<std::size_t>(contact)];
-      const double most = kClumpReach * at.length + kShortest * options_.tolerances.point;
+      // A clump ends somewhere near its point, a valley's contact exactly.
+      const double part = at.path.size() == 1 ? kClumpReach : 1;
+      const double most = part * at.length + kShortest * options_.tolerances.point;
       if (at.curve || diagonal(end_box(cells_a, chain)) > most) continue;
       for (const ChainLink& link : chain.links)
         found_.arcs[static_cast<std::size_t>(link.arc)].dropped = true;
