@@ -65,7 +65,7 @@ ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const Surfa
     step = std::max(step, std::abs(start[k] - to.x[k]));
   }
   if (step <= kOnBorder) return end;
-  FoundArc link{to.patch_a, to.patch_b, {}, {start, to.x}, {-1, -1}};
+  FoundArc link{to.patch_a, to.patch_b, kNoBox, {start, to.x}, {-1, -1}};
   for (std::size_t k = 0; k < 4; ++k) link.arc.direction[k] = to.x[k] - start[k];
   found.joins.push_back({end, 2 * found.arcs.size()});
   found.arcs.push_back(link);
@@ -352,7 +352,7 @@ class Joiner {
         if (same_patches) q.x = p.x;
         continue;
       }
-      FoundArc arc{p.patch_a, p.patch_b, {}, {p.x, q.x}, {-1, -1}};
+      FoundArc arc{p.patch_a, p.patch_b, kNoBox, {p.x, q.x}, {-1, -1}};
       for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = q.x[k] - p.x[k];
       arc.arc.tangential = true;
       if (found_.arcs.size() > first_arc)

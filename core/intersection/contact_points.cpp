@@ -195,6 +195,16 @@ double largest(const Point4& x) {
   return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), std::abs(x[3])});
 }
 
+// How fast a branch, directed by its surfaces' normals, moves along a direction of the parameters;
+// with the other sign on the other side of a fold.
+double growth(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+              const Point4& direction) {
+  const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 1);
+  const Vec3 s = -q.u, t = -q.v;
+  return direction[0] * dot(p.v, cross(s, t)) - direction[1] * dot(p.u, cross(s, t)) +
+         direction[2] * dot(p.u, cross(p.v, t)) - direction[3] * dot(p.u, cross(p.v, s));
+}
+
 // Where the branch turns round: its tangent runs across the mean direction of the arms.
 std::optional<Point4> turning_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                     const std::array<ContactArm, 2>& arms, const Point4& centre) {
@@ -221,10 +231,15 @@ bool leads_to(const RationalBezierPatch& a, const RationalBezierPatch& b, const 
               const Point4& goal) {
   const Point4 direction = difference(goal, arm.start);
   const double reach = kArmBend * largest(difference(goal, arm.end));
-  const auto fractions = {0.25, 0.5, 0.75, 0.9, 0.98};
-  return std::all_of(fractions.begin(), fractions.end(), [&](double t) {
-    return curve_point(a, b, between(arm.end, goal, t), direction, reach).has_value();
-  });
+  double last = 0;
+  for (const double t : {0.25, 0.5, 0.75, 0.9, 0.98}) {
+    const auto x = curve_point(a, b, between(arm.end, goal, t), direction, reach);
+    if (!x) return false;
+    const double next = growth(a, b, *x, direction);
+    if (last * next < 0) return false;
+    last = next;
+  }
+  return true;
 }
 
 Point4 meeting_point(const RationalBezierPatch& a, const RationalBezierPatch& b,

@@ -314,7 +314,7 @@ class ContactSearch {
   void add_path(const std::vector<Point4>& path, const std::array<int, 2>& contact, int first,
                 bool tangential) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      FoundArc arc{task_.patch_a, task_.patch_b, {}, {path[i], path[i + 1]}, {-1, -1}};
+      FoundArc arc{task_.patch_a, task_.patch_b, kNoBox, {path[i], path[i + 1]}, {-1, -1}};
       for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = path[i + 1][k] - path[i][k];
       arc.arc.tangential = tangential;
       const auto number = [&](int c) { return c >= 0 ? first + c : c; };

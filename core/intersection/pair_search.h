@@ -48,11 +48,14 @@ class SurfaceCells {
 /// The contact of a branch that runs into one in another pair of patches.
 inline constexpr int kContactElsewhere = -2;
 
+/// Of arcs between known points that no pair of cells holds.
+inline constexpr Box4 kNoBox{Interval{0, 0}, Interval{0, 0}, Interval{0, 0}, Interval{0, 0}};
+
 /// An arc of the intersection in a pair of patches.
 struct FoundArc {
   int patch_a = 0;
   int patch_b = 0;
-  Box4 box;  ///< the certified pair it lies in, if there is one
+  Box4 box;  ///< the certified pair it lies in, or kNoBox
   CellArc arc;
   std::array<int, 2> contact{-1,
                              -1};  ///< by end: the contact it runs into, kContactElsewhere, or -1

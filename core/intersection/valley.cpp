@@ -24,6 +24,8 @@ constexpr int kMostExactPieces = 40;
 constexpr int kDepthSamples = 8;
 constexpr double kShortestPiece = 1e-9;  // of the cell
 constexpr int kBranchSteps = 6;
+constexpr double kTurn = 0.5;  // cosine: chords of a branch that turn more are looked at
+constexpr std::size_t kMostBranchPoints = 24;
 constexpr int kContactSteps = 4;
 constexpr double kReach = 0.05;  // of the cell: how far Newton may move a point of the model
 constexpr int K = kTaylorDegree;
@@ -528,6 +530,7 @@ class Reader {
     CellBranch branch;
     branch.contact = {slot.contact, stop.contact};
     branch.path.push_back(slot.start);
+    std::vector<double> places{slot.w};
     for (int k = 1; k < kBranchSteps; ++k) {
       const double t = k / static_cast<double>(kBranchSteps);
       double s = t;
@@ -540,11 +543,40 @@ class Reader {
       const auto point = branch_point(slot.w + s * (stop.w - slot.w), side);
       if (!point) return false;
       branch.path.push_back(*point);
+      places.push_back(slot.w + s * (stop.w - slot.w));
     }
     branch.path.push_back(stop.point);
+    places.push_back(stop.w);
+    round_turns(branch.path, places, side);
     found_->branches.push_back(std::move(branch));
     slot.active = false;
     return true;
+  }
+
+  // True if a path turns by more than kTurn before or after its chord i.
+  static bool turns_at(const std::vector<Point4>& path, std::size_t i) {
+    const auto chord = [&](std::size_t k) {
+      return unit(Vec2{path[k + 1][0] - path[k][0], path[k + 1][1] - path[k][1]});
+    };
+    return (i > 0 && dot(chord(i - 1), chord(i)) < kTurn) ||
+           (i + 2 < path.size() && dot(chord(i), chord(i + 1)) < kTurn);
+  }
+
+  // Where a branch turns sharply a chord may lead off it, to its other side even: points are added
+  // until none does.
+  void round_turns(std::vector<Point4>& path, std::vector<double>& w, int side) const {
+    for (std::size_t i = 0; i + 1 < path.size();) {
+      const bool leads = path.size() >= kMostBranchPoints || !turns_at(path, i) ||
+                         leads_to(patch_a_, patch_b_, {path[i], path[i]}, path[i + 1]);
+      const double middle = 0.5 * (w[i] + w[i + 1]);
+      const auto point = leads ? std::nullopt : branch_point(middle, side);
+      if (point) {
+        path.insert(path.begin() + static_cast<std::ptrdiff_t>(i) + 1, *point);
+        w.insert(w.begin() + static_cast<std::ptrdiff_t>(i) + 1, middle);
+      } else {
+        ++i;
+      }
+    }
   }
 
   // --- points

@@ -343,9 +343,10 @@ TEST(RandomContacts, HaveTheComponentsTheyWereBuiltWith) {
 
 // Cusps whose closest point Newton's method did not reach, one rounded off by less than the
 // tolerance, a crossing that misses its centre, an arc across the very corner of a cell, strips
-// whose gap tells neither a point nor a curve, and one that no fit can be better than.
+// whose gap tells neither a point nor a curve, one that no fit can be better
+// than, and a branch with a sharp turn.
 TEST(RandomContacts, StayRightWhereTheyOnceWereWrong) {
-  for (const int seed : {42, 572, 191, 3, 1143, 878, 1525, 1581}) trial(seed);
+  for (const int seed : {42, 572, 191, 3, 1143, 878, 1525, 1581, 2955}) trial(seed);
 }
 
 }  // namespace
