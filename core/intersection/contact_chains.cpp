@@ -18,6 +18,7 @@ constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest
 constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
 constexpr double kOnBorder = 1e-9;   // fraction of a patch
 constexpr double kAttachGap = 4;     // tolerances: the most between a branch's end and its contact
+constexpr double kSamePoint3 = 4;    // tolerances: points this close in space are one
 constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
 
@@ -466,7 +467,9 @@ void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, Surf
     }
     if (nearest == nullptr) continue;
     const ContactPoint& goal = side == 0 ? nearest->path.front() : nearest->path.back();
-    if (in_contact(a, b, {arc.patch_a, arc.patch_b, x, 0}, goal, tolerance))
+    // At a pole one point has many parameters, so being there is enough.
+    if (least <= kSamePoint3 * tolerance ||
+        in_contact(a, b, {arc.patch_a, arc.patch_b, x, 0}, goal, tolerance))
       nearest->arms[side].push_back(end);
   }
 }

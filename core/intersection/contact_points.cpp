@@ -20,6 +20,7 @@ constexpr double kMeet = 1e-13;     // relative: surfaces this close meet
 // another meeting point than the given one.
 constexpr double kArmBend = 0.5;
 constexpr double kArmReach = 2;
+constexpr double kLeastGrowth = 1e-2;  // of the fastest: what is slower has no sure direction
 
 using Row = std::array<double, 5>;  // four derivatives, then minus the value
 using System = std::array<Row, 4>;
@@ -195,14 +196,18 @@ double largest(const Point4& x) {
   return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), std::abs(x[3])});
 }
 
-// How fast a branch, directed by its surfaces' normals, moves along a direction of the parameters;
-// with the other sign on the other side of a fold.
+// How fast a branch, directed by its surfaces' normals, moves along a direction of the parameters,
+// against the fastest possible; with the other sign on the other side of a fold.
 double growth(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
               const Point4& direction) {
   const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 1);
-  const Vec3 s = -q.u, t = -q.v;
-  return direction[0] * dot(p.v, cross(s, t)) - direction[1] * dot(p.u, cross(s, t)) +
-         direction[2] * dot(p.u, cross(p.v, t)) - direction[3] * dot(p.u, cross(p.v, s));
+  const Vec3 s = -q.u, t = -q.v, n = cross(s, t), m = cross(p.u, p.v);
+  const double fastest =
+      norm(n) * (std::abs(direction[0]) * norm(p.v) + std::abs(direction[1]) * norm(p.u)) +
+      norm(m) * (std::abs(direction[2]) * norm(t) + std::abs(direction[3]) * norm(s));
+  return (direction[0] * dot(p.v, n) - direction[1] * dot(p.u, n) + direction[2] * dot(m, t) -
+          direction[3] * dot(m, s)) /
+         fastest;
 }
 
 // Where the branch turns round: its tangent runs across the mean direction of the arms.
@@ -236,6 +241,7 @@ bool leads_to(const RationalBezierPatch& a, const RationalBezierPatch& b, const 
     const auto x = curve_point(a, b, between(arm.end, goal, t), direction, reach);
     if (!x) return false;
     const double next = growth(a, b, *x, direction);
+    if (std::abs(next) < kLeastGrowth) continue;  // the surfaces touch, its sign is noise
     if (last * next < 0) return false;
     last = next;
   }
