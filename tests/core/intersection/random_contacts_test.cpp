@@ -51,9 +51,10 @@ constexpr double kWellWritten = 1e-5;
 constexpr double kBorderMargin = 1e-5;
 
 // Seeds whose answers are a mixture: strips about the tolerance wide apart that are contact along
-// one half and two branches along the other, one that a cell's corner breaks, and a node whose
-// loop is partly merged. None claims to be complete.
-constexpr std::array kKnownFaults{15, 414, 449, 985, 1391, 1662, 1927};
+// one half and two branches along the other, one that a cell's corner breaks, nodes whose loop is
+// merged wholly or in part, and loops of little depth in two halves. None claims to be complete.
+constexpr std::array kKnownFaults{15,  59,  116,  144,  247,  414,  449,  495,  532,  653,
+                                  763, 985, 1062, 1112, 1211, 1391, 1417, 1599, 1662, 1927};
 
 struct Draw {
   std::string kind;
