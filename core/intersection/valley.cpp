@@ -21,6 +21,7 @@ constexpr double kEdgeGap = 1.0 / 256;    // tolerances: gap along an edge that 
 constexpr double kAcross = 0.7;           // cosine: a direction that crosses an edge
 constexpr int kMostPieces = 400;
 constexpr int kMostExactPieces = 40;
+constexpr double kShallow = 1.0 / 64;
 constexpr int kDepthSamples = 8;
 constexpr double kShortestPiece = 1e-9;  // of the cell
 constexpr int kBranchSteps = 6;
@@ -314,8 +315,8 @@ class Reader {
     return true;
   }
 
-  // True if between two changes of sign the gap always grows to a good part of the tolerance: what
-  // is shallower is a contact.
+  // True if between two changes of sign the gap always grows to a part of the tolerance: what is
+  // shallower is a contact.
   bool beyond_tolerance(const std::vector<Piece>& pieces) const {
     for (std::size_t i = 1; i + 1 < pieces.size(); ++i) {
       double most = 0;
@@ -323,7 +324,7 @@ class Reader {
         const double w = pieces[i].from + (pieces[i].to - pieces[i].from) * k / kDepthSamples;
         if (const auto z = valley_at(w)) most = std::max(most, std::abs(value(gap_, w, *z)));
       }
-      if (most <= kErrorShare * tolerance()) return false;
+      if (most <= kShallow * tolerance()) return false;
     }
     return true;
   }
