@@ -349,6 +349,8 @@ TEST_F(Subdivide, SaysWhyThereIsNoBasis) {
 struct BadNet {
   std::string text;
   std::string why;
+
+  friend std::ostream& operator<<(std::ostream& out, const BadNet& net) { return out << net.why; }
 };
 
 class BadNets : public Subdivide, public ::testing::WithParamInterface<BadNet> {};
