@@ -12,6 +12,7 @@ import sys
 
 PROVEN = ("levels", "bspline", "rational", "freeform")
 SHARE = 0.95
+SHARE_OF_ALL = 0.98
 
 
 def lines(path):
@@ -59,6 +60,10 @@ def main():
         check_family(family, [s for s in scores if s["family"] == family], broken)
     check_family("loops deeper than the tolerance",
                  [s for s in scores if deep_loop(cases[s["case"]])], broken)
+    good = sum(right(score) for score in scores)
+    print(f"all: {good} right of {len(scores)}")
+    if good < SHARE_OF_ALL * len(scores):
+        broken.append(f"all: fewer than {SHARE_OF_ALL:.0%} right")
     for score in scores + list(monomial.values()):
         if score.get("false_complete"):
             broken.append(f"{score['case']}: called complete and is not")
