@@ -192,7 +192,7 @@ std::optional<GapModel> model_in(const Frame& frame, const Foot& foot, double hs
   for (int round = 1; round < kTaylorDegree; ++round) {
     std::array<TaylorPolynomial, 2> next;
     for (std::size_t k = 0; k < 2; ++k) {
-      next[k] = compose_truncated(frame.q[k].terms, sigma[0], sigma[1]);
+      next[k] = compose_truncated(frame.q[k].terms, sigma[0], sigma[1], round + 1);
       for (std::size_t i = 0; i < next[k].size(); ++i)
         next[k][i] = frame.a[k].terms[i] - next[k][i];
     }

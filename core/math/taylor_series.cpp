@@ -20,13 +20,14 @@ constexpr double falling(int k, int d) {
   return product;
 }
 
-// c += a b, degrees up to K.
-void add_product(TaylorPolynomial& c, const TaylorPolynomial& a, const TaylorPolynomial& b) {
-  for (int p = 0; p <= K; ++p)
+// c += a b, degrees up to `highest`.
+void add_product(TaylorPolynomial& c, const TaylorPolynomial& a, const TaylorPolynomial& b,
+                 int highest = K) {
+  for (int p = 0; p <= highest; ++p)
     for (int i = 0; i <= p; ++i) {
       const double factor = a[start(p) + static_cast<std::size_t>(i)];
       if (factor == 0) continue;
-      for (int q = 0; p + q <= K; ++q) {
+      for (int q = 0; p + q <= highest; ++q) {
         double* to = c.data() + start(p + q) + i;
         const double* from = b.data() + start(q);
         for (int j = 0; j <= q; ++j) to[j] += factor * from[j];
@@ -34,9 +35,9 @@ void add_product(TaylorPolynomial& c, const TaylorPolynomial& a, const TaylorPol
     }
 }
 
-TaylorPolynomial times(const TaylorPolynomial& a, const TaylorPolynomial& b) {
+TaylorPolynomial times(const TaylorPolynomial& a, const TaylorPolynomial& b, int highest = K) {
   TaylorPolynomial c{};
-  add_product(c, a, b);
+  add_product(c, a, b, highest);
   return c;
 }
 
@@ -198,19 +199,23 @@ TaylorSeries TaylorPowers::compose(const TaylorSeries& f) const {
 }
 
 TaylorPolynomial compose_truncated(const TaylorPolynomial& f, const TaylorPolynomial& x,
-                                   const TaylorPolynomial& y) {
+                                   const TaylorPolynomial& y, int highest) {
   // Horner's scheme in x with polynomials in y as coefficients.
   std::array<TaylorPolynomial, K + 1> y_powers{};
   y_powers[0][0] = 1;
-  for (std::size_t j = 1; j <= K; ++j) y_powers[j] = times(y_powers[j - 1], y);
+  for (int j = 1; j <= highest; ++j) {
+    const auto power = static_cast<std::size_t>(j);
+    y_powers[power] = times(y_powers[power - 1], y, highest);
+  }
+  const std::size_t terms = start(highest + 1);
   TaylorPolynomial result{};
-  for (int i = K; i >= 0; --i) {
-    if (i < K) result = times(result, x);
-    for (int j = 0; i + j <= K; ++j) {
+  for (int i = highest; i >= 0; --i) {
+    if (i < highest) result = times(result, x, highest);
+    for (int j = 0; i + j <= highest; ++j) {
       const double factor = f[taylor_index(i, j)];
       if (factor == 0) continue;
       const TaylorPolynomial& power = y_powers[static_cast<std::size_t>(j)];
-      for (std::size_t k = 0; k < result.size(); ++k) result[k] += factor * power[k];
+      for (std::size_t k = 0; k < terms; ++k) result[k] += factor * power[k];
     }
   }
   return result;

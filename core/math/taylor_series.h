@@ -60,9 +60,9 @@ class TaylorPowers {
   std::array<TaylorSeries, kTaylorTerms> powers_;
 };
 
-/// f(x, y) truncated at kTaylorDegree, without a tail.
+/// f(x, y) truncated at total degree `highest`, at most kTaylorDegree, without a tail.
 TaylorPolynomial compose_truncated(const TaylorPolynomial& f, const TaylorPolynomial& x,
-                                   const TaylorPolynomial& y);
+                                   const TaylorPolynomial& y, int highest = kTaylorDegree);
 
 /// Value and partial derivatives.
 double value(const TaylorPolynomial& p, double x, double y);
