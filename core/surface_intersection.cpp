@@ -10,7 +10,6 @@
 #include "core/forms/evaluation.h"
 #include "core/intersection/arc_chains.h"
 #include "core/intersection/contact_chains.h"
-#include "core/intersection/contact_points.h"
 #include "core/intersection/critical_places.h"
 #include "core/intersection/overlaps.h"
 #include "core/intersection/pair_search.h"
@@ -26,13 +25,11 @@ constexpr double kCut = 0.4865;
 // A clump larger than this part of the surfaces' size is more than a point.
 constexpr double kPointClump = 1e-2;
 
-// A chain this many times as long as the clump that holds both its ends belongs to the clump.
+// A chain this many times as long as the clump at both its ends belongs to the contact there.
 constexpr double kClumpReach = 4;
 
 constexpr double kShortest = 4;    // tolerances: the shortest branch between contacts
 constexpr double kOnCurve = 1e-4;  // of the surfaces' size
-
-constexpr int kClosestStarts = 24;  // critical pairs tried for a clump's closest point
 
 Box hull_box(const BezierSurface& surface) {
   Box box;
@@ -69,8 +66,7 @@ class Assembly {
     const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     if (found_.stopped) result_.status = Status::Stopped;
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
-    for (const Chain& chain : chains)
-      if (!within_clump(cells_a, chain)) add_curve(cells_a, cells_b, chain);
+    for (const Chain& chain : chains) add_curve(cells_a, cells_b, chain);
     for (const FoundGraze& graze : lone_grazes(found_, cells_a, cells_b))
       add_corner_contact(cells_a, cells_b, graze);
     for (const ContactChain& contact : contacts_) add_contact(cells_a, cells_b, contact);
@@ -186,8 +182,7 @@ class Assembly {
 
   // Short chains from a point of contact back to it are parts of it that happened to be certified.
   void drop_scraps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
-    std::vector<Clump> clumps = clumps_;
-    for (const Chain& chain : chains_of(found_, cells_a, cells_b, contacts_, clumps)) {
+    for (const Chain& chain : chains_of(found_, cells_a, cells_b, contacts_, clumps_)) {
       const int contact = chain.ends[0].contact;
       if (chain.closed || contact < 0 || contact != chain.ends[1].contact) continue;
       const ContactChain& at = contacts_[static_cast<std::size_t>(contact)];
@@ -201,19 +196,6 @@ class Assembly {
     for (ContactChain& contact : contacts_)
       for (auto& arms : contact.arms)
         std::erase_if(arms, [&](ArcEnd end) { return found_.arcs[end / 2].dropped; });
-  }
-
-  // A chain that begins and ends in one clump, and is not much longer than it, is part of that
-  // contact: a loop whose depth is far below tolerance, certified in places.
-  bool within_clump(SurfaceCells& cells_a, const Chain& chain) {
-    if (chain.closed || chain.ends[0].clump < 0 || chain.ends[0].clump != chain.ends[1].clump)
-      return false;
-    Clump& clump = clumps_[static_cast<std::size_t>(chain.ends[0].clump)];
-    const Box box = end_box(cells_a, chain);
-    if (!clump.thin || diagonal(box) > kClumpReach * diagonal(clump.box)) return false;
-    clump.arc_ends -= 2;
-    clump.box = joined(clump.box, box);
-    return true;
   }
 
   void add_corner_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const FoundGraze& graze) {
@@ -318,7 +300,8 @@ class Assembly {
       const SurfacePoint centre = surface_point(cells_a, cells_b, contact.centre);
       const std::size_t arms = contact.arm_count();
       place.kind = arms == 0 ? PlaceKind::Touch : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
-      if (arms == 0 && !on_curve(centre.point)) result_.points.push_back(centre);
+      const bool touches = contact.centre.gap <= options_.tolerances.point;
+      if (arms == 0 && touches && !on_curve(centre.point)) result_.points.push_back(centre);
       if (arms > 2) result_.nodes.push_back(centre);
     }
     result_.places.push_back(place);
@@ -425,29 +408,8 @@ class Assembly {
                 clump.box.high + origin_, 0,
                 diagonal(clump.box),      parameters_of(cells_a, cells_b, clump)};
     if (clump.thin) place.gap_high = options_.tolerances.point;
-    const bool point = diagonal(clump.box) <= options_.tolerances.point;
-    if (!point && (!clump.thin || diagonal(clump.box) > kPointClump * size_)) {
-      result_.places.push_back(place);
-      weaken(Status::Stopped, "places stayed open");
-      return;
-    }
-    const SurfacePoint contact = closest_point(cells_a, cells_b, clump, place.gap_low);
-    if (clump.arc_ends == 0) {
-      place.kind = PlaceKind::Touch;
-      if (place.gap_low <= options_.tolerances.point && !on_curve(contact.point))
-        result_.points.push_back(contact);
-      place.gap_high = std::max(place.gap_low, place.gap_high);
-    } else if (clump.arc_ends == 2) {
-      place.kind = PlaceKind::Cusp;
-    } else if (clump.arc_ends > 2) {
-      place.kind = PlaceKind::Node;
-      result_.nodes.push_back(contact);
-    }
     result_.places.push_back(place);
-    if (place.kind == PlaceKind::Open)
-      weaken(Status::Stopped, "places stayed open");
-    else
-      weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+    weaken(Status::Stopped, "places stayed open");
   }
 
   std::array<Interval, 4> parameters_of(const SurfaceCells& cells_a, const SurfaceCells& cells_b,
@@ -475,36 +437,6 @@ class Assembly {
       all[k] = {parameter_at(laws[k], spans[k], pair.box[k].from),
                 parameter_at(laws[k], spans[k], pair.box[k].to)};
     return all;
-  }
-
-  // The point of least distance that a few of the clump's pairs lead to.
-  SurfacePoint closest_point(SurfaceCells& cells_a, SurfaceCells& cells_b, const Clump& clump,
-                             double& gap) const {
-    SurfacePoint best;
-    gap = 1e300;
-    const std::size_t step = clump.pairs.size() / kClosestStarts + 1;
-    for (std::size_t i = 0; i < clump.pairs.size(); i += step) {
-      const CriticalPair& pair = found_.critical[static_cast<std::size_t>(clump.pairs[i])];
-      const auto& patch_a = cells_a.tree(pair.patch_a).patch();
-      const auto& patch_b = cells_b.tree(pair.patch_b).patch();
-      Point4 x;
-      double reach = 0;
-      for (std::size_t k = 0; k < 4; ++k) {
-        x[k] = at(pair.box[k], 0.5);
-        reach = std::max(reach, 1.5 * length(pair.box[k]));
-      }
-      if (const auto polished = collinear_normal_point(patch_a, patch_b, x, reach)) x = *polished;
-      for (double& t : x) t = std::clamp(t, 0.0, 1.0);
-      const Vec3 p = jet_at(patch_a, x[0], x[1], 1).point, q = jet_at(patch_b, x[2], x[3], 1).point;
-      if (distance(p, q) >= gap) continue;
-      gap = distance(p, q);
-      best.point = 0.5 * (p + q) + origin_;
-      best.uv_a = {parameter_at(a_.u_law, cells_a.knots_u(pair.patch_a), x[0]),
-                   parameter_at(a_.v_law, cells_a.knots_v(pair.patch_a), x[1])};
-      best.uv_b = {parameter_at(b_.u_law, cells_b.knots_u(pair.patch_b), x[2]),
-                   parameter_at(b_.v_law, cells_b.knots_v(pair.patch_b), x[3])};
-    }
-    return best;
   }
 
   void note_approximations() {

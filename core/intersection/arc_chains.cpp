@@ -50,7 +50,7 @@ class Graph {
     return ends;
   }
 
-  std::vector<Chain> chains(std::vector<Clump>& clumps) {
+  std::vector<Chain> chains(const std::vector<Clump>& clumps) {
     std::vector<Chain> result;
     used_ = dropped_;
     for (std::size_t e = 0; e < points_.size(); ++e)
@@ -127,7 +127,7 @@ class Graph {
     }
   }
 
-  Chain walk(std::size_t first, std::vector<Clump>& clumps) {
+  Chain walk(std::size_t first, const std::vector<Clump>& clumps) {
     Chain chain;
     std::size_t end = first;
     while (true) {
@@ -162,16 +162,14 @@ class Graph {
     return std::nullopt;
   }
 
-  ChainEnd end_kind(std::size_t end, std::vector<Clump>& clumps) const {
+  ChainEnd end_kind(std::size_t end, const std::vector<Clump>& clumps) const {
     if (contact_of_[end] >= 0) return {CurveEnd::Place, -1, contact_of_[end]};
     if (const auto border = on_border(end)) return {*border, -1, -1};
     const Point4& p = points_[end];
     for (std::size_t c = 0; c < clumps.size(); ++c)
       for (const int i : clumps[c].pairs)
-        if (holds(found_.critical[static_cast<std::size_t>(i)], p)) {
-          ++clumps[c].arc_ends;
+        if (holds(found_.critical[static_cast<std::size_t>(i)], p))
           return {CurveEnd::Place, static_cast<int>(c), -1};
-        }
     return {CurveEnd::Place, -1, -1};
   }
 
@@ -203,7 +201,7 @@ class Graph {
 
 std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& a,
                              const SurfaceCells& b, const std::vector<ContactChain>& contacts,
-                             std::vector<Clump>& clumps) {
+                             const std::vector<Clump>& clumps) {
   return Graph(found, a, b, contacts).chains(clumps);
 }
 

@@ -35,10 +35,10 @@ struct Chain {
 /// border one ends. An end that is neither, nor in a clump, has no explanation: its chain gets
 /// CurveEnd::Place without a clump, and the result may not be called complete.
 /// contacts   branches may end in their arms
-/// clumps     their `arc_ends` are counted
+/// clumps     of critical pairs, in which branches may end
 std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& a,
                              const SurfaceCells& b, const std::vector<ContactChain>& contacts,
-                             std::vector<Clump>& clumps);
+                             const std::vector<Clump>& clumps);
 
 /// The ends of arcs that nothing explains: not on a border, not joined, in no contact or clump.
 std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells& a,

@@ -98,7 +98,8 @@ class Joiner {
       if (!used_[e / 2]) chains.push_back(walk(e));
     for (ContactChain& chain : chains) measure(chain);
     std::erase_if(clumps, [&](const Clump& clump) {
-      const bool point = clump.thin && diagonal(clump.box) <= kPointClump * size_;
+      const double most = clump.thin ? kPointClump * size_ : tolerance_;
+      const bool point = diagonal(clump.box) <= most;
       if (point) chains.push_back(contact_of(clump));
       return point;
     });

@@ -18,7 +18,6 @@ struct Clump {
   std::vector<int> pairs;  ///< indices into the search's critical pairs
   Box box;                 ///< relative to the origin
   bool thin = true;        ///< all pairs ended because the surfaces are within tolerance there
-  int arc_ends = 0;        ///< curves that end in it
 };
 
 /// The clumps of all critical pairs. Pairs whose boxes meet are in one clump; of very many
