@@ -26,6 +26,7 @@ constexpr int kDeepest = 44;          // halvings of a cell
 constexpr int kDeepestPiece = 40;     // likewise of a chart's piece
 constexpr int kCutDepth = 26;         // from here on valleys may cross the chart's border
 constexpr long kMostCells = 60'000;   // per pair of patches
+constexpr long kAskEvery = 16;        // cells between looks at the clock
 constexpr double kRegularMargin = 4;  // see `clearly_regular`
 constexpr double kBoxReserve = 0.1;   // of the box round a cell's foot points
 constexpr double kOnBorder = 1e-9;    // fraction of a patch
@@ -52,13 +53,15 @@ bool within(const Box2& inner, const Box2& outer) {
 class ContactSearch {
  public:
   ContactSearch(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
-                const IntersectionOptions& options, PairSearchResult& result)
+                const IntersectionOptions& options, std::chrono::steady_clock::time_point started,
+                PairSearchResult& result)
       : a_(a),
         b_(b),
         task_(task),
         tree_a_(a.tree(task.patch_a)),
         tree_b_(b.tree(task.patch_b)),
         options_(options),
+        started_(started),
         valley_options_{options.tolerances.point, size},
         result_(result) {}
 
@@ -120,7 +123,11 @@ class ContactSearch {
   bool out_of_budget() {
     if (result_.stopped) return true;
     if (++cells_ > kMostCells) return stop("the budget of contact cells is spent");
-    if (options_.cancelled && cells_ % 64 == 0 && options_.cancelled()) return stop("cancelled");
+    if (cells_ % kAskEvery != 0) return false;
+    if (options_.cancelled && options_.cancelled()) return stop("cancelled");
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
+    if (options_.time_limit > 0 && spent.count() > options_.time_limit)
+      return stop("the time limit is reached");
     return false;
   }
 
@@ -440,6 +447,7 @@ class ContactSearch {
   CellTree& tree_a_;
   CellTree& tree_b_;
   const IntersectionOptions& options_;
+  const std::chrono::steady_clock::time_point started_;
   const ValleyOptions valley_options_;
   PairSearchResult& result_;
   long cells_ = 0;
@@ -452,8 +460,9 @@ class ContactSearch {
 }  // namespace
 
 void search_contacts(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
-                     const IntersectionOptions& options, PairSearchResult& result) {
-  ContactSearch(a, b, task, size, options, result).run();
+                     const IntersectionOptions& options,
+                     std::chrono::steady_clock::time_point started, PairSearchResult& result) {
+  ContactSearch(a, b, task, size, options, started, result).run();
 }
 
 }  // namespace blossom

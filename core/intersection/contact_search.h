@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <chrono>
 #include <vector>
 
 #include "core/intersection/pair_search.h"
@@ -22,7 +23,11 @@ struct ContactTask {
 };
 
 /// Searches one pair of patches; adds what it finds to `result`.
+///
+/// size      of the surfaces, model units
+/// started   when the options' time limit began to run
 void search_contacts(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
-                     const IntersectionOptions& options, PairSearchResult& result);
+                     const IntersectionOptions& options,
+                     std::chrono::steady_clock::time_point started, PairSearchResult& result);
 
 }  // namespace blossom

@@ -194,7 +194,7 @@ class Search {
     }
     certified_.clear();
     parallel_.clear();
-    if (!task.cells_a.empty()) search_contacts(a_, b_, task, size_, options_, result_);
+    if (!task.cells_a.empty()) search_contacts(a_, b_, task, size_, options_, started_, result_);
   }
 
   void collect_dirty(int index, bool inside, const std::vector<char>& dirty,

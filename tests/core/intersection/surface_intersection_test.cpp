@@ -253,6 +253,17 @@ TEST(SurfaceIntersection, AnOverlapLiesInTheListedPlacesAndIsNotCalledComplete) 
       EXPECT_TRUE(in_some_place(found, on_base(i / 20.0, j / 20.0), 1e-9)) << i << " " << j;
 }
 
+TEST(SurfaceIntersection, TheTimeLimitEndsTheSearchForContacts) {
+  const CubicPair pair = cubic_pair(kLine * kLine + constant(-1e-4));
+
+  const SurfaceIntersection found = intersect(pair.a, pair.b, {.time_limit = 1e-6});
+
+  EXPECT_EQ(found.status, Status::Stopped);
+  const auto& reasons = found.certificate.reasons;
+  EXPECT_NE(std::find(reasons.begin(), reasons.end(), "the time limit is reached"), reasons.end());
+  EXPECT_FALSE(found.places.empty());
+}
+
 struct LoopRow {
   double scale;
   CellForm form;
