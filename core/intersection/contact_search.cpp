@@ -2,7 +2,6 @@
 #include "core/intersection/contact_search.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -53,7 +52,7 @@ bool within(const Box2& inner, const Box2& outer) {
 class ContactSearch {
  public:
   ContactSearch(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
-                const IntersectionOptions& options, std::chrono::steady_clock::time_point started,
+                const IntersectionOptions& options, const WorkLimit& limit,
                 PairSearchResult& result)
       : a_(a),
         b_(b),
@@ -61,7 +60,7 @@ class ContactSearch {
         tree_a_(a.tree(task.patch_a)),
         tree_b_(b.tree(task.patch_b)),
         options_(options),
-        started_(started),
+        limit_(limit),
         valley_options_{options.tolerances.point, size},
         result_(result) {}
 
@@ -124,10 +123,7 @@ class ContactSearch {
     if (result_.stopped) return true;
     if (++cells_ > kMostCells) return stop("the budget of contact cells is spent");
     if (cells_ % kAskEvery != 0) return false;
-    if (options_.cancelled && options_.cancelled()) return stop("cancelled");
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
-    if (options_.time_limit > 0 && spent.count() > options_.time_limit)
-      return stop("the time limit is reached");
+    if (const char* reason = limit_.reached()) return stop(reason);
     return false;
   }
 
@@ -447,7 +443,7 @@ class ContactSearch {
   CellTree& tree_a_;
   CellTree& tree_b_;
   const IntersectionOptions& options_;
-  const std::chrono::steady_clock::time_point started_;
+  const WorkLimit& limit_;
   const ValleyOptions valley_options_;
   PairSearchResult& result_;
   long cells_ = 0;
@@ -460,9 +456,9 @@ class ContactSearch {
 }  // namespace
 
 void search_contacts(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
-                     const IntersectionOptions& options,
-                     std::chrono::steady_clock::time_point started, PairSearchResult& result) {
-  ContactSearch(a, b, task, size, options, started, result).run();
+                     const IntersectionOptions& options, const WorkLimit& limit,
+                     PairSearchResult& result) {
+  ContactSearch(a, b, task, size, options, limit, result).run();
 }
 
 }  // namespace blossom

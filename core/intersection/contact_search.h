@@ -7,10 +7,10 @@
 
 #pragma once
 
-#include <chrono>
 #include <vector>
 
 #include "core/intersection/pair_search.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom {
 
@@ -25,9 +25,8 @@ struct ContactTask {
 /// Searches one pair of patches; adds what it finds to `result`.
 ///
 /// size      of the surfaces, model units
-/// started   when the options' time limit began to run
 void search_contacts(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
-                     const IntersectionOptions& options,
-                     std::chrono::steady_clock::time_point started, PairSearchResult& result);
+                     const IntersectionOptions& options, const WorkLimit& limit,
+                     PairSearchResult& result);
 
 }  // namespace blossom

@@ -2,7 +2,6 @@
 #include "core/intersection/pair_search.h"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <optional>
 
@@ -10,6 +9,7 @@
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_search.h"
 #include "core/intersection/shared_cells.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom {
 namespace {
@@ -54,7 +54,7 @@ class Search {
         options_(options),
         slab_(kSlabPart * options.tolerances.point),
         result_(result),
-        started_(std::chrono::steady_clock::now()) {}
+        limit_(options) {}
 
   void run(int patch_a, int patch_b) {
     patch_a_ = patch_a;
@@ -80,12 +80,9 @@ class Search {
     ++examined_;
     if (examined_ > options_.budget) return stop("the budget of cell pairs is spent");
     if (examined_ % kAskEvery != 0) return false;
-    if (options_.cancelled && options_.cancelled()) return stop("cancelled");
     if (a_.stored_points() + b_.stored_points() > kMostStored)
       return stop("the memory for cells is spent");
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
-    if (options_.time_limit > 0 && spent.count() > options_.time_limit)
-      return stop("the time limit is reached");
+    if (const char* reason = limit_.reached()) return stop(reason);
     return false;
   }
 
@@ -194,7 +191,7 @@ class Search {
     }
     certified_.clear();
     parallel_.clear();
-    if (!task.cells_a.empty()) search_contacts(a_, b_, task, size_, options_, started_, result_);
+    if (!task.cells_a.empty()) search_contacts(a_, b_, task, size_, options_, limit_, result_);
   }
 
   void collect_dirty(int index, bool inside, const std::vector<char>& dirty,
@@ -258,7 +255,7 @@ class Search {
   const IntersectionOptions& options_;
   const double slab_;
   PairSearchResult& result_;
-  const std::chrono::steady_clock::time_point started_;
+  const WorkLimit limit_;
   long examined_ = 0;
   int patch_a_ = 0, patch_b_ = 0;
   CellTree* tree_a_ = nullptr;
