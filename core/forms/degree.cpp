@@ -42,6 +42,7 @@ double proven_distance(std::span<const Point> points, std::span<const Point> low
 template <class Point>
 BezierCurveOf<Point> elevated(const BezierCurveOf<Point>& curve, int degree) {
   check_higher("elevated", curve.degree(), degree);
+  if (degree == curve.degree()) return curve;
   return {detail::only_row(
       detail::elevated_net(detail::one_row(curve.points), 0, degree - curve.degree()))};
 }
@@ -50,8 +51,12 @@ template <class Point>
 BezierPatchOf<Point> elevated(const BezierPatchOf<Point>& patch, int degree_u, int degree_v) {
   check_higher("elevated", patch.degree_u(), degree_u);
   check_higher("elevated", patch.degree_v(), degree_v);
-  const Grid<Point> along_u = detail::elevated_net(patch.points, degree_u - patch.degree_u(), 0);
-  return {detail::elevated_net(along_u, 0, degree_v - patch.degree_v())};
+  BezierPatchOf<Point> result = patch;
+  if (degree_u > patch.degree_u())
+    result.points = detail::elevated_net(result.points, degree_u - patch.degree_u(), 0);
+  if (degree_v > patch.degree_v())
+    result.points = detail::elevated_net(result.points, 0, degree_v - patch.degree_v());
+  return result;
 }
 
 template <class Point>

@@ -43,7 +43,7 @@ template <int kOrder>
     if (kOrder > 1 && k == n - 1) differentiate(n - 1, b, below);
     raise(k, t, b);
   }
-  differentiate(n, b, w.first);
+  if (kOrder > 0) differentiate(n, b, w.first);
   if (kOrder > 1) {
     for (int i = 0; i <= n; ++i) w.second[i] = 0;
     if (n > 1) differentiate(n, below, w.second);
@@ -70,12 +70,14 @@ template <int kOrder>
       Four point;
       std::memcpy(&point, p, sizeof point);
       s0 += bv.value[j] * point;
-      s1 += bv.first[j] * point;
+      if (kOrder > 0) s1 += bv.first[j] * point;
       if (kOrder > 1) s2 += bv.second[j] * point;
     }
     h00 += bu.value[i] * s0;
-    h10 += bu.first[i] * s0;
-    h01 += bu.value[i] * s1;
+    if (kOrder > 0) {
+      h10 += bu.first[i] * s0;
+      h01 += bu.value[i] * s1;
+    }
     if (kOrder > 1) {
       h20 += bu.second[i] * s0;
       h11 += bu.first[i] * s1;
@@ -85,14 +87,21 @@ template <int kOrder>
   const double w = h00[3];
   PatchJet result;
   result.point = quotient(h00, Vec3{}, w);
-  result.u = quotient(h10, h10[3] * result.point, w);
-  result.v = quotient(h01, h01[3] * result.point, w);
+  if (kOrder > 0) {
+    result.u = quotient(h10, h10[3] * result.point, w);
+    result.v = quotient(h01, h01[3] * result.point, w);
+  }
   if (kOrder > 1) {
     result.uu = quotient(h20, 2 * h10[3] * result.u + h20[3] * result.point, w);
     result.uv = quotient(h11, h10[3] * result.v + h01[3] * result.u + h11[3] * result.point, w);
     result.vv = quotient(h02, 2 * h01[3] * result.v + h02[3] * result.point, w);
   }
   return result;
+}
+
+__attribute__((target_clones("avx2", "default"))) Vec3 value(const RationalBezierPatch& patch,
+                                                             double u, double v) {
+  return jet<0>(patch, u, v).point;
 }
 
 __attribute__((target_clones("avx2", "default"))) PatchJet first_jet(
@@ -106,6 +115,8 @@ __attribute__((target_clones("avx2", "default"))) PatchJet second_jet(
 }
 
 }  // namespace
+
+Vec3 point_at(const RationalBezierPatch& patch, double u, double v) { return value(patch, u, v); }
 
 PatchJet jet_at(const RationalBezierPatch& patch, double u, double v, int order) {
   return order < 2 ? first_jet(patch, u, v) : second_jet(patch, u, v);

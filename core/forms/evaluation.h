@@ -16,6 +16,9 @@ struct PatchJet {
   Vec3 uu, uv, vv;  ///< zero when only first derivatives were asked for
 };
 
+/// The point of a rational patch at (u, v); any real parameters. Cost: O((n + 1)(m + 1)).
+Vec3 point_at(const RationalBezierPatch& patch, double u, double v);
+
 /// The jet of a rational patch at (u, v); `order` is 1 or 2. Any real parameters.
 /// Cost: O((n + 1)(m + 1)).
 PatchJet jet_at(const RationalBezierPatch& patch, double u, double v, int order);

@@ -78,7 +78,7 @@ Vec3 point_at(const BezierSurface& surface, const Vec2& uv) {
   const std::size_t j = span_of(surface.v_knots, v);
   const double s = local_parameter(surface.u_law, {surface.u_knots[i], surface.u_knots[i + 1]}, u);
   const double t = local_parameter(surface.v_law, {surface.v_knots[j], surface.v_knots[j + 1]}, v);
-  return jet_at(surface.patches(static_cast<int>(i), static_cast<int>(j)), s, t, 1).point;
+  return point_at(surface.patches(static_cast<int>(i), static_cast<int>(j)), s, t);
 }
 
 void validate(const BezierSurface& surface, const char* name) {

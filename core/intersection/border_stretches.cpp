@@ -78,7 +78,7 @@ BorderProbe BorderFollower::placed(const BorderLine& line, double along) const {
 }
 
 Vec3 BorderFollower::point(const BorderProbe& probe) {
-  return jet_at(own_.tree(probe.patch).patch(), probe.x[0], probe.x[1], 1).point;
+  return point_at(own_.tree(probe.patch).patch(), probe.x[0], probe.x[1]);
 }
 
 // Goes to the neighbouring patch if the foot lies in it. False if it stays.
@@ -111,7 +111,7 @@ bool BorderFollower::follow(BorderProbe& at, Foot near) {
     if (move == kMostMoves || !move_on(near)) break;
   }
   near.gap =
-      distance(point(at), jet_at(other_.tree(near.patch).patch(), near.x[0], near.x[1], 1).point);
+      distance(point(at), point_at(other_.tree(near.patch).patch(), near.x[0], near.x[1]));
   at.foot = near;
   return true;
 }
@@ -122,7 +122,7 @@ const std::vector<BorderFollower::Start>& BorderFollower::starts(int patch) {
     for (int i = 0; i <= kStarts; ++i)
       for (int j = 0; j <= kStarts; ++j) {
         const Vec2 x{static_cast<double>(i) / kStarts, static_cast<double>(j) / kStarts};
-        grid.push_back({patch, x, jet_at(other_.tree(patch).patch(), x[0], x[1], 1).point});
+        grid.push_back({patch, x, point_at(other_.tree(patch).patch(), x[0], x[1])});
       }
   return grid;
 }

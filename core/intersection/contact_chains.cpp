@@ -179,7 +179,7 @@ class Joiner {
   const CellContact& contact(std::size_t i) const { return found_.contacts[i].contact; }
 
   Vec3 point(int patch_a, const Point4& x) const {
-    return jet_at(a_.tree(patch_a).patch(), x[0], x[1], 1).point;
+    return point_at(a_.tree(patch_a).patch(), x[0], x[1]);
   }
 
   Vec3 end_point(std::size_t end) const {
@@ -294,7 +294,7 @@ class Joiner {
       if (!found) return;
       ContactPoint p{pair.patch_a, pair.patch_b, *found, 0};
       for (double& t : p.x) t = std::clamp(t, 0.0, 1.0);
-      p.gap = distance(point(p.patch_a, p.x), jet_at(patch_b, p.x[2], p.x[3], 1).point);
+      p.gap = distance(point(p.patch_a, p.x), point_at(patch_b, p.x[2], p.x[3]));
       if (p.gap < best.gap) best = p;
     };
     consider(middle);
@@ -449,7 +449,7 @@ void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, Surf
     const FoundArc& arc = found.arcs[end / 2];
     const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
     const auto point = [&](int patch, const Point4& y) {
-      return jet_at(a.tree(patch).patch(), y[0], y[1], 1).point;
+      return point_at(a.tree(patch).patch(), y[0], y[1]);
     };
     const Vec3 p = point(arc.patch_a, x);
     double least = kJoinRadius * size;

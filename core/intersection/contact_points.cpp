@@ -106,7 +106,7 @@ std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBe
   };
   // Near a node the steps shrink slowly, but the surfaces meet all the same.
   const auto meet = [&](const Point4& x) {
-    const Vec3 p = jet_at(a, x[0], x[1], 1).point, q = jet_at(b, x[2], x[3], 1).point;
+    const Vec3 p = point_at(a, x[0], x[1]), q = point_at(b, x[2], x[3]);
     return distance(p, q) <= kMeet * (1 + max_norm(p));
   };
   return newton(start, reach, equations, meet);

@@ -254,7 +254,7 @@ class OverlapFinder {
   }
 
   Vec3 point(const ContactPoint& p) {
-    return jet_at(a_.tree(p.patch_a).patch(), p.x[0], p.x[1], 1).point;
+    return point_at(a_.tree(p.patch_a).patch(), p.x[0], p.x[1]);
   }
 
   double length_of(const std::vector<ContactPoint>& path) {

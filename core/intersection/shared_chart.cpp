@@ -22,7 +22,7 @@ constexpr double kStraight = 1e-7;    // an iso-line of a that strays less on b 
 constexpr double kLeastWidth = 1e-4;  // of a domain
 
 double gap_at(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x) {
-  return distance(jet_at(a, x[0], x[1], 1).point, jet_at(b, x[2], x[3], 1).point);
+  return distance(point_at(a, x[0], x[1]), point_at(b, x[2], x[3]));
 }
 
 bool on_extension(const Point4& x) {

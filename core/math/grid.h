@@ -44,4 +44,16 @@ class Grid {
   std::vector<T> values_;
 };
 
+/// The values of a row.
+template <class T>
+std::span<T> row_of(Grid<T>& grid, int row) {
+  const auto width = static_cast<std::size_t>(grid.columns());
+  return grid.values().subspan(static_cast<std::size_t>(row) * width, width);
+}
+template <class T>
+std::span<const T> row_of(const Grid<T>& grid, int row) {
+  const auto width = static_cast<std::size_t>(grid.columns());
+  return grid.values().subspan(static_cast<std::size_t>(row) * width, width);
+}
+
 }  // namespace blossom

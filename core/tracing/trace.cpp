@@ -71,11 +71,11 @@ ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, Surface
   for (const ChainLink& link : chain.links) {
     const FoundArc& arc = found.arcs[static_cast<std::size_t>(link.arc)];
     const auto& patch = a.tree(arc.patch_a).patch();
-    Vec3 last = jet_at(patch, arc.arc.from[0], arc.arc.from[1], 1).point;
+    Vec3 last = point_at(patch, arc.arc.from[0], arc.arc.from[1]);
     double sum = 0;
     for (const double fraction : {0.5, 1.0}) {
       const Point4 x = fraction < 1 ? parameters_on(arc, fraction) : arc.arc.to;
-      const Vec3 next = jet_at(patch, x[0], x[1], 1).point;
+      const Vec3 next = point_at(patch, x[0], x[1]);
       sum += distance(last, next);
       last = next;
     }
@@ -225,10 +225,10 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
   };
   const Point4 x0 = beside(-kBesideValley), x1 = beside(kBesideValley);
   const Rates r0 = rates_at(x0), r1 = rates_at(x1);
-  const double width = (forward ? 1 : -1) * (distance(jet_at(patch_a, x0[0], x0[1], 1).point,
-                                                      jet_at(patch_a, x1[0], x1[1], 1).point));
+  const double width = (forward ? 1 : -1) * (distance(point_at(patch_a, x0[0], x0[1]),
+                                                      point_at(patch_a, x1[0], x1[1])));
   CurvePoint result;
-  result.point = jet_at(patch_a, x[0], x[1], 1).point + origin_;
+  result.point = point_at(patch_a, x[0], x[1]) + origin_;
   result.first = here.tangent;
   result.second = (r1.tangent - r0.tangent) * (1 / width);
   result.second = result.second - here.tangent * dot(result.second, here.tangent);

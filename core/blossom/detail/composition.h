@@ -42,16 +42,23 @@ ParameterForms<Scalar> parameter_forms(const std::vector<Vec<Scalar, 3>>& curve)
   return forms;
 }
 
-/// Row j: sum_i binom(n, i) binom(m, j) P_ij (1 - u)^(n - i) u^i, scaled: (m + 1) x (n d + 1).
+/// Rows (k, j) of coordinate k: sum_i binom(n, i) binom(m, j) P_ij (1 - u)^(n - i) u^i, scaled;
+/// (dimension) (m + 1) x (n d + 1).
 template <class Point>
-Grid<Point> composed_in_u(const Grid<Point>& net, const Grid<scalar_of<Point>>& powers_u) {
+Grid<scalar_of<Point>> composed_in_u(const Grid<Point>& net,
+                                     const Grid<scalar_of<Point>>& powers_u) {
   using Scalar = scalar_of<Point>;
-  const int n = net.rows() - 1, m = net.columns() - 1;
-  Grid<Point> result(m + 1, powers_u.columns());
-  for (int j = 0; j <= m; ++j)
-    for (int i = 0; i <= n; ++i) {
-      const Point point = net(i, j) * Scalar(binomial(n, i) * binomial(m, j));
-      for (int k = 0; k < powers_u.columns(); ++k) result(j, k) += powers_u(i, k) * point;
+  const int n = net.rows() - 1, m = net.columns() - 1, length = powers_u.columns();
+  Grid<Scalar> result(dimension_of<Point> * (m + 1), length, Scalar(0));
+  for (int k = 0; k < dimension_of<Point>; ++k)
+    for (int j = 0; j <= m; ++j) {
+      const std::span<Scalar> row = row_of(result, k * (m + 1) + j);
+      for (int i = 0; i <= n; ++i) {
+        const std::span<const Scalar> power = row_of(powers_u, i);
+        const Scalar weight(binomial(n, i) * binomial(m, j));
+        const Scalar point = coordinate(net(i, j), k) * weight;
+        for (std::size_t l = 0; l < row.size(); ++l) row[l] += power[l] * point;
+      }
     }
   return result;
 }
@@ -69,17 +76,16 @@ std::vector<Point> composition(const Grid<Point>& net, const ParameterForms<scal
     const std::vector<Scalar> from = scaled(std::span(a)), to = scaled(std::span(b));
     return mixed_powers(std::span(from), std::span(to), count);
   };
-  const Grid<Point> rows = composed_in_u(net, powers_of(in.u0, in.u1, n));
+  const Grid<Scalar> rows = composed_in_u(net, powers_of(in.u0, in.u1, n));
   const Grid<Scalar> powers_v = powers_of(in.v0, in.v1, m);
-  const int length_u = rows.columns(), length_v = powers_v.columns();
-  std::vector<Point> sum(index(length_u + length_v - 1)), row(sum.size());
-  for (int j = 0; j <= m; ++j) {
-    std::fill(row.begin(), row.end(), Point{});
-    for (int l = 0; l < length_v; ++l)
-      for (int k = 0; k < length_u; ++k) row[index(k + l)] += powers_v(j, l) * rows(j, k);
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += row[k];
-  }
-  return unscaled(std::move(sum));
+  Grid<Scalar> sums(dimension_of<Point>, rows.columns() + powers_v.columns() - 1, Scalar(0));
+  for (int k = 0; k < dimension_of<Point>; ++k)
+    for (int j = 0; j <= m; ++j)
+      add_product(row_of(rows, k * (m + 1) + j), row_of(powers_v, j), row_of(sums, k));
+  std::vector<Point> points(index(sums.columns()));
+  for (int k = 0; k < dimension_of<Point>; ++k)
+    for (int l = 0; l < sums.columns(); ++l) coordinate(points[index(l)], k) = sums(k, l);
+  return unscaled(std::move(points));
 }
 
 }  // namespace blossom::detail

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "core/math/convolution.h"
 #include "core/math/detail/bernstein.h"
 #include "core/math/detail/scalar.h"
 #include "core/math/grid.h"
@@ -46,41 +47,28 @@ std::vector<T> unscaled(std::vector<T> coefficients) {
   return coefficients;
 }
 
-/// sum_r factor[r] f[k - r] in place, for f of `length` coefficients in a span with room for
-/// factor.size() - 1 more. At most factor.size() roundings each.
-template <class Scalar>
-void multiply_in_place(std::span<Scalar> f, int length, std::span<const Scalar> factor) {
-  const int d = static_cast<int>(factor.size()) - 1;
-  // Downwards, so that only values that are no longer needed are overwritten.
-  for (int k = length - 1 + d; k >= 0; --k) {
-    const int first = std::max(0, k - length + 1);
-    Scalar sum = factor[index(first)] * f[index(k - first)];
-    for (int r = first + 1; r <= std::min(d, k); ++r) sum += factor[index(r)] * f[index(k - r)];
-    f[index(k)] = sum;
-  }
-}
-
 /// Row i: a^(n - i) b^i for i = 0..n, with a and b of degree d: (n + 1) x (n d + 1).
 /// Each of the n factors carries its own roundings, each of n - 1 products d + 1 more.
 template <class Scalar>
 Grid<Scalar> mixed_powers(std::span<const Scalar> a, std::span<const Scalar> b, int n) {
   const int d = static_cast<int>(a.size()) - 1;
   Grid<Scalar> result(n + 1, n * d + 1, Scalar(0));
-  const auto row = [&](int i) {
-    const auto width = index(n * d + 1);
-    return result.values().subspan(index(i) * width, width);
-  };
   if (n == 0) {
     result(0, 0) = Scalar(1);
     return result;
   }
-  std::copy(a.begin(), a.end(), row(0).begin());
-  std::copy(b.begin(), b.end(), row(1).begin());
+  std::copy(a.begin(), a.end(), row_of(result, 0).begin());
+  std::copy(b.begin(), b.end(), row_of(result, 1).begin());
+  std::vector<Scalar> before(index(n * d + 1));
   for (int power = 1; power < n; ++power) {
-    const int length = power * d + 1;
-    std::copy_n(row(power).begin(), length, row(power + 1).begin());
-    multiply_in_place(row(power + 1), length, b);
-    for (int i = 0; i <= power; ++i) multiply_in_place(row(i), length, a);
+    const std::size_t length = index(power * d + 1);
+    // The last row times b is a new one; all rows times a take their own place.
+    for (int i = power + 1; i >= 0; --i) {
+      std::copy_n(row_of(result, std::min(i, power)).begin(), length, before.begin());
+      const std::span<Scalar> row = row_of(result, i);
+      std::fill(row.begin(), row.end(), Scalar(0));
+      add_product(std::span<const Scalar>(before).first(length), i > power ? b : a, row);
+    }
   }
   return result;
 }

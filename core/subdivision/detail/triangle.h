@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/forms/triangle.h"
-#include "core/math/detail/scaled_bernstein.h"
+#include "core/math/convolution.h"
+#include "core/math/detail/bernstein.h"
 #include "core/math/matrix.h"
 
 namespace blossom::detail {
@@ -18,14 +20,16 @@ namespace blossom::detail {
 template <class Scalar>
 Grid<Scalar> corner_matrix(int n, const Scalar& a, const Scalar& b, const Scalar& c) {
   using Triangle = BezierTriangleOf<Scalar>;
-  Grid<Scalar> matrix(static_cast<int>(Triangle::count(n)), n + 1);
+  Grid<Scalar> matrix(static_cast<int>(Triangle::count(n)), n + 1, Scalar(0));
   for (int i = 0; i <= n; ++i)
     for (int j = 0; i + j <= n; ++j) {
-      const auto row =
-          matrix.values().subspan(Triangle::index(n, i, j) * index(n + 1), index(n + 1));
-      std::ranges::copy(bernstein(i, a), row.begin());
-      multiply_in_place<Scalar>(row, i + 1, bernstein(j, b));
-      multiply_in_place<Scalar>(row, i + j + 1, bernstein(n - i - j, c));
+      using Factor = std::span<const Scalar>;
+      const std::vector<Scalar> at_a = bernstein(i, a), at_b = bernstein(j, b);
+      std::vector<Scalar> both(index(i + j + 1), Scalar(0));
+      add_product(Factor(at_a), Factor(at_b), std::span<Scalar>(both));
+      const std::vector<Scalar> at_c = bernstein(n - i - j, c);
+      add_product(Factor(both), Factor(at_c),
+                  row_of(matrix, static_cast<int>(Triangle::index(n, i, j))));
     }
   return matrix;
 }
