@@ -10,10 +10,12 @@ namespace blossom {
 namespace {
 
 constexpr int kNewtonSteps = 12;
-constexpr double kSettled = 1e-13;  // a Newton step below this is rounding; fraction of a patch
+constexpr double kSettled = 1e-14;  // a Newton step below this is rounding; fraction of a patch
 constexpr double kStalled = 1e-10;  // so is one below this that no longer shrinks: ill conditioned
 constexpr double kBorderSlack = 4e-11;  // a root this close to a face is on it; fraction of a patch
 constexpr int kKrawczykSteps = 16;
+constexpr int kFirstSteps = 3;     // of them before Newton's method,
+constexpr double kNarrow = 0.125;  // until the box is so much smaller, or empty
 constexpr int kSlidingSamples = 9;       // points of an arc that must all lie on a face
 constexpr double kTangentToFace = 1e-6;  // slower than this across a face means undecided
 
@@ -74,13 +76,22 @@ bool border_apart(const Border& border, double margin, const Cell& other) {
   return outside(low - 2 * margin, high + 2 * margin, other.plane.low, other.plane.high);
 }
 
+// Of a column among those that a minor keeps.
+std::size_t position(const std::array<int, 3>& kept, int column) {
+  return static_cast<std::size_t>(std::find(kept.begin(), kept.end(), column) - kept.begin());
+}
+
 enum class Face { Empty, Root, Undecided };
 
 class PairBorder {
  public:
   PairBorder(const CellTree& tree_a, const Cell& a, const CellTree& tree_b, const Cell& b,
              const JacobianBounds& bounds)
-      : tree_a_(tree_a), a_(a), tree_b_(tree_b), b_(b), bounds_(bounds), box_(box_of(a, b)) {}
+      : tree_a_(tree_a), a_(a), tree_b_(tree_b), b_(b), bounds_(bounds), box_(box_of(a, b)) {
+    const Part part = middle_of_box();
+    middle_a_ = on_a_at(part.middle);
+    middle_b_ = on_b_at(part.middle);
+  }
 
   // All roots on the eight faces; false if some face stays undecided. Faces along which the arc
   // itself runs have no roots of their own.
@@ -124,7 +135,7 @@ class PairBorder {
     Point4 middle;
     for (std::size_t i = 0; i < 4; ++i) middle[i] = 0.5 * (arc.from[i] + arc.to[i]);
     const auto point = [&](const Point4& x) {
-      return jet_at(tree_a_.patch(), x[0], x[1], 1).point;
+      return point_at(tree_a_.patch(), x[0], x[1]);
     };
     const Vec3 start = point(arc.from);
     const double reach = std::max(distance(start, point(middle)), distance(start, point(arc.to)));
@@ -141,35 +152,54 @@ class PairBorder {
     minor_known_ = true;
     if (!minor_.regular) return Face::Undecided;
 
-    Point4 start;
-    for (std::size_t i = 0; i < 4; ++i) start[i] = at(box_[i], 0.5);
+    Part part = middle_of_box();
     const Interval& range = box_[static_cast<std::size_t>(axis)];
-    start[static_cast<std::size_t>(axis)] = high ? range.to : range.from;
-    const auto solution = newton(tree_a_.patch(), tree_b_.patch(), start, axis, box_);
+    part.middle[static_cast<std::size_t>(axis)] = high ? range.to : range.from;
+    // Most faces hold no root, and the first steps tell; where there is one they come nearer.
+    if (!narrow(part, minor_, axis,
+                on_a ? on_a_at(part.middle) - middle_b_ : middle_a_ - on_b_at(part.middle)))
+      return Face::Empty;
+    int step = 1;
+    for (; step < kFirstSteps && largest_radius(part) > kNarrow; ++step)
+      if (!narrow(part, minor_, axis)) return Face::Empty;
+    const auto solution = newton(tree_a_.patch(), tree_b_.patch(), part.middle, axis, box_);
     // The minor is regular, so there is at most one root: found means done.
     if (solution && inside(*solution)) {
       root = *solution;
       return Face::Root;
     }
-    return krawczyk_empties(start, axis) ? Face::Empty : Face::Undecided;
+    for (; step < kKrawczykSteps; ++step)
+      if (!narrow(part, minor_, axis)) return Face::Empty;
+    return Face::Undecided;
   }
 
-  // True if the box meets the arc, and only along the given face.
+  // True if the box meets the arc, and only along the given face. Values of the parameter `along`
+  // whose point cannot lie on the face are looked at only if others do.
   bool slides_along(int axis, bool high, int along) const {
     const auto j = static_cast<std::size_t>(axis), k = static_cast<std::size_t>(along);
     const double face = high ? box_[j].to : box_[j].from;
+    const Minor minor = bounds_.minor(along);
+    std::vector<Point4> off_face;
     int on_face = 0;
     for (int i = 0; i < kSlidingSamples; ++i) {
-      Point4 start;
-      for (std::size_t l = 0; l < 4; ++l) start[l] = at(box_[l], 0.5);
-      start[j] = face;
-      start[k] = at(box_[k], (i + 0.5) / kSlidingSamples);
-      const auto x = newton(tree_a_.patch(), tree_b_.patch(), start, along, box_);
+      Part part = middle_of_box();
+      part.middle[k] = at(box_[k], (i + 0.5) / kSlidingSamples);
+      if (!narrow(part, minor, along)) continue;
+      const double radius = part.radius[position(kept_columns(along), axis)] * length(box_[j]);
+      if (std::abs(part.middle[j] - face) > radius + kBorderSlack) {
+        off_face.push_back(part.middle);
+        continue;
+      }
+      part.middle[j] = face;
+      const auto x = newton(tree_a_.patch(), tree_b_.patch(), part.middle, along, box_);
       if (!x || !inside(*x)) continue;
       if (std::abs((*x)[j] - face) > kBorderSlack) return false;
       ++on_face;
     }
-    return on_face > 1;
+    return on_face > 1 && std::none_of(off_face.begin(), off_face.end(), [&](const Point4& start) {
+             const auto x = newton(tree_a_.patch(), tree_b_.patch(), start, along, box_);
+             return x && inside(*x);
+           });
   }
 
   bool at_face(const Point4& x, std::size_t i, bool high) const {
@@ -182,34 +212,52 @@ class PairBorder {
     return true;
   }
 
-  // Any root in the box Y with middle y and radius r lies in y - C F(y) +- E r; intersecting
-  // again and again empties Y if there is none. In the cells' own parameters.
-  bool krawczyk_empties(Point4 y, int axis) const {
-    const auto kept = kept_columns(axis);
+  Vec3 on_a_at(const Point4& x) const { return point_at(tree_a_.patch(), x[0], x[1]); }
+  Vec3 on_b_at(const Point4& x) const { return point_at(tree_b_.patch(), x[2], x[3]); }
+
+  // Part of a face: its middle, and half its widths as parts of the cells' for the kept columns.
+  struct Part {
+    Point4 middle;
     std::array<double, 3> radius{0.5, 0.5, 0.5};
-    for (int step = 0; step < kKrawczykSteps; ++step) {
-      const Vec3 f = jet_at(tree_a_.patch(), y[0], y[1], 1).point -
-                     jet_at(tree_b_.patch(), y[2], y[3], 1).point;
-      std::array<double, 3> next_radius{};
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto k = static_cast<std::size_t>(kept[i]);
-        const double width = length(box_[k]);
-        double shift = 0, spread = 0;
-        for (std::size_t j = 0; j < 3; ++j) {
-          shift += minor_.inverse[i][j] * f[static_cast<int>(j)];
-          spread += minor_.spread[i][j] * radius[j];
-        }
-        spread = spread * (1 + 1e-12) + 1e-14;
-        const double middle = (y[k] - box_[k].from) / width;
-        const double low = std::max(middle - shift - spread, middle - radius[i]);
-        const double high = std::min(middle - shift + spread, middle + radius[i]);
-        if (low > high) return true;
-        y[k] = box_[k].from + 0.5 * (low + high) * width;
-        next_radius[i] = 0.5 * (high - low);
+  };
+
+  Part middle_of_box() const {
+    Part part;
+    for (std::size_t i = 0; i < 4; ++i) part.middle[i] = at(box_[i], 0.5);
+    return part;
+  }
+
+  static double largest_radius(const Part& part) {
+    return *std::max_element(part.radius.begin(), part.radius.end());
+  }
+
+  bool narrow(Part& part, const Minor& minor, int axis) const {
+    return narrow(part, minor, axis, on_a_at(part.middle) - on_b_at(part.middle));
+  }
+
+  // Any root in the box Y with middle y and radius r lies in y - C F(y) +- E r too, with f = F(y).
+  // False if that does not meet Y, which has no root then.
+  bool narrow(Part& part, const Minor& minor, int axis, const Vec3& f) const {
+    const auto kept = kept_columns(axis);
+    std::array<double, 3> next_radius{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(kept[i]);
+      const double width = length(box_[k]);
+      double shift = 0, spread = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        shift += minor.inverse[i][j] * f[static_cast<int>(j)];
+        spread += minor.spread[i][j] * part.radius[j];
       }
-      radius = next_radius;
+      spread = spread * (1 + 1e-12) + 1e-14;
+      const double middle = (part.middle[k] - box_[k].from) / width;
+      const double low = std::max(middle - shift - spread, middle - part.radius[i]);
+      const double high = std::min(middle - shift + spread, middle + part.radius[i]);
+      if (low > high) return false;
+      part.middle[k] = box_[k].from + 0.5 * (low + high) * width;
+      next_radius[i] = 0.5 * (high - low);
     }
-    return false;
+    part.radius = next_radius;
+    return true;
   }
 
   // False if the arc is too nearly tangent to a face it meets here.
@@ -242,6 +290,7 @@ class PairBorder {
   const Cell& b_;
   const JacobianBounds& bounds_;
   Box4 box_;
+  Vec3 middle_a_, middle_b_;  // the points at the middles of both cells
   Minor minor_;
   bool minor_known_ = false;
   std::array<std::array<bool, 2>, 4> sliding_{};  // by parameter, low and high face
@@ -255,7 +304,7 @@ std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierP
                              const Point4& start, int fixed, const Box4& box) {
   const auto kept = kept_columns(fixed);
   Point4 x = start;
-  double last_step = 1;
+  double last_step = 0;
   for (int step = 0; step < kNewtonSteps; ++step) {
     const PatchJet ja = jet_at(a, x[0], x[1], 1), jb = jet_at(b, x[2], x[3], 1);
     const Columns j = jacobian(ja, jb);
@@ -273,7 +322,9 @@ std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierP
         return std::nullopt;
       largest = std::max(largest, std::abs((*delta)[i]));
     }
-    if (largest < kSettled || (largest < kStalled && largest > 0.25 * last_step)) return x;
+    // Steps shrink quadratically: the next one would be this times the square of the ratio.
+    const double ratio = step == 0 ? 1 : largest / last_step;
+    if (largest * ratio * ratio < kSettled || (largest < kStalled && ratio > 0.25)) return x;
     last_step = largest;
   }
   return std::nullopt;
