@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/base/errors.h"
+#include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/arc_chains.h"
@@ -66,7 +68,15 @@ class Assembly {
     const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     if (found_.stopped) result_.status = Status::Stopped;
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
-    for (const Chain& chain : chains) add_curve(cells_a, cells_b, chain);
+    std::vector<std::optional<IntersectionCurve>> fits(chains.size());
+    parallel_for(chains.size(), 1,
+                 [&](std::size_t i) { fits[i] = fit(cells_a, cells_b, chains[i]); });
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      if (fits[i])
+        add_curve(cells_a, chains[i], std::move(*fits[i]));
+      else
+        add_short(cells_a, cells_b, chains[i]);
+    }
     for (const FoundGraze& graze : lone_grazes(found_, cells_a, cells_b))
       add_corner_contact(cells_a, cells_b, graze);
     for (const ContactChain& contact : contacts_) add_contact(cells_a, cells_b, contact);
@@ -201,7 +211,7 @@ class Assembly {
   void add_corner_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const FoundGraze& graze) {
     const auto& patch = cells_a.tree(graze.patch_a).patch();
     const SurfacePoint contact{
-        jet_at(patch, graze.x[0], graze.x[1], 1).point + origin_,
+        point_at(patch, graze.x[0], graze.x[1]) + origin_,
         {parameter_at(a_.u_law, cells_a.knots_u(graze.patch_a), graze.x[0]),
          parameter_at(a_.v_law, cells_a.knots_v(graze.patch_a), graze.x[1])},
         {parameter_at(b_.u_law, cells_b.knots_u(graze.patch_b), graze.x[2]),
@@ -223,27 +233,37 @@ class Assembly {
     return place;
   }
 
-  void add_curve(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
+  // The curve of a chain; nothing if that is no longer than a contact.
+  std::optional<IntersectionCurve> fit(SurfaceCells& cells_a, SurfaceCells& cells_b,
+                                       const Chain& chain) const {
     const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
-    if (tracer.stations().back() <= kShortest * options_.tolerances.point) {
-      if (belongs_to_contact(chain)) return;
-      if (chain.closed) return add_small_contact(cells_a, chain, tracer);
-    }
-    if (slides(chain) && tracer.stations().back() <= contact_length())
-      return add_small_contact(cells_a, chain, tracer);
+    const double length = tracer.stations().back();
+    const bool is_short = length <= kShortest * options_.tolerances.point;
+    if (is_short && (belongs_to_contact(chain) || chain.closed)) return {};
+    if (slides(chain) && length <= contact_length()) return {};
     const bool tangential = touches_along(chain);
     const double gap = tangential ? largest_gap() : 0;
     IntersectionCurve curve =
         fitted(tracer, a_, b_, {.tolerance = options_.tolerances.point, .gap = gap, .size = size_});
     curve.tangential = tangential;
     if (tangential) curve.least_angle = 0;
+    return curve;
+  }
+
+  void add_short(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
+    const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
+    const bool is_short = tracer.stations().back() <= kShortest * options_.tolerances.point;
+    if (!is_short || !belongs_to_contact(chain)) add_small_contact(cells_a, chain, tracer);
+  }
+
+  void add_curve(SurfaceCells& cells_a, const Chain& chain, IntersectionCurve&& curve) {
     const Deviation& d = curve.deviation;
     if (!std::isfinite(curve.length + d.a + d.b + d.between)) return add_untraced(cells_a, chain);
     curve.closed = chain.closed;
     curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
     for (std::size_t side = 0; side < 2; ++side)
       if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0 &&
-          chain.ends[side].contact < 0 && !tangential &&
+          chain.ends[side].contact < 0 && !curve.tangential &&
           !bounds_overlap(side == 0 ? curve.samples.front() : curve.samples.back()))
         add_loose_end(side == 0 ? curve.samples.front() : curve.samples.back());
     double& least = result_.certificate.least_angle;
@@ -277,8 +297,8 @@ class Assembly {
 
   SurfacePoint surface_point(SurfaceCells& cells_a, SurfaceCells& cells_b,
                              const ContactPoint& p) const {
-    const Vec3 on_a = jet_at(cells_a.tree(p.patch_a).patch(), p.x[0], p.x[1], 1).point;
-    const Vec3 on_b = jet_at(cells_b.tree(p.patch_b).patch(), p.x[2], p.x[3], 1).point;
+    const Vec3 on_a = point_at(cells_a.tree(p.patch_a).patch(), p.x[0], p.x[1]);
+    const Vec3 on_b = point_at(cells_b.tree(p.patch_b).patch(), p.x[2], p.x[3]);
     return {0.5 * (on_a + on_b) + origin_,
             {parameter_at(a_.u_law, cells_a.knots_u(p.patch_a), p.x[0]),
              parameter_at(a_.v_law, cells_a.knots_v(p.patch_a), p.x[1])},
@@ -389,7 +409,7 @@ class Assembly {
     for (const ChainLink& link : chain.links) {
       const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
       for (const Point4& x : {arc.arc.from, arc.arc.to}) {
-        const Vec3 p = jet_at(cells_a.tree(arc.patch_a).patch(), x[0], x[1], 1).point;
+        const Vec3 p = point_at(cells_a.tree(arc.patch_a).patch(), x[0], x[1]);
         box = joined(box, {p, p});
       }
     }
@@ -465,7 +485,10 @@ SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
   validate(b, "b");
   if (!(options.tolerances.point > 0) || !std::isfinite(options.tolerances.point))
     throw InvalidInput("intersect: the point tolerance must be positive and finite");
-  return Assembly(a, b, options).run();
+  if (options.threads < 0) throw InvalidInput("intersect: the number of threads is negative");
+  SurfaceIntersection result;
+  with_threads(options.threads, [&] { result = Assembly(a, b, options).run(); });
+  return result;
 }
 
 }  // namespace blossom

@@ -26,6 +26,9 @@ struct IntersectionOptions {
   /// Seconds before giving up with Status::Stopped; 0 means no limit.
   double time_limit = 0;
 
+  /// How many may work at the same time; 0 is one a core. The result does not depend on it.
+  int threads = 0;
+
   /// Asked now and then; true stops the work with Status::Stopped.
   std::function<bool()> cancelled{};
 };

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <span>
 
+#include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_search.h"
@@ -19,7 +21,9 @@ namespace {
 constexpr double kSlabPart = 1.0 / 1024;
 constexpr int kDeepest = 56;              // halvings of a patch: 2^-28 in each direction
 constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
-constexpr int kAskEvery = 1024;           // pairs between looks at the clock
+constexpr std::size_t kBatch = 128;    // pairs examined at the same time
+constexpr std::size_t kPairGrain = 64;  // pairs, and
+constexpr std::size_t kArcsGrain = 4;   // certified pairs that one thread examines in a row
 constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
 
 // Nearly parallel pairs this flat go to the search for contacts: the sines of the angles by which
@@ -27,6 +31,7 @@ constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
 constexpr double kFlat = 0.15;
 
 struct Pair {
+  int place;  // the pair of patches
   int cell_a;
   int cell_b;
   int along;  // >= 0: already certified over this parameter, halved for its border only
@@ -44,6 +49,27 @@ struct CertifiedPair {
   PairArcs held;
 };
 
+// A pair of patches, and what its pairs of cells gave.
+struct PatchPair {
+  int patch_a, patch_b;
+  CellTree* tree_a;
+  CellTree* tree_b;
+  SharedCells shared;
+  std::vector<CertifiedPair> certified{};
+  std::vector<CellsPair> parallel{};
+};
+
+enum class Verdict : char { Apart, Coincident, Regular, Parallel, Thin, Mixed };
+
+struct Finding {
+  Verdict verdict = Verdict::Mixed;
+  int along = -1;                    // of a regular pair
+  std::optional<SharedPart> part{};  // of a coincident one
+};
+
+// Pairs are examined in batches: those of one batch at the same time, for they only read the cells;
+// then cells are halved in the order of the pairs. The latest pairs come first, so that small cells,
+// which tell whether the surfaces coincide, are reached soon.
 class Search {
  public:
   Search(SurfaceCells& a, SurfaceCells& b, double size, const IntersectionOptions& options,
@@ -56,30 +82,29 @@ class Search {
         result_(result),
         limit_(options) {}
 
-  void run(int patch_a, int patch_b) {
-    patch_a_ = patch_a;
-    patch_b_ = patch_b;
-    tree_a_ = &a_.tree(patch_a);
-    tree_b_ = &b_.tree(patch_b);
-    shared_.emplace(*tree_a_, *tree_b_, options_.tolerances.point);
-    stack_.assign(1, {0, 0, -1});
+  void add(int patch_a, int patch_b) {
+    CellTree &tree_a = a_.tree(patch_a), &tree_b = b_.tree(patch_b);
+    stack_.push_back({static_cast<int>(places_.size()), 0, 0, -1});
+    places_.push_back({patch_a, patch_b, &tree_a, &tree_b,
+                       SharedCells(tree_a, tree_b, options_.tolerances.point)});
+  }
+
+  void run() {
+    std::vector<Pair> batch;
     while (!stack_.empty()) {
-      const Pair pair = stack_.back();
-      stack_.pop_back();
-      if (out_of_budget())
-        keep(pair, false);
-      else
-        examine(pair);
+      const auto first = stack_.end() - static_cast<std::ptrdiff_t>(std::min(kBatch, stack_.size()));
+      batch.assign(first, stack_.end());
+      stack_.erase(first, stack_.end());
+      examine(batch);
     }
-    settle();
+    for (PatchPair& place : places_) settle(place);
   }
 
  private:
-  bool out_of_budget() {
+  bool out_of_budget(std::size_t pairs) {
     if (result_.stopped) return true;
-    ++examined_;
+    examined_ += static_cast<long>(pairs);
     if (examined_ > options_.budget) return stop("the budget of cell pairs is spent");
-    if (examined_ % kAskEvery != 0) return false;
     if (a_.stored_points() + b_.stored_points() > kMostStored)
       return stop("the memory for cells is spent");
     if (const char* reason = limit_.reached()) return stop(reason);
@@ -92,36 +117,89 @@ class Search {
     return true;
   }
 
-  void examine(Pair pair) {
-    const Cell& a = (*tree_a_)[pair.cell_a];
-    const Cell& b = (*tree_b_)[pair.cell_b];
-    const int points_a = tree_a_->shape().plane_size(), points_b = tree_b_->shape().plane_size();
+  PatchPair& place_of(const Pair& pair) { return places_[static_cast<std::size_t>(pair.place)]; }
+  const PatchPair& place_of(const Pair& pair) const {
+    return places_[static_cast<std::size_t>(pair.place)];
+  }
+  const Cell& cell_a(const Pair& pair) const { return (*place_of(pair).tree_a)[pair.cell_a]; }
+  const Cell& cell_b(const Pair& pair) const { return (*place_of(pair).tree_b)[pair.cell_b]; }
+
+  void examine(std::span<const Pair> pairs) {
+    if (out_of_budget(pairs.size())) {
+      for (const Pair& pair : pairs) keep(pair, false);
+      return;
+    }
+    findings_.resize(pairs.size());
+    parallel_for(pairs.size(), kPairGrain, [&](std::size_t i) { findings_[i] = look(pairs[i]); });
+    std::vector<std::size_t> regular;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (findings_[i].verdict == Verdict::Regular) regular.push_back(i);
+    std::vector<std::optional<PairArcs>> arcs(regular.size());
+    parallel_for(regular.size(), kArcsGrain, [&](std::size_t k) {
+      arcs[k] = arcs_of(pairs[regular[k]], findings_[regular[k]].along);
+    });
+    auto held = arcs.begin();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const bool certified = findings_[i].verdict == Verdict::Regular;
+      apply(pairs[i], findings_[i], certified ? *held++ : std::nullopt);
+    }
+  }
+
+  // What a pair proves by its bounds alone.
+  Finding look(const Pair& pair) const {
+    const PatchPair& place = place_of(pair);
+    const Cell &a = cell_a(pair), &b = cell_b(pair);
+    const int points_a = place.tree_a->shape().plane_size();
+    const int points_b = place.tree_b->shape().plane_size();
+    if (separated(a, b, points_a, points_b)) return {Verdict::Apart};
+    if (const auto part = place.shared.part(a, b)) return {Verdict::Coincident, -1, part};
+    if (pair.along >= 0) return {Verdict::Regular, pair.along};
+    const int along = certified_column(JacobianBounds(a, b));
+    if (along >= 0) return {Verdict::Regular, along};
+    if (nearly_parallel(a, b)) return {Verdict::Parallel};
+    return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};
+  }
+
+  bool is_thin(const Cell& a, const Cell& b, int points_a, int points_b) const {
+    const double tolerance = options_.tolerances.point;
+    return (a.extent <= tolerance && b.extent <= tolerance) ||
+           (a.plane.high - a.plane.low <= slab_ && b.plane.high - b.plane.low <= slab_ &&
+            within_slab(a, b, points_a, points_b, slab_));
+  }
+
+  std::optional<PairArcs> arcs_of(const Pair& pair, int along) const {
+    const PatchPair& place = place_of(pair);
+    const Cell &a = cell_a(pair), &b = cell_b(pair);
+    return arcs_in(*place.tree_a, a, *place.tree_b, b, JacobianBounds(a, b),
+                   upper_borders(a_, place.patch_a, a, b_, place.patch_b, b), along);
+  }
+
+  void apply(Pair pair, const Finding& finding, std::optional<PairArcs> held) {
+    PatchPair& place = place_of(pair);
+    const Cell &a = cell_a(pair), &b = cell_b(pair);
     Certificate& certificate = result_.certificate;
     certificate.depth = std::max({certificate.depth, a.depth, b.depth});
     certificate.rounding_bound = std::max({certificate.rounding_bound, a.margin, b.margin});
-    if (separated(a, b, points_a, points_b)) {
+    if (finding.verdict == Verdict::Apart) {
       ++certificate.excluded;
       return;
     }
-    if (const auto part = shared_->part(a, b)) return settle_shared(*part);
-    const JacobianBounds bounds(a, b);
-    if (pair.along < 0) pair.along = certified_column(bounds);
-    if (pair.along >= 0) {
-      const auto held = arcs_in(*tree_a_, a, *tree_b_, b, bounds, borders(a, b), pair.along);
-      if (held) {
-        certified_.push_back({pair.cell_a, pair.cell_b, box_of(a, b), *held});
-        return;
-      }
-    } else if (nearly_parallel(a, b)) {
-      shared_->look_near(a, b);
-      if (const auto part = shared_->part(a, b)) return settle_shared(*part);
-      parallel_.push_back({pair.cell_a, pair.cell_b});
+    if (finding.part) return settle_shared(place, *finding.part);
+    if (held) {
+      place.certified.push_back({pair.cell_a, pair.cell_b, box_of(a, b), std::move(*held)});
       return;
     }
-    const double tolerance = options_.tolerances.point;
-    const bool thin = (a.extent <= tolerance && b.extent <= tolerance) ||
-                      (a.plane.high - a.plane.low <= slab_ && b.plane.high - b.plane.low <= slab_ &&
-                       within_slab(a, b, points_a, points_b, slab_));
+    if (finding.verdict == Verdict::Parallel) {
+      if (place.shared.look_near(a, b))
+        if (const auto part = place.shared.part(a, b)) return settle_shared(place, *part);
+      place.parallel.push_back({pair.cell_a, pair.cell_b});
+      return;
+    }
+    pair.along = finding.along;
+    const bool thin = finding.verdict == Verdict::Thin ||
+                      (finding.verdict == Verdict::Regular &&
+                       is_thin(a, b, place.tree_a->shape().plane_size(),
+                               place.tree_b->shape().plane_size()));
     if (thin || (a.depth >= kDeepest && b.depth >= kDeepest))
       keep(pair, thin);
     else
@@ -129,17 +207,14 @@ class Search {
   }
 
   // Both patches are parts of one surface: the pair coincides in a rectangle or not at all.
-  void settle_shared(const SharedPart& part) {
+  void settle_shared(const PatchPair& place, const SharedPart& part) {
     if (part.empty) {
       ++result_.certificate.excluded;
       return;
     }
     ++result_.certificate.critical;
-    result_.critical.push_back({patch_a_, patch_b_, part.box, part.hull.low, part.hull.high, true});
-  }
-
-  SurfaceBorders borders(const Cell& a, const Cell& b) const {
-    return upper_borders(a_, patch_a_, a, b_, patch_b_, b);
+    result_.critical.push_back(
+        {place.patch_a, place.patch_b, part.box, part.hull.low, part.hull.high, true});
   }
 
   // True if both cells are nearly flat and some of their normals may be parallel.
@@ -161,59 +236,64 @@ class Search {
   // What the pairs of two patches gave. Cells of a that some nearly parallel pair holds are
   // searched for contacts as a whole; what was certified inside them is dropped, so that nothing
   // is found twice.
-  void settle() {
-    const auto cells = static_cast<std::size_t>(tree_a_->size());
+  void settle(PatchPair& place) {
+    if (place.parallel.empty()) {
+      for (const CertifiedPair& pair : place.certified) add(place, pair);
+      return;
+    }
+    const CellTree &tree_a = *place.tree_a, &tree_b = *place.tree_b;
+    const auto cells = static_cast<std::size_t>(tree_a.size());
     std::vector<char> holds(cells, 0), dirty(cells, 0), covered(cells, 0);
-    for (const CellsPair& pair : parallel_) holds[static_cast<std::size_t>(pair.cell_a)] = 1;
+    for (const CellsPair& pair : place.parallel) holds[static_cast<std::size_t>(pair.cell_a)] = 1;
     dirty = holds;
     for (std::size_t i = cells; i-- > 0;) {  // children come after their parents
-      const int child = (*tree_a_)[static_cast<int>(i)].child;
+      const int child = tree_a[static_cast<int>(i)].child;
       if (child < 0) continue;
       const auto c = static_cast<std::size_t>(child);
       holds[i] = holds[i] | holds[c] | holds[c + 1];
     }
-    for (const CertifiedPair& pair : certified_) {
+    for (const CertifiedPair& pair : place.certified) {
       const auto i = static_cast<std::size_t>(pair.cell_a);
       dirty[i] = dirty[i] | holds[i];
     }
-    ContactTask task{patch_a_, patch_b_, {}, {}};
-    collect_dirty(0, false, dirty, covered, task.cells_a);
+    ContactTask task{place.patch_a, place.patch_b, {}, {}};
+    collect_dirty(tree_a, 0, false, dirty, covered, task.cells_a);
     const auto part_of = [&](int cell) {
-      const Cell& b = (*tree_b_)[cell];
+      const Cell& b = tree_b[cell];
       return std::array{b.u, b.v};
     };
-    for (const CellsPair& pair : parallel_) task.parts_b.push_back(part_of(pair.cell_b));
-    for (const CertifiedPair& pair : certified_) {
+    for (const CellsPair& pair : place.parallel) task.parts_b.push_back(part_of(pair.cell_b));
+    for (const CertifiedPair& pair : place.certified) {
       if (covered[static_cast<std::size_t>(pair.cell_a)])
         task.parts_b.push_back(part_of(pair.cell_b));
       else
-        add(pair);
+        add(place, pair);
     }
-    certified_.clear();
-    parallel_.clear();
     if (!task.cells_a.empty()) search_contacts(a_, b_, task, size_, options_, limit_, result_);
   }
 
-  void collect_dirty(int index, bool inside, const std::vector<char>& dirty,
-                     std::vector<char>& covered, std::vector<int>& cells) const {
+  static void collect_dirty(const CellTree& tree, int index, bool inside,
+                            const std::vector<char>& dirty, std::vector<char>& covered,
+                            std::vector<int>& cells) {
     const auto i = static_cast<std::size_t>(index);
     if (!inside && dirty[i]) {
       cells.push_back(index);
       inside = true;
     }
     covered[i] = inside;
-    const int child = (*tree_a_)[index].child;
+    const int child = tree[index].child;
     if (child < 0) return;
-    collect_dirty(child, inside, dirty, covered, cells);
-    collect_dirty(child + 1, inside, dirty, covered, cells);
+    collect_dirty(tree, child, inside, dirty, covered, cells);
+    collect_dirty(tree, child + 1, inside, dirty, covered, cells);
   }
 
-  void add(const CertifiedPair& pair) {
+  void add(const PatchPair& place, const CertifiedPair& pair) {
     ++result_.certificate.certified;
     result_.along_border = result_.along_border || pair.held.along_border;
     for (const CellArc& arc : pair.held.arcs)
-      result_.arcs.push_back({patch_a_, patch_b_, pair.box, arc, {-1, -1}});
-    for (const Point4& x : pair.held.grazes) result_.grazes.push_back({patch_a_, patch_b_, x});
+      result_.arcs.push_back({place.patch_a, place.patch_b, pair.box, arc, {-1, -1}});
+    for (const Point4& x : pair.held.grazes)
+      result_.grazes.push_back({place.patch_a, place.patch_b, x});
   }
 
   static int certified_column(const JacobianBounds& bounds) {
@@ -225,21 +305,22 @@ class Search {
   }
 
   void halve(const Pair& pair) {
-    const Cell& a = (*tree_a_)[pair.cell_a];
-    const Cell& b = (*tree_b_)[pair.cell_b];
+    const PatchPair& place = place_of(pair);
+    const Cell &a = cell_a(pair), &b = cell_b(pair);
     const bool halve_a = b.depth >= kDeepest ||
                          (a.depth < kDeepest &&
                           a.bend + kExtentWeight * a.extent >= b.bend + kExtentWeight * b.extent);
-    const int child = halve_a ? tree_a_->split(pair.cell_a) : tree_b_->split(pair.cell_b);
+    const int child =
+        halve_a ? place.tree_a->split(pair.cell_a) : place.tree_b->split(pair.cell_b);
     for (int half = 0; half < 2; ++half)
-      stack_.push_back(halve_a ? Pair{child + half, pair.cell_b, pair.along}
-                               : Pair{pair.cell_a, child + half, pair.along});
+      stack_.push_back(halve_a ? Pair{pair.place, child + half, pair.cell_b, pair.along}
+                              : Pair{pair.place, pair.cell_a, child + half, pair.along});
   }
 
   void keep(const Pair& pair, bool thin) {
-    const Cell& a = (*tree_a_)[pair.cell_a];
-    const Cell& b = (*tree_b_)[pair.cell_b];
-    CriticalPair critical{patch_a_, patch_b_, box_of(a, b), {}, {}, thin};
+    const PatchPair& place = place_of(pair);
+    const Cell &a = cell_a(pair), &b = cell_b(pair);
+    CriticalPair critical{place.patch_a, place.patch_b, box_of(a, b), {}, {}, thin};
     for (int k = 0; k < 3; ++k) {
       critical.low[k] = std::max(a.low[k], b.low[k]);
       critical.high[k] = std::min(a.high[k], b.high[k]);
@@ -257,13 +338,9 @@ class Search {
   PairSearchResult& result_;
   const WorkLimit limit_;
   long examined_ = 0;
-  int patch_a_ = 0, patch_b_ = 0;
-  CellTree* tree_a_ = nullptr;
-  CellTree* tree_b_ = nullptr;
-  std::optional<SharedCells> shared_;  // of the pair of patches at work
+  std::vector<PatchPair> places_;
   std::vector<Pair> stack_;
-  std::vector<CertifiedPair> certified_;  // of the pair of patches at work
-  std::vector<CellsPair> parallel_;
+  std::vector<Finding> findings_;  // about the batch at work
 };
 
 std::vector<Box> patch_boxes(SurfaceCells& cells) {
@@ -334,7 +411,8 @@ PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
   PairSearchResult result;
   Search search(a, b, size, options, result);
   const BoxTree boxes_a(patch_boxes(a)), boxes_b(patch_boxes(b));
-  boxes_a.for_each_meeting(boxes_b, [&](int i, int j) { search.run(i, j); });
+  boxes_a.for_each_meeting(boxes_b, [&](int i, int j) { search.add(i, j); });
+  search.run();
   (a.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += a.cells();
   (b.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += b.cells();
   return result;

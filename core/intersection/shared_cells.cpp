@@ -38,11 +38,13 @@ std::optional<Interval> clipped(const Interval& x, const Interval& bounds, doubl
 
 }  // namespace
 
-void SharedCells::look_near(const Cell& a, const Cell& b) {
-  if (chart_ || looks_ == kMostLooks || asked_++ % kLookEvery != 0) return;
+bool SharedCells::look_near(const Cell& a, const Cell& b) {
+  if (chart_) return true;
+  if (looks_ == kMostLooks || asked_++ % kLookEvery != 0) return false;
   ++looks_;
   chart_ = shared_chart(a_.patch(), b_.patch(),
                         {at(a.u, 0.5), at(a.v, 0.5), at(b.u, 0.5), at(b.v, 0.5)}, tolerance_);
+  return chart_.has_value();
 }
 
 std::optional<SharedPart> SharedCells::part(const Cell& a, const Cell& b) const {

@@ -25,8 +25,9 @@ class SharedCells {
   SharedCells(const CellTree& a, const CellTree& b, double tolerance)
       : a_(a), b_(b), tolerance_(tolerance) {}
 
-  /// Looks for the common chart near a pair of nearly parallel cells, a few times at most.
-  void look_near(const Cell& a, const Cell& b);
+  /// Looks for the common chart near a pair of nearly parallel cells, a few times at most; true if
+  /// it is known.
+  bool look_near(const Cell& a, const Cell& b);
 
   /// returns   nothing unless it is proven that the cells meet only where they coincide: b must be
   ///           a graph over a plane as far as the place of a

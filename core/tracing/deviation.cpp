@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/base/parallel.h"
 #include "core/forms/degree.h"
 #include "core/tracing/image_gap.h"
 #include "core/tracing/sites.h"
@@ -21,6 +23,8 @@ constexpr int kMostHalvings = 400;    // of error forms, for one of the three bo
 constexpr int kDeepest = 12;          // halvings of a span before its forms are made
 constexpr int kUnprovenSamples = 33;  // of a piece without a bound
 constexpr double kEndOfPiece = 1e-9;  // cuts so near an end of a span are none
+constexpr std::size_t kSpansOfProof = 8;  // that one thread proves in a row
+constexpr std::size_t kLeastShared = 16;  // forms whose bounds are worth sharing out
 
 // The blossom at five parameters of the form with these points over [0, 1].
 Vec7 blossom_of(QuinticPoints c, const std::array<double, 5>& parameters) {
@@ -134,10 +138,27 @@ class Proof {
     add_piece(last > 0 ? piece_of(points, last, 1) : points, 0);
   }
 
+  // What another part of the curve gave.
+  void add(Proof&& other) {
+    const auto append = [](std::vector<ErrorForm>& to, std::vector<ErrorForm>& from) {
+      to.insert(to.end(), std::move_iterator(from.begin()), std::move_iterator(from.end()));
+    };
+    append(forms_a_, other.forms_a_);
+    append(forms_b_, other.forms_b_);
+    append(forms_between_, other.forms_between_);
+    result_.a = std::max(result_.a, other.result_.a);
+    result_.b = std::max(result_.b, other.result_.b);
+    result_.between = std::max(result_.between, other.result_.between);
+    result_.proven = result_.proven && other.result_.proven;
+  }
+
   Deviation bounds() && {
-    result_.a = std::max(result_.a, proven_maximum(std::move(forms_a_)));
-    result_.b = std::max(result_.b, proven_maximum(std::move(forms_b_)));
-    result_.between = std::max(result_.between, proven_maximum(std::move(forms_between_)));
+    const std::array forms{&forms_a_, &forms_b_, &forms_between_};
+    const std::array bounds{&result_.a, &result_.b, &result_.between};
+    parallel_for(forms.size(), forms_a_.size() < kLeastShared ? forms.size() : 1,
+                 [&](std::size_t k) {
+                   *bounds[k] = std::max(*bounds[k], proven_maximum(std::move(*forms[k])));
+                 });
     return result_;
   }
 
@@ -205,10 +226,16 @@ Deviation proven_deviation(const IntersectionCurve& curve, const BezierSurface& 
   for (std::size_t i = 0; i < curve.curve.knots.size(); ++i)
     flat.insert(flat.end(), static_cast<std::size_t>(curve.curve.multiplicities[i]),
                 curve.curve.knots[i]);
-  Proof proof(a, b);
+  std::vector<std::size_t> spans;
   for (std::size_t span = kFitDegree; span + kFitDegree + 1 < flat.size(); ++span)
-    if (flat[span] < flat[span + 1]) proof.add_span(span_points(poles, flat, span));
-  return std::move(proof).bounds();
+    if (flat[span] < flat[span + 1]) spans.push_back(span);
+  std::vector<Proof> proofs(1 + spans.size() / kSpansOfProof, Proof(a, b));
+  parallel_for(proofs.size(), 1, [&](std::size_t i) {
+    for (std::size_t k = i * kSpansOfProof; k < std::min((i + 1) * kSpansOfProof, spans.size()); ++k)
+      proofs[i].add_span(span_points(poles, flat, spans[k]));
+  });
+  for (std::size_t i = 1; i < proofs.size(); ++i) proofs.front().add(std::move(proofs[i]));
+  return std::move(proofs.front()).bounds();
 }
 
 }  // namespace blossom

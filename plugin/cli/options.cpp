@@ -103,6 +103,7 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
   result.form = kForms.at(options.form);
   result.budget = options.budget;
   result.time_limit = options.time_limit;
+  result.threads = options.threads;
   result.cancelled = [&progress] {
     progress.tick();
     return interrupted();

@@ -45,7 +45,7 @@ const std::map<std::string, Side> kSides = {
     {"umax", Side::UMax}, {"umin", Side::UMin}, {"vmax", Side::VMax}, {"vmin", Side::VMin}};
 
 IntersectionOptions options_from(double tolerance, const std::string& form, double time_limit,
-                                 std::optional<long> budget) {
+                                 std::optional<long> budget, int threads) {
   if (!(tolerance > 0) || !std::isfinite(tolerance))
     throw InvalidInput("tolerance: '" + std::to_string(tolerance) + "' is no positive number");
   if (!(time_limit >= 0) || !std::isfinite(time_limit))
@@ -53,11 +53,13 @@ IntersectionOptions options_from(double tolerance, const std::string& form, doub
                        "' is no positive number and not 0");
   if (budget && *budget < 1)
     throw InvalidInput("budget: " + std::to_string(*budget) + " is less than 1");
+  if (threads < 0) throw InvalidInput("threads: " + std::to_string(threads) + " is negative");
   IntersectionOptions options;
   options.tolerances.point = tolerance;
   options.form = one_of(kForms, form, "form");
   options.time_limit = time_limit;
   if (budget) options.budget = *budget;
+  options.threads = threads;
   return options;
 }
 
@@ -75,8 +77,9 @@ TopoDS_Face one_face(const std::string& bytes, const std::string& name) {
 }
 
 py::object intersect_bytes(const std::string& a, const std::string& b, double tolerance,
-                           const std::string& form, double time_limit, std::optional<long> budget) {
-  IntersectionOptions options = options_from(tolerance, form, time_limit, budget);
+                           const std::string& form, double time_limit, std::optional<long> budget,
+                           int threads) {
+  IntersectionOptions options = options_from(tolerance, form, time_limit, budget, threads);
   return python_answer(interruptible([&](const std::atomic<bool>& cancelled) {
     const std::vector<TopoDS_Face> faces_a = faces_from(a, "a");
     const std::vector<TopoDS_Face> faces_b = faces_from(b, "b");
@@ -148,7 +151,7 @@ PYBIND11_MODULE(_core, module) {
   bp::add_errors(module);
   bp::add_results(module);
   module.def("intersect", &bp::intersect_bytes, py::arg("a"), py::arg("b"), py::arg("tolerance"),
-             py::arg("form"), py::arg("time_limit"), py::arg("budget"),
+             py::arg("form"), py::arg("time_limit"), py::arg("budget"), py::arg("threads"),
              "All intersections of two shapes given as BRep bytes.");
   module.def("blend_strip", &bp::strip_bytes, py::arg("a"), py::arg("b"), py::arg("edge_a"),
              py::arg("edge_b"), py::arg("weight_a"), py::arg("weight_b"),

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapters/occt/intersection.h"
+#include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
@@ -140,6 +141,7 @@ void write_outputs(const Input& a, const Input& b, const Timed& result,
 
 int run(const Options& options) {
   check_outputs(options.common);
+  start_threads(options.engine.threads);
   const Input a = read_input(options.a);
   const Input b = read_input(options.b);
   stop_if_interrupted();

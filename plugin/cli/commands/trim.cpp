@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapters/occt/trim.h"
+#include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
@@ -183,6 +184,7 @@ void write_outputs(Inputs& inputs, const Timed& timed, const Options& options) {
 int run(const Options& options) {
   check_outputs(options.common);
   trim_options(options.keep);  // a wrong word is told before a long reading
+  start_threads(options.engine.threads);
   Inputs inputs{read_input(options.part), {}};
   for (const std::string& tool : options.tools) inputs.tools.push_back(read_input(tool));
   stop_if_interrupted();

@@ -32,20 +32,21 @@ __all__ = [
 ]
 
 
-def intersect(a, b, tolerance=1e-7, form="auto", time_limit=0, budget=None):
+def intersect(a, b, tolerance=1e-7, form="auto", time_limit=0, budget=None, threads=0):
     """All intersections of every face of `a` with every face of `b`.
 
     tolerance   what counts as one point, model units
     form        "auto", "bezier" or "monomial": what the nets of cells are made from
     time_limit  seconds before giving up with the status "stopped"; 0 is no limit
     budget      pairs of cells examined before giving up; None is the engine's own
+    threads     how many may work at the same time; 0 is one a core
 
     Returns an `Intersection`. An empty one whose status is "complete" is a proof of emptiness.
     Raises ValueError for bad arguments, blossom.Error when Open CASCADE fails, and
     KeyboardInterrupt when Ctrl-C ends the work.
     """
     return _core.intersect(
-        _brep(a, "a"), _brep(b, "b"), tolerance, form, time_limit, budget
+        _brep(a, "a"), _brep(b, "b"), tolerance, form, time_limit, budget, threads
     )
 
 

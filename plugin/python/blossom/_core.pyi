@@ -97,6 +97,7 @@ def intersect(
     form: str,
     time_limit: float,
     budget: Optional[int],
+    threads: int,
 ) -> Intersection: ...
 def blend_strip(
     a: bytes,

@@ -185,6 +185,27 @@ TEST_P(Metamorphic, ChangesNothing) {
   }
 }
 
+// Everything that was found, to the last bit.
+TEST(Threads, ChangeNothing) {
+  for (const Row& row : kRows) {
+    const CubicPair pair = cubic_pair(row.h);
+    const SurfaceIntersection alone = intersect(pair.a, pair.b, {.threads = 1});
+    for (const int threads : {0, 2, 5}) {
+      SCOPED_TRACE(row.name + std::string(" with ") + std::to_string(threads));
+      const SurfaceIntersection found = intersect(pair.a, pair.b, {.threads = threads});
+      EXPECT_EQ(found.status, alone.status);
+      EXPECT_EQ(found.certificate.excluded, alone.certificate.excluded);
+      EXPECT_EQ(found.certificate.certified, alone.certificate.certified);
+      EXPECT_EQ(kinds(found), kinds(alone));
+      ASSERT_EQ(found.curves.size(), alone.curves.size());
+      for (std::size_t i = 0; i < alone.curves.size(); ++i) {
+        EXPECT_EQ(found.curves[i].curve.points, alone.curves[i].curve.points);
+        EXPECT_EQ(found.curves[i].deviation.between, alone.curves[i].deviation.between);
+      }
+    }
+  }
+}
+
 std::string case_name(const ::testing::TestParamInfo<std::tuple<int, int>>& which) {
   const auto [row, change] = which.param;
   return std::string(kRows[static_cast<std::size_t>(row)].name) + "__" +

@@ -101,9 +101,12 @@ TEST(Fit, HasAKnotOfTheRightMultiplicityWhereTheSurfaceHasOne) {
     const SurfaceIntersection found = intersect(pair.a, pair.b);
     ASSERT_EQ(found.curves.size(), 1u) << name;
     const Spline& curve = found.curves[0].curve;
-    int at_knot = 0;
+    const auto on_knot_line = [&](double knot) {
+      return std::abs(point_at(curve, knot)[0] - 0.4) < 1e-9;
+    };
+    int at_knot = on_knot_line(curve.knots.front()) ? 1 : 0;  // a loop may begin there
     for (std::size_t i = 1; i + 1 < curve.knots.size(); ++i) {
-      const bool there = std::abs(point_at(curve, curve.knots[i])[0] - 0.4) < 1e-9;
+      const bool there = on_knot_line(curve.knots[i]);
       EXPECT_EQ(curve.multiplicities[i], there ? multiplicity : 1) << name;
       at_knot += there;
     }
