@@ -143,6 +143,19 @@ class PairBorder {
   }
 
  private:
+  // Part of the box: its middle, and half its widths as parts of the cells' for the kept columns.
+  struct Part {
+    Point4 middle;
+    std::array<double, 3> radius{0.5, 0.5, 0.5};
+  };
+
+  // Of the arc, at one value of its parameter.
+  struct ArcSample {
+    Part part;
+    std::optional<Point4> point{};
+    bool known = false;
+  };
+
   Face decide(int axis, bool high, Point4& root) {
     const bool on_a = axis < 2;
     const Border border = on_a ? border_of(a_, tree_a_.shape(), axis == 0, high)
@@ -173,33 +186,50 @@ class PairBorder {
     return Face::Undecided;
   }
 
-  // True if the box meets the arc, and only along the given face. Values of the parameter `along`
-  // whose point cannot lie on the face are looked at only if others do.
-  bool slides_along(int axis, bool high, int along) const {
-    const auto j = static_cast<std::size_t>(axis), k = static_cast<std::size_t>(along);
+  // True if the box meets the arc, and only along the given face. Points of the arc that cannot lie
+  // on the face are looked at only if others do.
+  bool slides_along(int axis, bool high, int along) {
+    if (!sampled_) sample_arc(along);
+    const auto j = static_cast<std::size_t>(axis);
     const double face = high ? box_[j].to : box_[j].from;
-    const Minor minor = bounds_.minor(along);
-    std::vector<Point4> off_face;
+    const std::size_t column = position(kept_columns(along), axis);
+    const auto may_lie_on_face = [&](const ArcSample& sample) {
+      const double radius = sample.part.radius[column] * length(box_[j]);
+      return std::abs(sample.part.middle[j] - face) <= radius + kBorderSlack;
+    };
     int on_face = 0;
-    for (int i = 0; i < kSlidingSamples; ++i) {
-      Part part = middle_of_box();
-      part.middle[k] = at(box_[k], (i + 0.5) / kSlidingSamples);
-      if (!narrow(part, minor, along)) continue;
-      const double radius = part.radius[position(kept_columns(along), axis)] * length(box_[j]);
-      if (std::abs(part.middle[j] - face) > radius + kBorderSlack) {
-        off_face.push_back(part.middle);
-        continue;
-      }
-      part.middle[j] = face;
-      const auto x = newton(tree_a_.patch(), tree_b_.patch(), part.middle, along, box_);
-      if (!x || !inside(*x)) continue;
+    for (ArcSample& sample : samples_) {
+      if (!may_lie_on_face(sample)) continue;
+      const auto& x = point_of(sample, along);
+      if (!x) continue;
       if (std::abs((*x)[j] - face) > kBorderSlack) return false;
       ++on_face;
     }
-    return on_face > 1 && std::none_of(off_face.begin(), off_face.end(), [&](const Point4& start) {
-             const auto x = newton(tree_a_.patch(), tree_b_.patch(), start, along, box_);
-             return x && inside(*x);
+    return on_face > 1 && std::none_of(samples_.begin(), samples_.end(), [&](ArcSample& sample) {
+             return !may_lie_on_face(sample) && point_of(sample, along);
            });
+  }
+
+  // Where the arc may be for values of the parameter `along` of the certified minor.
+  void sample_arc(int along) {
+    const auto k = static_cast<std::size_t>(along);
+    const Minor minor = bounds_.minor(along);
+    for (int i = 0; i < kSlidingSamples; ++i) {
+      Part part = middle_of_box();
+      part.middle[k] = at(box_[k], (i + 0.5) / kSlidingSamples);
+      if (narrow(part, minor, along)) samples_.push_back({part});
+    }
+    sampled_ = true;
+  }
+
+  // The point of the arc inside the box, found when first asked for.
+  const std::optional<Point4>& point_of(ArcSample& sample, int along) const {
+    if (!sample.known) {
+      sample.point = newton(tree_a_.patch(), tree_b_.patch(), sample.part.middle, along, box_);
+      if (sample.point && !inside(*sample.point)) sample.point.reset();
+      sample.known = true;
+    }
+    return sample.point;
   }
 
   bool at_face(const Point4& x, std::size_t i, bool high) const {
@@ -214,12 +244,6 @@ class PairBorder {
 
   Vec3 on_a_at(const Point4& x) const { return point_at(tree_a_.patch(), x[0], x[1]); }
   Vec3 on_b_at(const Point4& x) const { return point_at(tree_b_.patch(), x[2], x[3]); }
-
-  // Part of a face: its middle, and half its widths as parts of the cells' for the kept columns.
-  struct Part {
-    Point4 middle;
-    std::array<double, 3> radius{0.5, 0.5, 0.5};
-  };
 
   Part middle_of_box() const {
     Part part;
@@ -294,6 +318,8 @@ class PairBorder {
   Minor minor_;
   bool minor_known_ = false;
   std::array<std::array<bool, 2>, 4> sliding_{};  // by parameter, low and high face
+  std::vector<ArcSample> samples_;
+  bool sampled_ = false;
 };
 
 }  // namespace
