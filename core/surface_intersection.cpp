@@ -12,6 +12,7 @@
 #include "core/forms/evaluation.h"
 #include "core/intersection/arc_chains.h"
 #include "core/intersection/contact_chains.h"
+#include "core/intersection/contact_reach.h"
 #include "core/intersection/critical_places.h"
 #include "core/intersection/overlaps.h"
 #include "core/intersection/pair_search.h"
@@ -58,6 +59,7 @@ class Assembly {
     SurfaceCells cells_b(b_, origin_, options_.form, kCut);
     found_ = search_pairs(cells_a, cells_b, size_, options_);
     result_.certificate = found_.certificate;
+    drop_beside_contacts(found_, cells_a, cells_b, options_.tolerances.point);
     add_overlaps(cells_a, cells_b);
     clumps_ = clumps_of(found_.critical);
     contacts_ = contact_chains(found_, cells_a, cells_b, clumps_, size_, options_.tolerances.point);

@@ -32,6 +32,7 @@ struct CellArc {
   Point4 direction{};
   bool slides = false;      ///< it runs along the border of the pair
   bool tangential = false;  ///< the surfaces touch along it
+  bool crosses = false;     ///< likewise, and they cross there: contact of odd order
   bool iso = false;  ///< it runs along an iso-line of a: one of u, v is the same at both ends
 };
 

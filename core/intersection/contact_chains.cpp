@@ -6,6 +6,7 @@
 
 #include "core/forms/evaluation.h"
 #include "core/intersection/contact_points.h"
+#include "core/intersection/contact_reach.h"
 
 namespace blossom {
 namespace {
@@ -17,7 +18,6 @@ constexpr double kPointClump = 1e-2;  // of the size: a larger clump is more tha
 constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest point
 constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
 constexpr double kOnBorder = 1e-9;   // fraction of a patch
-constexpr double kAttachGap = 4;     // tolerances: the most between a branch's end and its contact
 constexpr double kSamePoint3 = 4;    // tolerances: points this close in space are one
 constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
@@ -37,15 +37,6 @@ double gap_between(const Box& a, const Box& b) {
   Vec3 gap;
   for (int k = 0; k < 3; ++k) gap[k] = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
   return norm(gap);
-}
-
-// A point of one pair of patches in the parameters of another one.
-Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int from_b,
-                  const Point4& x, const ContactPoint& to) {
-  return {x[0] + a.span_u(from_a) - a.span_u(to.patch_a),
-          x[1] + a.span_v(from_a) - a.span_v(to.patch_a),
-          x[2] + b.span_u(from_b) - b.span_u(to.patch_b),
-          x[3] + b.span_v(from_b) - b.span_v(to.patch_b)};
 }
 
 // Lengthens an arc to a contact: moves its end, or adds an arc in the contact's patches if its
@@ -223,8 +214,8 @@ class Joiner {
       const std::size_t count = piece.contact.path.size();
       for (std::size_t k = 0; k < count; ++k) {
         const std::size_t at = end % 2 == 0 ? k : count - 1 - k;
-        chain.path.push_back(
-            {piece.patch_a, piece.patch_b, piece.contact.path[at], piece.contact.gaps[at]});
+        chain.path.push_back({piece.patch_a, piece.patch_b, piece.contact.path[at],
+                              piece.contact.gaps[at], piece.contact.crosses});
       }
       const std::size_t far = end ^ 1;
       if (partner_[far] < 0) {
@@ -357,6 +348,7 @@ class Joiner {
       FoundArc arc{p.patch_a, p.patch_b, kNoBox, {p.x, q.x}, {-1, -1}};
       for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = q.x[k] - p.x[k];
       arc.arc.tangential = true;
+      arc.arc.crosses = p.crosses && q.crosses;
       if (found_.arcs.size() > first_arc)
         found_.joins.push_back({2 * found_.arcs.size() - 1, 2 * found_.arcs.size()});
       found_.arcs.push_back(arc);
@@ -407,22 +399,6 @@ class Joiner {
 }  // namespace
 
 namespace {
-
-// True if the surfaces stay within a few tolerances of each other between two points of contact,
-// as far as points in between tell.
-bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const ContactPoint& q,
-                double tolerance) {
-  const Point4 end = in_patches(a, b, q.patch_a, q.patch_b, q.x, p);
-  const auto &patch_a = a.tree(p.patch_a).patch(), &patch_b = b.tree(p.patch_b).patch();
-  for (const double t : {0.25, 0.5, 0.75}) {
-    Point4 x;
-    for (std::size_t k = 0; k < 4; ++k) x[k] = (1 - t) * p.x[k] + t * end[k];
-    const auto foot = foot_point(patch_a, patch_b, x, kPolishReach);
-    if (!foot || std::abs(signed_gap(patch_a, patch_b, *foot)) > kAttachGap * tolerance)
-      return false;
-  }
-  return true;
-}
 
 // A contact's arm in the parameters of the contact's patches.
 ContactArm arm_of(const ContactChain& contact, ArcEnd end, const SurfaceCells& a,

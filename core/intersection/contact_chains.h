@@ -20,7 +20,8 @@ struct ContactPoint {
   int patch_a = 0;
   int patch_b = 0;
   Point4 x{};
-  double gap = 0;  ///< distance of the surfaces there, model units
+  double gap = 0;        ///< distance of the surfaces there, model units
+  bool crosses = false;  ///< the surfaces also cross along the contact
 };
 
 /// A connected contact: a path along which the surfaces stay within tolerance.

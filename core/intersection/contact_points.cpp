@@ -11,10 +11,11 @@ namespace blossom {
 namespace {
 
 constexpr int kSteps = 24;
-constexpr double kSettled = 1e-13;  // a step below this is rounding; fraction of a patch
-constexpr double kStalled = 1e-9;   // so is one below this that no longer shrinks,
-constexpr double kSlow = 1e-5;      // and the last of many, near singular points
-constexpr double kMeet = 1e-13;     // relative: surfaces this close meet
+constexpr double kSettled = 1e-13;    // a step below this is rounding; fraction of a patch
+constexpr double kStalled = 1e-9;     // so is one below this that no longer shrinks,
+constexpr double kSlow = 1e-5;        // and the last of many, near singular points
+constexpr double kMeet = 1e-13;       // relative: surfaces this close meet
+constexpr double kDifference = 1e-5;  // step of a difference quotient; fraction of a patch
 
 // How far Newton may lead, in lengths of the way an arm has left: from the arm's chord, and to
 // another meeting point than the given one.
@@ -95,6 +96,42 @@ Row tangency_row(const PatchJet& p, const PatchJet& q, const Vec2& across) {
           dot(d, ns), dot(d, nt), -dot(d, n)};
 }
 
+// How much more A bends than B in the direction `across`, along B's normal: what remains of the
+// second derivative of the gap where the surfaces touch.
+double bend_between(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                    const Vec2& across) {
+  const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+  const auto second = [](const PatchJet& jet, double u, double v) {
+    return jet.uu * (u * u) + jet.uv * (2 * u * v) + jet.vv * (v * v);
+  };
+  const Vec3 n = cross(q.u, q.v);
+  const Vec3 d = p.u * across[0] + p.v * across[1];
+  const double s = dot(cross(d, q.v), n) / dot(n, n), t = dot(cross(q.u, d), n) / dot(n, n);
+  return dot(second(p, across[0], across[1]) - second(q, s, t), n);
+}
+
+// It vanishes. Its derivatives are central differences: their error only slows Newton's method.
+Row bend_row(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+             const Vec2& across) {
+  Row row;
+  for (std::size_t i = 0; i < 4; ++i) {
+    Point4 before = x, after = x;
+    before[i] -= kDifference;
+    after[i] += kDifference;
+    row[i] = (bend_between(a, b, after, across) - bend_between(a, b, before, across)) /
+             (2 * kDifference);
+  }
+  row[4] = -bend_between(a, b, x, across);
+  return row;
+}
+
+std::array<Row, 3> line_rows(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                             const Point4& x, const TouchLine& line) {
+  const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+  return {foot_row(p, q, true), foot_row(p, q, false),
+          line.cross ? bend_row(a, b, x, line.across) : tangency_row(p, q, line.across)};
+}
+
 }  // namespace
 
 std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
@@ -124,15 +161,14 @@ std::optional<Point4> fold_point(const RationalBezierPatch& a, const RationalBez
       kAlways);
 }
 
-std::optional<Point4> valley_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
-                                   const Point4& start, const Vec2& across, const Point4& plane,
-                                   double reach) {
+std::optional<Point4> touch_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                  const Point4& start, const TouchLine& line, const Point4& plane,
+                                  double reach) {
   return newton(
       start, reach,
       [&](const Point4& x) {
-        const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
-        return System{foot_row(p, q, true), foot_row(p, q, false), tangency_row(p, q, across),
-                      plane_row(plane, start, x)};
+        const auto rows = line_rows(a, b, x, line);
+        return System{rows[0], rows[1], rows[2], plane_row(plane, start, x)};
       },
       kAlways);
 }
@@ -149,11 +185,9 @@ std::optional<Point4> foot_point(const RationalBezierPatch& a, const RationalBez
       kAlways);
 }
 
-Point4 valley_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
-                      const Vec2& across) {
-  const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
-  const std::array<Row, 3> rows{foot_row(p, q, true), foot_row(p, q, false),
-                                tangency_row(p, q, across)};
+Point4 touch_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                     const TouchLine& line) {
+  const auto rows = line_rows(a, b, x, line);
   Point4 tangent{};
   for (int k = 0; k < 4; ++k) {
     const auto kept = kept_columns(k);

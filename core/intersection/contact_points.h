@@ -23,19 +23,25 @@ std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBe
 std::optional<Point4> fold_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                  const Point4& start, const Vec2& across, double reach);
 
-/// The point in a plane of the parameters whose foot on B is (s, t) and where the distance to B
-/// has no slope in the direction `across`: a point of the valley along which surfaces touch.
-std::optional<Point4> valley_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
-                                   const Point4& start, const Vec2& across, const Point4& plane,
-                                   double reach);
+/// The line on A along which it touches B, by what the distance to B does in the direction
+/// `across`: it has no slope, or, where the surfaces also cross, no bend.
+struct TouchLine {
+  Vec2 across;         ///< in (u, v)
+  bool cross = false;  ///< contact of odd order
+};
+
+/// The point in a plane of the parameters whose foot on B is (s, t) and which lies on the line.
+std::optional<Point4> touch_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                  const Point4& start, const TouchLine& line, const Point4& plane,
+                                  double reach);
 
 /// The point with the same (u, v) whose foot on B is (s, t).
 std::optional<Point4> foot_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                  const Point4& start, double reach);
 
-/// The tangent of the valley at a point of it, in the four parameters, not normalised.
-Point4 valley_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
-                      const Vec2& across);
+/// The tangent of the line at a point of it, in the four parameters, not normalised.
+Point4 touch_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                     const TouchLine& line);
 
 /// The point whose foot on B is (s, t) and where both normals are parallel.
 ///

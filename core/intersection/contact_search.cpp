@@ -10,6 +10,7 @@
 #include "core/forms/evaluation.h"
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_points.h"
+#include "core/intersection/crossing_contact.h"
 #include "core/intersection/gap_model.h"
 #include "core/intersection/valley.h"
 #include "core/subdivision/patch_subdivision.h"
@@ -221,7 +222,8 @@ class ContactSearch {
     }
     const double slope = regular_slope(model);
     if ((slope > 0 && clearly_regular(model, slope) && add_regular(a, foot)) ||
-        add_valley(a, model, foot) || (slope > 0 && add_regular(a, foot))) {
+        add_valley(a, model, foot) || add_crossing(a, model, foot, chart) ||
+        (slope > 0 && add_regular(a, foot))) {
       claim(index, chart.index);
       return true;
     }
@@ -292,16 +294,28 @@ class ContactSearch {
 
   bool add_valley(const Cell& a, const GapModel& model, const Box2& foot) {
     const auto read = valley_cell(tree_a_.patch(), a, tree_b_.patch(), model, valley_options_);
+    return read && add_inside(a, *read, foot);
+  }
+
+  bool add_crossing(const Cell& a, const GapModel& model, const Box2& foot, const Chart& chart) {
+    const auto read = crossing_contact(tree_a_.patch(), a, tree_b_.patch(), model, tolerance());
     if (!read) return false;
-    const bool empty = read->contacts.empty() && read->branches.empty();
+    if (read->contact) return add_inside(a, {{}, {*read->contact}}, foot);
+    keep(a, foot[0], foot[1], chart.piece[0], false, &read->closest);
+    return true;
+  }
+
+  // What was read from a valley, as far as its foot points lie in the patch.
+  bool add_inside(const Cell& a, const ValleyCell& read, const Box2& foot) {
+    const bool empty = read.contacts.empty() && read.branches.empty();
     const bool inside = within(foot, {Interval{0, 1}, Interval{0, 1}});
-    if (!inside && !empty && read->contacts.empty() && a.depth < kCutDepth) return false;
+    if (!inside && !empty && read.contacts.empty() && a.depth < kCutDepth) return false;
     ++result_.certificate.certified;
     if (inside || empty) {
-      add(*read);
+      add(read);
     } else {
       result_.cut_by_samples = true;
-      add(cut(*read));
+      add(cut(read));
     }
     return true;
   }
@@ -368,10 +382,12 @@ class ContactSearch {
       const auto on_valley = [&](const Point4& start, const Point4& plane) {
         const Vec2 across{contact.path.back()[1] - contact.path.front()[1],
                           contact.path.front()[0] - contact.path.back()[0]};
-        return valley_point(tree_a_.patch(), tree_b_.patch(), start, across, plane, 0.5);
+        return touch_point(tree_a_.patch(), tree_b_.patch(), start, {across, contact.crosses},
+                           plane, 0.5);
       };
       for (const auto& part : parts_inside(contact.path, on_valley)) {
         CellContact piece;
+        piece.crosses = contact.crosses;
         piece.path = part.path;
         for (const Point4& x : piece.path)
           piece.gaps.push_back(std::abs(signed_gap(tree_a_.patch(), tree_b_.patch(), x)));
@@ -426,8 +442,11 @@ class ContactSearch {
     return parts;
   }
 
-  void keep(const Cell& a, const Interval& s, const Interval& t, const Cell& b, bool thin) {
+  // beside    a point of a cell whose only contacts are those of the line that passes beside it
+  void keep(const Cell& a, const Interval& s, const Interval& t, const Cell& b, bool thin,
+            const Point4* beside = nullptr) {
     CriticalPair critical{task_.patch_a, task_.patch_b, {a.u, a.v, s, t}, {}, {}, thin};
+    if (beside != nullptr) critical.beside = *beside;
     for (int k = 0; k < 3; ++k) {
       critical.low[k] = std::max(a.low[k], b.low[k]);
       critical.high[k] = std::min(a.high[k], b.high[k]);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/forms/surface.h"
@@ -81,8 +82,9 @@ struct CriticalPair {
   int patch_a = 0;
   int patch_b = 0;
   Box4 box;
-  Vec3 low, high;     ///< the common part of their boxes, relative to the origin
-  bool thin = false;  ///< the surfaces stay within tolerance of each other in it
+  Vec3 low, high;                  ///< the common part of their boxes, relative to the origin
+  bool thin = false;               ///< the surfaces stay within tolerance of each other in it
+  std::optional<Point4> beside{};  ///< near a contact outside of it there may be zeros, else none
 };
 
 struct PairSearchResult {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/forms/evaluation.h"
-#include "core/intersection/contact_points.h"
+#include "core/intersection/model_points.h"
 #include "core/intersection/valley_labels.h"
 
 namespace blossom {
@@ -17,7 +17,6 @@ constexpr int kBranchSteps = 6;
 constexpr double kTurn = 0.5;  // cosine: chords of a branch that turn more are looked at
 constexpr std::size_t kMostBranchPoints = 24;
 constexpr int kContactSteps = 4;
-constexpr double kReach = 0.05;  // of the cell: how far Newton may move a point of the model
 
 // The slope of a gap, by w, that is slow.
 double slow_slope(const RationalBezierPatch& patch, const Cell& a, const Vec2& w_axis,
@@ -36,8 +35,8 @@ class Reader {
       : patch_a_(patch_a),
         a_(a),
         patch_b_(patch_b),
-        model_(model),
         shape_(shape),
+        points_(patch_a, a, patch_b, model, shape),
         labels_(shape, options.tolerance, slow_slope(patch_a, a, shape.w_axis, options)) {}
 
   bool run(ValleyCell& found) {
@@ -59,13 +58,13 @@ class Reader {
     for (int k = 0; k <= kContactSteps; ++k) {
       const double t = k / static_cast<double>(kContactSteps);
       const Vec2 wz = shape_.on_edge(edge, 2 * t - 1);
-      Point4 start = point_of(wz[0], wz[1]);
+      Point4 start = points_.at(wz[0], wz[1]);
       start[fixed] = edge % 2 == 0 ? side.from : side.to;
       start[1 - fixed] = at(run, t);
-      const auto x = foot_point(patch_a_, patch_b_, start, reach());
+      const auto x = foot_point(patch_a_, patch_b_, start, points_.reach());
       if (!x) return false;
       contact.path.push_back(*x);
-      contact.gaps.push_back(std::abs(signed_gap(patch_a_, patch_b_, *x)));
+      contact.gaps.push_back(points_.gap(*x));
     }
     found_->contacts.push_back(contact);
     return true;
@@ -165,10 +164,11 @@ class Reader {
     for (int k = 0; k <= kContactSteps; ++k) {
       const double at_w = contact_from_ + (w - contact_from_) * k / kContactSteps;
       const BorderEvent* on = k == 0 ? contact_border_ : k == kContactSteps ? border : nullptr;
-      const auto x = polished_valley(at_w, on);
+      const auto x = on == nullptr ? points_.on_valley(at_w, false)
+                                   : points_.on_valley_at(on->edge, on->w, on->z, false);
       if (!x) return false;
       contact.path.push_back(*x);
-      contact.gaps.push_back(std::abs(signed_gap(patch_a_, patch_b_, *x)));
+      contact.gaps.push_back(points_.gap(*x));
     }
     found_->contacts.push_back(contact);
     open_contact_ = -1;
@@ -265,35 +265,11 @@ class Reader {
 
   // --- points
 
-  Point4 point_of(double w, double z) const {
-    const double x = shape_.w_axis[0] * w + shape_.z_axis[0] * z,
-                 y = shape_.w_axis[1] * w + shape_.z_axis[1] * z;
-    return {at(a_.u, 0.5 * (x + 1)), at(a_.v, 0.5 * (y + 1)), value(model_.foot[0], x, y),
-            value(model_.foot[1], x, y)};
-  }
-
-  // How far a parameter may move from what the model says.
-  double reach() const {
-    const TaylorPolynomial &s = model_.foot[0], &t = model_.foot[1];
-    return kReach * std::max({length(a_.u), length(a_.v), std::abs(s[1]) + std::abs(s[2]),
-                              std::abs(t[1]) + std::abs(t[2])});
-  }
-
-  // w = const in the parameters of a.
-  Point4 line() const {
-    return {shape_.w_axis[0] * 2 / length(a_.u), shape_.w_axis[1] * 2 / length(a_.v), 0, 0};
-  }
-
-  // The direction z in the parameters of a.
-  Vec2 across() const {
-    return {shape_.z_axis[0] * 0.5 * length(a_.u), shape_.z_axis[1] * 0.5 * length(a_.v)};
-  }
-
   std::optional<Point4> border_point(const BorderEvent& root) const {
-    Point4 start = point_of(root.w, root.z);
-    const Point4 plane = fix_edge(root.edge, start);
-    auto x = curve_point(patch_a_, patch_b_, start, plane, reach());
-    if (x) fix_edge(root.edge, *x);
+    Point4 start = points_.at(root.w, root.z);
+    const Point4 plane = points_.fix_edge(root.edge, start);
+    auto x = curve_point(patch_a_, patch_b_, start, plane, points_.reach());
+    if (x) points_.fix_edge(root.edge, *x);
     return x;
   }
 
@@ -307,44 +283,20 @@ class Reader {
       const double middle = 0.5 * (inner + outer);
       (value(shape_.gap, w, middle) < 0 ? inner : outer) = middle;
     }
-    return curve_point(patch_a_, patch_b_, point_of(w, outer), line(), reach());
+    return curve_point(patch_a_, patch_b_, points_.at(w, outer), points_.line(), points_.reach());
   }
 
   std::optional<Point4> polished_fold(double w) const {
     const auto z = shape_.valley_at(w);
     if (!z) return std::nullopt;
-    return fold_point(patch_a_, patch_b_, point_of(w, *z), across(), reach());
-  }
-
-  // The point of the valley at w, or exactly on the edge where it crosses the border.
-  std::optional<Point4> polished_valley(double w, const BorderEvent* border) const {
-    if (border == nullptr) {
-      const auto z = shape_.valley_at(w);
-      if (!z) return std::nullopt;
-      return valley_point(patch_a_, patch_b_, point_of(w, *z), across(), line(), reach());
-    }
-    Point4 start = point_of(border->w, border->z);
-    const Point4 plane = fix_edge(border->edge, start);
-    auto x = valley_point(patch_a_, patch_b_, start, across(), plane, reach());
-    if (x) fix_edge(border->edge, *x);
-    return x;
-  }
-
-  // Puts a point on an edge of the cell and returns the plane of that edge.
-  Point4 fix_edge(int edge, Point4& x) const {
-    const std::size_t fixed = edge < 2 ? 0 : 1;
-    const Interval& side = fixed == 0 ? a_.u : a_.v;
-    x[fixed] = edge % 2 == 0 ? side.from : side.to;
-    Point4 plane{};
-    plane[fixed] = 1;
-    return plane;
+    return fold_point(patch_a_, patch_b_, points_.at(w, *z), points_.across(), points_.reach());
   }
 
   const RationalBezierPatch& patch_a_;
   const Cell& a_;
   const RationalBezierPatch& patch_b_;
-  const GapModel& model_;
   const ValleyShape& shape_;
+  const ModelPoints points_;
   ValleyLabels labels_;
   ValleyCell* found_ = nullptr;
 

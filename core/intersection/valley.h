@@ -31,6 +31,7 @@ struct CellContact {
   std::vector<Point4> path;
   std::vector<double> gaps;      ///< along the path, model units
   std::array<bool, 2> leaves{};  ///< by end: it goes on in the neighbouring cell
+  bool crosses = false;          ///< the surfaces also cross along it
 };
 
 struct ValleyCell {

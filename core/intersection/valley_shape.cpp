@@ -128,6 +128,16 @@ std::optional<ValleyBounds> ValleyShape::bounds_on(double from, double to) const
                       slope.low - slack, slope.high + slack};
 }
 
+std::optional<ValleyShape::Along> ValleyShape::along(const TaylorPolynomial& f, double from,
+                                                     double to) const {
+  const auto cubic = cubic_over(from, to);
+  if (!cubic) return std::nullopt;
+  const Polynomial w{0.5 * (from + to), 0.5 * (to - from)};
+  const PolynomialRange off = range(composed(gap_z, w, *cubic));
+  const double rest = std::max(std::abs(off.low), std::abs(off.high)) + error[1];
+  return Along{range(composed(f, w, *cubic)), rest / bend_low};
+}
+
 // The end of the line w = const in the cell, and a little beyond.
 double ValleyShape::chord_end(double w, int side) const {
   double end = 1e300;

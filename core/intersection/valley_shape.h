@@ -43,6 +43,14 @@ struct ValleyShape {
 
   std::optional<ValleyBounds> bounds_on(double from, double to) const;
 
+  /// Range of a function of w, z along a curve close to the valley, and how far z of that curve is
+  /// at most from the valley; nothing if the valley leaves the range of the cell.
+  struct Along {
+    PolynomialRange range;
+    double off;
+  };
+  std::optional<Along> along(const TaylorPolynomial& f, double from, double to) const;
+
   /// z at the end of the line w = const in the cell, and a little beyond: the lower end for side
   /// 0, the upper one for side 1.
   double chord_end(double w, int side) const;

@@ -17,8 +17,10 @@ constexpr double kLeastSine = 1e-6;     // below it derivatives are rounding
 constexpr double kBesideValley = 1e-3;  // likewise: half the step of a difference
 constexpr double kReach = 0.5;          // fraction of a patch
 
-// The direction across a tangential arc, in the parameters of a.
-Vec2 across(const FoundArc& arc) { return {-arc.arc.direction[1], arc.arc.direction[0]}; }
+// The line that a tangential arc is part of.
+TouchLine touch_line(const FoundArc& arc) {
+  return {{-arc.arc.direction[1], arc.arc.direction[0]}, arc.arc.crosses};
+}
 
 // How far Newton's method may lead from a chord of the arc: twice the size of the cells it is in.
 double reach_of(const FoundArc& arc) {
@@ -140,7 +142,8 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
   const auto& patch_b = b_.tree(arc.patch_b).patch();
   if (arc.arc.iso) return foot_point(patch_a, patch_b, x, kReach).value_or(x);
   if (arc.arc.tangential) {
-    const auto solution = valley_point(patch_a, patch_b, x, across(arc), arc.arc.direction, kReach);
+    const auto solution =
+        touch_point(patch_a, patch_b, x, touch_line(arc), arc.arc.direction, kReach);
     return solution ? *solution : x;
   }
   const auto solve = [&](const Point4& start) {
@@ -205,7 +208,7 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
     Vec2 a, b;
   };
   const auto rates_at = [&](const Point4& at) {
-    Point4 tangent = valley_tangent(patch_a, patch_b, at, across(arc));
+    Point4 tangent = touch_tangent(patch_a, patch_b, at, touch_line(arc));
     double growth = 0;
     for (std::size_t i = 0; i < 4; ++i) growth += tangent[i] * arc.arc.direction[i];
     const PatchJet p = jet_at(patch_a, at[0], at[1], 1);
@@ -220,7 +223,7 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
     Point4 start = x;
     for (std::size_t i = 0; i < 4; ++i) start[i] += step * arc.arc.direction[i];
     const auto found =
-        valley_point(patch_a, patch_b, start, across(arc), arc.arc.direction, kReach);
+        touch_point(patch_a, patch_b, start, touch_line(arc), arc.arc.direction, kReach);
     return found ? *found : start;
   };
   const Point4 x0 = beside(-kBesideValley), x1 = beside(kBesideValley);
