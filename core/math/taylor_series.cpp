@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
 namespace blossom {
 namespace {
@@ -20,24 +22,32 @@ constexpr double falling(int k, int d) {
   return product;
 }
 
-// c += a b, degrees up to `highest`.
-void add_product(TaylorPolynomial& c, const TaylorPolynomial& a, const TaylorPolynomial& b,
-                 int highest = K) {
-  for (int p = 0; p <= highest; ++p)
-    for (int i = 0; i <= p; ++i) {
-      const double factor = a[start(p) + static_cast<std::size_t>(i)];
-      if (factor == 0) continue;
-      for (int q = 0; p + q <= highest; ++q) {
-        double* to = c.data() + start(p + q) + i;
-        const double* from = b.data() + start(q);
-        for (int j = 0; j <= q; ++j) to[j] += factor * from[j];
-      }
-    }
+// c += a b for the terms of total degree P of a and Q of b. All loops are of fixed length.
+template <int P, int Q>
+void add_product_of(double* c, const double* a, const double* b) {
+  for (int i = 0; i <= P; ++i)
+    for (int j = 0; j <= Q; ++j) c[start(P + Q) + i + j] += a[start(P) + i] * b[start(Q) + j];
 }
 
-TaylorPolynomial times(const TaylorPolynomial& a, const TaylorPolynomial& b, int highest = K) {
+// c += a b, degrees up to `Highest`.
+template <int Highest>
+void add_product(TaylorPolynomial& c, const TaylorPolynomial& a, const TaylorPolynomial& b) {
+  const auto degree = [&]<int P>(std::integral_constant<int, P>) {
+    [&]<int... Q>(std::integer_sequence<int, Q...>) {
+      (add_product_of<P, Q>(c.data(), a.data(), b.data()), ...);
+    }
+    (std::make_integer_sequence<int, Highest - P + 1>());
+  };
+  [&]<int... P>(std::integer_sequence<int, P...>) {
+    (degree(std::integral_constant<int, P>()), ...);
+  }
+  (std::make_integer_sequence<int, Highest + 1>());
+}
+
+template <int Highest = K>
+TaylorPolynomial times(const TaylorPolynomial& a, const TaylorPolynomial& b) {
   TaylorPolynomial c{};
-  add_product(c, a, b, highest);
+  add_product<Highest>(c, a, b);
   return c;
 }
 
@@ -127,7 +137,7 @@ TaylorSeries operator*(double s, TaylorSeries a) {
 
 TaylorSeries operator*(const TaylorSeries& a, const TaylorSeries& b) {
   TaylorSeries c;
-  add_product(c.terms, a.terms, b.terms);
+  c.terms = times(a.terms, b.terms);
   for (std::size_t i = 0; i <= K; ++i)
     for (std::size_t j = 0; i + j <= K; ++j) c.low[i + j] += a.low[i] * b.low[j];
   c.total = product_totals(a.total, b.total);
@@ -198,27 +208,42 @@ TaylorSeries TaylorPowers::compose(const TaylorSeries& f) const {
   return r;
 }
 
-TaylorPolynomial compose_truncated(const TaylorPolynomial& f, const TaylorPolynomial& x,
-                                   const TaylorPolynomial& y, int highest) {
-  // Horner's scheme in x with polynomials in y as coefficients.
-  std::array<TaylorPolynomial, K + 1> y_powers{};
+namespace {
+
+// Horner's scheme in x with polynomials in y as coefficients.
+template <int Highest>
+TaylorPolynomial composed(const TaylorPolynomial& f, const TaylorPolynomial& x,
+                          const TaylorPolynomial& y) {
+  std::array<TaylorPolynomial, Highest + 1> y_powers{};
   y_powers[0][0] = 1;
-  for (int j = 1; j <= highest; ++j) {
-    const auto power = static_cast<std::size_t>(j);
-    y_powers[power] = times(y_powers[power - 1], y, highest);
-  }
-  const std::size_t terms = start(highest + 1);
+  for (std::size_t j = 1; j <= Highest; ++j) y_powers[j] = times<Highest>(y_powers[j - 1], y);
+  constexpr std::size_t terms = start(Highest + 1);
   TaylorPolynomial result{};
-  for (int i = highest; i >= 0; --i) {
-    if (i < highest) result = times(result, x, highest);
-    for (int j = 0; i + j <= highest; ++j) {
+  for (int i = Highest; i >= 0; --i) {
+    if (i < Highest) result = times<Highest>(result, x);
+    for (int j = 0; i + j <= Highest; ++j) {
       const double factor = f[taylor_index(i, j)];
-      if (factor == 0) continue;
       const TaylorPolynomial& power = y_powers[static_cast<std::size_t>(j)];
       for (std::size_t k = 0; k < terms; ++k) result[k] += factor * power[k];
     }
   }
   return result;
+}
+
+}  // namespace
+
+TaylorPolynomial compose_truncated(const TaylorPolynomial& f, const TaylorPolynomial& x,
+                                   const TaylorPolynomial& y, int highest) {
+  static_assert(K == 6);
+  switch (highest) {
+    case 0: return composed<0>(f, x, y);
+    case 1: return composed<1>(f, x, y);
+    case 2: return composed<2>(f, x, y);
+    case 3: return composed<3>(f, x, y);
+    case 4: return composed<4>(f, x, y);
+    case 5: return composed<5>(f, x, y);
+    default: return composed<K>(f, x, y);
+  }
 }
 
 double value(const TaylorPolynomial& p, double x, double y) {
@@ -247,14 +272,27 @@ TaylorPolynomial derivative_y(const TaylorPolynomial& p) {
 
 TaylorPolynomial substitute(const TaylorPolynomial& p, double x0, double a, double b, double y0,
                             double c, double d) {
-  TaylorPolynomial x{}, y{};
-  x[0] = x0;
-  x[1] = a;
-  x[2] = b;
-  y[0] = y0;
-  y[1] = c;
-  y[2] = d;
-  return compose_truncated(p, x, y);
+  // r (k0 + kx x + ky y) for r of degree n, in place: from the highest term down.
+  const auto multiply = [](TaylorPolynomial& r, int n, double k0, double kx, double ky) {
+    for (int k = n + 1; k >= 0; --k)
+      for (int j = 0; j <= k; ++j) {
+        double sum = k <= n ? k0 * r[taylor_index(k - j, j)] : 0;
+        if (j < k) sum += kx * r[taylor_index(k - j - 1, j)];
+        if (j > 0) sum += ky * r[taylor_index(k - j, j - 1)];
+        r[taylor_index(k - j, j)] = sum;
+      }
+  };
+  TaylorPolynomial result{};
+  for (int i = K; i >= 0; --i) {
+    if (i < K) multiply(result, K - i - 1, x0, a, b);
+    TaylorPolynomial row{};
+    for (int j = K - i; j >= 0; --j) {
+      if (j < K - i) multiply(row, K - i - j - 1, y0, c, d);
+      row[0] += p[taylor_index(i, j)];
+    }
+    for (std::size_t k = 0; k < start(K - i + 1); ++k) result[k] += row[k];
+  }
+  return result;
 }
 
 TaylorRange range(const TaylorPolynomial& p, double rx, double ry) {

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/math/taylor_series.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "tests/support/random.h"
+
+namespace blossom {
+namespace {
+
+using testing::Random;
+using testing::seeded;
+using testing::uniform;
+
+TaylorPolynomial random_polynomial(Random& random, int degree, double size) {
+  TaylorPolynomial p{};
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; i + j <= degree; ++j) p[taylor_index(i, j)] = uniform(random, -size, size);
+  return p;
+}
+
+TEST(TaylorSeries, OfAProductHasTheTermsOfIt) {
+  TaylorPolynomial x{}, y{};
+  x[taylor_index(1, 0)] = 2;
+  y[taylor_index(0, 1)] = 3;
+  y[0] = 1;
+
+  const TaylorSeries product = taylor_series(x) * taylor_series(y);  // 2 x + 6 x y
+
+  TaylorPolynomial expected{};
+  expected[taylor_index(1, 0)] = 2;
+  expected[taylor_index(1, 1)] = 6;
+  EXPECT_EQ(product.terms, expected);
+  EXPECT_LT(product.tail(0), 1e-13);
+}
+
+class TaylorSeriesProperty : public ::testing::TestWithParam<int> {};
+
+TEST_P(TaylorSeriesProperty, BoundsWhatAProductLeavesOut) {
+  Random random = seeded(GetParam());
+  const TaylorPolynomial f = random_polynomial(random, 5, 1), g = random_polynomial(random, 5, 1);
+  const TaylorSeries product = taylor_series(f) * taylor_series(g);
+
+  for (int k = 0; k < 20; ++k) {
+    const double x = uniform(random, -1, 1), y = uniform(random, -1, 1);
+    EXPECT_LE(std::abs(value(f, x, y) * value(g, x, y) - value(product.terms, x, y)),
+              product.tail(0));
+  }
+}
+
+TEST_P(TaylorSeriesProperty, BoundsWhatAReciprocalLeavesOut) {
+  Random random = seeded(GetParam());
+  TaylorPolynomial f = random_polynomial(random, 3, 0.05);
+  f[0] = 1;
+  bool exists = false;
+  const TaylorSeries inverse = reciprocal(taylor_series(f), exists);
+
+  ASSERT_TRUE(exists);
+  for (int k = 0; k < 20; ++k) {
+    const double x = uniform(random, -1, 1), y = uniform(random, -1, 1);
+    EXPECT_LE(std::abs(1 / value(f, x, y) - value(inverse.terms, x, y)), inverse.tail(0));
+  }
+}
+
+TEST_P(TaylorSeriesProperty, ComposesWithLinearFunctionsExactly) {
+  Random random = seeded(GetParam());
+  const TaylorPolynomial p = random_polynomial(random, kTaylorDegree, 1);
+  std::vector<double> c;
+  for (int i = 0; i < 6; ++i) c.push_back(uniform(random, -1, 1));
+  const TaylorPolynomial turned = substitute(p, c[0], c[1], c[2], c[3], c[4], c[5]);
+
+  const double x = uniform(random, -1, 1), y = uniform(random, -1, 1);
+  EXPECT_NEAR(value(turned, x, y), value(p, c[0] + c[1] * x + c[2] * y, c[3] + c[4] * x + c[5] * y),
+              1e-11);
+  TaylorPolynomial inner_x{}, inner_y{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    inner_x[i] = c[i];
+    inner_y[i] = c[3 + i];
+  }
+  const TaylorPolynomial composed = compose_truncated(p, inner_x, inner_y);
+  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(turned[i], composed[i], 1e-12);
+}
+
+// Each truncation keeps the terms that a longer one has.
+TEST_P(TaylorSeriesProperty, IsCutOffAtTheWantedDegree) {
+  Random random = seeded(GetParam());
+  const TaylorPolynomial f = random_polynomial(random, kTaylorDegree, 1);
+  TaylorPolynomial x = random_polynomial(random, kTaylorDegree, 1), y = x;
+  x[0] = y[0] = 0;
+  y[3] = 0.5;
+  const TaylorPolynomial whole = compose_truncated(f, x, y);
+
+  for (int highest = 0; highest <= kTaylorDegree; ++highest) {
+    const TaylorPolynomial cut = compose_truncated(f, x, y, highest);
+    for (int k = 0; k <= kTaylorDegree; ++k)
+      for (int j = 0; j <= k; ++j) {
+        const double expected = k <= highest ? whole[taylor_index(k - j, j)] : 0;
+        EXPECT_NEAR(cut[taylor_index(k - j, j)], expected, 1e-12);
+      }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, TaylorSeriesProperty, ::testing::Range(0, 30));
+
+}  // namespace
+}  // namespace blossom
