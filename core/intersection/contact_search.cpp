@@ -12,6 +12,7 @@
 #include "core/intersection/contact_points.h"
 #include "core/intersection/crossing_contact.h"
 #include "core/intersection/gap_model.h"
+#include "core/intersection/regular_cell.h"
 #include "core/intersection/valley.h"
 #include "core/subdivision/patch_subdivision.h"
 
@@ -220,26 +221,31 @@ class ContactSearch {
       claim(index, chart.index);
       return true;
     }
-    const double slope = regular_slope(model);
-    if ((slope > 0 && clearly_regular(model, slope) && add_regular(a, foot)) ||
-        add_valley(a, model, foot) || add_crossing(a, model, foot, chart) ||
-        (slope > 0 && add_regular(a, foot))) {
+    const GapSlope slope = regular_slope(model);
+    const auto regular = [&] {
+      return slope.least > 0 && (add_graphs(a, model, slope, foot) || add_regular(a, foot));
+    };
+    const bool clearly = clearly_regular(model, slope.least);
+    if ((clearly && regular()) || add_valley(a, model, foot) ||
+        add_crossing(a, model, foot, chart) || (!clearly && regular())) {
       claim(index, chart.index);
       return true;
     }
     return false;
   }
 
-  // A lower bound of the gap's slope in one direction over the cell, or 0.
-  static double regular_slope(const GapModel& model) {
+  // The direction in which the gap's slope has the best bound, as far as it is positive.
+  static GapSlope regular_slope(const GapModel& model) {
     const TaylorPolynomial gx = derivative_x(model.gap), gy = derivative_y(model.gap);
     const Vec2 mean = unit(Vec2{gx[0], gy[0]});
-    double best = 0;
+    GapSlope best;
     for (const Vec2& d : {mean, Vec2{1, 0}, Vec2{0, 1}}) {
       TaylorPolynomial along;
       for (std::size_t i = 0; i < along.size(); ++i) along[i] = d[0] * gx[i] + d[1] * gy[i];
       const TaylorRange r = range(along, 1, 1);
-      best = std::max({best, r.low - model.gap_error[1], -r.high - model.gap_error[1]});
+      const double error = model.gap_error[1];
+      if (r.low - error > best.least) best = {d, r.low - error};
+      if (-r.high - error > best.least) best = {-d, -r.high - error};
     }
     return best;
   }
@@ -251,6 +257,13 @@ class ContactSearch {
       for (int j = 0; j <= k; ++j)
         bend += k * (k - 1) * std::abs(model.gap[taylor_index(k - j, j)]);
     return slope > kRegularMargin * std::sqrt(tolerance() * bend);
+  }
+
+  // By the gap alone, where all foot points lie in the patch.
+  bool add_graphs(const Cell& a, const GapModel& model, const GapSlope& slope, const Box2& foot) {
+    if (!within(foot, {Interval{0, 1}, Interval{0, 1}})) return false;
+    const auto read = regular_cell(tree_a_.patch(), a, tree_b_.patch(), model, slope);
+    return read && add_inside(a, *read, foot);
   }
 
   // The four-variable certificate on the cell and the box of its foot points.

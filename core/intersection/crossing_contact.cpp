@@ -25,9 +25,10 @@ Vec2 direction_of(const TaylorPolynomial& gap) {
   double most = 0;
   for (int k = 0; k < 2 * kDirections; ++k) {
     const double angle = M_PI * k / kDirections, x = std::cos(angle), y = std::sin(angle);
-    double third = 0;
-    for (int j = 0; j <= 3; ++j)
-      third += gap[taylor_index(3 - j, j)] * std::pow(x, 3 - j) * std::pow(y, j);
+    const double third = ((gap[taylor_index(3, 0)] * x + gap[taylor_index(2, 1)] * y) * x +
+                          gap[taylor_index(1, 2)] * y * y) *
+                             x +
+                         gap[taylor_index(0, 3)] * y * y * y;
     if (third <= most) continue;
     most = third;
     best = {x, y};
@@ -38,13 +39,10 @@ Vec2 direction_of(const TaylorPolynomial& gap) {
 // The slope of the gap across the line, as a function with a valley. Only the polynomial counts:
 // its distance to the gap enters with the gap itself.
 std::optional<ValleyShape> slope_shape(const TaylorPolynomial& gap) {
-  ValleyShape shape;
-  shape.z_axis = direction_of(gap);
-  if (!(norm(shape.z_axis) > 0)) return std::nullopt;
-  shape.w_axis = {shape.z_axis[1], -shape.z_axis[0]};
-  shape.reach = std::abs(shape.w_axis[0]) + std::abs(shape.w_axis[1]);
-  shape.gap = derivative_y(
-      substitute(gap, 0, shape.w_axis[0], shape.z_axis[0], 0, shape.w_axis[1], shape.z_axis[1]));
+  const Vec2 across = direction_of(gap);
+  if (!(norm(across) > 0)) return std::nullopt;
+  ValleyShape shape{TurnedAxes(across)};
+  shape.gap = derivative_y(shape.turned(gap));
   shape.gap_w = derivative_x(shape.gap);
   shape.gap_z = derivative_y(shape.gap);
   shape.gap_zz = derivative_y(shape.gap_z);
@@ -99,16 +97,18 @@ std::optional<std::vector<Crossing>> crossings_of(const ValleyShape& shape) {
   return crossings;
 }
 
-std::optional<CellContact> piece_between(const ModelPoints& points, const Crossing& from,
-                                         const Crossing& to) {
+std::optional<CellContact> piece_between(const ValleyShape& shape, const ModelPoints& points,
+                                         const Crossing& from, const Crossing& to) {
   CellContact contact;
   contact.leaves = {true, true};
   contact.crosses = true;
   for (int k = 0; k <= kContactSteps; ++k) {
     const double w = from.w + (to.w - from.w) * k / kContactSteps;
-    const auto x = k == 0               ? points.on_valley_at(from.edge, from.w, from.z, true)
-                   : k == kContactSteps ? points.on_valley_at(to.edge, to.w, to.z, true)
-                                        : points.on_valley(w, true);
+    const auto z = shape.valley_at(w);
+    if (!z) return std::nullopt;
+    const auto x = k == 0               ? points.on_touch_at(from.edge, from.w, from.z, true)
+                   : k == kContactSteps ? points.on_touch_at(to.edge, to.w, to.z, true)
+                                        : points.on_touch(w, *z, true);
     if (!x) return std::nullopt;
     contact.path.push_back(*x);
     contact.gaps.push_back(points.gap(*x));
@@ -140,15 +140,14 @@ std::optional<CrossingContact> crossing_contact(const RationalBezierPatch& patch
   if (model.gap_error[0] > kErrorShare * tolerance) return std::nullopt;
   const auto shape = slope_shape(model.gap);
   if (!shape) return std::nullopt;
-  const TaylorPolynomial gap = substitute(model.gap, 0, shape->w_axis[0], shape->z_axis[0], 0,
-                                          shape->w_axis[1], shape->z_axis[1]);
+  const TaylorPolynomial gap = shape->turned(model.gap);
   if (!is_flat(*shape, gap, tolerance)) return std::nullopt;
   const auto crossings = crossings_of(*shape);
   if (!crossings) return std::nullopt;
   const ModelPoints points(patch_a, a, patch_b, model, *shape);
   if (crossings->empty()) return CrossingContact{{}, closest_on_border(*shape, gap, points)};
   if (crossings->size() != 2) return std::nullopt;
-  auto contact = piece_between(points, crossings->front(), crossings->back());
+  auto contact = piece_between(*shape, points, crossings->front(), crossings->back());
   if (!contact) return std::nullopt;
   return CrossingContact{std::move(contact), {}};
 }

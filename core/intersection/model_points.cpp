@@ -12,8 +12,8 @@ constexpr double kReach = 0.05;  // of the cell: how far Newton may move a point
 }  // namespace
 
 Point4 ModelPoints::at(double w, double z) const {
-  const double x = shape_.w_axis[0] * w + shape_.z_axis[0] * z,
-               y = shape_.w_axis[1] * w + shape_.z_axis[1] * z;
+  const double x = axes_.w_axis[0] * w + axes_.z_axis[0] * z,
+               y = axes_.w_axis[1] * w + axes_.z_axis[1] * z;
   return {blossom::at(a_.u, 0.5 * (x + 1)), blossom::at(a_.v, 0.5 * (y + 1)),
           value(model_.foot[0], x, y), value(model_.foot[1], x, y)};
 }
@@ -29,11 +29,11 @@ double ModelPoints::reach() const {
 }
 
 Point4 ModelPoints::line() const {
-  return {shape_.w_axis[0] * 2 / length(a_.u), shape_.w_axis[1] * 2 / length(a_.v), 0, 0};
+  return {axes_.w_axis[0] * 2 / length(a_.u), axes_.w_axis[1] * 2 / length(a_.v), 0, 0};
 }
 
 Vec2 ModelPoints::across() const {
-  return {shape_.z_axis[0] * 0.5 * length(a_.u), shape_.z_axis[1] * 0.5 * length(a_.v)};
+  return {axes_.z_axis[0] * 0.5 * length(a_.u), axes_.z_axis[1] * 0.5 * length(a_.v)};
 }
 
 Point4 ModelPoints::fix_edge(int edge, Point4& x) const {
@@ -45,13 +45,11 @@ Point4 ModelPoints::fix_edge(int edge, Point4& x) const {
   return plane;
 }
 
-std::optional<Point4> ModelPoints::on_valley(double w, bool cross) const {
-  const auto z = shape_.valley_at(w);
-  if (!z) return std::nullopt;
-  return touch_point(patch_a_, patch_b_, at(w, *z), {across(), cross}, line(), reach());
+std::optional<Point4> ModelPoints::on_touch(double w, double z, bool cross) const {
+  return touch_point(patch_a_, patch_b_, at(w, z), {across(), cross}, line(), reach());
 }
 
-std::optional<Point4> ModelPoints::on_valley_at(int edge, double w, double z, bool cross) const {
+std::optional<Point4> ModelPoints::on_touch_at(int edge, double w, double z, bool cross) const {
   Point4 start = at(w, z);
   const Point4 plane = fix_edge(edge, start);
   auto x = touch_point(patch_a_, patch_b_, start, {across(), cross}, plane, reach());

@@ -8,17 +8,17 @@
 
 #include "core/intersection/contact_points.h"
 #include "core/intersection/gap_model.h"
-#include "core/intersection/valley_shape.h"
+#include "core/intersection/turned_axes.h"
 
 namespace blossom {
 
-/// The points over a cell of surface a, by the turned axes of a shape. What it is made from has to
+/// The points over a cell of surface a, by turned axes. What it is made from has to
 /// outlive it.
 class ModelPoints {
  public:
   ModelPoints(const RationalBezierPatch& patch_a, const Cell& a, const RationalBezierPatch& patch_b,
-              const GapModel& model, const ValleyShape& shape)
-      : patch_a_(patch_a), a_(a), patch_b_(patch_b), model_(model), shape_(shape) {}
+              const GapModel& model, const TurnedAxes& axes)
+      : patch_a_(patch_a), a_(a), patch_b_(patch_b), model_(model), axes_(axes) {}
 
   /// As the model says.
   Point4 at(double w, double z) const;
@@ -38,18 +38,18 @@ class ModelPoints {
   /// Puts a point on an edge of the cell and returns the plane of that edge.
   Point4 fix_edge(int edge, Point4& x) const;
 
-  /// The point of the valley at w, on the original patches.
-  std::optional<Point4> on_valley(double w, bool cross) const;
+  /// The point near (w, z) on the line w = const where the surfaces touch; see TouchLine.
+  std::optional<Point4> on_touch(double w, double z, bool cross) const;
 
-  /// The same where the valley crosses an edge, exactly on it.
-  std::optional<Point4> on_valley_at(int edge, double w, double z, bool cross) const;
+  /// The same on an edge, exactly.
+  std::optional<Point4> on_touch_at(int edge, double w, double z, bool cross) const;
 
  private:
   const RationalBezierPatch& patch_a_;
   const Cell& a_;
   const RationalBezierPatch& patch_b_;
   const GapModel& model_;
-  const ValleyShape& shape_;
+  const TurnedAxes& axes_;
 };
 
 }  // namespace blossom

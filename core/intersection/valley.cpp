@@ -164,8 +164,10 @@ class Reader {
     for (int k = 0; k <= kContactSteps; ++k) {
       const double at_w = contact_from_ + (w - contact_from_) * k / kContactSteps;
       const BorderEvent* on = k == 0 ? contact_border_ : k == kContactSteps ? border : nullptr;
-      const auto x = on == nullptr ? points_.on_valley(at_w, false)
-                                   : points_.on_valley_at(on->edge, on->w, on->z, false);
+      const auto z = shape_.valley_at(at_w);
+      if (on == nullptr && !z) return false;
+      const auto x = on == nullptr ? points_.on_touch(at_w, *z, false)
+                                   : points_.on_touch_at(on->edge, on->w, on->z, false);
       if (!x) return false;
       contact.path.push_back(*x);
       contact.gaps.push_back(points_.gap(*x));

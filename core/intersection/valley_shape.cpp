@@ -40,15 +40,11 @@ std::optional<ValleyShape> ValleyShape::of(const GapModel& model) {
                           ? Vec2{xy, eigenvalue - xx}
                           : Vec2{eigenvalue - yy, xy};
   if (!(norm(across) > 0)) return std::nullopt;
-  ValleyShape shape;
+  ValleyShape shape{TurnedAxes(across)};
   shape.error = model.gap_error;
-  shape.z_axis = unit(across);
-  shape.w_axis = {shape.z_axis[1], -shape.z_axis[0]};
-  shape.gap =
-      substitute(g, 0, shape.w_axis[0], shape.z_axis[0], 0, shape.w_axis[1], shape.z_axis[1]);
+  shape.gap = shape.turned(g);
   if (eigenvalue < 0)
     for (double& c : shape.gap) c = -c;
-  shape.reach = std::abs(shape.w_axis[0]) + std::abs(shape.w_axis[1]);
   shape.gap_z = derivative_y(shape.gap);
   shape.gap_w = derivative_x(shape.gap);
   shape.gap_zz = derivative_y(shape.gap_z);
@@ -59,23 +55,6 @@ std::optional<ValleyShape> ValleyShape::of(const GapModel& model) {
   shape.twist = std::max(std::abs(twist.low), std::abs(twist.high)) + shape.error[2];
   if (!(shape.bend_low > kLeastBend * shape.bend_high)) return std::nullopt;
   return shape;
-}
-
-// Position of edge parameter t in the turned axes.
-Vec2 ValleyShape::on_edge(int edge, double t) const {
-  const double end = edge % 2 == 0 ? -1 : 1;
-  const Vec2 xy = edge < 2 ? Vec2{end, t} : Vec2{t, end};
-  return {dot(w_axis, xy), dot(z_axis, xy)};
-}
-
-// A function of the turned axes along an edge.
-Polynomial ValleyShape::along_edge(const TaylorPolynomial& p, int edge) const {
-  const Vec2 middle = on_edge(edge, 0), end = on_edge(edge, 1);
-  const TaylorPolynomial line =
-      substitute(p, middle[0], end[0] - middle[0], 0, middle[1], end[1] - middle[1], 0);
-  Polynomial result;
-  for (int i = 0; i <= K; ++i) result.push_back(line[taylor_index(i, 0)]);
-  return result;
 }
 
 // The valley at w by Newton's method; nothing if it leaves the range of the cell.
@@ -136,18 +115,6 @@ std::optional<ValleyShape::Along> ValleyShape::along(const TaylorPolynomial& f, 
   const PolynomialRange off = range(composed(gap_z, w, *cubic));
   const double rest = std::max(std::abs(off.low), std::abs(off.high)) + error[1];
   return Along{range(composed(f, w, *cubic)), rest / bend_low};
-}
-
-// The end of the line w = const in the cell, and a little beyond.
-double ValleyShape::chord_end(double w, int side) const {
-  double end = 1e300;
-  for (int k = 0; k < 2; ++k) {
-    const double rate = side == 0 ? -z_axis[k] : z_axis[k];
-    const double start = w_axis[k] * w;
-    if (std::abs(rate) > 1e-9) end = std::min(end, ((rate > 0 ? 1 : -1) - start) / rate);
-  }
-  end += 0.02;
-  return side == 0 ? -end : end;
 }
 
 }  // namespace blossom

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "core/intersection/gap_model.h"
+#include "core/intersection/turned_axes.h"
 #include "core/math/polynomial.h"
-#include "core/math/vec.h"
 
 namespace blossom {
 
@@ -21,9 +21,7 @@ struct ValleyBounds {
   double slope_low, slope_high;  ///< of m'
 };
 
-struct ValleyShape {
-  Vec2 w_axis, z_axis;                 ///< unit, in the cell's x, y in [-1, 1]
-  double reach = 0;                    ///< |w|, |z| in the cell are at most this
+struct ValleyShape : TurnedAxes {
   double bend_low = 0, bend_high = 0;  ///< of the second derivative by z; bend_low > 0
   double twist = 0;                    ///< bound on the mixed derivative
   std::array<double, 3> error{};       ///< of the gap and its first, second derivatives
@@ -31,12 +29,6 @@ struct ValleyShape {
 
   /// Nothing if no direction is proven convex.
   static std::optional<ValleyShape> of(const GapModel& model);
-
-  /// Place of parameter t in [-1, 1] of an edge: 0, 1 are x = -1, 1; 2, 3 are y = -1, 1.
-  Vec2 on_edge(int edge, double t) const;
-
-  /// A function of w, z along an edge.
-  Polynomial along_edge(const TaylorPolynomial& p, int edge) const;
 
   /// z of the valley at w; nothing if it leaves the range of the cell.
   std::optional<double> valley_at(double w) const;
@@ -50,10 +42,6 @@ struct ValleyShape {
     double off;
   };
   std::optional<Along> along(const TaylorPolynomial& f, double from, double to) const;
-
-  /// z at the end of the line w = const in the cell, and a little beyond: the lower end for side
-  /// 0, the upper one for side 1.
-  double chord_end(double w, int side) const;
 
  private:
   std::optional<Polynomial> cubic_over(double from, double to) const;
