@@ -3,32 +3,17 @@
 
 #pragma once
 
-#include <vector>
-
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_Curve.hxx>
 
 #include "core/forms/curve.h"
+#include "core/forms/curve_spans.h"
 #include "core/forms/spline.h"
-#include "core/forms/surface.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
-
-/// One Bezier span of a curve with its place in the curve's own parameters.
-struct CurveSpan {
-  RationalBezierCurve curve;  ///< weight 1 everywhere when the curve is polynomial
-  Interval place;
-  ParameterLaw law = ParameterLaw::Linear;
-};
-
-struct CurveSpans {
-  std::vector<CurveSpan> spans;
-  bool rational = false;
-  double error = 0;  ///< distance to the curve it stands for, model units; 0 when exact
-};
 
 /// The Bezier points of a Bezier curve: bit for bit when it is polynomial, else (wx, wy, wz, w),
 /// with what surfaces.h says about the way back.
