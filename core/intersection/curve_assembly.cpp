@@ -1,0 +1,487 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/curve_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace blossom {
+namespace {
+
+// A contact shorter than this many times sqrt(tolerance * size) is a point.
+constexpr double kTouchLength = 10;
+// A longer one is a run if the gap is below kFar of the tolerance along most of it, or hardly
+// anywhere (two curves side by side); a contact of order k has the share kFar^(1/k).
+constexpr double kFar = 0.01;
+constexpr double kMost = 0.6;
+constexpr double kHardly = 0.05;
+constexpr int kSamples = 33;
+constexpr int kFootSteps = 8;
+constexpr int kThirds = 60;
+constexpr double kSmooth = 1e-6;         // sine of the angle between spans that make no kink
+constexpr double kTransversal = 1e-9;    // sine above which a point between spans is a crossing
+constexpr int kBetween = 4;              // samples between two contacts that may be one
+constexpr double kSameParameter = 1e-9;  // of the domain, between runs that follow each other
+
+double size_of(const CurveTree& tree) {
+  Vec3 low = tree[0].low, high = tree[0].high;
+  for (int i = 1; i < tree.spans(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], tree[i].low[k]);
+      high[k] = std::max(high[k], tree[i].high[k]);
+    }
+  return norm(high - low);
+}
+
+// The foot of a point near a place, followed over the joins of spans.
+SpanPoint foot_along(const CurveTree& tree, const Vec3& point, double parameter) {
+  SpanPoint at = tree.place(parameter);
+  for (int k = 0; k < kFootSteps; ++k) {
+    const CurveJet jet = tree.jet(at);
+    const double square = dot(jet.first, jet.first);
+    if (!(square > 0)) break;
+    const double next = at.t + dot(jet.first, point - jet.point) / square;
+    if (next > 1 && at.t == 1 && at.span + 1 < tree.spans())
+      at = {at.span + 1, 0};
+    else if (next < 0 && at.t == 0 && at.span > 0)
+      at = {at.span - 1, 1};
+    else
+      at.t = std::clamp(next, 0.0, 1.0);
+  }
+  return at;
+}
+
+// The neighbour's place at the same point of the curve; the place itself at the curve's ends.
+SpanPoint across_join(const CurveTree& tree, const SpanPoint& at) {
+  const int last = tree.spans() - 1;
+  if (at.t == 1) {
+    if (at.span < last) return {at.span + 1, 0};
+    return tree.closed() ? SpanPoint{0, 0} : at;
+  }
+  if (at.span > 0) return {at.span - 1, 1};
+  return tree.closed() ? SpanPoint{last, 1} : at;
+}
+
+bool is_free_end(const CurveTree& tree, const SpanPoint& at) {
+  const SpanPoint other = across_join(tree, at);
+  return other.span == at.span && other.t == at.t;
+}
+
+Interval increasing(const Interval& x) { return {std::min(x.from, x.to), std::max(x.from, x.to)}; }
+
+bool overlap(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
+
+}  // namespace
+
+CurveAssembly::CurveAssembly(CurveTree& a, CurveTree& b, double tolerance)
+    : a_(a),
+      b_(b),
+      tolerance_(tolerance),
+      itself_(&a == &b),
+      margin_(2 * (a.evaluation_margin() + b.evaluation_margin())),
+      touch_length_(kTouchLength * std::sqrt(tolerance * std::min(size_of(a), size_of(b)))) {}
+
+CurveAssembly::Candidate CurveAssembly::candidate(const SpanPoint& a, const SpanPoint& b) const {
+  Candidate result;
+  result.a = a;
+  result.b = b;
+  result.at_a = a_.parameter(a);
+  result.at_b = b_.parameter(b);
+  result.box_a = {result.at_a, result.at_a};
+  result.box_b = {result.at_b, result.at_b};
+  result.foot = {a, b, a_.jet(a), b_.jet(b)};
+  const double gap = norm(result.foot.gap());
+  result.gap = {std::max(0.0, gap - margin_), gap + margin_};
+  result.sine = norm(cross(unit(result.foot.jet_a.first), unit(result.foot.jet_b.first)));
+  return result;
+}
+
+void CurveAssembly::find_ends() {
+  add_ends(true);
+  if (!itself_) add_ends(false);
+}
+
+void CurveAssembly::add_ends(bool of_a) {
+  CurveTree& own = of_a ? a_ : b_;
+  CurveTree& other = of_a ? b_ : a_;
+  for (int span = 0; span < own.spans(); ++span)
+    for (const double t : {0.0, 1.0}) {
+      if (t == 1 && span + 1 < own.spans()) continue;  // the next span's first end
+      const SpanPoint end{span, t};
+      const Vec3 point = own.jet(end).point;
+      for (SpanPoint foot : feet_near(other, point, tolerance_)) {
+        if (other.jet({foot.span, std::round(foot.t)}).point == point) foot.t = std::round(foot.t);
+        const Candidate found = of_a ? candidate(end, foot) : candidate(foot, end);
+        if (!itself_ || !near_along(a_, found.at_a, found.at_b)) ends_.push_back(found);
+      }
+    }
+}
+
+std::vector<SharedSpans> CurveAssembly::shared_parts() const {
+  std::vector<SharedSpans> parts;
+  if (itself_) return parts;
+  const auto try_pair = [&](const SpanPoint& a, const SpanPoint& b) {
+    for (const SharedSpans& known : parts)
+      if (known.span_a == a.span && known.span_b == b.span) return;
+    const auto& on_a = a_.curve().spans[static_cast<std::size_t>(a.span)].curve;
+    const auto& on_b = b_.curve().spans[static_cast<std::size_t>(b.span)].curve;
+    if (const auto shared = shared_curve(on_a, on_b, a.t, b.t, tolerance_))
+      parts.push_back({a.span, b.span, *shared});
+  };
+  for (const Candidate& end : ends_) {
+    const SpanPoint beyond_a = end.a.t == 0 || end.a.t == 1 ? across_join(a_, end.a) : end.a;
+    const SpanPoint beyond_b = end.b.t == 0 || end.b.t == 1 ? across_join(b_, end.b) : end.b;
+    for (const SpanPoint& a : {end.a, beyond_a})
+      for (const SpanPoint& b : {end.b, beyond_b}) try_pair(a, b);
+  }
+  return parts;
+}
+
+// The curves turn into each other here: their first derivatives have one direction on both sides.
+bool CurveAssembly::is_kink(const CurveTree& tree, const SpanPoint& at) const {
+  if (at.t != 0 && at.t != 1) return false;
+  const SpanPoint other = across_join(tree, at);
+  if (other.span == at.span && other.t == at.t) return true;
+  const Vec3 p = unit(tree.jet(at).first), q = unit(tree.jet(other).first);
+  return !(norm(cross(p, q)) < kSmooth && dot(p, q) > 0);
+}
+
+// Source: Kantorovich's theorem, in parameters scaled to lengths. With the sine of the angle, the
+// inverse of the Jacobian is at most sqrt(2) / sine; curvatures bound its change.
+void CurveAssembly::prove(Candidate& point) const {
+  const double speed_a = norm(point.foot.jet_a.first), speed_b = norm(point.foot.jet_b.first);
+  const auto at_end = [](const SpanPoint& at) { return at.t == 0 || at.t == 1; };
+  if (at_end(point.a) && at_end(point.b) && point.foot.gap() == Vec3{}) {
+    point.proven = true;
+    return;
+  }
+  if (!(point.sine > 0) || point.gap.low > margin_) return;
+  const double inverse = std::sqrt(2.0) / point.sine;
+  const double step = inverse * (point.gap.high + margin_);
+  const double reach_a = 2 * step / speed_a, reach_b = 2 * step / speed_b;
+  const double bend = a_.bend_near(point.a, reach_a) / (speed_a * speed_a) +
+                      b_.bend_near(point.b, reach_b) / (speed_b * speed_b);
+  if (!(inverse * bend * step <= 0.25)) return;
+  const auto box = [](const CurveTree& tree, const SpanPoint& at, double reach) {
+    return Interval{tree.parameter({at.span, std::max(0.0, at.t - reach)}),
+                    tree.parameter({at.span, std::min(1.0, at.t + reach)})};
+  };
+  point.box_a = box(a_, point.a, reach_a);
+  point.box_b = box(b_, point.b, reach_b);
+  const auto interior = [](double t, double reach) { return t - reach > 0 && t + reach < 1; };
+  const bool inside = interior(point.a.t, reach_a) && interior(point.b.t, reach_b);
+  point.proven = inside || prove_at_border(point, reach_a, reach_b);
+}
+
+// Where spans join, curves cross if each of the two directions passes the other curve the same way.
+bool CurveAssembly::prove_at_border(Candidate& point, double reach_a, double reach_b) const {
+  const auto snapped = [](SpanPoint at, double reach) {
+    if (at.t - reach <= 0) at.t = 0;
+    if (at.t + reach >= 1) at.t = 1;
+    return at;
+  };
+  const SpanPoint a = snapped(point.a, reach_a), b = snapped(point.b, reach_b);
+  const auto sides = [](const CurveTree& tree, const SpanPoint& at) {
+    const bool join = at.t == 0 || at.t == 1;
+    return std::array<Vec3, 2>{unit(tree.jet(at).first),
+                               unit(tree.jet(join ? across_join(tree, at) : at).first)};
+  };
+  const auto is_end = [](const CurveTree& tree, const SpanPoint& at) {
+    return (at.t == 0 || at.t == 1) && is_free_end(tree, at);
+  };
+  if (is_end(a_, a) || is_end(b_, b)) return false;
+  const Vec3 first = cross(sides(a_, a)[0], sides(b_, b)[0]);
+  for (const Vec3& p : sides(a_, a))
+    for (const Vec3& q : sides(b_, b)) {
+      const Vec3 turn = cross(p, q);
+      if (!(norm(turn) > kTransversal && dot(turn, first) > 0)) return false;
+    }
+  return true;
+}
+
+// The curve stays near between two of its parameters.
+bool CurveAssembly::near_along(const CurveTree& tree, double p, double q) const {
+  const Interval domain = tree.curve().domain();
+  const auto point = [&](double t) { return tree.jet(tree.place(t)).point; };
+  const Vec3 from = point(p), to = point(q);
+  if (!(distance(from, to) <= 2 * tolerance_)) return false;
+  const bool over_seam = tree.closed() && std::abs(p - q) > 0.5 * length(domain);
+  const Vec3 between = point(over_seam ? domain.from : 0.5 * (p + q));
+  return distance(from, between) <= 2 * tolerance_ && distance(to, between) <= 2 * tolerance_;
+}
+
+bool CurveAssembly::same(const Candidate& p, const Candidate& q) const {
+  return near_along(a_, p.at_a, q.at_a) && near_along(b_, p.at_b, q.at_b);
+}
+
+// The curves stay within tolerance of each other from a contact to another pair of parameters.
+bool CurveAssembly::connected(const Candidate& p, double at_a, double at_b) const {
+  for (int i = 1; i <= kBetween; ++i) {
+    const double part = static_cast<double>(i) / kBetween;
+    const Vec3 point = a_.jet(a_.place(at({p.at_a, at_a}, part))).point;
+    const SpanPoint foot = foot_along(b_, point, at({p.at_b, at_b}, part));
+    if (!(distance(point, b_.jet(foot).point) <= 2 * tolerance_)) return false;
+  }
+  return true;
+}
+
+// The same point once. Two proven points closer than the tolerance are one contact.
+void CurveAssembly::add(Candidate point) {
+  for (Candidate& known : points_) {
+    if (!same(known, point)) continue;
+    const bool distinct = known.proven && point.proven &&
+                          !(overlap(known.box_a, point.box_a) && overlap(known.box_b, point.box_b));
+    if (distinct && !(a_.closed() || b_.closed())) {
+      known.proven = false;
+      known.touch = true;
+    } else if (point.proven && !known.proven && !known.touch) {
+      known = point;
+    }
+    return;
+  }
+  points_.push_back(point);
+}
+
+bool CurveAssembly::on_overlap(const Candidate& point) const {
+  for (const CurveOverlap& run : overlaps_) {
+    if (near_along(a_, point.at_a, run.a.from) && near_along(b_, point.at_b, run.b.from))
+      return true;
+    if (near_along(a_, point.at_a, run.a.to) && near_along(b_, point.at_b, run.b.to)) return true;
+    const Interval on_b = increasing(run.b);
+    if (point.at_a < run.a.from || point.at_a > run.a.to || point.at_b < on_b.from ||
+        point.at_b > on_b.to)
+      continue;
+    const double part = (point.at_a - run.a.from) / length(run.a);
+    const SpanPoint foot = foot_along(b_, point.foot.jet_a.point, at(run.b, part));
+    if (near_along(b_, b_.parameter(foot), point.at_b)) return true;
+  }
+  return false;
+}
+
+void CurveAssembly::add_overlaps(const std::vector<SharedSpans>& shared) {
+  for (const SharedSpans& part : shared) {
+    const LinearRational& map = part.shared.map;
+    overlaps_.push_back(
+        {{a_.parameter({part.span_a, map.from.from}), a_.parameter({part.span_a, map.from.to})},
+         {b_.parameter({part.span_b, map.to.from}), b_.parameter({part.span_b, map.to.to})},
+         part.shared.gap,
+         true});
+  }
+  std::sort(overlaps_.begin(), overlaps_.end(),
+            [](const CurveOverlap& x, const CurveOverlap& y) { return x.a.from < y.a.from; });
+  std::vector<CurveOverlap> joined;
+  const double slack_a = kSameParameter * length(a_.curve().domain());
+  const double slack_b = kSameParameter * length(b_.curve().domain());
+  for (const CurveOverlap& run : overlaps_) {
+    const auto before = std::find_if(joined.begin(), joined.end(), [&](const CurveOverlap& known) {
+      return std::abs(known.a.to - run.a.from) <= slack_a &&
+             std::abs(known.b.to - run.b.from) <= slack_b;
+    });
+    if (before == joined.end()) {
+      joined.push_back(run);
+      continue;
+    }
+    before->a.to = run.a.to;
+    before->b.to = run.b.to;
+    before->gap_high = std::max(before->gap_high, run.gap_high);
+  }
+  overlaps_ = std::move(joined);
+}
+
+// Pieces that follow each other on both curves, as runs.
+void CurveAssembly::add_contacts(std::vector<CurveContact> contacts) {
+  std::sort(contacts.begin(), contacts.end(),
+            [](const CurveContact& x, const CurveContact& y) { return x.a.from < y.a.from; });
+  std::vector<std::size_t> root(contacts.size());
+  std::iota(root.begin(), root.end(), 0U);
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  std::vector<std::size_t> active;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::erase_if(active, [&](std::size_t k) { return contacts[k].a.to < contacts[i].a.from; });
+    for (const std::size_t k : active)
+      if (overlap(contacts[k].b, contacts[i].b)) root[find(i)] = find(k);
+    active.push_back(i);
+  }
+  std::vector<CurveContact> runs(contacts.size());
+  std::vector<bool> used(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const std::size_t r = find(i);
+    CurveContact& run = runs[r];
+    if (!used[r]) {
+      run = contacts[i];
+      used[r] = true;
+      continue;
+    }
+    run.a = {std::min(run.a.from, contacts[i].a.from), std::max(run.a.to, contacts[i].a.to)};
+    run.b = {std::min(run.b.from, contacts[i].b.from), std::max(run.b.to, contacts[i].b.to)};
+    run.neighbours = run.neighbours || contacts[i].neighbours;
+  }
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (used[r]) runs[r].neighbours ? add_cusp(runs[r]) : add_run(runs[r]);
+}
+
+// The ends of a run: where one of the curves ends, its foot on the other.
+CurveOverlap CurveAssembly::trimmed(const CurveContact& run) const {
+  CurveOverlap result{run.a, run.reversed ? Interval{run.b.to, run.b.from} : run.b, 0, false};
+  const Interval on_a = a_.curve().domain(), on_b = b_.curve().domain();
+  const auto settle = [&](double& at_a, double& at_b) {
+    if ((at_b == on_b.from || at_b == on_b.to) && at_a != on_a.from && at_a != on_a.to)
+      at_a = a_.parameter(foot_along(a_, b_.jet(b_.place(at_b)).point, at_a));
+    else
+      at_b = b_.parameter(foot_along(b_, a_.jet(a_.place(at_a)).point, at_b));
+  };
+  settle(result.a.from, result.b.from);
+  settle(result.a.to, result.b.to);
+  return result;
+}
+
+void CurveAssembly::add_run(const CurveContact& contact) {
+  CurveOverlap run = trimmed(contact);
+  std::array<double, kSamples> gaps{};
+  const auto foot_of = [&](double part) {
+    const SpanPoint on_a = a_.place(at(run.a, part));
+    const SpanPoint on_b = foot_along(b_, a_.jet(on_a).point, at(run.b, part));
+    return candidate(on_a, on_b);
+  };
+  const auto gap_at = [&](double part) { return norm(foot_of(part).foot.gap()); };
+  double run_length = 0;
+  std::size_t best = 0;
+  Vec3 last = a_.jet(a_.place(run.a.from)).point;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const double part = static_cast<double>(i) / (kSamples - 1);
+    gaps[i] = gap_at(part);
+    if (gaps[i] < gaps[best]) best = i;
+    const Vec3 point = a_.jet(a_.place(at(run.a, part))).point;
+    run_length += distance(last, point);
+    last = point;
+    run.gap_high = std::max(run.gap_high, gaps[i] + margin_);
+  }
+  const double near =
+      static_cast<double>(std::count_if(
+          gaps.begin(), gaps.end(), [&](double g) { return g < kFar * tolerance_ + margin_; })) /
+      kSamples;
+  if (run_length > touch_length_ && (near > kMost || near < kHardly)) {
+    overlaps_.push_back(run);
+    std::erase_if(points_, [&](const Candidate& point) { return on_overlap(point); });
+    return;
+  }
+  double low = std::max(0.0, (static_cast<double>(best) - 1) / (kSamples - 1));
+  double high = std::min(1.0, (static_cast<double>(best) + 1) / (kSamples - 1));
+  for (int k = 0; k < kThirds; ++k) {
+    const double third = (high - low) / 3;
+    (gap_at(low + third) < gap_at(high - third) ? high -= third : low += third);
+  }
+  Candidate touch = foot_of(0.5 * (low + high));
+  if (touch.gap.low > tolerance_ || on_overlap(touch)) return;
+  for (const Candidate& known : points_)
+    if (same(known, touch) || connected(known, touch.at_a, touch.at_b)) return;
+  touch.touch = true;
+  touch.half_length = 0.5 * run_length;
+  touch.box_a = run.a;
+  touch.box_b = increasing(run.b);
+  touch.crosses = a_.dimension() == 2 && dot(foot_of(0).foot.gap(), foot_of(1).foot.gap()) < 0;
+  points_.push_back(touch);
+}
+
+void CurveAssembly::add_cusp(const CurveContact& run) {
+  const double parameter = 0.5 * (std::max(run.a.from, run.b.from) + std::min(run.a.to, run.b.to));
+  const Vec3 point = a_.jet(a_.place(parameter)).point;
+  CurvePlace place{PlaceKind::Cusp, point, point, 0, 0, run.a, run.b};
+  for (const Interval& side : {run.a, run.b})
+    for (int i = 0; i < kSamples; ++i) {
+      const double part = static_cast<double>(i) / (kSamples - 1);
+      const Vec3 p = a_.jet(a_.place(at(side, part))).point;
+      for (int k = 0; k < a_.dimension(); ++k) {
+        place.box_low[k] = std::min(place.box_low[k], p[k] - tolerance_);
+        place.box_high[k] = std::max(place.box_high[k], p[k] + tolerance_);
+      }
+    }
+  place.gap_high = 2 * tolerance_;
+  places_.push_back(place);
+}
+
+CurvePlace CurveAssembly::place_of(const Candidate& point) const {
+  const Vec3 p = point.foot.jet_a.point, q = point.foot.jet_b.point;
+  const Vec3 along = unit(point.foot.jet_a.first) * point.half_length;
+  CurvePlace place{point.crosses ? PlaceKind::Tangential : PlaceKind::Touch,
+                   p,
+                   p,
+                   point.gap.low,
+                   point.gap.high,
+                   point.box_a,
+                   point.box_b};
+  for (int k = 0; k < a_.dimension(); ++k) {
+    const double reach = std::abs(along[k]) + point.gap.high;
+    place.box_low[k] = std::min(p[k], q[k]) - reach;
+    place.box_high[k] = std::max(p[k], q[k]) + reach;
+  }
+  return place;
+}
+
+void CurveAssembly::write(CurveIntersection& result) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Candidate& point : points_) {
+    CurvePoint written{point.foot.jet_a.point, point.at_a,  point.at_b, point.touch,
+                       point.proven,           point.box_a, point.box_b};
+    written.tangential = point.sine <= kTransversal || (point.touch && point.sine < kSmooth);
+    result.points.push_back(written);
+    const double cosine = std::abs(dot(unit(point.foot.jet_a.first), unit(point.foot.jet_b.first)));
+    if (point.proven) least = std::min(least, std::atan2(point.sine, cosine));
+    if (!point.proven) result.places.push_back(place_of(point));
+  }
+  if (std::isfinite(least)) result.certificate.least_angle = least;
+  std::sort(result.points.begin(), result.points.end(),
+            [](const CurvePoint& x, const CurvePoint& y) { return x.a < y.a; });
+  result.places.insert(result.places.end(), places_.begin(), places_.end());
+  result.overlaps = overlaps_;
+  for (const CurveOverlap& run : overlaps_) {
+    CurvePlace place{PlaceKind::Overlap,
+                     Vec3{1e300, 1e300, 1e300},
+                     Vec3{-1e300, -1e300, -1e300},
+                     0,
+                     run.gap_high,
+                     run.a,
+                     increasing(run.b)};
+    for (int i = 0; i < a_.spans(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Interval span = a_.curve().spans[static_cast<std::size_t>(i)].place;
+        if (!overlap(span, run.a)) continue;
+        place.box_low[k] = std::min(place.box_low[k], a_[i].low[k]);
+        place.box_high[k] = std::max(place.box_high[k], a_[i].high[k]);
+      }
+    result.places.push_back(place);
+  }
+}
+
+CurveIntersection CurveAssembly::finish(const std::vector<SharedSpans>& shared,
+                                        const CurveFindings& found) {
+  add_overlaps(shared);
+  for (const ValleyPoint& known : found.points) {
+    Candidate point = candidate(known.foot.a, known.foot.b);
+    point.touch = known.touch;
+    point.gap = known.gap;
+    point.half_length = known.half_length;
+    if (!point.touch) prove(point);
+    if (!on_overlap(point)) add(point);
+  }
+  add_contacts(found.contacts);
+  for (Candidate end : ends_) {
+    const bool corner = is_kink(a_, end.a) || is_kink(b_, end.b);
+    if (!corner || on_overlap(end)) continue;
+    const bool known = std::any_of(points_.begin(), points_.end(), [&](const Candidate& point) {
+      return same(point, end) || connected(point, end.at_a, end.at_b);
+    });
+    if (known) continue;
+    prove(end);
+    points_.push_back(end);
+  }
+  CurveIntersection result;
+  write(result);
+  return result;
+}
+
+}  // namespace blossom

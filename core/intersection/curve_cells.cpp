@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/curve_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blossom {
+namespace {
+
+constexpr double kRoundoff = 0x1p-53;
+// Off 1/2, since singular points like dyadic parameters; few digits, so that cuts are exact.
+constexpr double kCut = 31.0 / 64;
+constexpr int kFirstBlock = 1 << 10;  // doubles; each block of the arena is twice the last one
+constexpr int kLargestBlock = 1 << 16;
+constexpr double kSlack = 1e-13;  // covers the few roundings of a bound
+
+ValueRange times(const ValueRange& a, const ValueRange& b) {
+  const double p[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
+  return {*std::min_element(p, p + 4), *std::max_element(p, p + 4)};
+}
+
+ValueRange padded(const ValueRange& a, double pad) { return {a.low - pad, a.high + pad}; }
+
+// ValueRange of the differences of an order between neighbours, times n! / (n - order)!.
+ValueRange difference_range(const double* values, int count, int order) {
+  const int n = count - 1;
+  if (order > n) return {0, 0};
+  ValueRange range{1e300, -1e300};
+  for (int i = 0; i + order <= n; ++i) {
+    const double d =
+        order == 1 ? values[i + 1] - values[i] : values[i + 2] - 2 * values[i + 1] + values[i];
+    range.low = std::min(range.low, d);
+    range.high = std::max(range.high, d);
+  }
+  const double factor = order == 1 ? n : n * (n - 1.0);
+  return {range.low * factor, range.high * factor};
+}
+
+double magnitude(const ValueRange& a) { return std::max(std::abs(a.low), std::abs(a.high)); }
+
+}  // namespace
+
+ValueRange range_along(const CurveCell& cell, int dimension, const Vec3& direction) {
+  const int n = cell.points;
+  ValueRange range{1e300, -1e300};
+  for (int i = 0; i < n; ++i) {
+    double value = direction[0] * cell.hull[i] + direction[1] * cell.hull[n + i];
+    if (dimension == 3) value += direction[2] * cell.hull[2 * n + i];
+    range.low = std::min(range.low, value);
+    range.high = std::max(range.high, value);
+  }
+  // |direction| <= 1 turns the margin of three coordinates into at most sqrt(3) of it.
+  return padded(range, 2 * cell.margin);
+}
+
+CurveTree::CurveTree(const CurveSpans& curve, const Vec3& origin, int dimension)
+    : curve_(curve), dimension_(dimension), hull_scale_(max_norm(origin)) {
+  int degree = 0;
+  for (CurveSpan& span : curve_.spans) {
+    degree = std::max(degree, span.curve.degree());
+    for (Vec4& p : span.curve.points) {
+      for (int k = 0; k < 3; ++k) {
+        p[k] -= p[3] * origin[k];
+        hull_scale_ = std::max(hull_scale_, std::abs(p[k] / p[3]));
+      }
+    }
+  }
+  evaluation_margin_ = (evaluation_error(degree) + 4 * kRoundoff) * hull_scale_;
+  const Vec4& first = curve.spans.front().curve.points.front();
+  const Vec4& last = curve.spans.back().curve.points.back();
+  closed_ = first * (1 / first[3]) == last * (1 / last[3]);
+  cells_.reserve(static_cast<std::size_t>(std::max(64, 2 * spans())));
+  for (int i = 0; i < spans(); ++i) add_span(i);
+}
+
+void CurveTree::add_span(int span) {
+  const RationalBezierCurve& curve = curve_.spans[static_cast<std::size_t>(span)].curve;
+  CurveCell cell;
+  cell.span = span;
+  cell.local = {0, 1};
+  cell.points = curve.degree() + 1;
+  const int planes = curve_.rational ? dimension_ + 1 : dimension_;
+  double* net = allocate(planes * cell.points);
+  for (int i = 0; i < cell.points; ++i)
+    for (int k = 0; k < planes; ++k)
+      net[k * cell.points + i] = curve.points[static_cast<std::size_t>(i)][k == dimension_ ? 3 : k];
+  cell.homogeneous = net;
+  finish(cell);
+  cells_.push_back(cell);
+}
+
+double CurveTree::bend_near(const SpanPoint& at, double reach) const {
+  const double low = std::max(0.0, at.t - reach), high = std::min(1.0, at.t + reach);
+  const CurveCell* cell = &(*this)[at.span];
+  while (cell->child >= 0) {
+    const CurveCell& first = (*this)[cell->child];
+    if (low < first.local.to && high > first.local.to) break;
+    cell = high <= first.local.to ? &first : &(*this)[cell->child + 1];
+  }
+  double sum = 0;
+  for (int k = 0; k < dimension_; ++k) {
+    Vec3 direction;
+    direction[k] = 1;
+    const double bound = magnitude(derivative_ranges(*cell, direction)[1]);
+    sum += bound * bound;
+  }
+  return std::sqrt(sum) / (length(cell->local) * length(cell->local));
+}
+
+double* CurveTree::allocate(int count) {
+  if (count > free_in_block_) {
+    block_ = std::clamp(2 * block_, kFirstBlock, kLargestBlock);
+    free_in_block_ = std::max(count, block_);
+    blocks_.push_back(
+        std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(free_in_block_)));
+  }
+  free_in_block_ -= count;
+  return blocks_.back().get() + free_in_block_;
+}
+
+int CurveTree::split(int index) {
+  const auto at_index = static_cast<std::size_t>(index);
+  if (cells_[at_index].child >= 0) return cells_[at_index].child;
+  const CurveCell parent = cells_[at_index];
+  const NetShape shape{parent.points, 1, curve_.rational ? dimension_ + 1 : dimension_};
+  double* low_net = allocate(shape.size());
+  double* high_net = allocate(shape.size());
+  halve_bezier_u(shape, parent.homogeneous, kCut, low_net, high_net);
+  CurveCell low = parent, high = parent;
+  low.local.to = high.local.from = at(parent.local, kCut);
+  low.homogeneous = low_net;
+  high.homogeneous = high_net;
+  const int child = static_cast<int>(cells_.size());
+  cells_[at_index].child = child;
+  for (CurveCell* cell : {&low, &high}) {
+    cell->depth = parent.depth + 1;
+    cell->child = -1;
+    finish(*cell);
+    cells_.push_back(*cell);
+  }
+  depth_ = std::max(depth_, low.depth);
+  return child;
+}
+
+// Halving takes convex combinations, and positive weights bound |X| by w times the largest point,
+// so the error of X / w is relative to the points in space, however much the weights vary.
+void CurveTree::finish(CurveCell& cell) {
+  const int n = cell.points;
+  cell.hull = cell.homogeneous;
+  if (curve_.rational) {
+    double* hull = allocate(dimension_ * n);
+    const double* weight = cell.homogeneous + dimension_ * n;
+    for (int k = 0; k < dimension_; ++k)
+      for (int i = 0; i < n; ++i) hull[k * n + i] = cell.homogeneous[k * n + i] / weight[i];
+    cell.hull = hull;
+  }
+  const double steps = curve_.rational ? 2 : 1;
+  cell.margin = (steps * halving_error(n - 1, cell.depth) + 4 * kRoundoff) * hull_scale_;
+  largest_margin_ = std::max(largest_margin_, cell.margin);
+  cell.extent = 0;
+  for (int k = 0; k < dimension_; ++k) {
+    const auto [low, high] = std::minmax_element(cell.hull + k * n, cell.hull + (k + 1) * n);
+    cell.low[k] = *low - cell.margin;
+    cell.high[k] = *high + cell.margin;
+    cell.extent = std::max(cell.extent, cell.high[k] - cell.low[k]);
+  }
+  bound_directions(cell);
+}
+
+// Directions, of rational curves too, are positive combinations of the legs of the control polygon.
+// Source: Floater 1992.
+void CurveTree::bound_directions(CurveCell& cell) const {
+  const int n = cell.points;
+  const auto leg = [&](int from, int to) {
+    Vec3 d;
+    for (int k = 0; k < dimension_; ++k) d[k] = cell.hull[k * n + to] - cell.hull[k * n + from];
+    return d;
+  };
+  cell.axis = unit(leg(0, n - 1));
+  cell.cosine = -1;
+  if (cell.axis == Vec3{}) return;
+  double cosine = 1;
+  for (int i = 0; i + 1 < n; ++i) {
+    const Vec3 d = leg(i, i + 1);
+    const double length = norm(d);
+    // The ends of a leg are known within sqrt(3) margin each.
+    if (!(length > 0)) return;
+    cosine = std::min(cosine, (dot(cell.axis, d) - 4 * cell.margin) / length);
+  }
+  cell.cosine = std::max(-1.0, cosine - 8 * kRoundoff);
+}
+
+// With the origin c moved into the cell and X' = X - w c:
+//   f = X' / w,  f1 = (X'_1 - f w_1) / w,  f2 = (X'_2 - 2 f1 w_1 - f w_2) / w
+// so that the products, the loose terms, are of higher order in the cell's size.
+std::array<ValueRange, 2> CurveTree::derivative_ranges(const CurveCell& cell,
+                                                       const Vec3& direction) const {
+  const int n = cell.points;
+  double values[kMaxDegree + 1];
+  const double m1 = 4.0 * (n - 1) * cell.margin, m2 = 8.0 * (n - 1) * (n - 2) * cell.margin;
+  const auto project = [&](const double* net) {
+    for (int i = 0; i < n; ++i) {
+      values[i] = direction[0] * net[i] + direction[1] * net[n + i];
+      if (dimension_ == 3) values[i] += direction[2] * net[2 * n + i];
+    }
+  };
+  if (!curve_.rational) {
+    project(cell.hull);
+    return {padded(difference_range(values, n, 1), m1), padded(difference_range(values, n, 2), m2)};
+  }
+  ValueRange f = range_along(cell, dimension_, direction);
+  const double centre = 0.5 * (f.low + f.high);
+  f = {f.low - centre, f.high - centre};
+  const double* weight = cell.homogeneous + dimension_ * n;
+  const auto [least, most] = std::minmax_element(weight, weight + n);
+  const ValueRange over_w{(1 - kSlack) / *most, (1 + kSlack) / *least};
+  const double spread = *most / *least;
+  const ValueRange w1 = difference_range(weight, n, 1), w2 = difference_range(weight, n, 2);
+  project(cell.homogeneous);
+  for (int i = 0; i < n; ++i) values[i] -= weight[i] * centre;
+  const auto rest = [&](const ValueRange& x, const ValueRange& y) {
+    return ValueRange{x.low - y.high, x.high - y.low};
+  };
+  ValueRange first = times(rest(difference_range(values, n, 1), times(f, w1)), over_w);
+  first = padded(first, 2 * spread * m1 + kSlack * magnitude(first));
+  const ValueRange product = times(first, w1), last = times(f, w2);
+  ValueRange second =
+      times(rest(rest(difference_range(values, n, 2), {2 * product.low, 2 * product.high}), last),
+            over_w);
+  second = padded(second, 2 * spread * spread * m2 + kSlack * magnitude(second));
+  return {first, second};
+}
+
+double CurveTree::parameter(const SpanPoint& at) const {
+  const CurveSpan& span = curve_.spans[static_cast<std::size_t>(at.span)];
+  return parameter_at(span.law, span.place, at.t);
+}
+
+SpanPoint CurveTree::place(double parameter) const {
+  const auto after =
+      std::upper_bound(curve_.spans.begin() + 1, curve_.spans.end(), parameter,
+                       [](double value, const CurveSpan& span) { return value < span.place.from; });
+  const CurveSpan& span = *(after - 1);
+  return {static_cast<int>(after - 1 - curve_.spans.begin()),
+          std::clamp(local_parameter(span.law, span.place, parameter), 0.0, 1.0)};
+}
+
+}  // namespace blossom

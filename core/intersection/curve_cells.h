@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The cells of a curve: a binary tree of pieces for each span, made when asked for and kept.
+//
+// A cell carries its control points (from `core/subdivision`, nothing else), a box and a cone that
+// holds all its directions. Every bound contains the rounding of the net it was made from.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/forms/curve_spans.h"
+#include "core/forms/evaluation.h"
+#include "core/math/interval.h"
+#include "core/math/vec.h"
+#include "core/subdivision/cell_nets.h"
+
+namespace blossom {
+
+/// Numbers from low to high.
+struct ValueRange {
+  double low = 0;
+  double high = 0;
+};
+
+struct CurveCell {
+  int span = 0;
+  int depth = 0;   ///< halvings since the whole span
+  int child = -1;  ///< index of the lower half, the upper one follows; -1: none
+  Interval local;  ///< place in the span's [0, 1]
+  int points = 0;  ///< degree + 1
+  const double* homogeneous = nullptr;  ///< Bezier net, `dimension` planes and one of weights
+  const double* hull = nullptr;         ///< control points in space, `dimension` planes
+  double margin = 0;                    ///< rounding of a hull coordinate, model units
+  Vec3 low, high;                       ///< box of the hull, margin included
+  double extent = 0;                    ///< longest side of the box
+  Vec3 axis;                            ///< direction of the chord; zero: none
+  double cosine = -1;  ///< of half the cone round `axis` that holds all directions; -1: no cone
+};
+
+/// Where a parameter of the whole curve lies.
+struct SpanPoint {
+  int span = 0;
+  double t = 0;  ///< local, in [0, 1]
+};
+
+class CurveTree {
+ public:
+  /// curve      its points are taken relative to `origin`, to keep digits far from zero
+  /// dimension  2 leaves out z, which has to be 0 everywhere
+  CurveTree(const CurveSpans& curve, const Vec3& origin, int dimension);
+
+  const CurveCell& operator[](int index) const { return cells_[static_cast<std::size_t>(index)]; }
+
+  /// Cell i is span i.
+  int spans() const { return static_cast<int>(curve_.spans.size()); }
+
+  /// Index of the lower half of a cell, made if it is not there. Invalidates references.
+  int split(int index);
+
+  /// ValueRange of the first (second) derivative's component along a direction over a cell, by the
+  /// cell's own parameter in [0, 1]; rounding included.
+  std::array<ValueRange, 2> derivative_ranges(const CurveCell& cell, const Vec3& direction) const;
+
+  /// Value and derivatives on a span, relative to the origin.
+  CurveJet jet(const SpanPoint& at) const {
+    return jet_at(curve_.spans[static_cast<std::size_t>(at.span)].curve, at.t);
+  }
+
+  /// Bound on the error of a coordinate of such a point, model units.
+  double evaluation_margin() const { return evaluation_margin_; }
+
+  /// Bound on the length of the second derivative by the span's local parameter, over the smallest
+  /// cell made so far that holds all of the span within `reach` of a place.
+  double bend_near(const SpanPoint& at, double reach) const;
+
+  double parameter(const SpanPoint& at) const;
+  SpanPoint place(double parameter) const;
+
+  const CurveSpans& curve() const { return curve_; }  ///< relative to the origin
+  int dimension() const { return dimension_; }
+  bool closed() const { return closed_; }  ///< the last point is the first one, bit for bit
+  double largest_margin() const { return largest_margin_; }
+  int depth() const { return depth_; }
+
+ private:
+  double* allocate(int count);
+  void add_span(int span);
+  void finish(CurveCell& cell);
+  void bound_directions(CurveCell& cell) const;
+
+  CurveSpans curve_;
+  int dimension_;
+  bool closed_ = false;
+  double hull_scale_ = 0;  // largest absolute coordinate of a control point in space, or origin
+  double evaluation_margin_ = 0;
+  double largest_margin_ = 0;
+  int depth_ = 0;
+  std::vector<CurveCell> cells_;
+  std::vector<std::unique_ptr<double[]>> blocks_;
+  int block_ = 0;
+  int free_in_block_ = 0;
+};
+
+/// ValueRange of the components of the control points along a direction of length 1; margin
+/// included.
+ValueRange range_along(const CurveCell& cell, int dimension, const Vec3& direction);
+
+}  // namespace blossom

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/curve_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/intersection/work_limit.h"
+
+namespace blossom {
+namespace {
+
+constexpr long kAskEvery = 256;  // pairs between two looks at the clock
+// Contacts longer than this part of the curves are not looked for as valleys.
+constexpr double kLongestValley = 0.03;
+constexpr double kParameterSlack = 1e-14;
+constexpr double kNarrow = 0.9;  // cosine of a cone in which one place has a given component
+constexpr int kAxisSteps = 60;
+constexpr int kFootSteps = 3;
+
+double extent_of(const CurveTree& tree) {
+  Vec3 low = tree[0].low, high = tree[0].high;
+  for (int i = 1; i < tree.spans(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], tree[i].low[k]);
+      high[k] = std::max(high[k], tree[i].high[k]);
+    }
+  return max_norm(high - low);
+}
+
+double box_distance(const CurveCell& cell, const Vec3& point, int dimension) {
+  double farthest = 0;
+  for (int k = 0; k < dimension; ++k)
+    farthest = std::max({farthest, cell.low[k] - point[k], point[k] - cell.high[k]});
+  return farthest;
+}
+
+bool meet(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
+
+// Both cones within less than a right angle of one direction: all tangents of the two pieces have
+// a positive component along it, so one curve that runs through both does not meet itself.
+bool turns_little(const CurveCell& a, const CurveCell& b, double sign) {
+  const Vec3 middle = unit(a.axis + b.axis * sign);
+  const auto holds = [&](const CurveCell& cell, double s) {
+    const double c = s * dot(middle, cell.axis);
+    if (!(c > 0 && cell.cosine > 0)) return false;
+    const double sines = std::sqrt(std::max(0.0, (1 - c * c) * (1 - cell.cosine * cell.cosine)));
+    return c * cell.cosine > sines + 1e-9;
+  };
+  return holds(a, 1) && holds(b, sign);
+}
+
+Interval image(const LinearRational& map, const Interval& part) {
+  const double p = map(part.from), q = map(part.to);
+  return {std::min(p, q), std::max(p, q)};
+}
+
+// The place of a cell with narrow cone whose point has the component of `point` along the axis,
+// in which the curve only grows; then the foot near it.
+SpanPoint foot_in(const CurveTree& tree, const CurveCell& cell, const Vec3& point) {
+  Interval bracket = cell.local;
+  double t = at(bracket, 0.5);
+  for (int k = 0; k < kAxisSteps; ++k) {
+    const CurveJet jet = tree.jet({cell.span, t});
+    const double rest = dot(cell.axis, point - jet.point);
+    (rest > 0 ? bracket.from : bracket.to) = t;
+    double next = t + rest / dot(cell.axis, jet.first);
+    if (!(next >= bracket.from && next <= bracket.to)) next = at(bracket, 0.5);
+    if (std::abs(next - t) <= 1e-16) break;
+    t = next;
+  }
+  for (int k = 0; k < kFootSteps; ++k) {
+    const CurveJet jet = tree.jet({cell.span, t});
+    const double step = dot(jet.first, point - jet.point) / dot(jet.first, jet.first);
+    if (std::isfinite(step)) t = std::clamp(t + step, cell.local.from, cell.local.to);
+  }
+  return {cell.span, t};
+}
+
+}  // namespace
+
+CurveFindings CurveSearch::run(const std::vector<SharedSpans>& shared) {
+  shared_ = &shared;
+  longest_valley_ = kLongestValley * std::min(extent_of(a_), extent_of(b_));
+  add_spans();
+  const WorkLimit limit(options_);
+  for (long count = 1; !pairs_.empty(); ++count) {
+    if (count % kAskEvery == 0) found_.stopped = limit.reached();
+    if (count > options_.budget) found_.stopped = "the budget is spent";
+    if (found_.stopped) break;
+    const auto [index_a, index_b] = pairs_.back();
+    pairs_.pop_back();
+    examine(index_a, index_b);
+  }
+  for (const auto& [index_a, index_b] : pairs_)
+    add_contact({a_, a_[index_a], b_, b_[index_b]}, found_.open);
+  return std::move(found_);
+}
+
+void CurveSearch::add_spans() {
+  for (int i = 0; i < a_.spans(); ++i)
+    for (int j = itself_ ? i : 0; j < b_.spans(); ++j) {
+      bool apart = false;
+      for (int k = 0; k < a_.dimension(); ++k)
+        apart = apart || a_[i].low[k] > b_[j].high[k] + tolerance_ ||
+                b_[j].low[k] > a_[i].high[k] + tolerance_;
+      if (apart)
+        ++found_.excluded;
+      else
+        pairs_.emplace_back(i, j);
+    }
+}
+
+void CurveSearch::examine(int index_a, int index_b) {
+  const CurvePair pair{a_, a_[index_a], b_, b_[index_b]};
+  if (itself_ && index_a == index_b) {
+    if (turns_little(pair.a, pair.a, 1)) return;
+    if (pair.a.extent <= tolerance_ + 8 * pair.a.margin) return add_contact(pair, found_.contacts);
+    return halve(index_a, index_b, true);
+  }
+  if (separated(pair, tolerance_)) {
+    ++found_.excluded;
+    return;
+  }
+  if (is_shared(pair)) return;
+  const bool joined = itself_ && are_neighbours(pair.a, pair.b);
+  if (joined && turns_little(pair.a, pair.b, 1)) return;
+  if (!joined) {
+    const auto sine = least_sine(pair);
+    if (sine && settle(pair, *sine)) {
+      ++found_.certified;
+      return;
+    }
+    if (const auto valley =
+            sine ? std::nullopt : valley_points(pair, tolerance_, longest_valley_)) {
+      found_.points.insert(found_.points.end(), valley->points.begin(),
+                           valley->points.begin() + valley->count);
+      ++found_.certified;
+      return;
+    }
+  }
+  // Boxes and strips are no smaller than the rounding they contain.
+  const double least = tolerance_ + 8 * (pair.a.margin + pair.b.margin);
+  const bool small = std::max(pair.a.extent, pair.b.extent) <= least;
+  if (small || (!joined && within_strip(pair, least))) return add_contact(pair, found_.contacts);
+  halve(index_a, index_b, pair.a.extent >= pair.b.extent);
+}
+
+void CurveSearch::halve(int index_a, int index_b, bool first) {
+  if (itself_ && index_a == index_b) {
+    const int child = a_.split(index_a);
+    pairs_.emplace_back(child, child);
+    pairs_.emplace_back(child, child + 1);
+    pairs_.emplace_back(child + 1, child + 1);
+    return;
+  }
+  const int child = first ? a_.split(index_a) : b_.split(index_b);
+  for (const int half : {child, child + 1})
+    pairs_.emplace_back(first ? half : index_a, first ? index_b : half);
+}
+
+// A pair of pieces that run through the common part: with little turning they meet only there.
+bool CurveSearch::is_shared(const CurvePair& pair) const {
+  for (const SharedSpans& known : *shared_) {
+    if (known.span_a != pair.a.span || known.span_b != pair.b.span) continue;
+    const LinearRational& map = known.shared.map;
+    const Interval part{std::max(pair.a.local.from, map.from.from),
+                        std::min(pair.a.local.to, map.from.to)};
+    if (part.from > part.to || !meet(image(map, part), pair.b.local)) continue;
+    if (turns_little(pair.a, pair.b, map.to.to > map.to.from ? 1 : -1)) return true;
+  }
+  return false;
+}
+
+bool CurveSearch::are_neighbours(const CurveCell& a, const CurveCell& b) const {
+  if (a.span == b.span) return meet(a.local, b.local);
+  const auto follows = [&](const CurveCell& x, const CurveCell& y) {
+    const bool next = y.span == x.span + 1;
+    const bool seam = a_.closed() && x.span == a_.spans() - 1 && y.span == 0;
+    return (next || seam) && x.local.to == 1 && y.local.from == 0;
+  };
+  return follows(a, b) || follows(b, a);
+}
+
+void CurveSearch::add_contact(const CurvePair& pair, std::vector<CurveContact>& list) {
+  const auto range = [](const CurveTree& tree, const CurveCell& cell) {
+    return Interval{tree.parameter({cell.span, cell.local.from}),
+                    tree.parameter({cell.span, cell.local.to})};
+  };
+  list.push_back({range(a_, pair.a), range(b_, pair.b), dot(pair.a.axis, pair.b.axis) < 0,
+                  itself_ && are_neighbours(pair.a, pair.b)});
+}
+
+// The one common point that a pair with directions apart can have. False if it is not decided.
+bool CurveSearch::settle(const CurvePair& pair, double sine) {
+  const bool planar = pair.dimension() == 2;
+  const auto found = nearest_feet(pair, chord_feet(pair));
+  if (!found) return false;
+  const double rounding = 4 * pair.margin() / sine;
+  const double reach = planar ? rounding : 2 * (tolerance_ + pair.margin()) / sine;
+  const auto inside = [](double t, const Interval& cell, double slack) {
+    return t >= cell.from - slack && t <= cell.to + slack;
+  };
+  const double speed_a = norm(found->jet_a.first), speed_b = norm(found->jet_b.first);
+  if (!inside(found->a.t, pair.a.local, reach / speed_a + kParameterSlack) ||
+      !inside(found->b.t, pair.b.local, reach / speed_b + kParameterSlack))
+    return planar && settle_outside(pair, *found);
+  const bool on_spans = inside(found->a.t, {0, 1}, rounding / speed_a + kParameterSlack) &&
+                        inside(found->b.t, {0, 1}, rounding / speed_b + kParameterSlack);
+  if (!on_spans) return true;  // an end of a span is nearest: ends are examined apart
+  const CurveFoot foot = foot_at(pair, {found->a.span, std::clamp(found->a.t, 0.0, 1.0)},
+                                 {found->b.span, std::clamp(found->b.t, 0.0, 1.0)});
+  const double gap = norm(foot.gap());
+  if (gap > tolerance_ + pair.margin()) return false;
+  ValleyPoint point{foot,
+                    false,
+                    {std::max(0.0, gap - 2 * pair.margin()), gap + 2 * pair.margin()},
+                    (tolerance_ + pair.margin()) / sine};
+  point.touch = !planar && gap > 4 * pair.margin();
+  found_.points.push_back(point);
+  return true;
+}
+
+// The common point of the curves' continuations lies outside: proven by the cones at the nearest
+// border.
+bool CurveSearch::settle_outside(const CurvePair& pair, CurveFoot foot) {
+  const auto turn = [](const Vec3& a, const Vec3& b) { return a[0] * b[1] - a[1] * b[0]; };
+  const auto clamped = [](double t, const Interval& cell) {
+    return std::clamp(t, cell.from, cell.to);
+  };
+  const double t = clamped(foot.a.t, pair.a.local);
+  const bool moved = t != foot.a.t;
+  foot = foot_at(pair, {foot.a.span, t}, {foot.b.span, clamped(foot.b.t, pair.b.local)});
+  // Where the other curve lies straight ahead of the border.
+  if (moved) {
+    const double step = turn(pair.a.axis, foot.gap()) / turn(pair.a.axis, foot.jet_b.first);
+    foot = foot_at(pair, foot.a, {foot.b.span, clamped(foot.b.t + step, pair.b.local)});
+  } else {
+    const double step = -turn(pair.b.axis, foot.gap()) / turn(pair.b.axis, foot.jet_a.first);
+    foot = foot_at(pair, {foot.a.span, clamped(foot.a.t + step, pair.a.local)}, foot.b);
+  }
+  return cones_exclude(pair, foot);
+}
+
+std::vector<SpanPoint> feet_near(CurveTree& tree, const Vec3& point, double tolerance) {
+  std::vector<int> cells;
+  for (int i = 0; i < tree.spans(); ++i) cells.push_back(i);
+  std::vector<SpanPoint> feet;
+  while (!cells.empty()) {
+    const int index = cells.back();
+    cells.pop_back();
+    const CurveCell& cell = tree[index];
+    if (box_distance(cell, point, tree.dimension()) > tolerance) continue;
+    if (cell.cosine < kNarrow && cell.extent > tolerance + 8 * cell.margin) {
+      const int child = tree.split(index);
+      cells.push_back(child);
+      cells.push_back(child + 1);
+      continue;
+    }
+    const SpanPoint foot = foot_in(tree, cell, point);
+    if (distance(tree.jet(foot).point, point) <= tolerance + tree.evaluation_margin())
+      feet.push_back(foot);
+  }
+  return feet;
+}
+
+}  // namespace blossom

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/curve_valley.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blossom {
+namespace {
+
+constexpr double kNarrow = 0.97;     // least cosine of half cones that are worth trying
+constexpr double kNearlyOne = 0.97;  // least cosine between the axes
+constexpr int kSolveSteps = 12;      // of Newton's method for the place with a given x
+constexpr int kSearchSteps = 60;     // of the safeguarded search on x
+constexpr double kSettled = 1e-13;   // steps this small, as part of the range, are the last
+constexpr double kNoise = 1e-3;      // a gap this part of the bound on its error is 0
+constexpr double kBorder = 1e-9;     // fraction of the range; minima this far outside count, too
+
+// One graph's value, slope and curvature over x.
+struct GraphPoint {
+  double t = 0;
+  double x = 0, y = 0;
+  double slope = 0, bend = 0;
+  double rate = 1;  ///< of x by t
+};
+
+class Valley {
+ public:
+  Valley(const CurvePair& pair, double tolerance, double longest)
+      : pair_(pair), tolerance_(tolerance), longest_(longest), error_(pair.margin()) {}
+
+  std::optional<ValleyPoints> points() {
+    if (!make_frame() || !make_range()) return std::nullopt;
+    if (!(low_ < high_)) return ValleyPoints{};
+    if (!prove_convex()) return std::nullopt;
+    if (!decide()) return std::nullopt;
+    return result_;
+  }
+
+ private:
+  struct Side {
+    double x, gap, slope;
+    GraphPoint a, b;
+  };
+
+  bool make_frame() {
+    const CurveCell &a = pair_.a, &b = pair_.b;
+    if (!(a.cosine > kNarrow && b.cosine > kNarrow)) return false;
+    const double along = dot(a.axis, b.axis);
+    if (!(std::abs(along) > kNearlyOne)) return false;
+    reversed_ = along < 0;
+    e_ = unit(a.axis + (reversed_ ? -b.axis : b.axis));
+    if (pair_.dimension() == 2) {
+      m_ = {-e_[1], e_[0], 0};
+      return true;
+    }
+    const CurveJet ja = pair_.tree_a.jet({a.span, at(a.local, 0.5)});
+    const CurveJet jb = pair_.tree_b.jet({b.span, at(b.local, 0.5)});
+    const Vec3 difference = curvature(ja) - curvature(jb);
+    m_ = unit(difference - e_ * dot(e_, difference));
+    return !(m_ == Vec3{});
+  }
+
+  // The second derivative of the graph over e, as a vector.
+  Vec3 curvature(const CurveJet& jet) const {
+    const double rate = dot(e_, jet.first);
+    return (jet.second - jet.first * (dot(e_, jet.second) / rate)) * (1 / (rate * rate));
+  }
+
+  // The part of x that both cells cover.
+  bool make_range() {
+    const auto end = [&](const CurveTree& tree, const CurveCell& cell, bool last) {
+      return dot(e_, tree.jet({cell.span, last ? cell.local.to : cell.local.from}).point);
+    };
+    a_low_ = end(pair_.tree_a, pair_.a, false);
+    a_high_ = end(pair_.tree_a, pair_.a, true);
+    b_low_ = end(pair_.tree_b, pair_.b, reversed_);
+    b_high_ = end(pair_.tree_b, pair_.b, !reversed_);
+    low_ = std::max(a_low_, b_low_);
+    high_ = std::min(a_high_, b_high_);
+    return a_low_ < a_high_ && b_low_ < b_high_;
+  }
+
+  // Bounds of d2y/dx2 = (y'' - y' x'' / x') / x'^2 over a cell; nothing if x' may vanish.
+  static std::optional<ValueRange> bend_range(const std::array<ValueRange, 2>& x,
+                                              const std::array<ValueRange, 2>& y) {
+    const double sign = x[0].low > 0 ? 1 : -1;
+    const double least = std::min(sign * x[0].low, sign * x[0].high);
+    const double most = std::max(sign * x[0].low, sign * x[0].high);
+    if (!(least > 0)) return std::nullopt;
+    const double slope = std::max(std::abs(y[0].low), std::abs(y[0].high)) / least;
+    const double stretch = std::max(std::abs(x[1].low), std::abs(x[1].high));
+    const double low = y[1].low - slope * stretch, high = y[1].high + slope * stretch;
+    const double over_least = 1 / (least * least), over_most = 1 / (most * most);
+    return ValueRange{low * (low < 0 ? over_least : over_most),
+                      high * (high < 0 ? over_most : over_least)};
+  }
+
+  bool prove_convex() {
+    const auto bounds = [&](const CurveTree& tree, const CurveCell& cell) {
+      return bend_range(tree.derivative_ranges(cell, e_), tree.derivative_ranges(cell, m_));
+    };
+    const auto a = bounds(pair_.tree_a, pair_.a);
+    const auto b = a ? bounds(pair_.tree_b, pair_.b) : std::nullopt;
+    if (!b) return false;
+    ValueRange bend{a->low - b->high, a->high - b->low};
+    sign_ = bend.low > 0 ? 1 : -1;
+    if (sign_ < 0) bend = {-bend.high, -bend.low};
+    least_bend_ = bend.low;
+    most_bend_ = bend.high;
+    return least_bend_ * longest_ * longest_ >= 8 * tolerance_;
+  }
+
+  GraphPoint graph(const CurveTree& tree, int span, double t) const {
+    const CurveJet jet = tree.jet({span, t});
+    const double rate = dot(e_, jet.first);
+    GraphPoint point{t, dot(e_, jet.point), dot(m_, jet.point), dot(m_, jet.first) / rate, 0, rate};
+    point.bend = (dot(m_, jet.second) - point.slope * dot(e_, jet.second)) / (rate * rate);
+    return point;
+  }
+
+  // The point of a graph at x, from the linear guess by Newton's method kept inside the cell.
+  GraphPoint graph_at(const CurveTree& tree, const CurveCell& cell, double x_from, double x_to,
+                      double x) const {
+    double t = at(cell.local, std::clamp((x - x_from) / (x_to - x_from), 0.0, 1.0));
+    GraphPoint point = graph(tree, cell.span, t);
+    for (int k = 0; k < kSolveSteps; ++k) {
+      const double next =
+          std::clamp(t + (x - point.x) / point.rate, cell.local.from, cell.local.to);
+      if (std::abs(next - t) <= 1e-16) break;
+      t = next;
+      point = graph(tree, cell.span, t);
+    }
+    return point;
+  }
+
+  // The gap over x, as a convex function.
+  Side side_at(double x) const {
+    Side side;
+    side.x = x;
+    side.a = graph_at(pair_.tree_a, pair_.a, a_low_, a_high_, x);
+    side.b = reversed_ ? graph_at(pair_.tree_b, pair_.b, b_high_, b_low_, x)
+                       : graph_at(pair_.tree_b, pair_.b, b_low_, b_high_, x);
+    // What is left of the equation for x moves the values along the graphs.
+    const double y_a = side.a.y + side.a.slope * (x - side.a.x);
+    const double y_b = side.b.y + side.b.slope * (x - side.b.x);
+    side.gap = sign_ * (y_a - y_b);
+    side.slope = sign_ * (side.a.slope - side.b.slope);
+    return side;
+  }
+
+  double bend_of(const Side& side) const {
+    return std::clamp(sign_ * (side.a.bend - side.b.bend), least_bend_, most_bend_);
+  }
+
+  // The place of the least value between two sides whose slopes have different signs.
+  Side least(Side low, Side high) const {
+    Side side = low.slope > -high.slope ? high : low;
+    const double width = high.x - low.x;
+    for (int k = 0; k < kSearchSteps; ++k) {
+      double x = side.x - side.slope / bend_of(side);
+      if (!(x > low.x && x < high.x)) x = 0.5 * (low.x + high.x);
+      if (x == side.x || !(x > low.x && x < high.x)) break;
+      const double moved = std::abs(x - side.x);
+      side = side_at(x);
+      (side.slope < 0 ? low : high) = side;
+      if (moved <= kSettled * width) break;
+    }
+    return side;
+  }
+
+  // The zero between a side with gap above 0 and one with gap below 0.
+  Side zero(Side above, Side below) const {
+    Side side = above;
+    const double width = std::abs(above.x - below.x);
+    for (int k = 0; k < kSearchSteps; ++k) {
+      // On a convex function Newton's steps from above never pass the zero.
+      double x = side.gap > 0 && side.slope != 0 ? side.x - side.gap / side.slope
+                                                 : 0.5 * (above.x + below.x);
+      const double low = std::min(above.x, below.x), high = std::max(above.x, below.x);
+      if (!(x > low && x < high)) x = 0.5 * (low + high);
+      if (x == side.x || !(x > low && x < high)) break;
+      const double moved = std::abs(x - side.x);
+      side = side_at(x);
+      (side.gap > 0 ? above : below) = side;
+      if (moved <= kSettled * width || std::abs(side.gap) <= kNoise * error_) break;
+    }
+    return side;
+  }
+
+  // The distance in all directions at a place; false if the curves part there in the third one.
+  bool add(const Side& side, bool touch) {
+    ValleyPoint point;
+    point.foot = foot_at(pair_, {pair_.a.span, side.a.t}, {pair_.b.span, side.b.t});
+    point.touch = touch;
+    const double off = pair_.dimension() == 3 ? std::abs(dot(cross(e_, m_), point.foot.gap())) : 0;
+    if (off > 4 * error_) return false;
+    point.gap = {0, error_ + off};
+    if (touch && side.gap > error_) measure(side, point);
+    point.half_length = std::sqrt(2 * (tolerance_ + error_) / least_bend_);
+    result_.points[static_cast<std::size_t>(result_.count++)] = point;
+    return true;
+  }
+
+  // At the least gap over x the directions agree, but the shortest way leads along the normal, not
+  // along m. Moving b's point there by gap * slope changes the distance by the square of that.
+  void measure(const Side& side, ValleyPoint& point) const {
+    const CurveJet& jet = point.foot.jet_b;
+    const double step = dot(jet.first, point.foot.gap()) / dot(jet.first, jet.first);
+    point.foot =
+        foot_at(pair_, point.foot.a, {pair_.b.span, std::clamp(side.b.t + step, 0.0, 1.0)});
+    const double moved = side.gap * side.b.slope;
+    const double error = error_ + (most_bend_ + std::abs(side.b.bend)) * moved * moved;
+    const double gap = norm(point.foot.gap());
+    point.gap = {std::max(0.0, gap - error), gap + error};
+  }
+
+  // A zero between the border `side` of the range and the least value, if there is one.
+  bool add_zero(const Side& side, const Side& least) {
+    if (side.gap < -error_) return true;
+    if (side.gap <= error_) return add(side, false);
+    return add(zero(side, least), false);
+  }
+
+  bool decide() {
+    const Side low = side_at(low_), high = side_at(high_);
+    const double slack = most_bend_ * kBorder * (high_ - low_);
+    if (low.slope < slack && high.slope > -slack) {
+      const Side bottom = least(low, high);
+      if (bottom.gap > tolerance_ + error_) return true;
+      const double depth = std::max(0.0, -bottom.gap - error_);
+      const bool one_point = 2 * std::sqrt(2 * depth / least_bend_) <= tolerance_;
+      if (bottom.gap >= -error_ || one_point) return add(bottom, true);
+      return add_zero(low, bottom) && add_zero(high, bottom);
+    }
+    return decide_monotone(low.slope >= slack ? low : high, low.slope >= slack ? high : low);
+  }
+
+  // The gap grows from `lower` to `upper`.
+  bool decide_monotone(const Side& lower, const Side& upper) {
+    if (lower.gap > error_)  // in space the third direction may still bring them together
+      return pair_.dimension() == 2 || lower.gap > tolerance_ + error_;
+    if (upper.gap < -error_) return pair_.dimension() == 2 || upper.gap < -tolerance_ - error_;
+    if (lower.gap >= -error_) return add(lower, false);
+    if (upper.gap <= error_) return add(upper, false);
+    return add(zero(upper, lower), false);
+  }
+
+  const CurvePair& pair_;
+  double tolerance_;
+  double longest_;
+  double error_;
+  bool reversed_ = false;
+  Vec3 e_, m_;
+  double a_low_ = 0, a_high_ = 0, b_low_ = 0, b_high_ = 0;
+  double low_ = 0, high_ = 0;
+  double sign_ = 1;
+  double least_bend_ = 0, most_bend_ = 0;
+  ValleyPoints result_;
+};
+
+}  // namespace
+
+std::optional<ValleyPoints> valley_points(const CurvePair& pair, double tolerance, double longest) {
+  return Valley(pair, tolerance, longest).points();
+}
+
+}  // namespace blossom
