@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// All points that two planar curves have in common.
-//
-// Pairs of pieces are excluded by boxes and fat lines, decided where the cones of their
-// directions are apart (then they meet at most once), and halved otherwise. Pieces that stay
-// within tolerance of each other without a decision are contacts; they are reported, not dropped.
+// All points that two planar curves have in common: what `core/intersection/curve_meeting.h` finds,
+// in the terms of charts. Trims need no proofs but ends: what cannot be told from an end of a curve
+// is that end.
 
 #pragma once
 
