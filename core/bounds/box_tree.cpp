@@ -26,6 +26,24 @@ double diagonal(const Box& box) {
   return box.low[0] > box.high[0] ? 0 : distance(box.low, box.high);
 }
 
+Box widened(const Box& box, double by) {
+  const Vec3 move{by, by, by};
+  return {box.low - move, box.high + move};
+}
+
+double squared_distance(const Box& a, const Box& b) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double gap = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+double squared_distance(const Box& box, const Vec3& point) {
+  return squared_distance(box, Box{point, point});
+}
+
 BoxTree::BoxTree(const std::vector<Box>& boxes) {
   std::vector<int> order(boxes.size());
   std::iota(order.begin(), order.end(), 0);

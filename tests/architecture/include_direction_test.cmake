@@ -23,7 +23,8 @@ set(standard_library "<[a-z_0-9]+>")
 set(core_sources "<(Eigen|tbb|oneapi/tbb|boost/multiprecision)/|<immintrin.h>")
 
 # Each room of core may use those before it.
-set(rooms base math forms blossom subdivision bounds intersection tracing trimming blending)
+set(rooms base math forms blossom subdivision bounds intersection queries tracing trimming
+          blending)
 foreach(room ${rooms})
   list(APPEND so_far ${room})
   string(JOIN "|" below ${so_far})
