@@ -32,10 +32,13 @@ void validate(const Ray& ray) {
   if (!(ray.from <= ray.to)) throw InvalidInput("ray: its end must not be before its start");
 }
 
-std::vector<Box> reachable(const std::vector<Box>& boxes, double tolerance) {
+std::vector<Box> reachable(const FlatCells& cells) {
   std::vector<Box> result;
-  result.reserve(boxes.size());
-  for (const Box& box : boxes) result.push_back(widened(box, tolerance));
+  result.reserve(cells.boxes().size());
+  for (std::size_t i = 0; i < cells.boxes().size(); ++i) {
+    const auto patch = static_cast<std::size_t>(cells.cells()[i].patch);
+    result.push_back(widened(cells.boxes()[i], cells.patches()[patch].reach));
+  }
   return result;
 }
 
@@ -59,12 +62,14 @@ void join(RayHit& into, const RayHit& hit) {
   const double first = std::min(into.first, hit.first), last = std::max(into.last, hit.last);
   const bool grazing = into.grazing || hit.grazing, border = into.border || hit.border;
   const Status status = weaker(into.status, hit.status);
+  const int mark = std::max(into.mark, hit.mark);
   if (into.status != Status::Complete && hit.status == Status::Complete) into = hit;
   into.first = first;
   into.last = last;
   into.grazing = grazing;
   into.border = border;
   into.status = status;
+  into.mark = mark;
 }
 
 template <class Ask>
@@ -105,9 +110,10 @@ void join_hits(std::vector<RayHit>& hits, double speed, double tolerance) {
             [](const RayHit& a, const RayHit& b) { return a.parameter < b.parameter; });
 }
 
-RayCaster::RayCaster(std::vector<BezierSurface> surfaces, const Tolerances& tolerances)
-    : cells_(std::move(surfaces), checked(tolerances)),
-      tree_(reachable(cells_.boxes(), tolerances.point)),
+RayCaster::RayCaster(std::vector<BezierSurface> surfaces, const Tolerances& tolerances,
+                     std::vector<double> reaches)
+    : cells_(std::move(surfaces), checked(tolerances), std::move(reaches)),
+      tree_(reachable(cells_)),
       tolerance_(tolerances.point) {}
 
 std::vector<RayHit> RayCaster::all_hits(const Ray& ray) const {

@@ -27,9 +27,12 @@ using HitFilter = std::function<bool(RayHit&)>;
 /// Surfaces made ready for rays. Any number of threads may use one, each by its own RayQuery.
 class RayCaster {
  public:
-  /// throws   InvalidInput if there is no surface, one is not well formed, or the tolerance is not
-  ///          positive
-  explicit RayCaster(std::vector<BezierSurface> surfaces, const Tolerances& tolerances = {});
+  /// reaches  one for each surface: how far beyond its borders it counts, model units; empty
+  ///          stands for the tolerance
+  /// throws   InvalidInput if there is no surface, one is not well formed, the tolerance is not
+  ///          positive, or the numbers of surfaces and reaches differ
+  explicit RayCaster(std::vector<BezierSurface> surfaces, const Tolerances& tolerances = {},
+                     std::vector<double> reaches = {});
 
   /// All hits by increasing parameter. A point on a border that patches share is one hit, and so
   /// are a stretch within tolerance and what meets it.

@@ -65,9 +65,14 @@ bool is_flat(const FlatCell& cell) {
 
 }  // namespace
 
-FlatCells::FlatCells(std::vector<BezierSurface> surfaces, double smallest)
-    : surfaces_(std::move(surfaces)), smallest_(smallest) {
+FlatCells::FlatCells(std::vector<BezierSurface> surfaces, double smallest,
+                     std::vector<double> reaches)
+    : surfaces_(std::move(surfaces)), reaches_(std::move(reaches)), smallest_(smallest) {
   if (surfaces_.empty()) throw InvalidInput("FlatCells: there is no surface");
+  if (reaches_.empty()) reaches_.assign(surfaces_.size(), smallest);
+  if (reaches_.size() != surfaces_.size())
+    throw InvalidInput("FlatCells: " + std::to_string(surfaces_.size()) + " surfaces, but " +
+                       std::to_string(reaches_.size()) + " reaches");
   std::size_t count = 0;
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
     validate(surfaces_[i], ("number " + std::to_string(i)).c_str());
@@ -83,7 +88,15 @@ FlatCells::FlatCells(std::vector<BezierSurface> surfaces, double smallest)
 void FlatCells::add_patch(int surface, int row, int column) {
   const BezierSurface& owner = surfaces_[static_cast<std::size_t>(surface)];
   const RationalBezierPatch& patch = owner.patches(row, column);
-  PlacedPatch placed{&patch, surface, row, column};
+  PlacedPatch placed;
+  placed.patch = &patch;
+  placed.surface = surface;
+  placed.row = row;
+  placed.column = column;
+  placed.ends_low = {!owner.closed_u && row == 0, !owner.closed_v && column == 0};
+  placed.ends_high = {!owner.closed_u && row + 1 == owner.patches.rows(),
+                      !owner.closed_v && column + 1 == owner.patches.columns()};
+  placed.reach = reaches_[static_cast<std::size_t>(surface)];
   const auto weights =
       std::minmax_element(patch.points.values().begin(), patch.points.values().end(),
                           [](const Vec4& a, const Vec4& b) { return a[3] < b[3]; });

@@ -41,6 +41,9 @@ struct PlacedPatch {
   int surface = 0;
   int row = 0;
   int column = 0;
+  std::array<bool, 2> ends_low{};   ///< the surface ends at u = 0, v = 0 of this patch
+  std::array<bool, 2> ends_high{};  ///< likewise at 1
+  double reach = 0;  ///< how far beyond its ends the surface still counts, model units
   double least_weight = 1;
   double largest_weight = 1;
 };
@@ -59,8 +62,12 @@ class FlatCells {
   /// Cuts all patches until their cells are flat enough for one step of Newton's method to be
   /// good, or a cell is no larger than `smallest`.
   /// surfaces  validated, the result keeps them
-  /// throws    InvalidInput if there is no surface or one is not well formed
-  FlatCells(std::vector<BezierSurface> surfaces, double smallest);
+  /// smallest  model units
+  /// reaches   one for each surface: how far beyond its borders it still counts, as where edges
+  ///           close gaps between faces; model units; empty stands for `smallest`
+  /// throws    InvalidInput if there is no surface, one is not well formed, or the numbers of
+  ///           surfaces and reaches differ
+  FlatCells(std::vector<BezierSurface> surfaces, double smallest, std::vector<double> reaches);
 
   FlatCells(FlatCells&&) = default;
   FlatCells(const FlatCells&) = delete;  // patches are found by address
@@ -89,6 +96,7 @@ class FlatCells {
   std::vector<PlacedPatch> patches_;
   std::vector<FlatCell> cells_;
   std::vector<Box> boxes_;
+  std::vector<double> reaches_;
   double smallest_;
   std::size_t most_cells_;
   double scale_ = 0;

@@ -154,6 +154,7 @@ LineSearch::Guess LineSearch::guess(const FlatCell& cell) const {
   const Vec3 q = r - t * ray_.direction;
   const double error = cells_.evaluation_error() * cells_.scale() +
                        8 * kRoundoff * (max_norm(ray_.origin) + std::abs(t) * direction_scale_);
+  const double reach = cells_.patches()[static_cast<std::size_t>(cell.patch)].reach;
   Vec2 value;
   bool exact = true;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -163,8 +164,7 @@ LineSearch::Guess LineSearch::guess(const FlatCell& cell) const {
       result.region.spread[i][j] = cell.spread[i][j] + lean * cell.tilt[j];
     value[k] = dot(cell.dual[i], q);
     result.region.rounding[k] = 4 * error * (cell.dual_length[i] + lean);
-    result.region.slack[k] =
-        clamped_slack(tolerance_ * cell.dual_length[i], result.region.rounding[k]);
+    result.region.slack[k] = clamped_slack(reach * cell.dual_length[i], result.region.rounding[k]);
     const double bound = 0.5 * (1 + result.region.spread[i][0] + result.region.spread[i][1]) +
                          result.region.rounding[k] + result.region.slack[k];
     result.excluded = result.excluded || std::abs(value[k]) > bound;
@@ -235,7 +235,8 @@ LineSearch::Newton LineSearch::newton(const Region& region, const Vec2& start) c
   return result;
 }
 
-void LineSearch::add_hit(const Newton& root, std::vector<RayHit>& hits) const {
+// False if the neighbour answers for it.
+bool LineSearch::add_hit(const Newton& root, std::vector<RayHit>& hits) const {
   RayHit hit;
   hit.patch = cell_->patch;
   hit.surface = placed().surface;
@@ -247,18 +248,23 @@ void LineSearch::add_hit(const Newton& root, std::vector<RayHit>& hits) const {
   hit.normal = unit(area);
   hit.grazing = std::abs(dot(area, ray_.direction)) <= kGrazing * norm(area) * std::sqrt(square_);
   const std::array<const Vec3*, 2> derivatives{&root.jet.u, &root.jet.v};
-  bool moved = false;
   for (int k = 0; k < 2; ++k) {
+    const auto i = static_cast<std::size_t>(k);
     // A length along the surface; at a collapsed side all of it is one point.
-    const double speed = norm(*derivatives[static_cast<std::size_t>(k)]);
+    const double speed = norm(*derivatives[i]);
     const double from_border = std::min(hit.local[k], 1 - hit.local[k]);
     hit.border = hit.border || from_border <= kLeastSlack || from_border * speed <= tolerance_;
-    moved = moved || from_border < 0;
+    if (from_border >= 0) continue;
+    const bool ends = hit.local[k] < 0 ? placed().ends_low[i] : placed().ends_high[i];
+    const double beyond = -from_border * speed;
+    if (from_border < -kLeastSlack && beyond > (ends ? placed().reach : tolerance_)) return false;
+    hit.beyond = std::max(hit.beyond, beyond);
     hit.local[k] = std::clamp(hit.local[k], 0.0, 1.0);
   }
-  if (moved) hit.point = jet_at(*patch_, hit.local[0], hit.local[1], 1).point;
+  if (hit.beyond > 0) hit.point = jet_at(*patch_, hit.local[0], hit.local[1], 1).point;
   hit.uv = cells_.parameters(hit.patch, hit.local);
   hits.push_back(hit);
+  return true;
 }
 
 void LineSearch::search(std::vector<RayHit>& hits) {
@@ -355,7 +361,7 @@ void LineSearch::look_at(const Piece& piece, double* net, std::vector<RayHit>& h
   const double margin = margin_ + halving_error(degree, piece.depth) * net_scale_;
   const bool at_border =
       piece.u.from == 0 || piece.u.to == 1 || piece.v.from == 0 || piece.v.to == 1;
-  const double reach = margin + (at_border ? tolerance_ * placed().largest_weight : 0);
+  const double reach = margin + (at_border ? placed().reach * placed().largest_weight : 0);
   const Range f_range = range_of(net, count), g_range = range_of(g, count);
   for (const Range& range : {f_range, g_range})
     if (range.low > reach || range.high < -reach) return;
@@ -385,7 +391,7 @@ void LineSearch::look_at(const Piece& piece, double* net, std::vector<RayHit>& h
     region.rounding[k] =
         2 * (std::abs(c[i][0]) + std::abs(c[i][1])) *
         (margin + (8 * degree + 8) * kRoundoff * std::max(largest(f_range), largest(g_range)));
-    region.slack[k] = clamped_slack(tolerance_ * cell_->dual_length[i] * cell_size[k] / size[k],
+    region.slack[k] = clamped_slack(placed().reach * cell_->dual_length[i] * cell_size[k] / size[k],
                                     region.rounding[k]);
     const double bound = 0.5 * (1 + region.spread[i][0] + region.spread[i][1]) +
                          region.rounding[k] + region.slack[k];
@@ -454,7 +460,7 @@ void LineSearch::add_contact(const Piece& piece, Status status, std::vector<RayH
     best.jet = jet_at(*patch_, best.local[0], best.local[1], 1);
     best.point = best.jet.point;
   }
-  add_hit(best, hits);
+  if (!add_hit(best, hits)) return;
   RayHit& hit = hits.back();
   hit.status = status;
   hit.first = std::min(hit.parameter, stretch.at.from);

@@ -80,7 +80,7 @@ class LineSearch {
   void restrict_net();
   void look_at(const Piece& piece, double* net, std::vector<RayHit>& hits, bool& open);
   bool split_along_u(const double* net) const;
-  void add_hit(const Newton& root, std::vector<RayHit>& hits) const;
+  bool add_hit(const Newton& root, std::vector<RayHit>& hits) const;
   void add_contact(const Piece& piece, Status status, std::vector<RayHit>& hits) const;
   bool runs_along(const Piece& piece, double height) const;
   double extent(const Piece& piece) const;

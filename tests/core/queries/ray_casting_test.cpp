@@ -356,6 +356,16 @@ TEST(RayCasting, AsksTheFilterAboutEachHit) {
   EXPECT_DOUBLE_EQ(query.first_hits(ray, upper)[0].parameter, 3);
 }
 
+TEST(RayCasting, CountsWhatPassesWithinReachOfABorder) {
+  const RayCaster caster({table()}, {}, {1e-3});
+  const std::vector<RayHit> hits = caster.all_hits({{2 + 4e-4, 1, 4}, {0, 0, -1}});
+  ASSERT_EQ(hits.size(), 1u);
+  EXPECT_NEAR(hits[0].beyond, 4e-4, kRounding);
+  EXPECT_EQ(hits[0].point, (Vec3{2, 1, 1}));
+  EXPECT_TRUE(caster.all_hits({{2 + 1.1e-3, 1, 4}, {0, 0, -1}}).empty());
+  EXPECT_THROW(RayCaster({table()}, {}, {1e-3, 1e-3}), InvalidInput);
+}
+
 TEST(RayCasting, SaysSoWhenTheSurfaceIsOnlyAnApproximation) {
   BezierSurface surface = table();
   surface.error = 1e-6;

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/chart_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace blossom::occt {
+namespace {
+
+// Squares in each direction. A wire then runs through some 5 % of them; 4 kB a face.
+constexpr int kCells = 64;
+// Pieces of a wire are halved down to a square; no piece needs more.
+constexpr int kDeepest = 16;
+
+}  // namespace
+
+ChartRegion::ChartRegion(const FaceTrims& trims) : box_(trims.box), natural_(trims.natural) {
+  if (natural_) return;
+  for (int k = 0; k < 2; ++k) per_cell_[k] = kCells / (box_.high[k] - box_.low[k]);
+  cells_.assign(static_cast<std::size_t>(kCells * kCells), Place::Outside);
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      for (const PlanarSpan& span : coedge.curve.spans) mark(span.curve, 0);
+      const Interval domain = coedge.curve.domain();
+      const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
+      mark_line(corner(coedge.from),
+                point_at(coedge.curve, coedge.reversed() ? domain.to : domain.from));
+      mark_line(corner(coedge.to),
+                point_at(coedge.curve, coedge.reversed() ? domain.from : domain.to));
+    }
+  fill(trims);
+}
+
+ChartRegion::Place ChartRegion::place(const Vec2& point) const {
+  if (natural_) return Place::Inside;
+  const double x = (point[0] - box_.low[0]) * per_cell_[0];
+  const double y = (point[1] - box_.low[1]) * per_cell_[1];
+  // A hair outside may still be on a wire that runs along the box.
+  if (!(x >= -1 && y >= -1 && x <= kCells + 1 && y <= kCells + 1)) return Place::Outside;
+  return cells_[static_cast<std::size_t>(row(point[1]) * kCells + column(point[0]))];
+}
+
+int ChartRegion::column(double x) const {
+  return static_cast<int>(std::clamp((x - box_.low[0]) * per_cell_[0], 0.0, kCells - 1.0));
+}
+int ChartRegion::row(double y) const {
+  return static_cast<int>(std::clamp((y - box_.low[1]) * per_cell_[1], 0.0, kCells - 1.0));
+}
+
+ChartRegion::Place& ChartRegion::at_cell(int i, int j) {
+  return cells_[static_cast<std::size_t>(j * kCells + i)];
+}
+
+// The squares that the box meets, and those beside them.
+void ChartRegion::mark_box(const PlanarBox& box) {
+  const int i1 = std::min(column(box.high[0]) + 1, kCells - 1);
+  const int j1 = std::min(row(box.high[1]) + 1, kCells - 1);
+  for (int j = std::max(row(box.low[1]) - 1, 0); j <= j1; ++j)
+    for (int i = std::max(column(box.low[0]) - 1, 0); i <= i1; ++i) at_cell(i, j) = Place::Near;
+}
+
+void ChartRegion::mark(const PlanarBezier& curve, int depth) {
+  const PlanarBox box = box_of(curve.points);
+  const bool small = (box.high[0] - box.low[0]) * per_cell_[0] <= 1 ||
+                     (box.high[1] - box.low[1]) * per_cell_[1] <= 1;
+  if (small || depth >= kDeepest) {
+    mark_box(box);
+    return;
+  }
+  mark(bezier_piece(curve, {0, 0.5}), depth + 1);
+  mark(bezier_piece(curve, {0.5, 1}), depth + 1);
+}
+
+void ChartRegion::mark_line(const Vec2& from, const Vec2& to) {
+  mark(PlanarBezier{{{from[0], from[1], 1}, {to[0], to[1], 1}}}, 0);
+}
+
+// Squares side by side that no wire comes near are of one kind.
+void ChartRegion::fill(const FaceTrims& trims) {
+  for (int j = 0; j < kCells; ++j)
+    for (int i = 0; i < kCells; ++i) {
+      if (at_cell(i, j) == Place::Near) continue;
+      if (i > 0 && at_cell(i - 1, j) != Place::Near) {
+        at_cell(i, j) = at_cell(i - 1, j);
+      } else if (j > 0 && at_cell(i, j - 1) != Place::Near) {
+        at_cell(i, j) = at_cell(i, j - 1);
+      } else {
+        const Vec2 centre{box_.low[0] + (i + 0.5) / per_cell_[0],
+                          box_.low[1] + (j + 0.5) / per_cell_[1]};
+        at_cell(i, j) = is_inside(trims, centre) ? Place::Inside : Place::Outside;
+      }
+    }
+}
+
+}  // namespace blossom::occt

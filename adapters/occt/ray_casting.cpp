@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/ray_casting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include "adapters/occt/chart_region.h"
+#include "adapters/occt/errors.h"
+#include "adapters/occt/face_trims.h"
+#include "adapters/occt/surfaces.h"
+#include "core/forms/evaluation.h"
+
+namespace blossom::occt {
+namespace {
+
+// Rays that a thread takes at a time.
+constexpr std::size_t kBatch = 256;
+// A hit beside an edge lies in its neighbour within this many times the edge's tolerance.
+constexpr double kBesideEdge = 4;
+
+struct RayFace {
+  FaceTrims trims;
+  ChartRegion region;
+  bool reversed = false;
+
+  explicit RayFace(const TopoDS_Face& face)
+      : trims(face_trims(face)), region(trims), reversed(face.Orientation() == TopAbs_REVERSED) {}
+};
+
+std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape map;
+  if (!shape.IsNull()) TopExp::MapShapes(shape, TopAbs_FACE, map);
+  std::vector<TopoDS_Face> faces;
+  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
+  return faces;
+}
+
+double largest_tolerance(const TopoDS_Face& face) {
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(face, TopAbs_EDGE, edges);
+  double largest = 0;
+  for (int i = 1; i <= edges.Extent(); ++i)
+    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(edges(i))));
+  return largest;
+}
+
+RayCaster caster_of(const std::vector<TopoDS_Face>& faces, double tolerance) {
+  if (faces.empty()) throw BadModel("there is no face to cast rays at");
+  std::vector<BezierSurface> surfaces;
+  std::vector<double> reaches;
+  for (const TopoDS_Face& face : faces) {
+    surfaces.push_back(bezier_surface(face, tolerance));
+    reaches.push_back(std::max(tolerance, largest_tolerance(face)));
+  }
+  return RayCaster(std::move(surfaces), {.point = tolerance}, std::move(reaches));
+}
+
+// What of an edge is near a hit.
+struct NearEdge {
+  double distance = std::numeric_limits<double>::infinity();  // to the edge's image on the face
+  double tolerance = 0;                                       // of the edge
+  TopoDS_Shape shape;  // the edge, or the vertex that is as near
+};
+
+bool is_near(const PlanarBox& box, const Vec2& point, double margin) {
+  for (int k = 0; k < 2; ++k)
+    if (point[k] < box.low[k] - margin || point[k] > box.high[k] + margin) return false;
+  return true;
+}
+
+}  // namespace
+
+struct ShapeRays::Impl {
+  Impl(const std::vector<TopoDS_Face>& all, double within)
+      : faces(all), tolerance(within), caster(caster_of(all, within)) {
+    for (const TopoDS_Face& face : all) {
+      rayed.emplace_back(face);
+      TopExp::MapShapes(face, TopAbs_EDGE, named);
+    }
+    for (const TopoDS_Face& face : all) TopExp::MapShapes(face, TopAbs_VERTEX, named);
+  }
+
+  Vec3 image(int face, const Vec2& chart) const {
+    const Vec2& scale = rayed[static_cast<std::size_t>(face)].trims.scale;
+    return point_at(caster.cells().surfaces()[static_cast<std::size_t>(face)],
+                    {chart[0] / scale[0], chart[1] / scale[1]});
+  }
+
+  NearEdge nearest_edge(int face, const Vec2& chart, const Vec3& point) const;
+  bool has_edge(int face, const TopoDS_Shape& edge) const;
+
+  std::vector<TopoDS_Face> faces;
+  double tolerance;
+  RayCaster caster;
+  std::vector<RayFace> rayed;
+  TopTools_IndexedMapOfShape named;  // edges, then vertices: a mark is an index of it
+};
+
+// The edge of the face that is nearest to a hit; a vertex wins where it is as near.
+NearEdge ShapeRays::Impl::nearest_edge(int face, const Vec2& chart, const Vec3& point) const {
+  const FaceTrims& trims = rayed[static_cast<std::size_t>(face)].trims;
+  const double margin = 0.05 * norm(trims.box.high - trims.box.low);
+  NearEdge best;
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      if (!is_near(box_of(coedge.curve), chart, margin)) continue;
+      const PlanarFoot foot = nearest(coedge.curve, chart);
+      const double gap = distance(image(face, point_at(coedge.curve, foot.parameter)), point);
+      if (gap < best.distance) {
+        best.distance = gap;
+        best.tolerance = BRep_Tool::Tolerance(coedge.edge);
+        if (best.shape.IsNull() || best.shape.ShapeType() != TopAbs_VERTEX)
+          best.shape = coedge.edge;
+      }
+      const Interval domain = coedge.curve.domain();
+      for (const bool last : {false, true}) {
+        const Vec2 end = point_at(coedge.curve, last ? domain.to : domain.from);
+        if (distance(image(face, end), point) > tolerance) continue;
+        const TopoDS_Vertex vertex =
+            last ? TopExp::LastVertex(coedge.edge) : TopExp::FirstVertex(coedge.edge);
+        if (!vertex.IsNull()) best.shape = vertex;
+      }
+    }
+  return best;
+}
+
+bool ShapeRays::Impl::has_edge(int face, const TopoDS_Shape& edge) const {
+  for (const auto& loop : rayed[static_cast<std::size_t>(face)].trims.loops)
+    for (const Coedge& coedge : loop)
+      if (coedge.edge.IsSame(edge)) return true;
+  return false;
+}
+
+ShapeRays::ShapeRays(const std::vector<TopoDS_Face>& faces, double tolerance)
+    : impl_(guarded("preparing faces for rays",
+                    [&] { return std::make_unique<Impl>(faces, tolerance); })) {}
+ShapeRays::ShapeRays(const TopoDS_Shape& shape, double tolerance)
+    : ShapeRays(faces_of(shape), tolerance) {}
+ShapeRays::~ShapeRays() = default;
+ShapeRays::ShapeRays(ShapeRays&&) noexcept = default;
+ShapeRays& ShapeRays::operator=(ShapeRays&&) noexcept = default;
+
+const std::vector<TopoDS_Face>& ShapeRays::faces() const { return impl_->faces; }
+
+ShapeRayQuery::ShapeRayQuery(const ShapeRays& rays)
+    : rays_(*rays.impl_),
+      query_(rays_.caster),
+      filter_([this](RayHit& hit) { return accept(ray_, hit); }) {}
+
+// Whether a hit counts: inside of the trims, or on an edge as far as its tolerance goes.
+bool ShapeRayQuery::accept(const Ray& ray, RayHit& hit) {
+  const RayFace& face = rays_.rayed[static_cast<std::size_t>(hit.surface)];
+  const double speed = norm(ray.direction);
+  if ((hit.last - hit.first) * speed > 2 * rays_.tolerance && !face.trims.natural)
+    return clip_stretch(ray, hit);
+  const Vec2 chart{hit.uv[0] * face.trims.scale[0], hit.uv[1] * face.trims.scale[1]};
+  const ChartRegion::Place place = face.region.place(chart);
+  if (place == ChartRegion::Place::Outside) return false;
+  if (place == ChartRegion::Place::Inside && !hit.border) return true;
+  const NearEdge edge = rays_.nearest_edge(hit.surface, chart, hit.point);
+  const bool inside = place == ChartRegion::Place::Inside || is_inside(face.trims, chart);
+  const double off = std::max(hit.beyond, inside ? 0 : edge.distance);
+  if (off > std::max(edge.tolerance, rays_.tolerance)) return false;
+  if (off > rays_.tolerance) hit.status = weaker(hit.status, Status::Tolerance);
+  const bool on_edge = edge.distance <= rays_.tolerance || off > 0;
+  hit.border = on_edge;
+  if (on_edge && !edge.shape.IsNull()) hit.mark = rays_.named.FindIndex(edge.shape);
+  return true;
+}
+
+// A stretch of the ray in a trimmed face: the parts that are inside. The chart of the stretch is a
+// straight line, as in planes and along rulings; the ray's own chart differs from it elsewhere by
+// less than what makes it a stretch.
+bool ShapeRayQuery::clip_stretch(const Ray& ray, RayHit& hit) {
+  const auto& cells = rays_.caster.cells();
+  const auto patch = static_cast<std::size_t>(hit.patch);
+  const PatchJet jet = jet_at(*cells.patches()[patch].patch, hit.local[0], hit.local[1], 1);
+  const Vec3 area = cross(jet.u, jet.v);
+  const double per_square = 1 / dot(area, area);
+  if (!std::isfinite(per_square)) return true;
+  const auto uv_at = [&](double t) {
+    const Vec3 r = blossom::point_at(ray, t) - jet.point;
+    const Vec2 local{std::clamp(hit.local[0] + dot(r, cross(jet.v, area)) * per_square, 0.0, 1.0),
+                     std::clamp(hit.local[1] + dot(r, cross(area, jet.u)) * per_square, 0.0, 1.0)};
+    return cells.parameters(hit.patch, local);
+  };
+  const Interval whole{hit.first, hit.last};
+  const Vec2 from = uv_at(whole.from), to = uv_at(whole.to);
+  const FaceTrims& trims = rays_.rayed[static_cast<std::size_t>(hit.surface)].trims;
+  if (from == to) return is_inside(trims, {from[0] * trims.scale[0], from[1] * trims.scale[1]});
+  const std::vector<Interval> inside = clip_to_trims(trims, Spline2{1, {0, 1}, {2, 2}, {from, to}});
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    RayHit part = hit;
+    part.first = at(whole, inside[i].from);
+    part.last = at(whole, inside[i].to);
+    part.parameter = at(whole, at(inside[i], 0.5));
+    part.uv = uv_at(part.parameter);
+    part.point = point_at(cells.surfaces()[static_cast<std::size_t>(hit.surface)], part.uv);
+    if (i == 0)
+      hit = part;
+    else
+      more_.push_back(part);
+  }
+  return !inside.empty();
+}
+
+// Names what hits are on, and joins those that a gap at an edge has made two of.
+std::span<const ShapeHit> ShapeRayQuery::finished(const Ray& ray, std::span<const RayHit> hits,
+                                                  bool first_only) {
+  raw_.assign(hits.begin(), hits.end());
+  if (!more_.empty()) {
+    raw_.insert(raw_.end(), more_.begin(), more_.end());
+    join_hits(raw_, norm(ray.direction), rays_.tolerance);
+  }
+  hits_.clear();
+  const double speed = norm(ray.direction);
+  for (const RayHit& raw : raw_) {
+    ShapeHit next{raw, {}};
+    if (raw.mark > 0) next.on = rays_.named.FindKey(raw.mark);
+    if (rays_.rayed[static_cast<std::size_t>(raw.surface)].reversed)
+      next.hit.normal = -next.hit.normal;
+    const auto beside = [&](const ShapeHit& a, const ShapeHit& b) {
+      if (a.hit.status == Status::Complete || a.on.IsNull() || a.on.ShapeType() != TopAbs_EDGE)
+        return false;
+      const double within = kBesideEdge * BRep_Tool::Tolerance(TopoDS::Edge(a.on)) / speed;
+      return std::abs(a.hit.parameter - b.hit.parameter) <= within &&
+             rays_.has_edge(b.hit.surface, a.on);
+    };
+    if (hits_.empty() || hits_.back().hit.surface == raw.surface ||
+        !(beside(hits_.back(), next) || beside(next, hits_.back()))) {
+      if (first_only && !hits_.empty() && hits_.back().hit.status == Status::Complete) break;
+      hits_.push_back(next);
+    } else if (hits_.back().hit.status != Status::Complete) {
+      hits_.back() = next;
+    }
+  }
+  return hits_;
+}
+
+std::span<const ShapeHit> ShapeRayQuery::all_hits(const Ray& ray) {
+  ray_ = ray;
+  more_.clear();
+  return finished(ray, query_.all_hits(ray, filter_), false);
+}
+
+std::span<const ShapeHit> ShapeRayQuery::first_hits(const Ray& ray) {
+  ray_ = ray;
+  more_.clear();
+  return finished(ray, query_.first_hits(ray, filter_), true);
+}
+
+std::vector<ShapeHit> ShapeRays::all_hits(const Ray& ray) const {
+  ShapeRayQuery query(*this);
+  const std::span<const ShapeHit> hits = query.all_hits(ray);
+  return {hits.begin(), hits.end()};
+}
+
+std::vector<ShapeHit> ShapeRays::first_hits(const Ray& ray) const {
+  ShapeRayQuery query(*this);
+  const std::span<const ShapeHit> hits = query.first_hits(ray);
+  return {hits.begin(), hits.end()};
+}
+
+namespace {
+
+template <class Ask>
+std::vector<std::vector<ShapeHit>> for_all(const ShapeRays& shape, std::span<const Ray> rays,
+                                           Ask ask) {
+  std::vector<std::vector<ShapeHit>> results(rays.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), kBatch),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      ShapeRayQuery query(shape);
+                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+                        const std::span<const ShapeHit> hits = ask(query, rays[i]);
+                        results[i].assign(hits.begin(), hits.end());
+                      }
+                    });
+  return results;
+}
+
+}  // namespace
+
+std::vector<std::vector<ShapeHit>> ShapeRays::all_hits(std::span<const Ray> rays) const {
+  return for_all(*this, rays,
+                 [](ShapeRayQuery& query, const Ray& ray) { return query.all_hits(ray); });
+}
+
+std::vector<std::vector<ShapeHit>> ShapeRays::first_hits(std::span<const Ray> rays) const {
+  return for_all(*this, rays,
+                 [](ShapeRayQuery& query, const Ray& ray) { return query.first_hits(ray); });
+}
+
+}  // namespace blossom::occt
