@@ -174,9 +174,9 @@ bool ShapeRayQuery::accept(const Ray& ray, RayHit& hit) {
   const double off = std::max(hit.beyond, inside ? 0 : edge.distance);
   if (off > std::max(edge.tolerance, rays_.tolerance)) return false;
   if (off > rays_.tolerance) hit.status = weaker(hit.status, Status::Tolerance);
-  const bool on_edge = edge.distance <= rays_.tolerance || off > 0;
-  hit.border = on_edge;
-  if (on_edge && !edge.shape.IsNull()) hit.mark = rays_.named.FindIndex(edge.shape);
+  hit.border = edge.distance <= rays_.tolerance || off > 0;
+  if ((hit.border || edge.distance <= edge.tolerance) && !edge.shape.IsNull())
+    hit.mark = rays_.named.FindIndex(edge.shape);
   return true;
 }
 
@@ -216,7 +216,37 @@ bool ShapeRayQuery::clip_stretch(const Ray& ray, RayHit& hit) {
   return !inside.empty();
 }
 
-// Names what hits are on, and joins those that a gap at an edge has made two of.
+// Whether a hit is there only because the tolerance of an edge makes its two faces overlap, or
+// keeps what is outside of the trims: another hit near by stands for both, on a face with that edge
+// or, for what is outside, on any that is hit from the same side.
+bool ShapeRayQuery::is_repeated(const Ray& ray, std::size_t index) const {
+  const RayHit& hit = raw_[index];
+  const auto is_outside = [](const RayHit& h) {
+    return h.status == Status::Tolerance && h.mark > 0;
+  };
+  const auto side = [&](const RayHit& h) {
+    const bool reversed = rays_.rayed[static_cast<std::size_t>(h.surface)].reversed;
+    return (dot(h.normal, ray.direction) > 0) != reversed;
+  };
+  for (std::size_t k = 0; k < raw_.size(); ++k) {
+    const RayHit& other = raw_[k];
+    if (other.surface == hit.surface || hit.mark + other.mark == 0) continue;
+    const RayHit& marked = hit.mark > 0 ? hit : other;
+    const double reach =
+        rays_.caster.cells().patches()[static_cast<std::size_t>(marked.patch)].reach;
+    if (std::abs(hit.parameter - other.parameter) * norm(ray.direction) > kBesideEdge * reach)
+      continue;
+    const bool shared =
+        rays_.has_edge((hit.mark > 0 ? other : hit).surface, rays_.named.FindKey(marked.mark));
+    const bool same_side = side(hit) == side(other);
+    if (is_outside(hit) ? (k < index || !is_outside(other)) && (same_side || shared)
+                        : k < index && !is_outside(other) && same_side && shared)
+      return true;
+  }
+  return false;
+}
+
+// Names what hits are on, and leaves out those that are repeated.
 std::span<const ShapeHit> ShapeRayQuery::finished(const Ray& ray, std::span<const RayHit> hits,
                                                   bool first_only) {
   raw_.assign(hits.begin(), hits.end());
@@ -225,26 +255,14 @@ std::span<const ShapeHit> ShapeRayQuery::finished(const Ray& ray, std::span<cons
     join_hits(raw_, norm(ray.direction), rays_.tolerance);
   }
   hits_.clear();
-  const double speed = norm(ray.direction);
-  for (const RayHit& raw : raw_) {
-    ShapeHit next{raw, {}};
-    if (raw.mark > 0) next.on = rays_.named.FindKey(raw.mark);
-    if (rays_.rayed[static_cast<std::size_t>(raw.surface)].reversed)
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    if (is_repeated(ray, i)) continue;
+    ShapeHit next{raw_[i], {}};
+    if (next.hit.border && next.hit.mark > 0) next.on = rays_.named.FindKey(next.hit.mark);
+    if (rays_.rayed[static_cast<std::size_t>(next.hit.surface)].reversed)
       next.hit.normal = -next.hit.normal;
-    const auto beside = [&](const ShapeHit& a, const ShapeHit& b) {
-      if (a.hit.status == Status::Complete || a.on.IsNull() || a.on.ShapeType() != TopAbs_EDGE)
-        return false;
-      const double within = kBesideEdge * BRep_Tool::Tolerance(TopoDS::Edge(a.on)) / speed;
-      return std::abs(a.hit.parameter - b.hit.parameter) <= within &&
-             rays_.has_edge(b.hit.surface, a.on);
-    };
-    if (hits_.empty() || hits_.back().hit.surface == raw.surface ||
-        !(beside(hits_.back(), next) || beside(next, hits_.back()))) {
-      if (first_only && !hits_.empty() && hits_.back().hit.status == Status::Complete) break;
-      hits_.push_back(next);
-    } else if (hits_.back().hit.status != Status::Complete) {
-      hits_.back() = next;
-    }
+    hits_.push_back(next);
+    if (first_only && next.hit.status == Status::Complete) break;
   }
   return hits_;
 }

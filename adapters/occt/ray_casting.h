@@ -64,6 +64,7 @@ class ShapeRayQuery {
  private:
   bool accept(const Ray& ray, RayHit& hit);
   bool clip_stretch(const Ray& ray, RayHit& hit);
+  bool is_repeated(const Ray& ray, std::size_t index) const;
   std::span<const ShapeHit> finished(const Ray& ray, std::span<const RayHit> hits, bool first_only);
 
   const ShapeRays::Impl& rays_;

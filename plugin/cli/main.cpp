@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The program `blossom`: chooses the command and turns errors into messages and exit codes.
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -25,9 +26,14 @@ int failed(const std::exception& error, int code) {
   return code;
 }
 
-int misused(const CLI::ParseError& error, int argc, char** argv) {
+bool is_command(const CLI::App& app, const std::string& name) {
+  return std::ranges::any_of(app.get_subcommands({}),
+                             [&](const CLI::App* command) { return command->get_name() == name; });
+}
+
+int misused(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const bool no_such_command = error.get_name() == "RequiredError" && argc > 1 &&
-                               argv[1][0] != '-' &&
+                               argv[1][0] != '-' && !is_command(app, argv[1]) &&
                                std::string(error.what()) == "A subcommand is required";
   const std::string message =
       no_such_command ? "there is no command '" + std::string(argv[1]) + "'" : error.what();
@@ -49,12 +55,13 @@ int run(int argc, char** argv) {
   add_blend(app, code);
   add_subdivide(app, code);
   add_convert(app, code);
+  add_query(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    return misused(error, argc, argv);
+    return misused(app, error, argc, argv);
   }
   return code;
 }

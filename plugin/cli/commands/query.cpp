@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom query KIND ...`: questions about points of models.
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <TopExp.hxx>
+
+#include "plugin/cli/commands/commands.h"
+#include "plugin/cli/commands/query_parts.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/options.h"
+
+namespace blossom::cli {
+
+void add_query_options(CLI::App& command, QueryOptions& options) {
+  command.add_option("--json", options.json, "report instead of text; - is stdout")
+      ->type_name("FILE");
+  command.add_option("--tolerance", options.tolerance, "what counts as one point, in model units")
+      ->check(CLI::Range(std::numeric_limits<double>::min(), 1e6))
+      ->type_name("T")
+      ->capture_default_str();
+  command.add_flag("-q,--quiet", options.quiet, "say nothing but errors");
+}
+
+Vec3 parse_vector(const std::string& text, const std::string& what) {
+  Vec3 result;
+  std::size_t start = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::size_t comma = text.find(',', start);
+    const bool ends = comma == std::string::npos;
+    const std::string number = text.substr(start, ends ? std::string::npos : comma - start);
+    std::size_t used = 0;
+    try {
+      result[k] = std::stod(number, &used);
+    } catch (const std::exception&) {  // no number: answered below
+    }
+    if (used == 0 || used != number.size() || !std::isfinite(result[k]) || ends != (k == 2))
+      throw UsageError(what + ": '" + text + "' is not three finite numbers x,y,z");
+    start = comma + 1;
+  }
+  return result;
+}
+
+std::string vector_text(const Vec3& v) {
+  std::ostringstream text;
+  text.precision(12);
+  text << "(" << v[0] << ", " << v[1] << ", " << v[2] << ")";
+  return text.str();
+}
+
+ShapeNumbers::ShapeNumbers(const TopoDS_Shape& shape) {
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
+}
+
+Json ShapeNumbers::place(const TopoDS_Shape& on, int face) const {
+  if (on.IsNull()) return {{"kind", "face"}, {"number", face}};
+  const bool edge = on.ShapeType() == TopAbs_EDGE;
+  return {{"kind", edge ? "edge" : "vertex"},
+          {"number", edge ? edges_.FindIndex(on) : vertices_.FindIndex(on)}};
+}
+
+std::string ShapeNumbers::text(const TopoDS_Shape& on, int face) const {
+  const Json where = place(on, face);
+  return where["kind"].get<std::string>() + " " + std::to_string(where["number"].get<int>());
+}
+
+void write_answer(const Json& report, const std::string& text, const QueryOptions& options) {
+  if (!options.json.empty()) write_json(report, options.json);
+  if (options.json != "-" && !options.quiet) print(text);
+}
+
+void add_query(CLI::App& app, int& exit_code) {
+  CLI::App* const query = app.add_subcommand("query", "what a ray hits, closest points, distances");
+  query->require_subcommand(1);
+  add_query_ray(*query, exit_code);
+}
+
+}  // namespace blossom::cli

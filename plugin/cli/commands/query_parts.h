@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the kinds of `blossom query` have in common.
+
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include <CLI/App.hpp>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "core/math/vec.h"
+#include "plugin/cli/inputs.h"
+#include "plugin/cli/output.h"
+
+namespace blossom::cli {
+
+struct QueryOptions {
+  std::string json;  ///< --json: a file, or "-" for stdout; empty for none
+  double tolerance = 1e-7;
+  bool quiet = false;
+};
+
+/// --json, --tolerance, --quiet.
+void add_query_options(CLI::App& command, QueryOptions& options);
+
+/// Three numbers, as in "1,-2.5,3e2".
+/// what     names the option in the message
+/// throws   UsageError unless there are three finite numbers
+Vec3 parse_vector(const std::string& text, const std::string& what);
+
+/// "(1, -2.5, 300)".
+std::string vector_text(const Vec3& v);
+
+/// Numbers of a model's edges and vertices, 1-based in the order of TopExp::MapShapes.
+class ShapeNumbers {
+ public:
+  explicit ShapeNumbers(const TopoDS_Shape& shape);
+
+  /// {"kind": "edge", "number": 3}; kind "face" with the given number where `on` is null.
+  Json place(const TopoDS_Shape& on, int face) const;
+  /// "face 2", "edge 3".
+  std::string text(const TopoDS_Shape& on, int face) const;
+
+ private:
+  TopTools_IndexedMapOfShape edges_;
+  TopTools_IndexedMapOfShape vertices_;
+};
+
+/// Seconds since its making.
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Writes the report where it is wanted, and else the text.
+void write_answer(const Json& report, const std::string& text, const QueryOptions& options);
+
+void add_query_ray(CLI::App& query, int& exit_code);
+
+}  // namespace blossom::cli

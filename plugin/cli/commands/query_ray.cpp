@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom query ray F --from P --direction D`: what a ray or line hits.
+
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <vector>
+
+#include "adapters/occt/ray_casting.h"
+#include "plugin/cli/commands/query_parts.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/options.h"
+
+namespace blossom::cli {
+namespace {
+
+struct Options {
+  std::string input;
+  std::string from;
+  std::string direction;
+  bool first = false;
+  bool line = false;
+  QueryOptions common;
+};
+
+Ray ray_of(const Options& options) {
+  Ray ray;
+  ray.origin = parse_vector(options.from, "--from");
+  const Vec3 direction = parse_vector(options.direction, "--direction");
+  const double largest = max_norm(direction);
+  if (largest == 0) throw UsageError("--direction: the zero vector has no direction");
+  ray.direction = unit(direction * (1 / largest));  // lengths are then model units
+  if (options.line) ray.from = -std::numeric_limits<double>::infinity();
+  return ray;
+}
+
+struct Answer {
+  Ray ray;
+  std::vector<occt::ShapeHit> hits;
+  Status status = Status::Complete;
+  double seconds = 0;
+};
+
+int face_number(const Input& input, const occt::ShapeHit& hit) {
+  return input.numbers[static_cast<std::size_t>(hit.hit.surface)];
+}
+
+Json hit_json(const Input& input, const ShapeNumbers& numbers, const occt::ShapeHit& found) {
+  const RayHit& hit = found.hit;
+  const int face = face_number(input, found);
+  return {{"distance", hit.parameter},
+          {"first", hit.first},
+          {"last", hit.last},
+          {"point", hit.point.coordinates},
+          {"face", face},
+          {"uv", hit.uv.coordinates},
+          {"normal", hit.normal.coordinates},
+          {"on", numbers.place(found.on, face)},
+          {"grazing", hit.grazing},
+          {"status", to_string(hit.status)}};
+}
+
+Json report_of(const Input& input, const Options& options, const Answer& answer) {
+  const ShapeNumbers numbers(input.model.shape());
+  Json report = {{"schema", "blossom.query/1"},
+                 {"kind", "ray"},
+                 {"file", input.name},
+                 {"from", answer.ray.origin.coordinates},
+                 {"direction", answer.ray.direction.coordinates},
+                 {"line", options.line},
+                 {"first", options.first},
+                 {"tolerance", options.common.tolerance},
+                 {"status", to_string(answer.status)},
+                 {"seconds", answer.seconds}};
+  report["hits"] = Json::array();
+  for (const occt::ShapeHit& hit : answer.hits)
+    report["hits"].push_back(hit_json(input, numbers, hit));
+  return report;
+}
+
+std::string text_of(const Input& input, const Answer& answer) {
+  const ShapeNumbers numbers(input.model.shape());
+  std::ostringstream text;
+  text.precision(12);
+  text << input.name << ": " << to_string(answer.status) << ", "
+       << counted(answer.hits.size(), "hit") << "\n";
+  for (const occt::ShapeHit& found : answer.hits) {
+    const RayHit& hit = found.hit;
+    text << "  " << hit.parameter << " at " << vector_text(hit.point) << ", "
+         << numbers.text(found.on, face_number(input, found));
+    if (hit.last > hit.first) text << ", from " << hit.first << " to " << hit.last;
+    if (hit.grazing) text << ", grazing";
+    if (hit.status != Status::Complete) text << ", " << to_string(hit.status);
+    text << "\n";
+  }
+  return text.str();
+}
+
+int run(const Options& options) {
+  Answer answer{ray_of(options), {}};
+  const Input input = read_input(options.input);
+  stop_if_interrupted();
+  const Stopwatch watch;
+  const occt::ShapeRays rays(input.faces, options.common.tolerance);
+  answer.hits = options.first ? rays.first_hits(answer.ray) : rays.all_hits(answer.ray);
+  answer.seconds = watch.seconds();
+  for (const occt::ShapeHit& hit : answer.hits)
+    answer.status = weaker(answer.status, hit.hit.status);
+  stop_if_interrupted();
+  write_answer(report_of(input, options, answer), text_of(input, answer), options.common);
+  return exit_code(answer.status);
+}
+
+}  // namespace
+
+void add_query_ray(CLI::App& query, int& exit_code) {
+  CLI::App* const command = query.add_subcommand("ray", "what a ray or line hits, in order");
+  const auto options = std::make_shared<Options>();
+  command->add_option("input", options->input, "model, or some of its faces")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--from", options->from, "where the ray starts")
+      ->required()
+      ->type_name("X,Y,Z");
+  command->add_option("--direction", options->direction, "where it goes; of any length")
+      ->required()
+      ->type_name("X,Y,Z");
+  command->add_flag("--first", options->first, "no further than the first proven hit");
+  command->add_flag("--line", options->line, "both ways, not only forwards");
+  add_query_options(*command, options->common);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace blossom::cli

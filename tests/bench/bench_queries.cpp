@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Rays per second beside Open CASCADE's IntCurvesFace_ShapeIntersector, in one thread, on real
+// models: those named on the command line before any option, else the teapot and a model of some
+// 200 faces from the folder that BLOSSOM_TEST_DATA names.
+//
+// Every iteration casts the same rays from a sphere round the model at random points of its box.
+// Counters: rays per second of both, their ratio; hits of both; rays on which the two differ by
+// number, and of these those where every hit of ours lies on ray and surface by exact evaluation
+// and on which Open CASCADE has a point that we lack (lost).
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <BRepBndLib.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Geom_Surface.hxx>
+#include <IntCurvesFace_ShapeIntersector.hxx>
+#include <Precision.hxx>
+#include <gp_Lin.hxx>
+
+#include "adapters/occt/ray_casting.h"
+#include "adapters/occt/shapes.h"
+#include "tests/support/random.h"
+
+namespace {
+
+using namespace blossom;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kRays = 2000;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::vector<Ray> rays_at(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  double low[3], high[3];
+  box.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
+  testing::Random random = testing::seeded(1);
+  std::vector<Ray> rays;
+  for (int i = 0; i < kRays; ++i) {
+    Vec3 target, away;
+    double size = 0;
+    for (int k = 0; k < 3; ++k) {
+      target[k] = testing::uniform(random, low[k], high[k]);
+      away[k] = testing::uniform(random, -1, 1);
+      size = std::max(size, high[k] - low[k]);
+    }
+    const Vec3 origin = target + 2 * size * unit(away);
+    rays.push_back({origin, unit(target - origin)});
+  }
+  return rays;
+}
+
+// How far a hit is from its ray and from the face's own surface, by Open CASCADE's evaluation.
+double error_of(const Ray& ray, const occt::ShapeHit& found, const TopoDS_Face& face) {
+  const RayHit& hit = found.hit;
+  const gp_Pnt p = BRep_Tool::Surface(face)->Value(hit.uv[0], hit.uv[1]);
+  const Vec3 on_surface{p.X(), p.Y(), p.Z()};
+  return std::max(distance(on_surface, hit.point),
+                  norm(cross(on_surface - ray.origin, ray.direction)));
+}
+
+struct Found {
+  std::vector<std::vector<double>> parameters;  // of each ray, increasing
+  std::size_t hits = 0;
+  double seconds = 0;
+};
+
+Found by_blossom(const occt::ShapeRays& rays, const std::vector<Ray>& all, double& worst) {
+  Found found;
+  occt::ShapeRayQuery query(rays);
+  const auto start = Clock::now();
+  for (const Ray& ray : all) found.hits += query.all_hits(ray).size();
+  found.seconds = seconds_since(start);
+  for (const Ray& ray : all) {
+    found.parameters.emplace_back();
+    for (const occt::ShapeHit& hit : query.all_hits(ray)) {
+      found.parameters.back().push_back(hit.hit.parameter);
+      if (hit.hit.status == Status::Complete)
+        worst = std::max(
+            worst, error_of(ray, hit, rays.faces()[static_cast<std::size_t>(hit.hit.surface)]));
+    }
+  }
+  return found;
+}
+
+Found by_occt(IntCurvesFace_ShapeIntersector& intersector, const std::vector<Ray>& all) {
+  Found found;
+  const auto start = Clock::now();
+  for (const Ray& ray : all) {
+    const gp_Lin line({ray.origin[0], ray.origin[1], ray.origin[2]},
+                      {ray.direction[0], ray.direction[1], ray.direction[2]});
+    intersector.Perform(line, 0, RealLast());
+    found.parameters.emplace_back();
+    for (int i = 1; i <= intersector.NbPnt(); ++i)
+      found.parameters.back().push_back(intersector.WParameter(i));
+  }
+  found.seconds = seconds_since(start);
+  for (auto& parameters : found.parameters) {
+    std::sort(parameters.begin(), parameters.end());
+    // A point on an edge is found once for each face.
+    parameters.erase(std::unique(parameters.begin(), parameters.end(),
+                                 [](double a, double b) { return b - a < 1e-6; }),
+                     parameters.end());
+    found.hits += parameters.size();
+  }
+  return found;
+}
+
+bool has(const std::vector<double>& all, double parameter) {
+  return std::any_of(all.begin(), all.end(),
+                     [&](double known) { return std::abs(known - parameter) < 1e-4; });
+}
+
+int missing(const Found& from, const Found& in) {
+  int count = 0;
+  for (std::size_t i = 0; i < in.parameters.size(); ++i)
+    count += std::any_of(in.parameters[i].begin(), in.parameters[i].end(),
+                         [&](double t) { return !has(from.parameters[i], t); });
+  return count;
+}
+
+void cast_rays(benchmark::State& state, const std::string& file) {
+  const occt::Model model = occt::read_model(file);
+  const std::vector<Ray> all = rays_at(model.shape());
+  const auto start = Clock::now();
+  const occt::ShapeRays rays(model.shape());
+  state.counters["prepared_ms"] = 1e3 * seconds_since(start);
+  IntCurvesFace_ShapeIntersector intersector;
+  intersector.Load(model.shape(), Precision::Confusion());
+  double ours = 0, theirs = 0, worst = 0;
+  for (auto _ : state) {
+    const Found a = by_blossom(rays, all, worst);
+    const Found b = by_occt(intersector, all);
+    ours += a.seconds;
+    theirs += b.seconds;
+    state.counters["blossom_hits"] = static_cast<double>(a.hits);
+    state.counters["occt_hits"] = static_cast<double>(b.hits);
+    state.counters["only_occt"] = missing(a, b);
+    state.counters["only_blossom"] = missing(b, a);
+  }
+  const double count = static_cast<double>(state.iterations()) * kRays;
+  state.counters["blossom_rays_per_s"] = count / ours;
+  state.counters["occt_rays_per_s"] = count / theirs;
+  state.counters["times_faster"] = theirs / ours;
+  state.counters["worst_error"] = worst;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> files;
+  int used = 1;
+  for (; used < argc && argv[used][0] != '-'; ++used) files.push_back(argv[used]);
+  argv[used - 1] = argv[0];
+  argc -= used - 1;
+  argv += used - 1;
+  if (const char* data = std::getenv("BLOSSOM_TEST_DATA"); files.empty() && data != nullptr)
+    for (const char* name : {"teapot.brep", "boxed_sphere.step"})
+      files.push_back((std::filesystem::path(data) / "models" / name).string());
+  for (const std::string& file : files)
+    benchmark::RegisterBenchmark(
+        ("queries/rays/" + std::filesystem::path(file).filename().string()).c_str(), cast_rays,
+        file);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom query`, as a user runs it.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using nlohmann::json;
+using testing::blossom;
+using testing::Finished;
+
+class QueryCommand : public ::testing::Test {
+ protected:
+  // A bowl z = x^2 + y^2 and a lid at z = 1.
+  void SetUp() override {
+    testing::write({testing::bowl(), testing::lid(1)}, folder_ / "pot.brep");
+    pot_ = folder_ / "pot.brep";
+  }
+
+  testing::TestFolder folder_;
+  std::string pot_;
+};
+
+TEST_F(QueryCommand, ListsWhatARayHitsInOrder) {
+  const Finished run = blossom(
+      {"query", "ray", pot_, "--from", "0.5,0.25,3", "--direction", "0,0,-2", "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json found = json::parse(run.out);
+  EXPECT_EQ(found["schema"], "blossom.query/1");
+  EXPECT_EQ(found["kind"], "ray");
+  EXPECT_EQ(found["status"], "complete");
+  ASSERT_EQ(found["hits"].size(), 2u);
+  EXPECT_NEAR(found["hits"][0]["distance"].get<double>(), 2, 1e-12);
+  EXPECT_EQ(found["hits"][0]["face"], 2);
+  const json& bowl = found["hits"][1];
+  EXPECT_NEAR(bowl["distance"].get<double>(), 3 - 0.3125, 1e-12);
+  EXPECT_EQ(bowl["face"], 1);
+  EXPECT_NEAR(bowl["uv"][0].get<double>(), 0.75, 1e-12);
+  EXPECT_NEAR(bowl["uv"][1].get<double>(), 0.625, 1e-12);
+  EXPECT_NEAR(bowl["point"][2].get<double>(), 0.3125, 1e-12);
+  EXPECT_EQ(bowl["on"], json({{"kind", "face"}, {"number", 1}}));
+  EXPECT_EQ(bowl["grazing"], false);
+}
+
+TEST_F(QueryCommand, StopsAtTheFirstHitOfARay) {
+  const Finished run = blossom(
+      {"query", "ray", pot_, "--from", "0,0,3", "--direction", "0,0,-1", "--first", "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json found = json::parse(run.out);
+  ASSERT_EQ(found["hits"].size(), 1u);
+  EXPECT_EQ(found["hits"][0]["face"], 2);
+}
+
+TEST_F(QueryCommand, SaysThatATouchIsWithinTolerance) {
+  const Finished run =
+      blossom({"query", "ray", pot_ + "#1", "--from", "-3,0,0", "--direction", "1,0,0"});
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.out.find("1 hit\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("grazing, tolerance"), std::string::npos) << run.out;
+}
+
+TEST_F(QueryCommand, LooksBothWaysAlongALine) {
+  const std::vector<std::string> ray{"query",       "ray",   pot_,     "--from", "0,0,0.5",
+                                     "--direction", "0,0,1", "--json", "-"};
+  EXPECT_EQ(json::parse(blossom(ray).out)["hits"].size(), 1u);
+  std::vector<std::string> line = ray;
+  line.push_back("--line");
+  const json hits = json::parse(blossom(line).out)["hits"];
+  ASSERT_EQ(hits.size(), 2u);
+  EXPECT_NEAR(hits[0]["distance"].get<double>(), -0.5, 1e-12);
+}
+
+TEST_F(QueryCommand, NamesTheEdgeOrVertexThatIsHit) {
+  const Finished run = blossom({"query", "ray", pot_ + "#2", "--from", "-1.5,-1.5,3", "--direction",
+                                "0,0,-1", "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["hits"][0]["on"]["kind"], "vertex");
+}
+
+TEST_F(QueryCommand, TakesDirectionsThatStartWithAMinus) {
+  const Finished run = blossom(
+      {"query", "ray", pot_, "--from", "-3,0,0.5", "--direction", "-1,-0.5,0", "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(json::parse(run.out)["hits"].empty());
+}
+
+TEST_F(QueryCommand, RefusesQuestionsThatMakeNoSense) {
+  struct Bad {
+    std::vector<std::string> arguments;
+    std::string says;
+  };
+  const std::string missing = folder_ / "missing.step";
+  const std::vector<Bad> all{
+      {{"query"}, "A subcommand is required"},
+      {{"query", "ray", pot_}, "--from is required"},
+      {{"query", "ray", pot_, "--from", "0,0,0", "--direction", "0,0,0"}, "zero vector"},
+      {{"query", "ray", pot_, "--from", "0,0", "--direction", "0,0,1"}, "three finite numbers"},
+      {{"query", "ray", pot_, "--from", "0,0,0,0", "--direction", "0,0,1"}, "three finite"},
+      {{"query", "ray", pot_, "--from", "0,nan,0", "--direction", "0,0,1"}, "three finite"},
+      {{"query", "ray", pot_, "--from", "0,0,0", "--direction", "0,inf,1"}, "three finite"},
+      {{"query", "ray", pot_, "--from", "0,0,0", "--direction", "0,x,1"}, "three finite"},
+      {{"query", "ray", pot_, "--from", "0,0,0", "--direction", "0,0,1", "--tolerance", "0"},
+       "--tolerance"},
+      {{"query", "ray", missing, "--from", "0,0,0", "--direction", "0,0,1"}, "missing.step"},
+      {{"query", "ray", pot_ + "#7", "--from", "0,0,0", "--direction", "0,0,1"}, "7"},
+  };
+  for (const Bad& bad : all) {
+    const Finished run = blossom(bad.arguments);
+    EXPECT_EQ(run.code, 2) << bad.says << run.out;
+    EXPECT_NE(run.err.find(bad.says), std::string::npos) << run.err;
+    EXPECT_EQ(run.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace blossom
