@@ -21,6 +21,12 @@ namespace blossom {
 /// Pieces of one cell that are looked at before the rest is reported as Status::Stopped.
 inline constexpr int kPieceBudget = 4096;
 
+/// The values of a form lie between these.
+struct ValueRange {
+  double low = 0;
+  double high = 0;
+};
+
 class LineSearch {
  public:
   /// cells      live as long as this
@@ -34,6 +40,11 @@ class LineSearch {
   void examine(const FlatCell& cell, std::vector<RayHit>& hits);
 
  private:
+  /// Nets in the stack; three more serve as scratch. 80 halvings in each direction.
+  static constexpr int kPlaces = 160;
+  /// Values must be this exact, in parameters of the region, for a root to be placed in it.
+  static constexpr double kExact = 1e-3;
+
   using Matrix2 = std::array<std::array<double, 2>, 2>;
 
   // A rectangle of the cell; its net is that of its place in the stack.
@@ -45,8 +56,10 @@ class LineSearch {
   struct Region {
     Interval u, v;
     Matrix2 spread{};
-    Vec2 rounding;  // of the values below, in the region's own parameters
-    Vec2 slack;     // how far outside of it a root still belongs to it, likewise
+    Vec2 rounding;                // of the values below, in the region's own parameters
+    Vec2 slack;                   // how far outside of it a root still belongs to it, likewise
+    const double* net = nullptr;  // of a piece; null for the cell
+    Matrix2 inverse{};            // takes values of the net to parameters of the piece
   };
   enum class Verdict { Empty, Root, Open };
 
@@ -57,9 +70,10 @@ class LineSearch {
     Region region;
   };
   Guess guess(const FlatCell& cell) const;
+  static double clamped_slack(double tolerance, double rounding);
 
-  template <class Value>
-  Verdict settle(const Region& region, const Vec2& start, Value value, std::vector<RayHit>& hits);
+  Verdict settle(const Region& region, const Vec2& start, std::vector<RayHit>& hits);
+  Vec2 offset_at(const Region& region, const Vec2& local) const;
 
   struct Newton {
     bool converged = false;
@@ -69,19 +83,23 @@ class LineSearch {
   };
   Newton newton(const Region& region, const Vec2& start) const;
 
-  struct Stretch {
-    Interval at;  // parameters of the line
-    Vec2 local;
-  };
-  Stretch stretch_of(const Piece& piece) const;
+  // In line_pieces.cpp: the search by halving.
+  using Slopes = std::array<std::array<ValueRange, 2>, 2>;  // of f and g, by u and v
+  enum class Next { Done, Contact, Stop, HalveU, HalveV };
 
   void search(std::vector<RayHit>& hits);
+  void halve(const Piece& piece, int place, bool along_u);
   void load_net();
-  void restrict_net();
-  void look_at(const Piece& piece, double* net, std::vector<RayHit>& hits, bool& open);
-  bool split_along_u(const double* net) const;
+  void load_heights(const Vec3& direction, double* plane) const;
+  void restrict_net(double* net, const Interval& u, const Interval& v);
+  Next look_at(const Piece& piece, const double* net, std::vector<RayHit>& hits);
+  Guess guess(const Piece& piece, const double* net, const Slopes& slopes, double margin,
+              double size) const;
   bool add_hit(const Newton& root, std::vector<RayHit>& hits) const;
-  void add_contact(const Piece& piece, Status status, std::vector<RayHit>& hits) const;
+  void add_contact(const Piece& piece, Status status, std::vector<RayHit>& hits);
+  Interval stretch_of(const Piece& piece);
+  Interval clipped(const Piece& piece, Interval stretch) const;
+  Vec2 foot(const Piece& piece, const PatchJet& centre, double parameter) const;
   bool runs_along(const Piece& piece, double height) const;
   double extent(const Piece& piece) const;
   Vec2 value_at(const double* net, double s, double t) const;

@@ -176,6 +176,8 @@ TEST(RayCasting, HitsThePolesOfASphereOnce) {
     ASSERT_EQ(hits.size(), 1u);
     EXPECT_NEAR(hits[0].parameter, 0.5, 1e-7);
     EXPECT_LE(distance(hits[0].point, {0, 0, 1}), 1e-7);
+    EXPECT_FALSE(hits[0].grazing);
+    EXPECT_LE(hits[0].last - hits[0].first, 1e-6);
   }
 }
 
