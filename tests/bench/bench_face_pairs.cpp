@@ -2,11 +2,11 @@
 // Pairs of free-form faces of real models: what Blossom finds against an independent point oracle,
 // and its time beside BRepAlgoAPI_Section and GeomAPI_IntSS.
 //
-//   bench_face_pairs [--seed N] [--pairs N] [--limit SECONDS] [--peers] FILE...
+//   bench_face_pairs [--seed N] [--pairs N] [--limit SECONDS] [--peers] [--keep FOLDER] FILE...
 //
 // A file with exactly two faces is itself the pair; of others pairs are drawn. Prints a line a
 // pair and a summary; the exit code tells whether a point was missed or a gap was above the
-// stated deviation.
+// stated deviation. --keep writes the pairs that failed or did not end as BREP files.
 
 #include <algorithm>
 #include <chrono>
@@ -48,6 +48,7 @@ struct Settings {
   int pairs = 6;
   double limit = 10;
   bool peers = false;
+  std::string keep;
   std::vector<std::string> files;
 };
 
@@ -175,6 +176,19 @@ void print(const std::string& name, const FacePair& faces, std::size_t number, c
   std::fflush(stdout);
 }
 
+void keep(const std::string& folder, const std::string& name, const FacePair& faces,
+          std::size_t number) {
+  TopoDS_Compound both;
+  const BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, faces.a);
+  builder.Add(both, faces.b);
+  const std::string file =
+      folder + "/" + name + "_" + faces.kind + "_" + std::to_string(number) + ".brep";
+  if (!::BRepTools::Write(both, file.c_str()))
+    std::fprintf(stderr, "%s cannot be written\n", file.c_str());
+}
+
 void run_file(const std::string& file, const Settings& settings, Summary& summary) {
   const occt::Model model = occt::read_model(file);
   std::vector<FacePair> pairs;
@@ -192,6 +206,8 @@ void run_file(const std::string& file, const Settings& settings, Summary& summar
     try {
       const Outcome o = run(pairs[i], settings);
       print(std::filesystem::path(file).stem(), pairs[i], i, o);
+      if (!settings.keep.empty() && (o.missed > 0 || o.gap_over > 1 || o.status == Status::Stopped))
+        keep(settings.keep, std::filesystem::path(file).stem(), pairs[i], i);
       summary.complete += o.status == Status::Complete;
       summary.stopped += o.status == Status::Stopped;
       summary.missed += o.missed > 0;
@@ -219,6 +235,8 @@ std::optional<Settings> settings_from(int argc, char** argv) {
       settings.pairs = std::atoi(value());
     else if (word == "--limit")
       settings.limit = std::atof(value());
+    else if (word == "--keep")
+      settings.keep = value();
     else if (word == "--peers")
       settings.peers = true;
     else
@@ -254,7 +272,8 @@ int main(int argc, char** argv) {
   const auto settings = blossom::bench::settings_from(argc, argv);
   if (!settings) {
     std::fprintf(stderr,
-                 "bench_face_pairs [--seed N] [--pairs N] [--limit SECONDS] [--peers] FILE...\n");
+                 "bench_face_pairs [--seed N] [--pairs N] [--limit SECONDS] [--peers] "
+                 "[--keep FOLDER] FILE...\n");
     return 2;
   }
   blossom::occt::quiet_messages();
