@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <set>
 
 #include "core/forms/evaluation.h"
 #include "core/intersection/cell_pair.h"
+#include "core/intersection/chart_claims.h"
 #include "core/intersection/contact_points.h"
 #include "core/intersection/crossing_contact.h"
 #include "core/intersection/gap_model.h"
@@ -38,18 +37,6 @@ struct Chart {
   GraphChart graph;
   CellTree piece;
 };
-
-bool overlap(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
-
-bool within(const Interval& inner, const Interval& outer) {
-  return inner.from >= outer.from && inner.to <= outer.to;
-}
-
-using Box2 = std::array<Interval, 2>;
-
-bool within(const Box2& inner, const Box2& outer) {
-  return within(inner[0], outer[0]) && within(inner[1], outer[1]);
-}
 
 class ContactSearch {
  public:
@@ -86,11 +73,8 @@ class ContactSearch {
     if (!matters) return;
     CellTree cells(sub_patch(tree_b_.patch(), s, t), tree_b_.shape().planes == 4, {},
                    CellForm::Bezier, 0.5);
-    // Near a place where the parameters stand still only a small extension is a graph.
-    const double widening = depth < kShallow ? kWidening : kLeastWidening;
-    if (const auto graph = graph_chart(tree_b_, s, t, widening)) {
-      Chart chart{static_cast<int>(wide_.size()), *graph, std::move(cells)};
-      wide_.push_back({graph->wide_s, graph->wide_t});
+    if (const auto graph = widened_chart(s, t, depth)) {
+      Chart chart{claims_.add_chart({graph->wide_s, graph->wide_t}), *graph, std::move(cells)};
       for (const int cell : task_.cells_a) examine(cell, chart);
       return;
     }
@@ -106,6 +90,20 @@ class ContactSearch {
     const Interval low{side.from, cut}, high{cut, side.to};
     cover(halve_s ? low : s, halve_s ? t : low, depth + 1);
     cover(halve_s ? high : s, halve_s ? t : high, depth + 1);
+  }
+
+  // Near a place where the parameters stand still only a small extension is a graph.
+  std::optional<GraphChart> widened_chart(const Interval& s, const Interval& t, int depth) const {
+    auto graph = graph_chart(tree_b_, s, t, kWidening);
+    if (!graph && depth >= kShallow) graph = graph_chart(tree_b_, s, t, kLeastWidening);
+    return graph;
+  }
+
+  // True if the cell lies beside the chart, seen along its normal.
+  bool beside(const Cell& a, const Cell& piece, const GraphChart& graph) const {
+    const int points_a = tree_a_.shape().plane_size(), points_b = tree_b_.shape().plane_size();
+    return separated_along(unit(graph.to_s), a, piece, points_a, points_b) ||
+           separated_along(unit(graph.to_t), a, piece, points_a, points_b);
   }
 
   bool apart(const Cell& a, const Cell& b) const {
@@ -138,19 +136,21 @@ class ContactSearch {
   void examine(int index, Chart& chart) {
     const Cell a = tree_a_[index];
     const Cell piece = chart.piece[0];
-    if (apart(a, piece)) {
+    const GraphChart& graph = chart.graph;
+    if (apart(a, piece) || beside(a, piece, graph)) {
       ++result_.certificate.excluded;
       return;
     }
-    const GraphChart& graph = chart.graph;
     if (out_of_budget()) return keep(a, graph.s, graph.t, piece, false);
     result_.certificate.depth = std::max(result_.certificate.depth, a.depth);
-    path_.push_back(index);
-    if (const auto model = gap_model(tree_a_, a, tree_b_, graph)) {
-      if (decide(index, *model, chart)) return path_.pop_back();
+    claims_.enter(index);
+    const auto model =
+        may_have_model(a, graph) ? gap_model(tree_a_, a, tree_b_, graph) : std::nullopt;
+    if (model) {
+      if (decide(index, *model, chart)) return claims_.leave();
     } else if (misses(a, chart.piece, 0)) {
       ++result_.certificate.excluded;
-      return path_.pop_back();
+      return claims_.leave();
     }
     if (a.depth >= kDeepest || a.extent <= tolerance()) {
       keep(a, graph.s, graph.t, piece, a.extent <= tolerance());
@@ -159,36 +159,7 @@ class ContactSearch {
       examine(child, chart);
       examine(child + 1, chart);
     }
-    path_.pop_back();
-  }
-
-  // Charts overlap, so that nothing is cut where they meet: a cell whose foot points lie in
-  // several of them belongs to the first that found something in it.
-  enum class Claim { Free, Taken, Partly };
-
-  Claim claim_of(int index, const Box2& foot, int chart) const {
-    for (const int cell : path_)
-      if (const auto found = claims_.find(cell); found != claims_.end())
-        for (const int other : found->second)
-          if (other != chart) {
-            if (within(foot, wide_[static_cast<std::size_t>(other)])) return Claim::Taken;
-            if (meets(foot, other)) return Claim::Partly;
-          }
-    if (const auto found = claims_below_.find(index); found != claims_below_.end())
-      for (const int other : found->second)
-        if (other != chart && meets(foot, other)) return Claim::Partly;
-    return Claim::Free;
-  }
-
-  bool meets(const Box2& foot, int chart) const {
-    const Box2& wide = wide_[static_cast<std::size_t>(chart)];
-    return overlap(foot[0], wide[0]) && overlap(foot[1], wide[1]);
-  }
-
-  void claim(int index, int chart) {
-    claims_[index].push_back(chart);
-    for (const int cell : path_)
-      if (cell != index) claims_below_[cell].insert(chart);
+    claims_.leave();
   }
 
   // Where the foot points of the cell lie, errors included.
@@ -213,12 +184,12 @@ class ContactSearch {
       ++result_.certificate.excluded;
       return true;
     }
-    const Claim claimed = claim_of(index, foot, chart.index);
-    if (claimed == Claim::Taken) return true;
-    if (claimed == Claim::Partly) return false;
+    const ChartClaims::Claim claimed = claims_.claim_of(foot, chart.index);
+    if (claimed == ChartClaims::Claim::Taken) return true;
+    if (claimed == ChartClaims::Claim::Partly) return false;
     if (std::max(std::abs(gap.low), std::abs(gap.high)) + error <= tolerance()) {
       keep(a, foot[0], foot[1], chart.piece[0], true);
-      claim(index, chart.index);
+      claims_.claim(chart.index);
       return true;
     }
     const GapSlope slope = regular_slope(model);
@@ -228,7 +199,7 @@ class ContactSearch {
     const bool clearly = clearly_regular(model, slope.least);
     if ((clearly && regular()) || add_valley(a, model, foot) ||
         add_crossing(a, model, foot, chart) || (!clearly && regular())) {
-      claim(index, chart.index);
+      claims_.claim(chart.index);
       return true;
     }
     return false;
@@ -479,10 +450,7 @@ class ContactSearch {
   const ValleyOptions valley_options_;
   PairSearchResult& result_;
   long cells_ = 0;
-  std::vector<Box2> wide_;                     // of the charts so far
-  std::vector<int> path_;                      // the cell at work and its ancestors
-  std::map<int, std::vector<int>> claims_;     // charts, by cell of a
-  std::map<int, std::set<int>> claims_below_;  // likewise, of cells inside it
+  ChartClaims claims_;
 };
 
 }  // namespace

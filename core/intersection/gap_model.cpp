@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kMostTurn = 0.7;     // bound on the nonlinear part of the foot's map
 constexpr double kBoxReserve = 1.25;  // of the box round the foot over the linear estimate
+constexpr double kMuchWider = 2;      // than the chart: not by the chart's mean Jacobian alone
 constexpr double kRoundoff = 0x1p-53;
 constexpr int kFootSteps = 12;
 
@@ -235,7 +236,7 @@ std::optional<GapModel> model_in(const Frame& frame, const Foot& foot, double hs
 
 std::optional<GraphChart> graph_chart(const CellTree& tree, const Interval& s, const Interval& t,
                                       double widening) {
-  GraphChart chart{s, t, widened(s, widening), widened(t, widening), {}, {}, {}};
+  GraphChart chart{s, t, widened(s, widening), widened(t, widening), {}, {}, {}, {}, {}};
   const RationalBezierPatch wide = sub_patch(tree.patch(), chart.wide_s, chart.wide_t);
   for (const Vec4& p : wide.points.values())
     if (!(p[3] > 0)) return std::nullopt;
@@ -249,8 +250,8 @@ std::optional<GraphChart> graph_chart(const CellTree& tree, const Interval& s, c
                   dot(chart.e2, dv.middle)};
   const double det = m.determinant();
   if (!std::isfinite(1 / det)) return std::nullopt;
-  const Vec3 to_s = (chart.e1 * m.d - chart.e2 * m.b) * (1 / det);
-  const Vec3 to_t = (chart.e2 * m.a - chart.e1 * m.c) * (1 / det);
+  const Vec3 to_s = chart.to_s = (chart.e1 * m.d - chart.e2 * m.b) * (1 / det);
+  const Vec3 to_t = chart.to_t = (chart.e2 * m.a - chart.e1 * m.c) * (1 / det);
   const bool rational = tree.shape().planes == 4;
   const auto spread = [&](const Vec3& row, const VectorBounds& d, bool along_u) {
     return rational ? dot(absolute(row), d.radius)
@@ -261,6 +262,13 @@ std::optional<GraphChart> graph_chart(const CellTree& tree, const Interval& s, c
   const double r21 = spread(to_t, du, true), r22 = spread(to_t, dv, false);
   if (!(r11 < 1 && r22 < 1 && (1 - r11) * (1 - r22) > r12 * r21)) return std::nullopt;
   return chart;
+}
+
+bool may_have_model(const Cell& a, const GraphChart& chart) {
+  const auto width = [&](const Vec3& row) {
+    return std::abs(dot(row, a.du.middle)) + std::abs(dot(row, a.dv.middle));
+  };
+  return kBoxReserve * std::max(width(chart.to_s), width(chart.to_t)) <= kMuchWider;
 }
 
 std::optional<GapModel> gap_model(const CellTree& tree_a, const Cell& a, const CellTree& tree_b,

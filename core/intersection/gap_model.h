@@ -26,6 +26,7 @@ struct GraphChart {
   Interval wide_s, wide_t;  ///< a larger one, extended beyond the patch, on which the proof holds
   Vec3 normal;              ///< unit, of the plane
   Vec3 e1, e2;              ///< unit, of the plane, at right angles
+  Vec3 to_s, to_t;          ///< rows that take vectors to parts of the larger piece, on average
 };
 
 /// Proves that the piece [s] x [t], somewhat enlarged, is a graph over its mean tangent plane.
@@ -37,6 +38,9 @@ struct GraphChart {
 /// injective.
 std::optional<GraphChart> graph_chart(const CellTree& tree, const Interval& s, const Interval& t,
                                       double widening);
+
+/// False if the cell is much too large for a model over the chart.
+bool may_have_model(const Cell& a, const GraphChart& chart);
 
 /// The gap over a cell of surface a, with x, y in [-1, 1] across the cell.
 struct GapModel {
