@@ -349,13 +349,13 @@ class Joiner {
       for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = q.x[k] - p.x[k];
       arc.arc.tangential = true;
       arc.arc.crosses = p.crosses && q.crosses;
-      if (found_.arcs.size() > first_arc)
-        found_.joins.push_back({2 * found_.arcs.size() - 1, 2 * found_.arcs.size()});
       found_.arcs.push_back(arc);
+      if (found_.arcs.size() > first_arc + 1)
+        join(2 * found_.arcs.size() - 3, 2 * found_.arcs.size() - 2);
     }
     if (found_.arcs.size() == first_arc) return;
     const ArcEnd from = 2 * first_arc, to = 2 * found_.arcs.size() - 1;
-    if (chain.closed) found_.joins.push_back({to, from});
+    if (chain.closed) join(to, from);
     // Branches that fork off become ends at the same place.
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
       if (!chain.arms[side].empty()) {
@@ -363,6 +363,19 @@ class Joiner {
         for (ArcEnd& arm : chain.arms[side]) arm = reach_contact(found_, a_, b_, arm, end);
         chain.arms[side].push_back(side == 0 ? from : to);
       }
+  }
+
+  // Makes two ends one, but not across the seam of a closed surface, where its parameters jump.
+  void join(ArcEnd end, ArcEnd next) {
+    const FoundArc &p = found_.arcs[end / 2], &q = found_.arcs[next / 2];
+    const ContactPoint goal{q.patch_a, q.patch_b, next % 2 == 0 ? q.arc.from : q.arc.to};
+    const Point4 x =
+        in_patches(a_, b_, p.patch_a, p.patch_b, end % 2 == 0 ? p.arc.from : p.arc.to, goal);
+    const auto &grid_a = a_.surface().patches, &grid_b = b_.surface().patches;
+    const std::array spans{grid_a.rows(), grid_a.columns(), grid_b.rows(), grid_b.columns()};
+    for (std::size_t k = 0; k < 4; ++k)
+      if (std::abs(x[k] - goal.x[k]) > 0.5 * spans[k]) return;
+    found_.joins.push_back({end, next});
   }
 
   // The closest point of those that the middle of the path and its own closest point lead to.
