@@ -102,6 +102,10 @@ JacobianBounds::JacobianBounds(const Cell& a, const Cell& b)
     : columns_{a.du, a.dv, VectorBounds{-b.du.middle, b.du.radius},
                VectorBounds{-b.dv.middle, b.dv.radius}} {}
 
+JacobianBounds::JacobianBounds(const VectorBounds& curve, const Cell& b)
+    : columns_{curve, VectorBounds{}, VectorBounds{-b.du.middle, b.du.radius},
+               VectorBounds{-b.dv.middle, b.dv.radius}} {}
+
 int JacobianBounds::best_column() const {
   int best = 0;
   double largest = -1;

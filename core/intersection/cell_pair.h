@@ -36,6 +36,10 @@ class JacobianBounds {
  public:
   JacobianBounds(const Cell& a, const Cell& b);
 
+  /// Of a curve with this derivative, in place of a, and a cell. Column 1 is 0, so `minor(1)` is
+  /// the only one to ask for.
+  JacobianBounds(const VectorBounds& curve, const Cell& b);
+
   /// If `minor(k)` is regular, F = 0 has at most one solution for each value of x_k: the
   /// solutions are arcs that run from border to border, with no loop and no branching.
   ///

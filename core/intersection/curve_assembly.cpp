@@ -6,16 +6,11 @@
 #include <limits>
 #include <numeric>
 
+#include "core/intersection/contact_length.h"
+
 namespace blossom {
 namespace {
 
-// A contact shorter than this many times sqrt(tolerance * size) is a point.
-constexpr double kTouchLength = 10;
-// A longer one is a run if the gap is below kFar of the tolerance along most of it, or hardly
-// anywhere (two curves side by side); a contact of order k has the share kFar^(1/k).
-constexpr double kFar = 0.01;
-constexpr double kMost = 0.6;
-constexpr double kHardly = 0.05;
 constexpr int kSamples = 33;
 constexpr int kFootSteps = 8;
 constexpr int kThirds = 60;
@@ -23,16 +18,6 @@ constexpr double kSmooth = 1e-6;         // sine of the angle between spans that
 constexpr double kTransversal = 1e-9;    // sine above which a point between spans is a crossing
 constexpr int kBetween = 4;              // samples between two contacts that may be one
 constexpr double kSameParameter = 1e-9;  // of the domain, between runs that follow each other
-
-double size_of(const CurveTree& tree) {
-  Vec3 low = tree[0].low, high = tree[0].high;
-  for (int i = 1; i < tree.spans(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], tree[i].low[k]);
-      high[k] = std::max(high[k], tree[i].high[k]);
-    }
-  return norm(high - low);
-}
 
 // The foot of a point near a place, followed over the joins of spans.
 SpanPoint foot_along(const CurveTree& tree, const Vec3& point, double parameter) {
@@ -52,22 +37,6 @@ SpanPoint foot_along(const CurveTree& tree, const Vec3& point, double parameter)
   return at;
 }
 
-// The neighbour's place at the same point of the curve; the place itself at the curve's ends.
-SpanPoint across_join(const CurveTree& tree, const SpanPoint& at) {
-  const int last = tree.spans() - 1;
-  if (at.t == 1) {
-    if (at.span < last) return {at.span + 1, 0};
-    return tree.closed() ? SpanPoint{0, 0} : at;
-  }
-  if (at.span > 0) return {at.span - 1, 1};
-  return tree.closed() ? SpanPoint{last, 1} : at;
-}
-
-bool is_free_end(const CurveTree& tree, const SpanPoint& at) {
-  const SpanPoint other = across_join(tree, at);
-  return other.span == at.span && other.t == at.t;
-}
-
 Interval increasing(const Interval& x) { return {std::min(x.from, x.to), std::max(x.from, x.to)}; }
 
 bool overlap(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
@@ -80,7 +49,7 @@ CurveAssembly::CurveAssembly(CurveTree& a, CurveTree& b, double tolerance)
       tolerance_(tolerance),
       itself_(&a == &b),
       margin_(2 * (a.evaluation_margin() + b.evaluation_margin())),
-      touch_length_(kTouchLength * std::sqrt(tolerance * std::min(size_of(a), size_of(b)))) {}
+      touch_length_(longest_touch(tolerance, std::min(a.size(), b.size()))) {}
 
 CurveAssembly::Candidate CurveAssembly::candidate(const SpanPoint& a, const SpanPoint& b) const {
   Candidate result;
@@ -113,7 +82,7 @@ void CurveAssembly::add_ends(bool of_a) {
       for (SpanPoint foot : feet_near(other, point, tolerance_)) {
         if (other.jet({foot.span, std::round(foot.t)}).point == point) foot.t = std::round(foot.t);
         const Candidate found = of_a ? candidate(end, foot) : candidate(foot, end);
-        if (!itself_ || !near_along(a_, found.at_a, found.at_b)) ends_.push_back(found);
+        if (!itself_ || !a_.stays_near(found.at_a, found.at_b, tolerance_)) ends_.push_back(found);
       }
     }
 }
@@ -130,8 +99,8 @@ std::vector<SharedSpans> CurveAssembly::shared_parts() const {
       parts.push_back({a.span, b.span, *shared});
   };
   for (const Candidate& end : ends_) {
-    const SpanPoint beyond_a = end.a.t == 0 || end.a.t == 1 ? across_join(a_, end.a) : end.a;
-    const SpanPoint beyond_b = end.b.t == 0 || end.b.t == 1 ? across_join(b_, end.b) : end.b;
+    const SpanPoint beyond_a = end.a.t == 0 || end.a.t == 1 ? a_.across_join(end.a) : end.a;
+    const SpanPoint beyond_b = end.b.t == 0 || end.b.t == 1 ? b_.across_join(end.b) : end.b;
     for (const SpanPoint& a : {end.a, beyond_a})
       for (const SpanPoint& b : {end.b, beyond_b}) try_pair(a, b);
   }
@@ -141,7 +110,7 @@ std::vector<SharedSpans> CurveAssembly::shared_parts() const {
 // The curves turn into each other here: their first derivatives have one direction on both sides.
 bool CurveAssembly::is_kink(const CurveTree& tree, const SpanPoint& at) const {
   if (at.t != 0 && at.t != 1) return false;
-  const SpanPoint other = across_join(tree, at);
+  const SpanPoint other = tree.across_join(at);
   if (other.span == at.span && other.t == at.t) return true;
   const Vec3 p = unit(tree.jet(at).first), q = unit(tree.jet(other).first);
   return !(norm(cross(p, q)) < kSmooth && dot(p, q) > 0);
@@ -185,10 +154,10 @@ bool CurveAssembly::prove_at_border(Candidate& point, double reach_a, double rea
   const auto sides = [](const CurveTree& tree, const SpanPoint& at) {
     const bool join = at.t == 0 || at.t == 1;
     return std::array<Vec3, 2>{unit(tree.jet(at).first),
-                               unit(tree.jet(join ? across_join(tree, at) : at).first)};
+                               unit(tree.jet(join ? tree.across_join(at) : at).first)};
   };
   const auto is_end = [](const CurveTree& tree, const SpanPoint& at) {
-    return (at.t == 0 || at.t == 1) && is_free_end(tree, at);
+    return (at.t == 0 || at.t == 1) && tree.is_free_end(at);
   };
   if (is_end(a_, a) || is_end(b_, b)) return false;
   const Vec3 first = cross(sides(a_, a)[0], sides(b_, b)[0]);
@@ -200,19 +169,8 @@ bool CurveAssembly::prove_at_border(Candidate& point, double reach_a, double rea
   return true;
 }
 
-// The curve stays near between two of its parameters.
-bool CurveAssembly::near_along(const CurveTree& tree, double p, double q) const {
-  const Interval domain = tree.curve().domain();
-  const auto point = [&](double t) { return tree.jet(tree.place(t)).point; };
-  const Vec3 from = point(p), to = point(q);
-  if (!(distance(from, to) <= 2 * tolerance_)) return false;
-  const bool over_seam = tree.closed() && std::abs(p - q) > 0.5 * length(domain);
-  const Vec3 between = point(over_seam ? domain.from : 0.5 * (p + q));
-  return distance(from, between) <= 2 * tolerance_ && distance(to, between) <= 2 * tolerance_;
-}
-
 bool CurveAssembly::same(const Candidate& p, const Candidate& q) const {
-  return near_along(a_, p.at_a, q.at_a) && near_along(b_, p.at_b, q.at_b);
+  return a_.stays_near(p.at_a, q.at_a, tolerance_) && b_.stays_near(p.at_b, q.at_b, tolerance_);
 }
 
 // The curves stay within tolerance of each other from a contact to another pair of parameters.
@@ -245,16 +203,19 @@ void CurveAssembly::add(Candidate point) {
 
 bool CurveAssembly::on_overlap(const Candidate& point) const {
   for (const CurveOverlap& run : overlaps_) {
-    if (near_along(a_, point.at_a, run.a.from) && near_along(b_, point.at_b, run.b.from))
+    if (a_.stays_near(point.at_a, run.a.from, tolerance_) &&
+        b_.stays_near(point.at_b, run.b.from, tolerance_))
       return true;
-    if (near_along(a_, point.at_a, run.a.to) && near_along(b_, point.at_b, run.b.to)) return true;
+    if (a_.stays_near(point.at_a, run.a.to, tolerance_) &&
+        b_.stays_near(point.at_b, run.b.to, tolerance_))
+      return true;
     const Interval on_b = increasing(run.b);
     if (point.at_a < run.a.from || point.at_a > run.a.to || point.at_b < on_b.from ||
         point.at_b > on_b.to)
       continue;
     const double part = (point.at_a - run.a.from) / length(run.a);
     const SpanPoint foot = foot_along(b_, point.foot.jet_a.point, at(run.b, part));
-    if (near_along(b_, b_.parameter(foot), point.at_b)) return true;
+    if (b_.stays_near(b_.parameter(foot), point.at_b, tolerance_)) return true;
   }
   return false;
 }
@@ -360,11 +321,7 @@ void CurveAssembly::add_run(const CurveContact& contact) {
     last = point;
     run.gap_high = std::max(run.gap_high, gaps[i] + margin_);
   }
-  const double near =
-      static_cast<double>(std::count_if(
-          gaps.begin(), gaps.end(), [&](double g) { return g < kFar * tolerance_ + margin_; })) /
-      kSamples;
-  if (run_length > touch_length_ && (near > kMost || near < kHardly)) {
+  if (run_length > touch_length_ && is_common_run(gaps, tolerance_, margin_)) {
     overlaps_.push_back(run);
     std::erase_if(points_, [&](const Candidate& point) { return on_overlap(point); });
     return;
@@ -377,13 +334,19 @@ void CurveAssembly::add_run(const CurveContact& contact) {
   }
   Candidate touch = foot_of(0.5 * (low + high));
   if (touch.gap.low > tolerance_ || on_overlap(touch)) return;
-  for (const Candidate& known : points_)
-    if (same(known, touch) || connected(known, touch.at_a, touch.at_b)) return;
   touch.touch = true;
   touch.half_length = 0.5 * run_length;
   touch.box_a = run.a;
   touch.box_b = increasing(run.b);
   touch.crosses = a_.dimension() == 2 && dot(foot_of(0).foot.gap(), foot_of(1).foot.gap()) < 0;
+  for (const Candidate& known : points_) {
+    if (!same(known, touch) && !connected(known, touch.at_a, touch.at_b)) continue;
+    // A proven point says nothing about the rest of a run that goes on beyond it.
+    const bool all = a_.stays_near(known.at_a, run.a.from, tolerance_) &&
+                     a_.stays_near(known.at_a, run.a.to, tolerance_);
+    if (known.proven && !all) places_.push_back(place_of(touch));
+    return;
+  }
   points_.push_back(touch);
 }
 

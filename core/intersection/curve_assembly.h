@@ -43,7 +43,6 @@ class CurveAssembly {
   void prove(Candidate& point) const;
   bool prove_at_border(Candidate& point, double reach_a, double reach_b) const;
   bool same(const Candidate& p, const Candidate& q) const;
-  bool near_along(const CurveTree& tree, double p, double q) const;
   bool connected(const Candidate& p, double at_a, double at_b) const;
   void add(Candidate point);
   void add_overlaps(const std::vector<SharedSpans>& shared);

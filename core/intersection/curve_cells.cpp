@@ -245,4 +245,40 @@ SpanPoint CurveTree::place(double parameter) const {
           std::clamp(local_parameter(span.law, span.place, parameter), 0.0, 1.0)};
 }
 
+SpanPoint CurveTree::across_join(const SpanPoint& at) const {
+  const int last = spans() - 1;
+  if (at.t == 1) {
+    if (at.span < last) return {at.span + 1, 0};
+    return closed_ ? SpanPoint{0, 0} : at;
+  }
+  if (at.span > 0) return {at.span - 1, 1};
+  return closed_ ? SpanPoint{last, 1} : at;
+}
+
+bool CurveTree::is_free_end(const SpanPoint& at) const {
+  if (at.t != 0 && at.t != 1) return false;
+  const SpanPoint other = across_join(at);
+  return other.span == at.span && other.t == at.t;
+}
+
+bool CurveTree::stays_near(double p, double q, double reach) const {
+  const Interval domain = curve_.domain();
+  const auto point = [&](double parameter) { return jet(place(parameter)).point; };
+  const Vec3 from = point(p), to = point(q);
+  if (!(distance(from, to) <= 2 * reach)) return false;
+  const bool over_seam = closed_ && std::abs(p - q) > 0.5 * length(domain);
+  const Vec3 between = point(over_seam ? domain.from : 0.5 * (p + q));
+  return distance(from, between) <= 2 * reach && distance(to, between) <= 2 * reach;
+}
+
+double CurveTree::size() const {
+  Vec3 low = cells_[0].low, high = cells_[0].high;
+  for (int i = 1; i < spans(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], (*this)[i].low[k]);
+      high[k] = std::max(high[k], (*this)[i].high[k]);
+    }
+  return max_norm(high - low);
+}
+
 }  // namespace blossom

@@ -79,6 +79,18 @@ class CurveTree {
   double parameter(const SpanPoint& at) const;
   SpanPoint place(double parameter) const;
 
+  /// The neighbour's place at the same point of the curve, for t = 0 or 1; the place itself at an
+  /// end of the curve.
+  SpanPoint across_join(const SpanPoint& at) const;
+  bool is_free_end(const SpanPoint& at) const;
+
+  /// The curve stays within twice `reach` of its points at two parameters between those; for a
+  /// closed curve perhaps over its seam.
+  bool stays_near(double p, double q, double reach) const;
+
+  /// Longest side of the box of the whole curve.
+  double size() const;
+
   const CurveSpans& curve() const { return curve_; }  ///< relative to the origin
   int dimension() const { return dimension_; }
   bool closed() const { return closed_; }  ///< the last point is the first one, bit for bit

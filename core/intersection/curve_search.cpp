@@ -17,16 +17,6 @@ constexpr double kNarrow = 0.9;  // cosine of a cone in which one place has a gi
 constexpr int kAxisSteps = 60;
 constexpr int kFootSteps = 3;
 
-double extent_of(const CurveTree& tree) {
-  Vec3 low = tree[0].low, high = tree[0].high;
-  for (int i = 1; i < tree.spans(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], tree[i].low[k]);
-      high[k] = std::max(high[k], tree[i].high[k]);
-    }
-  return max_norm(high - low);
-}
-
 double box_distance(const CurveCell& cell, const Vec3& point, int dimension) {
   double farthest = 0;
   for (int k = 0; k < dimension; ++k)
@@ -80,7 +70,7 @@ SpanPoint foot_in(const CurveTree& tree, const CurveCell& cell, const Vec3& poin
 
 CurveFindings CurveSearch::run(const std::vector<SharedSpans>& shared) {
   shared_ = &shared;
-  longest_valley_ = kLongestValley * std::min(extent_of(a_), extent_of(b_));
+  longest_valley_ = kLongestValley * std::min(a_.size(), b_.size());
   add_spans();
   const WorkLimit limit(options_);
   for (long count = 1; !pairs_.empty(); ++count) {

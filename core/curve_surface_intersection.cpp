@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/curve_surface_intersection.h"
+
+#include <algorithm>
+
+#include "core/base/errors.h"
+#include "core/intersection/curve_surface_assembly.h"
+
+namespace blossom {
+namespace {
+
+// The middle of the curve's control points.
+Vec3 origin_of(const CurveSpans& curve) {
+  Vec3 low{1e300, 1e300, 1e300}, high = -low;
+  for (const CurveSpan& span : curve.spans)
+    for (const Vec4& p : span.curve.points)
+      for (int k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], p[k] / p[3]);
+        high[k] = std::max(high[k], p[k] / p[3]);
+      }
+  const Vec3 middle = (low + high) * 0.5;
+  return max_norm(middle) > max_norm(high - low) ? middle : Vec3{};
+}
+
+CurvePlace open_place(const CurveTree& curve, const PierceContact& pair) {
+  const CurveCell& cell = curve[pair.span];
+  return {PlaceKind::Open,
+          cell.low,
+          cell.high,
+          0,
+          distance(cell.low, cell.high),
+          {curve.parameter({pair.span, pair.t.from}), curve.parameter({pair.span, pair.t.to})},
+          {0, 0}};
+}
+
+}  // namespace
+
+CurveSurfaceIntersection intersect(const CurveSpans& curve, const BezierSurface& surface,
+                                   const IntersectionOptions& options) {
+  validate(curve, "the curve");
+  validate(surface, "of the curve/surface intersection");
+  if (!(options.tolerances.point > 0))
+    throw InvalidInput("intersect: the tolerance must be positive");
+  const Vec3 origin = origin_of(curve);
+  const double error = curve.error + surface.error;
+  const double tolerance = options.tolerances.point + error;
+  CurveTree tree(curve, origin, 3);
+  SurfaceTrees trees(surface, origin, options.form);
+  const auto inside = pieces_in_surface(tree, trees, tolerance);
+  std::vector<PierceContact> pieces;
+  for (const CurveInSurface& piece : inside) pieces.push_back(piece.piece);
+  const PierceFindings found = PierceSearch(tree, trees, options, tolerance).run(pieces);
+  const auto closer = [&](const std::vector<PierceContact>& contacts, double smaller) {
+    return PierceSearch(tree, trees, options, smaller).run_within(contacts, pieces);
+  };
+  CurveSurfaceIntersection result =
+      PierceAssembly(tree, surface, trees, tolerance).finish(inside, found, closer);
+  for (const PierceContact& pair : found.open) result.places.push_back(open_place(tree, pair));
+  for (CurveSurfacePoint& point : result.points) point.point += origin;
+  for (CurvePlace& place : result.places) {
+    place.box_low += origin;
+    place.box_high += origin;
+  }
+  CurveCertificate& certificate = result.certificate;
+  certificate.excluded = found.excluded;
+  certificate.certified = found.certified;
+  certificate.contacts = static_cast<long>(found.contacts.size());
+  certificate.depth = tree.depth();
+  certificate.rounding_bound = std::max(tree.largest_margin(), trees.evaluation_margin());
+  if (!result.places.empty()) {
+    result.status = Status::Tolerance;
+    certificate.reasons.push_back("contacts within tolerance");
+  }
+  if (error > 0) {
+    result.status = Status::Tolerance;
+    certificate.reasons.push_back("the curve or the surface is an approximation");
+  }
+  if (found.stopped) {
+    result.status = Status::Stopped;
+    certificate.reasons.push_back(found.stopped);
+  }
+  return result;
+}
+
+}  // namespace blossom

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/curve_surface_intersection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "core/base/errors.h"
+#include "core/forms/degree.h"
+#include "tests/support/curves.h"
+#include "tests/support/random.h"
+#include "tests/support/sturm.h"
+
+namespace blossom {
+namespace {
+
+using testing::bezier;
+using testing::circle;
+using testing::seeded;
+
+BezierSurface one_patch(RationalBezierPatch patch) {
+  BezierSurface surface;
+  surface.u_knots = {0, 1};
+  surface.v_knots = {0, 1};
+  surface.patches = Grid<RationalBezierPatch>(1, 1);
+  surface.patches(0, 0) = std::move(patch);
+  return surface;
+}
+
+// z over the unit square by its Bernstein coefficients.
+BezierSurface height_field(int n, int m, const std::function<double(int, int)>& z) {
+  RationalBezierPatch patch{Grid<Vec4>(n + 1, m + 1)};
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= m; ++j)
+      patch.points(i, j) = {static_cast<double>(i) / n, static_cast<double>(j) / m, z(i, j), 1};
+  return one_patch(std::move(patch));
+}
+
+BezierSurface plane() {
+  return height_field(1, 1, [](int, int) { return 0.0; });
+}
+
+// A cylinder round the z axis, radius 1, z from 0 to 1, four patches.
+BezierSurface cylinder() {
+  const CurveSpans base = circle({0, 0}, 1);
+  BezierSurface surface;
+  surface.rational = true;
+  surface.closed_u = true;
+  surface.u_law = ParameterLaw::Angle;
+  surface.v_knots = {0, 1};
+  surface.patches = Grid<RationalBezierPatch>(4, 1);
+  surface.u_knots = {0};
+  for (int i = 0; i < 4; ++i) {
+    const CurveSpan& span = base.spans[static_cast<std::size_t>(i)];
+    surface.u_knots.push_back(span.place.to);
+    RationalBezierPatch patch{Grid<Vec4>(3, 2)};
+    for (int k = 0; k < 3; ++k) {
+      const Vec4& p = span.curve.points[static_cast<std::size_t>(k)];
+      patch.points(k, 0) = p;
+      patch.points(k, 1) = {p[0], p[1], p[3], p[3]};
+    }
+    surface.patches(i, 0) = patch;
+  }
+  return surface;
+}
+
+void expect_on_both(const CurveSurfaceIntersection& found, const CurveSpans& curve,
+                    const BezierSurface& surface) {
+  for (const CurveSurfacePoint& p : found.points) {
+    const double bound = p.proven ? 1e-12 : 1e-7;
+    EXPECT_LE(distance(p.point, point_at(curve, p.t)), 1e-12);
+    EXPECT_LE(distance(p.point, point_at(surface, p.uv)), bound);
+    EXPECT_LE(p.box_t.from, p.t);
+    EXPECT_LE(p.t, p.box_t.to);
+  }
+}
+
+void expect_crossings(const CurveSpans& curve, const BezierSurface& surface, std::size_t count) {
+  const CurveSurfaceIntersection found = intersect(curve, surface);
+  EXPECT_EQ(found.status, Status::Complete);
+  ASSERT_EQ(found.points.size(), count);
+  for (const CurveSurfacePoint& p : found.points) EXPECT_TRUE(p.proven && !p.tangential);
+  expect_on_both(found, curve, surface);
+}
+
+CurveSpans parabola(double gap) {
+  return bezier({{0.1, 0.4, 1 + gap}, {0.5, 0.5, -1 + gap}, {0.9, 0.5, 1 + gap}});
+}
+
+TEST(CurveSurfaceIntersection, LineMeetsThePlaneAtTheComputedPoint) {
+  const CurveSurfaceIntersection found =
+      intersect(bezier({{0.3, 0.4, -1}, {0.5, 0.5, 1}}), plane());
+  EXPECT_EQ(found.status, Status::Complete);
+  ASSERT_EQ(found.points.size(), 1U);
+  EXPECT_NEAR(found.points[0].t, 0.5, 1e-15);
+  EXPECT_NEAR(found.points[0].uv[0], 0.4, 1e-15);
+  EXPECT_NEAR(found.points[0].uv[1], 0.45, 1e-15);
+}
+
+TEST(CurveSurfaceIntersection, LinesMeetACylinderTwiceOrOnceOrNever) {
+  expect_crossings(bezier({{-2, 0.3, 0.5}, {2, 0.4, 0.6}}), cylinder(), 2);
+  expect_crossings(bezier({{-2, 0, 0.5}, {2, 0, 0.6}}), cylinder(), 2);  // through two joins
+  expect_crossings(bezier({{0, 0, 0.5}, {2, 0.4, 0.6}}), cylinder(), 1);
+  expect_crossings(bezier({{-2, 1.1, 0.5}, {2, 1.1, 0.6}}), cylinder(), 0);
+  const CurveSurfaceIntersection found =
+      intersect(bezier({{-2, 1, 0.5}, {1.5, 1, 0.6}}), cylinder());
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.points.size(), 1U);
+  EXPECT_TRUE(found.points[0].tangential);
+  EXPECT_NEAR(found.points[0].point[0], 0, 1e-6);
+}
+
+TEST(CurveSurfaceIntersection, ParabolasMissTouchOrCross) {
+  for (const double gap : {1e-3, 1e-6, 2e-7}) expect_crossings(parabola(gap), plane(), 0);
+  for (const double gap : {-1e-3, -1e-6, -1e-7}) expect_crossings(parabola(gap), plane(), 2);
+  for (const double gap : {0.0, 1e-8, 9e-8}) {
+    const CurveSurfaceIntersection found = intersect(parabola(gap), plane());
+    EXPECT_EQ(found.status, Status::Tolerance);
+    ASSERT_EQ(found.points.size(), 1U);
+    EXPECT_TRUE(found.points[0].tangential);
+    EXPECT_NEAR(found.points[0].t, 0.5, 1e-6);
+    ASSERT_EQ(found.places.size(), 1U);
+    EXPECT_LE(found.places[0].gap_low, gap);
+    EXPECT_GE(found.places[0].gap_low, 0.85 * gap);
+    EXPECT_GE(found.places[0].gap_high, gap);
+    EXPECT_LE(found.places[0].gap_high, gap + 1e-12);
+  }
+  for (const double gap : {-1e-8, -1e-10, -1e-11}) expect_crossings(parabola(gap), plane(), 2);
+  // Too close for a proof: a place.
+  for (const double gap : {-1e-12, -1e-15}) {
+    const CurveSurfaceIntersection found = intersect(parabola(gap), plane());
+    EXPECT_EQ(found.status, Status::Tolerance);
+    EXPECT_EQ(found.places.size(), 1U);
+  }
+}
+
+TEST(CurveSurfaceIntersection, ContactOfThirdOrderIsOneTangentialPlace) {
+  const CurveSurfaceIntersection found =
+      intersect(bezier({{0.1, 0.4, -1}, {0.4, 0.4, 1}, {0.6, 0.4, -1}, {0.9, 0.4, 1}}), plane());
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.points.size(), 1U);
+  EXPECT_TRUE(found.points[0].tangential);
+  EXPECT_NEAR(found.points[0].t, 0.5, 1e-4);
+  EXPECT_EQ(found.places[0].kind, PlaceKind::Tangential);
+}
+
+TEST(CurveSurfaceIntersection, CurvesInTheSurfaceAreProvenRuns) {
+  const BezierSurface saddle =
+      height_field(1, 1, [](int i, int j) { return static_cast<double>(i * j); });
+  for (const CurveSpans& curve :
+       {bezier({{0, 0.5, 0}, {1, 0.5, 0.5}}), bezier({{0, 0, 0}, {0.5, 0.5, 0}, {1, 1, 1}})}) {
+    const CurveSurfaceIntersection found = intersect(curve, saddle);
+    EXPECT_EQ(found.status, Status::Tolerance);
+    EXPECT_TRUE(found.points.empty());
+    ASSERT_EQ(found.overlaps.size(), 1U);
+    EXPECT_TRUE(found.overlaps[0].proven);
+    EXPECT_LE(found.overlaps[0].gap_high, 1e-12);
+    EXPECT_EQ(found.overlaps[0].t, (Interval{0, 1}));
+  }
+  // A circle on the cylinder, turned against its joins; and its ruling.
+  const CurveSpans ring = testing::arc({0, 0}, 1, {0.4, 0.4 + 8 * std::atan(1.0)});
+  CurveSpans raised = ring;
+  for (CurveSpan& span : raised.spans)
+    for (Vec4& p : span.curve.points) p[2] = 0.5 * p[3];
+  CurveSurfaceIntersection found = intersect(raised, cylinder());
+  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_TRUE(found.points.empty());
+  double length_of_runs = 0;
+  for (const CurveSurfaceOverlap& run : found.overlaps) length_of_runs += length(run.t);
+  EXPECT_NEAR(length_of_runs, 8 * std::atan(1.0), 1e-2);
+  found = intersect(bezier({{1, 0, -1}, {1, 0, 2}}), cylinder());
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.overlaps.size(), 1U);
+  EXPECT_NEAR(found.overlaps[0].t.from, 1. / 3, 1e-3);
+  EXPECT_NEAR(found.overlaps[0].t.to, 2. / 3, 1e-3);
+}
+
+TEST(CurveSurfaceIntersection, EndsAndBordersWithinToleranceAreListed) {
+  CurveSurfaceIntersection found = intersect(bezier({{0.3, 0.4, 1}, {0.5, 0.5, 3e-8}}), plane());
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.points.size(), 1U);
+  EXPECT_EQ(found.points[0].t, 1);
+  EXPECT_LE(found.places[0].gap_low, 3.1e-8);
+  found = intersect(bezier({{0.3, 0.4, 1}, {0.5, 0.5, 3e-7}}), plane());
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.points.empty());
+  found = intersect(bezier({{1, 0.4, 1}, {1, 0.5, -1}}), plane());
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.points.size(), 1U);
+  EXPECT_EQ(found.points[0].uv[0], 1);
+}
+
+TEST(CurveSurfaceIntersection, BudgetStopsWithOpenPlaces) {
+  IntersectionOptions options;
+  options.budget = 2;
+  const auto found = intersect(parabola(-1e-3), plane(), options);
+  EXPECT_EQ(found.status, Status::Stopped);
+  EXPECT_FALSE(found.places.empty());
+}
+
+TEST(CurveSurfaceIntersection, RefusesBadInput) {
+  EXPECT_THROW(intersect(CurveSpans{}, plane()), InvalidInput);
+  EXPECT_THROW(intersect(parabola(0), BezierSurface{}), InvalidInput);
+}
+
+// Curves (x, y, z)(t) with x and y linear over z = f(x, y) bicubic: the number of crossings is the
+// number of roots of z(t) - f(x(t), y(t)), exactly.
+class RandomPierces : public ::testing::TestWithParam<int> {};
+
+using testing::ExactPolynomial;
+using testing::Rational;
+
+ExactPolynomial times(const ExactPolynomial& a, const ExactPolynomial& b) {
+  ExactPolynomial p(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) p[i + j] += a[i] * b[j];
+  return p;
+}
+
+// Bernstein polynomial i of degree 2 along from + t (to - from).
+ExactPolynomial bernstein(int i, const Rational& from, const Rational& to) {
+  const ExactPolynomial x{from, to - from}, rest{1 - from, from - to};
+  ExactPolynomial p{i == 1 ? 2 : 1};
+  for (int k = 0; k < 2; ++k) p = times(p, k < i ? x : rest);
+  return p;
+}
+
+TEST_P(RandomPierces, HaveAsManyPointsAsTheDifferenceHasRoots) {
+  auto random = seeded(GetParam());
+  for (int trial = 0; trial < 20; ++trial) {
+    Grid<double> z(3, 3);
+    for (double& value : z.values()) value = testing::pick(random, -32, 32) / 16.0;
+    BezierSurface surface = height_field(2, 2, [&](int i, int j) { return z(i, j); });
+    double end[4];
+    for (double& value : end) value = testing::pick(random, 1, 31) / 32.0;
+    BezierCurve curve;
+    std::vector<Rational> heights;
+    for (int i = 0; i <= 3; ++i) {
+      const double height = testing::pick(random, -24, 24) / 8.0;
+      heights.emplace_back(height);
+      // Thirds are no doubles: the plane coordinates go over two control points.
+      curve.points.push_back(
+          {end[0] + (end[2] - end[0]) * i / 3, end[1] + (end[3] - end[1]) * i / 3, height});
+    }
+    ExactPolynomial difference = testing::powers(heights);
+    difference.resize(5);
+    for (int i = 0; i <= 2; ++i)
+      for (int j = 0; j <= 2; ++j) {
+        const ExactPolynomial term = times(bernstein(i, Rational(end[0]), Rational(end[2])),
+                                           bernstein(j, Rational(end[1]), Rational(end[3])));
+        for (std::size_t k = 0; k < term.size(); ++k) difference[k] -= Rational(z(i, j)) * term[k];
+      }
+    if (difference[0] == 0 || testing::value(difference, 1) == 0) continue;
+    const int count = testing::count_roots(difference, 0, 1);
+    const CurveSpans spans = curve_spans(curve);
+    const CurveSurfaceIntersection found = intersect(spans, surface);
+    EXPECT_EQ(static_cast<int>(found.points.size()), count)
+        << "trial " << trial << ", status " << to_string(found.status);
+    expect_on_both(found, spans, surface);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomPierces, ::testing::Range(0, 50));
+
+}  // namespace
+}  // namespace blossom
