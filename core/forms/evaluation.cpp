@@ -114,6 +114,33 @@ __attribute__((target_clones("avx2", "default"))) PatchJet second_jet(
   return jet<2>(patch, u, v);
 }
 
+Vec3 head(const Four& h) { return {h[0], h[1], h[2]}; }
+
+__attribute__((target_clones("avx2", "default"))) CurveJet curve_jet(
+    const RationalBezierCurve& curve, double t) {
+  const int n = curve.degree();
+  Four b[kMaxDegree + 1];
+  std::memcpy(b, curve.points.data(), curve.points.size() * sizeof(Vec4));
+  const double s = 1 - t;
+  for (int count = n; count > 2; --count)
+    for (int i = 0; i < count; ++i) b[i] = s * b[i] + t * b[i + 1];
+  Four h1{}, h2{};
+  if (n >= 2) {
+    h2 = (n * (n - 1.0)) * (b[2] - 2 * b[1] + b[0]);
+    b[0] = s * b[0] + t * b[1];
+    b[1] = s * b[1] + t * b[2];
+  }
+  if (n >= 1) {
+    h1 = static_cast<double>(n) * (b[1] - b[0]);
+    b[0] = s * b[0] + t * b[1];
+  }
+  const double w = b[0][3];
+  const Four point = b[0] / w;
+  const Four first = (h1 - h1[3] * point) / w;
+  const Four second = (h2 - 2 * h1[3] * first - h2[3] * point) / w;
+  return {head(point), head(first), head(second)};
+}
+
 }  // namespace
 
 Vec3 point_at(const RationalBezierPatch& patch, double u, double v) { return value(patch, u, v); }
@@ -122,29 +149,6 @@ PatchJet jet_at(const RationalBezierPatch& patch, double u, double v, int order)
   return order < 2 ? first_jet(patch, u, v) : second_jet(patch, u, v);
 }
 
-CurveJet jet_at(const RationalBezierCurve& curve, double t) {
-  const int n = curve.degree();
-  Four b[kMaxDegree + 1];
-  std::memcpy(b, curve.points.data(), curve.points.size() * sizeof(Vec4));
-  const auto level = [&](int count) {
-    for (int i = 0; i < count; ++i) b[i] = (1 - t) * b[i] + t * b[i + 1];
-  };
-  for (int count = n; count > 2; --count) level(count);
-  Four h1{}, h2{};
-  if (n >= 2) {
-    h2 = (n * (n - 1.0)) * (b[2] - 2 * b[1] + b[0]);
-    level(2);
-  }
-  if (n >= 1) {
-    h1 = static_cast<double>(n) * (b[1] - b[0]);
-    level(1);
-  }
-  const double w = b[0][3];
-  CurveJet jet;
-  jet.point = quotient(b[0], Vec3{}, w);
-  jet.first = quotient(h1, h1[3] * jet.point, w);
-  jet.second = quotient(h2, 2 * h1[3] * jet.first + h2[3] * jet.point, w);
-  return jet;
-}
+CurveJet jet_at(const RationalBezierCurve& curve, double t) { return curve_jet(curve, t); }
 
 }  // namespace blossom

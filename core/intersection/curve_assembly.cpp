@@ -52,14 +52,18 @@ CurveAssembly::CurveAssembly(CurveTree& a, CurveTree& b, double tolerance)
       touch_length_(longest_touch(tolerance, std::min(a.size(), b.size()))) {}
 
 CurveAssembly::Candidate CurveAssembly::candidate(const SpanPoint& a, const SpanPoint& b) const {
+  return candidate(CurveFoot{a, b, a_.jet(a), b_.jet(b)});
+}
+
+CurveAssembly::Candidate CurveAssembly::candidate(const CurveFoot& foot) const {
   Candidate result;
-  result.a = a;
-  result.b = b;
-  result.at_a = a_.parameter(a);
-  result.at_b = b_.parameter(b);
+  result.a = foot.a;
+  result.b = foot.b;
+  result.at_a = a_.parameter(foot.a);
+  result.at_b = b_.parameter(foot.b);
   result.box_a = {result.at_a, result.at_a};
   result.box_b = {result.at_b, result.at_b};
-  result.foot = {a, b, a_.jet(a), b_.jet(b)};
+  result.foot = foot;
   const double gap = norm(result.foot.gap());
   result.gap = {std::max(0.0, gap - margin_), gap + margin_};
   result.sine = norm(cross(unit(result.foot.jet_a.first), unit(result.foot.jet_b.first)));
@@ -78,7 +82,7 @@ void CurveAssembly::add_ends(bool of_a) {
     for (const double t : {0.0, 1.0}) {
       if (t == 1 && span + 1 < own.spans()) continue;  // the next span's first end
       const SpanPoint end{span, t};
-      const Vec3 point = own.jet(end).point;
+      const Vec3 point = own.end_point(end);
       for (SpanPoint foot : feet_near(other, point, tolerance_)) {
         if (other.jet({foot.span, std::round(foot.t)}).point == point) foot.t = std::round(foot.t);
         const Candidate found = of_a ? candidate(end, foot) : candidate(foot, end);
@@ -424,7 +428,7 @@ CurveIntersection CurveAssembly::finish(const std::vector<SharedSpans>& shared,
                                         const CurveFindings& found) {
   add_overlaps(shared);
   for (const ValleyPoint& known : found.points) {
-    Candidate point = candidate(known.foot.a, known.foot.b);
+    Candidate point = candidate(known.foot);
     point.touch = known.touch;
     point.gap = known.gap;
     point.half_length = known.half_length;

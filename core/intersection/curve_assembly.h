@@ -38,6 +38,7 @@ class CurveAssembly {
   };
 
   Candidate candidate(const SpanPoint& a, const SpanPoint& b) const;
+  Candidate candidate(const CurveFoot& foot) const;
   void add_ends(bool of_a);
   bool is_kink(const CurveTree& tree, const SpanPoint& at) const;
   void prove(Candidate& point) const;

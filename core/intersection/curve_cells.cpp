@@ -245,6 +245,12 @@ SpanPoint CurveTree::place(double parameter) const {
           std::clamp(local_parameter(span.law, span.place, parameter), 0.0, 1.0)};
 }
 
+Vec3 CurveTree::end_point(const SpanPoint& at) const {
+  const RationalBezierCurve& curve = curve_.spans[static_cast<std::size_t>(at.span)].curve;
+  const Vec4& p = at.t == 0 ? curve.points.front() : curve.points.back();
+  return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+}
+
 SpanPoint CurveTree::across_join(const SpanPoint& at) const {
   const int last = spans() - 1;
   if (at.t == 1) {

@@ -69,6 +69,9 @@ class CurveTree {
     return jet_at(curve_.spans[static_cast<std::size_t>(at.span)].curve, at.t);
   }
 
+  /// The same point for t = 0 or 1, bit for bit: a control point.
+  Vec3 end_point(const SpanPoint& at) const;
+
   /// Bound on the error of a coordinate of such a point, model units.
   double evaluation_margin() const { return evaluation_margin_; }
 

@@ -9,10 +9,12 @@ namespace blossom {
 namespace {
 
 constexpr int kNewtonSteps = 24;
-constexpr double kSettled = 1e-15;  // a step, in parameters of the span
-constexpr double kStalled = 1e-12;  // below this, steps that shrink no more are rounding
-constexpr double kReach = 0.5;      // how far outside the cells Newton's steps may lead
-constexpr double kParallel = 1e-3;  // sine below which chords in space have no common normal
+constexpr double kConverging = 1e-6;  // steps below this, in parts of the cells, square
+constexpr double kSettled = 1e-16;    // the next step, in parts of the cells
+constexpr double kLeastStep = 1e-17;  // in parameters of the span
+constexpr double kStalled = 1e-12;    // below this, steps that shrink no more are rounding
+constexpr double kReach = 0.5;        // how far outside the cells Newton's steps may lead
+constexpr double kParallel = 1e-3;    // sine below which chords in space have no common normal
 constexpr double kAngleSlack = 1e-14;
 
 Vec3 turned(const Vec3& v) { return {-v[1], v[0], 0}; }
@@ -138,7 +140,12 @@ std::optional<CurveFoot> nearest_feet(const CurvePair& pair, CurveFoot foot) {
     if (!inside_reach(a.t, pair.a.local) || !inside_reach(b.t, pair.b.local)) return std::nullopt;
     foot = foot_at(pair, a, b);
     const double size = max_norm(*step);
-    if (size < kSettled || (size < kStalled && size > 0.25 * last)) return foot;
+    // In parts of the cells, each step is about the square of the last.
+    const double part = std::max(std::abs((*step)[0]) / length(pair.a.local),
+                                 std::abs((*step)[1]) / length(pair.b.local));
+    const double shrink = size / last;
+    const bool settled = part < kConverging && part * shrink * shrink < kSettled;
+    if (settled || size < kLeastStep || (size < kStalled && shrink > 0.25)) return foot;
     last = size;
   }
   return std::nullopt;

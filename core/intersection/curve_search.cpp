@@ -197,8 +197,9 @@ bool CurveSearch::settle(const CurvePair& pair, double sine) {
   const bool on_spans = inside(found->a.t, {0, 1}, rounding / speed_a + kParameterSlack) &&
                         inside(found->b.t, {0, 1}, rounding / speed_b + kParameterSlack);
   if (!on_spans) return true;  // an end of a span is nearest: ends are examined apart
-  const CurveFoot foot = foot_at(pair, {found->a.span, std::clamp(found->a.t, 0.0, 1.0)},
-                                 {found->b.span, std::clamp(found->b.t, 0.0, 1.0)});
+  CurveFoot foot = *found;
+  const double s = std::clamp(foot.a.t, 0.0, 1.0), t = std::clamp(foot.b.t, 0.0, 1.0);
+  if (s != foot.a.t || t != foot.b.t) foot = foot_at(pair, {foot.a.span, s}, {foot.b.span, t});
   const double gap = norm(foot.gap());
   if (gap > tolerance_ + pair.margin()) return false;
   ValleyPoint point{foot,
