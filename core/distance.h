@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The least distance between two sets of points, curves and surfaces, between proven bounds.
+//
+// The least distance of two sets is taken at a pair of points, each of which is a point of the set,
+// the inside of a curve where the connecting line is across it, or the inside of a surface where it
+// is normal to it. So pairs of cells are left out when they are too far from each other, or when no
+// connecting line can be normal to both; the rest is halved, nearest pairs first. Newton's method
+// gives upper bounds. Ends of curves and borders of surfaces belong to the set as points and curves
+// of their own; then trims need no other care than a filter.
+
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/base/status.h"
+#include "core/forms/curve.h"
+#include "core/forms/surface.h"
+#include "core/math/vec.h"
+
+namespace blossom {
+
+/// Whether a rectangle of a surface's own parameters lies inside of its trims.
+enum class TrimSide { Inside, Outside, Mixed };
+/// surface   index into MeasuredSet::surfaces
+/// low, high the corners of the rectangle; equal for a point, of which Mixed means on a border
+using TrimFilter = std::function<TrimSide(int surface, const Vec2& low, const Vec2& high)>;
+
+/// Points, curves and surfaces, taken together. Positive weights; curves of degree 1..kMaxDegree.
+struct MeasuredSet {
+  std::vector<Vec3> points;
+  std::vector<RationalBezierCurve> curves;
+  std::vector<BezierSurface> surfaces;
+  TrimFilter trims{};  ///< empty: all of the surfaces counts
+};
+
+/// A surface with its borders and corners.
+MeasuredSet measured(const BezierSurface& surface);
+/// A curve with its ends.
+MeasuredSet measured(const RationalBezierCurve& curve);
+/// A point.
+MeasuredSet measured(const Vec3& point);
+
+/// Where a distance is taken.
+struct DistanceEnd {
+  enum class Kind { Point, Curve, Surface };
+  Kind kind = Kind::Point;
+  int index = 0;  ///< of the point, curve or surface
+  Vec2 uv;        ///< the surface's own parameters; (t, 0) with t in [0, 1] of a curve
+  Vec3 point;     ///< model units
+};
+
+struct DistanceResult {
+  double lower = 0;  ///< the distance is at least this, proven
+  double upper = 0;  ///< and at most this, taken at `a` and `b`
+  DistanceEnd a, b;
+
+  /// Complete: the bounds agree to kDistanceAccuracy, relative to the distance, or to rounding.
+  /// Stopped: the budget was spent before.
+  Status status = Status::Complete;
+  long pairs = 0;  ///< of cells looked at
+};
+
+/// Relative to the distance. Roundings of coordinates add some 1e-14 of the largest one.
+inline constexpr double kDistanceAccuracy = 1e-10;
+
+struct DistanceOptions {
+  /// Pairs of cells looked at before giving up.
+  long budget = 400'000;
+  /// Stops as soon as the distance is proven to be above this, or found to be below; model units.
+  /// Then only the side is told: lower > enough, or upper <= enough.
+  double enough = -1;
+};
+
+/// The least distance of two sets.
+/// throws   InvalidInput if a set is empty or a form is not sound
+DistanceResult least_distance(const MeasuredSet& a, const MeasuredSet& b,
+                              const DistanceOptions& options = {});
+
+}  // namespace blossom

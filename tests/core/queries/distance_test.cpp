@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/distance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/base/errors.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solids.h"
+
+namespace blossom {
+namespace {
+
+using testing::one_patch;
+using testing::random_point;
+using testing::reference_point;
+using testing::seeded;
+using testing::uniform;
+
+BezierSurface moved(BezierSurface surface, const Vec3& by) {
+  for (RationalBezierPatch& patch : surface.patches.values())
+    for (Vec4& p : patch.points.values())
+      for (int k = 0; k < 3; ++k) p[k] += p[3] * by[k];
+  return surface;
+}
+
+RationalBezierCurve segment(const Vec3& from, const Vec3& to) {
+  return {{testing::weighted(from, 1), testing::weighted(to, 1)}};
+}
+
+void expect_distance(const DistanceResult& found, double expected) {
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_LE(found.lower, expected * (1 + 1e-15) + 1e-15);
+  EXPECT_GE(found.upper, expected * (1 - 1e-14) - 1e-15);
+  EXPECT_LE(found.upper - found.lower, kDistanceAccuracy * expected + 1e-13);
+  EXPECT_NEAR(distance(found.a.point, found.b.point), found.upper, 1e-15 * (1 + expected));
+}
+
+TEST(LeastDistance, OfPointsIsTheirs) {
+  expect_distance(least_distance(measured(Vec3{1, 2, 3}), measured(Vec3{1, 2, 5})), 2);
+  expect_distance(least_distance(measured(Vec3{1, 2, 3}), measured(Vec3{1, 2, 3})), 0);
+}
+
+TEST(LeastDistance, OfAPointAndASegmentIsTakenInsideOrAtAnEnd) {
+  const MeasuredSet line = measured(segment({0, 0, 0}, {4, 0, 0}));
+  const DistanceResult inside = least_distance(measured(Vec3{1, 2, 0}), line);
+  expect_distance(inside, 2);
+  EXPECT_EQ(inside.b.kind, DistanceEnd::Kind::Curve);
+  EXPECT_NEAR(inside.b.uv[0], 0.25, 1e-12);
+  const DistanceResult end = least_distance(measured(Vec3{7, 4, 0}), line);
+  expect_distance(end, 5);
+  EXPECT_EQ(end.b.point, (Vec3{4, 0, 0}));
+}
+
+TEST(LeastDistance, OfSkewSegmentsIsThatOfTheirCommonNormal) {
+  expect_distance(least_distance(measured(segment({-1, 0, 0}, {1, 0, 0})),
+                                 measured(segment({0.2, -1, 0.5}, {0.4, 1, 0.5}))),
+                  0.5);
+}
+
+TEST(LeastDistance, ToASphereIsKnown) {
+  auto random = seeded(3);
+  const MeasuredSet sphere = measured(testing::unit_sphere());
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 point = 3 * random_point(random);
+    expect_distance(least_distance(measured(point), sphere), std::abs(norm(point) - 1));
+    expect_distance(least_distance(sphere, measured(point)), std::abs(norm(point) - 1));
+  }
+  expect_distance(least_distance(measured(Vec3{0, 0, 3}), sphere), 2);
+}
+
+TEST(LeastDistance, OfTwoSpheresIsKnown) {
+  const MeasuredSet sphere = measured(testing::unit_sphere());
+  for (const Vec3& by : {Vec3{3, 0.1, -0.2}, Vec3{1.2, 1.5, 1.7}, Vec3{0.4, 0.3, 5}})
+    expect_distance(least_distance(sphere, measured(moved(testing::unit_sphere(), by))),
+                    norm(by) - 2);
+}
+
+TEST(LeastDistance, OfParallelSquaresIsTheirGap) {
+  const BezierSurface square = testing::quadrilateral({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0});
+  expect_distance(least_distance(measured(square), measured(moved(square, {0.3, 0.2, 0.75}))),
+                  0.75);
+  expect_distance(least_distance(measured(square), measured(moved(square, {1.5, 1.5, 0}))),
+                  std::sqrt(0.5));
+}
+
+TEST(LeastDistance, FindsTheEdgeOfAKink) {
+  // A roof of two patches with its ridge at y = 0, z = 1.
+  BezierSurface roof = testing::quadrilateral({0, -1, 0}, {0, 0, 1}, {2, -1, 0}, {2, 0, 1});
+  const BezierSurface right = testing::quadrilateral({0, 0, 1}, {0, 1, 0}, {2, 0, 1}, {2, 1, 0});
+  Grid<RationalBezierPatch> both(1, 2);
+  both(0, 0) = roof.patches(0, 0);
+  both(0, 1) = right.patches(0, 0);
+  roof.patches = both;
+  roof.v_knots = {0, 1, 2};
+  expect_distance(least_distance(measured(Vec3{0.7, 0, 3}), measured(roof)), 2);
+}
+
+TEST(LeastDistance, OfSurfacesThatCrossIsZero) {
+  const DistanceResult found = least_distance(
+      measured(testing::unit_sphere()), measured(moved(testing::unit_sphere(), {0.9, 0.3, 0})));
+  EXPECT_EQ(found.lower, 0);
+  EXPECT_LE(found.upper, 1e-13);
+}
+
+TEST(LeastDistance, StopsWhenItsSideOfALimitIsKnown) {
+  const MeasuredSet sphere = measured(testing::unit_sphere());
+  const MeasuredSet other = measured(moved(testing::unit_sphere(), {3, 0, 0}));
+  const DistanceResult above = least_distance(sphere, other, {.enough = 0.5});
+  EXPECT_GT(above.lower, 0.5);
+  EXPECT_LE(above.lower, 1);
+  const DistanceResult below = least_distance(sphere, other, {.enough = 1.5});
+  EXPECT_LE(below.upper, 1.5);
+  EXPECT_LE(above.pairs, least_distance(sphere, other).pairs);
+}
+
+TEST(LeastDistance, KeepsItsBoundsWhenTheBudgetIsSpent) {
+  // Every point of the sphere is as near to its centre as any other.
+  const DistanceResult found =
+      least_distance(measured(testing::unit_sphere()), measured(Vec3{0, 0, 0}), {.budget = 2000});
+  EXPECT_EQ(found.status, Status::Stopped);
+  EXPECT_LE(found.lower, 1);
+  EXPECT_GE(found.lower, 0.99);
+  EXPECT_NEAR(found.upper, 1, 1e-14);
+}
+
+TEST(LeastDistance, LeavesOutWhatIsTrimmedAway) {
+  // Of the square only x > 1/2 is there; its cut border is no part of this set.
+  MeasuredSet part = measured(testing::quadrilateral({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}));
+  part.points.clear();
+  part.curves = {segment({0.5, 0, 0}, {0.5, 1, 0})};
+  part.trims = [](int, const Vec2& low, const Vec2& high) {
+    return high[0] < 0.5 ? TrimSide::Outside : low[0] > 0.5 ? TrimSide::Inside : TrimSide::Mixed;
+  };
+  expect_distance(least_distance(measured(Vec3{0.75, 0.4, 1}), part), 1);
+  expect_distance(least_distance(measured(Vec3{0.2, 0.4, 0.4}), part), 0.5);
+}
+
+TEST(LeastDistance, RefusesWhatIsNotThere) {
+  const MeasuredSet point = measured(Vec3{0, 0, 0});
+  EXPECT_THROW(least_distance({}, point), InvalidInput);
+  EXPECT_THROW(least_distance(point, measured(Vec3{0, std::nan(""), 0})), InvalidInput);
+  EXPECT_THROW(measured(RationalBezierCurve{}), InvalidInput);
+}
+
+// Random patches and curves: no pair of samples is nearer, and the order does not matter.
+class LeastDistanceProperty : public ::testing::TestWithParam<int> {};
+
+TEST_P(LeastDistanceProperty, IsNeverMoreThanThatOfSamples) {
+  auto random = seeded(GetParam());
+  const int n = 1 + GetParam() % 4, m = 1 + GetParam() / 4 % 4;
+  const auto net = [&](const Vec3& by, double largest_weight) {
+    RationalBezierPatch patch{Grid<Vec4>(n + 1, m + 1)};
+    for (Vec4& p : patch.points.values())
+      p = testing::weighted(random_point(random) + by, uniform(random, 1, largest_weight));
+    return patch;
+  };
+  const RationalBezierPatch a = net({0, 0, 0}, 1 + GetParam() % 3);
+  const RationalBezierPatch b = net({uniform(random, 1, 3), 0.5, 0}, 1);
+  const MeasuredSet set_a = measured(one_patch(a)), set_b = measured(one_patch(b));
+
+  const DistanceResult found = least_distance(set_a, set_b), turned = least_distance(set_b, set_a);
+
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_LE(found.lower, turned.upper);
+  EXPECT_LE(turned.lower, found.upper);
+  EXPECT_LE(found.upper - found.lower, kDistanceAccuracy * found.upper + 1e-12);
+  double sampled = std::numeric_limits<double>::infinity();
+  const auto point = [](const RationalBezierPatch& patch, double u, double v) {
+    const Vec4 p = reference_point(patch, u, v);
+    return Vec3{p[0], p[1], p[2]} * (1 / p[3]);
+  };
+  std::vector<Vec3> of_b;
+  for (int i = 0; i <= 144; ++i) of_b.push_back(point(b, i % 12 / 11.0, i / 12 / 12.0));
+  for (int i = 0; i <= 144; ++i) {
+    const Vec3 p = point(a, i % 12 / 11.0, i / 12 / 12.0);
+    for (const Vec3& q : of_b) sampled = std::min(sampled, distance(p, q));
+  }
+  EXPECT_LE(found.lower, sampled);
+  EXPECT_LE(found.upper, sampled + 1e-14);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, LeastDistanceProperty, ::testing::Range(0, 32));
+
+}  // namespace
+}  // namespace blossom
