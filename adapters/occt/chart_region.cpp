@@ -11,7 +11,42 @@ namespace {
 // Squares in each direction. A wire then runs through some 5 % of them; 4 kB a face.
 constexpr int kCells = 64;
 // Pieces of a wire are halved down to a square; no piece needs more.
-constexpr int kDeepest = 16;
+constexpr int kDeepest = 40;
+
+// Whether the curve comes into the rectangle, or too close to it to tell.
+bool meets(const PlanarBezier& curve, const PlanarBox& rectangle, int depth) {
+  const PlanarBox box = box_of(curve.points);
+  bool within = true;
+  for (int k = 0; k < 2; ++k) {
+    if (box.low[k] > rectangle.high[k] || box.high[k] < rectangle.low[k]) return false;
+    within = within && box.low[k] >= rectangle.low[k] && box.high[k] <= rectangle.high[k];
+  }
+  return within || depth >= kDeepest ||
+         meets(bezier_piece(curve, {0, 0.5}), rectangle, depth + 1) ||
+         meets(bezier_piece(curve, {0.5, 1}), rectangle, depth + 1);
+}
+
+PlanarBezier line(const Vec2& from, const Vec2& to) {
+  return {{{from[0], from[1], 1}, {to[0], to[1], 1}}};
+}
+
+Vec2 end_of(const Coedge& coedge, bool last) {
+  const Interval domain = coedge.curve.domain();
+  return point_at(coedge.curve, last != coedge.reversed() ? domain.to : domain.from);
+}
+
+bool meets(const FaceTrims& trims, const PlanarBox& rectangle) {
+  const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      for (const PlanarSpan& span : coedge.curve.spans)
+        if (meets(span.curve, rectangle, 0)) return true;
+      if (meets(line(corner(coedge.from), end_of(coedge, false)), rectangle, 0) ||
+          meets(line(end_of(coedge, true), corner(coedge.to)), rectangle, 0))
+        return true;
+    }
+  return false;
+}
 
 }  // namespace
 
@@ -22,12 +57,9 @@ ChartRegion::ChartRegion(const FaceTrims& trims) : box_(trims.box), natural_(tri
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop) {
       for (const PlanarSpan& span : coedge.curve.spans) mark(span.curve, 0);
-      const Interval domain = coedge.curve.domain();
       const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
-      mark_line(corner(coedge.from),
-                point_at(coedge.curve, coedge.reversed() ? domain.to : domain.from));
-      mark_line(corner(coedge.to),
-                point_at(coedge.curve, coedge.reversed() ? domain.from : domain.to));
+      mark(line(corner(coedge.from), end_of(coedge, false)), 0);
+      mark(line(end_of(coedge, true), corner(coedge.to)), 0);
     }
   fill(trims);
 }
@@ -39,6 +71,20 @@ ChartRegion::Place ChartRegion::place(const Vec2& point) const {
   // A hair outside may still be on a wire that runs along the box.
   if (!(x >= -1 && y >= -1 && x <= kCells + 1 && y <= kCells + 1)) return Place::Outside;
   return cells_[static_cast<std::size_t>(row(point[1]) * kCells + column(point[0]))];
+}
+
+ChartRegion::Place ChartRegion::place(const FaceTrims& trims, const PlanarBox& rectangle) const {
+  if (natural_) return Place::Inside;
+  const int i1 = column(rectangle.high[0]), j1 = row(rectangle.high[1]);
+  const Place first =
+      cells_[static_cast<std::size_t>(row(rectangle.low[1]) * kCells + column(rectangle.low[0]))];
+  bool same = first != Place::Near;
+  for (int j = row(rectangle.low[1]); same && j <= j1; ++j)
+    for (int i = column(rectangle.low[0]); same && i <= i1; ++i)
+      same = cells_[static_cast<std::size_t>(j * kCells + i)] == first;
+  if (same) return first;
+  if (meets(trims, rectangle)) return Place::Near;
+  return is_inside(trims, 0.5 * (rectangle.low + rectangle.high)) ? Place::Inside : Place::Outside;
 }
 
 int ChartRegion::column(double x) const {
@@ -70,10 +116,6 @@ void ChartRegion::mark(const PlanarBezier& curve, int depth) {
   }
   mark(bezier_piece(curve, {0, 0.5}), depth + 1);
   mark(bezier_piece(curve, {0.5, 1}), depth + 1);
-}
-
-void ChartRegion::mark_line(const Vec2& from, const Vec2& to) {
-  mark(PlanarBezier{{{from[0], from[1], 1}, {to[0], to[1], 1}}}, 0);
 }
 
 // Squares side by side that no wire comes near are of one kind.

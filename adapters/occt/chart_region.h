@@ -18,12 +18,15 @@ class ChartRegion {
 
   explicit ChartRegion(const FaceTrims& trims);
 
+  /// Which side a rectangle lies on; Near if a wire meets it. Proven but for the roundings of
+  /// halving: pieces of wires are looked at by the boxes of their control points.
+  Place place(const FaceTrims& trims, const PlanarBox& rectangle) const;
+
   /// Near says that a wire runs through this square or one beside it; nothing else is sure then.
   Place place(const Vec2& point) const;
 
  private:
   void mark(const PlanarBezier& curve, int depth);
-  void mark_line(const Vec2& from, const Vec2& to);
   void mark_box(const PlanarBox& box);
   void fill(const FaceTrims& trims);
   int column(double x) const;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Distances of whole shapes: faces within their trims, edges and vertices.
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "core/distance.h"
+
+namespace blossom::occt {
+
+/// Where a distance is taken.
+struct ShapePoint {
+  TopoDS_Shape on;  ///< a face, edge or vertex; null of a point that belongs to no shape
+  Vec2 uv;          ///< a face's own parameters; (t, 0) of an edge
+  Vec3 point;       ///< model units
+};
+
+struct ShapeDistance {
+  double lower = 0;  ///< proven
+  double upper = 0;  ///< taken at `a` and `b`
+  ShapePoint a, b;
+
+  /// As in the core. Tolerance: surfaces or curves were approximated; the bounds allow for that.
+  Status status = Status::Complete;
+  long pairs = 0;
+};
+
+/// A shape made ready: its faces, all edges with the curves they have in space, all vertices.
+/// Solids are their boundaries.
+class MeasuredShape {
+ public:
+  /// throws   BadModel if there is nothing in the shape, an edge has no curve in space, or a face
+  ///          cannot be used
+  explicit MeasuredShape(const TopoDS_Shape& shape);
+  ~MeasuredShape();
+  MeasuredShape(MeasuredShape&&) noexcept;
+  MeasuredShape& operator=(MeasuredShape&&) noexcept;
+
+  const MeasuredSet& set() const;
+  std::vector<TopoDS_Face> faces() const;
+  /// The face, edge or vertex with the parameters of its own.
+  ShapePoint named(const DistanceEnd& end) const;
+  /// Largest distance of an approximated form to what it stands for, model units.
+  double error() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The least distance of two shapes, between proven bounds.
+ShapeDistance least_distance(const MeasuredShape& a, const MeasuredShape& b,
+                             const DistanceOptions& options = {});
+
+/// The nearest point of a shape; `a` is the given point.
+ShapeDistance nearest_point(const MeasuredShape& shape, const Vec3& point,
+                            const DistanceOptions& options = {});
+
+enum class Meeting {
+  No,       ///< proven: they have no point in common
+  Yes,      ///< proven: two faces cross
+  Within,   ///< within tolerance of each other; whether they meet is not known
+  Unknown,  ///< the budget was spent before it was known
+};
+
+struct ShapeMeeting {
+  Meeting answer = Meeting::Unknown;
+  ShapePoint a, b;   ///< the nearest points found; where they meet unless the answer is No
+  double lower = 0;  ///< the distance is at least this: above 0 if the answer is No
+  double upper = 0;  ///< that of `a` and `b`
+  long pairs = 0;
+};
+
+/// Whether two shapes have a point in common, as early as that is known.
+///
+/// tolerance  distance that counts as meeting where nothing is proven, model units
+ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b, double tolerance = 1e-7,
+                     const DistanceOptions& options = {});
+
+}  // namespace blossom::occt

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/distance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+
+#include "adapters/occt/errors.h"
+#include "core/base/errors.h"
+#include "tests/support/shapes.h"
+
+namespace blossom::occt {
+namespace {
+
+using testing::random_point;
+using testing::seeded;
+
+MeasuredShape at(const TopoDS_Shape& shape, const Vec3& by) {
+  gp_Trsf move;
+  move.SetTranslation(gp_Vec(by[0], by[1], by[2]));
+  return MeasuredShape(shape.Moved(move));
+}
+
+TopoDS_Face plate_with_hole() {
+  const gp_Circ circle(gp_Ax2(gp_Pnt(2, 2, 0), gp_Dir(0, 0, -1)), 1);
+  BRepBuilderAPI_MakeFace maker(BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4).Face());
+  maker.Add(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle)));
+  return maker.Face();
+}
+
+void expect_distance(const ShapeDistance& found, double expected) {
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_LE(found.lower, expected * (1 + 1e-14) + 1e-13);
+  EXPECT_GE(found.upper, expected * (1 - 1e-14) - 1e-13);
+  EXPECT_LE(found.upper - found.lower, kDistanceAccuracy * expected + 1e-12);
+}
+
+TEST(ShapeDistance, OfBoxesIsTakenAtFacesEdgesAndVertices) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  const MeasuredShape first(box);
+  expect_distance(least_distance(first, at(box, {1.5, 0.2, 0.3})), 0.5);
+  expect_distance(least_distance(first, at(box, {1.3, 1.4, 0.3})), 0.5);
+  const ShapeDistance corners = least_distance(first, at(box, {2, 2, 2}));
+  expect_distance(corners, std::sqrt(3));
+  EXPECT_EQ(corners.a.on.ShapeType(), TopAbs_VERTEX);
+  EXPECT_EQ(corners.b.on.ShapeType(), TopAbs_VERTEX);
+  EXPECT_EQ(corners.a.point, (Vec3{1, 1, 1}));
+}
+
+TEST(ShapeDistance, RespectsTrims) {
+  const MeasuredShape plate(plate_with_hole());
+  expect_distance(nearest_point(plate, {0.5, 0.5, 2}), 2);
+  const ShapeDistance hole = nearest_point(plate, {2, 2.25, 1});
+  expect_distance(hole, std::hypot(0.75, 1.0));
+  EXPECT_EQ(hole.b.on.ShapeType(), TopAbs_EDGE);
+  // A ball through the hole does not touch the plate.
+  expect_distance(least_distance(plate, at(BRepPrimAPI_MakeSphere(0.75).Shape(), {2.1, 2, 0})),
+                  0.15);
+}
+
+TEST(ShapeDistance, NamesTheFaceAndItsParameters) {
+  const ShapeDistance found =
+      nearest_point(MeasuredShape(BRepPrimAPI_MakeSphere(2).Shape()), {3, 3, 3});
+  expect_distance(found, 3 * std::sqrt(3) - 2);
+  ASSERT_EQ(found.b.on.ShapeType(), TopAbs_FACE);
+  EXPECT_NEAR(found.b.uv[0], std::atan2(1, 1), 1e-8);
+  EXPECT_NEAR(found.b.uv[1], std::asin(1 / std::sqrt(3)), 1e-8);
+}
+
+TEST(ShapeDistance, IsNoMoreThanThatOfOpenCascade) {
+  auto random = seeded(11);
+  const std::vector<TopoDS_Shape> shapes{
+      BRepPrimAPI_MakeBox(1, 2, 0.5).Shape(),   BRepPrimAPI_MakeSphere(0.7).Shape(),
+      BRepPrimAPI_MakeTorus(1, 0.3).Shape(),    BRepPrimAPI_MakeCone(0.8, 0.2, 1).Shape(),
+      BRepPrimAPI_MakeCylinder(0.5, 1).Shape(), plate_with_hole()};
+  for (const TopoDS_Shape& a : shapes)
+    for (const TopoDS_Shape& b : shapes) {
+      gp_Trsf turn, move;
+      const Vec3 axis = random_point(random), by = 3 * unit(random_point(random));
+      turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(axis[0], axis[1], axis[2])), 1);
+      move.SetTranslation(gp_Vec(by[0], by[1], by[2]));
+      const TopoDS_Shape moved = BRepBuilderAPI_Transform(b, move * turn, true).Shape();
+      const MeasuredShape first(a), second(moved);
+      const ShapeDistance found = least_distance(first, second);
+      const ShapeDistance turned = least_distance(second, first);
+      BRepExtrema_DistShapeShape theirs(a, moved);
+      ASSERT_TRUE(theirs.IsDone());
+      EXPECT_EQ(found.status, Status::Complete);
+      EXPECT_LE(found.upper, theirs.Value() * (1 + 1e-9) + 1e-9);
+      EXPECT_LE(found.lower, turned.upper);
+      EXPECT_LE(turned.lower, found.upper);
+    }
+}
+
+TEST(ShapeMeeting, SaysNoYesOrWithin) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(1).Shape();
+  const MeasuredShape first(ball);
+  const ShapeMeeting apart = meeting(first, at(ball, {2.001, 0, 0}));
+  EXPECT_EQ(apart.answer, Meeting::No);
+  EXPECT_GT(apart.lower, 0);
+  const ShapeMeeting crossing = meeting(first, at(ball, {1.2, 0.3, 0.1}));
+  EXPECT_EQ(crossing.answer, Meeting::Yes);
+  EXPECT_NEAR(norm(crossing.a.point), 1, 1e-9);
+  EXPECT_EQ(meeting(first, at(ball, {2, 0, 0})).answer, Meeting::Within);
+  // Inside of each other without a common point: solids are their boundaries.
+  EXPECT_EQ(meeting(first, MeasuredShape(BRepPrimAPI_MakeSphere(0.5).Shape())).answer, Meeting::No);
+  EXPECT_THROW(meeting(first, first, 0), InvalidInput);
+}
+
+TEST(ShapeMeeting, OfWhatPassesThroughAHoleIsNo) {
+  const MeasuredShape plate(plate_with_hole());
+  const MeasuredShape pin(
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(2, 2, -1), gp_Dir(0, 0, 1)), 0.5, 2).Shape());
+  EXPECT_EQ(meeting(plate, pin).answer, Meeting::No);
+  EXPECT_EQ(meeting(plate, at(BRepPrimAPI_MakeCylinder(0.5, 2).Shape(), {2.7, 2, -1})).answer,
+            Meeting::Yes);
+}
+
+TEST(MeasuredShape, RefusesNothing) { EXPECT_THROW(MeasuredShape{TopoDS_Shape()}, BadModel); }
+
+TEST(MeasuredShape, MayBeAVertexOrAnEdge) {
+  const MeasuredShape vertex(BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 1)).Vertex());
+  const MeasuredShape edge(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(), 2)).Edge());
+  expect_distance(least_distance(vertex, edge), std::sqrt(5));
+}
+
+}  // namespace
+}  // namespace blossom::occt
