@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Rays per second beside Open CASCADE's IntCurvesFace_ShapeIntersector, in one thread, on real
-// models: those named on the command line before any option, else the teapot and a model of some
-// 200 faces from the folder that BLOSSOM_TEST_DATA names.
+// Rays and distances beside Open CASCADE, in one thread, on real models: those named on the command
+// line before any option, else the teapot and a model of some 200 faces from the folder that
+// BLOSSOM_TEST_DATA names.
 //
-// Every iteration casts the same rays from a sphere round the model at random points of its box.
-// Counters: rays per second of both, their ratio; hits of both; rays on which the two differ by
-// number, and of these those where every hit of ours lies on ray and surface by exact evaluation
-// and on which Open CASCADE has a point that we lack (lost).
+// rays       the same rays in every iteration, from a sphere round the model at random points of
+// its
+//            box, beside IntCurvesFace_ShapeIntersector. Counters: rays per second of both, their
+//            ratio; hits of both; rays with a hit that only one of them has; the largest distance
+//            of a proven hit of ours from its ray or, by Open CASCADE's evaluation, from its
+//            surface.
+// distance   of the model to a copy of it beside it, and to points round it, beside
+//            BRepExtrema_DistShapeShape, both from two shapes in memory. Counters: milliseconds of
+//            both, their ratio, the relative width of our bounds, and the largest relative excess
+//            of ours over theirs (negative: ours is less).
 
 #include <benchmark/benchmark.h>
 
@@ -19,13 +25,18 @@
 #include <vector>
 
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Geom_Surface.hxx>
 #include <IntCurvesFace_ShapeIntersector.hxx>
 #include <Precision.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <gp_Lin.hxx>
 
+#include "adapters/occt/distance.h"
 #include "adapters/occt/ray_casting.h"
 #include "adapters/occt/shapes.h"
 #include "tests/support/random.h"
@@ -159,6 +170,63 @@ void cast_rays(benchmark::State& state, const std::string& file) {
 
 }  // namespace
 
+namespace {
+
+struct Compared {
+  double ours = 0, theirs = 0;  // seconds
+  double width = 0;             // of our bounds, relative
+  double excess = -1;           // of ours over theirs, relative
+};
+
+void compare(const TopoDS_Shape& a, const TopoDS_Shape& b, Compared& sum) {
+  const auto start = Clock::now();
+  const occt::MeasuredShape first(a), second(b);
+  const occt::ShapeDistance found = occt::least_distance(first, second);
+  sum.ours += seconds_since(start);
+  const auto middle = Clock::now();
+  BRepExtrema_DistShapeShape extrema(a, b);
+  sum.theirs += seconds_since(middle);
+  sum.width = std::max(sum.width, (found.upper - found.lower) / found.upper);
+  if (extrema.IsDone()) sum.excess = std::max(sum.excess, found.upper / extrema.Value() - 1);
+}
+
+void report(benchmark::State& state, const Compared& sum) {
+  const auto rounds = static_cast<double>(state.iterations());
+  state.counters["blossom_ms"] = 1e3 * sum.ours / rounds;
+  state.counters["occt_ms"] = 1e3 * sum.theirs / rounds;
+  state.counters["times_faster"] = sum.theirs / sum.ours;
+  state.counters["width"] = sum.width;
+  state.counters["excess"] = sum.excess;
+}
+
+void measure_copy(benchmark::State& state, const std::string& file) {
+  const TopoDS_Shape shape = occt::read_model(file).shape();
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  gp_Trsf turn, move;
+  turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(1, 2, 3)), 0.7);
+  const double size = std::sqrt(box.SquareExtent());
+  move.SetTranslation(gp_Vec(1.1 * size, 0.2 * size, 0.3 * size));
+  const TopoDS_Shape copy = BRepBuilderAPI_Transform(shape, move * turn, true).Shape();
+  Compared sum;
+  for (auto _ : state) compare(shape, copy, sum);
+  report(state, sum);
+}
+
+void measure_points(benchmark::State& state, const std::string& file) {
+  const TopoDS_Shape shape = occt::read_model(file).shape();
+  const std::vector<Ray> rays = rays_at(shape);
+  Compared sum;
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const Vec3 p = point_at(rays[next++ % rays.size()], 0);
+    compare(shape, BRepBuilderAPI_MakeVertex(gp_Pnt(p[0], p[1], p[2])).Vertex(), sum);
+  }
+  report(state, sum);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   std::vector<std::string> files;
   int used = 1;
@@ -169,10 +237,12 @@ int main(int argc, char** argv) {
   if (const char* data = std::getenv("BLOSSOM_TEST_DATA"); files.empty() && data != nullptr)
     for (const char* name : {"teapot.brep", "boxed_sphere.step"})
       files.push_back((std::filesystem::path(data) / "models" / name).string());
-  for (const std::string& file : files)
-    benchmark::RegisterBenchmark(
-        ("queries/rays/" + std::filesystem::path(file).filename().string()).c_str(), cast_rays,
-        file);
+  for (const std::string& file : files) {
+    const std::string name = "/" + std::filesystem::path(file).filename().string();
+    benchmark::RegisterBenchmark(("queries/rays" + name).c_str(), cast_rays, file);
+    benchmark::RegisterBenchmark(("queries/distance_copy" + name).c_str(), measure_copy, file);
+    benchmark::RegisterBenchmark(("queries/distance_points" + name).c_str(), measure_points, file);
+  }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

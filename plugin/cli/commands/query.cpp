@@ -5,7 +5,9 @@
 #include <limits>
 #include <sstream>
 
+#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
+#include <TopoDS_Compound.hxx>
 
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/query_parts.h"
@@ -67,6 +69,42 @@ std::string ShapeNumbers::text(const TopoDS_Shape& on, int face) const {
   return where["kind"].get<std::string>() + " " + std::to_string(where["number"].get<int>());
 }
 
+namespace {
+
+// The number of a face in its model; 0 of what is no face.
+int face_number(const Input& input, const TopoDS_Shape& on) {
+  for (std::size_t i = 0; i < input.faces.size(); ++i)
+    if (input.faces[i].IsSame(on)) return input.numbers[i];
+  return 0;
+}
+
+}  // namespace
+
+Json place_json(const ShapeNumbers& numbers, const Input& input, const occt::ShapePoint& place) {
+  const int face = face_number(input, place.on);
+  Json json = {{"point", place.point.coordinates},
+               {"on", numbers.place(face > 0 ? TopoDS_Shape() : place.on, face)}};
+  if (face > 0) json["uv"] = place.uv.coordinates;
+  return json;
+}
+
+std::string place_text(const ShapeNumbers& numbers, const Input& input,
+                       const occt::ShapePoint& place) {
+  const int face = face_number(input, place.on);
+  return vector_text(place.point) + " on " +
+         numbers.text(face > 0 ? TopoDS_Shape() : place.on, face);
+}
+
+TopoDS_Shape chosen_shape(const Input& input) {
+  if (input.faces.empty() || static_cast<int>(input.faces.size()) == input.model.face_count())
+    return input.model.shape();
+  TopoDS_Compound chosen;
+  BRep_Builder builder;
+  builder.MakeCompound(chosen);
+  for (const TopoDS_Face& face : input.faces) builder.Add(chosen, face);
+  return chosen;
+}
+
 void write_answer(const Json& report, const std::string& text, const QueryOptions& options) {
   if (!options.json.empty()) write_json(report, options.json);
   if (options.json != "-" && !options.quiet) print(text);
@@ -76,6 +114,9 @@ void add_query(CLI::App& app, int& exit_code) {
   CLI::App* const query = app.add_subcommand("query", "what a ray hits, closest points, distances");
   query->require_subcommand(1);
   add_query_ray(*query, exit_code);
+  add_query_point(*query, exit_code);
+  add_query_distance(*query, exit_code);
+  add_query_does_intersect(*query, exit_code);
 }
 
 }  // namespace blossom::cli

@@ -10,6 +10,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "adapters/occt/distance.h"
 #include "core/math/vec.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/output.h"
@@ -59,9 +60,21 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// {"point", "on", "uv" of a face}: where a distance is taken.
+Json place_json(const ShapeNumbers& numbers, const Input& input, const occt::ShapePoint& place);
+/// "(1, 2, 3) on face 2".
+std::string place_text(const ShapeNumbers& numbers, const Input& input,
+                       const occt::ShapePoint& place);
+
+/// The faces that the user means; the whole model, with free edges and vertices, if that is all.
+TopoDS_Shape chosen_shape(const Input& input);
+
 /// Writes the report where it is wanted, and else the text.
 void write_answer(const Json& report, const std::string& text, const QueryOptions& options);
 
 void add_query_ray(CLI::App& query, int& exit_code);
+void add_query_point(CLI::App& query, int& exit_code);
+void add_query_distance(CLI::App& query, int& exit_code);
+void add_query_does_intersect(CLI::App& query, int& exit_code);
 
 }  // namespace blossom::cli

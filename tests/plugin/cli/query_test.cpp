@@ -89,6 +89,46 @@ TEST_F(QueryCommand, TakesDirectionsThatStartWithAMinus) {
   EXPECT_TRUE(json::parse(run.out)["hits"].empty());
 }
 
+TEST_F(QueryCommand, FindsTheNearestPoint) {
+  const Finished run = blossom({"query", "point", pot_, "--at", "0.5,-0.25,1.5", "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json found = json::parse(run.out);
+  EXPECT_EQ(found["kind"], "point");
+  EXPECT_NEAR(found["distance"][0].get<double>(), 0.5, 1e-9);
+  EXPECT_NEAR(found["distance"][1].get<double>(), 0.5, 1e-12);
+  EXPECT_EQ(found["nearest"]["on"], json({{"kind", "face"}, {"number", 2}}));
+  EXPECT_NEAR(found["nearest"]["point"][0].get<double>(), 0.5, 1e-9);
+}
+
+TEST_F(QueryCommand, MeasuresTheDistanceOfTwoModels) {
+  const Finished run = blossom({"query", "distance", pot_ + "#2", pot_ + "#1", "--json", "-"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["distance"][0], 0);
+  testing::write({testing::lid(-2)}, folder_ / "floor.step");
+  const std::string floor = folder_ / "floor.step";
+  const Finished apart = blossom({"query", "distance", pot_, floor, "--json", "-"});
+  ASSERT_EQ(apart.code, 0) << apart.err;
+  const json found = json::parse(apart.out);
+  EXPECT_NEAR(found["distance"][0].get<double>(), 2, 1e-9);
+  EXPECT_NEAR(found["distance"][1].get<double>(), 2, 1e-12);
+  EXPECT_EQ(found["nearest_a"]["on"]["number"], 1);
+  EXPECT_NEAR(found["nearest_b"]["point"][2].get<double>(), -2, 1e-12);
+}
+
+TEST_F(QueryCommand, TellsWhetherModelsMeet) {
+  testing::write({testing::lid(-1)}, folder_ / "floor.brep");
+  testing::write({testing::lid(0)}, folder_ / "table.brep");
+  testing::write({testing::lid(0.5)}, folder_ / "ring.brep");
+  const auto answer = [&](const std::string& a, const std::string& b, int code) {
+    const Finished run = blossom({"query", "does-intersect", a, b, "--json", "-"});
+    EXPECT_EQ(run.code, code) << run.err;
+    return json::parse(run.out)["answer"].get<std::string>();
+  };
+  EXPECT_EQ(answer(pot_, folder_ / "floor.brep", 0), "no");
+  EXPECT_EQ(answer(pot_ + "#1", folder_ / "ring.brep", 0), "yes");
+  EXPECT_EQ(answer(pot_ + "#1", folder_ / "table.brep", 3), "within tolerance");
+}
+
 TEST_F(QueryCommand, RefusesQuestionsThatMakeNoSense) {
   struct Bad {
     std::vector<std::string> arguments;
@@ -106,6 +146,13 @@ TEST_F(QueryCommand, RefusesQuestionsThatMakeNoSense) {
       {{"query", "ray", pot_, "--from", "0,0,0", "--direction", "0,x,1"}, "three finite"},
       {{"query", "ray", pot_, "--from", "0,0,0", "--direction", "0,0,1", "--tolerance", "0"},
        "--tolerance"},
+      {{"query", "point", pot_}, "--at is required"},
+      {{"query", "point", pot_, "--at", "1;2;3"}, "three finite numbers"},
+      {{"query", "point", missing, "--at", "1,2,3"}, "missing.step"},
+      {{"query", "distance", pot_}, "b is required"},
+      {{"query", "distance", pot_, missing}, "missing.step"},
+      {{"query", "does-intersect", pot_, missing}, "missing.step"},
+      {{"query", "does-intersect", pot_, pot_, "--budget", "0"}, "--budget"},
       {{"query", "ray", missing, "--from", "0,0,0", "--direction", "0,0,1"}, "missing.step"},
       {{"query", "ray", pot_ + "#7", "--from", "0,0,0", "--direction", "0,0,1"}, "7"},
   };
