@@ -36,7 +36,6 @@ struct Item {
   RationalBezierPatch patch;
   bool rational = false;
   Box box;
-  std::unique_ptr<CellTree> tree;  // made when a pair needs it
   /// By direction, at the low and the high border: the surface goes on there, but with a kink.
   std::array<std::array<bool, 2>, 2> kinked{};
 
@@ -83,9 +82,10 @@ RationalBezierPatch as_patch(const std::vector<Vec4>& points) {
   return patch;
 }
 
-class Items {
- public:
-  explicit Items(const MeasuredSet& set) : set_(set) {
+}  // namespace
+
+struct PreparedSet::Items {
+  explicit Items(MeasuredSet measured_set) : set(std::move(measured_set)) {
     for (std::size_t i = 0; i < set.points.size(); ++i)
       add(DistanceEnd::Kind::Point, i,
           as_patch({homogeneous(set.points[i]), homogeneous(set.points[i])}));
@@ -102,37 +102,29 @@ class Items {
         }
     }
     if (all.empty()) throw InvalidInput("least_distance: a set is empty");
-  }
-
-  CellTree& tree(int item) {
-    Item& it = all[static_cast<std::size_t>(item)];
-    if (!it.tree)
-      it.tree = std::make_unique<CellTree>(it.patch, it.rational, Vec3{}, CellForm::Bezier, kCut);
-    return *it.tree;
+    std::vector<Box> boxes;
+    for (const Item& item : all) boxes.push_back(item.box);
+    tree = BoxTree(boxes);
   }
 
   const Item& operator[](int item) const { return all[static_cast<std::size_t>(item)]; }
 
   // Of trimmed surfaces it is not known where they have points.
-  bool is_whole(int item) const { return !set_.trims || (*this)[item].dimension() < 2; }
+  bool is_whole(int item) const { return !set.trims || (*this)[item].dimension() < 2; }
 
   Vec2 parameters(const Item& item, const Vec2& local) const {
     if (item.kind != DistanceEnd::Kind::Surface) return {local[0], 0};
-    const BezierSurface& s = set_.surfaces[static_cast<std::size_t>(item.index)];
+    const BezierSurface& s = set.surfaces[static_cast<std::size_t>(item.index)];
     const auto i = static_cast<std::size_t>(item.row), j = static_cast<std::size_t>(item.column);
     return {parameter_at(s.u_law, {s.u_knots[i], s.u_knots[i + 1]}, local[0]),
             parameter_at(s.v_law, {s.v_knots[j], s.v_knots[j + 1]}, local[1])};
   }
 
   TrimSide side(const Item& item, const Vec2& low, const Vec2& high) const {
-    if (item.kind != DistanceEnd::Kind::Surface || !set_.trims) return TrimSide::Inside;
-    return set_.trims(item.index, parameters(item, low), parameters(item, high));
+    if (item.kind != DistanceEnd::Kind::Surface || !set.trims) return TrimSide::Inside;
+    return set.trims(item.index, parameters(item, low), parameters(item, high));
   }
 
-  std::vector<Item> all;
-  double scale = 0;  // largest absolute coordinate
-
- private:
   static std::array<std::array<bool, 2>, 2> kinks(const Grid<RationalBezierPatch>& patches, int row,
                                                   int column) {
     const RationalBezierPatch& own = patches(row, column);
@@ -158,8 +150,13 @@ class Items {
     all.push_back(std::move(item));
   }
 
-  const MeasuredSet& set_;
+  MeasuredSet set;
+  std::vector<Item> all;
+  BoxTree tree{{}};
+  double scale = 0;  // largest absolute coordinate
 };
+
+namespace {
 
 struct Pair {
   double lower = 0;
@@ -169,10 +166,16 @@ struct Pair {
   bool operator<(const Pair& other) const { return lower > other.lower; }  // the nearest on top
 };
 
+template <class Items>
 class Search {
  public:
-  Search(const MeasuredSet& a, const MeasuredSet& b, const DistanceOptions& options)
-      : options_(options), a_(a), b_(b), rounding_(kRounding * (a_.scale + b_.scale)) {
+  Search(const Items& a, const Items& b, const DistanceOptions& options)
+      : options_(options),
+        a_(a),
+        b_(b),
+        trees_a_(a.all.size()),
+        trees_b_(b.all.size()),
+        rounding_(kRounding * (a.scale + b.scale)) {
     result_.upper = kInfinity;
   }
 
@@ -207,16 +210,13 @@ class Search {
 
   // Pairs of items near enough, by their boxes.
   void add_items() {
-    std::vector<Box> boxes;
-    for (const Item& item : b_.all) boxes.push_back(widened(item.box, rounding_));
-    const BoxTree tree(boxes);
     double bound = kInfinity;  // square of a distance that is not exceeded
     for (int i = 0; i < static_cast<int>(a_.all.size()); ++i)
-      if (a_.is_whole(i)) bound = std::min(bound, farthest(a_[i].box, tree.box()));
+      if (a_.is_whole(i)) bound = std::min(bound, farthest(a_[i].box, b_.tree.box()));
     for (int i = 0; i < static_cast<int>(a_.all.size()); ++i) {
       const Box box = widened(a_[i].box, rounding_);
-      tree.for_each_near(box, bound, [&](int j) {
-        const Box& other = boxes[static_cast<std::size_t>(j)];
+      b_.tree.for_each_near(box, bound, [&](int j) {
+        const Box& other = b_[j].box;
         if (a_.is_whole(i) && b_.is_whole(j)) bound = std::min(bound, farthest(box, other));
         open_.push({(1 - 1e-14) * std::sqrt(squared_distance(box, other)), i, 0, j, 0, 0});
         return bound;
@@ -234,8 +234,8 @@ class Search {
   }
 
   void examine(const Pair& pair) {
-    CellTree& tree_a = a_.tree(pair.item_a);
-    CellTree& tree_b = b_.tree(pair.item_b);
+    CellTree& tree_a = tree(a_, trees_a_, pair.item_a);
+    CellTree& tree_b = tree(b_, trees_b_, pair.item_b);
     const double before = pair.lower;
     if (pair.depth % kHalvingsPerStart == 0) start_from(pair);
     const Cell cell_a = tree_a[pair.cell_a], cell_b = tree_b[pair.cell_b];
@@ -253,6 +253,15 @@ class Search {
       ++next.depth;
       consider(next, tree_a, tree_b, split_a);
     }
+  }
+
+  static CellTree& tree(const Items& items, std::vector<std::unique_ptr<CellTree>>& trees,
+                        int item) {
+    auto& made = trees[static_cast<std::size_t>(item)];
+    const Item& it = items[item];
+    if (!made)
+      made = std::make_unique<CellTree>(it.patch, it.rational, Vec3{}, CellForm::Bezier, kCut);
+    return *made;
   }
 
   static bool can_split(int item, const Items& items, const Cell& cell) {
@@ -284,8 +293,8 @@ class Search {
   void start_from(const Pair& pair) {
     const Item& item_a = a_[pair.item_a];
     const Item& item_b = b_[pair.item_b];
-    const Cell& a = a_.tree(pair.item_a)[pair.cell_a];
-    const Cell& b = b_.tree(pair.item_b)[pair.cell_b];
+    const Cell& a = tree(a_, trees_a_, pair.item_a)[pair.cell_a];
+    const Cell& b = tree(b_, trees_b_, pair.item_b)[pair.cell_b];
     const NearPair found =
         near_pair({&item_a.patch, item_a.dimension()}, {&item_b.patch, item_b.dimension()},
                   {at(a.u, 0.5), at(a.v, 0.5)}, {at(b.u, 0.5), at(b.v, 0.5)});
@@ -303,7 +312,9 @@ class Search {
   static constexpr int kDeepest = 90;  // halvings of a patch: 45 in each direction
 
   DistanceOptions options_;
-  Items a_, b_;
+  const Items& a_;
+  const Items& b_;
+  std::vector<std::unique_ptr<CellTree>> trees_a_, trees_b_;  // made when a pair needs them
   double rounding_;
   DistanceResult result_;
   Vec3 direction_;
@@ -348,9 +359,19 @@ MeasuredSet measured(const BezierSurface& surface) {
   return set;
 }
 
+PreparedSet::PreparedSet(MeasuredSet set) : items_(std::make_unique<Items>(std::move(set))) {}
+PreparedSet::~PreparedSet() = default;
+PreparedSet::PreparedSet(PreparedSet&&) noexcept = default;
+PreparedSet& PreparedSet::operator=(PreparedSet&&) noexcept = default;
+
+DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
+                              const DistanceOptions& options) {
+  return Search<PreparedSet::Items>(*a.items_, *b.items_, options).run();
+}
+
 DistanceResult least_distance(const MeasuredSet& a, const MeasuredSet& b,
                               const DistanceOptions& options) {
-  return Search(a, b, options).run();
+  return least_distance(PreparedSet(a), PreparedSet(b), options);
 }
 
 }  // namespace blossom

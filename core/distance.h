@@ -11,6 +11,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/base/status.h"
@@ -72,8 +73,26 @@ struct DistanceOptions {
   double enough = -1;
 };
 
+/// A set made ready for many questions. Any number of threads may ask it.
+class PreparedSet {
+ public:
+  /// throws   InvalidInput if the set is empty or a form is not sound
+  explicit PreparedSet(MeasuredSet set);
+  ~PreparedSet();
+  PreparedSet(PreparedSet&&) noexcept;
+  PreparedSet& operator=(PreparedSet&&) noexcept;
+
+ private:
+  friend DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
+                                       const DistanceOptions& options);
+  struct Items;
+  std::unique_ptr<Items> items_;
+};
+
 /// The least distance of two sets.
-/// throws   InvalidInput if a set is empty or a form is not sound
+DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
+                              const DistanceOptions& options = {});
+/// throws   as PreparedSet
 DistanceResult least_distance(const MeasuredSet& a, const MeasuredSet& b,
                               const DistanceOptions& options = {});
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <deque>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,12 +34,25 @@ struct EdgeSpan {
   ParameterLaw law = ParameterLaw::Linear;
 };
 
+// A face; its trims are made when a question comes near it.
 struct MeasuredFace {
-  TopoDS_Face face;
-  FaceTrims trims;
-  ChartRegion region;
+  struct Trims {
+    FaceTrims trims;
+    ChartRegion region;
 
-  explicit MeasuredFace(const TopoDS_Face& f) : face(f), trims(face_trims(f)), region(trims) {}
+    explicit Trims(const TopoDS_Face& face) : trims(face_trims(face)), region(trims) {}
+  };
+
+  TopoDS_Face face;
+  std::once_flag once{};
+  std::unique_ptr<Trims> made{};
+
+  explicit MeasuredFace(const TopoDS_Face& f) : face(f) {}
+
+  const Trims& trims() {
+    std::call_once(once, [&] { made = std::make_unique<Trims>(face); });
+    return *made;
+  }
 };
 
 }  // namespace
@@ -86,13 +102,14 @@ struct MeasuredShape::Impl {
     joints.push_back({edge, {span.place.from, 0}, Vec3{p[0], p[1], p[2]} * (1 / p[3])});
   }
 
-  static TrimSide side(const MeasuredFace& face, const Vec2& low, const Vec2& high) {
+  static TrimSide side(MeasuredFace& face, const Vec2& low, const Vec2& high) {
+    const MeasuredFace::Trims& made = face.trims();
     PlanarBox box;
     for (int k = 0; k < 2; ++k) {
-      box.low[k] = low[k] * face.trims.scale[k];
-      box.high[k] = high[k] * face.trims.scale[k];
+      box.low[k] = low[k] * made.trims.scale[k];
+      box.high[k] = high[k] * made.trims.scale[k];
     }
-    switch (face.region.place(face.trims, box)) {
+    switch (made.region.place(made.trims, box)) {
       case ChartRegion::Place::Inside: return TrimSide::Inside;
       case ChartRegion::Place::Outside: return TrimSide::Outside;
       case ChartRegion::Place::Near: return TrimSide::Mixed;
@@ -100,9 +117,10 @@ struct MeasuredShape::Impl {
     return TrimSide::Mixed;
   }
 
-  MeasuredSet set;
+  MeasuredSet set;  // till it is prepared
+  std::optional<PreparedSet> prepared;
   TopTools_IndexedMapOfShape maps[3];  // faces, edges, vertices
-  std::vector<MeasuredFace> faces;
+  std::deque<MeasuredFace> faces;
   std::vector<EdgeSpan> spans;
   std::vector<ShapePoint> joints;  // where spans of an edge meet; points behind the vertices
   double error = 0;
@@ -112,13 +130,14 @@ MeasuredShape::MeasuredShape(const TopoDS_Shape& shape)
     : impl_(guarded("preparing a shape to measure", [&] {
         auto made = std::make_unique<Impl>(shape);
         for (const ShapePoint& joint : made->joints) made->set.points.push_back(joint.point);
+        made->prepared.emplace(std::move(made->set));
         return made;
       })) {}
 MeasuredShape::~MeasuredShape() = default;
 MeasuredShape::MeasuredShape(MeasuredShape&&) noexcept = default;
 MeasuredShape& MeasuredShape::operator=(MeasuredShape&&) noexcept = default;
 
-const MeasuredSet& MeasuredShape::set() const { return impl_->set; }
+const PreparedSet& MeasuredShape::set() const { return *impl_->prepared; }
 double MeasuredShape::error() const { return impl_->error; }
 std::vector<TopoDS_Face> MeasuredShape::faces() const {
   std::vector<TopoDS_Face> all;
@@ -186,7 +205,8 @@ ShapeDistance least_distance(const MeasuredShape& a, const MeasuredShape& b,
 
 ShapeDistance nearest_point(const MeasuredShape& shape, const Vec3& point,
                             const DistanceOptions& options) {
-  const DistanceResult found = blossom::least_distance(measured(point), shape.set(), options);
+  const DistanceResult found =
+      blossom::least_distance(PreparedSet(measured(point)), shape.set(), options);
   ShapeDistance result = of_result(found, shape.error());
   result.a = {TopoDS_Shape(), {}, point};
   result.b = shape.named(found.b);

@@ -30,18 +30,18 @@ struct ShapeDistance {
   long pairs = 0;
 };
 
-/// A shape made ready: its faces, all edges with the curves they have in space, all vertices.
-/// Solids are their boundaries.
+/// A shape made ready for many questions, by any number of threads: its faces, all edges with the
+/// curves they have in space, all vertices. Solids are their boundaries.
 class MeasuredShape {
  public:
   /// throws   BadModel if there is nothing in the shape, an edge has no curve in space, or a face
-  ///          cannot be used
+  ///          cannot be used; that of the trims of a face may come with the first question near it
   explicit MeasuredShape(const TopoDS_Shape& shape);
   ~MeasuredShape();
   MeasuredShape(MeasuredShape&&) noexcept;
   MeasuredShape& operator=(MeasuredShape&&) noexcept;
 
-  const MeasuredSet& set() const;
+  const PreparedSet& set() const;
   std::vector<TopoDS_Face> faces() const;
   /// The face, edge or vertex with the parameters of its own.
   ShapePoint named(const DistanceEnd& end) const;
