@@ -19,6 +19,7 @@
 #include "core/forms/surface.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
+#include "core/queries/two_forms.h"
 
 namespace blossom {
 
@@ -29,7 +30,7 @@ struct FlatCell {
   Vec3 centre;           ///< S(0), model units
   std::array<Vec3, 2> dual;
   Vec3 normal;
-  std::array<std::array<double, 2>, 2> spread{};
+  Matrix2 spread{};
   std::array<double, 2> tilt{};
   std::array<double, 2> dual_length{};
   std::array<double, 2> reach{};  ///< bounds of |S_u|, |S_v| by the cell's own parameters
@@ -47,15 +48,6 @@ struct PlacedPatch {
   double least_weight = 1;
   double largest_weight = 1;
 };
-
-/// A matrix [[a, b], [c, d]] >= 0 that bounds how far a Jacobian is from the identity proves that
-/// the map is one-to-one: then every matrix within the bounds is regular (its spectral radius is
-/// below 1).
-inline bool is_contraction(const std::array<std::array<double, 2>, 2>& e) {
-  constexpr double kLimit = 1 - 1e-9;  // leaves room for the roundings of these four numbers
-  return e[0][0] < kLimit && e[1][1] < kLimit &&
-         e[0][1] * e[1][0] < kLimit * (1 - e[0][0]) * (1 - e[1][1]);
-}
 
 class FlatCells {
  public:

@@ -17,60 +17,6 @@ constexpr double kCut = 0.5 - 1.0 / 64;
 // A contact this many times longer than sqrt(tolerance * size) is no touch of curved surfaces.
 constexpr double kTouchLength = 10;
 
-ValueRange range_of(const double* values, int count) {
-  ValueRange range{values[0], values[0]};
-  for (int i = 1; i < count; ++i) {
-    range.low = values[i] < range.low ? values[i] : range.low;
-    range.high = values[i] > range.high ? values[i] : range.high;
-  }
-  return range;
-}
-
-double largest(const ValueRange& range) {
-  return std::max(std::abs(range.low), std::abs(range.high));
-}
-
-// Derivative by u or v: degree times the differences of neighbours.
-ValueRange slope_u(const double* net, int rows, int columns) {
-  const double degree = rows - 1;
-  ValueRange range{net[columns] - net[0], net[columns] - net[0]};
-  for (int i = 0; i < (rows - 1) * columns; ++i) {
-    const double d = net[i + columns] - net[i];
-    range.low = d < range.low ? d : range.low;
-    range.high = d > range.high ? d : range.high;
-  }
-  return {degree * range.low, degree * range.high};
-}
-
-ValueRange slope_v(const double* net, int rows, int columns) {
-  const double degree = columns - 1;
-  ValueRange range{net[1] - net[0], net[1] - net[0]};
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j + 1 < columns; ++j) {
-      const double d = net[i * columns + j + 1] - net[i * columns + j];
-      range.low = d < range.low ? d : range.low;
-      range.high = d > range.high ? d : range.high;
-    }
-  return {degree * range.low, degree * range.high};
-}
-
-double middle(const ValueRange& range) { return 0.5 * (range.low + range.high); }
-double radius(const ValueRange& range) { return 0.5 * (range.high - range.low); }
-
-// Bernstein polynomials of a degree at t.
-void bernstein(int degree, double t, double* b) {
-  b[0] = 1;
-  for (int k = 1; k <= degree; ++k) {
-    double carried = 0;
-    for (int i = 0; i < k; ++i) {
-      const double value = b[i];
-      b[i] = carried + (1 - t) * value;
-      carried = t * value;
-    }
-    b[k] = carried;
-  }
-}
-
 Vec3 any_across(const Vec3& d) {
   int least = 0;
   for (int k = 1; k < 3; ++k)
@@ -134,9 +80,9 @@ void LineSearch::load_net() {
   const int degree = std::max(rows_, columns_) - 1;
   const double numbers = cells_.scale() + max_norm(ray_.origin) + max_norm(anchor_);
   margin_ = 24 * kRoundoff * placed().largest_weight * numbers +
-            halving_error(degree, 4) * largest(range_of(net, net_size_));
+            halving_error(degree, 4) * largest_of(range_of(net, net_size_));
   restrict_net(net, cell_->u, cell_->v);
-  net_scale_ = largest(range_of(net, net_size_));
+  net_scale_ = largest_of(range_of(net, net_size_));
 }
 
 // One plane of a net: direction . (X - w anchor) over the whole patch.
@@ -167,57 +113,41 @@ void LineSearch::restrict_net(double* net, const Interval& u, const Interval& v)
 
 LineSearch::Next LineSearch::look_at(const Piece& piece, const double* net,
                                      std::vector<RayHit>& hits) {
-  const int count = rows_ * columns_;
-  const double* const g = net + count;
   const int degree = std::max(rows_, columns_) - 1;
   const double margin = margin_ + halving_error(degree, piece.depth) * net_scale_;
   const bool at_border =
       piece.u.from == 0 || piece.u.to == 1 || piece.v.from == 0 || piece.v.to == 1;
   const double reach = margin + (at_border ? placed().reach * placed().largest_weight : 0);
-  const ValueRange f_range = range_of(net, count), g_range = range_of(g, count);
-  for (const ValueRange& range : {f_range, g_range})
+  const int count = rows_ * columns_;
+  for (const double* plane : {net, net + count}) {
+    const ValueRange range = range_of(plane, count);
     if (range.low > reach || range.high < -reach) return Next::Done;
-
-  const Slopes slopes{{{slope_u(net, rows_, columns_), slope_v(net, rows_, columns_)},
-                       {slope_u(g, rows_, columns_), slope_v(g, rows_, columns_)}}};
-  const double size = std::max(largest(f_range), largest(g_range));
-  const Guess found = guess(piece, net, slopes, margin, size);
+  }
+  const TwoForms forms = two_forms({rows_, columns_, 2}, net, margin);
+  const Guess found = guess(piece, net, forms);
   if (found.excluded) return Next::Done;
   if (found.contracts && settle(found.region, found.root, hits) != Verdict::Open) return Next::Done;
-  const double along_u = std::max(largest(slopes[0][0]), largest(slopes[1][0]));
-  const double along_v = std::max(largest(slopes[0][1]), largest(slopes[1][1]));
+  const auto& slopes = forms.slopes;
+  const double along_u = std::max(largest_of(slopes[0][0]), largest_of(slopes[1][0]));
+  const double along_v = std::max(largest_of(slopes[0][1]), largest_of(slopes[1][1]));
   if (extent(piece) <= tolerance_ || std::max(along_u, along_v) <= 4 * degree * margin ||
-      runs_along(piece, (largest(g_range) + margin) / placed().least_weight))
+      runs_along(piece, (largest_of(forms.g) + margin) / placed().least_weight))
     return Next::Contact;
   return along_u >= along_v ? Next::HalveU : Next::HalveV;
 }
 
 // As for the cell, with the mean Jacobian of f and g in the place of the tangent plane.
-LineSearch::Guess LineSearch::guess(const Piece& piece, const double* net, const Slopes& slopes,
-                                    double margin, double size) const {
+LineSearch::Guess LineSearch::guess(const Piece& piece, const double* net,
+                                    const TwoForms& forms) const {
   Guess result;
+  if (!forms.regular) return result;
   Region& region = result.region;
-  region.net = net;
-  region.u = piece.u;
-  region.v = piece.v;
-  const Matrix2 m{
-      {{middle(slopes[0][0]), middle(slopes[0][1])}, {middle(slopes[1][0]), middle(slopes[1][1])}}};
-  const double per_area = 1 / (m[0][0] * m[1][1] - m[0][1] * m[1][0]);
-  if (!std::isfinite(per_area)) return result;
-  const Matrix2& c = region.inverse = {
-      {{m[1][1] * per_area, -m[0][1] * per_area}, {-m[1][0] * per_area, m[0][0] * per_area}}};
-  const int degree = std::max(rows_, columns_) - 1;
+  region = {piece.u, piece.v, forms.spread, forms.rounding, {}, net, forms.inverse};
   const Vec2 value = offset_at(region, {at(piece.u, 0.5), at(piece.v, 0.5)});
   const Vec2 part{length(piece.u) / length(cell_->u), length(piece.v) / length(cell_->v)};
   bool exact = true;
   for (std::size_t i = 0; i < 2; ++i) {
     const int k = static_cast<int>(i);
-    for (std::size_t j = 0; j < 2; ++j)
-      for (std::size_t l = 0; l < 2; ++l)
-        region.spread[i][j] += std::abs(c[i][l]) * (radius(slopes[l][j]) + 2 * degree * margin +
-                                                    8 * kRoundoff * std::abs(m[l][j]));
-    region.rounding[k] = 2 * (std::abs(c[i][0]) + std::abs(c[i][1])) *
-                         (margin + (8 * degree + 8) * kRoundoff * size);
     region.slack[k] =
         clamped_slack(placed().reach * cell_->dual_length[i] / part[k], region.rounding[k]);
     const double bound = 0.5 * (1 + region.spread[i][0] + region.spread[i][1]) +
@@ -240,21 +170,6 @@ bool LineSearch::runs_along(const Piece& piece, double height) const {
 double LineSearch::extent(const Piece& piece) const {
   return cell_->reach[0] * length(piece.u) / length(cell_->u) +
          cell_->reach[1] * length(piece.v) / length(cell_->v);
-}
-
-Vec2 LineSearch::value_at(const double* net, double s, double t) const {
-  std::array<double, kMaxDegree + 1> in_u, in_v;
-  bernstein(rows_ - 1, s, in_u.data());
-  bernstein(columns_ - 1, t, in_v.data());
-  Vec2 value;
-  for (int k = 0; k < 2; ++k)
-    for (int i = 0; i < rows_; ++i) {
-      double row = 0;
-      for (int j = 0; j < columns_; ++j)
-        row += in_v[static_cast<std::size_t>(j)] * net[(k * rows_ + i) * columns_ + j];
-      value[k] += in_u[static_cast<std::size_t>(i)] * row;
-    }
-  return value;
 }
 
 // What the piece may have in common with the line.

@@ -18,13 +18,6 @@ constexpr int kNewtonSteps = 12;
 // An area of the parallelogram of derivatives this far below that of the cell has no direction.
 constexpr double kSingular = 1e-9;
 
-// (I - E)^-1 r for a contraction E: bounds the distance of a root from a point with value r.
-Vec2 root_distance(const std::array<std::array<double, 2>, 2>& e, const Vec2& r) {
-  const double a = 1 - e[0][0], d = 1 - e[1][1];
-  const double determinant = a * d - e[0][1] * e[1][0];
-  return Vec2{d * r[0] + e[0][1] * r[1], e[1][0] * r[0] + a * r[1]} * (1 / determinant);
-}
-
 }  // namespace
 
 // A root within rounding of the border belongs to the region, and one within tolerance.
@@ -112,18 +105,8 @@ LineSearch::Verdict LineSearch::settle(const Region& region, const Vec2& start,
     add_hit(root, hits);
     return Verdict::Root;
   }
-  // From the nearest point p a root x has x - p = -G(p) to within E |x - p|; that must not lead
-  // out of the region.
-  const Vec2 at_nearest = offset_at(region, nearest);
-  Vec2 size;
-  for (int k = 0; k < 2; ++k) size[k] = std::abs(at_nearest[k]) + region.rounding[k];
-  const Vec2 reach = root_distance(region.spread, size);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const int k = static_cast<int>(i);
-    const double drift = region.spread[i][0] * reach[0] + region.spread[i][1] * reach[1];
-    if (-at_nearest[k] * outside[k] > (drift + region.rounding[k]) * (1 + 1e-9))
-      return Verdict::Empty;
-  }
+  if (leads_outside(region.spread, offset_at(region, nearest), region.rounding, outside))
+    return Verdict::Empty;
   return Verdict::Open;
 }
 
@@ -135,10 +118,9 @@ Vec2 LineSearch::offset_at(const Region& region, const Vec2& local) const {
     const Vec3 q = r - t * ray_.direction;
     return {dot(cell_->dual[0], q), dot(cell_->dual[1], q)};
   }
-  const Vec2 v = value_at(region.net, (local[0] - region.u.from) / length(region.u),
-                          (local[1] - region.v.from) / length(region.v));
-  const Matrix2& c = region.inverse;
-  return {c[0][0] * v[0] + c[0][1] * v[1], c[1][0] * v[0] + c[1][1] * v[1]};
+  return product(region.inverse, values_at({rows_, columns_, 2}, region.net,
+                                           (local[0] - region.u.from) / length(region.u),
+                                           (local[1] - region.v.from) / length(region.v)));
 }
 
 LineSearch::Newton LineSearch::newton(const Region& region, const Vec2& start) const {

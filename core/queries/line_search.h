@@ -15,17 +15,12 @@
 #include "core/forms/evaluation.h"
 #include "core/queries/flat_cells.h"
 #include "core/queries/ray.h"
+#include "core/queries/two_forms.h"
 
 namespace blossom {
 
 /// Pieces of one cell that are looked at before the rest is reported as Status::Stopped.
 inline constexpr int kPieceBudget = 4096;
-
-/// The values of a form lie between these.
-struct ValueRange {
-  double low = 0;
-  double high = 0;
-};
 
 class LineSearch {
  public:
@@ -44,8 +39,6 @@ class LineSearch {
   static constexpr int kPlaces = 160;
   /// Values must be this exact, in parameters of the region, for a root to be placed in it.
   static constexpr double kExact = 1e-3;
-
-  using Matrix2 = std::array<std::array<double, 2>, 2>;
 
   // A rectangle of the cell; its net is that of its place in the stack.
   struct Piece {
@@ -84,7 +77,6 @@ class LineSearch {
   Newton newton(const Region& region, const Vec2& start) const;
 
   // In line_pieces.cpp: the search by halving.
-  using Slopes = std::array<std::array<ValueRange, 2>, 2>;  // of f and g, by u and v
   enum class Next { Done, Contact, Stop, HalveU, HalveV };
 
   void search(std::vector<RayHit>& hits);
@@ -93,8 +85,7 @@ class LineSearch {
   void load_heights(const Vec3& direction, double* plane) const;
   void restrict_net(double* net, const Interval& u, const Interval& v);
   Next look_at(const Piece& piece, const double* net, std::vector<RayHit>& hits);
-  Guess guess(const Piece& piece, const double* net, const Slopes& slopes, double margin,
-              double size) const;
+  Guess guess(const Piece& piece, const double* net, const TwoForms& forms) const;
   bool add_hit(const Newton& root, std::vector<RayHit>& hits) const;
   void add_contact(const Piece& piece, Status status, std::vector<RayHit>& hits);
   Interval stretch_of(const Piece& piece);
@@ -102,7 +93,6 @@ class LineSearch {
   Vec2 foot(const Piece& piece, const PatchJet& centre, double parameter) const;
   bool runs_along(const Piece& piece, double height) const;
   double extent(const Piece& piece) const;
-  Vec2 value_at(const double* net, double s, double t) const;
   double* net_at(int place) { return nets_.data() + place * net_size_; }
   const PlacedPatch& placed() const {
     return cells_.patches()[static_cast<std::size_t>(cell_->patch)];
