@@ -57,7 +57,7 @@ class Assembly {
   SurfaceIntersection run() {
     SurfaceCells cells_a(a_, origin_, options_.form, kCut);
     SurfaceCells cells_b(b_, origin_, options_.form, kCut);
-    found_ = search_pairs(cells_a, cells_b, size_, options_);
+    found_ = search_pairs(cells_a, cells_b, size_, KnownCurves(options_.known, origin_), options_);
     result_.certificate = found_.certificate;
     drop_beside_contacts(found_, cells_a, cells_b, options_.tolerances.point);
     add_overlaps(cells_a, cells_b);
@@ -85,6 +85,7 @@ class Assembly {
     for (const Clump& clump : clumps_) add_place(cells_a, cells_b, clump);
     if (found_.cut_by_samples)
       weaken(Status::Tolerance, "a branch near a contact was cut at a border by points of it");
+    if (found_.beside_known) add_known_curves();
     note_approximations();
     return std::move(result_);
   }
@@ -429,9 +430,25 @@ class Assembly {
     Place place{PlaceKind::Open,          clump.box.low + origin_,
                 clump.box.high + origin_, 0,
                 diagonal(clump.box),      parameters_of(cells_a, cells_b, clump)};
-    if (clump.thin) place.gap_high = options_.tolerances.point;
+    if (clump.thin) {  // within tolerance all over, whatever the surfaces do in it
+      place.gap_high = options_.tolerances.point;
+      place.kind = PlaceKind::Tangential;
+    }
     result_.places.push_back(place);
-    weaken(Status::Stopped, "places stayed open");
+    if (clump.thin)
+      weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+    else
+      weaken(Status::Stopped, "places stayed open");
+  }
+
+  void add_known_curves() {
+    for (const KnownCurve& curve : options_.known) {
+      const Vec3 r{curve.radius, curve.radius, curve.radius};
+      Box box;
+      for (const Vec3& p : curve.points) box = joined(box, {p - r, p + r});
+      result_.places.push_back({PlaceKind::Tangential, box.low, box.high, 0, curve.gap, {}});
+    }
+    weaken(Status::Tolerance, "the surfaces touch along a common edge");
   }
 
   std::array<Interval, 4> parameters_of(const SurfaceCells& cells_a, const SurfaceCells& cells_b,

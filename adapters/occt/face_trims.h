@@ -23,7 +23,8 @@ struct Coedge {
   TopoDS_Edge edge;   ///< as the forward face uses it: reversed means walked from last to first
   PlanarCurve curve;  ///< its pcurve, chart coordinates; the parameter is the edge's own
   bool degenerated = false;  ///< one point in space, as at the pole of a sphere
-  int from = 0;              ///< corners where its walk along the wire starts and ends
+  double tolerance = 0;      ///< of the edge, model units
+  int from = 0;  ///< corners where its walk along the wire starts and ends
   int to = 0;
 
   bool reversed() const { return edge.Orientation() == TopAbs_REVERSED; }
@@ -88,7 +89,8 @@ bool is_inside(const FaceTrims& trims, const Vec2& point);
 
 /// The parameters of a chart curve at which it lies inside the trims of the face or on a wire.
 ///
-/// Periods of the surface are taken into account. A naturally bounded face answers at once.
+/// Periods of the surface are taken into account. A naturally bounded face answers at once. What
+/// runs within an edge's tolerance of it runs along the wire.
 ///
 /// chart     in the surface's own parameters
 /// returns   intervals of the curve's parameter, increasing, disjoint; none if all is outside

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <mutex>
 #include <string>
 
 #include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_trims.h"
+#include "adapters/occt/shared_edges.h"
 #include "adapters/occt/surfaces.h"
+#include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
 
 namespace blossom::occt {
@@ -18,6 +20,10 @@ namespace {
 
 constexpr double kLeastEdgeTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
 constexpr double kEdgeMargin = 1.1;           // of the edge's tolerance over the deviation
+constexpr double kSmoothAngle = 0.05;         // radians: so flat an edge is taken for smooth
+constexpr double kEdgeReach = 4;     // of a shared edge's tolerance: what is so near is the edge
+constexpr double kEdgeStrip = 2e-3;  // of the faces' size: so near, smooth faces are one
+constexpr double kEdgeSag = 1e-4;    // of a shared edge's length, for the chords of its samples
 
 struct FaceData {
   BezierSurface surface;
@@ -181,6 +187,101 @@ void add(Certificate& sum, const Certificate& one) {
       sum.reasons.push_back(reason);
 }
 
+// --- edges that two faces share
+
+double distance_to(const std::vector<SurfacePoint>& polygon, const Vec3& p) {
+  double least = 1e300;
+  for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
+    const Vec3 from = polygon[i].point, step = polygon[i + 1].point - from;
+    const double square = dot(step, step);
+    const double t = square > 0 ? std::clamp(dot(p - from, step) / square, 0.0, 1.0) : 0.0;
+    least = std::min(least, distance(p, from + step * t));
+  }
+  return least;
+}
+
+// Where the faces go on smoothly, or nearly: nothing beside the edge can be told apart.
+KnownCurve known_curve(const SharedEdge& edge, double size) {
+  KnownCurve known{{}, std::max(kEdgeReach * edge.tolerance, kEdgeStrip * size), 0};
+  for (const SurfacePoint& x : edge.curve.samples) known.points.push_back(x.point);
+  const Deviation& d = edge.curve.deviation;
+  known.gap = std::max({d.a, d.b, d.between});
+  return known;
+}
+
+// What was found along a shared edge is the edge.
+void replace_by_edges(SurfaceIntersection& found, const std::vector<SharedEdge>& edges,
+                      double tolerance) {
+  const auto along_edge = [&](const Vec3& p) {
+    return std::any_of(edges.begin(), edges.end(), [&](const SharedEdge& edge) {
+      const double reach = kEdgeReach * std::max(edge.tolerance, tolerance) +
+                           kEdgeSag * edge.curve.length;
+      return distance_to(edge.curve.samples, p) <= reach;
+    });
+  };
+  std::erase_if(found.curves, [&](const IntersectionCurve& curve) {
+    return std::all_of(curve.samples.begin(), curve.samples.end(),
+                       [&](const SurfacePoint& x) { return along_edge(x.point); });
+  });
+  std::erase_if(found.points, [&](const SurfacePoint& x) { return along_edge(x.point); });
+  for (const SharedEdge& edge : edges) found.curves.push_back(edge.curve);
+}
+
+// One pair of faces at a time; pairs may be asked for at the same time.
+class PairIntersector {
+ public:
+  PairIntersector(const std::vector<TopoDS_Face>& shapes_a,
+                  const std::vector<TopoDS_Face>& shapes_b, const std::vector<FaceData>& faces_a,
+                  const std::vector<FaceData>& faces_b, const IntersectionOptions& options)
+      : shapes_a_(shapes_a),
+        shapes_b_(shapes_b),
+        faces_a_(faces_a),
+        faces_b_(faces_b),
+        options_(options) {}
+
+  FaceIntersection of(const std::pair<int, int>& pair) const {
+    const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
+    const FaceData &a = faces_a_[i], &b = faces_b_[j];
+    const std::vector<SharedEdge> edges = shared_edges(shapes_a_[i], shapes_b_[j]);
+    IntersectionOptions options = remaining();
+    const double size = std::min(diagonal(a.box), diagonal(b.box));
+    for (const SharedEdge& edge : edges)
+      if (edge.curve.least_angle < kSmoothAngle) options.known.push_back(known_curve(edge, size));
+    FaceIntersection result{pair.first, pair.second, intersect(a.surface, b.surface, options), {}};
+    clip(result.found, a, b);
+    replace_by_edges(result.found, edges, options_.tolerances.point);
+    for (const IntersectionCurve& curve : result.found.curves)
+      result.edges.push_back(edge_curves(curve));
+    return result;
+  }
+
+ private:
+  // The time limit is for all pairs together; what is left when it is over stops at once, with its
+  // place listed. All pairs share the threads they run on.
+  IntersectionOptions remaining() const {
+    constexpr double kLeastSeconds = 1e-3;
+    IntersectionOptions left = options_;
+    left.threads = 0;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
+    if (options_.time_limit > 0)
+      left.time_limit = std::max(kLeastSeconds, options_.time_limit - spent.count());
+    if (options_.cancelled)
+      left.cancelled = [this] {
+        const std::lock_guard lock(asking_);
+        return options_.cancelled();
+      };
+    return left;
+  }
+
+  const std::vector<TopoDS_Face>& shapes_a_;
+  const std::vector<TopoDS_Face>& shapes_b_;
+  const std::vector<FaceData>& faces_a_;
+  const std::vector<FaceData>& faces_b_;
+  const IntersectionOptions& options_;
+  const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  mutable std::mutex asking_;  // the caller's function is asked by one thread at a time
+};
+
 }  // namespace
 
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
@@ -193,23 +294,14 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
                                     [&](int i, int j) { pairs.emplace_back(i, j); });
   std::sort(pairs.begin(), pairs.end());
 
-  // The time limit is for all pairs together; what is left when it is over stops at once, with
-  // its place listed.
-  constexpr double kLeastSeconds = 1e-3;
-  const auto started = std::chrono::steady_clock::now();
-  IntersectionOptions left = options;
+  const PairIntersector intersector(a, b, faces_a, faces_b, options);
+  std::vector<FaceIntersection> found(pairs.size());
+  with_threads(options.threads, [&] {
+    parallel_for(pairs.size(), 1, [&](std::size_t k) { found[k] = intersector.of(pairs[k]); });
+  });
   ShapeIntersection result;
   result.face_pairs = static_cast<long>(pairs.size());
-  for (const auto& [i, j] : pairs) {
-    const FaceData& face_a = faces_a[static_cast<std::size_t>(i)];
-    const FaceData& face_b = faces_b[static_cast<std::size_t>(j)];
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
-    if (options.time_limit > 0)
-      left.time_limit = std::max(kLeastSeconds, options.time_limit - spent.count());
-    FaceIntersection pair{i, j, intersect(face_a.surface, face_b.surface, left), {}};
-    clip(pair.found, face_a, face_b);
-    for (const IntersectionCurve& curve : pair.found.curves)
-      pair.edges.push_back(edge_curves(curve));
+  for (FaceIntersection& pair : found) {
     result.status = weaker(result.status, pair.found.status);
     add(result.certificate, pair.found.certificate);
     if (!pair.found.curves.empty() || !pair.found.points.empty() || !pair.found.nodes.empty() ||

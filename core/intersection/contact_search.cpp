@@ -41,13 +41,15 @@ struct Chart {
 class ContactSearch {
  public:
   ContactSearch(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
-                const IntersectionOptions& options, const WorkLimit& limit,
+                const KnownCurves& known, const IntersectionOptions& options,
+                const WorkLimit& limit,
                 PairSearchResult& result)
       : a_(a),
         b_(b),
         task_(task),
         tree_a_(a.tree(task.patch_a)),
         tree_b_(b.tree(task.patch_b)),
+        known_(known),
         options_(options),
         limit_(limit),
         valley_options_{options.tolerances.point, size},
@@ -139,6 +141,11 @@ class ContactSearch {
     const GraphChart& graph = chart.graph;
     if (apart(a, piece) || beside(a, piece, graph)) {
       ++result_.certificate.excluded;
+      return;
+    }
+    if (!known_.empty() && known_.hold({a.low, a.high})) {
+      ++result_.certificate.critical;
+      result_.beside_known = true;
       return;
     }
     if (out_of_budget()) return keep(a, graph.s, graph.t, piece, false);
@@ -445,6 +452,7 @@ class ContactSearch {
   const ContactTask& task_;
   CellTree& tree_a_;
   CellTree& tree_b_;
+  const KnownCurves& known_;
   const IntersectionOptions& options_;
   const WorkLimit& limit_;
   const ValleyOptions valley_options_;
@@ -456,9 +464,9 @@ class ContactSearch {
 }  // namespace
 
 void search_contacts(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
-                     const IntersectionOptions& options, const WorkLimit& limit,
-                     PairSearchResult& result) {
-  ContactSearch(a, b, task, size, options, limit, result).run();
+                     const KnownCurves& known, const IntersectionOptions& options,
+                     const WorkLimit& limit, PairSearchResult& result) {
+  ContactSearch(a, b, task, size, known, options, limit, result).run();
 }
 
 }  // namespace blossom

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "core/base/tolerances.h"
+#include "core/math/vec.h"
 
 namespace blossom {
 
@@ -14,6 +16,14 @@ enum class CellForm {
   Auto,      ///< whichever has the smaller error bound
   Monomial,  ///< re-centred monomial coefficients
   Bezier,    ///< Bezier nets, halved
+};
+
+/// A curve along which the surfaces are known to touch, as where faces go on smoothly across a
+/// common edge.
+struct KnownCurve {
+  std::vector<Vec3> points;  ///< a polygon along it, model units
+  double radius = 0;         ///< what lies so near to the polygon belongs to it, model units
+  double gap = 0;            ///< largest distance of the surfaces along it, model units
 };
 
 struct IntersectionOptions {
@@ -28,6 +38,9 @@ struct IntersectionOptions {
 
   /// How many may work at the same time; 0 is one a core. The result does not depend on it.
   int threads = 0;
+
+  /// What lies within them is not searched, but a listed place.
+  std::vector<KnownCurve> known{};
 
   /// Asked now and then; true stops the work with Status::Stopped.
   std::function<bool()> cancelled{};

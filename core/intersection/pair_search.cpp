@@ -59,7 +59,7 @@ struct PatchPair {
   std::vector<CellsPair> parallel{};
 };
 
-enum class Verdict : char { Apart, Coincident, Regular, Parallel, Thin, Mixed };
+enum class Verdict : char { Apart, Known, Coincident, Regular, Parallel, Thin, Mixed };
 
 struct Finding {
   Verdict verdict = Verdict::Mixed;
@@ -72,11 +72,12 @@ struct Finding {
 // which tell whether the surfaces coincide, are reached soon.
 class Search {
  public:
-  Search(SurfaceCells& a, SurfaceCells& b, double size, const IntersectionOptions& options,
-         PairSearchResult& result)
+  Search(SurfaceCells& a, SurfaceCells& b, double size, const KnownCurves& known,
+         const IntersectionOptions& options, PairSearchResult& result)
       : a_(a),
         b_(b),
         size_(size),
+        known_(known),
         options_(options),
         slab_(kSlabPart * options.tolerances.point),
         result_(result),
@@ -152,6 +153,8 @@ class Search {
     const int points_a = place.tree_a->shape().plane_size();
     const int points_b = place.tree_b->shape().plane_size();
     if (separated(a, b, points_a, points_b)) return {Verdict::Apart};
+    if (!known_.empty() && (known_.hold({a.low, a.high}) || known_.hold({b.low, b.high})))
+      return {Verdict::Known};
     if (const auto part = place.shared.part(a, b)) return {Verdict::Coincident, -1, part};
     if (pair.along >= 0) return {Verdict::Regular, pair.along};
     const int along = certified_column(JacobianBounds(a, b));
@@ -182,6 +185,11 @@ class Search {
     certificate.rounding_bound = std::max({certificate.rounding_bound, a.margin, b.margin});
     if (finding.verdict == Verdict::Apart) {
       ++certificate.excluded;
+      return;
+    }
+    if (finding.verdict == Verdict::Known) {
+      ++certificate.critical;
+      result_.beside_known = true;
       return;
     }
     if (finding.part) return settle_shared(place, *finding.part);
@@ -269,7 +277,8 @@ class Search {
       else
         add(place, pair);
     }
-    if (!task.cells_a.empty()) search_contacts(a_, b_, task, size_, options_, limit_, result_);
+    if (!task.cells_a.empty())
+      search_contacts(a_, b_, task, size_, known_, options_, limit_, result_);
   }
 
   static void collect_dirty(const CellTree& tree, int index, bool inside,
@@ -333,6 +342,7 @@ class Search {
   SurfaceCells& a_;
   SurfaceCells& b_;
   const double size_;
+  const KnownCurves& known_;
   const IntersectionOptions& options_;
   const double slab_;
   PairSearchResult& result_;
@@ -407,9 +417,9 @@ SurfaceBorders upper_borders(const SurfaceCells& a, int patch_a, const Cell& cel
 }
 
 PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
-                              const IntersectionOptions& options) {
+                              const KnownCurves& known, const IntersectionOptions& options) {
   PairSearchResult result;
-  Search search(a, b, size, options, result);
+  Search search(a, b, size, known, options, result);
   const BoxTree boxes_a(patch_boxes(a)), boxes_b(patch_boxes(b));
   boxes_a.for_each_meeting(boxes_b, [&](int i, int j) { search.add(i, j); });
   search.run();

@@ -13,6 +13,7 @@
 #include "core/forms/surface.h"
 #include "core/intersection/border_roots.h"
 #include "core/intersection/cell_tree.h"
+#include "core/intersection/known_curves.h"
 #include "core/intersection/options.h"
 #include "core/intersection/result.h"
 #include "core/intersection/valley.h"
@@ -96,6 +97,7 @@ struct PairSearchResult {
   Certificate certificate;
   bool cut_by_samples = false;  ///< branches were cut at a border by points, not by proof
   bool along_border = false;    ///< an arc runs along a border; see PairArcs
+  bool beside_known = false;    ///< something near a known curve was not searched
   bool stopped = false;
 };
 
@@ -106,6 +108,6 @@ SurfaceBorders upper_borders(const SurfaceCells& a, int patch_a, const Cell& cel
 /// Examines all pairs of patches of the two surfaces.
 /// size      of the surfaces, model units
 PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
-                              const IntersectionOptions& options);
+                              const KnownCurves& known, const IntersectionOptions& options);
 
 }  // namespace blossom
