@@ -55,8 +55,8 @@ class Assembly {
   }
 
   SurfaceIntersection run() {
-    SurfaceCells cells_a(a_, origin_, options_.form, kCut);
-    SurfaceCells cells_b(b_, origin_, options_.form, kCut);
+    SurfaceCells cells_a(a_, origin_, options_.form, kCut, options_.part_a);
+    SurfaceCells cells_b(b_, origin_, options_.form, kCut, options_.part_b);
     found_ = search_pairs(cells_a, cells_b, size_, KnownCurves(options_.known, origin_), options_);
     result_.certificate = found_.certificate;
     drop_beside_contacts(found_, cells_a, cells_b, options_.tolerances.point);

@@ -25,6 +25,7 @@ namespace {
 
 // A distance that counts as on the border, where no other is given. Model units, about.
 constexpr double kOnBorder = 1e-7;
+constexpr int kMostHalvings = 6;  // of a wire's span, to see whether it meets a rectangle
 // Relative to the box: parameters of natural borders are exact up to rounding.
 constexpr double kNaturalError = 1e-9;
 
@@ -224,6 +225,40 @@ ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, Nearness 
   return found;
 }
 
+// Shifts by whole periods.
+std::vector<double> turns(double period) {
+  if (period > 0) return {0, period, -period};
+  return {0};
+}
+
+bool apart(const PlanarBox& a, const PlanarBox& b) {
+  for (int k = 0; k < 2; ++k)
+    if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
+  return false;
+}
+
+bool may_meet(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
+  if (apart(box_of(piece.points), box)) return false;
+  return halvings == 0 || may_meet(bezier_piece(piece, {0, 0.5}), box, halvings - 1) ||
+         may_meet(bezier_piece(piece, {0.5, 1}), box, halvings - 1);
+}
+
+PlanarBox grown(const PlanarBox& box, double margin) {
+  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
+}
+
+// What lies within an edge's tolerance of its wire, or in a gap between coedges, is on the wire.
+PartSide side_of(const FaceTrims& trims, const PlanarBox& box) {
+  const double gap = kOnBorder + trims.largest_gap;
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      const PlanarBox near = grown(box, gap + coedge.tolerance);
+      for (const PlanarSpan& span : coedge.curve.spans)
+        if (may_meet(span.curve, near, kMostHalvings)) return PartSide::Mixed;
+    }
+  return is_inside(trims, 0.5 * (box.low + box.high)) ? PartSide::Inside : PartSide::Outside;
+}
+
 std::vector<Interval> united(std::vector<Interval> intervals) {
   std::sort(intervals.begin(), intervals.end(),
             [](const Interval& a, const Interval& b) { return a.from < b.from; });
@@ -306,6 +341,19 @@ bool is_inside(const FaceTrims& trims, const Vec2& point) {
                  ray_crossings(end_point(coedge, true), corner(coedge.to), point);
     }
   return winding > 0;
+}
+
+PartSide part_side(const FaceTrims& trims, const Interval& u, const Interval& v) {
+  const PlanarBox box{{u.from * trims.scale[0], v.from * trims.scale[1]},
+                      {u.to * trims.scale[0], v.to * trims.scale[1]}};
+  for (const double turn_u : turns(trims.period[0]))
+    for (const double turn_v : turns(trims.period[1])) {
+      const PlanarBox moved{{box.low[0] + turn_u, box.low[1] + turn_v},
+                            {box.high[0] + turn_u, box.high[1] + turn_v}};
+      const PartSide side = side_of(trims, moved);
+      if (side != PartSide::Outside) return side;
+    }
+  return PartSide::Outside;
 }
 
 std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& chart) {

@@ -13,6 +13,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "core/forms/spline.h"
+#include "core/intersection/options.h"
 #include "core/intersection/planar_crossings.h"
 #include "core/math/interval.h"
 
@@ -86,6 +87,10 @@ ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double to
 
 /// Whether a point in chart coordinates lies inside; on a wire either answer.
 bool is_inside(const FaceTrims& trims, const Vec2& point);
+
+/// How a rectangle of the surface's own parameters lies to the trims. Inside and Outside are proven
+/// by boxes of pieces of the wires, of which none meets the rectangle.
+PartSide part_side(const FaceTrims& trims, const Interval& u, const Interval& v);
 
 /// The parameters of a chart curve at which it lies inside the trims of the face or on a wire.
 ///

@@ -227,6 +227,11 @@ void replace_by_edges(SurfaceIntersection& found, const std::vector<SharedEdge>&
   for (const SharedEdge& edge : edges) found.curves.push_back(edge.curve);
 }
 
+PartTest part_test(const FaceTrims& trims) {
+  if (trims.natural) return {};
+  return [&trims](const Interval& u, const Interval& v) { return part_side(trims, u, v); };
+}
+
 // One pair of faces at a time; pairs may be asked for at the same time.
 class PairIntersector {
  public:
@@ -247,6 +252,8 @@ class PairIntersector {
     const double size = std::min(diagonal(a.box), diagonal(b.box));
     for (const SharedEdge& edge : edges)
       if (edge.curve.least_angle < kSmoothAngle) options.known.push_back(known_curve(edge, size));
+    options.part_a = part_test(a.trims);
+    options.part_b = part_test(b.trims);
     FaceIntersection result{pair.first, pair.second, intersect(a.surface, b.surface, options), {}};
     clip(result.found, a, b);
     replace_by_edges(result.found, edges, options_.tolerances.point);

@@ -159,6 +159,10 @@ class Graph {
     const auto& grid_b = b_.surface().patches;
     if (at_end(0, grid_a.rows()) || at_end(1, grid_a.columns())) return CurveEnd::BorderA;
     if (at_end(2, grid_b.rows()) || at_end(3, grid_b.columns())) return CurveEnd::BorderB;
+    const FoundArc& arc = found_.arcs[end / 2];
+    const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+    if (a_.outside(arc.patch_a, x[0], x[1]) || b_.outside(arc.patch_b, x[2], x[3]))
+      return CurveEnd::Trim;
     return std::nullopt;
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace blossom {
 namespace {
@@ -62,10 +63,11 @@ Range scaled(const Range& a, double s) { return {a.low * s, a.high * s}; }
 }  // namespace
 
 CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin,
-                   CellForm form, double cut)
+                   CellForm form, double cut, PartTest part)
     : patch_(patch),
       shape_{patch.points.rows(), patch.points.columns(), rational ? 4 : 3},
       rational_(rational),
+      part_(std::move(part)),
       cut_(cut),
       origin_scale_(max_norm(origin)) {
   for (Vec4& p : patch_.points.values())
@@ -173,6 +175,7 @@ double CellTree::rounding_of(const Cell& cell) const {
 
 // Everything that follows from the net.
 void CellTree::finish(Cell& cell) {
+  if (part_ && cell.part == PartSide::Mixed) cell.part = part_(cell.u, cell.v);
   make_hull(cell);
   if (cell.depth == 0)
     for (int i = 0; i < 3 * shape_.plane_size(); ++i)

@@ -38,6 +38,7 @@ struct Cell {
   int depth = 0;        ///< halvings since the whole patch
   int child = -1;       ///< index of the lower half, the upper one follows; -1: none
   bool split_u = true;  ///< the direction of its halving
+  PartSide part = PartSide::Mixed;  ///< how it lies to the part of the patch that counts
   const double* homogeneous = nullptr;   ///< Bezier net, 3 or 4 planes
   const double* coefficients = nullptr;  ///< monomial form of the same, when that is the source
   const double* hull = nullptr;          ///< control points in space, 3 planes
@@ -53,8 +54,9 @@ class CellTree {
  public:
   /// patch     its points are taken relative to `origin`, to keep digits far from zero
   /// cut       where cells are halved, in (0, 1); off 1/2, since singular points like dyadic lines
+  /// part      what counts of the patch, by its own [0, 1]^2; empty: everything
   CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin, CellForm form,
-           double cut);
+           double cut, PartTest part = {});
 
   const Cell& operator[](int index) const { return cells_[static_cast<std::size_t>(index)]; }
 
@@ -80,6 +82,7 @@ class CellTree {
   RationalBezierPatch patch_;
   NetShape shape_;
   bool rational_;
+  PartTest part_;
   bool monomial_ = false;
   double cut_;
   double origin_scale_;

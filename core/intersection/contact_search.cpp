@@ -139,7 +139,7 @@ class ContactSearch {
     const Cell a = tree_a_[index];
     const Cell piece = chart.piece[0];
     const GraphChart& graph = chart.graph;
-    if (apart(a, piece) || beside(a, piece, graph)) {
+    if (a.part == PartSide::Outside || apart(a, piece) || beside(a, piece, graph)) {
       ++result_.certificate.excluded;
       return;
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/tolerances.h"
+#include "core/math/interval.h"
 #include "core/math/vec.h"
 
 namespace blossom {
@@ -26,6 +27,15 @@ struct KnownCurve {
   double gap = 0;            ///< largest distance of the surfaces along it, model units
 };
 
+/// How a rectangle of a surface's own parameters lies to the part of the surface that counts, a
+/// trimmed face, say.
+enum class PartSide : char {
+  Mixed,    ///< not known, or on both sides
+  Inside,   ///< all of it, its border too
+  Outside,  ///< nothing of it, nor of its border
+};
+using PartTest = std::function<PartSide(const Interval& u, const Interval& v)>;
+
 struct IntersectionOptions {
   Tolerances tolerances{};
   CellForm form = CellForm::Auto;
@@ -38,6 +48,10 @@ struct IntersectionOptions {
 
   /// How many may work at the same time; 0 is one a core. The result does not depend on it.
   int threads = 0;
+
+  /// The parts of both surfaces that count; empty: everything. What is outside is not searched;
+  /// curves end somewhere in it.
+  PartTest part_a{}, part_b{};
 
   /// What lies within them is not searched, but a listed place.
   std::vector<KnownCurve> known{};

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
@@ -152,6 +153,7 @@ class Search {
     const Cell &a = cell_a(pair), &b = cell_b(pair);
     const int points_a = place.tree_a->shape().plane_size();
     const int points_b = place.tree_b->shape().plane_size();
+    if (a.part == PartSide::Outside || b.part == PartSide::Outside) return {Verdict::Apart};
     if (separated(a, b, points_a, points_b)) return {Verdict::Apart};
     if (!known_.empty() && (known_.hold({a.low, a.high}) || known_.hold({b.low, b.high})))
       return {Verdict::Known};
@@ -365,17 +367,31 @@ std::vector<Box> patch_boxes(SurfaceCells& cells) {
 }  // namespace
 
 SurfaceCells::SurfaceCells(const BezierSurface& surface, const Vec3& origin, CellForm form,
-                           double cut)
-    : surface_(surface), origin_(origin), form_(form), cut_(cut) {
+                           double cut, PartTest part)
+    : surface_(surface), origin_(origin), form_(form), cut_(cut), part_(std::move(part)) {
   trees_.resize(surface.patches.values().size());
 }
 
 CellTree& SurfaceCells::tree(int patch) {
   auto& tree = trees_[static_cast<std::size_t>(patch)];
-  if (!tree)
-    tree = std::make_unique<CellTree>(surface_.patches.values()[static_cast<std::size_t>(patch)],
-                                      surface_.rational, origin_, form_, cut_);
+  if (tree) return *tree;
+  PartTest part;
+  if (part_)
+    part = [this, patch](const Interval& u, const Interval& v) { return part_of(patch, u, v); };
+  tree = std::make_unique<CellTree>(surface_.patches.values()[static_cast<std::size_t>(patch)],
+                                    surface_.rational, origin_, form_, cut_, std::move(part));
   return *tree;
+}
+
+PartSide SurfaceCells::part_of(int patch, const Interval& u, const Interval& v) const {
+  const auto own = [](ParameterLaw law, const Interval& span, const Interval& local) {
+    return Interval{parameter_at(law, span, local.from), parameter_at(law, span, local.to)};
+  };
+  return part_(own(surface_.u_law, knots_u(patch), u), own(surface_.v_law, knots_v(patch), v));
+}
+
+bool SurfaceCells::outside(int patch, double u, double v) const {
+  return part_ && part_of(patch, {u, u}, {v, v}) == PartSide::Outside;
 }
 
 Interval SurfaceCells::knots_u(int patch) const {
