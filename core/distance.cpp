@@ -363,6 +363,7 @@ PreparedSet::PreparedSet(MeasuredSet set) : items_(std::make_unique<Items>(std::
 PreparedSet::~PreparedSet() = default;
 PreparedSet::PreparedSet(PreparedSet&&) noexcept = default;
 PreparedSet& PreparedSet::operator=(PreparedSet&&) noexcept = default;
+const MeasuredSet& PreparedSet::set() const { return items_->set; }
 
 DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                               const DistanceOptions& options) {

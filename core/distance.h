@@ -82,6 +82,8 @@ class PreparedSet {
   PreparedSet(PreparedSet&&) noexcept;
   PreparedSet& operator=(PreparedSet&&) noexcept;
 
+  const MeasuredSet& set() const;
+
  private:
   friend DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                                        const DistanceOptions& options);

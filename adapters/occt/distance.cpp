@@ -213,6 +213,21 @@ ShapeDistance nearest_point(const MeasuredShape& shape, const Vec3& point,
   return result;
 }
 
+std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point,
+                                   double tolerance) {
+  std::vector<ShapeFoot> feet;
+  for (FootPoint& foot : blossom::foot_points(shape.set().set(), point, tolerance)) {
+    if (shape.error() > 0) foot.status = weaker(foot.status, Status::Tolerance);
+    const ShapePoint place = shape.named(foot.at);
+    // Two spans of an edge find the foot where they meet.
+    const bool known = std::any_of(feet.begin(), feet.end(), [&](const ShapeFoot& other) {
+      return other.at.on.IsSame(place.on) && distance(other.at.point, place.point) <= 2 * tolerance;
+    });
+    if (!known) feet.push_back({place, foot});
+  }
+  return feet;
+}
+
 ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b, double tolerance,
                      const DistanceOptions& options) {
   if (!(tolerance > 0)) throw InvalidInput("meeting: the tolerance must be positive");

@@ -10,6 +10,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "core/distance.h"
+#include "core/foot_points.h"
 
 namespace blossom::occt {
 
@@ -60,6 +61,17 @@ ShapeDistance least_distance(const MeasuredShape& a, const MeasuredShape& b,
 /// The nearest point of a shape; `a` is the given point.
 ShapeDistance nearest_point(const MeasuredShape& shape, const Vec3& point,
                             const DistanceOptions& options = {});
+
+/// A foot point with the face or edge that it is on.
+struct ShapeFoot {
+  ShapePoint at;
+  FootPoint foot;
+};
+
+/// All feet of a point on the faces, within their trims, and on the edges of a shape, by increasing
+/// distance. Approximated forms make them Status::Tolerance.
+std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point,
+                                   double tolerance = 1e-7);
 
 enum class Meeting {
   No,       ///< proven: they have no point in common

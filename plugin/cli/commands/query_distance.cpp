@@ -14,8 +14,9 @@ namespace {
 
 struct Options {
   std::string a;
-  std::string b;   // empty for a point
-  std::string at;  // the point
+  std::string b;     // empty for a point
+  std::string at;    // the point
+  bool all = false;  // of a point: all feet, too
   long budget = DistanceOptions{}.budget;
   QueryOptions common;
 };
@@ -50,6 +51,29 @@ std::string bounds_text(double lower, double upper) {
   return text.str();
 }
 
+Json feet_json(const Side& side, const std::vector<occt::ShapeFoot>& feet) {
+  Json list = Json::array();
+  for (const occt::ShapeFoot& found : feet) {
+    Json foot = side.json(found.at);
+    foot["distance"] = found.foot.distance;
+    foot["extremum"] = to_string(found.foot.extremum);
+    foot["status"] = to_string(found.foot.status);
+    foot["size"] = found.foot.size;
+    list.push_back(foot);
+  }
+  return list;
+}
+
+std::string feet_text(const Side& side, const std::vector<occt::ShapeFoot>& feet) {
+  std::ostringstream text;
+  text.precision(12);
+  for (const occt::ShapeFoot& found : feet)
+    text << "  foot at " << found.foot.distance << ": " << side.text(found.at) << ", "
+         << to_string(found.foot.extremum)
+         << (found.foot.status == Status::Complete ? "" : ", not proven") << "\n";
+  return text.str();
+}
+
 int run_point(const Options& options) {
   const Vec3 point = parse_vector(options.at, "--at");
   Side side(options.a);
@@ -58,17 +82,23 @@ int run_point(const Options& options) {
   side.prepare();
   const occt::ShapeDistance found =
       occt::nearest_point(*side.shape, point, {.budget = options.budget});
-  Json report = head("point", options, found.status, watch.seconds());
+  std::vector<occt::ShapeFoot> feet;
+  if (options.all) feet = occt::foot_points(*side.shape, point, options.common.tolerance);
+  Status status = found.status;
+  for (const occt::ShapeFoot& foot : feet) status = weaker(status, foot.foot.status);
+  Json report = head("point", options, status, watch.seconds());
   stop_if_interrupted();
   report["file"] = side.input.name;
   report["at"] = point.coordinates;
   report["distance"] = {found.lower, found.upper};
   report["nearest"] = side.json(found.b);
+  if (options.all) report["feet"] = feet_json(side, feet);
   write_answer(report,
-               side.input.name + ": " + to_string(found.status) + ", " +
-                   bounds_text(found.lower, found.upper) + "\n  " + side.text(found.b) + "\n",
+               side.input.name + ": " + to_string(status) + ", " +
+                   bounds_text(found.lower, found.upper) + "\n  " + side.text(found.b) + "\n" +
+                   feet_text(side, feet),
                options.common);
-  return exit_code(found.status);
+  return exit_code(status);
 }
 
 int run_distance(const Options& options) {
@@ -159,6 +189,7 @@ void add_query_point(CLI::App& query, int& exit_code) {
       ->required()
       ->type_name("FILE");
   command->add_option("--at", options->at, "the point")->required()->type_name("X,Y,Z");
+  command->add_flag("--all", options->all, "all points where the distance is stationary, too");
   add_budget(*command, *options);
   add_query_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run_point(*options); });

@@ -107,6 +107,16 @@ TEST(ShapeDistance, IsNoMoreThanThatOfOpenCascade) {
     }
 }
 
+TEST(ShapeFeet, AreOnFacesWithinTrimsAndOnEdges) {
+  // Over the hole of the plate: none on the face, four on the sides, two on the circle.
+  const std::vector<ShapeFoot> feet = foot_points(MeasuredShape(plate_with_hole()), {2.25, 2, 1});
+  ASSERT_EQ(feet.size(), 6u);
+  for (const ShapeFoot& foot : feet) EXPECT_EQ(foot.at.on.ShapeType(), TopAbs_EDGE);
+  EXPECT_NEAR(feet[0].foot.distance, std::hypot(0.75, 1.0), 1e-12);
+  EXPECT_EQ(foot_points(MeasuredShape(plate_with_hole()), {0.5, 0.5, 1})[0].at.on.ShapeType(),
+            TopAbs_FACE);
+}
+
 TEST(ShapeMeeting, SaysNoYesOrWithin) {
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(1).Shape();
   const MeasuredShape first(ball);

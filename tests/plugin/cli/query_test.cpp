@@ -100,6 +100,18 @@ TEST_F(QueryCommand, FindsTheNearestPoint) {
   EXPECT_NEAR(found["nearest"]["point"][0].get<double>(), 0.5, 1e-9);
 }
 
+TEST_F(QueryCommand, ListsAllFeetOfAPoint) {
+  const Finished run =
+      blossom({"query", "point", pot_ + "#2", "--at", "0.5,-0.25,1.5", "--all", "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json feet = json::parse(run.out)["feet"];
+  ASSERT_EQ(feet.size(), 5u);  // on the face and on its four sides
+  EXPECT_NEAR(feet[0]["distance"].get<double>(), 0.5, 1e-12);
+  EXPECT_EQ(feet[0]["extremum"], "minimum");
+  EXPECT_EQ(feet[0]["on"]["kind"], "face");
+  EXPECT_EQ(feet[4]["on"]["kind"], "edge");
+}
+
 TEST_F(QueryCommand, MeasuresTheDistanceOfTwoModels) {
   const Finished run = blossom({"query", "distance", pot_ + "#2", pot_ + "#1", "--json", "-"});
   EXPECT_EQ(run.code, 0) << run.err;
