@@ -25,6 +25,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 64 * 0x1p-53;
 // Off the middle, so that cells of symmetric shapes have no stationary points on their borders.
 constexpr double kCut = 0.5 - 1.0 / 64;
+// The bound from squares costs the square of the number of control points.
+constexpr int kMostPoints = 64;
 // Newton's method starts at every so many halvings of a pair.
 constexpr int kHalvingsPerStart = 3;
 
@@ -276,6 +278,13 @@ class Search {
     const int points_a = tree_a.shape().plane_size(), points_b = tree_b.shape().plane_size();
     pair.lower =
         std::max(pair.lower, distance_bound({&cell_a, points_a}, {&cell_b, points_b}, direction_));
+    if (!is_settled(pair.lower) && std::min(item_a.dimension(), item_b.dimension()) == 0 &&
+        std::max(points_a, points_b) <= kMostPoints) {
+      const bool point_a = item_a.dimension() == 0;
+      const Vec3 point = projected((point_a ? item_a : item_b).patch.points(0, 0));
+      pair.lower = std::max(pair.lower, point_a ? distance_bound(cell_b, tree_b.shape(), point)
+                                                : distance_bound(cell_a, tree_a.shape(), point));
+    }
     if (is_settled(pair.lower)) {
       dropped_ = std::min(dropped_, pair.lower);
       return;
