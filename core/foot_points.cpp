@@ -166,11 +166,14 @@ class PatchFeet {
     }
     if (!exact || !is_contraction(forms.spread)) return false;
     Vec2 x = Vec2{0.5, 0.5} - centre;
-    for (int step = 0; step < kSteps; ++step) {
+    const double last_step = std::clamp(max_norm(forms.rounding), 1e-15, 1e-10);
+    double step = 1;
+    for (int k = 0; k < kSteps && step > last_step && max_norm(x) <= 2; ++k) {
       const Vec2 move = offset(piece, forms, x);
       x -= move;
-      if (max_norm(move) <= 1e-15 || max_norm(x) > 2) break;
+      step = max_norm(move);
     }
+    if (step > last_step && max_norm(x) <= 2) return false;  // halves contract faster
     Vec2 nearest = x, outside;
     bool inside = true;
     for (int k = 0; k < 2; ++k) {

@@ -133,6 +133,8 @@ TEST_P(FootPointsProperty, AreAllThatASlowSearchFinds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FootPointsProperty, ::testing::Range(0, 36));
+// Feet where two have nearly met: the iteration in a piece converges slowly.
+INSTANTIATE_TEST_SUITE_P(SlowSeeds, FootPointsProperty, ::testing::Values(310, 1207, 1331));
 
 }  // namespace
 }  // namespace blossom
