@@ -198,6 +198,9 @@ class Search {
       examine(pair);
     }
     result_.lower = std::max(0.0, std::min({lowest, dropped_, result_.upper}));
+    // Cells at the limit of halving leave a gap, too.
+    if (options_.enough < 0 && result_.lower < result_.upper - (1 + 1e-6) * gap())
+      result_.status = Status::Stopped;
     return result_;
   }
 

@@ -57,7 +57,7 @@ struct DistanceResult {
   DistanceEnd a, b;
 
   /// Complete: the bounds agree to kDistanceAccuracy, relative to the distance, or to rounding.
-  /// Stopped: the budget was spent before.
+  /// Stopped: the budget or the limit of halving was spent before.
   Status status = Status::Complete;
   long pairs = 0;  ///< of cells looked at
 };
