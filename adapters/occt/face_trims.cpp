@@ -195,9 +195,6 @@ std::vector<Interval> inside_of(const FaceTrims& trims, const PlanarCurve& curve
   return inside;
 }
 
-// What counts as on a wire: a given distance, or its edges' tolerances where these are larger.
-enum class Nearness { Given, Edges };
-
 void meet(const FaceTrims& trims, const PlanarCurve& curve, double tolerance, int loop, int index,
           ClippedCurve& found) {
   const Coedge& coedge =
@@ -208,21 +205,6 @@ void meet(const FaceTrims& trims, const PlanarCurve& curve, double tolerance, in
   for (const PlanarOverlap& run : common.overlaps)
     found.runs.push_back({run.a, loop, index, run.b});
   found.complete = found.complete && common.complete;
-}
-
-ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, Nearness nearness,
-                     double tolerance) {
-  ClippedCurve found;
-  for (std::size_t loop = 0; loop < trims.loops.size(); ++loop)
-    for (std::size_t i = 0; i < trims.loops[loop].size(); ++i) {
-      const double own = nearness == Nearness::Edges ? trims.loops[loop][i].tolerance : 0;
-      meet(trims, curve, std::max(tolerance, own), static_cast<int>(loop), static_cast<int>(i),
-           found);
-    }
-  std::sort(found.meetings.begin(), found.meetings.end(),
-            [](const TrimMeeting& a, const TrimMeeting& b) { return a.at < b.at; });
-  found.inside = inside_of(trims, curve, found, false);
-  return found;
 }
 
 // Shifts by whole periods.
@@ -323,7 +305,14 @@ std::vector<Vec2> period_shifts(const FaceTrims& trims, const PlanarCurve& curve
 }
 
 ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double tolerance) {
-  return clipped(trims, curve, Nearness::Given, tolerance);
+  ClippedCurve found;
+  for (std::size_t loop = 0; loop < trims.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims.loops[loop].size(); ++i)
+      meet(trims, curve, tolerance, static_cast<int>(loop), static_cast<int>(i), found);
+  std::sort(found.meetings.begin(), found.meetings.end(),
+            [](const TrimMeeting& a, const TrimMeeting& b) { return a.at < b.at; });
+  found.inside = inside_of(trims, curve, found, false);
+  return found;
 }
 
 bool is_inside(const FaceTrims& trims, const Vec2& point) {
@@ -366,7 +355,7 @@ std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart
   std::vector<Interval> inside;
   for (const Vec2& shift : period_shifts(trims, curve)) {
     const PlanarCurve moved = transformed(curve, {1, 1}, shift);
-    const ClippedCurve found = clipped(trims, moved, Nearness::Edges, kOnBorder);
+    const ClippedCurve found = clipped(trims, moved, kOnBorder);
     const std::vector<Interval> more = inside_of(trims, moved, found, true);
     inside.insert(inside.end(), more.begin(), more.end());
   }

@@ -94,8 +94,7 @@ PartSide part_side(const FaceTrims& trims, const Interval& u, const Interval& v)
 
 /// The parameters of a chart curve at which it lies inside the trims of the face or on a wire.
 ///
-/// Periods of the surface are taken into account. A naturally bounded face answers at once. What
-/// runs within an edge's tolerance of it runs along the wire.
+/// Periods of the surface are taken into account. A naturally bounded face answers at once.
 ///
 /// chart     in the surface's own parameters
 /// returns   intervals of the curve's parameter, increasing, disjoint; none if all is outside
