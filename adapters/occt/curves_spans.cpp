@@ -175,18 +175,26 @@ CurveSpans spans_of(const Handle(Geom_Curve) & curve, const Interval& range, dou
     return conic_spans(ellipse->Position(), ellipse->MajorRadius(), ellipse->MinorRadius(), range);
   if (const auto parabola = Handle(Geom_Parabola)::DownCast(curve); !parabola.IsNull())
     return parabola_spans(*parabola, range);
-  if (const auto bezier = Handle(Geom_BezierCurve)::DownCast(curve); !bezier.IsNull())
-    return spline_spans(FlatKnots(bezier->Degree()), from_occt(*bezier).points, range);
+  if (const auto bezier = Handle(Geom_BezierCurve)::DownCast(curve); !bezier.IsNull()) {
+    const RationalBezierCurve whole = from_occt(*bezier);
+    if (range == Interval{0, 1}) return curve_spans(whole);
+    return spline_spans(FlatKnots(bezier->Degree()), whole.points, range);
+  }
   if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve); !spline.IsNull())
     return bspline_spans(*spline, range);
   return fitted_spans(curve, range, tolerance);
 }
 
+// The words of a message are made only where there is one to write.
 template <class Curve>
 void check_poles(const Curve& curve) {
+  const bool rational = curve.IsRational();
   for (int i = 1; i <= curve.NbPoles(); ++i) {
-    check_finite(curve.Pole(i).XYZ(), "control point " + std::to_string(i));
-    if (curve.IsRational()) check_weight(curve.Weight(i), "weight " + std::to_string(i));
+    const gp_XYZ pole = curve.Pole(i).XYZ();
+    if (!std::isfinite(pole.X() + pole.Y() + pole.Z()))
+      check_finite(pole, "control point " + std::to_string(i));
+    if (rational && !(curve.Weight(i) > 0 && std::isfinite(curve.Weight(i))))
+      check_weight(curve.Weight(i), "weight " + std::to_string(i));
   }
 }
 

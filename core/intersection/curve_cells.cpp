@@ -10,7 +10,8 @@ namespace {
 constexpr double kRoundoff = 0x1p-53;
 // Off 1/2, since singular points like dyadic parameters; few digits, so that cuts are exact.
 constexpr double kCut = 31.0 / 64;
-constexpr int kFirstBlock = 1 << 10;  // doubles; each block of the arena is twice the last one
+constexpr int kFirstCells = 24;      // room for them at once, besides the spans
+constexpr int kFirstBlock = 1 << 8;  // doubles; each block of the arena is twice the last one
 constexpr int kLargestBlock = 1 << 16;
 constexpr double kSlack = 1e-13;  // covers the few roundings of a bound
 
@@ -36,6 +37,13 @@ ValueRange difference_range(const double* values, int count, int order) {
   return {range.low * factor, range.high * factor};
 }
 
+CurveSpans moved(CurveSpans curve, const Vec3& origin) {
+  for (CurveSpan& span : curve.spans)
+    for (Vec4& p : span.curve.points)
+      for (int k = 0; k < 3; ++k) p[k] -= p[3] * origin[k];
+  return curve;
+}
+
 double magnitude(const ValueRange& a) { return std::max(std::abs(a.low), std::abs(a.high)); }
 
 }  // namespace
@@ -54,22 +62,19 @@ ValueRange range_along(const CurveCell& cell, int dimension, const Vec3& directi
 }
 
 CurveTree::CurveTree(const CurveSpans& curve, const Vec3& origin, int dimension)
-    : curve_(curve), dimension_(dimension), hull_scale_(max_norm(origin)) {
+    : moved_(origin == Vec3{} ? CurveSpans{} : moved(curve, origin)),
+      curve_(origin == Vec3{} ? curve : moved_),
+      dimension_(dimension),
+      hull_scale_(max_norm(origin)) {
   int degree = 0;
-  for (CurveSpan& span : curve_.spans) {
+  for (const CurveSpan& span : curve_.spans) {
     degree = std::max(degree, span.curve.degree());
-    for (Vec4& p : span.curve.points) {
-      for (int k = 0; k < 3; ++k) {
-        p[k] -= p[3] * origin[k];
-        hull_scale_ = std::max(hull_scale_, std::abs(p[k] / p[3]));
-      }
-    }
+    for (const Vec4& p : span.curve.points)
+      hull_scale_ = std::max(hull_scale_, max_norm(Vec3{p[0], p[1], p[2]}) / p[3]);
   }
   evaluation_margin_ = (evaluation_error(degree) + 4 * kRoundoff) * hull_scale_;
-  const Vec4& first = curve.spans.front().curve.points.front();
-  const Vec4& last = curve.spans.back().curve.points.back();
-  closed_ = first * (1 / first[3]) == last * (1 / last[3]);
-  cells_.reserve(static_cast<std::size_t>(std::max(64, 2 * spans())));
+  closed_ = end_point({0, 0}) == end_point({spans() - 1, 1});
+  cells_.reserve(static_cast<std::size_t>(kFirstCells + spans()));
   for (int i = 0; i < spans(); ++i) add_span(i);
 }
 
@@ -135,6 +140,7 @@ int CurveTree::split(int index) {
   for (CurveCell* cell : {&low, &high}) {
     cell->depth = parent.depth + 1;
     cell->child = -1;
+    cell->directed = false;
     finish(*cell);
     cells_.push_back(*cell);
   }
@@ -164,7 +170,6 @@ void CurveTree::finish(CurveCell& cell) {
     cell.high[k] = *high + cell.margin;
     cell.extent = std::max(cell.extent, cell.high[k] - cell.low[k]);
   }
-  bound_directions(cell);
 }
 
 // Directions, of rational curves too, are positive combinations of the legs of the control polygon.
@@ -176,6 +181,7 @@ void CurveTree::bound_directions(CurveCell& cell) const {
     for (int k = 0; k < dimension_; ++k) d[k] = cell.hull[k * n + to] - cell.hull[k * n + from];
     return d;
   };
+  cell.directed = true;
   cell.axis = unit(leg(0, n - 1));
   cell.cosine = -1;
   if (cell.axis == Vec3{}) return;

@@ -37,7 +37,9 @@ struct CurveCell {
   Vec3 low, high;                       ///< box of the hull, margin included
   double extent = 0;                    ///< longest side of the box
   Vec3 axis;                            ///< direction of the chord; zero: none
-  double cosine = -1;  ///< of half the cone round `axis` that holds all directions; -1: no cone
+  /// Of half the cone round `axis` that holds all directions; -1: no cone.
+  double cosine = -1;
+  bool directed = false;  ///< axis and cone are known; see `direct`
 };
 
 /// Where a parameter of the whole curve lies.
@@ -50,12 +52,22 @@ class CurveTree {
  public:
   /// curve      its points are taken relative to `origin`, to keep digits far from zero
   /// dimension  2 leaves out z, which has to be 0 everywhere
+  /// curve      has to live as long as the tree
   CurveTree(const CurveSpans& curve, const Vec3& origin, int dimension);
+  CurveTree(const CurveTree&) = delete;
+  CurveTree& operator=(const CurveTree&) = delete;
 
   const CurveCell& operator[](int index) const { return cells_[static_cast<std::size_t>(index)]; }
 
   /// Cell i is span i.
   int spans() const { return static_cast<int>(curve_.spans.size()); }
+
+  /// Makes the axis and the cone of a cell, if they are not there: most cells are excluded by their
+  /// boxes before anyone asks.
+  void direct(int index) {
+    CurveCell& cell = cells_[static_cast<std::size_t>(index)];
+    if (!cell.directed) bound_directions(cell);
+  }
 
   /// Index of the lower half of a cell, made if it is not there. Invalidates references.
   int split(int index);
@@ -106,7 +118,8 @@ class CurveTree {
   void finish(CurveCell& cell);
   void bound_directions(CurveCell& cell) const;
 
-  CurveSpans curve_;
+  CurveSpans moved_;  // relative to the origin, if that is not 0
+  const CurveSpans& curve_;
   int dimension_;
   bool closed_ = false;
   double hull_scale_ = 0;  // largest absolute coordinate of a control point in space, or origin

@@ -28,13 +28,6 @@ bool apart_along(const CurvePair& pair, const Vec3& direction, double tolerance)
                range_along(pair.b, pair.dimension(), direction), tolerance);
 }
 
-bool boxes_apart(const CurvePair& pair, double tolerance) {
-  for (int k = 0; k < pair.dimension(); ++k)
-    if (apart({pair.a.low[k], pair.a.high[k]}, {pair.b.low[k], pair.b.high[k]}, tolerance))
-      return true;
-  return false;
-}
-
 Vec3 middle_of(const CurveCell& cell) { return (cell.low + cell.high) * 0.5; }
 
 // A direction perpendicular to both chords, in space; if those are nearly parallel, the one from
@@ -92,8 +85,14 @@ CurveFoot foot_at(const CurvePair& pair, const SpanPoint& a, const SpanPoint& b)
   return {a, b, pair.tree_a.jet(a), pair.tree_b.jet(b)};
 }
 
+bool boxes_apart(const CurvePair& pair, double tolerance) {
+  for (int k = 0; k < pair.dimension(); ++k)
+    if (apart({pair.a.low[k], pair.a.high[k]}, {pair.b.low[k], pair.b.high[k]}, tolerance))
+      return true;
+  return false;
+}
+
 bool separated(const CurvePair& pair, double tolerance) {
-  if (boxes_apart(pair, tolerance)) return true;
   if (pair.a.axis == Vec3{} || pair.b.axis == Vec3{}) return false;
   const Normals normals = normals_of(pair);
   for (int i = 0; i < normals.count; ++i)

@@ -32,8 +32,11 @@ struct CurveFoot {
 /// The jets at a pair of places.
 CurveFoot foot_at(const CurvePair& pair, const SpanPoint& a, const SpanPoint& b);
 
-/// True if boxes or fat lines (planes, in space) prove that the distance of all points of the cells
-/// is above the tolerance, rounding included.
+/// True if the boxes prove that the distance of all points of the cells is above the tolerance,
+/// rounding included.
+bool boxes_apart(const CurvePair& pair, double tolerance);
+
+/// The same by fat lines; planes, in space.
 bool separated(const CurvePair& pair, double tolerance);
 
 /// True if both cells lie in a strip (a rod, in space) no wider than the tolerance.

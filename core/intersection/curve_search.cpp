@@ -24,6 +24,23 @@ double box_distance(const CurveCell& cell, const Vec3& point, int dimension) {
   return farthest;
 }
 
+// True if a point is farther from the chord's line than the cell and the tolerance reach.
+bool off_axis(const CurveTree& tree, const CurveCell& cell, const Vec3& point, double tolerance) {
+  const int n = cell.points;
+  const auto across = [&](const Vec3& p) {
+    Vec3 offset = p;
+    for (int k = 0; k < tree.dimension(); ++k) offset[k] -= cell.hull[k * n];
+    return norm(offset - cell.axis * dot(cell.axis, offset));
+  };
+  double widest = 0;
+  for (int i = 1; i + 1 < n; ++i) {
+    Vec3 p;
+    for (int k = 0; k < tree.dimension(); ++k) p[k] = cell.hull[k * n + i];
+    widest = std::max(widest, across(p));
+  }
+  return across(point) > widest + tolerance + 4 * cell.margin;
+}
+
 bool meet(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
 
 // Both cones within less than a right angle of one direction: all tangents of the two pieces have
@@ -102,6 +119,12 @@ void CurveSearch::add_spans() {
 
 void CurveSearch::examine(int index_a, int index_b) {
   const CurvePair pair{a_, a_[index_a], b_, b_[index_b]};
+  if (boxes_apart(pair, tolerance_)) {
+    ++found_.excluded;
+    return;
+  }
+  a_.direct(index_a);
+  b_.direct(index_b);
   if (itself_ && index_a == index_b) {
     if (turns_little(pair.a, pair.a, 1)) return;
     if (pair.a.extent <= tolerance_ + 8 * pair.a.margin) return add_contact(pair, found_.contacts);
@@ -234,11 +257,13 @@ bool CurveSearch::settle_outside(const CurvePair& pair, CurveFoot foot) {
 
 std::vector<SpanPoint> feet_near(CurveTree& tree, const Vec3& point, double tolerance) {
   std::vector<int> cells;
-  for (int i = 0; i < tree.spans(); ++i) cells.push_back(i);
+  for (int i = 0; i < tree.spans(); ++i)
+    if (box_distance(tree[i], point, tree.dimension()) <= tolerance) cells.push_back(i);
   std::vector<SpanPoint> feet;
   while (!cells.empty()) {
     const int index = cells.back();
     cells.pop_back();
+    tree.direct(index);
     const CurveCell& cell = tree[index];
     if (box_distance(cell, point, tree.dimension()) > tolerance) continue;
     if (cell.cosine < kNarrow && cell.extent > tolerance + 8 * cell.margin) {
@@ -247,6 +272,7 @@ std::vector<SpanPoint> feet_near(CurveTree& tree, const Vec3& point, double tole
       cells.push_back(child + 1);
       continue;
     }
+    if (off_axis(tree, cell, point, tolerance)) continue;
     const SpanPoint foot = foot_in(tree, cell, point);
     if (distance(tree.jet(foot).point, point) <= tolerance + tree.evaluation_margin())
       feet.push_back(foot);

@@ -10,6 +10,7 @@ namespace {
 constexpr double kNarrow = 0.97;     // least cosine of half cones that are worth trying
 constexpr double kNearlyOne = 0.97;  // least cosine between the axes
 constexpr int kSolveSteps = 12;      // of Newton's method for the place with a given x
+constexpr double kNearX = 1e-15;     // of a cell; a smaller step in the search for x is rounding
 constexpr int kSearchSteps = 60;     // of the safeguarded search on x
 constexpr double kSettled = 1e-13;   // steps this small, as part of the range, are the last
 constexpr double kNoise = 1e-3;      // a gap this part of the bound on its error is 0
@@ -126,7 +127,7 @@ class Valley {
     for (int k = 0; k < kSolveSteps; ++k) {
       const double next =
           std::clamp(t + (x - point.x) / point.rate, cell.local.from, cell.local.to);
-      if (std::abs(next - t) <= 1e-16) break;
+      if (std::abs(next - t) <= kNearX * length(cell.local)) break;
       t = next;
       point = graph(tree, cell.span, t);
     }
