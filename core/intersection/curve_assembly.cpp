@@ -37,6 +37,16 @@ SpanPoint foot_along(const CurveTree& tree, const Vec3& point, double parameter)
   return at;
 }
 
+// A parameter on the shorter way between two, perhaps over the seam of a closed curve.
+double between(const CurveTree& tree, double from, double to, double part) {
+  const Interval domain = tree.curve().domain();
+  const double period = length(domain);
+  if (tree.closed() && std::abs(to - from) > 0.5 * period) to += to < from ? period : -period;
+  const double result = at({from, to}, part);
+  if (result > domain.to && tree.closed()) return result - period;
+  return result < domain.from && tree.closed() ? result + period : result;
+}
+
 Interval increasing(const Interval& x) { return {std::min(x.from, x.to), std::max(x.from, x.to)}; }
 
 bool overlap(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
@@ -181,8 +191,8 @@ bool CurveAssembly::same(const Candidate& p, const Candidate& q) const {
 bool CurveAssembly::connected(const Candidate& p, double at_a, double at_b) const {
   for (int i = 1; i <= kBetween; ++i) {
     const double part = static_cast<double>(i) / kBetween;
-    const Vec3 point = a_.jet(a_.place(at({p.at_a, at_a}, part))).point;
-    const SpanPoint foot = foot_along(b_, point, at({p.at_b, at_b}, part));
+    const Vec3 point = a_.jet(a_.place(between(a_, p.at_a, at_a, part))).point;
+    const SpanPoint foot = foot_along(b_, point, between(b_, p.at_b, at_b, part));
     if (!(distance(point, b_.jet(foot).point) <= 2 * tolerance_)) return false;
   }
   return true;
@@ -337,6 +347,7 @@ void CurveAssembly::add_run(const CurveContact& contact) {
     (gap_at(low + third) < gap_at(high - third) ? high -= third : low += third);
   }
   Candidate touch = foot_of(0.5 * (low + high));
+  if (itself_ && a_.stays_near(touch.at_a, touch.at_b, tolerance_)) return add_cusp(contact);
   if (touch.gap.low > tolerance_ || on_overlap(touch)) return;
   touch.touch = true;
   touch.half_length = 0.5 * run_length;

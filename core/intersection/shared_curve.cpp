@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLeastPart = 1e-3;  // of a; shorter common parts are contacts
 constexpr double kParallel = 1e-4;   // sine above which directions are not the same
+constexpr double kSameEnd = 1e-12;   // a foot this near an end is the end: rounding
 constexpr int kFootSteps = 8;
 
 // t = t0 + p (s - s0) / (1 + q (s - s0)), by value and two derivatives at one point.
@@ -57,15 +58,17 @@ std::optional<Interval> common_part(const LocalMap& map) {
   return part;
 }
 
+// The parameter in [0, 1] whose point is nearest, from a start.
 double foot(const RationalBezierCurve& b, const Vec3& point, double t) {
   for (int k = 0; k < kFootSteps; ++k) {
     const CurveJet jet = jet_at(b, t);
     const double square = dot(jet.first, jet.first);
     if (!(square > 0)) break;
     const double step = dot(point - jet.point, jet.first) / square;
-    t = std::clamp(t + step, -1e-6, 1 + 1e-6);
+    t = std::clamp(t + step, -1e-6, 1 + 1e-6);  // not far out: the start is near
     if (std::abs(step) < 1e-16) break;
   }
+  if (std::abs(t - std::round(t)) <= kSameEnd) return std::clamp(std::round(t), 0.0, 1.0);
   return std::clamp(t, 0.0, 1.0);
 }
 
@@ -108,8 +111,12 @@ std::optional<SharedCurve> shared_curve(const RationalBezierCurve& a, const Rati
                                         double s, double t, double tolerance) {
   const auto local = local_map(a, b, s, t);
   if (!local) return std::nullopt;
-  const auto part = common_part(*local);
+  auto part = common_part(*local);
   if (!part) return std::nullopt;
+  // Ends that b sets are feet of its ends: derivatives at one point do not tell them as well.
+  for (double* end : {&part->from, &part->to})
+    if (*end > 0 && *end < 1)
+      *end = foot(a, jet_at(b, std::round(std::clamp((*local)(*end), 0.0, 1.0))).point, *end);
   std::array<double, 3> feet{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double x = at(*part, 0.5 * static_cast<double>(i));

@@ -10,9 +10,9 @@
 
 #include "core/base/errors.h"
 #include "core/forms/conversion.h"
-#include "core/forms/degree.h"
 #include "tests/support/curves.h"
 #include "tests/support/random.h"
+#include "tests/support/shapes.h"
 #include "tests/support/sturm.h"
 
 namespace blossom {
@@ -378,94 +378,30 @@ TEST(CurveIntersection, RefusesBadInput) {
   EXPECT_THROW(intersect(axis(), negative), InvalidInput);
 }
 
-TEST(CurveSelfIntersection, LoopsWithinOneSpanAreFound) {
-  const CurveSpans loop = bezier({{0, 0, 0}, {3, 2, 0}, {-2, 2, 0}, {1, 0, 0}});
-  for (const bool space : {false, true}) {
-    const CurveIntersection found = self_intersections(space ? in_space(loop) : loop);
-    EXPECT_EQ(found.status, Status::Complete);
-    ASSERT_EQ(found.points.size(), 1U);
-    EXPECT_NEAR(found.points[0].a, 0.5 - std::sqrt(0.1875), 1e-13);
-    EXPECT_NEAR(found.points[0].b, 0.5 + std::sqrt(0.1875), 1e-13);
-  }
-}
-
-TEST(CurveSelfIntersection, SimpleAndClosedCurvesHaveNone) {
-  for (const CurveSpans& curve :
-       {circle({0, 0}, 1), in_space(circle({0.2, 0}, 1)), parabola(0), axis(),
-        testing::polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}})}) {
-    const CurveIntersection found = self_intersections(curve);
-    EXPECT_EQ(found.status, Status::Complete);
-    EXPECT_TRUE(found.points.empty());
-  }
-}
-
-TEST(CurveSelfIntersection, PentagramHasFivePoints) {
-  std::vector<Vec3> corners;
-  for (int i = 0; i <= 5; ++i)
-    corners.push_back({std::cos(0.8 * kPi * (i % 5)), std::sin(0.8 * kPi * (i % 5)), 0});
-  const CurveIntersection found = self_intersections(testing::polygon(corners));
-  EXPECT_EQ(found.status, Status::Complete);
-  EXPECT_EQ(found.points.size(), 5U);
-  for (const CurvePoint& p : found.points) EXPECT_LT(p.a, p.b);
-}
-
-TEST(CurveSelfIntersection, CuspIsAPlace) {
-  const CurveSpans cusp = bezier({{1, -1, 0}, {-1. / 3, 1, 0}, {-1. / 3, -1, 0}, {1, 1, 0}});
-  const CurveIntersection found = self_intersections(cusp);
-  EXPECT_EQ(found.status, Status::Tolerance);
-  EXPECT_TRUE(found.points.empty());
-  ASSERT_EQ(found.places.size(), 1U);
-  EXPECT_EQ(found.places[0].kind, PlaceKind::Cusp);
-  EXPECT_LE(found.places[0].a.from, 0.5);
-  EXPECT_GE(found.places[0].b.to, 0.5);
-}
-
-// Graphs y = f(x) and y = g(x) of degree 1..7 with small dyadic coordinates, sheared by whole
-// numbers, elevated, reversed and turned into space: the number of crossings is the number of
-// roots of f - g, exactly.
-class RandomGraphs : public ::testing::TestWithParam<int> {};
-
-BezierCurve graph(const std::vector<double>& y, int sheared) {
-  BezierCurve curve;
-  const double n = static_cast<double>(y.size()) - 1;
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    const double x = static_cast<double>(i) / n;
-    curve.points.push_back({x + sheared * y[i], y[i], 0});
-  }
-  return curve;
-}
-
-TEST_P(RandomGraphs, HaveAsManyCrossingsAsTheirDifferenceHasRoots) {
-  auto random = seeded(GetParam());
-  for (int trial = 0; trial < 100; ++trial) {
-    const int n = testing::pick(random, 1, 3) == 1 ? testing::pick(random, 1, 2)
-                                                   : testing::pick(random, 2, 4) * 2 - 1;
-    std::vector<double> f, g;
-    std::vector<testing::Rational> difference;
-    for (int i = 0; i <= n; ++i) {
-      f.push_back(testing::pick(random, -64, 64) / 32.0);
-      g.push_back(testing::pick(random, -64, 64) / 32.0);
-      difference.emplace_back(f.back() - g.back());
+// A curve cut into spans is the same curve: same points, and one common run from end to end.
+TEST(CurveIntersection, CutsIntoSpansChangeNothing) {
+  auto random = seeded(3);
+  for (int trial = 0; trial < 200; ++trial) {
+    const int n = testing::pick(random, 2, 6);
+    const auto whole = testing::random_curve<Vec4>(random, n);
+    RationalBezierCurve a;
+    for (const Vec4& p : whole.points) a.points.push_back({p[0], p[1], 0, 1});
+    const double first = testing::uniform(random, 0.1, 0.5);
+    const std::vector<double> cuts{0, first, testing::uniform(random, first + 0.1, 0.9), 1};
+    CurveSpans spans;
+    for (std::size_t i = 0; i < 3; ++i) {
+      CurveSpan span = piece(a, {cuts[i], cuts[i + 1]}).spans[0];
+      span.place = {cuts[i], cuts[i + 1]};
+      spans.spans.push_back(span);
     }
-    if (f.front() == g.front() || f.back() == g.back()) continue;
-    const int count = testing::count_roots(testing::powers(difference), 0, 1);
-    const int sheared = testing::pick(random, -2, 2);
-    BezierCurve a = graph(f, sheared), b = graph(g, sheared);
-    if (testing::pick(random, 0, 1)) b = elevated(b, n + testing::pick(random, 1, 3));
-    if (testing::pick(random, 0, 1)) std::reverse(b.points.begin(), b.points.end());
-    CurveSpans p = curve_spans(a), q = curve_spans(b);
-    if (testing::pick(random, 0, 2) == 0) {
-      p = in_space(p);
-      q = in_space(q);
-    }
-    const CurveIntersection found = intersect(p, q);
-    EXPECT_EQ(static_cast<int>(found.points.size()), count)
-        << "degree " << n << ", trial " << trial << ", status " << to_string(found.status);
-    expect_on_both(found, p, q);
+    const CurveIntersection found = intersect(curve_spans(a), spans);
+    ASSERT_EQ(found.overlaps.size(), 1U) << trial;
+    EXPECT_EQ(found.overlaps[0].a, (Interval{0, 1})) << trial;
+    EXPECT_EQ(self_intersections(curve_spans(a)).points.size(),
+              self_intersections(spans).points.size())
+        << trial;
   }
 }
-
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomGraphs, ::testing::Range(0, 100));
 
 }  // namespace
 }  // namespace blossom
