@@ -123,6 +123,25 @@ TEST(CurveIntersection, CrossingsWithinToleranceOfEachOtherAreOneTouch) {
   expect_touch(parabola(-1e-15), axis(), {0, 0, 0}, 0);
 }
 
+// Down to rounding: boxes that hold one point each have none in common.
+TEST(CurveIntersection, BoxesOfProvenPointsAreDisjoint) {
+  for (double depth = 1e-6; depth > 1e-15; depth *= 0.8) {
+    const CurveIntersection found = intersect(parabola(-depth), axis());
+    ASSERT_LE(found.points.size(), 2U);
+    if (found.points.size() < 2 || !found.points[0].proven || !found.points[1].proven) {
+      EXPECT_EQ(found.status, Status::Tolerance);
+      continue;
+    }
+    EXPECT_LT(found.points[0].box_a.to, found.points[1].box_a.from) << depth;
+    // The true roots: t = (1 -+ sqrt(depth)) / 2.
+    for (int i = 0; i < 2; ++i) {
+      const double root = 0.5 + (i == 0 ? -0.5 : 0.5) * std::sqrt(depth);
+      EXPECT_LE(found.points[static_cast<std::size_t>(i)].box_a.from, root) << depth;
+      EXPECT_GE(found.points[static_cast<std::size_t>(i)].box_a.to, root) << depth;
+    }
+  }
+}
+
 TEST(CurveIntersection, CirclesTouchOnce) {
   expect_touch(circle({0, 0}, 1), circle({1.5, 0}, 0.5), {1, 0, 0}, 0);
   expect_touch(circle({0, 0}, 1), circle({0.5, 0}, 0.5), {1, 0, 0}, 0);
