@@ -3,10 +3,13 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/forms/degree.h"
 #include "core/forms/products.h"
@@ -76,14 +79,30 @@ inline BezierSurface of_patch(const RationalBezierPatch& patch) {
   return surface;
 }
 
-/// A surface of one span with u and v reversed.
+/// u and v reversed, on the same ranges.
 inline BezierSurface reversed(const BezierSurface& surface) {
-  return of_patch(sub_patch(surface.patches(0, 0), {1, 0}, {1, 0}));
+  const auto turned = [](std::vector<double> knots) {
+    std::reverse(knots.begin(), knots.end());
+    const double sum = knots.front() + knots.back();
+    for (double& knot : knots) knot = sum - knot;
+    return knots;
+  };
+  BezierSurface result = surface;
+  result.u_knots = turned(surface.u_knots);
+  result.v_knots = turned(surface.v_knots);
+  const int rows = surface.patches.rows(), columns = surface.patches.columns();
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j)
+      result.patches(i, j) =
+          sub_patch(surface.patches(rows - 1 - i, columns - 1 - j), {1, 0}, {1, 0});
+  return result;
 }
 
-/// A surface of one span with higher degrees.
-inline BezierSurface elevated(const BezierSurface& surface, int degree) {
-  return of_patch(elevated(surface.patches(0, 0), degree, degree));
+/// Higher degrees in both directions.
+inline BezierSurface elevated(BezierSurface surface, int degree) {
+  for (RationalBezierPatch& patch : surface.patches.values())
+    patch = elevated(patch, degree, degree);
+  return surface;
 }
 
 /// A surface of one span as one of two, with a knot inside and other knots than it had.

@@ -56,14 +56,26 @@ struct Row {
   bool regular() const { return places.empty(); }
 };
 
+Cubic oval(double from, double to, double branch) {
+  return kY * kY + -1.0 * (linear(-from, 1, 0) * linear(-to, 1, 0) * linear(-branch, 1, 0));
+}
+
 const std::vector<Row> kRows{
     {"transversal", linear(-0.5, 1, 0) + 0.3 * kMiddleY + 0.4 * (kMiddleY * kMiddleY), {.open = 1}},
+    {"loop_2e_1", loop(0.43, 0.57, 0.2), {.closed = 1}},
+    {"loop_1e_1", loop(0.43, 0.57, 0.1), {.closed = 1}},
     {"loop_5e_2", loop(0.43, 0.57, 0.05), {.closed = 1}},
+    {"loop_2e_2", loop(0.43, 0.57, 0.02), {.closed = 1}},
+    {"loop_1e_2", loop(0.43, 0.57, 0.01), {.closed = 1}},
+    {"loop_5e_3", loop(0.43, 0.57, 0.005), {.closed = 1}},
     {"loop_1e_3", loop(0.43, 0.57, 0.001), {.closed = 1}},
     {"near_tangent_1e_2", kLine* kLine + constant(-1e-4), {.open = 2}},
-    {"oval_and_branch",
-     kY* kY + -1.0 * (linear(-0.2, 1, 0) * linear(-0.4, 1, 0) * linear(-0.7, 1, 0)),
-     {.open = 1, .closed = 1}},
+    {"near_tangent_1e_3", kLine* kLine + constant(-1e-6), {.open = 2}},
+    {"near_crossing_1e_3", kX* kY + constant(-1e-3), {.open = 2}},
+    {"near_crossing_1e_5", kX* kY + constant(-1e-5), {.open = 2}},
+    {"oval_and_branch", oval(0.2, 0.4, 0.7), {.open = 1, .closed = 1}},
+    {"small_oval_and_branch", oval(0.3, 0.33, 0.7), {.open = 1, .closed = 1}},
+    {"near_disjoint", loop(0.43, 0.57, 0) + constant(1e-6), {}},
     {"touch", loop(0.43, 0.57, 0), {.points = 1}, {PlaceKind::Touch}},
     {"tangent_curve", kLine* kLine, {.open = 1, .tangential = 1}, {PlaceKind::Tangential}},
     {"crossing", kX* kY, {.open = 4, .nodes = 1}, {PlaceKind::Node}},
@@ -72,12 +84,14 @@ const std::vector<Row> kRows{
      {.open = 3, .nodes = 1},
      {PlaceKind::Node}},
     {"cusp", kY* kY + -1.0 * (kX * kX * kX), {.open = 1}, {PlaceKind::Cusp}},
+    {"acnode", oval(0.3, 0.3, 0.6), {.open = 1, .points = 1}, {PlaceKind::Touch}},
 };
 
 struct Change {
   const char* name;
   std::function<CubicPair(const CubicPair&, Random&)> apply;
   double scale = 1;
+  int draws = 1;  ///< of what is random in it
 };
 
 Change motion(const char* name, double scale) {
@@ -86,7 +100,7 @@ Change motion(const char* name, double scale) {
     motion.scale = scale;
     return CubicPair{moved(pair.a, motion), moved(pair.b, motion)};
   };
-  return {name, apply, scale};
+  return {name, apply, scale, 3};
 }
 
 Change scaling(const char* name, double scale) {
@@ -112,7 +126,7 @@ Change split(const char* name, const auto& cut_a, const auto& cut_b) {
     const double cut = uniform(random, 0.15, 0.85);
     return CubicPair{cut_a(pair.a, cut), cut_b(pair.b, cut)};
   };
-  return {name, apply};
+  return {name, apply, 1, 3};
 }
 
 BezierSurface same(const BezierSurface& surface, double) { return surface; }
@@ -145,11 +159,13 @@ const std::vector<Change> kChanges{
     {"weighted_a",
      [](const CubicPair& p, Random& random) {
        return CubicPair{testing::weighted(p.a, random_weight(random)), p.b};
-     }},
+     },
+     1, 3},
     {"weighted_b",
      [](const CubicPair& p, Random& random) {
        return CubicPair{p.a, testing::weighted(p.b, random_weight(random))};
-     }},
+     },
+     1, 3},
 };
 
 class Metamorphic : public ::testing::TestWithParam<std::tuple<int, int>> {
@@ -160,11 +176,10 @@ class Metamorphic : public ::testing::TestWithParam<std::tuple<int, int>> {
   }
 };
 
-// Three draws of what is random in a change.
 TEST_P(Metamorphic, ChangesNothing) {
   const CubicPair pair = cubic_pair(row().h);
   const std::vector<double> before = lengths(intersect(pair.a, pair.b), 1);
-  for (int seed = 0; seed < 3; ++seed) {
+  for (int seed = 0; seed < change().draws; ++seed) {
     SCOPED_TRACE(seed);
     Random random = testing::seeded(seed);
     const CubicPair changed = change().apply(pair, random);
@@ -182,6 +197,33 @@ TEST_P(Metamorphic, ChangesNothing) {
     ASSERT_EQ(after.size(), before.size());
     for (std::size_t i = 0; i < after.size(); ++i)
       EXPECT_NEAR(after[i], before[i], (row().regular() ? 1e-6 : 1e-3) * before[i]);
+  }
+}
+
+// The whole of a lies on b.
+TEST(MetamorphicOverlap, ChangesNothing) {
+  const CubicPair pair = cubic_pair(constant(0));
+  const auto boundary = [](const SurfaceIntersection& found) {
+    double sum = 0;
+    for (const Overlap& overlap : found.overlaps)
+      for (std::size_t i = 0; i + 1 < overlap.boundary.size(); ++i)
+        sum += distance(overlap.boundary[i].point, overlap.boundary[i + 1].point);
+    return sum;
+  };
+  const double before = boundary(intersect(pair.a, pair.b));
+  for (const Change& change : kChanges) {
+    SCOPED_TRACE(change.name);
+    Random random = testing::seeded(0);
+    const CubicPair changed = change.apply(pair, random);
+
+    const SurfaceIntersection found = intersect(
+        changed.a, changed.b, {.tolerances = {.point = Tolerances{}.point * change.scale}});
+
+    EXPECT_EQ(found.status, Status::Tolerance);
+    EXPECT_EQ(components(found), Components{});
+    EXPECT_EQ(found.overlaps.size(), 1u);
+    EXPECT_EQ(kinds(found), std::vector{PlaceKind::Overlap});
+    EXPECT_NEAR(boundary(found) / change.scale, before, 1e-4 * before);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "core/base/errors.h"
 #include "core/forms/evaluation.h"
 #include "tests/support/cubic_family.h"
+#include "tests/support/intersection_checks.h"
 
 namespace blossom {
 namespace {
@@ -20,56 +21,20 @@ using testing::constant;
 using testing::Cubic;
 using testing::cubic_pair;
 using testing::CubicPair;
+using testing::in_some_place;
 using testing::linear;
 using testing::loop;
+using testing::on_some_curve;
+using testing::projected_length;
+using testing::total_projected_length;
 
 constexpr double kA = 0.43, kB = 0.57;
 const Cubic kX = linear(-kA, 1, 0);
 const Cubic kY = linear(-kB, 0, 1);
 
-// Length of a curve's projection to the x-y plane, by Simpson's rule on its spline.
-double projected_length(const IntersectionCurve& curve) {
-  double sum = 0;
-  const auto& knots = curve.curve.knots;
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    constexpr int kParts = 8;
-    const double h = (knots[i + 1] - knots[i]) / kParts;
-    for (int k = 0; k < kParts; ++k)
-      for (const auto& [t, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}}) {
-        const Vec3 d = derivative_at(curve.curve, knots[i] + (k + t) * h);
-        sum += weight * h / 6 * std::hypot(d[0], d[1]);
-      }
-  }
-  return sum;
-}
-
-double total_length(const SurfaceIntersection& found) {
-  double sum = 0;
-  for (const IntersectionCurve& curve : found.curves) sum += projected_length(curve);
-  return sum;
-}
-
 int closed_curves(const SurfaceIntersection& found) {
   return static_cast<int>(std::count_if(found.curves.begin(), found.curves.end(),
                                         [](const IntersectionCurve& c) { return c.closed; }));
-}
-
-bool in_some_place(const SurfaceIntersection& found, const Vec3& p, double slack) {
-  return std::any_of(found.places.begin(), found.places.end(), [&](const Place& place) {
-    for (int k = 0; k < 3; ++k)
-      if (p[k] < place.box_low[k] - slack || p[k] > place.box_high[k] + slack) return false;
-    return true;
-  });
-}
-
-bool on_some_curve(const SurfaceIntersection& found, const Vec3& p, double slack) {
-  for (const IntersectionCurve& curve : found.curves)
-    for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
-      const Vec3 from = curve.samples[i].point, step = curve.samples[i + 1].point - from;
-      const double t = std::clamp(dot(p - from, step) / dot(step, step), 0.0, 1.0);
-      if (distance(p, from + step * t) <= slack) return true;
-    }
-  return false;
 }
 
 Vec3 on_base(double x, double y) { return {x, y, testing::base_cubic()(x, y)}; }
@@ -115,7 +80,7 @@ TEST_P(RegularFamily, IsFoundCompletely) {
   EXPECT_EQ(static_cast<int>(found.curves.size()), row.open + row.closed);
   EXPECT_TRUE(found.points.empty());
   EXPECT_TRUE(found.places.empty());
-  EXPECT_NEAR(total_length(found), row.length, row.relative * row.length);
+  EXPECT_NEAR(total_projected_length(found), row.length, row.relative * row.length);
   expect_sound(found, pair);
 }
 
@@ -205,7 +170,7 @@ TEST_P(ContactFamily, IsRightUpToTheListedPlace) {
   EXPECT_EQ(tangential, row.tangential);
   ASSERT_EQ(found.places.size(), 1u);
   EXPECT_EQ(found.places[0].kind, row.kind);
-  EXPECT_NEAR(total_length(found), row.length, 1e-3 * row.length);
+  EXPECT_NEAR(total_projected_length(found), row.length, 1e-3 * row.length);
   for (const IntersectionCurve& curve : found.curves)
     for (const SurfacePoint& sample : curve.samples)
       EXPECT_LE(distance(point_at(pair.a, sample.uv_a), point_at(pair.b, sample.uv_b)), 1e-8);
@@ -312,7 +277,7 @@ TEST(SurfaceIntersection, IsTheSameWithArgumentsSwapped) {
   EXPECT_EQ(back.status, there.status);
   EXPECT_EQ(back.curves.size(), there.curves.size());
   EXPECT_EQ(closed_curves(back), closed_curves(there));
-  EXPECT_NEAR(total_length(back), total_length(there), 1e-7);
+  EXPECT_NEAR(total_projected_length(back), total_projected_length(there), 1e-7);
 }
 
 // The same surface cut into spans, with knots that are not its own parameters' halves.
@@ -343,7 +308,7 @@ TEST(SurfaceIntersection, RunsThroughTheKnotsOfASurfaceOfSeveralSpans) {
   EXPECT_EQ(found.status, Status::Complete);
   ASSERT_EQ(found.curves.size(), 1u);
   EXPECT_TRUE(found.curves[0].closed);
-  EXPECT_NEAR(total_length(found), 0.4 * kPi, 1e-6);
+  EXPECT_NEAR(total_projected_length(found), 0.4 * kPi, 1e-6);
   for (const SurfacePoint& sample : found.curves[0].samples)
     EXPECT_NEAR(sample.uv_a[0], 2 + 3 * sample.point[0], 1e-12);
 }
