@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Random small loops: none is lost, and each is proven.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/surface_intersection.h"
+#include "tests/support/components.h"
+#include "tests/support/cubic_family.h"
+#include "tests/support/intersection_checks.h"
+#include "tests/support/random.h"
+
+namespace blossom {
+namespace {
+
+using testing::Components;
+using testing::components;
+using testing::uniform;
+
+// Radii from 1e-3 to 0.1, each decade as often; the loop is scale r^2 deep, 10 tolerances or more.
+TEST(SmallLoops, AreNeverLost) {
+  for (int seed = 0; seed < 1000; ++seed) {
+    testing::Random random = testing::seeded(seed);
+    const double a = uniform(random, 0.15, 0.85), b = uniform(random, 0.15, 0.85);
+    const double r = seed % 3 == 0 ? 1e-3 : std::pow(10, uniform(random, -3, -1));
+    const double scale = seed % 2 == 0 ? 1 : 8;
+    const testing::CubicPair pair = cubic_pair(testing::loop(a, b, r, scale));
+
+    const SurfaceIntersection found = intersect(pair.a, pair.b);
+
+    SCOPED_TRACE(::testing::Message() << seed << ": a " << a << " b " << b << " r " << r);
+    EXPECT_EQ(found.status, Status::Complete);
+    EXPECT_EQ(components(found), (Components{.closed = 1}));
+    EXPECT_TRUE(found.places.empty());
+    const double length = 2 * std::numbers::pi * r;
+    EXPECT_NEAR(testing::total_projected_length(found), length, 1e-6 * length);
+  }
+}
+
+}  // namespace
+}  // namespace blossom
