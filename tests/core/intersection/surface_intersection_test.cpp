@@ -150,7 +150,8 @@ struct ContactRow {
   int points;
   int nodes;
   PlaceKind kind;  ///< of the only place
-  double length;   ///< in the plane; 0: not compared
+  double length;   ///< in the plane
+  double relative = 1e-6;
 };
 
 class ContactFamily : public ::testing::TestWithParam<ContactRow> {};
@@ -170,7 +171,7 @@ TEST_P(ContactFamily, IsRightUpToTheListedPlace) {
   EXPECT_EQ(tangential, row.tangential);
   ASSERT_EQ(found.places.size(), 1u);
   EXPECT_EQ(found.places[0].kind, row.kind);
-  EXPECT_NEAR(total_projected_length(found), row.length, 1e-3 * row.length);
+  EXPECT_NEAR(total_projected_length(found), row.length, row.relative * row.length);
   for (const IntersectionCurve& curve : found.curves)
     for (const SurfacePoint& sample : curve.samples)
       EXPECT_LE(distance(point_at(pair.a, sample.uv_a), point_at(pair.b, sample.uv_b)), 1e-8);
@@ -178,18 +179,20 @@ TEST_P(ContactFamily, IsRightUpToTheListedPlace) {
 
 const Cubic kX3 = linear(-0.3, 1, 0), kX6 = linear(-0.6, 1, 0);
 
+// A curve through a cusp is led into its place, a little short of the tip.
 INSTANTIATE_TEST_SUITE_P(
     Rows, ContactFamily,
-    ::testing::Values(
-        ContactRow{"tangent_curve", kLine* kLine, 1, 1, 0, 0, PlaceKind::Tangential, 1.01980},
-        ContactRow{"tangent_curve_raised", kLine* kLine + constant(2e-9), 1, 1, 0, 0,
-                   PlaceKind::Tangential, 1.01980},
-        ContactRow{"crossing", kX* kY, 4, 0, 0, 1, PlaceKind::Node, 2},
-        ContactRow{"node", kY* kY + -1.0 * (kX * kX * linear(-kA + 0.3, 1, 0)), 3, 0, 0, 1,
-                   PlaceKind::Node, 2.1211},
-        ContactRow{"cusp", kY* kY + -1.0 * (kX * kX * kX), 1, 0, 0, 0, PlaceKind::Cusp, 1.4505},
-        ContactRow{"acnode", kY* kY + -1.0 * (kX3 * kX3 * kX6), 1, 0, 1, 0, PlaceKind::Touch,
-                   1.18466}),
+    ::testing::Values(ContactRow{"tangent_curve", kLine* kLine, 1, 1, 0, 0, PlaceKind::Tangential,
+                                 1.019803903},
+                      ContactRow{"tangent_curve_raised", kLine* kLine + constant(2e-9), 1, 1, 0, 0,
+                                 PlaceKind::Tangential, 1.019803903},
+                      ContactRow{"crossing", kX* kY, 4, 0, 0, 1, PlaceKind::Node, 2},
+                      ContactRow{"node", kY* kY + -1.0 * (kX * kX * linear(-kA + 0.3, 1, 0)), 3, 0,
+                                 0, 1, PlaceKind::Node, 2.120883067},
+                      ContactRow{"cusp", kY* kY + -1.0 * (kX * kX * kX), 1, 0, 0, 0,
+                                 PlaceKind::Cusp, 1.450442489, 1e-5},
+                      ContactRow{"acnode", kY* kY + -1.0 * (kX3 * kX3 * kX6), 1, 0, 1, 0,
+                                 PlaceKind::Touch, 1.184664331}),
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(SurfaceIntersection, TwoBranchesNearerThanTheToleranceAreAStripOfContact) {
