@@ -17,7 +17,7 @@ class SmoothRuns : public ::testing::TestWithParam<testing::SurfacePair> {
     const Vec3 origin;
     SurfaceCells a(GetParam().a, origin, CellForm::Auto, kCut);
     SurfaceCells b(GetParam().b, origin, CellForm::Auto, kCut);
-    const PairSearchResult found = search_pairs(a, b, 1, {});
+    const PairSearchResult found = search_pairs(a, b, 1, KnownCurves({}, {}), {});
     std::vector<Clump> clumps;
     const std::vector<Chain> chains = chains_of(found, a, b, {}, clumps);
     ASSERT_FALSE(chains.empty());
