@@ -12,18 +12,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/surface_intersection.h"
 #include "tests/support/components.h"
 #include "tests/support/cubic_family.h"
+#include "tests/support/draws.h"
 #include "tests/support/intersection_checks.h"
+#include "tests/support/random.h"
 #include "tests/support/surface_changes.h"
 
 namespace blossom {
@@ -34,8 +34,11 @@ using testing::components;
 using testing::constant;
 using testing::Cubic;
 using testing::linear;
+using testing::log_uniform;
 using testing::pick;
 using testing::Random;
+using testing::setting;
+using testing::text;
 using testing::uniform;
 
 constexpr double kPi = std::numbers::pi;
@@ -49,21 +52,9 @@ struct Plant {
   std::string details{};
 };
 
-double log_uniform(Random& random, double low, double high) {
-  return std::exp(uniform(random, std::log(low), std::log(high)));
-}
-
 template <std::size_t N>
 double one_of(Random& random, const std::array<double, N>& values) {
   return values[static_cast<std::size_t>(pick(random, 0, static_cast<int>(N) - 1))];
-}
-
-template <class... Values>
-std::string text(const Values&... values) {
-  std::ostringstream out;
-  out.precision(17);
-  (out << ... << values);
-  return out.str();
 }
 
 bool in_square(const Vec2& p) { return p[0] >= 0 && p[0] <= 1 && p[1] >= 0 && p[1] <= 1; }
@@ -279,11 +270,6 @@ Plant random_plant(Random& random, double tolerance) {
   constexpr std::array kKinds{shallow_loop,   tiny_loop,        border_loop,   corner_loop,
                               gap_at_a_point, gap_along_a_line, shallow_lines, narrow_crossing};
   return kKinds[static_cast<std::size_t>(pick(random, 0, kKinds.size() - 1))](random, tolerance);
-}
-
-int setting(const char* name, int otherwise) {
-  const char* wanted = std::getenv(name);
-  return wanted != nullptr ? std::atoi(wanted) : otherwise;
 }
 
 TEST(ClaimsToBeComplete, AreTrueWherePlantsInviteFalseOnes) {

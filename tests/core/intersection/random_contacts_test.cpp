@@ -13,7 +13,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -23,6 +22,8 @@
 #include "core/surface_intersection.h"
 #include "tests/support/components.h"
 #include "tests/support/cubic_family.h"
+#include "tests/support/draws.h"
+#include "tests/support/random.h"
 #include "tests/support/surface_changes.h"
 
 namespace blossom {
@@ -33,8 +34,11 @@ using testing::components;
 using testing::constant;
 using testing::Cubic;
 using testing::linear;
+using testing::log_uniform;
 using testing::pick;
 using testing::Random;
+using testing::setting;
+using testing::text;
 using testing::uniform;
 
 constexpr double kTolerance = 1e-7;
@@ -70,10 +74,6 @@ struct Draw {
   }
 };
 
-double log_uniform(Random& random, double low, double high) {
-  return std::exp(uniform(random, std::log(low), std::log(high)));
-}
-
 Cubic random_base(Random& random) {
   Cubic base;
   for (std::size_t i = 0; i < 4; ++i)
@@ -93,14 +93,6 @@ struct Frame {
     y = linear(s * a - c * b, -s, c);
   }
 };
-
-template <class... Values>
-std::string text(const Values&... values) {
-  std::ostringstream out;
-  out.precision(17);
-  (out << ... << values);
-  return out.str();
-}
 
 Draw loop_draw(Random& random) {
   const Frame f(random);
@@ -299,11 +291,6 @@ std::string described(const Draw& draw, const Placed& placed, const SurfaceInter
   for (const IntersectionCurve& curve : found.curves)
     out << "\n  curve: " << curve.length << ", deviation " << curve.deviation.between;
   return out.str();
-}
-
-int setting(const char* name, int otherwise) {
-  const char* wanted = std::getenv(name);
-  return wanted != nullptr ? std::atoi(wanted) : otherwise;
 }
 
 struct Trial {
