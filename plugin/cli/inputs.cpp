@@ -77,4 +77,10 @@ Input read_input(const std::string& text, Faces need) {
   return input;
 }
 
+void share_model(const Input& a, Input& b) {
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(a.model.file(), b.model.file(), ignored)) return;
+  for (std::size_t i = 0; i < b.faces.size(); ++i) b.faces[i] = a.model.face(b.numbers[i]);
+}
+
 }  // namespace blossom::cli

@@ -40,4 +40,8 @@ enum class Faces { Required, Optional };
 ///          though they are required, or a face number does not exist
 Input read_input(const std::string& text, Faces need = Faces::Required);
 
+/// If both inputs are faces of one file, those of `b` become faces of the model of `a`, so that
+/// edges which they share are known to be the same.
+void share_model(const Input& a, Input& b);
+
 }  // namespace blossom::cli

@@ -143,7 +143,8 @@ int run(const Options& options) {
   check_outputs(options.common);
   start_threads(options.engine.threads);
   const Input a = read_input(options.a);
-  const Input b = read_input(options.b);
+  Input b = read_input(options.b);
+  share_model(a, b);
   stop_if_interrupted();
   const Timed result = timed_intersection(a, b, options);
   write_outputs(a, b, result, options.common);

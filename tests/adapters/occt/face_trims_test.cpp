@@ -119,5 +119,25 @@ TEST_F(PlanarCurveOf, EmptyRangeIsRefused) {
   EXPECT_THROW(planar_curve(new Geom2d_Circle(gp_Ax2d(), 1), {1, 1}), BadModel);
 }
 
+TEST(PartSide, TellsWhereARectangleLies) {
+  const FaceTrims trims = face_trims(square_with_hole());
+  EXPECT_EQ(part_side(trims, {0.1, 0.9}, {0.1, 0.9}), PartSide::Inside);
+  EXPECT_EQ(part_side(trims, {1.5, 2.5}, {1.5, 2.5}), PartSide::Outside);
+  EXPECT_EQ(part_side(trims, {0.5, 2}, {0.5, 2}), PartSide::Mixed);
+  EXPECT_EQ(part_side(trims, {0, 4}, {0, 4}), PartSide::Mixed);
+  EXPECT_EQ(part_side(trims, {4.5, 5}, {1, 2}), PartSide::Outside);
+  // In the hole, though no corner of it is far from the wire.
+  EXPECT_EQ(part_side(trims, {1.3, 2.7}, {1.3, 2.7}), PartSide::Outside);
+  EXPECT_EQ(part_side(trims, {1.29, 2.71}, {1.29, 2.71}), PartSide::Mixed);
+}
+
+TEST(PartSide, KnowsPeriods) {
+  const Handle(Geom_CylindricalSurface) wall = new Geom_CylindricalSurface(gp_Ax3(), 1);
+  const FaceTrims trims = face_trims(BRepBuilderAPI_MakeFace(wall, 6, 7, 0, 1, 1e-7));
+  const double turn = 2 * kPi;
+  EXPECT_NE(part_side(trims, {6.2 - turn, 6.4 - turn}, {0.2, 0.8}), PartSide::Outside);
+  EXPECT_EQ(part_side(trims, {3, 4}, {0.2, 0.8}), PartSide::Outside);
+}
+
 }  // namespace
 }  // namespace blossom::occt

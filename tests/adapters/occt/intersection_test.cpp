@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/intersection.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+
+#include "adapters/occt/intersection_edges.h"
+
+namespace blossom::occt {
+namespace {
+
+TopoDS_Face square_with_hole() {
+  BRepBuilderAPI_MakeFace maker(gp_Pln(), -4, 4, -4, 4);
+  const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, -1)), 1);
+  maker.Add(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle)));
+  return maker.Face();
+}
+
+TopoDS_Face sphere_at(const gp_Pnt& centre, double radius) {
+  return faces_of(BRepPrimAPI_MakeSphere(centre, radius).Shape()).front();
+}
+
+TEST(IntersectShapes, SeesNothingInAHole) {
+  const ShapeIntersection found = intersect({square_with_hole()}, {sphere_at({0, 0, 0.3}, 0.5)});
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+}
+
+// The contact lies in the hole: it is none, and does not weaken the answer.
+TEST(IntersectShapes, DoesNotMindAContactOutsideOfTheTrims) {
+  const TopoDS_Face sphere = sphere_at({0.2, 0.1, 0.5}, 0.5);
+  const ShapeIntersection with_hole = intersect({square_with_hole()}, {sphere});
+  EXPECT_EQ(with_hole.status, Status::Complete);
+  EXPECT_TRUE(with_hole.pairs.empty());
+  const ShapeIntersection without =
+      intersect({BRepBuilderAPI_MakeFace(gp_Pln(), -4, 4, -4, 4)}, {sphere});
+  EXPECT_EQ(without.status, Status::Tolerance);
+  ASSERT_EQ(without.pairs.size(), 1u);
+  EXPECT_EQ(without.pairs[0].found.points.size(), 1u);
+}
+
+TEST(IntersectShapes, CutsCurvesAtAHole) {
+  const gp_Pln upright(gp_Pnt(0, 0.6, 0), gp_Dir(0, 1, 0));
+  const ShapeIntersection found =
+      intersect({square_with_hole()}, {BRepBuilderAPI_MakeFace(upright, -3, 3, -3, 3)});
+  EXPECT_EQ(found.status, Status::Complete);
+  ASSERT_EQ(found.pairs.size(), 1u);
+  double sum = 0;
+  for (const IntersectionCurve& curve : found.pairs[0].found.curves) sum += curve.length;
+  EXPECT_EQ(found.pairs[0].found.curves.size(), 2u);
+  EXPECT_NEAR(sum, 6 - 2 * 0.8, 1e-6);
+}
+
+TEST(IntersectShapes, IsTheSameForAnyNumberOfThreads) {
+  const auto box = faces_of(BRepPrimAPI_MakeBox(gp_Pnt(-1, -1, -1), 2, 2, 2).Shape());
+  const auto cylinder =
+      faces_of(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.3, 0.2, -2), gp_Dir(0.1, 0.2, 1)), 0.4, 4)
+                   .Shape());
+  const ShapeIntersection alone = intersect(box, cylinder, {.threads = 1});
+  for (const int threads : {0, 2, 5}) {
+    const ShapeIntersection found = intersect(box, cylinder, {.threads = threads});
+    EXPECT_EQ(found.status, alone.status);
+    ASSERT_EQ(found.pairs.size(), alone.pairs.size());
+    for (std::size_t i = 0; i < alone.pairs.size(); ++i) {
+      EXPECT_EQ(found.pairs[i].face_a, alone.pairs[i].face_a);
+      EXPECT_EQ(found.pairs[i].face_b, alone.pairs[i].face_b);
+      ASSERT_EQ(found.pairs[i].found.curves.size(), alone.pairs[i].found.curves.size());
+      for (std::size_t k = 0; k < alone.pairs[i].found.curves.size(); ++k)
+        EXPECT_EQ(found.pairs[i].found.curves[k].curve.points,
+                  alone.pairs[i].found.curves[k].curve.points);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blossom::occt
