@@ -47,17 +47,13 @@ Box hull_box(const BezierSurface& surface) {
 class Assembly {
  public:
   Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options)
-      : a_(a), b_(b), options_(options) {
-    const Box box_a = hull_box(a), box_b = hull_box(b);
-    size_ = std::max(diagonal(box_a), diagonal(box_b));
-    const Vec3 low = box_a.low, high = box_a.high;
-    origin_ = 0.5 * (low + high);
-  }
+      : Assembly(a, b, options, hull_box(a), hull_box(b)) {}
 
   SurfaceIntersection run() {
     SurfaceCells cells_a(a_, origin_, options_.form, kCut, options_.part_a);
     SurfaceCells cells_b(b_, origin_, options_.form, kCut, options_.part_b);
-    found_ = search_pairs(cells_a, cells_b, size_, KnownCurves(options_.known, origin_), options_);
+    found_ = search_pairs(cells_a, cells_b, size_, known_, options_);
+    drop_beside_known(cells_a);
     result_.certificate = found_.certificate;
     drop_beside_contacts(found_, cells_a, cells_b, options_.tolerances.point);
     add_overlaps(cells_a, cells_b);
@@ -91,11 +87,36 @@ class Assembly {
   }
 
  private:
+  Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options,
+           const Box& box_a, const Box& box_b)
+      : a_(a),
+        b_(b),
+        options_(options),
+        size_(std::max(diagonal(box_a), diagonal(box_b))),
+        origin_(0.5 * (box_a.low + box_a.high)),
+        known_(options.known, origin_) {}
+
   void weaken(Status status, const std::string& reason) {
     result_.status = weaker(result_.status, status);
     auto& reasons = result_.certificate.reasons;
     if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
       reasons.push_back(reason);
+  }
+
+  // Where smooth faces meet along a known curve, what rounding makes of their borders crosses there
+  // again and again.
+  void drop_beside_known(SurfaceCells& cells_a) {
+    if (known_.empty()) return;
+    for (FoundArc& arc : found_.arcs) {
+      const RationalBezierPatch& patch = cells_a.tree(arc.patch_a).patch();
+      const Point4 &p = arc.arc.from, &q = arc.arc.to;
+      const auto is_near = [&](double t) {
+        const Vec3 x = point_at(patch, at(Interval{p[0], q[0]}, t), at(Interval{p[1], q[1]}, t));
+        return known_.hold({x, x});
+      };
+      arc.dropped = arc.dropped || (is_near(0) && is_near(0.5) && is_near(1));
+      found_.beside_known = found_.beside_known || arc.dropped;
+    }
   }
 
   // --- coincidence
@@ -264,11 +285,13 @@ class Assembly {
     if (!std::isfinite(curve.length + d.a + d.b + d.between)) return add_untraced(cells_a, chain);
     curve.closed = chain.closed;
     curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
-    for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const SurfacePoint& end = side == 0 ? curve.samples.front() : curve.samples.back();
       if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0 &&
-          chain.ends[side].contact < 0 && !curve.tangential &&
-          !bounds_overlap(side == 0 ? curve.samples.front() : curve.samples.back()))
-        add_loose_end(side == 0 ? curve.samples.front() : curve.samples.back());
+          chain.ends[side].contact < 0 && !curve.tangential && !bounds_overlap(end) &&
+          !beside_known(end.point))
+        add_loose_end(end);
+    }
     double& least = result_.certificate.least_angle;
     least = result_.curves.empty() ? curve.least_angle : std::min(least, curve.least_angle);
     result_.curves.push_back(std::move(curve));
@@ -419,6 +442,11 @@ class Assembly {
     return box;
   }
 
+  // True if a branch may end there, since what follows was not searched.
+  bool beside_known(const Vec3& point) const {
+    return known_.hold({point - origin_, point - origin_});
+  }
+
   void add_loose_end(const SurfacePoint& end) {
     result_.places.push_back(place_at(end));
     weaken(Status::Stopped, "a branch ends inside both surfaces without a reason");
@@ -487,8 +515,9 @@ class Assembly {
   const BezierSurface& a_;
   const BezierSurface& b_;
   const IntersectionOptions& options_;
-  double size_ = 0;
-  Vec3 origin_;
+  const double size_;
+  const Vec3 origin_;
+  const KnownCurves known_;
   PairSearchResult found_;
   std::vector<ContactChain> contacts_;
   std::vector<Clump> clumps_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
@@ -21,6 +22,7 @@ namespace {
 constexpr double kLeastEdgeTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
 constexpr double kEdgeMargin = 1.1;           // of the edge's tolerance over the deviation
 constexpr double kSmoothAngle = 0.05;         // radians: so flat an edge is taken for smooth
+constexpr double kExact = 1e-9;               // of the size: borders as near as this agree
 constexpr double kEdgeReach = 4;     // of a shared edge's tolerance: what is so near is the edge
 constexpr double kEdgeStrip = 2e-3;  // of the faces' size: so near, smooth faces are one
 constexpr double kEdgeSag = 1e-4;    // of a shared edge's length, for the chords of its samples
@@ -200,7 +202,8 @@ double distance_to(const std::vector<SurfacePoint>& polygon, const Vec3& p) {
   return least;
 }
 
-// Where the faces go on smoothly, or nearly: nothing beside the edge can be told apart.
+// Where the faces go on smoothly, or their borders agree only roughly, nothing beside the edge can
+// be told apart.
 KnownCurve known_curve(const SharedEdge& edge, double size) {
   KnownCurve known{{}, std::max(kEdgeReach * edge.tolerance, kEdgeStrip * size), 0};
   for (const SurfacePoint& x : edge.curve.samples) known.points.push_back(x.point);
@@ -250,8 +253,11 @@ class PairIntersector {
     const std::vector<SharedEdge> edges = shared_edges(shapes_a_[i], shapes_b_[j]);
     IntersectionOptions options = remaining();
     const double size = std::min(diagonal(a.box), diagonal(b.box));
-    for (const SharedEdge& edge : edges)
-      if (edge.curve.least_angle < kSmoothAngle) options.known.push_back(known_curve(edge, size));
+    for (const SharedEdge& edge : edges) {
+      KnownCurve known = known_curve(edge, size);
+      if (edge.curve.least_angle < kSmoothAngle || known.gap > kExact * size)
+        options.known.push_back(std::move(known));
+    }
     options.part_a = part_test(a.trims);
     options.part_b = part_test(b.trims);
     FaceIntersection result{pair.first, pair.second, intersect(a.surface, b.surface, options), {}};
