@@ -19,6 +19,8 @@ Point4 over_surfaces(const SurfaceCells& a, const SurfaceCells& b, int patch_a, 
           b.span_v(patch_b) + x[3]};
 }
 
+Point4 mirrored(const Point4& p) { return {p[2], p[3], p[0], p[1]}; }
+
 bool same(const Point4& p, const Point4& q) {
   for (std::size_t i = 0; i < 4; ++i)
     if (std::abs(p[i] - q[i]) > kJoin) return false;
@@ -45,7 +47,8 @@ class Graph {
   std::vector<ArcEnd> loose() const {
     std::vector<ArcEnd> ends;
     for (std::size_t e = 0; e < points_.size(); ++e)
-      if (!dropped_[e / 2] && contact_of_[e] < 0 && ends_at(e).size() != 2 && !on_border(e))
+      if (!dropped_[e / 2] && contact_of_[e] < 0 && ends_at(e).size() != 2 && !on_border(e) &&
+          !is_swapped(e))
         ends.push_back(e);
     return ends;
   }
@@ -148,6 +151,10 @@ class Graph {
     }
   }
 
+  bool is_swapped(std::size_t end) const {
+    return std::find(found_.swapped.begin(), found_.swapped.end(), end) != found_.swapped.end();
+  }
+
   // The surface on whose border an end of a single arc lies.
   std::optional<CurveEnd> on_border(std::size_t end) const {
     if (ends_at(end).size() != 1) return std::nullopt;
@@ -168,13 +175,19 @@ class Graph {
 
   ChainEnd end_kind(std::size_t end, const std::vector<Clump>& clumps) const {
     if (contact_of_[end] >= 0) return {CurveEnd::Place, -1, contact_of_[end]};
+    if (is_swapped(end)) return {CurveEnd::Closed, -1, -1};
     if (const auto border = on_border(end)) return {*border, -1, -1};
     const Point4& p = points_[end];
     for (std::size_t c = 0; c < clumps.size(); ++c)
       for (const int i : clumps[c].pairs)
-        if (holds(found_.critical[static_cast<std::size_t>(i)], p))
+        if (in_pair(found_.critical[static_cast<std::size_t>(i)], p))
           return {CurveEnd::Place, static_cast<int>(c), -1};
     return {CurveEnd::Place, -1, -1};
+  }
+
+  // Of a surface with itself either way round.
+  bool in_pair(const CriticalPair& pair, const Point4& p) const {
+    return holds(pair, p) || (&a_ == &b_ && holds(pair, mirrored(p)));
   }
 
   bool holds(const CriticalPair& pair, const Point4& p) const {
@@ -201,7 +214,113 @@ class Graph {
   std::vector<bool> used_;
 };
 
+void mirror(FoundArc& arc) {
+  std::swap(arc.patch_a, arc.patch_b);
+  std::swap(arc.box[0], arc.box[2]);
+  std::swap(arc.box[1], arc.box[3]);
+  arc.arc.from = mirrored(arc.arc.from);
+  arc.arc.to = mirrored(arc.arc.to);
+  arc.arc.direction = mirrored(arc.arc.direction);
+}
+
+// Two ends of different arcs that are one point, perhaps with its sides exchanged.
+struct EndMatch {
+  std::size_t end, other;
+  bool exchanged;
+};
+
+class SideAgreement {
+ public:
+  SideAgreement(PairSearchResult& found, const SurfaceCells& cells) : found_(found) {
+    for (const FoundArc& arc : found.arcs)
+      for (const Point4& x : {arc.arc.from, arc.arc.to})
+        points_.push_back(over_surfaces(cells, cells, arc.patch_a, arc.patch_b, x));
+    find_matches();
+    drop_grazes(cells);
+  }
+
+  void run() {
+    turned_.assign(found_.arcs.size(), kUnknown);
+    // Contacts know their arms as they were found.
+    for (std::size_t i = 0; i < found_.arcs.size(); ++i) {
+      const FoundArc& arc = found_.arcs[i];
+      if (arc.arc.tangential || arc.contact != std::array{-1, -1}) turned_[i] = 0;
+    }
+    for (std::size_t i = 0; i < found_.arcs.size(); ++i)
+      if (turned_[i] == 0) spread_from(i);
+    for (std::size_t i = 0; i < found_.arcs.size(); ++i) {
+      if (turned_[i] != kUnknown) continue;
+      turned_[i] = 0;
+      spread_from(i);
+    }
+    for (std::size_t e = 0; e < points_.size(); ++e)
+      for (const EndMatch& match : matches_[e])
+        if (match.exchanged != (turned_[e / 2] != turned_[match.other / 2])) {
+          found_.swapped.push_back(e);
+          break;
+        }
+    for (std::size_t i = 0; i < found_.arcs.size(); ++i)
+      if (turned_[i] == 1) mirror(found_.arcs[i]);
+  }
+
+ private:
+  static constexpr char kUnknown = 2;
+
+  // Exchanging the sides keeps this value.
+  static double value(const Point4& p) { return p[0] + p[2] + 0.6180339887 * (p[1] + p[3]); }
+
+  void find_matches() {
+    matches_.resize(points_.size());
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t e = 0; e < points_.size(); ++e) order.emplace_back(value(points_[e]), e);
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t j = i; j-- > 0 && order[i].first - order[j].first <= 4 * kJoin;)
+        match(order[i].second, order[j].second);
+  }
+
+  void match(std::size_t e, std::size_t f) {
+    if (e / 2 == f / 2) return;
+    const bool direct = same(points_[e], points_[f]);
+    if (!direct && !same(points_[e], mirrored(points_[f]))) return;
+    matches_[e].push_back({e, f, !direct});
+    matches_[f].push_back({f, e, !direct});
+  }
+
+  void drop_grazes(const SurfaceCells& cells) {
+    std::erase_if(found_.grazes, [&](const FoundGraze& graze) {
+      const Point4 p = over_surfaces(cells, cells, graze.patch_a, graze.patch_b, graze.x);
+      return std::any_of(points_.begin(), points_.end(),
+                         [&](const Point4& q) { return same(p, q) || same(mirrored(p), q); });
+    });
+  }
+
+  void spread_from(std::size_t first) {
+    std::vector<std::size_t> waiting{first};
+    while (!waiting.empty()) {
+      const std::size_t arc = waiting.back();
+      waiting.pop_back();
+      for (const std::size_t e : {2 * arc, 2 * arc + 1})
+        for (const EndMatch& match : matches_[e]) {
+          char& turned = turned_[match.other / 2];
+          if (turned != kUnknown) continue;
+          turned = static_cast<char>(match.exchanged ? 1 - turned_[arc] : turned_[arc]);
+          waiting.push_back(match.other / 2);
+        }
+    }
+  }
+
+  PairSearchResult& found_;
+  std::vector<Point4> points_;
+  std::vector<std::vector<EndMatch>> matches_;  // of an end
+  std::vector<char> turned_;                    // 1: the arc's sides have to be exchanged
+};
+
 }  // namespace
+
+void agree_on_sides(PairSearchResult& found, const SurfaceCells& cells) {
+  SideAgreement(found, cells).run();
+}
 
 std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& a,
                              const SurfaceCells& b, const std::vector<ContactChain>& contacts,

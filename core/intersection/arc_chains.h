@@ -44,6 +44,12 @@ std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& 
 std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells& a,
                                const SurfaceCells& b, const std::vector<ContactChain>& contacts);
 
+/// Of a surface with itself: which of two points is the one on a is a matter of taste. Arcs, and
+/// with them whole chains, are turned until the ends that are one agree on it. A loop on which the
+/// two change places cannot agree everywhere: the ends where it does not are listed in
+/// `found.swapped`, and its chain begins and ends there. Grazes at ends of arcs are dropped.
+void agree_on_sides(PairSearchResult& found, const SurfaceCells& cells);
+
 /// The grazes at which no arc ends, each once: contacts of the surfaces at one of their corners.
 std::vector<FoundGraze> lone_grazes(const PairSearchResult& found, const SurfaceCells& a,
                                     const SurfaceCells& b);

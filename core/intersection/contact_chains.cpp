@@ -90,7 +90,7 @@ class Joiner {
     for (ContactChain& chain : chains) measure(chain);
     std::erase_if(clumps, [&](const Clump& clump) {
       const double most = clump.thin ? kPointClump * size_ : tolerance_;
-      const bool point = diagonal(clump.box) <= most;
+      const bool point = !clump.singular && diagonal(clump.box) <= most;
       if (point) chains.push_back(contact_of(clump));
       return point;
     });

@@ -77,8 +77,28 @@ std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs) {
     clump.pairs.push_back(static_cast<int>(i));
     clump.box = joined(clump.box, box_of(pairs[i]));
     clump.thin = clump.thin && pairs[i].thin;
+    clump.singular = clump.singular || pairs[i].singular;
   }
   return clumps;
+}
+
+void join_singular(std::vector<Clump>& clumps, double distance) {
+  for (std::size_t i = 0; i < clumps.size(); ++i) {
+    if (!clumps[i].singular) continue;
+    for (std::size_t j = 0; j < clumps.size();) {
+      Clump &to = clumps[i], &from = clumps[j];
+      if (i == j || !meet(widened(to.box, distance), from.box)) {
+        ++j;
+        continue;
+      }
+      to.pairs.insert(to.pairs.end(), from.pairs.begin(), from.pairs.end());
+      to.box = joined(to.box, from.box);
+      to.thin = to.thin && from.thin;
+      clumps.erase(clumps.begin() + static_cast<std::ptrdiff_t>(j));
+      if (j < i) --i;
+      j = 0;  // the larger box may meet others
+    }
+  }
 }
 
 }  // namespace blossom

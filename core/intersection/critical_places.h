@@ -18,10 +18,15 @@ struct Clump {
   std::vector<int> pairs;  ///< indices into the search's critical pairs
   Box box;                 ///< relative to the origin
   bool thin = true;        ///< all pairs ended because the surfaces are within tolerance there
+  bool singular = false;   ///< some pair is singular
 };
 
 /// The clumps of all critical pairs. Pairs whose boxes meet are in one clump; of very many
 /// pairs, also those that fall into neighbouring cells of a grid.
 std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs);
+
+/// Makes one of a singular clump and those within a distance of it: near a pinch point two sheets
+/// of the surface are within tolerance, too.
+void join_singular(std::vector<Clump>& clumps, double distance);
 
 }  // namespace blossom

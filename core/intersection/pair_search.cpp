@@ -2,6 +2,7 @@
 #include "core/intersection/pair_search.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -11,6 +12,7 @@
 #include "core/bounds/box_tree.h"
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_search.h"
+#include "core/intersection/gap_model.h"
 #include "core/intersection/shared_cells.h"
 #include "core/intersection/work_limit.h"
 
@@ -30,6 +32,9 @@ constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
 // Nearly parallel pairs this flat go to the search for contacts: the sines of the angles by which
 // the derivatives of both cells turn, added.
 constexpr double kFlat = 0.15;
+
+// Cells of one surface less than this part of a span apart are near each other in it.
+constexpr double kNearDiagonal = 1.0 / 32;
 
 struct Pair {
   int place;  // the pair of patches
@@ -84,10 +89,13 @@ class Search {
         result_(result),
         limit_(options) {}
 
-  void add(int patch_a, int patch_b) {
-    CellTree &tree_a = a_.tree(patch_a), &tree_b = b_.tree(patch_b);
-    stack_.push_back({static_cast<int>(places_.size()), 0, 0, -1});
-    places_.push_back({patch_a, patch_b, &tree_a, &tree_b,
+  void add(const StartPair& pair) {
+    const auto [known, added] =
+        place_.try_emplace({pair.patch_a, pair.patch_b}, static_cast<int>(places_.size()));
+    stack_.push_back({known->second, pair.cell_a, pair.cell_b, -1});
+    if (!added) return;
+    CellTree &tree_a = a_.tree(pair.patch_a), &tree_b = b_.tree(pair.patch_b);
+    places_.push_back({pair.patch_a, pair.patch_b, &tree_a, &tree_b,
                        SharedCells(tree_a, tree_b, options_.tolerances.point)});
   }
 
@@ -161,8 +169,43 @@ class Search {
     if (pair.along >= 0) return {Verdict::Regular, pair.along};
     const int along = certified_column(JacobianBounds(a, b));
     if (along >= 0) return {Verdict::Regular, along};
-    if (nearly_parallel(a, b)) return {Verdict::Parallel};
+    if (itself() && beside_each_other(place, a, b)) return {Verdict::Apart};
+    if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b)))
+      return {Verdict::Parallel};
     return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};
+  }
+
+  bool itself() const { return &a_ == &b_; }
+
+  // Of one surface: true if the cells are apart along it, or in one piece of it that does not meet
+  // itself.
+  static bool beside_each_other(const PatchPair& place, const Cell& a, const Cell& b) {
+    const int points_a = place.tree_a->shape().plane_size();
+    const int points_b = place.tree_b->shape().plane_size();
+    for (const Vec3& along : {a.du.middle, a.dv.middle, b.du.middle, b.dv.middle})
+      if (separated_along(along, a, b, points_a, points_b)) return true;
+    if (place.patch_a != place.patch_b) return false;
+    const auto hull = [](const Interval& x, const Interval& y) {
+      return Interval{std::min(x.from, y.from), std::max(x.to, y.to)};
+    };
+    return graph_chart(*place.tree_a, hull(a.u, b.u), hull(a.v, b.v), 0).has_value();
+  }
+
+  // Of one surface: true if the parameters of the cells are near each other. Round a singular point
+  // all pairs are nearly parallel on every scale; halving gets on there, charts do not.
+  bool near_diagonal(const PatchPair& place, const Cell& a, const Cell& b) const {
+    const auto apart = [](const Interval& x, const Interval& y, int step, int spans, bool closed) {
+      double gap = 1e300;
+      for (const int turn : {-spans, 0, spans})
+        if (turn == 0 || closed)
+          gap = std::min(gap, std::max(y.from + step + turn - x.to, x.from - y.to - step - turn));
+      return gap;
+    };
+    const BezierSurface& s = a_.surface();
+    const int step_u = a_.span_u(place.patch_b) - a_.span_u(place.patch_a);
+    const int step_v = a_.span_v(place.patch_b) - a_.span_v(place.patch_a);
+    return apart(a.u, b.u, step_u, s.patches.rows(), s.closed_u) < kNearDiagonal &&
+           apart(a.v, b.v, step_v, s.patches.columns(), s.closed_v) < kNearDiagonal;
   }
 
   bool is_thin(const Cell& a, const Cell& b, int points_a, int points_b) const {
@@ -268,19 +311,41 @@ class Search {
     }
     ContactTask task{place.patch_a, place.patch_b, {}, {}};
     collect_dirty(tree_a, 0, false, dirty, covered, task.cells_a);
+    std::vector<CellsPair> near(place.parallel);
+    for (const CertifiedPair& pair : place.certified) {
+      if (covered[static_cast<std::size_t>(pair.cell_a)])
+        near.push_back({pair.cell_a, pair.cell_b});
+      else
+        add(place, pair);
+    }
     const auto part_of = [&](int cell) {
       const Cell& b = tree_b[cell];
       return std::array{b.u, b.v};
     };
-    for (const CellsPair& pair : place.parallel) task.parts_b.push_back(part_of(pair.cell_b));
-    for (const CertifiedPair& pair : place.certified) {
-      if (covered[static_cast<std::size_t>(pair.cell_a)])
-        task.parts_b.push_back(part_of(pair.cell_b));
-      else
-        add(place, pair);
-    }
+    if (place.patch_a == place.patch_b && itself()) return settle_one_by_one(task, near, tree_a);
+    for (const CellsPair& pair : near) task.parts_b.push_back(part_of(pair.cell_b));
     if (!task.cells_a.empty())
       search_contacts(a_, b_, task, size_, known_, options_, limit_, result_);
+  }
+
+  // Within one patch every cell gets charts of its own, over what may come close to it alone: other
+  // charts might hold the cell itself.
+  void settle_one_by_one(const ContactTask& all, const std::vector<CellsPair>& near,
+                         const CellTree& tree) {
+    for (const int index : all.cells_a) {
+      const Cell whole = tree[index];
+      ContactTask task{all.patch_a, all.patch_b, {index}, {}};
+      for (const CellsPair& pair : near) {
+        const Cell& a = tree[pair.cell_a];
+        if (holds(whole.u, a.u) && holds(whole.v, a.v))
+          task.parts_b.push_back({tree[pair.cell_b].u, tree[pair.cell_b].v});
+      }
+      search_contacts(a_, b_, task, size_, known_, options_, limit_, result_);
+    }
+  }
+
+  static bool holds(const Interval& outer, const Interval& inner) {
+    return outer.from <= inner.from && inner.to <= outer.to;
   }
 
   static void collect_dirty(const CellTree& tree, int index, bool inside,
@@ -351,6 +416,7 @@ class Search {
   const WorkLimit limit_;
   long examined_ = 0;
   std::vector<PatchPair> places_;
+  std::map<std::array<int, 2>, int> place_;  // of two patches
   std::vector<Pair> stack_;
   std::vector<Finding> findings_;  // about the batch at work
 };
@@ -437,10 +503,22 @@ PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
   PairSearchResult result;
   Search search(a, b, size, known, options, result);
   const BoxTree boxes_a(patch_boxes(a)), boxes_b(patch_boxes(b));
-  boxes_a.for_each_meeting(boxes_b, [&](int i, int j) { search.add(i, j); });
+  boxes_a.for_each_meeting(boxes_b, [&](int i, int j) { search.add({i, 0, j, 0}); });
   search.run();
   (a.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += a.cells();
   (b.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += b.cells();
+  return result;
+}
+
+PairSearchResult search_within(SurfaceCells& cells, const std::vector<StartPair>& pairs,
+                               double size, const KnownCurves& known,
+                               const IntersectionOptions& options) {
+  PairSearchResult result;
+  Search search(cells, cells, size, known, options, result);
+  for (const StartPair& pair : pairs) search.add(pair);
+  search.run();
+  Certificate& certificate = result.certificate;
+  (cells.monomial() ? certificate.cells_monomial : certificate.cells_bezier) += cells.cells();
   return result;
 }
 

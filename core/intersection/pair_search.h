@@ -94,11 +94,21 @@ struct CriticalPair {
   Vec3 low, high;                  ///< the common part of their boxes, relative to the origin
   bool thin = false;               ///< the surfaces stay within tolerance of each other in it
   std::optional<Point4> beside{};  ///< near a contact outside of it there may be zeros, else none
+  bool singular = false;  ///< of a surface with itself: cells that touch where it is singular
+};
+
+/// A pair of cells that a search begins with.
+struct StartPair {
+  int patch_a = 0;
+  int cell_a = 0;
+  int patch_b = 0;
+  int cell_b = 0;
 };
 
 struct PairSearchResult {
   std::vector<FoundArc> arcs;
   std::vector<std::array<std::size_t, 2>> joins;  ///< ends of arcs, 2 * arc + side, that are one
+  std::vector<std::size_t> swapped;               ///< ends, as above: see `agree_on_sides`
   std::vector<FoundGraze> grazes;
   std::vector<FoundContact> contacts;
   std::vector<CriticalPair> critical;
@@ -117,5 +127,10 @@ SurfaceBorders upper_borders(const SurfaceCells& a, int patch_a, const Cell& cel
 /// size      of the surfaces, model units
 PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
                               const KnownCurves& known, const IntersectionOptions& options);
+
+/// Examines pairs of cells of one surface that do not touch in its parameters.
+PairSearchResult search_within(SurfaceCells& cells, const std::vector<StartPair>& pairs,
+                               double size, const KnownCurves& known,
+                               const IntersectionOptions& options);
 
 }  // namespace blossom

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/intersection/result.h"
 
+#include <algorithm>
+
 namespace blossom {
 
 const char* to_string(PlaceKind kind) {
@@ -13,6 +15,20 @@ const char* to_string(PlaceKind kind) {
     case PlaceKind::Open: break;
   }
   return "open";
+}
+
+void widen(Place& place, const SurfacePoint& x, double gap) {
+  widen(place, {Interval{x.uv_a[0], x.uv_a[0]}, Interval{x.uv_a[1], x.uv_a[1]},
+                Interval{x.uv_b[0], x.uv_b[0]}, Interval{x.uv_b[1], x.uv_b[1]}});
+  place.gap_low = std::min(place.gap_low, gap);
+  place.gap_high = std::max(place.gap_high, gap);
+}
+
+void widen(Place& place, const std::array<Interval, 4>& parameters) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    place.parameters[k].from = std::min(place.parameters[k].from, parameters[k].from);
+    place.parameters[k].to = std::max(place.parameters[k].to, parameters[k].to);
+  }
 }
 
 }  // namespace blossom

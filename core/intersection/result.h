@@ -68,6 +68,11 @@ struct Place {
   std::array<Interval, 4> parameters{};  ///< ranges of u, v on a and u, v on b
 };
 
+/// Makes a place hold a point, or ranges of parameters.
+/// gap       distance of the surfaces there, model units
+void widen(Place& place, const SurfacePoint& x, double gap);
+void widen(Place& place, const std::array<Interval, 4>& parameters);
+
 /// What was examined and how it ended; the numbers behind the status.
 struct Certificate {
   long excluded = 0;                 ///< cell pairs proven not to meet

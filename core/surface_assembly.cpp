@@ -1,0 +1,544 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/surface_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/base/parallel.h"
+#include "core/bounds/box_tree.h"
+#include "core/forms/evaluation.h"
+#include "core/intersection/arc_chains.h"
+#include "core/intersection/contact_chains.h"
+#include "core/intersection/contact_reach.h"
+#include "core/intersection/critical_places.h"
+#include "core/intersection/overlaps.h"
+#include "core/intersection/pair_search.h"
+#include "core/intersection/self_pairs.h"
+#include "core/tracing/fit.h"
+#include "core/tracing/trace.h"
+
+namespace blossom {
+namespace {
+
+// Cells are halved off their middle: singular points like dyadic lines.
+constexpr double kCut = 0.4865;
+
+// A chain this many times as long as the clump at both its ends belongs to the contact there.
+constexpr double kClumpReach = 4;
+
+constexpr double kPointClump = 1e-2;  // of the surfaces' size: a larger clump is more than a point
+constexpr double kShortest = 4;       // tolerances: the shortest branch between contacts
+constexpr double kOnCurve = 1e-4;     // of the surfaces' size
+
+Box hull_box(const BezierSurface& surface) {
+  Box box;
+  for (const RationalBezierPatch& patch : surface.patches.values())
+    for (const Vec4& p : patch.points.values()) {
+      const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+      box = joined(box, {x, x});
+    }
+  return box;
+}
+
+class Assembly {
+ public:
+  Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options)
+      : Assembly(a, b, options, hull_box(a), hull_box(b)) {}
+
+  SurfaceIntersection run() {
+    SurfaceCells cells_a(a_, origin_, options_.form, kCut, options_.part_a);
+    if (itself()) {
+      search_itself(cells_a);
+      return joined_from(cells_a, cells_a);
+    }
+    SurfaceCells cells_b(b_, origin_, options_.form, kCut, options_.part_b);
+    found_ = search_pairs(cells_a, cells_b, size_, known_, options_);
+    drop_beside_known(cells_a);
+    result_.certificate = found_.certificate;
+    return joined_from(cells_a, cells_b);
+  }
+
+ private:
+  Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options,
+           const Box& box_a, const Box& box_b)
+      : a_(a),
+        b_(b),
+        options_(options),
+        size_(std::max(diagonal(box_a), diagonal(box_b))),
+        origin_(0.5 * (box_a.low + box_a.high)),
+        known_(options.known, origin_) {}
+
+  bool itself() const { return &a_ == &b_; }
+
+  void search_itself(SurfaceCells& cells) {
+    const SelfPairs pairs = self_pairs(cells, glued_borders(a_), origin_, options_);
+    found_ = search_within(cells, pairs.apart, size_, known_, options_);
+    found_.critical.insert(found_.critical.end(), pairs.singular.begin(), pairs.singular.end());
+    found_.stopped = found_.stopped || pairs.stopped;
+    Certificate& certificate = result_.certificate = found_.certificate;
+    certificate.excluded += pairs.excluded;
+    certificate.critical += static_cast<long>(pairs.singular.size());
+    certificate.depth = std::max(certificate.depth, pairs.depth);
+    auto& reasons = certificate.reasons;
+    reasons.insert(reasons.end(), pairs.reasons.begin(), pairs.reasons.end());
+    agree_on_sides(found_, cells);
+  }
+
+  SurfaceIntersection joined_from(SurfaceCells& cells_a, SurfaceCells& cells_b) {
+    drop_beside_contacts(found_, cells_a, cells_b, options_.tolerances.point);
+    if (!itself()) add_overlaps(cells_a, cells_b);
+    clumps_ = clumps_of(found_.critical);
+    join_singular(clumps_, options_.tolerances.point);
+    contacts_ = contact_chains(found_, cells_a, cells_b, clumps_, size_, options_.tolerances.point);
+    attach(loose_ends(found_, cells_a, cells_b, contacts_), found_, cells_a, cells_b, contacts_,
+           size_, options_.tolerances.point);
+    drop_scraps(cells_a, cells_b);
+    meet_in_centres(contacts_, cells_a, cells_b, found_);
+    const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
+    if (found_.stopped) result_.status = Status::Stopped;
+    if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
+    std::vector<std::optional<IntersectionCurve>> fits(chains.size());
+    parallel_for(chains.size(), 1,
+                 [&](std::size_t i) { fits[i] = fit(cells_a, cells_b, chains[i]); });
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      if (fits[i])
+        add_curve(cells_a, chains[i], std::move(*fits[i]));
+      else
+        add_short(cells_a, cells_b, chains[i]);
+    }
+    for (const FoundGraze& graze : lone_grazes(found_, cells_a, cells_b))
+      add_corner_contact(cells_a, cells_b, graze);
+    for (const ContactChain& contact : contacts_) add_contact(cells_a, cells_b, contact);
+    for (const Clump& clump : clumps_) add_place(cells_a, cells_b, clump);
+    if (found_.cut_by_samples)
+      weaken(Status::Tolerance, "a branch near a contact was cut at a border by points of it");
+    if (found_.beside_known) add_known_curves();
+    note_approximations();
+    return std::move(result_);
+  }
+
+  void weaken(Status status, const std::string& reason) {
+    result_.status = weaker(result_.status, status);
+    auto& reasons = result_.certificate.reasons;
+    if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
+      reasons.push_back(reason);
+  }
+
+  // Where smooth faces meet along a known curve, what rounding makes of their borders crosses there
+  // again and again.
+  void drop_beside_known(SurfaceCells& cells_a) {
+    if (known_.empty()) return;
+    for (FoundArc& arc : found_.arcs) {
+      const RationalBezierPatch& patch = cells_a.tree(arc.patch_a).patch();
+      const Point4 &p = arc.arc.from, &q = arc.arc.to;
+      const auto is_near = [&](double t) {
+        const Vec3 x = point_at(patch, at(Interval{p[0], q[0]}, t), at(Interval{p[1], q[1]}, t));
+        return known_.hold({x, x});
+      };
+      arc.dropped = arc.dropped || (is_near(0) && is_near(0.5) && is_near(1));
+      found_.beside_known = found_.beside_known || arc.dropped;
+    }
+  }
+
+  // --- coincidence
+
+  // Regions in which the surfaces coincide become overlaps, borders that they share arcs; the
+  // critical pairs that these explain are taken out.
+  void add_overlaps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
+    const double tolerance = options_.tolerances.point;
+    std::vector<CriticalPair> thin;
+    for (const CriticalPair& pair : found_.critical)
+      if (pair.thin) thin.push_back(pair);
+    const std::vector<Clump> clumps = clumps_of(thin);
+    if (std::none_of(clumps.begin(), clumps.end(),
+                     [&](const Clump& clump) { return diagonal(clump.box) > kPointClump * size_; }))
+      return;
+    const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_);
+    for (const OverlapRegion& region : overlaps.regions) add_overlap(cells_a, cells_b, region);
+    for (const SharedBorder& border : overlaps.edges) add_shared_border(cells_a, border);
+  }
+
+  void add_overlap(SurfaceCells& cells_a, SurfaceCells& cells_b, const OverlapRegion& region) {
+    Overlap overlap;
+    Place place{PlaceKind::Overlap, {}, {}, 1e300, 0, {}};
+    place.parameters.fill({1e300, -1e300});
+    Box box;
+    for (const BoundaryLoop& loop : region.loops)
+      for (const ContactPoint& p : loop) {
+        const SurfacePoint x = surface_point(cells_a, cells_b, p);
+        overlap.boundary.push_back(x);
+        box = joined(box, {x.point, x.point});
+        widen(place, x, p.gap);
+      }
+    if (region.loops.size() > 1) overlap.boundary.push_back(overlap.boundary.front());
+    for (const CriticalPair& pair : taken(cells_a, region)) {
+      box = joined(box, {pair.low + origin_, pair.high + origin_});
+      widen(place, parameters_of(cells_a, cells_b, pair));
+      place.gap_low = 0;
+      place.gap_high = options_.tolerances.point;
+    }
+    overlap.gap_high = place.gap_high;
+    const double r = options_.tolerances.point;
+    place.box_low = box.low - Vec3{r, r, r};
+    place.box_high = box.high + Vec3{r, r, r};
+    result_.places.push_back(place);
+    result_.overlaps.push_back(std::move(overlap));
+    weaken(Status::Tolerance, "the surfaces coincide in the listed places");
+  }
+
+  // The critical pairs in a region or along a border, taken out of the search's.
+  template <class Coincidence>
+  std::vector<CriticalPair> taken(const SurfaceCells& cells_a, const Coincidence& coincidence) {
+    const auto rest = std::stable_partition(
+        found_.critical.begin(), found_.critical.end(),
+        [&](const CriticalPair& pair) { return !pair.thin || !holds(coincidence, cells_a, pair); });
+    const std::vector<CriticalPair> result(rest, found_.critical.end());
+    found_.critical.erase(rest, found_.critical.end());
+    return result;
+  }
+
+  void add_shared_border(const SurfaceCells& cells_a, const SharedBorder& border) {
+    taken(cells_a, border);
+    for (std::size_t i = 0; i + 1 < border.path.size(); ++i) {
+      const ContactPoint &p = border.path[i], &q = border.path[i + 1];
+      shared_gap_ = std::max({shared_gap_, p.gap, q.gap});
+      if (p.patch_a != q.patch_a || p.patch_b != q.patch_b || p.x == q.x) continue;
+      FoundArc arc{p.patch_a, p.patch_b, {}, {p.x, q.x}, {-1, -1}};
+      for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = q.x[k] - p.x[k];
+      arc.arc.tangential = arc.arc.iso = true;
+      found_.arcs.push_back(arc);
+    }
+    weaken(Status::Tolerance, "the surfaces touch along a common border");
+  }
+
+  bool bounds_overlap(const SurfacePoint& end) const {
+    return std::any_of(result_.overlaps.begin(), result_.overlaps.end(), [&](const Overlap& o) {
+      return std::any_of(o.boundary.begin(), o.boundary.end(), [&](const SurfacePoint& p) {
+        return distance(p.point, end.point) <= contact_length();
+      });
+    });
+  }
+
+  // Short chains from a point of contact back to it are parts of it that happened to be certified.
+  void drop_scraps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
+    for (const Chain& chain : chains_of(found_, cells_a, cells_b, contacts_, clumps_)) {
+      const int contact = chain.ends[0].contact;
+      if (chain.closed || contact < 0 || contact != chain.ends[1].contact) continue;
+      const ContactChain& at = contacts_[static_cast<std::size_t>(contact)];
+      // A clump ends somewhere near its point, a valley's contact exactly.
+      const double part = at.path.size() == 1 ? kClumpReach : 1;
+      const double most = part * at.length + kShortest * options_.tolerances.point;
+      if (at.curve || diagonal(end_box(cells_a, chain)) > most) continue;
+      for (const ChainLink& link : chain.links)
+        found_.arcs[static_cast<std::size_t>(link.arc)].dropped = true;
+    }
+    for (ContactChain& contact : contacts_)
+      for (auto& arms : contact.arms)
+        std::erase_if(arms, [&](ArcEnd end) { return found_.arcs[end / 2].dropped; });
+  }
+
+  void add_corner_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const FoundGraze& graze) {
+    const auto& patch = cells_a.tree(graze.patch_a).patch();
+    const SurfacePoint contact{
+        point_at(patch, graze.x[0], graze.x[1]) + origin_,
+        {parameter_at(a_.u_law, cells_a.knots_u(graze.patch_a), graze.x[0]),
+         parameter_at(a_.v_law, cells_a.knots_v(graze.patch_a), graze.x[1])},
+        {parameter_at(b_.u_law, cells_b.knots_u(graze.patch_b), graze.x[2]),
+         parameter_at(b_.v_law, cells_b.knots_v(graze.patch_b), graze.x[3])}};
+    if (known_contact(contact.point) || ends_curve(contact.point) || in_clump(contact.point))
+      return;
+    result_.points.push_back(contact);
+    Place place = place_at(contact);
+    place.kind = PlaceKind::Touch;
+    result_.places.push_back(place);
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+  }
+
+  Place place_at(const SurfacePoint& p) const {
+    const double r = options_.tolerances.point;
+    Place place{PlaceKind::Open, p.point - Vec3{r, r, r}, p.point + Vec3{r, r, r}, 0, r, {}};
+    place.parameters = {Interval{p.uv_a[0], p.uv_a[0]}, Interval{p.uv_a[1], p.uv_a[1]},
+                        Interval{p.uv_b[0], p.uv_b[0]}, Interval{p.uv_b[1], p.uv_b[1]}};
+    return place;
+  }
+
+  // The curve of a chain; nothing if that is no longer than a contact.
+  std::optional<IntersectionCurve> fit(SurfaceCells& cells_a, SurfaceCells& cells_b,
+                                       const Chain& chain) const {
+    const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
+    const double length = tracer.stations().back();
+    const bool is_short = length <= kShortest * options_.tolerances.point;
+    if (is_short && (belongs_to_contact(chain) || chain.closed)) return {};
+    if (slides(chain) && length <= contact_length()) return {};
+    const bool tangential = touches_along(chain);
+    const double gap = tangential ? largest_gap() : 0;
+    IntersectionCurve curve =
+        fitted(tracer, a_, b_, {.tolerance = options_.tolerances.point, .gap = gap, .size = size_});
+    curve.tangential = tangential;
+    if (tangential) curve.least_angle = 0;
+    return curve;
+  }
+
+  void add_short(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
+    const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
+    const bool is_short = tracer.stations().back() <= kShortest * options_.tolerances.point;
+    if (!is_short || !belongs_to_contact(chain)) add_small_contact(cells_a, chain, tracer);
+  }
+
+  void add_curve(SurfaceCells& cells_a, const Chain& chain, IntersectionCurve&& curve) {
+    const Deviation& d = curve.deviation;
+    if (!std::isfinite(curve.length + d.a + d.b + d.between)) return add_untraced(cells_a, chain);
+    curve.closed = chain.closed;
+    curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
+    for (std::size_t side = 0; side < 2; ++side) {
+      const SurfacePoint& end = side == 0 ? curve.samples.front() : curve.samples.back();
+      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0 &&
+          chain.ends[side].contact < 0 && !curve.tangential && !bounds_overlap(end) &&
+          !beside_known(end.point))
+        add_loose_end(end);
+    }
+    double& least = result_.certificate.least_angle;
+    least = result_.curves.empty() ? curve.least_angle : std::min(least, curve.least_angle);
+    result_.curves.push_back(std::move(curve));
+  }
+
+  // A branch as short as the tolerance at a listed contact is part of it.
+  static bool belongs_to_contact(const Chain& chain) {
+    return chain.closed
+               ? false
+               : std::any_of(chain.ends.begin(), chain.ends.end(), [](const ChainEnd& end) {
+                   return end.contact >= 0 || end.clump >= 0;
+                 });
+  }
+
+  bool touches_along(const Chain& chain) const {
+    return std::any_of(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) {
+      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.tangential;
+    });
+  }
+
+  // Of the surfaces along their tangential curves.
+  double largest_gap() const {
+    double gap = shared_gap_;
+    for (const ContactChain& contact : contacts_)
+      if (contact.curve)
+        for (const ContactPoint& p : contact.path) gap = std::max(gap, p.gap);
+    return gap;
+  }
+
+  SurfacePoint surface_point(SurfaceCells& cells_a, SurfaceCells& cells_b,
+                             const ContactPoint& p) const {
+    const Vec3 on_a = point_at(cells_a.tree(p.patch_a).patch(), p.x[0], p.x[1]);
+    const Vec3 on_b = point_at(cells_b.tree(p.patch_b).patch(), p.x[2], p.x[3]);
+    return {0.5 * (on_a + on_b) + origin_,
+            {parameter_at(a_.u_law, cells_a.knots_u(p.patch_a), p.x[0]),
+             parameter_at(a_.v_law, cells_a.knots_v(p.patch_a), p.x[1])},
+            {parameter_at(b_.u_law, cells_b.knots_u(p.patch_b), p.x[2]),
+             parameter_at(b_.v_law, cells_b.knots_v(p.patch_b), p.x[3])}};
+  }
+
+  void add_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const ContactChain& contact) {
+    Place place{PlaceKind::Tangential, {}, {}, 1e300, 0, {}};
+    place.parameters.fill({1e300, -1e300});
+    for (const ContactPoint& p : contact.path) {
+      const SurfacePoint x = surface_point(cells_a, cells_b, p);
+      widen(place, x, p.gap);
+    }
+    const double r = options_.tolerances.point;
+    place.box_low = contact.box.low + origin_ - Vec3{r, r, r};
+    place.box_high = contact.box.high + origin_ + Vec3{r, r, r};
+    if (!contact.curve) {
+      const SurfacePoint centre = surface_point(cells_a, cells_b, contact.centre);
+      const std::size_t arms = contact.arm_count();
+      place.kind = arms == 0 ? PlaceKind::Touch : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
+      const bool touches = contact.centre.gap <= options_.tolerances.point;
+      if (arms == 0 && touches && !on_curve(centre.point)) result_.points.push_back(centre);
+      if (arms > 2) result_.nodes.push_back(centre);
+    }
+    result_.places.push_back(place);
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+  }
+
+  bool slides(const Chain& chain) const {
+    return std::any_of(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) {
+      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.slides;
+    });
+  }
+
+  // A curve that only touches the border stays within tolerance of it for about this long.
+  double contact_length() const { return 0.1 * std::sqrt(options_.tolerances.point * size_); }
+
+  void add_small_contact(SurfaceCells& cells_a, const Chain& chain, const ChainTracer& tracer) {
+    const CurvePoint middle = tracer.at(0.5 * tracer.stations().back(), true);
+    if (in_contact(middle.point)) return;
+    const SurfacePoint contact{middle.point, middle.a, middle.b};
+    if (!known_contact(contact.point)) result_.points.push_back(contact);
+    const Box box = end_box(cells_a, chain);
+    Place place = place_at(contact);
+    place.kind = PlaceKind::Touch;
+    place.box_low = box.low + origin_;
+    place.box_high = box.high + origin_;
+    result_.places.push_back(place);
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+  }
+
+  bool known_contact(const Vec3& point) const {
+    return std::any_of(result_.points.begin(), result_.points.end(), [&](const SurfacePoint& p) {
+      return distance(p.point, point) <= contact_length();
+    });
+  }
+
+  // A contact in the middle of a curve is no isolated point: so near is the chord of two samples.
+  bool on_curve(const Vec3& point) const {
+    const auto near = [&](const IntersectionCurve& curve) {
+      for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
+        const Vec3 from = curve.samples[i].point, step = curve.samples[i + 1].point - from;
+        const double square = dot(step, step);
+        const double t = square > 0 ? std::clamp(dot(point - from, step) / square, 0.0, 1.0) : 0.0;
+        if (distance(point, from + step * t) <= kOnCurve * size_) return true;
+      }
+      return false;
+    };
+    return std::any_of(result_.curves.begin(), result_.curves.end(), near);
+  }
+
+  // At a seam a curve ends under other parameters of the same point.
+  bool ends_curve(const Vec3& point) const {
+    return std::any_of(result_.curves.begin(), result_.curves.end(), [&](const auto& curve) {
+      return distance(curve.samples.front().point, point) <= contact_length() ||
+             distance(curve.samples.back().point, point) <= contact_length();
+    });
+  }
+
+  bool in_clump(const Vec3& point) const {
+    const double r = options_.tolerances.point;
+    const Vec3 low = point - origin_ - Vec3{r, r, r}, high = point - origin_ + Vec3{r, r, r};
+    return std::any_of(clumps_.begin(), clumps_.end(), [&](const Clump& clump) {
+      return meet(clump.box, {low, high});
+    });
+  }
+
+  // A branch that is proven to be there but cannot be written down, at a pole perhaps.
+  void add_untraced(SurfaceCells& cells_a, const Chain& chain) {
+    const Box box = end_box(cells_a, chain);
+    Place place{PlaceKind::Open, box.low + origin_, box.high + origin_, 0, diagonal(box), {}};
+    result_.places.push_back(place);
+    weaken(Status::Stopped, "a branch could not be traced");
+  }
+
+  bool in_contact(const Vec3& point) const {
+    const double r = contact_length();
+    const Vec3 low = point - origin_ - Vec3{r, r, r}, high = point - origin_ + Vec3{r, r, r};
+    return std::any_of(contacts_.begin(), contacts_.end(), [&](const ContactChain& contact) {
+      return !contact.curve && meet(contact.box, {low, high});
+    });
+  }
+
+  // The box of all ends of a chain's arcs, relative to the origin.
+  Box end_box(SurfaceCells& cells_a, const Chain& chain) const {
+    Box box;
+    for (const ChainLink& link : chain.links) {
+      const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
+      for (const Point4& x : {arc.arc.from, arc.arc.to}) {
+        const Vec3 p = point_at(cells_a.tree(arc.patch_a).patch(), x[0], x[1]);
+        box = joined(box, {p, p});
+      }
+    }
+    return box;
+  }
+
+  // True if a branch may end there, since what follows was not searched.
+  bool beside_known(const Vec3& point) const {
+    return known_.hold({point - origin_, point - origin_});
+  }
+
+  void add_loose_end(const SurfacePoint& end) {
+    result_.places.push_back(place_at(end));
+    weaken(Status::Stopped, "a branch ends inside both surfaces without a reason");
+  }
+
+  // What a clump is: by its size, by whether the surfaces are within tolerance all over it, and
+  // by the arcs that end on it.
+  void add_place(SurfaceCells& cells_a, SurfaceCells& cells_b, const Clump& clump) {
+    Place place{PlaceKind::Open,          clump.box.low + origin_,
+                clump.box.high + origin_, 0,
+                diagonal(clump.box),      parameters_of(cells_a, cells_b, clump)};
+    if (clump.thin) {  // within tolerance all over, whatever the surfaces do in it
+      place.gap_high = options_.tolerances.point;
+      place.kind = clump.singular ? PlaceKind::Cusp : PlaceKind::Tangential;
+    }
+    result_.places.push_back(place);
+    if (!clump.thin)
+      weaken(Status::Stopped, "places stayed open");
+    else if (clump.singular)
+      weaken(Status::Tolerance, "the surface is singular, or nearly, in the listed places");
+    else
+      weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+  }
+
+  void add_known_curves() {
+    for (const KnownCurve& curve : options_.known) {
+      const Vec3 r{curve.radius, curve.radius, curve.radius};
+      Box box;
+      for (const Vec3& p : curve.points) box = joined(box, {p - r, p + r});
+      result_.places.push_back({PlaceKind::Tangential, box.low, box.high, 0, curve.gap, {}});
+    }
+    weaken(Status::Tolerance, "the surfaces touch along a common edge");
+  }
+
+  std::array<Interval, 4> parameters_of(const SurfaceCells& cells_a, const SurfaceCells& cells_b,
+                                        const Clump& clump) const {
+    std::array<Interval, 4> all;
+    all.fill({1e300, -1e300});
+    for (const int i : clump.pairs) {
+      const std::array one =
+          parameters_of(cells_a, cells_b, found_.critical[static_cast<std::size_t>(i)]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        all[k].from = std::min(all[k].from, one[k].from);
+        all[k].to = std::max(all[k].to, one[k].to);
+      }
+    }
+    return all;
+  }
+
+  std::array<Interval, 4> parameters_of(const SurfaceCells& cells_a, const SurfaceCells& cells_b,
+                                        const CriticalPair& pair) const {
+    const std::array spans{cells_a.knots_u(pair.patch_a), cells_a.knots_v(pair.patch_a),
+                           cells_b.knots_u(pair.patch_b), cells_b.knots_v(pair.patch_b)};
+    const std::array laws{a_.u_law, a_.v_law, b_.u_law, b_.v_law};
+    std::array<Interval, 4> all;
+    for (std::size_t k = 0; k < 4; ++k)
+      all[k] = {parameter_at(laws[k], spans[k], pair.box[k].from),
+                parameter_at(laws[k], spans[k], pair.box[k].to)};
+    return all;
+  }
+
+  void note_approximations() {
+    const double error = std::max(a_.error, b_.error);
+    if (error > 0)
+      weaken(Status::Tolerance, "a surface is an approximation within " + std::to_string(error));
+  }
+
+  const BezierSurface& a_;
+  const BezierSurface& b_;
+  const IntersectionOptions& options_;
+  const double size_;
+  const Vec3 origin_;
+  const KnownCurves known_;
+  PairSearchResult found_;
+  std::vector<ContactChain> contacts_;
+  std::vector<Clump> clumps_;
+  double shared_gap_ = 0;  // along borders that both surfaces share
+  SurfaceIntersection result_;
+};
+
+}  // namespace
+
+SurfaceIntersection assembled(const BezierSurface& a, const BezierSurface& b,
+                              const IntersectionOptions& options) {
+  return Assembly(a, b, options).run();
+}
+
+}  // namespace blossom
