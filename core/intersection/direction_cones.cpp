@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/forms/evaluation.h"
+#include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
 namespace {
@@ -133,50 +134,50 @@ VectorBounds derivative_direction(const Range3& numerator, const Range3& quotien
   return result;
 }
 
-// The homogeneous net of a cell along the axes, its origin moved into the cell.
-class AxisNet {
- public:
-  AxisNet(const CellTree& tree, const Cell& cell, const Axes& axes)
-      : shape_(tree.shape()), rational_(shape_.planes == 4), points_(), margin_(cell.margin) {
-    const int size = shape_.plane_size();
-    const Vec3 middle = 0.5 * (cell.low + cell.high);
-    for (int i = 0; i < size; ++i) {
-      const double* x = cell.homogeneous + i;
-      const double w = rational_ ? x[3 * size] : 1;
-      const auto at = static_cast<std::size_t>(i);
-      weights_[at] = w;
-      points_[at] = in_axes(
-          axes, {x[0] - w * middle[0], x[size] - w * middle[1], x[2 * size] - w * middle[2]});
-      weight_.add(w);
-      offset_.add(points_[at] * (1 / w));
-    }
-  }
+Vec3 in_space(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
 
-  // w S_u or w S_v without the degree: X_u - (S - O) w_u.
-  VectorBounds derivative(bool by_u) const {
-    Range3 steps;
-    Range turn;
-    const int rows = shape_.rows, columns = shape_.columns;
-    for (int i = 0; i + (by_u ? 1 : 0) < rows; ++i)
-      for (int j = 0; j + (by_u ? 0 : 1) < columns; ++j) {
-        const auto from = static_cast<std::size_t>(i * columns + j);
-        const auto to = from + static_cast<std::size_t>(by_u ? columns : 1);
-        steps.add(points_[to] - points_[from]);
-        turn.add(weights_[to] - weights_[from]);
-      }
-    const double slack = 8 * (weight_.high / weight_.low) * weight_.high * margin_;
-    return derivative_direction(steps, offset_, turn, slack);
-  }
+RationalBezierPatch differences(const RationalBezierPatch& patch, bool by_u) {
+  const Grid<Vec4>& p = patch.points;
+  Grid<Vec4> steps(p.rows() - (by_u ? 1 : 0), p.columns() - (by_u ? 0 : 1));
+  for (int i = 0; i < steps.rows(); ++i)
+    for (int j = 0; j < steps.columns(); ++j)
+      steps(i, j) = (by_u ? p(i + 1, j) : p(i, j + 1)) - p(i, j);
+  return {steps};
+}
 
- private:
-  NetShape shape_;
-  bool rational_;
-  std::array<Vec3, (kMaxDegree + 1) * (kMaxDegree + 1)> points_;
-  std::array<double, (kMaxDegree + 1) * (kMaxDegree + 1)> weights_;
-  Range weight_;
-  Range3 offset_;  // of S - O
-  double margin_;
+RationalBezierPatch part(const RationalBezierPatch& patch, const Interval& u, const Interval& v) {
+  const bool whole = u.from == 0 && u.to == 1 && v.from == 0 && v.to == 1;
+  return whole ? patch : sub_patch(patch, u, v);
+}
+
+// S - O over a piece of a patch, O one of its points.
+struct Offsets {
+  Vec3 origin;
+  Range3 range;
 };
+
+Offsets offsets_of(const RationalBezierPatch& piece, const Axes& axes) {
+  Offsets offsets;
+  const auto points = piece.points.values();
+  offsets.origin = in_space(points[points.size() / 2]);
+  for (const Vec4& p : points) offsets.range.add(in_axes(axes, in_space(p) - offsets.origin));
+  return offsets;
+}
+
+// w S_u or w S_v without the degree: X_u - O w_u - (S - O) w_u. Without weights O and S do not
+// matter.
+VectorBounds direction(const RationalBezierPatch& slope, const Offsets& offsets, double scale,
+                       const Axes& axes) {
+  Range3 steps;
+  Range turn;
+  for (const Vec4& p : slope.points.values()) {
+    steps.add(in_axes(axes, Vec3{p[0], p[1], p[2]} - offsets.origin * p[3]));
+    turn.add(p[3]);
+  }
+  const int degree = std::max(slope.degree_u(), slope.degree_v()) + 1;
+  const double slack = 8 * subdivision_error(degree) * scale * (1 + scale);
+  return derivative_direction(steps, offsets.range, turn, slack);
+}
 
 // --- poles
 
@@ -274,14 +275,27 @@ Axes axes_of(const BezierSurface& surface) {
   return {first, cross(third, first), third};
 }
 
-DirectionCones cones_of(const CellTree& tree, const Cell& cell, const Axes& axes) {
-  const AxisNet net(tree, cell, axes);
-  return {scaled_to_one(net.derivative(true)), scaled_to_one(net.derivative(false))};
+SlopeNets slope_nets(const RationalBezierPatch& patch, bool rational) {
+  SlopeNets nets{patch, differences(patch, true), differences(patch, false), rational};
+  for (const Vec4& p : patch.points.values())
+    nets.scale = std::max({nets.scale, max_norm(p), max_norm(in_space(p))});
+  return nets;
 }
 
-DirectionCones cones_at_pole(const CellTree& tree, const Cell& cell, PoleSide side,
-                             const Vec3& pole, const Axes& axes) {
-  DirectionCones cones = cones_of(tree, cell, axes);
+DirectionCones cones_of(const SlopeNets& nets, const Interval& u, const Interval& v,
+                        const Axes& axes) {
+  Offsets offsets{{}, {}};
+  if (nets.rational)
+    offsets = offsets_of(part(nets.points, u, v), axes);
+  else
+    offsets.range.add({});
+  return {scaled_to_one(direction(part(nets.u, u, v), offsets, nets.scale, axes)),
+          scaled_to_one(direction(part(nets.v, u, v), offsets, nets.scale, axes))};
+}
+
+DirectionCones cones_at_pole(const SlopeNets& nets, const CellTree& tree, const Cell& cell,
+                             PoleSide side, const Vec3& pole, const Axes& axes) {
+  DirectionCones cones = cones_of(nets, cell.u, cell.v, axes);
   const PoleNet net(tree, cell, side, pole);
   (net.across_u() ? cones.v : cones.u) = scaled_to_one(along_pole(net, cell.margin, axes));
   return cones;

@@ -41,12 +41,26 @@ struct DirectionCones {
 /// A border of a patch that is one point.
 enum class PoleSide { LowU, HighU, LowV, HighV };
 
-DirectionCones cones_of(const CellTree& tree, const Cell& cell, const Axes& axes);
+/// Differences of the homogeneous net of a patch: its derivatives without the degrees. Directions
+/// on small cells are taken from them, since differences of a cell's own points would be rounding.
+struct SlopeNets {
+  RationalBezierPatch points;  ///< of the patch itself
+  RationalBezierPatch u;
+  RationalBezierPatch v;
+  bool rational = false;
+  double scale = 0;  ///< largest absolute value in the net of the patch, and in its points in space
+};
+
+SlopeNets slope_nets(const RationalBezierPatch& patch, bool rational);
+
+/// Over a rectangle of a patch.
+DirectionCones cones_of(const SlopeNets& nets, const Interval& u, const Interval& v,
+                        const Axes& axes);
 
 /// Of a cell with one side in a pole.
 /// pole      its point, relative to the tree's origin
-DirectionCones cones_at_pole(const CellTree& tree, const Cell& cell, PoleSide side,
-                             const Vec3& pole, const Axes& axes);
+DirectionCones cones_at_pole(const SlopeNets& nets, const CellTree& tree, const Cell& cell,
+                             PoleSide side, const Vec3& pole, const Axes& axes);
 
 /// The smallest that hold both.
 DirectionCones joined(const DirectionCones& a, const DirectionCones& b);

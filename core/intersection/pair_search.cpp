@@ -24,17 +24,17 @@ namespace {
 constexpr double kSlabPart = 1.0 / 1024;
 constexpr int kDeepest = 56;              // halvings of a patch: 2^-28 in each direction
 constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
-constexpr std::size_t kBatch = 128;    // pairs examined at the same time
-constexpr std::size_t kPairGrain = 64;  // pairs, and
-constexpr std::size_t kArcsGrain = 4;   // certified pairs that one thread examines in a row
+constexpr std::size_t kBatch = 128;       // pairs examined at the same time
+constexpr std::size_t kPairGrain = 64;    // pairs, and
+constexpr std::size_t kArcsGrain = 4;     // certified pairs that one thread examines in a row
 constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
 
 // Nearly parallel pairs this flat go to the search for contacts: the sines of the angles by which
 // the derivatives of both cells turn, added.
 constexpr double kFlat = 0.15;
 
-// Cells of one surface less than this part of a span apart are near each other in it.
-constexpr double kNearDiagonal = 1.0 / 32;
+// Cells of one surface no farther apart than this many of their widths are near each other in it.
+constexpr double kNearDiagonal = 16;
 
 struct Pair {
   int place;  // the pair of patches
@@ -74,8 +74,8 @@ struct Finding {
 };
 
 // Pairs are examined in batches: those of one batch at the same time, for they only read the cells;
-// then cells are halved in the order of the pairs. The latest pairs come first, so that small cells,
-// which tell whether the surfaces coincide, are reached soon.
+// then cells are halved in the order of the pairs. The latest pairs come first, so that small
+// cells, which tell whether the surfaces coincide, are reached soon.
 class Search {
  public:
   Search(SurfaceCells& a, SurfaceCells& b, double size, const KnownCurves& known,
@@ -102,7 +102,8 @@ class Search {
   void run() {
     std::vector<Pair> batch;
     while (!stack_.empty()) {
-      const auto first = stack_.end() - static_cast<std::ptrdiff_t>(std::min(kBatch, stack_.size()));
+      const auto first =
+          stack_.end() - static_cast<std::ptrdiff_t>(std::min(kBatch, stack_.size()));
       batch.assign(first, stack_.end());
       stack_.erase(first, stack_.end());
       examine(batch);
@@ -191,21 +192,21 @@ class Search {
     return graph_chart(*place.tree_a, hull(a.u, b.u), hull(a.v, b.v), 0).has_value();
   }
 
-  // Of one surface: true if the parameters of the cells are near each other. Round a singular point
-  // all pairs are nearly parallel on every scale; halving gets on there, charts do not.
+  // Of one surface: true if the cells are near each other in it. Round singular points and edges
+  // such pairs are nearly parallel on every scale; halving gets on there, charts do not.
   bool near_diagonal(const PatchPair& place, const Cell& a, const Cell& b) const {
-    const auto apart = [](const Interval& x, const Interval& y, int step, int spans, bool closed) {
-      double gap = 1e300;
-      for (const int turn : {-spans, 0, spans})
-        if (turn == 0 || closed)
-          gap = std::min(gap, std::max(y.from + step + turn - x.to, x.from - y.to - step - turn));
-      return gap;
+    const auto near = [](const Interval& x, const Interval& y, int step, int spans, bool closed) {
+      const double reach = kNearDiagonal * std::max(length(x), length(y));
+      const auto within = [&](int turn) {
+        return std::max(y.from - x.to, x.from - y.to - 2 * (step + turn)) + step + turn < reach;
+      };
+      return within(0) || (closed && (within(spans) || within(-spans)));
     };
     const BezierSurface& s = a_.surface();
     const int step_u = a_.span_u(place.patch_b) - a_.span_u(place.patch_a);
     const int step_v = a_.span_v(place.patch_b) - a_.span_v(place.patch_a);
-    return apart(a.u, b.u, step_u, s.patches.rows(), s.closed_u) < kNearDiagonal &&
-           apart(a.v, b.v, step_v, s.patches.columns(), s.closed_v) < kNearDiagonal;
+    return near(a.u, b.u, step_u, s.patches.rows(), s.closed_u) &&
+           near(a.v, b.v, step_v, s.patches.columns(), s.closed_v);
   }
 
   bool is_thin(const Cell& a, const Cell& b, int points_a, int points_b) const {
@@ -249,10 +250,10 @@ class Search {
       return;
     }
     pair.along = finding.along;
-    const bool thin = finding.verdict == Verdict::Thin ||
-                      (finding.verdict == Verdict::Regular &&
-                       is_thin(a, b, place.tree_a->shape().plane_size(),
-                               place.tree_b->shape().plane_size()));
+    const bool thin =
+        finding.verdict == Verdict::Thin ||
+        (finding.verdict == Verdict::Regular &&
+         is_thin(a, b, place.tree_a->shape().plane_size(), place.tree_b->shape().plane_size()));
     if (thin || (a.depth >= kDeepest && b.depth >= kDeepest))
       keep(pair, thin);
     else
@@ -386,11 +387,10 @@ class Search {
     const bool halve_a = b.depth >= kDeepest ||
                          (a.depth < kDeepest &&
                           a.bend + kExtentWeight * a.extent >= b.bend + kExtentWeight * b.extent);
-    const int child =
-        halve_a ? place.tree_a->split(pair.cell_a) : place.tree_b->split(pair.cell_b);
+    const int child = halve_a ? place.tree_a->split(pair.cell_a) : place.tree_b->split(pair.cell_b);
     for (int half = 0; half < 2; ++half)
       stack_.push_back(halve_a ? Pair{pair.place, child + half, pair.cell_b, pair.along}
-                              : Pair{pair.place, pair.cell_a, child + half, pair.along});
+                               : Pair{pair.place, pair.cell_a, child + half, pair.along});
   }
 
   void keep(const Pair& pair, bool thin) {

@@ -53,6 +53,8 @@ bool touch(const Interval& a, const Interval& b, bool seam, double period) {
          (touch({a.from + period, a.to + period}, b) || touch({a.from - period, a.to - period}, b));
 }
 
+Vec3 point_of(const Vec4& p) { return {p[0] / p[3], p[1] / p[3], p[2] / p[3]}; }
+
 class SelfPairSearch {
  public:
   SelfPairSearch(SurfaceCells& cells, const GluedBorders& glued, const Vec3& origin,
@@ -64,6 +66,8 @@ class SelfPairSearch {
         limit_(options),
         axes_(axes_of(cells.surface())) {
     const auto& patches = cells.surface().patches;
+    for (int i = 0; i < cells.patches(); ++i)
+      slopes_.push_back(slope_nets(cells.tree(i).patch(), cells.surface().rational));
     build({.u0 = 0, .u1 = patches.rows(), .v0 = 0, .v1 = patches.columns()});
   }
 
@@ -184,8 +188,9 @@ class SelfPairSearch {
 
   DirectionCones cell_cones(int patch, const Cell& c) const {
     const auto side = pole_side(patch, c);
-    const CellTree& tree = cells_.tree(patch);
-    return side ? cones_at_pole(tree, c, *side, pole(*side), axes_) : cones_of(tree, c, axes_);
+    const SlopeNets& nets = slopes_[static_cast<std::size_t>(patch)];
+    return side ? cones_at_pole(nets, cells_.tree(patch), c, *side, pole(*side), axes_)
+                : cones_of(nets, c.u, c.v, axes_);
   }
 
   DirectionCones cones(const Part& part) const {
@@ -254,13 +259,9 @@ class SelfPairSearch {
     const auto hull = [](const Interval& x, const Interval& y) {
       return Interval{std::min(x.from, y.from), std::max(x.to, y.to)};
     };
-    const Cell &x = cell(a), &y = cell(b);
-    const CellTree& whole = tree(a);
-    const CellTree piece(sub_patch(whole.patch(), hull(x.u, y.u), hull(x.v, y.v)),
-                         whole.shape().planes == 4, {}, CellForm::Bezier, 0.5);
-    Cell all = piece[0];
-    all.margin *= kMaxDegree;  // at least the rounding of `sub_patch`
-    if (!is_injective(cones_of(piece, all, axes_))) return false;
+    const Interval u = hull(cell(a).u, cell(b).u), v = hull(cell(a).v, cell(b).v);
+    const SlopeNets& nets = slopes_[static_cast<std::size_t>(block(a).patch)];
+    if (!is_injective(cones_of(nets, u, v, axes_))) return false;
     ++result_.excluded;
     return true;
   }
@@ -318,6 +319,7 @@ class SelfPairSearch {
   const IntersectionOptions& options_;
   const WorkLimit limit_;
   const Axes axes_;
+  std::vector<SlopeNets> slopes_;  // of the patches
   long examined_ = 0;
   std::vector<Block> blocks_;
   std::vector<PartPair> apart_;
@@ -325,8 +327,6 @@ class SelfPairSearch {
 };
 
 // --- glued borders
-
-Vec3 point_of(const Vec4& p) { return {p[0] / p[3], p[1] / p[3], p[2] / p[3]}; }
 
 // The control points of a border, span after span, in space and with their weights.
 std::vector<Vec4> border_points(const BezierSurface& surface, PoleSide side) {
