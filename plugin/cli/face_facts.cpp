@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/face_facts.h"
 
-#include <sstream>
-
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepCheck.hxx>
-#include <BRepCheck_Analyzer.hxx>
-#include <BRepCheck_ListIteratorOfListOfStatus.hxx>
-#include <BRepCheck_ListOfStatus.hxx>
-#include <BRepCheck_Result.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/surfaces.h"
+#include "adapters/occt/soundness.h"
 
 namespace blossom::cli {
 namespace {
@@ -42,40 +34,6 @@ int count(const TopoDS_Face& face, TopAbs_ShapeEnum kind) {
   return map.Extent();
 }
 
-void add_statuses(const BRepCheck_ListOfStatus& statuses, std::vector<std::string>& problems) {
-  for (BRepCheck_ListIteratorOfListOfStatus it(statuses); it.More(); it.Next()) {
-    if (it.Value() == BRepCheck_NoError) continue;
-    std::ostringstream text;
-    BRepCheck::Print(it.Value(), text);
-    std::string word = text.str();
-    while (!word.empty() && (word.back() == '\n' || word.back() == ' ')) word.pop_back();
-    problems.push_back(word);
-  }
-}
-
-std::vector<std::string> problems_of(const TopoDS_Face& face) {
-  // Open CASCADE's checker does not look for numbers that are none, and can loop on them.
-  try {
-    occt::guarded("converting the face", [&] { occt::bezier_surface(face); });
-  } catch (const std::runtime_error& error) {
-    return {error.what()};
-  }
-  std::vector<std::string> problems;
-  occt::guarded("checking the face", [&] {
-    const BRepCheck_Analyzer analyzer(face);
-    if (analyzer.IsValid()) return;
-    for (const TopAbs_ShapeEnum kind : {TopAbs_FACE, TopAbs_WIRE, TopAbs_EDGE, TopAbs_VERTEX}) {
-      TopTools_IndexedMapOfShape shapes;
-      TopExp::MapShapes(face, kind, shapes);
-      for (int i = 1; i <= shapes.Extent(); ++i)
-        if (!analyzer.Result(shapes(i)).IsNull())
-          add_statuses(analyzer.Result(shapes(i))->Status(), problems);
-    }
-    if (problems.empty()) problems.push_back("BRepCheck finds an edge that does not fit the face");
-  });
-  return problems;
-}
-
 }  // namespace
 
 FaceFacts face_facts(const TopoDS_Face& face, int number) {
@@ -101,7 +59,7 @@ FaceFacts face_facts(const TopoDS_Face& face, int number) {
   }
   facts.periodic_u = surface.IsUPeriodic();
   facts.periodic_v = surface.IsVPeriodic();
-  facts.problems = problems_of(face);
+  facts.problems = occt::face_problems(face);
   return facts;
 }
 

@@ -50,6 +50,7 @@ int run(int argc, char** argv) {
 
   int code = kExitComplete;
   add_info(app, code);
+  add_check(app, code);
   add_intersect(app, code);
   add_trim(app, code);
   add_blend(app, code);

@@ -77,7 +77,7 @@ TEST(Program, ShowsItsCommands) {
   const Finished run = blossom({"--help"});
   EXPECT_EQ(run.code, 0);
   for (const char* command :
-       {"info", "intersect", "trim", "blend", "subdivide", "convert", "query"})
+       {"info", "check", "intersect", "trim", "blend", "subdivide", "convert", "query"})
     EXPECT_NE(run.out.find(command), std::string::npos) << run.out;
 }
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What is wrong with a shape: validity, gaps measured beside the tolerances that it states, wires,
+// and how faces hang together.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+namespace blossom::occt {
+
+/// What a face's geometry and Open CASCADE's BRepCheck say against it, in words; none if valid.
+std::vector<std::string> face_problems(const TopoDS_Face& face);
+
+/// Where the wires of a face are degenerate (they enclose nothing but what their edges' tolerances
+/// cover) or meet themselves or each other but at the corner that joins two edges. In words.
+std::vector<std::string> wire_problems(const TopoDS_Face& face);
+
+/// Lengths in model units; gaps as in `EdgeGaps`, the largest over all uses of the edge.
+struct EdgeSoundness {
+  int number = 0;  ///< 1-based, in the order of TopExp::MapShapes
+  TopoDS_Edge edge;
+  std::vector<int> faces;  ///< numbers of the faces that use it, once for each use
+  double tolerance = 0;    ///< that the shape states
+  double gap = 0;
+  double same_parameter = 0;
+  double vertex_gap = 0;  ///< of the end that misses its vertex most, in tolerances of the vertex
+  double vertex_tolerance = 0;
+  bool free = false;     ///< used once in its shell
+  bool crowded = false;  ///< used more than twice in its shell
+  std::vector<std::string> problems;
+};
+
+struct FaceSoundness {
+  int number = 0;  ///< 1-based, in the order of TopExp::MapShapes
+  std::vector<int> edges;
+  std::vector<std::string> problems;
+};
+
+struct Soundness {
+  std::vector<FaceSoundness> faces;
+  std::vector<EdgeSoundness> edges;
+  std::vector<std::string> problems;  ///< of shells and solids
+};
+
+/// Looks at all of a shape.
+///
+/// A gap is a problem when it exceeds the stated tolerance by more than rounding; the gap at the
+/// same parameter only where the edge claims to have none. A free edge is one in a solid, which has
+/// to be closed; sheets may end. Faces outside of shells count as one shell.
+Soundness soundness(const TopoDS_Shape& shape);
+
+/// The same for faces of a shape, by number: their edges alone, nothing about shells and solids but
+/// whether these edges are free or crowded.
+Soundness soundness(const TopoDS_Shape& shape, const std::vector<int>& faces);
+
+}  // namespace blossom::occt
