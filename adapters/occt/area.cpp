@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include <BRep_Tool.hxx>
@@ -16,15 +18,18 @@
 namespace blossom::occt {
 namespace {
 
-// Of the rough area; the integrals' error estimates exceed their errors by far.
+// Of the rough integral; the integrals' error estimates exceed their errors by far.
 constexpr double kRelativeTolerance = 1e-11;
 constexpr double kCoordinateRounding = 1e-15;
+
+// What is integrated over the chart: by point and normal S_u x S_v.
+using Integrand = std::function<double(const gp_Pnt&, const gp_Vec&)>;
 
 // The surface over the box of the trims. The inner integral runs along the direction with fewer
 // spans, called x; the other one is y.
 class Density {
  public:
-  explicit Density(const FaceTrims& trims) {
+  Density(const FaceTrims& trims, Integrand integrand) : integrand_(std::move(integrand)) {
     for (int k = 0; k < 2; ++k) {
       low_[k] = trims.box.low[k] / trims.scale[k];
       high_[k] = trims.box.high[k] / trims.scale[k];
@@ -35,7 +40,7 @@ class Density {
     x_knots_ = inner_ == 0 ? u : v;
     y_knots_ = inner_ == 0 ? v : u;
     for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) rough_ += value_at((i + 0.5) / 4, (j + 0.5) / 4) / 16;
+      for (int j = 0; j < 4; ++j) rough_ += std::abs(value_at((i + 0.5) / 4, (j + 0.5) / 4)) / 16;
     double rounding = kCoordinateRounding * rough_;
     for (int k = 0; k < 2; ++k) {
       rough_ *= high_[k] - low_[k];
@@ -45,7 +50,7 @@ class Density {
   }
 
   int inner() const { return inner_; }
-  /// For the whole area: no sum can be better than the coordinates of the trims.
+  /// For the whole integral: no sum can be better than the coordinates of the trims.
   double tolerance() const { return tolerance_; }
   const std::vector<double>& y_knots() const { return y_knots_; }
 
@@ -82,12 +87,13 @@ class Density {
     gp_Pnt point;
     gp_Vec du, dv;
     surface_.D1(u, v, point, du, dv);
-    return du.Crossed(dv).Magnitude();
+    return integrand_(point, du.Crossed(dv));
   }
   double value_at(double s, double t) const {
     return value(low_[0] + s * (high_[0] - low_[0]), low_[1] + t * (high_[1] - low_[1]));
   }
 
+  Integrand integrand_;
   GeomAdaptor_Surface surface_;
   Vec2 low_, high_;
   std::vector<double> x_knots_, y_knots_;  // of the surface inside the box, the box's ends too
@@ -163,15 +169,31 @@ double along(const Coedge& coedge, const FaceTrims& trims, const Density& densit
   return ((coedge.reversed() ? -sum : sum) + gaps) * (x == 0 ? 1 : -1);
 }
 
-}  // namespace
-
-double area(const TopoDS_Face& face, int cells) {
+double integral_over(const TopoDS_Face& face, const Integrand& integrand, int cells) {
   const FaceTrims trims = face_trims(face);
-  const Density density(trims);
+  const Density density(trims, integrand);
   double sum = 0;
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop) sum += along(coedge, trims, density, cells);
   return sum;
+}
+
+}  // namespace
+
+double area(const TopoDS_Face& face, int cells) {
+  return integral_over(
+      face, [](const gp_Pnt&, const gp_Vec& normal) { return normal.Magnitude(); }, cells);
+}
+
+double cone_volume(const TopoDS_Face& face, const Vec3& apex) {
+  const gp_Pnt origin(apex[0], apex[1], apex[2]);
+  const double volume = integral_over(
+      face,
+      [&](const gp_Pnt& point, const gp_Vec& normal) {
+        return gp_Vec(origin, point).Dot(normal) / 3;
+      },
+      1);
+  return face.Orientation() == TopAbs_REVERSED ? -volume : volume;
 }
 
 }  // namespace blossom::occt

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The area of trimmed faces, accurate enough to see that pieces add up to their face.
+// The area of trimmed faces and the volume under them, accurate enough to see that pieces add up.
 
 #pragma once
 
 #include <TopoDS_Face.hxx>
+
+#include "core/math/vec.h"
 
 namespace blossom::occt {
 
@@ -21,5 +23,14 @@ namespace blossom::occt {
 ///
 /// Source: Green's theorem; `core/math/quadrature.h`.
 double area(const TopoDS_Face& face, int cells = 1);
+
+/// The volume of the cone from a point over a face, cubic model units; negative where the oriented
+/// normal points to the apex. The cones of a closed shell add up to the volume that it encloses.
+///
+///   V = integral over the chart of (S - apex) . (S_u x S_v) / 3
+///
+/// accuracy  as the area, relative to the integral of the integrand's absolute value
+/// throws    as area
+double cone_volume(const TopoDS_Face& face, const Vec3& apex);
 
 }  // namespace blossom::occt

@@ -110,7 +110,7 @@ std::vector<CutUse> FaceSplitter::runs_along(int loop, int index, const EdgePiec
       };
       Interval along{parameter(0.25), parameter(0.75)};
       if (of.reversed()) std::swap(along.from, along.to);
-      uses.push_back({strand.cut, along, {}});
+      uses.push_back({strand.cut, along, {}, true});
     }
   return uses;
 }
@@ -164,7 +164,7 @@ bool FaceSplitter::add_cut_arc(const Strand& strand, const std::pair<double, int
     }
   arcs_.push_back({from.second, to.second, std::move(path), false});
   origins_.push_back(
-      {{}, {{strand.cut, range, {}}}, static_cast<int>(&strand - strands_.data()), -1});
+      {{}, {{strand.cut, range, {}, false}}, static_cast<int>(&strand - strands_.data()), -1});
   return true;
 }
 
@@ -195,7 +195,7 @@ void FaceSplitter::add_wire(const Cycle& cycle, FacePiece& piece) const {
     builder.Add(wire, edge);
     for (const CutUse& use : origin.uses)
       piece.cuts.push_back(
-          {use.cut, half.reversed ? Interval{use.at.to, use.at.from} : use.at, edge});
+          {use.cut, half.reversed ? Interval{use.at.to, use.at.from} : use.at, edge, use.along});
   }
   wire.Closed(Standard_True);
   builder.Add(piece.face, wire);

@@ -182,4 +182,23 @@ void FaceSplitter::finish_stops(Strand& strand) {
   strand.stops = std::move(stops);
 }
 
+std::vector<double> FaceSplitter::stops(int cut) const {
+  std::vector<double> parameters;
+  for (const Strand& strand : strands_)
+    if (strand.cut == cut)
+      for (const auto& stop : strand.stops) parameters.push_back(stop.first);
+  std::sort(parameters.begin(), parameters.end());
+  return parameters;
+}
+
+void FaceSplitter::divide(int cut, double parameter) {
+  for (Strand& strand : strands_) {
+    if (strand.cut != cut || has_stop(strand, parameter)) continue;
+    const Vec2 point = point_at(strand.curve, parameter);
+    if (!is_inside(trims_, point)) continue;
+    strand.stops.emplace_back(parameter, node_near(point));
+    std::sort(strand.stops.begin(), strand.stops.end());
+  }
+}
+
 }  // namespace blossom::occt

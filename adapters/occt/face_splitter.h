@@ -27,7 +27,8 @@ struct FaceCut {
 struct CutUse {
   int cut = 0;  ///< index of the cut
   Interval at;  ///< parameters of the cut; walked from-to, the piece of the face is on the left
-  TopoDS_Edge edge;  ///< in the wire of the piece
+  TopoDS_Edge edge;    ///< in the wire of the piece
+  bool along = false;  ///< the edge is one of the face's own, or a piece of it
 };
 
 struct FacePiece {
@@ -61,6 +62,13 @@ class FaceSplitter {
   /// Takes ends that stop just short of a wire to it, preferably where a neighbour splits the same
   /// edge already, and finds where cuts cross each other.
   void settle();
+
+  /// Where a settled cut ends, meets wires or other cuts: its parameters, increasing. For a face on
+  /// the other side of the cut, which is to be divided at the same places.
+  std::vector<double> stops(int cut) const;
+
+  /// Divides a settled cut at a parameter, unless it has a stop there.
+  void divide(int cut, double parameter);
 
   /// The pieces. When nothing divides the face and no edge is split it is the face itself.
   FaceSplit split();

@@ -107,14 +107,6 @@ Votes votes_of(const SidedPiece& piece, int tool) {
   return votes;
 }
 
-std::optional<gp_Pnt> point_inside(const TopoDS_Face& face) {
-  gp_Pnt point;
-  gp_Pnt2d uv;
-  const Handle(IntTools_Context) context = new IntTools_Context;
-  if (BOPTools_AlgoTools3D::PointInFace(face, point, uv, context) != 0) return std::nullopt;
-  return point;
-}
-
 ToolSide side_of_solids(const std::vector<TopoDS_Solid>& solids, const gp_Pnt& point) {
   for (const TopoDS_Solid& solid : solids) {
     const TopAbs_State state =
@@ -153,6 +145,14 @@ ToolSide side_by_point(const TopoDS_Face& piece, const TrimTool& tool) {
 }
 
 }  // namespace
+
+std::optional<gp_Pnt> point_inside(const TopoDS_Face& face) {
+  gp_Pnt point;
+  gp_Pnt2d uv;
+  const Handle(IntTools_Context) context = new IntTools_Context;
+  if (BOPTools_AlgoTools3D::PointInFace(face, point, uv, context) != 0) return std::nullopt;
+  return point;
+}
 
 TrimTool trim_tool(const TopoDS_Shape& shape) {
   TrimTool tool;

@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
+#include <gp_Pnt.hxx>
 
 #include "adapters/occt/face_splitter.h"
 
@@ -42,6 +44,9 @@ enum class ToolSide { Unknown, Above, Below };
 /// The side of a piece next to a cut on its border, from directions into the piece at several
 /// points of the cut; unknown when they disagree or the surfaces are tangential there.
 ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use);
+
+/// A point inside of a face; none if Open CASCADE finds none.
+std::optional<gp_Pnt> point_inside(const TopoDS_Face& face);
 
 /// The side of each piece with respect to one tool, in the order of `pieces`.
 ///

@@ -12,6 +12,7 @@
 #include "adapters/occt/trim.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
+#include "plugin/cli/commands/trim_solids.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
@@ -28,6 +29,7 @@ struct Options {
   std::string part;
   std::vector<std::string> tools;
   std::string keep;
+  std::string solid;  // an operation on solids, instead of keep
   bool allow_incomplete = false;
   CommonOptions common;
   EngineOptions engine;
@@ -181,7 +183,19 @@ void write_outputs(Inputs& inputs, const Timed& timed, const Options& options) {
   if (options.common.json != "-" && !options.common.quiet) print(text);
 }
 
+int run_solid(const Options& options) {
+  if (!options.keep.empty() || options.allow_incomplete)
+    throw UsageError("--solid goes without --keep and --allow-incomplete");
+  if (!is_solid_operation(options.solid))
+    throw UsageError("--solid takes cut, common, fuse or split, not '" + options.solid + "'");
+  if (options.tools.size() != 1) throw UsageError("--solid takes one tool");
+  return trim_solids(
+      {options.part, options.tools.front(), options.solid, options.common, options.engine});
+}
+
 int run(const Options& options) {
+  if (!options.solid.empty()) return run_solid(options);
+  if (options.keep.empty()) throw UsageError("trim needs --keep, or --solid for solids");
   check_outputs(options.common);
   trim_options(options.keep);  // a wrong word is told before a long reading
   start_threads(options.engine.threads);
@@ -209,8 +223,12 @@ void add_trim(CLI::App& app, int& exit_code) {
       ->add_option("--keep", options->keep,
                    "above (where the tools' normals point), below, inside, outside (of solid "
                    "tools), all, or the number of a piece")
-      ->required()
       ->type_name("SIDE");
+  command
+      ->add_option("--solid", options->solid,
+                   "combine two closed solids instead: cut, common, fuse or split (cut and common "
+                   "side by side)")
+      ->type_name("OPERATION");
   command->add_flag("--allow-incomplete", options->allow_incomplete,
                     "write the model even if the intersection was stopped");
   add_common_options(*command, options->common, "write the trimmed model (.step, .brep, .iges)");

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Faces that meet along common curves get common edges and vertices.
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <TopTools_DataMapOfShapeShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+
+namespace blossom::occt {
+
+/// First all edges are joined, then all faces rebuilt.
+class EdgeUnion {
+ public:
+  /// Makes two edges one, as well as the vertices at their ends. They lie on the same curve with
+  /// the same parameter, over ranges that agree but for the tolerance. The edge that comes of them
+  /// has the range of the first and the chart curves of both.
+  void join(const TopoDS_Edge& a, const TopoDS_Edge& b);
+
+  /// The face with its edges and vertices replaced; itself if none is. Its border stays where it
+  /// was: vertices get tolerances that cover all those they stand for.
+  TopoDS_Face rebuilt(const TopoDS_Face& face);
+
+  /// Edges that shrank to a point when their ends became one; the faces cannot be used then.
+  int collapsed() const { return collapsed_; }
+
+ private:
+  std::size_t number(const TopoDS_Vertex& vertex);
+  std::size_t root(std::size_t vertex);
+  TopoDS_Vertex united(const TopoDS_Vertex& vertex);
+  TopoDS_Edge united(const TopoDS_Edge& edge);
+
+  TopTools_IndexedMapOfShape vertices_;
+  std::vector<std::size_t> parent_;                    // of a vertex; its own number at the root
+  std::vector<TopoDS_Vertex> made_;                    // for roots, once needed
+  TopTools_DataMapOfShapeShape first_of_, second_of_;  // joined edges
+  TopTools_DataMapOfShapeShape made_edges_;
+  int collapsed_ = 0;
+};
+
+}  // namespace blossom::occt

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/trim_solids.h"
+
+#include <chrono>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/solid_trim.h"
+#include "core/base/parallel.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/inputs.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/intersection_report.h"
+#include "plugin/cli/output.h"
+#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/progress.h"
+
+namespace blossom::cli {
+namespace {
+
+const std::map<std::string, occt::SolidOperation> kOperations = {
+    {"cut", occt::SolidOperation::Cut},
+    {"common", occt::SolidOperation::Common},
+    {"fuse", occt::SolidOperation::Fuse},
+    {"split", occt::SolidOperation::Split}};
+
+struct Timed {
+  occt::SolidTrimResult made;
+  double seconds = 0;
+};
+
+occt::TrimTool solid_of(const std::string& text) {
+  const Input input = read_input(text);
+  if (static_cast<int>(input.numbers.size()) != input.model.face_count())
+    throw UsageError(text + ": --solid takes whole models, not some of their faces");
+  return occt::trim_tool(input.model.shape());
+}
+
+Timed timed_trim(const SolidTrim& options) {
+  const occt::TrimTool part = solid_of(options.part), tool = solid_of(options.tool);
+  stop_if_interrupted();
+  Progress progress("combining solids", options.common.quiet);
+  const IntersectionOptions engine = intersection_options(options.engine, progress);
+  const auto start = std::chrono::steady_clock::now();
+  Timed result{occt::trim_solids(part, tool, kOperations.at(options.operation), engine), 0};
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  stop_if_interrupted();
+  result.seconds = took.count();
+  return result;
+}
+
+int face_count(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  return faces.Extent();
+}
+
+int shell_count(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape shells;
+  TopExp::MapShapes(shape, TopAbs_SHELL, shells);
+  return shells.Extent();
+}
+
+Json volumes_json(const occt::SolidTrimResult& made) {
+  if (made.volumes.part == 0) return nullptr;
+  return {{"part", made.volumes.part},
+          {"tool", made.volumes.tool},
+          {"cut", made.volumes.cut},
+          {"common", made.volumes.common},
+          {"fuse", made.volumes.fuse},
+          {"cut_error", made.volumes.cut_error()},
+          {"fuse_error", made.volumes.fuse_error()}};
+}
+
+Json report_of(const SolidTrim& options, const Timed& timed, bool written) {
+  Json solids = Json::array();
+  for (const TopoDS_Solid& solid : timed.made.solids)
+    solids.push_back({{"faces", face_count(solid)}, {"voids", shell_count(solid) - 1}});
+  return {{"schema", "blossom.solid/1"},
+          {"part", options.part},
+          {"tool", options.tool},
+          {"operation", options.operation},
+          {"status", to_string(timed.made.status)},
+          {"written", written},
+          {"seconds", timed.seconds},
+          {"solids", std::move(solids)},
+          {"volumes", volumes_json(timed.made)},
+          {"obstacles", timed.made.obstacles},
+          {"certificate", to_json(timed.made.certificate)}};
+}
+
+std::string summary(const SolidTrim& options, const Timed& timed) {
+  std::ostringstream text;
+  text << options.part << ": " << options.operation << ", " << to_string(timed.made.status) << ", "
+       << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
+  if (timed.made.volumes.part != 0)
+    text << "  volumes: part " << timed.made.volumes.part << ", tool " << timed.made.volumes.tool
+         << ", cut " << timed.made.volumes.cut << ", common " << timed.made.volumes.common
+         << ", fuse " << timed.made.volumes.fuse << "\n  they add up within "
+         << timed.made.volumes.cut_error() << " (cut) and " << timed.made.volumes.fuse_error()
+         << " (fuse)\n";
+  for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
+  return text.str();
+}
+
+occt::Model model_of(const SolidTrim& options, const std::vector<TopoDS_Solid>& solids) {
+  const std::string name = std::filesystem::path(options.part).stem().string();
+  occt::Model model;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    model.add(solids[i], solids.size() == 1 ? name : name + "." + std::to_string(i + 1));
+  return model;
+}
+
+std::string picture_of(const std::vector<TopoDS_Solid>& solids) {
+  Picture picture;
+  picture.groups = {{{}, kFirstColour, kFirstOpacity}};
+  for (const TopoDS_Solid& solid : solids)
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+      picture.groups.front().faces.push_back(TopoDS::Face(it.Current()));
+  return picture_png(picture);
+}
+
+// Why nothing is written though it was asked for; empty if nothing speaks against it.
+std::string reason_of(const occt::SolidTrimResult& made) {
+  if (!made.obstacles.empty()) return made.obstacles.front();
+  return made.solids.empty() ? "the result is empty" : "";
+}
+
+}  // namespace
+
+bool is_solid_operation(const std::string& word) { return kOperations.contains(word); }
+
+int trim_solids(const SolidTrim& options) {
+  check_outputs(options.common);
+  start_threads(options.engine.threads);
+  const Timed timed = timed_trim(options);
+  const std::string reason = reason_of(timed.made);
+  const CommonOptions& outputs = options.common;
+  const bool write = reason.empty() && !outputs.output.empty();
+  const std::string png =
+      reason.empty() && !outputs.picture.empty() ? picture_of(timed.made.solids) : std::string();
+  if (write) occt::write_model(model_of(options, timed.made.solids), outputs.output);
+  if (!png.empty()) occt::write_text(png, outputs.picture);
+  if (!reason.empty())
+    std::cerr << "blossom: "
+              << (outputs.output.empty() ? "no solid" : outputs.output + " is not written") << ": "
+              << reason << '\n';
+  if (!outputs.json.empty()) write_json(report_of(options, timed, write), outputs.json);
+  if (outputs.json != "-" && !outputs.quiet) print(summary(options, timed));
+  const bool failed = !timed.made.obstacles.empty() && timed.made.status != Status::Stopped;
+  return failed ? kExitFailure : exit_code(timed.made.status);
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom trim PART TOOL --solid OPERATION`.
+
+#pragma once
+
+#include <string>
+
+#include "plugin/cli/options.h"
+
+namespace blossom::cli {
+
+struct SolidTrim {
+  std::string part;
+  std::string tool;
+  std::string operation;  ///< cut, common, fuse or split
+  CommonOptions common;
+  EngineOptions engine;
+};
+
+/// The operations as words of the command line.
+bool is_solid_operation(const std::string& word);
+
+/// Does the work, writes the outputs and returns the exit code. Nothing but the report is written
+/// when the solids cannot be combined.
+/// throws   UsageError as read_input; InvalidInput if an input is no closed solid
+int trim_solids(const SolidTrim& options);
+
+}  // namespace blossom::cli

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Solids combined, with volumes known by hand.
+#include "adapters/occt/solid_trim.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
+
+#include "core/base/errors.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+TopoDS_Shape box(const gp_Pnt& from, const gp_Pnt& to) {
+  return BRepPrimAPI_MakeBox(from, to).Shape();
+}
+
+TopoDS_Shape ball(const gp_Pnt& centre, double radius) {
+  return BRepPrimAPI_MakeSphere(centre, radius).Shape();
+}
+
+TopoDS_Shape turned(const TopoDS_Shape& shape, const gp_Dir& axis, double angle) {
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp::Origin(), axis), angle);
+  return BRepBuilderAPI_Transform(shape, turn).Shape();
+}
+
+std::string words(const SolidTrimResult& result) {
+  std::string text;
+  for (const std::string& obstacle : result.obstacles) text += obstacle + "; ";
+  return text;
+}
+
+int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, kind, map);
+  return map.Extent();
+}
+
+struct Expected {
+  double volume = 0;                          // of the common part
+  std::size_t cut = 1, common = 1, fuse = 1;  // numbers of solids
+};
+
+// The independent measure: Open CASCADE's integrator.
+double volume(const std::vector<TopoDS_Solid>& solids) {
+  double sum = 0;
+  for (const TopoDS_Solid& solid : solids) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(solid, properties, 1e-8);
+    sum += properties.Mass();
+  }
+  return sum;
+}
+
+void expect_solids(const SolidTrimResult& result, std::size_t solids, double wanted, double size) {
+  ASSERT_EQ(words(result), "");
+  EXPECT_NE(result.status, Status::Stopped);
+  EXPECT_EQ(result.solids.size(), solids);
+  for (const TopoDS_Solid& solid : result.solids) EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
+  EXPECT_NEAR(volume(result.solids), wanted, 2e-6 * size);
+  EXPECT_LE(result.volumes.cut_error(), 1e-8);
+  EXPECT_LE(result.volumes.fuse_error(), 1e-8);
+}
+
+void expect_all(const TopoDS_Shape& a, const TopoDS_Shape& b, const Expected& expected) {
+  const TrimTool part = trim_tool(a), tool = trim_tool(b);
+  const SolidTrimResult cut = trim_solids(part, tool, SolidOperation::Cut);
+  const double of_a = cut.volumes.part, of_b = cut.volumes.tool, common = expected.volume;
+  expect_solids(cut, expected.cut, of_a - common, of_a);
+  EXPECT_NEAR(cut.volumes.common, common, 1e-8 * of_a);
+  expect_solids(trim_solids(part, tool, SolidOperation::Common), expected.common, common, of_a);
+  expect_solids(trim_solids(part, tool, SolidOperation::Fuse), expected.fuse, of_a + of_b - common,
+                of_a + of_b);
+  expect_solids(trim_solids(part, tool, SolidOperation::Split), expected.cut + expected.common,
+                of_a, of_a);
+}
+
+TEST(TrimSolids, CutsABoxByABox) {
+  const TopoDS_Shape a = box({0, 0, 0}, {2, 2, 2}), b = box({1, 1, 1}, {3, 3.5, 4});
+  expect_all(a, b, {1});
+  const SolidTrimResult cut = trim_solids(trim_tool(a), trim_tool(b), SolidOperation::Cut);
+  ASSERT_EQ(cut.solids.size(), 1u);
+  EXPECT_EQ(count(cut.solids[0], TopAbs_FACE), 9);
+  EXPECT_EQ(count(cut.solids[0], TopAbs_EDGE), 21);
+  EXPECT_EQ(count(cut.solids[0], TopAbs_VERTEX), 14);
+}
+
+TEST(TrimSolids, CutsABoxInTwoByABar) {
+  expect_all(box({0, 0, 0}, {3, 1, 1}), box({1, -1, -1}, {2, 2, 2}), {1, 2, 1, 1});
+}
+
+TEST(TrimSolids, CutsABoxByABallAtItsCorner) {
+  // Turned, so that neither its poles nor its seam lie in the box's faces.
+  expect_all(box({0, 0, 0}, {2, 2, 2}), turned(ball({0, 0, 0}, 1), gp_Dir(1, 2, 3), 0.7),
+             {kPi / 6});
+}
+
+TEST(TrimSolids, CutsABoxByABallThroughAFace) {
+  // A cap of height 1/2 of a unit ball: pi h^2 (3 - h) / 3.
+  expect_all(box({-2, -2, 0}, {2, 2, 3}), ball({0.1, 0.2, -0.5}, 1), {kPi * 0.25 * 2.5 / 3});
+}
+
+TEST(TrimSolids, CutsCylindersAtRightAngles) {
+  // The bicylinder of radii 1 and 1/2, by quadrature over the thin one's section:
+  // V = integral over the disc x^2 + y^2 <= 1/4 of 2 sqrt(1 - y^2).
+  double wanted = 0;
+  constexpr int kSteps = 20000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double angle = kPi * (i + 0.5) / kSteps - kPi / 2, y = 0.5 * std::sin(angle);
+    wanted += 4 * std::sqrt(1 - y * y) * 0.25 * std::cos(angle) * std::cos(angle) * kPi / kSteps;
+  }
+  const TopoDS_Shape thick = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -2}, gp::DZ()), 1, 4).Shape();
+  const TopoDS_Shape thin =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({-3, 0, 0.2}, gp::DX()), 0.5, 6).Shape();
+  expect_all(thick, thin, {wanted, 1, 1, 1});
+  expect_all(thin, thick, {wanted, 2, 1, 1});
+}
+
+TEST(TrimSolids, CutsATorusByABox) {
+  // Half of it on the box's side of the plane x = 0.
+  expect_all(BRepPrimAPI_MakeTorus(3, 1).Shape(), box({0, -5, -2}, {5, 5, 2}), {3 * kPi * kPi});
+}
+
+TEST(TrimSolids, LeavesAVoidWhereABallLiesInside) {
+  const TopoDS_Shape a = box({-2, -2, -2}, {2, 2, 2}), b = ball({0.3, 0, 0}, 1);
+  expect_all(a, b, {4 * kPi / 3});
+  const SolidTrimResult cut = trim_solids(trim_tool(a), trim_tool(b), SolidOperation::Cut);
+  ASSERT_EQ(cut.solids.size(), 1u);
+  EXPECT_EQ(count(cut.solids[0], TopAbs_SHELL), 2);
+  expect_all(b, a, {4 * kPi / 3, 0, 1, 1});
+}
+
+TEST(TrimSolids, KeepsSolidsThatAreApart) {
+  expect_all(box({0, 0, 0}, {1, 1, 1}), ball({5, 0, 0}, 1), {0, 1, 0, 2});
+}
+
+TEST(TrimSolids, AgreesWithOpenCascadeAboutTurnedBoxes) {
+  const TopoDS_Shape a = box({-1, -1, -1}, {1, 1, 1});
+  for (const double angle : {0.2, 0.7, 1.3}) {
+    const TopoDS_Shape b = turned(a, gp_Dir(1, 2, 3), angle);
+    BRepAlgoAPI_Common common(a, b);
+    BRepAlgoAPI_Cut cut(a, b);
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(common.Shape(), properties, 1e-10);
+    expect_all(a, b,
+               {properties.Mass(), static_cast<std::size_t>(count(cut.Shape(), TopAbs_SOLID))});
+  }
+}
+
+TEST(TrimSolids, RefusesFacesThatCoincide) {
+  const SolidTrimResult result =
+      trim_solids(trim_tool(box({0, 0, 0}, {1, 1, 1})), trim_tool(box({1, 0, 0}, {2, 1, 1})),
+                  SolidOperation::Fuse);
+  EXPECT_TRUE(result.solids.empty());
+  EXPECT_NE(words(result).find("not supported"), std::string::npos) << words(result);
+}
+
+TEST(TrimSolids, RefusesABallThatTouchesAFace) {
+  const SolidTrimResult result = trim_solids(trim_tool(box({-2, -2, 0}, {2, 2, 2})),
+                                             trim_tool(ball({0, 0, -1}, 1)), SolidOperation::Fuse);
+  EXPECT_TRUE(result.solids.empty());
+  EXPECT_NE(words(result).find("touch"), std::string::npos) << words(result);
+}
+
+TEST(TrimSolids, RefusesWhatIsNotClosed) {
+  const TopoDS_Shape a = box({0, 0, 0}, {1, 1, 1});
+  const TrimTool open{{trim_tool(a).faces.front()}, {}};
+  EXPECT_THROW(trim_solids(trim_tool(a), open, SolidOperation::Cut), InvalidInput);
+  EXPECT_THROW(trim_solids(open, trim_tool(a), SolidOperation::Cut), InvalidInput);
+}
+
+}  // namespace
+}  // namespace blossom::occt

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom trim --solid`, as a user runs it.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <numbers>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <GProp_GProps.hxx>
+#include <nlohmann/json.hpp>
+
+#include "adapters/occt/shapes.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using nlohmann::json;
+using testing::blossom;
+using testing::Finished;
+
+constexpr double kCap = std::numbers::pi * 0.25 * 2.5 / 3;  // of height 1/2 of a unit ball
+
+class TrimSolidsCommand : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write(BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, 0), gp_Pnt(2, 2, 3)).Shape(), "box.brep");
+    write(BRepPrimAPI_MakeSphere(gp_Pnt(0.1, 0.2, -0.5), 1).Shape(), "ball.step");
+    write(BRepPrimAPI_MakeBox(gp_Pnt(2, -2, 0), gp_Pnt(4, 2, 3)).Shape(), "beside.brep");
+    write(BRepPrimAPI_MakeBox(gp_Pnt(9, 9, 9), gp_Pnt(10, 10, 10)).Shape(), "away.brep");
+  }
+  void write(const TopoDS_Shape& shape, const std::string& name) {
+    occt::quiet_messages();
+    occt::Model model;
+    model.add(shape, name);
+    occt::write_model(model, folder / name);
+  }
+  Finished combine(const std::string& tool, std::vector<std::string> options) {
+    options.insert(options.begin(), {"trim", folder / "box.brep", folder / tool, "--solid"});
+    return blossom(options);
+  }
+
+  testing::TestFolder folder;
+};
+
+TEST_F(TrimSolidsCommand, WritesTheBoxWithoutTheBall) {
+  const Finished run =
+      combine("ball.step", {"cut", "-o", folder / "cut.step", "--json", folder / "cut.json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const occt::Model cut = occt::read_model(folder / "cut.step");
+  EXPECT_EQ(cut.face_count(), 7);
+  EXPECT_TRUE(BRepCheck_Analyzer(cut.shape()).IsValid());
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(cut.shape(), properties, 1e-8);
+  EXPECT_NEAR(properties.Mass(), 48 - kCap, 1e-5);
+  EXPECT_EQ(blossom({"check", folder / "cut.step"}).code, 0);
+
+  const json report = json::parse(testing::text_of(folder / "cut.json"));
+  EXPECT_EQ(report["schema"], "blossom.solid/1");
+  EXPECT_EQ(report["operation"], "cut");
+  EXPECT_EQ(report["status"], "complete");
+  EXPECT_EQ(report["written"], true);
+  EXPECT_EQ(report["solids"], json::parse(R"([{"faces": 7, "voids": 0}])"));
+  EXPECT_NEAR(report["volumes"]["common"].get<double>(), kCap, 1e-7);
+  EXPECT_LT(report["volumes"]["cut_error"].get<double>(), 1e-9);
+  EXPECT_LT(report["volumes"]["fuse_error"].get<double>(), 1e-9);
+  EXPECT_TRUE(report["obstacles"].empty());
+}
+
+TEST_F(TrimSolidsCommand, PrintsVolumesForPeople) {
+  const Finished run = combine("ball.step", {"fuse"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("fuse, complete, 1 solid"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("part 48"), std::string::npos) << run.out;
+}
+
+TEST_F(TrimSolidsCommand, WritesNothingWhereFacesCoincideAndSaysWhy) {
+  const Finished run = combine("beside.brep", {"fuse", "-o", folder / "out.step", "--json", "-"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("not supported"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.step"));
+  const json report = json::parse(run.out);
+  EXPECT_EQ(report["written"], false);
+  EXPECT_FALSE(report["obstacles"].empty());
+  EXPECT_TRUE(report["volumes"].is_null());
+}
+
+TEST_F(TrimSolidsCommand, WritesNothingWhenTheIntersectionWasStopped) {
+  const Finished run = combine("ball.step", {"cut", "--budget", "1", "-o", folder / "out.step"});
+  EXPECT_EQ(run.code, 4);
+  EXPECT_NE(run.err.find("is not written"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.step"));
+}
+
+TEST_F(TrimSolidsCommand, SaysThatNothingIsCommon) {
+  const Finished run = combine("away.brep", {"common", "-o", folder / "out.step"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.err.find("the result is empty"), std::string::npos) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.step"));
+}
+
+TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
+  EXPECT_NE(combine("ball.step", {"join"}).err.find("'join'"), std::string::npos);
+  EXPECT_EQ(combine("ball.step", {"join"}).code, 2);
+  EXPECT_EQ(combine("ball.step", {"cut", "--keep", "all"}).code, 2);
+  EXPECT_EQ(combine("ball.step#1", {"cut"}).code, 0) << "the ball has one face";
+  EXPECT_EQ(combine("away.brep#1", {"cut"}).code, 2);
+  testing::write({testing::bowl()}, folder / "bowl.brep");
+  const Finished open = combine("bowl.brep", {"cut"});
+  EXPECT_EQ(open.code, 2);
+  EXPECT_NE(open.err.find("the tool is no closed solid"), std::string::npos) << open.err;
+}
+
+}  // namespace
+}  // namespace blossom
