@@ -72,6 +72,7 @@ TopoDS_Shape chosen_shape(const Input& input);
 /// Writes the report where it is wanted, and else the text.
 void write_answer(const Json& report, const std::string& text, const QueryOptions& options);
 
+void add_query_plane(CLI::App& query, int& exit_code);
 void add_query_ray(CLI::App& query, int& exit_code);
 void add_query_point(CLI::App& query, int& exit_code);
 void add_query_distance(CLI::App& query, int& exit_code);

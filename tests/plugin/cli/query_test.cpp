@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/plugin/cli/program.h"
@@ -45,6 +48,31 @@ TEST_F(QueryCommand, ListsWhatARayHitsInOrder) {
   EXPECT_NEAR(bowl["point"][2].get<double>(), 0.3125, 1e-12);
   EXPECT_EQ(bowl["on"], json({{"kind", "face"}, {"number", 1}}));
   EXPECT_EQ(bowl["grazing"], false);
+}
+
+TEST_F(QueryCommand, CutsAModelWithAPlane) {
+  const std::string wires = folder_ / "wires.brep";
+  const Finished run = blossom({"query", "plane", pot_, "--point", "0,0,0.5", "--normal", "0,0,3",
+                                "-o", wires, "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json found = json::parse(run.out);
+  EXPECT_EQ(found["schema"], "blossom.query/1");
+  EXPECT_EQ(found["kind"], "plane");
+  EXPECT_EQ(found["status"], "complete");
+  EXPECT_EQ(found["normal"], json({0.0, 0.0, 1.0}));
+  ASSERT_EQ(found["wires"].size(), 1u);
+  EXPECT_EQ(found["wires"][0]["closed"], true);
+  EXPECT_NEAR(found["wires"][0]["length"].get<double>(), 6.283185307179586 * std::sqrt(0.5), 1e-8);
+  EXPECT_EQ(found["curves"][0]["on"], json({{"kind", "face"}, {"number", 1}}));
+  EXPECT_EQ(found["faces_in_plane"].size(), 0u);
+  EXPECT_EQ(found["certificate"]["faces_searched"], 1);
+  EXPECT_TRUE(std::filesystem::exists(wires));
+}
+
+TEST_F(QueryCommand, RefusesAPlaneWithoutADirection) {
+  const Finished run = blossom({"query", "plane", pot_, "--point", "0,0,0.5", "--normal", "0,0,0"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("--normal"), std::string::npos) << run.err;
 }
 
 TEST_F(QueryCommand, StopsAtTheFirstHitOfARay) {

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/plane_section.h"
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/face_data.h"
+#include "adapters/occt/section_frame.h"
+#include "adapters/occt/section_nodes.h"
+#include "adapters/occt/section_wires.h"
+#include "core/base/parallel.h"
+#include "core/surface_intersection.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kFar = 1e-2;  // of a curve's length: where it ends off all edges, the nearest node
+
+class FaceSections {
+ public:
+  FaceSections(const std::vector<TopoDS_Face>& faces, const Plane& plane,
+               const IntersectionOptions& options)
+      : faces_(faces), frame_(plane), options_(options), tolerance_(options.tolerances.point) {}
+
+  PlaneSection run() {
+    prepare();
+    SectionNodes nodes(frame_, options_, faces_.size(), section_);
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      if (asked_[i]) nodes.add_edges(i, faces_[i]);
+    std::vector<SurfaceIntersection> found(faces_.size());
+    with_threads(options_.threads, [&] {
+      parallel_for(faces_.size(), 1, [&](std::size_t i) {
+        if (searched_[i]) found[i] = search(i);
+      });
+    });
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      if (searched_[i]) add_face(i, found[i], nodes);
+    nodes.join_free_ends();
+    section_.points = nodes.lone_nodes();
+    chain_wires(section_, frame_.normal());
+    return std::move(section_);
+  }
+
+ private:
+  void prepare() {
+    data_.resize(faces_.size());
+    asked_.assign(faces_.size(), 0);
+    searched_.assign(faces_.size(), 0);
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      try {
+        data_[i] = face_data(faces_[i], tolerance_);
+      } catch (const BadModel& error) {
+        throw BadModel("face " + std::to_string(i + 1) + ": " + error.what());
+      }
+      const Heights heights = heights_of(data_[i].surface, frame_);
+      if (heights.apart(tolerance_)) continue;
+      asked_[i] = 1;
+      searched_[i] = !heights.within(tolerance_);
+      if (searched_[i])
+        ++section_.faces_searched;
+      else
+        section_.faces_in_plane.push_back(static_cast<int>(i));
+    }
+  }
+
+  SurfaceIntersection search(std::size_t i) const {
+    IntersectionOptions options = remaining();
+    options.part_a = part_test(data_[i].trims);
+    SurfaceIntersection found = intersect(data_[i].surface, frame_.over(data_[i].box), options);
+    clip(found, data_[i].trims, nullptr);
+    return found;
+  }
+
+  // The time limit is for all faces together.
+  IntersectionOptions remaining() const {
+    constexpr double kLeastSeconds = 1e-3;
+    IntersectionOptions left = options_;
+    left.threads = 0;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
+    if (options_.time_limit > 0)
+      left.time_limit = std::max(kLeastSeconds, options_.time_limit - spent.count());
+    if (options_.cancelled)
+      left.cancelled = [this] {
+        const std::lock_guard lock(asking_);
+        return options_.cancelled();
+      };
+    return left;
+  }
+
+  void add_face(std::size_t i, const SurfaceIntersection& found, SectionNodes& nodes) {
+    section_.status = weaker(section_.status, found.status);
+    add(section_.certificate, found.certificate);
+    // First where curves end that end on no edge.
+    for (const auto* contacts : {&found.points, &found.nodes})
+      for (const SurfacePoint& contact : *contacts) nodes.contact_node(i, contact.point);
+    for (const Place& place : found.places) section_.places.push_back({static_cast<int>(i), place});
+    for (const IntersectionCurve& curve : found.curves)
+      if (!nodes.runs_along_edge(i, curve.samples)) add_curve(i, curve, nodes);
+  }
+
+  void add_curve(std::size_t face, const IntersectionCurve& found, SectionNodes& nodes) {
+    const EdgeCurves curves = edge_curves(found);
+    const Deviation& d = found.deviation;
+    SectionCurve curve;
+    curve.face = static_cast<int>(face);
+    curve.curve = curves.curve;
+    curve.pcurve = curves.pcurve_a;
+    curve.range = found.curve.domain();
+    curve.tolerance = curves.tolerance;
+    curve.closed = found.closed;
+    curve.tangential = found.tangential;
+    curve.length = found.length;
+    curve.deviation = std::max({d.a, d.b, d.between});
+    curve.deviation_proven = d.proven;
+    for (const SurfacePoint& x : found.samples) curve.samples.push_back(x.point);
+    const double far = kFar * curve.length;
+    if (!found.closed)
+      curve.nodes = {nodes.end_node(face, curve.samples.front(), curve.tolerance, far),
+                     nodes.end_node(face, curve.samples.back(), curve.tolerance, far)};
+    section_.curves.push_back(std::move(curve));
+  }
+
+  const std::vector<TopoDS_Face>& faces_;
+  SectionFrame frame_;
+  const IntersectionOptions& options_;
+  double tolerance_;
+  std::vector<FaceData> data_;
+  std::vector<char> asked_;     // faces that may have a point in the plane
+  std::vector<char> searched_;  // but for those that lie in it
+  PlaneSection section_;
+  const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  mutable std::mutex asking_;  // the caller's function is asked by one thread at a time
+};
+
+}  // namespace
+
+PlaneSection plane_section(const std::vector<TopoDS_Face>& faces, const Plane& plane,
+                           const IntersectionOptions& options) {
+  return FaceSections(faces, plane, options).run();
+}
+
+}  // namespace blossom::occt

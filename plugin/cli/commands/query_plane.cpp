@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom query plane F --point P --normal N`: the section of a model with a plane.
+
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "adapters/occt/plane_section.h"
+#include "core/base/parallel.h"
+#include "plugin/cli/commands/query_parts.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/intersection_report.h"
+#include "plugin/cli/options.h"
+#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/progress.h"
+
+namespace blossom::cli {
+namespace {
+
+struct Options {
+  std::string input;
+  std::string point;
+  std::string normal;
+  CommonOptions common;
+  EngineOptions engine;
+};
+
+struct Answer {
+  occt::Plane plane;
+  occt::PlaneSection section;
+  double seconds = 0;
+};
+
+occt::Plane plane_of(const Options& options) {
+  occt::Plane plane{parse_vector(options.point, "--point"),
+                    parse_vector(options.normal, "--normal")};
+  const double largest = max_norm(plane.normal);
+  if (largest == 0) throw UsageError("--normal: the zero vector has no direction");
+  plane.normal = unit(plane.normal * (1 / largest));
+  return plane;
+}
+
+Json curve_json(const Input& input, const ShapeNumbers& numbers, const occt::SectionCurve& curve) {
+  const int face = input.numbers[static_cast<std::size_t>(curve.face)];
+  Json json = {{"on", numbers.place(curve.edge, face)},
+               {"nodes", curve.nodes},
+               {"closed", curve.closed},
+               {"tangential", curve.tangential},
+               {"length", curve.length},
+               {"deviation", curve.deviation},
+               {"deviation_proven", curve.deviation_proven}};
+  json["points"] = Json::array();
+  for (const Vec3& p : curve.samples) json["points"].push_back(p.coordinates);
+  return json;
+}
+
+Json node_json(const ShapeNumbers& numbers, const occt::SectionNode& node) {
+  return {{"point", node.point.coordinates},
+          {"on", node.on.IsNull() ? Json() : numbers.place(node.on, 0)},
+          {"reach", node.reach},
+          {"proven", node.proven}};
+}
+
+Json wire_json(const occt::SectionWire& wire) {
+  Json json = {{"closed", wire.closed}, {"length", wire.length}, {"curves", Json::array()}};
+  for (const occt::CurveUse& use : wire.uses)
+    json["curves"].push_back({{"curve", use.curve}, {"forward", use.forward}});
+  return json;
+}
+
+Json report_of(const Input& input, const Options& options, const Answer& answer) {
+  const occt::PlaneSection& section = answer.section;
+  const ShapeNumbers numbers(input.model.shape());
+  Json report = {{"schema", "blossom.query/1"},
+                 {"kind", "plane"},
+                 {"file", input.name},
+                 {"point", answer.plane.point.coordinates},
+                 {"normal", answer.plane.normal.coordinates},
+                 {"tolerance", options.engine.tolerance},
+                 {"status", to_string(section.status)},
+                 {"seconds", answer.seconds}};
+  for (const char* list : {"wires", "curves", "nodes", "points", "faces_in_plane", "places"})
+    report[list] = Json::array();
+  for (const occt::SectionWire& wire : section.wires) report["wires"].push_back(wire_json(wire));
+  for (const occt::SectionCurve& curve : section.curves)
+    report["curves"].push_back(curve_json(input, numbers, curve));
+  for (const occt::SectionNode& node : section.nodes)
+    report["nodes"].push_back(node_json(numbers, node));
+  for (const std::size_t node : section.points) report["points"].push_back(node);
+  for (const int face : section.faces_in_plane)
+    report["faces_in_plane"].push_back(input.numbers[static_cast<std::size_t>(face)]);
+  for (const occt::SectionPlace& place : section.places) {
+    Json json = to_json(place.place);
+    json["face"] = input.numbers[static_cast<std::size_t>(place.face)];
+    report["places"].push_back(json);
+  }
+  report["certificate"] = to_json(section.certificate);
+  report["certificate"]["faces_searched"] = section.faces_searched;
+  return report;
+}
+
+std::string text_of(const Input& input, const Answer& answer) {
+  const occt::PlaneSection& section = answer.section;
+  std::ostringstream text;
+  text.precision(12);
+  text << input.name << ": " << to_string(section.status) << ", "
+       << counted(section.wires.size(), "wire") << ", " << counted(section.curves.size(), "curve")
+       << ", " << counted(section.points.size(), "point") << ", "
+       << counted(section.faces_in_plane.size(), "face") << " in the plane, "
+       << counted(section.places.size(), "place") << ", " << answer.seconds << " s\n";
+  for (const occt::SectionWire& wire : section.wires)
+    text << "  " << (wire.closed ? "closed" : "open") << ", " << counted(wire.uses.size(), "curve")
+         << ", length " << wire.length << "\n";
+  for (const std::size_t node : section.points)
+    text << "  point " << vector_text(section.nodes[node].point) << "\n";
+  for (const std::string& reason : section.certificate.reasons) text << "  " << reason << "\n";
+  return text.str();
+}
+
+Picture picture_of(const Input& input, const occt::PlaneSection& section) {
+  Picture picture;
+  picture.groups = {{input.faces, kFirstColour, kFirstOpacity}};
+  for (const occt::SectionCurve& curve : section.curves) picture.curves.push_back(curve.samples);
+  for (const std::size_t node : section.points) picture.points.push_back(section.nodes[node].point);
+  return picture;
+}
+
+void write_outputs(const Input& input, const Options& options, const Answer& answer) {
+  const occt::PlaneSection& section = answer.section;
+  const CommonOptions& common = options.common;
+  const bool any = !section.wires.empty() || !section.points.empty();
+  occt::Model model;
+  if (!common.output.empty() && any) model.add(occt::compound_of(section), "section", {});
+  std::string png;
+  if (!common.picture.empty()) png = picture_png(picture_of(input, section));
+  stop_if_interrupted();
+  if (!common.output.empty() && any)
+    occt::write_model(model, common.output);
+  else if (!common.output.empty())
+    std::cerr << "blossom: nothing was found, " << common.output << " is not written\n";
+  if (!common.picture.empty()) occt::write_text(png, common.picture);
+  if (!common.json.empty()) write_json(report_of(input, options, answer), common.json);
+  if (common.json != "-" && !common.quiet) print(text_of(input, answer));
+}
+
+int run(const Options& options) {
+  check_outputs(options.common);
+  start_threads(options.engine.threads);
+  Answer answer;
+  answer.plane = plane_of(options);
+  const Input input = read_input(options.input);
+  stop_if_interrupted();
+  {
+    Progress progress("cutting", options.common.quiet);
+    const IntersectionOptions engine = intersection_options(options.engine, progress);
+    const Stopwatch watch;
+    answer.section = occt::plane_section(input.faces, answer.plane, engine);
+    answer.seconds = watch.seconds();
+  }
+  stop_if_interrupted();
+  write_outputs(input, options, answer);
+  return exit_code(answer.section.status);
+}
+
+}  // namespace
+
+void add_query_plane(CLI::App& query, int& exit_code) {
+  CLI::App* const command = query.add_subcommand("plane", "the section of a model with a plane");
+  const auto options = std::make_shared<Options>();
+  command->add_option("input", options->input, "model, or some of its faces")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--point", options->point, "a point of the plane")
+      ->required()
+      ->type_name("X,Y,Z");
+  command->add_option("--normal", options->normal, "its normal; of any length")
+      ->required()
+      ->type_name("X,Y,Z");
+  add_common_options(*command, options->common, "write the wires (.step, .brep, .iges)");
+  add_engine_options(*command, options->engine);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/plane_section.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numbers>
+#include <vector>
+
+#include <BRepBndLib.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/intersection_edges.h"
+#include "adapters/occt/shapes.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+PlaneSection section_of(const TopoDS_Shape& shape, const Vec3& point, const Vec3& normal) {
+  return plane_section(faces_of(shape), {point, normal});
+}
+
+double total_length(const PlaneSection& section) {
+  double sum = 0;
+  for (const SectionWire& wire : section.wires) sum += wire.length;
+  return sum;
+}
+
+std::size_t closed_wires(const PlaneSection& section) {
+  return static_cast<std::size_t>(
+      std::count_if(section.wires.begin(), section.wires.end(),
+                    [](const SectionWire& wire) { return wire.closed; }));
+}
+
+int count_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, kind, map);
+  return map.Extent();
+}
+
+// Closed wires only, of this length, and nothing else.
+void expect_wires(const PlaneSection& section, std::size_t wires, double length) {
+  EXPECT_EQ(section.wires.size(), wires);
+  EXPECT_EQ(closed_wires(section), wires);
+  EXPECT_NEAR(total_length(section), length, 1e-7 * length);
+  EXPECT_TRUE(section.points.empty());
+}
+
+// The far end of each use is the near end of the next one.
+void expect_chained(const PlaneSection& section) {
+  for (const SectionWire& wire : section.wires)
+    for (std::size_t i = 0; i + 1 < wire.uses.size() + (wire.closed ? 1 : 0); ++i) {
+      const CurveUse &use = wire.uses[i], &next = wire.uses[(i + 1) % wire.uses.size()];
+      EXPECT_EQ(section.curves[use.curve].nodes[use.forward ? 1 : 0],
+                section.curves[next.curve].nodes[next.forward ? 0 : 1]);
+    }
+}
+
+TEST(PlaneSection, OfASphereIsACircle) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(2).Shape();
+  const Vec3 normal = unit(Vec3{1, 2, 2});
+  const PlaneSection section = section_of(ball, normal, {2, 4, 4});
+  EXPECT_EQ(section.status, Status::Complete);
+  expect_wires(section, 1, 2 * kPi * std::sqrt(3));
+  for (const SectionCurve& curve : section.curves)
+    for (const Vec3& p : curve.samples) {
+      EXPECT_NEAR(norm(p), 2, 1e-9);
+      EXPECT_NEAR(dot(normal, p), 1, 1e-9);
+    }
+}
+
+TEST(PlaneSection, OfASphereThroughItsPolesIsAGreatCircle) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(2).Shape();
+  expect_wires(section_of(ball, {0, 0, 0}, {1, 3, 0}), 1, 4 * kPi);
+  expect_wires(section_of(ball, {0, 0, 0}, {0, 1, 0}), 1, 4 * kPi);  // along its seam
+}
+
+TEST(PlaneSection, OfASphereThatItTouchesIsAPoint) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(2).Shape();
+  const Vec3 normal = unit(Vec3{-1, 2, 2});
+  const PlaneSection section = section_of(ball, 2 * normal, normal);
+  EXPECT_EQ(section.status, Status::Tolerance);
+  EXPECT_TRUE(section.curves.empty());
+  ASSERT_EQ(section.points.size(), 1u);
+  EXPECT_LE(distance(section.nodes[section.points[0]].point, 2 * normal), 1e-6);
+}
+
+TEST(PlaneSection, OfATorusIsTwoCircles) {
+  const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(3, 1).Shape();
+  expect_wires(section_of(torus, {0, 0, 0}, {0, 0, 1}), 2, 12 * kPi);  // one along its seam
+  expect_wires(section_of(torus, {0, 0, 0}, {1, 2, 0}), 2, 4 * kPi);
+  const PlaneSection high = section_of(torus, {0, 0, 0.5}, {0, 0, 1});
+  EXPECT_EQ(high.status, Status::Complete);
+  expect_wires(high, 2, 12 * kPi);
+}
+
+TEST(PlaneSection, OfATorusWithItsBitangentPlaneIsTwoCirclesThatCross) {
+  const TopoDS_Shape torus = BRepPrimAPI_MakeTorus(3, 1).Shape();
+  const PlaneSection section = section_of(torus, {0, 0, 0}, {1, 0, std::sqrt(8)});
+  EXPECT_EQ(section.status, Status::Tolerance);
+  EXPECT_NEAR(total_length(section), 12 * kPi, 1e-2);  // branches end where the contacts start
+  EXPECT_EQ(closed_wires(section), section.wires.size());
+}
+
+TEST(PlaneSection, OfABoxIsAHexagonWhoseCornersLieOnItsEdges) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  const PlaneSection section = section_of(box, {0.5, 0.5, 0.5}, {1, 1, 1});
+  EXPECT_EQ(section.status, Status::Complete);
+  expect_wires(section, 1, 3 * std::sqrt(2));
+  expect_chained(section);
+  EXPECT_EQ(section.curves.size(), 6u);
+  ASSERT_EQ(section.nodes.size(), 6u);
+  for (const SectionNode& node : section.nodes) {
+    EXPECT_EQ(node.on.ShapeType(), TopAbs_EDGE);
+    EXPECT_TRUE(node.proven);
+    EXPECT_LE(node.reach, 1e-9);
+  }
+}
+
+TEST(PlaneSection, GoesThroughVertices) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  const PlaneSection section = section_of(box, {1, 0, 0}, {1, 1, 1});
+  expect_wires(section, 1, 3 * std::sqrt(2));
+  expect_chained(section);
+  ASSERT_EQ(section.nodes.size(), 3u);
+  for (const SectionNode& node : section.nodes) EXPECT_EQ(node.on.ShapeType(), TopAbs_VERTEX);
+}
+
+TEST(PlaneSection, HasAnEdgeInThePlaneOnce) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  const PlaneSection section = section_of(box, {0, 0, 0}, {1, -1, 0});
+  expect_wires(section, 1, 2 + 2 * std::sqrt(2));
+  EXPECT_EQ(section.curves.size(), 4u);
+  EXPECT_EQ(std::count_if(section.curves.begin(), section.curves.end(),
+                          [](const SectionCurve& curve) { return !curve.edge.IsNull(); }),
+            2);
+}
+
+TEST(PlaneSection, TouchesAVertexOrAnEdge) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  const PlaneSection vertex = section_of(box, {0, 0, 0}, {1, 1, 1});
+  EXPECT_TRUE(vertex.curves.empty());
+  ASSERT_EQ(vertex.points.size(), 1u);
+  EXPECT_EQ(vertex.nodes[vertex.points[0]].on.ShapeType(), TopAbs_VERTEX);
+  const PlaneSection edge = section_of(box, {0, 0, 0}, {1, 1, 0});
+  ASSERT_EQ(edge.curves.size(), 1u);
+  EXPECT_FALSE(edge.curves[0].edge.IsNull());
+  EXPECT_EQ(closed_wires(edge), 0u);
+  EXPECT_NEAR(total_length(edge), 1, 1e-12);
+  EXPECT_TRUE(edge.points.empty());
+}
+
+TEST(PlaneSection, TellsOfAFaceInThePlane) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+  const PlaneSection section = section_of(box, {0, 0, 3}, {0, 0, 1});
+  ASSERT_EQ(section.faces_in_plane.size(), 1u);
+  expect_wires(section, 1, 6);
+  expect_chained(section);
+  EXPECT_EQ(section.curves.size(), 4u);
+}
+
+TEST(PlaneSection, OfACylinderCutObliquelyIsAnEllipse) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 10).Shape();
+  const PlaneSection section = section_of(cylinder, {0, 0, 5}, {1, 0.5, 1.5});
+  EXPECT_EQ(section.status, Status::Complete);
+  const double a = std::sqrt(3.5) / 1.5;  // the normal's length over its part along the axis
+  expect_wires(section, 1, 4 * a * std::comp_ellint_2(std::sqrt(1 - 1 / (a * a))));
+}
+
+TEST(PlaneSection, OfACylinderThroughBothEndsIsARectangle) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 10).Shape();
+  const PlaneSection section = section_of(cylinder, {0.6, 0, 0}, {3, 0, 0});
+  EXPECT_EQ(section.status, Status::Complete);
+  expect_wires(section, 1, 2 * (10 + 1.6));
+  expect_chained(section);
+  EXPECT_EQ(section.curves.size(), 4u);
+}
+
+TEST(PlaneSection, OfACylinderThatItTouchesIsALine) {
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 10).Shape();
+  for (const Vec3& normal : {Vec3{0, 1, 0}, Vec3{1, 0, 0}}) {  // inside of the face, on its seam
+    const PlaneSection section = section_of(cylinder, normal, normal);
+    EXPECT_NEAR(total_length(section), 10, 1e-6);
+    ASSERT_EQ(section.curves.size(), 1u);
+    EXPECT_TRUE(section.curves[0].tangential || !section.curves[0].edge.IsNull());
+  }
+}
+
+TEST(PlaneSection, OfAConeThroughItsApexIsATriangle) {
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(1, 0, 2).Shape();
+  const PlaneSection section = section_of(cone, {0, 0, 2}, {1, 2, 0});
+  expect_wires(section, 1, 2 + 2 * std::sqrt(5));
+  expect_chained(section);
+}
+
+TEST(PlaneSection, TakesAllPartsOfAnAssembly) {
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  gp_Trsf move;
+  move.SetTranslation(gp_Vec(5, 0, 0));
+  builder.Add(both, box);
+  builder.Add(both, box.Moved(move));
+  const PlaneSection section = section_of(both, {0, 0, 0.25}, {0, 0, 1});
+  EXPECT_EQ(section.status, Status::Complete);
+  expect_wires(section, 2, 8);
+}
+
+TEST(PlaneSection, BesideAShapeIsEmptyWithoutASearch) {
+  const PlaneSection section =
+      section_of(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), {0, 0, 1.001}, {0, 0, 1});
+  EXPECT_EQ(section.status, Status::Complete);
+  EXPECT_TRUE(section.wires.empty() && section.points.empty());
+  EXPECT_EQ(section.faces_searched, 0);
+}
+
+TEST(PlaneSection, GivesWiresThatOpenCascadeFindsSound) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  const TopoDS_Compound wires = compound_of(section_of(box, {0.5, 0.5, 0.5}, {1, 1, 1}));
+  EXPECT_EQ(count_of(wires, TopAbs_WIRE), 1);
+  EXPECT_EQ(count_of(wires, TopAbs_EDGE), 6);
+  EXPECT_EQ(count_of(wires, TopAbs_VERTEX), 6);
+  EXPECT_TRUE(BRepCheck_Analyzer(wires).IsValid());
+  const TopoDS_Compound loop =
+      compound_of(section_of(BRepPrimAPI_MakeSphere(2).Shape(), {0, 0, 1}, {0, 0.1, 1}));
+  EXPECT_TRUE(BRepCheck_Analyzer(loop).IsValid());
+}
+
+TEST(PlaneSection, RefusesAPlaneWithoutADirection) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  EXPECT_THROW(section_of(box, {0, 0, 0}, {0, 0, 0}), BadModel);
+  EXPECT_THROW(section_of(box, {0, 0, std::nan("")}, {0, 0, 1}), BadModel);
+}
+
+TEST(PlaneSection, OfARealSolidIsClosed) {
+  const char* data = std::getenv("BLOSSOM_TEST_DATA");
+  if (data == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA names no folder with models/";
+  const auto models = std::filesystem::path(data) / "models";
+  for (const char* name : {"ball.brep", "propeller.brep", "s1_mainbody_back.stp"}) {
+    const TopoDS_Shape shape = read_model(models / name).shape();
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box, false);
+    const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
+    const Vec3 middle{0.5 * (low.X() + high.X()), 0.5 * (low.Y() + high.Y()),
+                      0.5 * (low.Z() + high.Z())};
+    const PlaneSection section = section_of(shape, middle, {0.3, 1, -0.2});
+    EXPECT_FALSE(section.wires.empty()) << name;
+    EXPECT_EQ(closed_wires(section), section.wires.size()) << name;
+    expect_chained(section);
+  }
+}
+
+}  // namespace
+}  // namespace blossom::occt
