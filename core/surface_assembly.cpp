@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -16,6 +17,7 @@
 #include "core/intersection/overlaps.h"
 #include "core/intersection/pair_search.h"
 #include "core/intersection/self_pairs.h"
+#include "core/intersection/work_limit.h"
 #include "core/tracing/fit.h"
 #include "core/tracing/trace.h"
 
@@ -31,6 +33,12 @@ constexpr double kClumpReach = 4;
 constexpr double kPointClump = 1e-2;  // of the surfaces' size: a larger clump is more than a point
 constexpr double kShortest = 4;       // tolerances: the shortest branch between contacts
 constexpr double kOnCurve = 1e-4;     // of the surfaces' size
+
+// A curve that leaves the surfaces by so many tolerances and so much of their size is none.
+constexpr double kWorst = 100;
+constexpr double kWorstOfSize = 1e-4;
+
+constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to go on
 
 Box hull_box(const BezierSurface& surface) {
   Box box;
@@ -66,6 +74,7 @@ class Assembly {
       : a_(a),
         b_(b),
         options_(options),
+        limit_(options),
         size_(std::max(diagonal(box_a), diagonal(box_b))),
         origin_(0.5 * (box_a.low + box_a.high)),
         known_(options.known, origin_) {}
@@ -99,9 +108,7 @@ class Assembly {
     const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     if (found_.stopped) result_.status = Status::Stopped;
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
-    std::vector<std::optional<IntersectionCurve>> fits(chains.size());
-    parallel_for(chains.size(), 1,
-                 [&](std::size_t i) { fits[i] = fit(cells_a, cells_b, chains[i]); });
+    std::vector<std::optional<IntersectionCurve>> fits = fits_of(cells_a, cells_b, chains);
     for (std::size_t i = 0; i < chains.size(); ++i) {
       if (fits[i])
         add_curve(cells_a, chains[i], std::move(*fits[i]));
@@ -264,6 +271,26 @@ class Assembly {
     return place;
   }
 
+  // The curves of chains. What is not done in time gets the length that an untraced one has.
+  std::vector<std::optional<IntersectionCurve>> fits_of(SurfaceCells& cells_a,
+                                                        SurfaceCells& cells_b,
+                                                        const std::vector<Chain>& chains) {
+    IntersectionCurve untraced;
+    untraced.length = std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::optional<IntersectionCurve>> fits(chains.size(), untraced);
+    for (std::size_t first = 0; first < chains.size(); first += kFitsAtOnce) {
+      if (const char* reason = limit_.reached_after_search()) {
+        weaken(Status::Stopped, reason);
+        break;
+      }
+      parallel_for(std::min(kFitsAtOnce, chains.size() - first), 1, [&](std::size_t i) {
+        fits[first + i] = fit(cells_a, cells_b, chains[first + i]);
+      });
+    }
+    if (limit_.late_after_search()) weaken(Status::Stopped, "the time limit is reached");
+    return fits;
+  }
+
   // The curve of a chain; nothing if that is no longer than a contact.
   std::optional<IntersectionCurve> fit(SurfaceCells& cells_a, SurfaceCells& cells_b,
                                        const Chain& chain) const {
@@ -274,8 +301,13 @@ class Assembly {
     if (slides(chain) && length <= contact_length()) return {};
     const bool tangential = touches_along(chain);
     const double gap = tangential ? largest_gap() : 0;
-    IntersectionCurve curve =
-        fitted(tracer, a_, b_, {.tolerance = options_.tolerances.point, .gap = gap, .size = size_});
+    const double tolerance = options_.tolerances.point;
+    IntersectionCurve curve = fitted(tracer, a_, b_,
+                                     {.tolerance = tolerance,
+                                      .gap = gap,
+                                      .size = size_,
+                                      .most = std::max(kWorst * tolerance, kWorstOfSize * size_),
+                                      .work = &limit_});
     curve.tangential = tangential;
     if (tangential) curve.least_angle = 0;
     return curve;
@@ -524,6 +556,7 @@ class Assembly {
   const BezierSurface& a_;
   const BezierSurface& b_;
   const IntersectionOptions& options_;
+  const WorkLimit limit_;
   const double size_;
   const Vec3 origin_;
   const KnownCurves known_;

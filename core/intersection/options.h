@@ -43,7 +43,8 @@ struct IntersectionOptions {
   /// Pairs of cells examined before giving up with Status::Stopped.
   long budget = 2'000'000;
 
-  /// Seconds before giving up with Status::Stopped; 0 means no limit.
+  /// Seconds before giving up with Status::Stopped; 0 means no limit. To write down what was found
+  /// by then may take a quarter longer.
   double time_limit = 0;
 
   /// How many may work at the same time; 0 is one a core. The result does not depend on it.

@@ -17,12 +17,29 @@ class WorkLimit {
   /// Why the work has to end now; null if it may go on.
   const char* reached() const {
     if (options_.cancelled && options_.cancelled()) return "cancelled";
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
-    const bool late = options_.time_limit > 0 && spent.count() > options_.time_limit;
-    return late ? "the time limit is reached" : nullptr;
+    return spent() > 1 ? kLate : nullptr;
   }
 
+  /// The same for what follows a search: its results want some time of their own.
+  const char* reached_after_search() const {
+    if (options_.cancelled && options_.cancelled()) return "cancelled";
+    return late_after_search() ? kLate : nullptr;
+  }
+
+  /// By time alone, so any thread may ask.
+  bool late_after_search() const { return spent() > 1 + kAfterSearch; }
+
  private:
+  static constexpr const char* kLate = "the time limit is reached";
+  static constexpr double kAfterSearch = 0.25;
+
+  // As a part of the limit.
+  double spent() const {
+    if (!(options_.time_limit > 0)) return 0;
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - started_;
+    return time.count() / options_.time_limit;
+  }
+
   const IntersectionOptions& options_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };

@@ -144,6 +144,12 @@ std::vector<double> halved_where_missed(const RunSpline& spline,
   return knots;
 }
 
+// Spans next to a pole may be too short to be halved.
+bool increase(const std::vector<double>& knots) {
+  return std::adjacent_find(knots.begin(), knots.end(),
+                            [](double p, double q) { return !(p < q); }) == knots.end();
+}
+
 class Fitter {
  public:
   Fitter(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b,
@@ -157,24 +163,41 @@ class Fitter {
              kRounding * options.size, kGaps * options.gap})) {}
 
   IntersectionCurve run() {
-    runs_ = smooth_runs(tracer_, a_, b_, wanted_, kSamplingShare);
+    IntersectionCurve none;
+    none.length = std::numeric_limits<double>::quiet_NaN();
+    runs_ = smooth_runs(tracer_, a_, b_, wanted_, kSamplingShare, options_.work);
+    if (runs_.empty() ||
+        std::any_of(runs_.begin(), runs_.end(), [&](const SmoothRun& run) { return strays(run); }))
+      return none;
     IntersectionCurve curve;
-    if (runs_.empty()) {
-      curve.length = std::numeric_limits<double>::quiet_NaN();
-      return curve;
-    }
     write_splines(curve);
+    if (late()) return none;
     sample(curve);
     curve.deviation = proven_deviation(curve, a_, b_);
-    return curve;
+    const Deviation& d = curve.deviation;
+    return std::max({d.a, d.b, d.between}) <= options_.most ? curve : none;
   }
 
  private:
+  bool late() const { return options_.work != nullptr && options_.work->late_after_search(); }
+
+  // Pieces that are as good as wanted need not be looked at again.
+  bool strays(const SmoothRun& run) const {
+    for (std::size_t i = 0; i < run.pieces.size(); ++i) {
+      if (run.errors[i] <= 1) continue;
+      for (const double t : {0.25, 0.5, 0.75}) {
+        const Gaps gaps = gaps_at(a_, b_, value_at(run.pieces[i].points, t));
+        if (!(std::max({gaps.a, gaps.b, gaps.between}) <= options_.most)) return true;
+      }
+    }
+    return false;
+  }
+
   // The spline of a run with the fewest knots found; nothing if none was good enough.
   std::optional<RunSpline> fit(const SmoothRun& run) const {
     std::optional<RunSpline> best;
     std::vector<double> knots = knots_of(first_density(run));
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMostRounds && increase(knots) && !late(); ++round) {
       RunSpline spline = least_squares_spline(run.pieces, knots);
       // Hermite pieces with triple knots would be as short.
       if (spline.poles.size() > 3 * run.pieces.size() + 3) break;

@@ -11,6 +11,7 @@
 
 #include "core/forms/surface.h"
 #include "core/intersection/result.h"
+#include "core/intersection/work_limit.h"
 #include "core/tracing/trace.h"
 
 namespace blossom {
@@ -19,6 +20,8 @@ struct FitOptions {
   double tolerance = 1e-7;  ///< wanted agreement of the three images, model units
   double gap = 0;   ///< distance of the surfaces along the curve; the images agree no better
   double size = 1;  ///< diagonal of the larger surface: samples get chords within 1e-4 of it
+  double most = 1e300;              ///< deviation of a curve that is still worth returning
+  const WorkLimit* work = nullptr;  ///< when to give up; null: never
 };
 
 /// The curve of a chain: splines, samples, length, least angle and proven deviation. `ends`,
@@ -29,7 +32,8 @@ struct FitOptions {
 ///
 /// returns   the deviation is a fifth of the tolerance or less, unless rounding or the depth of the
 ///           halving prevents it: it then says what was reached.
-///           A chain without any length gives no curve, and its length is not a number
+///           A chain without any length gives no curve, and its length is not a number; nor does
+///           one that the curve would leave by more than `most`, or for which it is too late
 IntersectionCurve fitted(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b,
                          const FitOptions& options);
 

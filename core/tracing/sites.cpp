@@ -106,8 +106,8 @@ double distance_from(const QuinticPiece& piece, const Vec3& point) {
 class Sampler {
  public:
   Sampler(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b, double wanted,
-          double limit)
-      : tracer_(tracer), a_(a), b_(b), wanted_(wanted), limit_(limit) {}
+          double limit, const WorkLimit* work)
+      : tracer_(tracer), a_(a), b_(b), wanted_(wanted), limit_(limit), work_(work) {}
 
   std::vector<SmoothRun> run() {
     const std::vector<double>& stations = tracer_.stations();
@@ -118,6 +118,7 @@ class Sampler {
       if (last) close(next.point, runs_.front().sites.front().point);
       refine(Site(runs_.back().sites.back()), next, 0);
       if (!last && may_break(next.point)) break_here();
+      if (late()) return {};
     }
     drop_empty_runs();
     return std::move(runs_);
@@ -185,6 +186,8 @@ class Sampler {
            (b_.v_law == ParameterLaw::Linear && on_knot(b_.v_knots, p.b[1]));
   }
 
+  bool late() const { return work_ != nullptr && work_->late_after_search(); }
+
   // The last site of the run is at the start. A piece that is nearly good enough is so in halves.
   void refine(const Site& start, const Site& stop, int depth) {
     const QuinticPiece piece = piece_between(start.point, stop.point);
@@ -192,7 +195,7 @@ class Sampler {
     const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
     const bool short_enough = !(length(piece.place) > kShortest * wanted_);
     if ((error <= limit_ && turn <= kLongestTurn) || short_enough || depth >= kDeepest ||
-        count_ >= kMostPieces)
+        count_ >= kMostPieces || late())
       return append(piece, error, stop);
     const double station = 0.5 * (start.station + stop.station);
     const Site middle{station, 0, tracer_.at(station, true)};
@@ -243,6 +246,7 @@ class Sampler {
   const BezierSurface& a_;
   const BezierSurface& b_;
   const double wanted_, limit_;
+  const WorkLimit* work_;
   std::size_t count_ = 0;
   std::vector<SmoothRun> runs_;
 };
@@ -268,8 +272,9 @@ double relative_gap(const Gaps& gaps, double wanted, double sine) {
 }
 
 std::vector<SmoothRun> smooth_runs(const ChainTracer& tracer, const BezierSurface& a,
-                                   const BezierSurface& b, double wanted, double limit) {
-  return Sampler(tracer, a, b, wanted, limit).run();
+                                   const BezierSurface& b, double wanted, double limit,
+                                   const WorkLimit* work) {
+  return Sampler(tracer, a, b, wanted, limit, work).run();
 }
 
 }  // namespace blossom

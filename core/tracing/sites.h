@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/forms/surface.h"
+#include "core/intersection/work_limit.h"
 #include "core/tracing/spline_fit.h"
 #include "core/tracing/trace.h"
 
@@ -50,8 +51,10 @@ double relative_gap(const Gaps& gaps, double wanted, double sine);
 ///
 /// wanted    agreement of the three images, model units
 /// limit     1: the pieces are as good as wanted
-/// returns   in order, each with a piece or more; nothing if the chain has no length
+/// work      when to give up; null: never
+/// returns   in order, each with a piece or more; nothing if the chain has no length or it is late
 std::vector<SmoothRun> smooth_runs(const ChainTracer& tracer, const BezierSurface& a,
-                                   const BezierSurface& b, double wanted, double limit);
+                                   const BezierSurface& b, double wanted, double limit,
+                                   const WorkLimit* work = nullptr);
 
 }  // namespace blossom

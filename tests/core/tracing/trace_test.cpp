@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/tracing/fit.h"
 #include "tests/support/cubic_family.h"
 
@@ -56,6 +58,17 @@ TEST_F(TracedLoop, LinksMeetInPositionTangentAndCurvature) {
     EXPECT_LE(distance(before.first, after.first), 1e-9);
     EXPECT_LE(distance(before.second, after.second), 1e-6);
   }
+}
+
+TEST_F(TracedLoop, NoFitIsReturnedThatStraysOrIsLate) {
+  const ChainTracer tracer(found_, a_, b_, {0.5, 0.5, 0}, chains_.at(0));
+  IntersectionOptions options;
+  options.time_limit = 1e-9;
+  const WorkLimit late(options);
+
+  EXPECT_TRUE(std::isnan(fitted(tracer, pair_.a, pair_.b, {.most = 1e-30}).length));
+  EXPECT_TRUE(std::isnan(fitted(tracer, pair_.a, pair_.b, {.work = &late}).length));
+  EXPECT_FALSE(std::isnan(fitted(tracer, pair_.a, pair_.b, {.most = 1e-6}).length));
 }
 
 TEST_F(TracedLoop, TheFitHoldsWhatItWasAskedFor) {
