@@ -104,8 +104,10 @@ class Assembly {
     attach(loose_ends(found_, cells_a, cells_b, contacts_), found_, cells_a, cells_b, contacts_,
            size_, options_.tolerances.point);
     drop_scraps(cells_a, cells_b);
-    meet_in_centres(contacts_, cells_a, cells_b, found_);
-    const std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
+    meet_in_centres(contacts_, cells_a, cells_b, found_, options_.tolerances.point);
+    std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
+    straighten_at_poles(chains, found_, cells_a, cells_b, contacts_, size_,
+                        options_.tolerances.point);
     if (found_.stopped) result_.status = Status::Stopped;
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
     std::vector<std::optional<IntersectionCurve>> fits = fits_of(cells_a, cells_b, chains);
@@ -371,6 +373,13 @@ class Assembly {
              parameter_at(b_.v_law, cells_b.knots_v(p.patch_b), p.x[3])}};
   }
 
+  static PlaceKind kind_of(const ContactChain& point) {
+    const std::size_t arms = point.arm_count();
+    if (arms == 0) return PlaceKind::Touch;
+    if (arms > 2) return PlaceKind::Node;
+    return point.pole ? PlaceKind::Pole : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
+  }
+
   void add_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const ContactChain& contact) {
     Place place{PlaceKind::Tangential, {}, {}, 1e300, 0, {}};
     place.parameters.fill({1e300, -1e300});
@@ -384,7 +393,7 @@ class Assembly {
     if (!contact.curve) {
       const SurfacePoint centre = surface_point(cells_a, cells_b, contact.centre);
       const std::size_t arms = contact.arm_count();
-      place.kind = arms == 0 ? PlaceKind::Touch : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
+      place.kind = kind_of(contact);
       const bool touches = contact.centre.gap <= options_.tolerances.point;
       if (arms == 0 && touches && !on_curve(centre.point)) result_.points.push_back(centre);
       if (arms > 2) result_.nodes.push_back(centre);

@@ -17,8 +17,8 @@ constexpr double kBesides = 1e-5;     // of the size: points of contact this clo
 constexpr double kPointClump = 1e-2;  // of the size: a larger clump is more than a point
 constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest point
 constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
-constexpr double kOnBorder = 1e-9;   // fraction of a patch
 constexpr double kSamePoint3 = 4;    // tolerances: points this close in space are one
+constexpr double kOtherMeridian = 1e-3;  // of a patch: arms of a pole this far apart stay two
 constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
 
@@ -37,31 +37,6 @@ double gap_between(const Box& a, const Box& b) {
   Vec3 gap;
   for (int k = 0; k < 3; ++k) gap[k] = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
   return norm(gap);
-}
-
-// Lengthens an arc to a contact: moves its end, or adds an arc in the contact's patches if its
-// end lies on their border. Returns the end that is at the contact then.
-ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
-                     ArcEnd end, const ContactPoint& to) {
-  FoundArc& arc = found.arcs[end / 2];
-  Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
-  if (arc.patch_a == to.patch_a && arc.patch_b == to.patch_b) {
-    x = to.x;
-    for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = arc.arc.to[k] - arc.arc.from[k];
-    return end;
-  }
-  const Point4 start = in_patches(a, b, arc.patch_a, arc.patch_b, x, to);
-  double step = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (start[k] < -kOnBorder || start[k] > 1 + kOnBorder) return end;
-    step = std::max(step, std::abs(start[k] - to.x[k]));
-  }
-  if (step <= kOnBorder) return end;
-  FoundArc link{to.patch_a, to.patch_b, kNoBox, {start, to.x}, {-1, -1}};
-  for (std::size_t k = 0; k < 4; ++k) link.arc.direction[k] = to.x[k] - start[k];
-  found.joins.push_back({end, 2 * found.arcs.size()});
-  found.arcs.push_back(link);
-  return 2 * found.arcs.size() - 1;
 }
 
 class Joiner {
@@ -464,10 +439,35 @@ void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, Surf
   }
 }
 
+namespace {
+
+// In a pole each arm keeps its own value of the free parameter. Two arms go on into each other
+// only if they have the same one.
+void meet_in_pole(ContactChain& contact, const Pole& pole, SurfaceCells& a, SurfaceCells& b,
+                  PairSearchResult& found) {
+  contact.pole = true;
+  contact.centre = pole.point;
+  std::vector<Point4> ends;
+  for (auto& side : contact.arms)
+    for (ArcEnd& end : side) {
+      const ContactPoint goal = in_patches_of(found, end, pole, a, b);
+      ends.push_back(in_patches(a, b, goal.patch_a, goal.patch_b, goal.x, pole.point));
+      end = reach_contact(found, a, b, end, goal);
+    }
+  for (std::size_t k = 0; k < 4 && ends.size() == 2; ++k)
+    contact.parted = contact.parted || std::abs(ends[0][k] - ends[1][k]) > kOtherMeridian;
+}
+
+}  // namespace
+
 void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, SurfaceCells& b,
-                     PairSearchResult& found) {
+                     PairSearchResult& found, double tolerance) {
   for (ContactChain& contact : contacts) {
     if (contact.curve) continue;
+    if (const auto pole = pole_near(a, b, contact.centre, contact.length, tolerance)) {
+      meet_in_pole(contact, *pole, a, b, found);
+      continue;
+    }
     const auto &patch_a = a.tree(contact.centre.patch_a).patch(),
                &patch_b = b.tree(contact.centre.patch_b).patch();
     std::vector<ContactArm> arms;

@@ -30,6 +30,8 @@ struct ContactChain {
   std::array<std::vector<ArcEnd>, 2> arms;  ///< branches that begin at either end of it
   bool closed = false;
   bool curve = false;   ///< a tangential curve; else a point: a touch, a node, a fold or a cusp
+  bool pole = false;    ///< a point that one of the surfaces has under many parameters
+  bool parted = false;  ///< its two arms come to a pole under different parameters
   ContactPoint centre;  ///< of a point
   double length = 0;    ///< model units
   Box box;              ///< of the path, relative to the origin
@@ -50,8 +52,10 @@ void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, Surf
             SurfaceCells& b, std::vector<ContactChain>& contacts, double size, double tolerance);
 
 /// Lengthens the arms of all points to the points they lead to, two arms to a point of the branch
-/// they are of.
+/// they are of, and tells which points are poles.
+///
+/// tolerance   model units
 void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, SurfaceCells& b,
-                     PairSearchResult& found);
+                     PairSearchResult& found, double tolerance);
 
 }  // namespace blossom

@@ -12,6 +12,15 @@ namespace {
 
 constexpr double kAttachGap = 4;       // tolerances: the most on the way to a contact
 constexpr double kPolishReach = 0.02;  // fraction of a patch
+constexpr double kOnBorder = 1e-9;     // likewise
+
+// A contact is as wide as the tolerance, and a meridian's parameter turns by less than this many
+// radians over a patch: a patch that moves no farther over its width is at a pole.
+constexpr double kPoleWidth = 16;
+
+// A border of a patch is one point if its derivative is no more than this part of the tolerance.
+constexpr double kPoleRow = 1e-3;
+constexpr std::array kAlong{0.0, 0.5, 1.0};  // where its derivative is looked at
 
 // The point nearest to x, in space, on the lines along which the surfaces touch and cross.
 std::optional<ContactPoint> nearest_on_lines(const PairSearchResult& found, SurfaceCells& a,
@@ -38,6 +47,43 @@ std::optional<ContactPoint> nearest_on_lines(const PairSearchResult& found, Surf
   return nearest;
 }
 
+// True if the border of a patch on which one parameter is 0 or 1 is a single point.
+bool is_point(const RationalBezierPatch& patch, bool free_u, double border, double tolerance) {
+  return std::all_of(std::begin(kAlong), std::end(kAlong), [&](double t) {
+    const PatchJet jet = free_u ? jet_at(patch, t, border, 1) : jet_at(patch, border, t, 1);
+    return norm(free_u ? jet.u : jet.v) <= kPoleRow * tolerance;
+  });
+}
+
+// The free parameters of a patch near a point, which is moved to the pole if that is a border.
+std::array<bool, 2> move_to_pole(const RationalBezierPatch& patch, double& u, double& v,
+                                 double reach, double tolerance) {
+  const PatchJet here = jet_at(patch, u, v, 1);
+  for (const bool free_u : {true, false}) {
+    double& across = free_u ? v : u;
+    const double border = across < 0.5 ? 0 : 1;
+    const Vec3 pole = free_u ? point_at(patch, u, border) : point_at(patch, border, v);
+    if (distance(pole, here.point) > reach || !is_point(patch, free_u, border, tolerance)) continue;
+    across = border;
+    return {free_u, !free_u};
+  }
+  const double most = kPoleWidth * tolerance;
+  return {norm(here.u) <= most && norm(here.v) > most, norm(here.v) <= most && norm(here.u) > most};
+}
+
+std::array<int, 4> spans_of(const SurfaceCells& a, const SurfaceCells& b, int patch_a,
+                            int patch_b) {
+  return {a.span_u(patch_a), a.span_v(patch_a), b.span_u(patch_b), b.span_v(patch_b)};
+}
+
+// A parameter of a span if it lies in it, perhaps a period away.
+std::optional<double> in_span(double t, int period) {
+  for (const int shift : {0, period, -period})
+    if (t + shift >= -kOnBorder && t + shift <= 1 + kOnBorder)
+      return std::clamp(t + shift, 0.0, 1.0);
+  return std::nullopt;
+}
+
 }  // namespace
 
 Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int from_b,
@@ -60,6 +106,72 @@ bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const C
       return false;
   }
   return true;
+}
+
+ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
+                     ArcEnd end, const ContactPoint& to) {
+  FoundArc& arc = found.arcs[end / 2];
+  Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+  if (arc.patch_a == to.patch_a && arc.patch_b == to.patch_b) {
+    x = to.x;
+    for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = arc.arc.to[k] - arc.arc.from[k];
+    return end;
+  }
+  const Point4 start = in_patches(a, b, arc.patch_a, arc.patch_b, x, to);
+  double step = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (start[k] < -kOnBorder || start[k] > 1 + kOnBorder) return end;
+    step = std::max(step, std::abs(start[k] - to.x[k]));
+  }
+  if (step <= kOnBorder) return end;
+  FoundArc link{to.patch_a, to.patch_b, kNoBox, {start, to.x}, {-1, -1}};
+  for (std::size_t k = 0; k < 4; ++k) link.arc.direction[k] = to.x[k] - start[k];
+  found.joins.push_back({end, 2 * found.arcs.size()});
+  found.arcs.push_back(link);
+  return 2 * found.arcs.size() - 1;
+}
+
+std::optional<Pole> pole_near(SurfaceCells& a, SurfaceCells& b, const ContactPoint& contact,
+                              double length, double tolerance) {
+  const double reach = length + kAttachGap * tolerance;
+  const auto &patch_a = a.tree(contact.patch_a).patch(), &patch_b = b.tree(contact.patch_b).patch();
+  Pole pole{contact, {}};
+  Point4& x = pole.point.x;
+  const auto free_a = move_to_pole(patch_a, x[0], x[1], reach, tolerance);
+  const auto free_b = move_to_pole(patch_b, x[2], x[3], reach, tolerance);
+  pole.free = {free_a[0], free_a[1], free_b[0], free_b[1]};
+  const bool at_a = free_a[0] || free_a[1], at_b = free_b[0] || free_b[1];
+  if (!at_a && !at_b) return std::nullopt;
+  if (!at_b) x = foot_point(patch_a, patch_b, x, kPolishReach).value_or(x);
+  if (!at_a) {
+    const auto foot = foot_point(patch_b, patch_a, {x[2], x[3], x[0], x[1]}, kPolishReach);
+    if (foot) x = {(*foot)[2], (*foot)[3], x[2], x[3]};
+  }
+  pole.point.gap = distance(point_at(patch_a, x[0], x[1]), point_at(patch_b, x[2], x[3]));
+  return pole;
+}
+
+ContactPoint in_patches_of(const PairSearchResult& found, ArcEnd end, const Pole& pole,
+                           const SurfaceCells& a, const SurfaceCells& b) {
+  const FoundArc& arc = found.arcs[end / 2];
+  const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+  ContactPoint goal = pole.point;
+  auto spans = spans_of(a, b, goal.patch_a, goal.patch_b);
+  const auto own = spans_of(a, b, arc.patch_a, arc.patch_b);
+  const BezierSurface &sa = a.surface(), &sb = b.surface();
+  const std::array<int, 4> period{
+      sa.closed_u ? sa.patches.rows() : 0, sa.closed_v ? sa.patches.columns() : 0,
+      sb.closed_u ? sb.patches.rows() : 0, sb.closed_v ? sb.patches.columns() : 0};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto same =
+        pole.free[k] ? std::optional(x[k]) : in_span(goal.x[k] + spans[k] - own[k], period[k]);
+    if (!same) continue;
+    goal.x[k] = *same;
+    spans[k] = own[k];
+  }
+  goal.patch_a = spans[0] * sa.patches.columns() + spans[1];
+  goal.patch_b = spans[2] * sb.patches.columns() + spans[3];
+  return goal;
 }
 
 void drop_beside_contacts(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,

@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "core/intersection/contact_chains.h"
 #include "core/intersection/pair_search.h"
 
@@ -16,6 +19,28 @@ Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int 
 /// as far as points in between tell.
 bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const ContactPoint& q,
                 double tolerance);
+
+/// Lengthens an arc to a contact: moves its end, or adds an arc in the contact's patches if its
+/// end lies on their border. Returns the end that is at the contact then.
+ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
+                     ArcEnd end, const ContactPoint& to);
+
+/// A point that a surface has under all values of one of its parameters.
+struct Pole {
+  ContactPoint point;
+  std::array<bool, 4> free{};  ///< by parameter: all its values give this point
+};
+
+/// The pole of a surface that a contact lies at; nothing if both surfaces are regular there.
+///
+/// length, tolerance   of the contact; model units
+std::optional<Pole> pole_near(SurfaceCells& a, SurfaceCells& b, const ContactPoint& contact,
+                              double length, double tolerance);
+
+/// The pole as the end of an arc sees it: under the free parameters that the end has, and in its
+/// patches, if the pole lies in them.
+ContactPoint in_patches_of(const PairSearchResult& found, ArcEnd end, const Pole& pole,
+                           const SurfaceCells& a, const SurfaceCells& b);
 
 /// Takes out the critical pairs beside which a line of contact passes, if such a line was found
 /// there: all they may hold belongs to it.

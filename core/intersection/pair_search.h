@@ -70,6 +70,7 @@ struct FoundArc {
   std::array<int, 2> contact{-1,
                              -1};  ///< by end: the contact it runs into, kContactElsewhere, or -1
   bool dropped = false;            ///< it is part of a contact
+  bool to_pole = false;            ///< it ends at a pole
 };
 
 /// A piece of contact in a pair of patches.

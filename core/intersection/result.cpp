@@ -10,6 +10,7 @@ const char* to_string(PlaceKind kind) {
     case PlaceKind::Touch: return "touch";
     case PlaceKind::Node: return "node";
     case PlaceKind::Cusp: return "cusp";
+    case PlaceKind::Pole: return "pole";
     case PlaceKind::Tangential: return "tangential";
     case PlaceKind::Overlap: return "overlap";
     case PlaceKind::Open: break;

@@ -53,7 +53,7 @@ struct IntersectionCurve {
   Deviation deviation;
 };
 
-enum class PlaceKind { Touch, Node, Cusp, Tangential, Overlap, Open };
+enum class PlaceKind { Touch, Node, Cusp, Pole, Tangential, Overlap, Open };
 
 /// "touch", "node", ... as in the JSON report.
 const char* to_string(PlaceKind kind);

@@ -12,6 +12,7 @@ namespace blossom {
 namespace {
 
 constexpr double kBeside = 1e-3;        // fraction of a link
+constexpr double kBesidePole = 0.02;    // likewise; the rounding of derivatives grows by its cube
 constexpr double kStraight = 0.9;       // cosine: a tangent farther from its chord is none
 constexpr double kLeastSine = 1e-6;     // below it derivatives are rounding
 constexpr double kBesideValley = 1e-3;  // likewise: half the step of a difference
@@ -95,16 +96,21 @@ CurvePoint ChainTracer::at(double station, bool after) const {
   const double width = stations_[link + 1] - stations_[link];
   const double fraction = std::clamp((station - stations_[link]) / width, 0.0, 1.0);
   CurvePoint p = on_link(link, fraction);
-  if (std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second)) && p.sine > kLeastSine)
-    return p;
+  const int arc = chain_.links[link].arc;
+  const bool to_pole = found_.arcs[static_cast<std::size_t>(arc)].to_pole;
+  const bool is_end = fraction <= 0 || fraction >= 1;
+  const bool finite = std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second));
+  if (finite && p.sine > kLeastSine && !(to_pole && is_end)) return p;
   // At a pole a surface has no normal, at a node the two are parallel: the derivatives are taken
   // from points beside it, by quadratic extrapolation.
-  const double step = fraction < 0.5 ? kBeside : -kBeside;
+  const double beside = to_pole ? kBesidePole : kBeside;
+  const double step = fraction < 0.5 ? beside : -beside;
   const CurvePoint q1 = on_link(link, fraction + step), q2 = on_link(link, fraction + 2 * step),
                    q3 = on_link(link, fraction + 3 * step);
   const auto extrapolated = [&](auto CurvePoint::*member) {
     return 3 * (q1.*member - q2.*member) + q3.*member;
   };
+  p.sine = std::max(extrapolated(&CurvePoint::sine), 0.0);
   p.first = unit(extrapolated(&CurvePoint::first));
   p.second = extrapolated(&CurvePoint::second);
   p.a_first = extrapolated(&CurvePoint::a_first);
