@@ -15,6 +15,8 @@ namespace {
 constexpr double kMargin = 1.1;
 // A cut that stops short of a wire would have met it at most so many times farther along the wire.
 constexpr double kObliqueness = 8;
+// Neighbours that see a crossing farther apart, in tolerances of the edge, see two.
+constexpr double kMostDisagreement = 64;
 
 bool boxes_meet(const PlanarBox& a, const PlanarBox& b, double margin) {
   for (int k = 0; k < 2; ++k)
@@ -94,16 +96,30 @@ int FaceSplitter::vertex_at_split(int loop, int index, int split) {
   return static_cast<int>(vertices_.size()) - 1;
 }
 
-int FaceSplitter::vertex_of(const TrimMeeting& meeting, double uncertainty) {
+int FaceSplitter::vertex_of(const TrimMeeting& meeting, double uncertainty, double obliqueness) {
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
-  return vertex_at_split(meeting.loop, meeting.coedge,
-                         splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty));
+  return vertex_at_split(
+      meeting.loop, meeting.coedge,
+      splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty, obliqueness));
+}
+
+// How many times farther along the wire than across it neighbours may see the same crossing: where
+// an edge is off by its tolerance, a surface that it meets at an angle alpha is met farther by
+// 1 / sin alpha, and sin alpha = sin (cut, edge) sin (face, what cuts it).
+double FaceSplitter::obliqueness(const Strand& strand, const TrimMeeting& meeting) const {
+  const Vec2 along = jet_at(strand.curve, meeting.at).first;
+  const Coedge& of = coedge(meeting.loop, meeting.coedge);
+  const Vec2 wire = jet_at(of.curve, meeting.edge_parameter).first;
+  const double size = norm(along) * norm(wire);
+  const double sine =
+      std::abs(cross(along, wire)) * cuts_[static_cast<std::size_t>(strand.cut)].least_sine;
+  return sine * kMostDisagreement > size ? std::max(1.0, size / sine) : kMostDisagreement;
 }
 
 void FaceSplitter::add_wire_stops(Strand& strand) {
   ClippedCurve found = clipped(trims_, strand.curve, reach(strand));
   for (const TrimMeeting& meeting : found.meetings)
-    strand.stops.emplace_back(meeting.at, vertex_of(meeting, 0));
+    strand.stops.emplace_back(meeting.at, vertex_of(meeting, 0, obliqueness(strand, meeting)));
   strand.runs = std::move(found.runs);
   if (!found.complete) note(strand.cut, "runs so close to an edge that not all crossings are sure");
 }
@@ -173,32 +189,76 @@ void FaceSplitter::finish_stops(Strand& strand) {
   for (const double end : {domain.from, domain.to})
     if (!has_stop(strand, end))
       strand.stops.emplace_back(end, node_near(point_at(strand.curve, end)));
+  tidy_stops(strand, 8 * reach(strand));
+}
+
+void FaceSplitter::tidy_stops(Strand& strand, double reach) const {
   std::sort(strand.stops.begin(), strand.stops.end());
   std::vector<std::pair<double, int>> stops;
   for (const auto& stop : strand.stops)
     if (stops.empty() || stops.back().second != stop.second ||
-        !is_near(strand.curve, stops.back().first, stop.first, 8 * reach(strand)))
+        !is_near(strand.curve, stops.back().first, stop.first, reach))
       stops.push_back(stop);
   strand.stops = std::move(stops);
 }
 
-std::vector<double> FaceSplitter::stops(int cut) const {
-  std::vector<double> parameters;
-  for (const Strand& strand : strands_)
-    if (strand.cut == cut)
-      for (const auto& stop : strand.stops) parameters.push_back(stop.first);
-  std::sort(parameters.begin(), parameters.end());
-  return parameters;
+std::vector<CutStop> FaceSplitter::stops(int cut) const {
+  std::vector<CutStop> found;
+  for (const Strand& strand : strands_) {
+    if (strand.cut != cut) continue;
+    for (const auto& [parameter, vertex] : strand.stops) {
+      const Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
+      const bool border = at.split >= 0;
+      found.push_back({parameter, border ? splits_.vertex(coedge(at.loop, at.coedge).edge, at.split)
+                                         : TopoDS_Vertex()});
+    }
+  }
+  std::sort(found.begin(), found.end(),
+            [](const CutStop& a, const CutStop& b) { return a.parameter < b.parameter; });
+  return found;
 }
 
-void FaceSplitter::divide(int cut, double parameter) {
+void FaceSplitter::divide(int cut, const CutStop& stop) {
+  const double blur = stop.vertex.IsNull() ? 0 : kMargin * BRep_Tool::Tolerance(stop.vertex);
   for (Strand& strand : strands_) {
-    if (strand.cut != cut || has_stop(strand, parameter)) continue;
-    const Vec2 point = point_at(strand.curve, parameter);
-    if (!is_inside(trims_, point)) continue;
-    strand.stops.emplace_back(parameter, node_near(point));
-    std::sort(strand.stops.begin(), strand.stops.end());
+    if (strand.cut != cut) continue;
+    const Vec2 point = point_at(strand.curve, stop.parameter);
+    const double reach_here = std::max(8 * reach(strand), blur);
+    int vertex = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& own : strand.stops) {
+      const double gap = distance(point_at(strand.curve, own.first), point);
+      if (gap >= least || !is_near(strand.curve, own.first, stop.parameter, reach_here)) continue;
+      least = gap;
+      vertex = own.second;
+    }
+    if (vertex < 0) {
+      if (!is_inside(trims_, point)) continue;
+      vertex = node_near(point);
+      strand.stops.emplace_back(stop.parameter, vertex);
+    }
+    if (!stop.vertex.IsNull()) tie(vertex, stop.vertex);
+    tidy_stops(strand, reach_here);
   }
+}
+
+// Vertices that stand for the same vertex of another face become one; two of the borders stay two.
+void FaceSplitter::tie(int vertex, const TopoDS_Vertex& other) {
+  const auto known = std::find_if(ties_.begin(), ties_.end(),
+                                  [&](const auto& tied) { return tied.first.IsSame(other); });
+  if (known == ties_.end()) {
+    ties_.emplace_back(other, vertex);
+    return;
+  }
+  int kept = known->second, left = vertex;
+  const auto on_border = [&](int i) { return vertices_[static_cast<std::size_t>(i)].split >= 0; };
+  if (on_border(left)) std::swap(kept, left);
+  if (kept == left || on_border(left)) return;
+  for (auto& tied : ties_)
+    if (tied.second == left) tied.second = kept;
+  for (Strand& strand : strands_)
+    for (auto& stop : strand.stops)
+      if (stop.second == left) stop.second = kept;
 }
 
 }  // namespace blossom::occt

@@ -18,9 +18,10 @@ namespace blossom::occt {
 
 /// A curve that a face is to be cut along. The two splines share their parameter.
 struct FaceCut {
-  Spline curve;          ///< in space
-  Spline2 chart;         ///< in the face's own parameters
-  double tolerance = 0;  ///< of the edges that come of it; at least what OCCT asks for is taken
+  Spline curve;           ///< in space
+  Spline2 chart;          ///< in the face's own parameters
+  double tolerance = 0;   ///< of the edges that come of it; at least what OCCT asks for is taken
+  double least_sine = 1;  ///< of the angle between the face and what cuts it
 };
 
 /// A piece of a cut on the border of a piece of the face.
@@ -39,6 +40,12 @@ struct FacePiece {
 struct FaceSplit {
   std::vector<FacePiece> pieces;
   std::vector<std::string> notes;  ///< cuts that were left out, and why
+};
+
+/// A place where a cut is divided.
+struct CutStop {
+  double parameter = 0;  ///< of the cut
+  TopoDS_Vertex vertex;  ///< of the split of a wire's edge; null inside of the face
 };
 
 /// Splits a face in three steps, each for all faces of a model before the next, so that all have
@@ -63,12 +70,13 @@ class FaceSplitter {
   /// edge already, and finds where cuts cross each other.
   void settle();
 
-  /// Where a settled cut ends, meets wires or other cuts: its parameters, increasing. For a face on
+  /// Where a settled cut ends, meets wires or other cuts, by increasing parameter. For the face on
   /// the other side of the cut, which is to be divided at the same places.
-  std::vector<double> stops(int cut) const;
+  std::vector<CutStop> stops(int cut) const;
 
-  /// Divides a settled cut at a parameter, unless it has a stop there.
-  void divide(int cut, double parameter);
+  /// Divides a settled cut at a stop of the other side's, unless it has a stop there. All stops of
+  /// one vertex of the other side become one here, however far its edges' tolerances took them.
+  void divide(int cut, const CutStop& stop);
 
   /// The pieces. When nothing divides the face and no edge is split it is the face itself.
   FaceSplit split();
@@ -102,7 +110,10 @@ class FaceSplitter {
   bool has_stop(const Strand& strand, double at) const;
   void add_crossings();
   void finish_stops(Strand& strand);
-  int vertex_of(const TrimMeeting& meeting, double uncertainty);
+  void tidy_stops(Strand& strand, double reach) const;
+  void tie(int vertex, const TopoDS_Vertex& other);
+  int vertex_of(const TrimMeeting& meeting, double uncertainty, double obliqueness = 1);
+  double obliqueness(const Strand& strand, const TrimMeeting& meeting) const;
   int vertex_at_split(int loop, int coedge, int split);
   int node_near(const Vec2& point);
   double reach(const Strand& strand) const;
@@ -128,7 +139,8 @@ class FaceSplitter {
   std::vector<FaceCut> cuts_;
   EdgeSplits& splits_;
   double tolerance_;
-  std::vector<Vertex> vertices_;  // the corners of the wires first
+  std::vector<Vertex> vertices_;                     // the corners of the wires first
+  std::vector<std::pair<TopoDS_Vertex, int>> ties_;  // of the other sides of cuts, and ours
   std::vector<Strand> strands_;
   std::vector<ChartArc> arcs_;
   std::vector<Origin> origins_;  // one for each arc

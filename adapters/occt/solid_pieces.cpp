@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -21,6 +21,9 @@
 namespace blossom::occt {
 namespace {
 
+// In tolerances of the faces' edges: how long a piece of an intersection may be left out.
+constexpr double kMostRest = 10;
+constexpr int kChords = 16;
 // Rays that have to agree about a piece, and how many may be tried for that: some hit edges.
 constexpr int kAgreeing = 3;
 constexpr std::array<Vec3, 9> kDirections{{{0.577, 0.211, 0.789},
@@ -81,9 +84,9 @@ void add_curves(const FaceIntersection& pair, Side& a, Side& b, std::vector<Curv
     }
     const int number = static_cast<int>(uses.size());
     uses.push_back({face_a, a.cuts[face_a].size(), face_b, b.cuts[face_b].size()});
-    const double tolerance = pair.edges[i].tolerance;
-    a.cuts[face_a].push_back({curve.curve, curve.chart_a, tolerance});
-    b.cuts[face_b].push_back({curve.curve, curve.chart_b, tolerance});
+    const double tolerance = pair.edges[i].tolerance, sine = std::sin(curve.least_angle);
+    a.cuts[face_a].push_back({curve.curve, curve.chart_a, tolerance, sine});
+    b.cuts[face_b].push_back({curve.curve, curve.chart_b, tolerance, sine});
     a.sources[face_a].push_back({0, b.solid->faces[face_b], curve.chart_b});
     b.sources[face_b].push_back({0, a.solid->faces[face_a], curve.chart_a});
     a.curves[face_a].push_back(number);
@@ -107,13 +110,13 @@ void exchange_stops(Side& a, Side& b, const std::vector<CurveUse>& uses) {
   for (const CurveUse& use : uses) {
     FaceSplitter &on_a = *a.splitters[use.face_a], &on_b = *b.splitters[use.face_b];
     const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
-    const std::vector<double> stops = on_a.stops(cut_a);
-    for (const double parameter : on_b.stops(cut_b)) on_a.divide(cut_a, parameter);
-    for (const double parameter : stops) on_b.divide(cut_b, parameter);
+    const std::vector<CutStop> of_a = on_a.stops(cut_a), of_b = on_b.stops(cut_b);
+    for (const CutStop& stop : of_b) on_a.divide(cut_a, stop);
+    for (const CutStop& stop : of_a) on_b.divide(cut_b, stop);
   }
 }
 
-void split(Side& side, EdgeSplits& splits, double tolerance, SolidPieces& result) {
+void split(Side& side, EdgeSplits& splits, double tolerance) {
   for (std::size_t i = 0; i < side.splits.size(); ++i) {
     const TopoDS_Face& face = side.solid->faces[i];
     if (!side.splitters[i] && has_split_edge(face, splits)) begin(side, i, splits, tolerance);
@@ -121,13 +124,10 @@ void split(Side& side, EdgeSplits& splits, double tolerance, SolidPieces& result
       side.splits[i] = side.splitters[i]->split();
     else
       side.splits[i] = {{{face, {}}}, {}};
-    for (const std::string& note : side.splits[i].notes)
-      result.obstacles.push_back(side.face_name(i) + ": " + note);
   }
 }
 
-void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, double tolerance,
-                SolidPieces& result) {
+void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, double tolerance) {
   EdgeSplits splits(tolerance);
   for (Side* side : {&a, &b})
     for (std::size_t i = 0; i < side->cuts.size(); ++i)
@@ -136,41 +136,98 @@ void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, double tole
     for (const auto& splitter : side->splitters)
       if (splitter) splitter->settle();
   exchange_stops(a, b, uses);
-  for (Side* side : {&a, &b}) split(*side, splits, tolerance, result);
+  for (Side* side : {&a, &b}) split(*side, splits, tolerance);
 }
 
-// The edges along an intersection curve on one side, by their places on it.
-using CurveEdges = std::map<double, TopoDS_Edge>;
+// The edges along an intersection curve on one side, and their places on it.
+struct CurveEdge {
+  Interval at;  // increasing
+  TopoDS_Edge edge;
+};
 
-std::vector<CurveEdges> curve_edges(const Side& side, std::size_t count, SolidPieces& result) {
-  std::vector<CurveEdges> edges(count);
+std::vector<std::vector<CurveEdge>> curve_edges(const Side& side, std::size_t count,
+                                                SolidPieces& result) {
+  std::vector<std::vector<CurveEdge>> edges(count);
   for (std::size_t i = 0; i < side.splits.size(); ++i)
     for (const FacePiece& piece : side.splits[i].pieces)
       for (const CutUse& use : piece.cuts) {
-        const int number = side.curves[i][static_cast<std::size_t>(use.cut)];
+        auto& of =
+            edges[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])];
+        const auto is_same = [&](const CurveEdge& known) { return known.edge.IsSame(use.edge); };
         if (use.along)
           result.obstacles.push_back(side.face_name(i) +
                                      ": is cut along one of its edges, which is not supported");
-        else
-          edges[static_cast<std::size_t>(number)].emplace(std::min(use.at.from, use.at.to),
-                                                          use.edge);
+        else if (std::none_of(of.begin(), of.end(), is_same))
+          of.push_back(
+              {{std::min(use.at.from, use.at.to), std::max(use.at.from, use.at.to)}, use.edge});
       }
+  for (auto& of : edges)
+    std::sort(of.begin(), of.end(),
+              [](const CurveEdge& x, const CurveEdge& y) { return x.at.from < y.at.from; });
   return edges;
+}
+
+// Whether each edge of one side has its counterpart on the other.
+bool match(const std::vector<CurveEdge>& a, const std::vector<CurveEdge>& b) {
+  if (a.size() != b.size()) return false;
+  const auto holds_middle = [](const Interval& of, const Interval& other) {
+    const double middle = at(other, 0.5);
+    return of.from < middle && middle < of.to;
+  };
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!holds_middle(a[i].at, b[i].at) || !holds_middle(b[i].at, a[i].at)) return false;
+  return true;
+}
+
+// The length of a curve between two parameters, by chords.
+double length_of(const Spline& curve, const Interval& range) {
+  double length = 0;
+  for (int i = 0; i < kChords; ++i)
+    length += distance(point_at(curve, at(range, static_cast<double>(i) / kChords)),
+                       point_at(curve, at(range, (i + 1.0) / kChords)));
+  return length;
+}
+
+// The longest piece of a curve that became no edge. Ends that stick out over the border of a face
+// by its edges' tolerances are left out; more would be an intersection that is lost.
+double longest_rest(const Spline& curve, const std::vector<CurveEdge>& edges) {
+  double longest = 0, from = curve.knots.front();
+  for (const CurveEdge& edge : edges) {
+    longest = std::max(longest, length_of(curve, {from, std::max(from, edge.at.from)}));
+    from = std::max(from, edge.at.to);
+  }
+  return std::max(longest, length_of(curve, {from, curve.knots.back()}));
+}
+
+double largest_tolerance(const TopoDS_Face& face) {
+  double largest = BRep_Tool::Tolerance(face);
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  return largest;
+}
+
+void add_notes(const Side& side, std::size_t face, SolidPieces& result) {
+  for (const std::string& note : side.splits[face].notes)
+    result.obstacles.push_back(side.face_name(face) + ": " + note);
 }
 
 void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses, EdgeUnion& joined,
                 SolidPieces& result) {
-  const std::vector<CurveEdges> on_a = curve_edges(a, uses.size(), result);
-  const std::vector<CurveEdges> on_b = curve_edges(b, uses.size(), result);
+  const auto on_a = curve_edges(a, uses.size(), result);
+  const auto on_b = curve_edges(b, uses.size(), result);
   for (std::size_t i = 0; i < uses.size(); ++i) {
-    if (on_a[i].size() != on_b[i].size()) {
-      result.obstacles.push_back(a.face_name(uses[i].face_a) + " and " +
-                                 b.face_name(uses[i].face_b) +
+    const CurveUse& use = uses[i];
+    const Spline& curve = a.cuts[use.face_a][use.cut_a].curve;
+    const double allowed = kMostRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
+                                                largest_tolerance(b.solid->faces[use.face_b]));
+    if (!match(on_a[i], on_b[i]) || longest_rest(curve, on_a[i]) > allowed) {
+      result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
                                  " are not divided alike along their intersection");
+      add_notes(a, use.face_a, result);
+      add_notes(b, use.face_b, result);
       continue;
     }
-    for (auto x = on_a[i].begin(), y = on_b[i].begin(); x != on_a[i].end(); ++x, ++y)
-      joined.join(x->second, y->second);
+    for (std::size_t k = 0; k < on_a[i].size(); ++k) joined.join(on_a[i][k].edge, on_b[i][k].edge);
   }
 }
 
@@ -241,7 +298,7 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
     result.obstacles.emplace_back("the intersection is not complete");
   if (!result.obstacles.empty()) return result;
   const double tolerance = options.tolerances.point;
-  guarded("splitting the solids", [&] { split_both(side_a, side_b, uses, tolerance, result); });
+  guarded("splitting the solids", [&] { split_both(side_a, side_b, uses, tolerance); });
   EdgeUnion joined;
   join_edges(side_a, side_b, uses, joined, result);
   if (!result.obstacles.empty()) return result;

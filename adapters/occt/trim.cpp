@@ -2,6 +2,7 @@
 #include "adapters/occt/trim.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -81,7 +82,8 @@ void add_cuts(const FaceIntersection& pair, const ToolFaces& tools, Job& job, Tr
                              ": a tool touches it along a curve, which is not cut");
       continue;
     }
-    job.cuts.push_back({curve.curve, curve.chart_a, pair.edges[i].tolerance});
+    job.cuts.push_back(
+        {curve.curve, curve.chart_a, pair.edges[i].tolerance, std::sin(curve.least_angle)});
     job.sources.push_back({tools.tool[tool_face], tools.faces[tool_face], curve.chart_b});
   }
   note_places(pair, *job.of, result);

@@ -4,12 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <numbers>
 #include <string>
 
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -17,13 +22,19 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 
+#include "adapters/occt/shapes.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {
@@ -165,6 +176,69 @@ TEST(TrimSolids, AgreesWithOpenCascadeAboutTurnedBoxes) {
     BRepGProp::VolumeProperties(common.Shape(), properties, 1e-10);
     expect_all(a, b,
                {properties.Mass(), static_cast<std::size_t>(count(cut.Shape(), TopAbs_SOLID))});
+  }
+}
+
+// A box whose top is `gap` too high, sewn: the edges round the top have that tolerance.
+TopoDS_Shape loose_box(double gap) {
+  BRepBuilderAPI_Sewing sewing(2 * gap);
+  const TopoDS_Shape low = box({0, 0, 0}, {2, 2, 2}), high = box({0, 0, 0}, {2, 2, 2 + gap});
+  int number = 0;
+  for (TopExp_Explorer it(low, TopAbs_FACE); it.More(); it.Next())
+    if (++number < 6) sewing.Add(it.Current());
+  number = 0;
+  for (TopExp_Explorer it(high, TopAbs_FACE); it.More(); it.Next())
+    if (++number == 6) sewing.Add(it.Current());
+  sewing.Perform();
+  TopoDS_Solid solid;
+  BRep_Builder().MakeSolid(solid);
+  BRep_Builder().Add(solid, sewing.SewedShape());
+  return solid;
+}
+
+TEST(TrimSolids, CutsThroughEdgesWithLooseTolerances) {
+  constexpr double kGap = 1e-4;
+  const TrimTool part = trim_tool(loose_box(kGap));
+  double most = 0;
+  for (const TopoDS_Face& face : part.faces)
+    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+      most = std::max(most, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  ASSERT_GE(most, kGap / 2);
+  const TrimTool tool = trim_tool(turned(box({0.7, -1, 1}, {1.3, 3, 4}), gp_Dir(1, 2, 3), 0.2));
+  for (const SolidOperation operation :
+       {SolidOperation::Cut, SolidOperation::Common, SolidOperation::Fuse}) {
+    const SolidTrimResult result = trim_solids(part, tool, operation);
+    ASSERT_EQ(words(result), "");
+    EXPECT_EQ(result.solids.size(), 1u);
+    EXPECT_LE(result.volumes.cut_error(), kVolumeError);
+    EXPECT_LE(result.volumes.fuse_error(), kVolumeError);
+  }
+}
+
+TEST(TrimSolids, AgreesWithOpenCascadeAboutModelsAndTheirTurnedCopies) {
+  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  for (const char* name : {"ball.brep", "d150_wing.brep", "crankarm.brep"}) {
+    const Model model = read_model(std::filesystem::path(folder) / "models" / name);
+    Bnd_Box around;
+    BRepBndLib::Add(model.shape(), around);
+    const gp_Pnt low = around.CornerMin(), high = around.CornerMax();
+    gp_Trsf turn, move;
+    turn.SetRotation(
+        gp_Ax1({0.5 * (low.X() + high.X()), 0.5 * (low.Y() + high.Y()), 0.5 * (low.Z() + high.Z())},
+               gp_Dir(1, 2, 3)),
+        23 * kPi / 180);
+    move.SetTranslation(0.06 * gp_Vec(low, high).Magnitude() * gp_Vec(1, 0.5, 0.3));
+    const TopoDS_Shape copy = BRepBuilderAPI_Transform(model.shape(), move * turn, true).Shape();
+    const SolidTrimResult result =
+        trim_solids(trim_tool(model.shape()), trim_tool(copy), SolidOperation::Common);
+    ASSERT_EQ(words(result), "") << name;
+    BRepAlgoAPI_Common common(model.shape(), copy);
+    EXPECT_EQ(result.solids.size(), static_cast<std::size_t>(count(common.Shape(), TopAbs_SOLID)));
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(common.Shape(), properties, 1e-8);
+    // Open CASCADE's own result is as exact as the edges of the models.
+    EXPECT_NEAR(result.volumes.common, properties.Mass(), 1e-6 * result.volumes.part) << name;
   }
 }
 
