@@ -35,6 +35,7 @@ Coedge coedge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   if (pcurve.IsNull()) throw BadModel("an edge has no parametric curve on the face it bounds");
   return {edge,
           planar_curve(pcurve, {first, last}),
+          {},
           BRep_Tool::Degenerated(edge),
           BRep_Tool::Tolerance(edge),
           0,
@@ -93,6 +94,13 @@ void join(Meeting meeting, FaceTrims& trims) {
     meeting.ends.erase(meeting.ends.begin() + static_cast<std::ptrdiff_t>(best_end));
     meeting.starts.erase(meeting.starts.begin() + static_cast<std::ptrdiff_t>(best_start));
   }
+}
+
+void set_curve(Coedge& coedge, PlanarCurve curve) {
+  coedge.curve = std::move(curve);
+  coedge.boxes.clear();
+  for (const PlanarSpan& span : coedge.curve.spans)
+    coedge.boxes.push_back(box_of(span.curve.points));
 }
 
 PlanarBox box_of_loops(const FaceTrims& trims) {
@@ -225,6 +233,11 @@ bool may_meet(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
          may_meet(bezier_piece(piece, {0.5, 1}), box, halvings - 1);
 }
 
+// Whether the ray from a point to the right may meet what is in a box.
+bool may_cross(const PlanarBox& box, const Vec2& point) {
+  return box.low[1] <= point[1] && point[1] <= box.high[1] && point[0] <= box.high[0];
+}
+
 PlanarBox grown(const PlanarBox& box, double margin) {
   return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
 }
@@ -235,8 +248,10 @@ PartSide side_of(const FaceTrims& trims, const PlanarBox& box) {
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop) {
       const PlanarBox near = grown(box, gap + coedge.tolerance);
-      for (const PlanarSpan& span : coedge.curve.spans)
-        if (may_meet(span.curve, near, kMostHalvings)) return PartSide::Mixed;
+      for (std::size_t k = 0; k < coedge.boxes.size(); ++k)
+        if (!apart(coedge.boxes[k], near) &&
+            may_meet(coedge.curve.spans[k].curve, near, kMostHalvings))
+          return PartSide::Mixed;
     }
   return is_inside(trims, 0.5 * (box.low + box.high)) ? PartSide::Inside : PartSide::Outside;
 }
@@ -269,7 +284,7 @@ FaceTrims face_trims(const TopoDS_Face& face) {
   trims.scale = chart_scale(surface, box_of_loops(trims));
   for (auto& loop : trims.loops)
     for (Coedge& coedge : loop)
-      coedge.curve = transformed(std::move(coedge.curve), trims.scale, {});
+      set_curve(coedge, transformed(std::move(coedge.curve), trims.scale, {}));
   trims.period = {surface->IsUPeriodic() ? surface->UPeriod() * trims.scale[0] : 0,
                   surface->IsVPeriodic() ? surface->VPeriod() * trims.scale[1] : 0};
   for (Meeting& meeting : meetings(trims)) join(std::move(meeting), trims);
@@ -323,8 +338,9 @@ bool is_inside(const FaceTrims& trims, const Vec2& point) {
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop) {
       const int sign = coedge.reversed() ? -1 : 1;
-      for (const PlanarSpan& span : coedge.curve.spans)
-        winding += sign * ray_crossings(PlanarPath{span.curve}, point);
+      for (std::size_t k = 0; k < coedge.boxes.size(); ++k)
+        if (may_cross(coedge.boxes[k], point))
+          winding += sign * ray_crossings(PlanarPath{coedge.curve.spans[k].curve}, point);
       const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
       winding += ray_crossings(corner(coedge.from), end_point(coedge, false), point) +
                  ray_crossings(end_point(coedge, true), corner(coedge.to), point);

@@ -23,9 +23,10 @@ namespace blossom::occt {
 struct Coedge {
   TopoDS_Edge edge;   ///< as the forward face uses it: reversed means walked from last to first
   PlanarCurve curve;  ///< its pcurve, chart coordinates; the parameter is the edge's own
-  bool degenerated = false;  ///< one point in space, as at the pole of a sphere
-  double tolerance = 0;      ///< of the edge, model units
-  int from = 0;  ///< corners where its walk along the wire starts and ends
+  std::vector<PlanarBox> boxes;  ///< of the curve's spans
+  bool degenerated = false;      ///< one point in space, as at the pole of a sphere
+  double tolerance = 0;          ///< of the edge, model units
+  int from = 0;                  ///< corners where its walk along the wire starts and ends
   int to = 0;
 
   bool reversed() const { return edge.Orientation() == TopAbs_REVERSED; }

@@ -421,11 +421,22 @@ class Search {
   std::vector<Finding> findings_;  // about the batch at work
 };
 
-std::vector<Box> patch_boxes(SurfaceCells& cells) {
+// Boxes of the patches' control points: cells are made of those patches only that meet another.
+std::vector<Box> patch_boxes(const BezierSurface& surface) {
+  constexpr double kRounding = 16 * 0x1p-53;  // as much as cells allow for themselves
   std::vector<Box> boxes;
-  for (int i = 0; i < cells.patches(); ++i) {
-    const Cell& root = cells.tree(i)[0];
-    boxes.push_back({root.low, root.high});
+  boxes.reserve(surface.patches.values().size());
+  for (const RationalBezierPatch& patch : surface.patches.values()) {
+    Box box;
+    for (const Vec4& p : patch.points.values()) {
+      const double inverse = 1 / p[3];
+      for (int k = 0; k < 3; ++k) {
+        const double x = p[k] * inverse;
+        box.low[k] = std::min(box.low[k], x);
+        box.high[k] = std::max(box.high[k], x);
+      }
+    }
+    boxes.push_back(widened(box, kRounding * std::max(max_norm(box.low), max_norm(box.high))));
   }
   return boxes;
 }
@@ -502,7 +513,7 @@ PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
                               const KnownCurves& known, const IntersectionOptions& options) {
   PairSearchResult result;
   Search search(a, b, size, known, options, result);
-  const BoxTree boxes_a(patch_boxes(a)), boxes_b(patch_boxes(b));
+  const BoxTree boxes_a(patch_boxes(a.surface())), boxes_b(patch_boxes(b.surface()));
   boxes_a.for_each_meeting(boxes_b, [&](int i, int j) { search.add({i, 0, j, 0}); });
   search.run();
   (a.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += a.cells();

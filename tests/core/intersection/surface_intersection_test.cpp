@@ -13,6 +13,7 @@
 #include "core/forms/evaluation.h"
 #include "tests/support/cubic_family.h"
 #include "tests/support/intersection_checks.h"
+#include "tests/support/solids.h"
 
 namespace blossom {
 namespace {
@@ -314,6 +315,26 @@ TEST(SurfaceIntersection, RunsThroughTheKnotsOfASurfaceOfSeveralSpans) {
   EXPECT_NEAR(total_projected_length(found), 0.4 * kPi, 1e-6);
   for (const SurfacePoint& sample : found.curves[0].samples)
     EXPECT_NEAR(sample.uv_a[0], 2 + 3 * sample.point[0], 1e-12);
+}
+
+TEST(SurfaceIntersection, LooksOnlyAtSpansThatTheOtherSurfaceMeets) {
+  constexpr int kSpans = 40;
+  BezierSurface strip;
+  strip.v_knots = {0, 1};
+  strip.patches = Grid<RationalBezierPatch>(kSpans, 1);
+  for (int i = 0; i <= kSpans; ++i) strip.u_knots.push_back(i);
+  for (int i = 0; i < kSpans; ++i)
+    strip.patches(i, 0) = testing::quadrilateral({1.0 * i, 0, 0}, {1.0 * i, 1, 0},
+                                                 {1.0 * i + 1, 0, 0}, {1.0 * i + 1, 1, 0})
+                              .patches(0, 0);
+  const BezierSurface wall =
+      testing::quadrilateral({3.3, 0, -1}, {3.3, 0, 1}, {3.4, 1, -1}, {3.4, 1, 1});
+
+  const SurfaceIntersection found = intersect(strip, wall);
+  EXPECT_EQ(found.status, Status::Complete);
+  ASSERT_EQ(found.curves.size(), 1u);
+  EXPECT_NEAR(found.curves[0].length, std::sqrt(1.01), 1e-12);
+  EXPECT_LT(found.certificate.cells_bezier + found.certificate.cells_monomial, kSpans);
 }
 
 // A quarter cylinder of radius 2 with its angle as parameter, and the plane x + z = 1.
