@@ -256,7 +256,8 @@ class Assembly {
          parameter_at(a_.v_law, cells_a.knots_v(graze.patch_a), graze.x[1])},
         {parameter_at(b_.u_law, cells_b.knots_u(graze.patch_b), graze.x[2]),
          parameter_at(b_.v_law, cells_b.knots_v(graze.patch_b), graze.x[3])}};
-    if (known_contact(contact.point) || ends_curve(contact.point) || in_clump(contact.point))
+    if (known_contact(contact.point) || ends_curve(contact.point) || in_clump(contact.point) ||
+        in_contact(contact.point))
       return;
     result_.points.push_back(contact);
     Place place = place_at(contact);

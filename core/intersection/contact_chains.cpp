@@ -39,6 +39,15 @@ double gap_between(const Box& a, const Box& b) {
   return norm(gap);
 }
 
+// True if two points near each other lie on two sides of a seam.
+bool jumps(const Point4& p, const Point4& q, const SurfaceCells& a, const SurfaceCells& b) {
+  const auto &grid_a = a.surface().patches, &grid_b = b.surface().patches;
+  const std::array spans{grid_a.rows(), grid_a.columns(), grid_b.rows(), grid_b.columns()};
+  for (std::size_t k = 0; k < 4; ++k)
+    if (std::abs(p[k] - q[k]) > 0.5 * spans[k]) return true;
+  return false;
+}
+
 class Joiner {
  public:
   Joiner(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double size, double tolerance)
@@ -346,11 +355,7 @@ class Joiner {
     const ContactPoint goal{q.patch_a, q.patch_b, next % 2 == 0 ? q.arc.from : q.arc.to};
     const Point4 x =
         in_patches(a_, b_, p.patch_a, p.patch_b, end % 2 == 0 ? p.arc.from : p.arc.to, goal);
-    const auto &grid_a = a_.surface().patches, &grid_b = b_.surface().patches;
-    const std::array spans{grid_a.rows(), grid_a.columns(), grid_b.rows(), grid_b.columns()};
-    for (std::size_t k = 0; k < 4; ++k)
-      if (std::abs(x[k] - goal.x[k]) > 0.5 * spans[k]) return;
-    found_.joins.push_back({end, next});
+    if (!jumps(x, goal.x, a_, b_)) found_.joins.push_back({end, next});
   }
 
   // The closest point of those that the middle of the path and its own closest point lead to.
@@ -441,11 +446,10 @@ void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, Surf
 
 namespace {
 
-// In a pole each arm keeps its own value of the free parameter. Two arms go on into each other
-// only if they have the same one.
-void meet_in_pole(ContactChain& contact, const Pole& pole, SurfaceCells& a, SurfaceCells& b,
-                  PairSearchResult& found) {
-  contact.pole = true;
+// In a pole each arm keeps its own value of the free parameter, and at a seam its own side. Two
+// arms go on into each other only if they have the same one.
+void meet_apart(ContactChain& contact, const Pole& pole, SurfaceCells& a, SurfaceCells& b,
+                PairSearchResult& found) {
   contact.centre = pole.point;
   std::vector<Point4> ends;
   for (auto& side : contact.arms)
@@ -465,7 +469,8 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
   for (ContactChain& contact : contacts) {
     if (contact.curve) continue;
     if (const auto pole = pole_near(a, b, contact.centre, contact.length, tolerance)) {
-      meet_in_pole(contact, *pole, a, b, found);
+      contact.pole = true;
+      meet_apart(contact, *pole, a, b, found);
       continue;
     }
     const auto &patch_a = a.tree(contact.centre.patch_a).patch(),
@@ -474,6 +479,10 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
     for (const auto& side : contact.arms)
       for (const ArcEnd end : side) arms.push_back(arm_of(contact, end, a, b, found));
     const bool joins = arms.size() == 2;
+    if (joins && jumps(arms[0].end, arms[1].end, a, b)) {
+      meet_apart(contact, {contact.centre, {}}, a, b, found);
+      continue;
+    }
     if (joins)
       contact.centre.x = meeting_point(patch_a, patch_b, {arms[0], arms[1]}, contact.centre.x);
     // A branch that only passes by the centre of a node ends beside it.

@@ -76,6 +76,13 @@ std::array<int, 4> spans_of(const SurfaceCells& a, const SurfaceCells& b, int pa
   return {a.span_u(patch_a), a.span_v(patch_a), b.span_u(patch_b), b.span_v(patch_b)};
 }
 
+// By parameter: spans in a turn of a closed surface, 0 if it is open.
+std::array<int, 4> periods_of(const SurfaceCells& a, const SurfaceCells& b) {
+  const BezierSurface &sa = a.surface(), &sb = b.surface();
+  return {sa.closed_u ? sa.patches.rows() : 0, sa.closed_v ? sa.patches.columns() : 0,
+          sb.closed_u ? sb.patches.rows() : 0, sb.closed_v ? sb.patches.columns() : 0};
+}
+
 // A parameter of a span if it lies in it, perhaps a period away.
 std::optional<double> in_span(double t, int period) {
   for (const int shift : {0, period, -period})
@@ -96,7 +103,10 @@ Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int 
 
 bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const ContactPoint& q,
                 double tolerance) {
-  const Point4 end = in_patches(a, b, q.patch_a, q.patch_b, q.x, p);
+  Point4 end = in_patches(a, b, q.patch_a, q.patch_b, q.x, p);
+  const auto periods = periods_of(a, b);
+  for (std::size_t k = 0; k < 4; ++k)  // the shorter way, across a seam perhaps
+    if (periods[k] > 0) end[k] = p.x[k] + std::remainder(end[k] - p.x[k], periods[k]);
   const auto &patch_a = a.tree(p.patch_a).patch(), &patch_b = b.tree(p.patch_b).patch();
   for (const double t : {0.25, 0.5, 0.75}) {
     Point4 x;
@@ -158,10 +168,7 @@ ContactPoint in_patches_of(const PairSearchResult& found, ArcEnd end, const Pole
   ContactPoint goal = pole.point;
   auto spans = spans_of(a, b, goal.patch_a, goal.patch_b);
   const auto own = spans_of(a, b, arc.patch_a, arc.patch_b);
-  const BezierSurface &sa = a.surface(), &sb = b.surface();
-  const std::array<int, 4> period{
-      sa.closed_u ? sa.patches.rows() : 0, sa.closed_v ? sa.patches.columns() : 0,
-      sb.closed_u ? sb.patches.rows() : 0, sb.closed_v ? sb.patches.columns() : 0};
+  const auto period = periods_of(a, b);
   for (std::size_t k = 0; k < 4; ++k) {
     const auto same =
         pole.free[k] ? std::optional(x[k]) : in_span(goal.x[k] + spans[k] - own[k], period[k]);
@@ -169,8 +176,8 @@ ContactPoint in_patches_of(const PairSearchResult& found, ArcEnd end, const Pole
     goal.x[k] = *same;
     spans[k] = own[k];
   }
-  goal.patch_a = spans[0] * sa.patches.columns() + spans[1];
-  goal.patch_b = spans[2] * sb.patches.columns() + spans[3];
+  goal.patch_a = spans[0] * a.surface().patches.columns() + spans[1];
+  goal.patch_b = spans[2] * b.surface().patches.columns() + spans[3];
   return goal;
 }
 
