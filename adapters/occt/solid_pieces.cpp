@@ -255,26 +255,27 @@ std::optional<bool> is_inside(ShapeRayQuery& rays, const gp_Pnt& point, const Ve
   return hits.size() % 2 == 1;
 }
 
-// Why the side is not what rays from a point inside say; empty if it is.
-std::string objection(const SolidPiece& piece, ShapeRayQuery& rays) {
-  if (piece.side == ToolSide::Unknown) return "its side is not decided";
+// Compares the side with what rays from a point inside say, or takes it from them when the cuts
+// left it open. Returns why it cannot be trusted; empty if it can.
+std::string objection(SolidPiece& piece, ShapeRayQuery& rays) {
   const std::optional<gp_Pnt> point = point_inside(piece.face);
   if (!point) return "no point is found inside of it";
   int agreeing = 0;
   for (const Vec3& direction : kDirections) {
     const std::optional<bool> inside = is_inside(rays, *point, direction);
     if (!inside) continue;
-    if (*inside != (piece.side == ToolSide::Below)) return "rays and cuts disagree about its side";
+    if (piece.side == ToolSide::Unknown) piece.side = *inside ? ToolSide::Below : ToolSide::Above;
+    if (*inside != (piece.side == ToolSide::Below)) return "its side is not certain";
     if (++agreeing == kAgreeing) return {};
   }
   return "rays cannot tell its side";
 }
 
-void check_sides(const std::vector<SolidPiece>& pieces, const Side& side, const TrimTool& other,
+void check_sides(std::vector<SolidPiece>& pieces, const Side& side, const TrimTool& other,
                  double tolerance, SolidPieces& result) {
   const ShapeRays rays(other.faces, tolerance);
   ShapeRayQuery query(rays);
-  for (const SolidPiece& piece : pieces)
+  for (SolidPiece& piece : pieces)
     if (const std::string cause = objection(piece, query); !cause.empty())
       result.obstacles.push_back(
           "a piece of " + side.face_name(static_cast<std::size_t>(piece.from)) + ": " + cause);

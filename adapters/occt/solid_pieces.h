@@ -31,7 +31,8 @@ struct SolidPieces {
 /// Splits the faces of two solids along each other.
 ///
 /// Every intersection curve becomes edges that pieces of both solids share, with curves in the
-/// parameters of both. The sides of pieces are decided at the cuts and checked by rays.
+/// parameters of both. The sides of pieces are decided at the cuts and checked by rays, or decided
+/// by rays that agree where the cuts do not tell.
 ///
 /// Contacts without crossing (surfaces that touch or coincide, curves along an edge) are obstacles.
 ///
