@@ -11,6 +11,7 @@
 #include "core/bounds/box_tree.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/arc_chains.h"
+#include "core/intersection/contact_arms.h"
 #include "core/intersection/contact_chains.h"
 #include "core/intersection/contact_reach.h"
 #include "core/intersection/critical_places.h"
@@ -37,6 +38,9 @@ constexpr double kOnCurve = 1e-4;     // of the surfaces' size
 // A curve that leaves the surfaces by so many tolerances and so much of their size is none.
 constexpr double kWorst = 100;
 constexpr double kWorstOfSize = 1e-4;
+
+// Tolerances: two cells no larger than one, whose boxes meet, hold no points farther apart.
+constexpr double kThinGap = 2;
 
 constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to go on
 
@@ -378,6 +382,7 @@ class Assembly {
     const std::size_t arms = point.arm_count();
     if (arms == 0) return PlaceKind::Touch;
     if (arms > 2) return PlaceKind::Node;
+    if (point.passed) return PlaceKind::Tangential;
     return point.pole ? PlaceKind::Pole : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
   }
 
@@ -508,7 +513,7 @@ class Assembly {
                 clump.box.high + origin_, 0,
                 diagonal(clump.box),      parameters_of(cells_a, cells_b, clump)};
     if (clump.thin) {  // within tolerance all over, whatever the surfaces do in it
-      place.gap_high = options_.tolerances.point;
+      if (!clump.singular) place.gap_high = kThinGap * options_.tolerances.point;
       place.kind = clump.singular ? PlaceKind::Cusp : PlaceKind::Tangential;
     }
     result_.places.push_back(place);

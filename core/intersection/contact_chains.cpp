@@ -17,8 +17,6 @@ constexpr double kBesides = 1e-5;     // of the size: points of contact this clo
 constexpr double kPointClump = 1e-2;  // of the size: a larger clump is more than a point
 constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest point
 constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
-constexpr double kSamePoint3 = 4;    // tolerances: points this close in space are one
-constexpr double kOtherMeridian = 1e-3;  // of a patch: arms of a pole this far apart stay two
 constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
 
@@ -32,21 +30,6 @@ constexpr double kCloser = 1.0 / 64;  // of the tolerance
 constexpr double kMostOfIt = 0.6;
 constexpr double kHardlyAny = 0.1;
 constexpr double kEven = 1.5;  // of the square of the distance to a zero it is a fifth
-
-double gap_between(const Box& a, const Box& b) {
-  Vec3 gap;
-  for (int k = 0; k < 3; ++k) gap[k] = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
-  return norm(gap);
-}
-
-// True if two points near each other lie on two sides of a seam.
-bool jumps(const Point4& p, const Point4& q, const SurfaceCells& a, const SurfaceCells& b) {
-  const auto &grid_a = a.surface().patches, &grid_b = b.surface().patches;
-  const std::array spans{grid_a.rows(), grid_a.columns(), grid_b.rows(), grid_b.columns()};
-  for (std::size_t k = 0; k < 4; ++k)
-    if (std::abs(p[k] - q[k]) > 0.5 * spans[k]) return true;
-  return false;
-}
 
 class Joiner {
  public:
@@ -305,7 +288,8 @@ class Joiner {
       for (std::size_t j = i + 1; j < chains.size(); ++j) {
         ContactChain &p = chains[i], &q = chains[j];
         if (p.curve || q.curve ||
-            gap_between(p.box, q.box) > 0.5 * (p.length + q.length) + kBesides * size_)
+            std::sqrt(squared_distance(p.box, q.box)) >
+                0.5 * (p.length + q.length) + kBesides * size_)
           continue;
         p.path.insert(p.path.end(), q.path.begin(), q.path.end());
         for (std::size_t side = 0; side < 2; ++side)
@@ -391,108 +375,10 @@ class Joiner {
 
 }  // namespace
 
-namespace {
-
-// A contact's arm in the parameters of the contact's patches.
-ContactArm arm_of(const ContactChain& contact, ArcEnd end, const SurfaceCells& a,
-                  const SurfaceCells& b, const PairSearchResult& found) {
-  const FoundArc& arc = found.arcs[end / 2];
-  const auto here = [&](const Point4& x) {
-    return in_patches(a, b, arc.patch_a, arc.patch_b, x, contact.centre);
-  };
-  return end % 2 == 0 ? ContactArm{here(arc.arc.to), here(arc.arc.from)}
-                      : ContactArm{here(arc.arc.from), here(arc.arc.to)};
-}
-
-}  // namespace
-
 std::vector<ContactChain> contact_chains(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
                                          std::vector<Clump>& clumps, double size,
                                          double tolerance) {
   return Joiner(found, a, b, size, tolerance).run(clumps);
-}
-
-void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, SurfaceCells& a,
-            SurfaceCells& b, std::vector<ContactChain>& contacts, double size, double tolerance) {
-  for (const ArcEnd end : ends) {
-    const FoundArc& arc = found.arcs[end / 2];
-    const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
-    const auto point = [&](int patch, const Point4& y) {
-      return point_at(a.tree(patch).patch(), y[0], y[1]);
-    };
-    const Vec3 p = point(arc.patch_a, x);
-    double least = kJoinRadius * size;
-    ContactChain* nearest = nullptr;
-    std::size_t side = 0;
-    for (ContactChain& chain : contacts) {
-      if (chain.curve && arc.arc.tangential) continue;  // its own, perhaps
-      const ContactPoint &front = chain.path.front(), &back = chain.path.back();
-      const double to_front = distance(p, point(front.patch_a, front.x));
-      const double to_back = distance(p, point(back.patch_a, back.x));
-      const double d = chain.curve ? std::min(to_front, to_back) : gap_between(chain.box, {p, p});
-      if (d >= least) continue;
-      least = d;
-      nearest = &chain;
-      side = to_front <= to_back ? 0 : 1;
-    }
-    if (nearest == nullptr) continue;
-    const ContactPoint& goal = side == 0 ? nearest->path.front() : nearest->path.back();
-    // At a pole one point has many parameters, so being there is enough.
-    if (least <= kSamePoint3 * tolerance ||
-        in_contact(a, b, {arc.patch_a, arc.patch_b, x, 0}, goal, tolerance))
-      nearest->arms[side].push_back(end);
-  }
-}
-
-namespace {
-
-// In a pole each arm keeps its own value of the free parameter, and at a seam its own side. Two
-// arms go on into each other only if they have the same one.
-void meet_apart(ContactChain& contact, const Pole& pole, SurfaceCells& a, SurfaceCells& b,
-                PairSearchResult& found) {
-  contact.centre = pole.point;
-  std::vector<Point4> ends;
-  for (auto& side : contact.arms)
-    for (ArcEnd& end : side) {
-      const ContactPoint goal = in_patches_of(found, end, pole, a, b);
-      ends.push_back(in_patches(a, b, goal.patch_a, goal.patch_b, goal.x, pole.point));
-      end = reach_contact(found, a, b, end, goal);
-    }
-  for (std::size_t k = 0; k < 4 && ends.size() == 2; ++k)
-    contact.parted = contact.parted || std::abs(ends[0][k] - ends[1][k]) > kOtherMeridian;
-}
-
-}  // namespace
-
-void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, SurfaceCells& b,
-                     PairSearchResult& found, double tolerance) {
-  for (ContactChain& contact : contacts) {
-    if (contact.curve) continue;
-    if (const auto pole = pole_near(a, b, contact.centre, contact.length, tolerance)) {
-      contact.pole = true;
-      meet_apart(contact, *pole, a, b, found);
-      continue;
-    }
-    const auto &patch_a = a.tree(contact.centre.patch_a).patch(),
-               &patch_b = b.tree(contact.centre.patch_b).patch();
-    std::vector<ContactArm> arms;
-    for (const auto& side : contact.arms)
-      for (const ArcEnd end : side) arms.push_back(arm_of(contact, end, a, b, found));
-    const bool joins = arms.size() == 2;
-    if (joins && jumps(arms[0].end, arms[1].end, a, b)) {
-      meet_apart(contact, {contact.centre, {}}, a, b, found);
-      continue;
-    }
-    if (joins)
-      contact.centre.x = meeting_point(patch_a, patch_b, {arms[0], arms[1]}, contact.centre.x);
-    // A branch that only passes by the centre of a node ends beside it.
-    std::size_t next = 0;
-    for (auto& side : contact.arms)
-      for (ArcEnd& end : side)
-        if (const ContactArm& arm = arms[next++];
-            joins || leads_to(patch_a, patch_b, arm, contact.centre.x))
-          end = reach_contact(found, a, b, end, contact.centre);
-  }
 }
 
 }  // namespace blossom

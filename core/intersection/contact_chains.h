@@ -32,6 +32,7 @@ struct ContactChain {
   bool curve = false;   ///< a tangential curve; else a point: a touch, a node, a fold or a cusp
   bool pole = false;    ///< a point that one of the surfaces has under many parameters
   bool parted = false;  ///< its two arms come to a pole under different parameters
+  bool passed = false;  ///< its two arms are tangential curves that go straight on into each other
   ContactPoint centre;  ///< of a point
   double length = 0;    ///< model units
   Box box;              ///< of the path, relative to the origin
@@ -46,16 +47,5 @@ struct ContactChain {
 /// size, tolerance   model units
 std::vector<ContactChain> contact_chains(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
                                          std::vector<Clump>& clumps, double size, double tolerance);
-
-/// Makes branches that end near a contact its arms, if the surfaces stay in contact in between.
-void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, SurfaceCells& a,
-            SurfaceCells& b, std::vector<ContactChain>& contacts, double size, double tolerance);
-
-/// Lengthens the arms of all points to the points they lead to, two arms to a point of the branch
-/// they are of, and tells which points are poles.
-///
-/// tolerance   model units
-void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, SurfaceCells& b,
-                     PairSearchResult& found, double tolerance);
 
 }  // namespace blossom

@@ -101,6 +101,14 @@ Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int 
           x[3] + b.span_v(from_b) - b.span_v(to.patch_b)};
 }
 
+bool jumps(const Point4& p, const Point4& q, const SurfaceCells& a, const SurfaceCells& b) {
+  const auto &grid_a = a.surface().patches, &grid_b = b.surface().patches;
+  const std::array spans{grid_a.rows(), grid_a.columns(), grid_b.rows(), grid_b.columns()};
+  for (std::size_t k = 0; k < 4; ++k)
+    if (std::abs(p[k] - q[k]) > 0.5 * spans[k]) return true;
+  return false;
+}
+
 bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const ContactPoint& q,
                 double tolerance) {
   Point4 end = in_patches(a, b, q.patch_a, q.patch_b, q.x, p);

@@ -15,6 +15,9 @@ namespace blossom {
 Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int from_b,
                   const Point4& x, const ContactPoint& to);
 
+/// True if two points near each other lie on two sides of a seam.
+bool jumps(const Point4& p, const Point4& q, const SurfaceCells& a, const SurfaceCells& b);
+
 /// True if the surfaces stay within a few tolerances of each other between two points of contact,
 /// as far as points in between tell.
 bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const ContactPoint& q,

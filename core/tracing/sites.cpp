@@ -15,6 +15,7 @@ constexpr double kShortest = 0.1;          // of the wanted accuracy: no piece n
 constexpr double kNoLength = 1e-4;         // likewise: a piece shorter than this is a point
 constexpr double kLongestTurn = 1.0;       // radians of the tangent in one piece
 constexpr double kLeastSine = 1e-3;        // below it, agreement is not tightened further
+constexpr double kStraightOn = 0.9;        // cosine: tangents at a contact that agree so far
 constexpr double kKink = 1e-7;             // tangents farther apart than this: a kink
 constexpr double kCurvatureJump = 1e-6;    // relative; curvatures farther apart: tangent continuous
 constexpr double kSamePoint = 1e-3;  // of the wanted accuracy: the ends of a loop meet so closely
@@ -117,7 +118,7 @@ class Sampler {
       const bool last = i + 1 == stations.size();
       if (last) close(next.point, runs_.front().sites.front().point);
       refine(Site(runs_.back().sites.back()), next, 0);
-      if (!last && may_break(next.point)) break_here();
+      if (!last && (may_break(next.point) || turns_back(next))) break_here();
       if (late()) return {};
     }
     drop_empty_runs();
@@ -176,6 +177,12 @@ class Sampler {
   bool may_break(const CurvePoint& p) const {
     return on_knot(a_.u_knots, p.a[0]) || on_knot(a_.v_knots, p.a[1]) ||
            on_knot(b_.u_knots, p.b[0]) || on_knot(b_.v_knots, p.b[1]);
+  }
+
+  // Where surfaces touch a branch may turn back.
+  bool turns_back(const Site& site) const {
+    return site.point.sine < kLeastSine &&
+           dot(site.point.first, tracer_.at(site.station, true).first) < kStraightOn;
   }
 
   // The knots of an angle are those of its circle's arcs: the surface goes on unchanged there.

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/contact_arms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/forms/evaluation.h"
+#include "core/intersection/contact_points.h"
+#include "core/intersection/contact_reach.h"
+
+namespace blossom {
+namespace {
+
+// Of the size: ends of branches this near a contact may be its arms.
+constexpr double kAttachRadius = 1e-3;
+constexpr double kSamePoint3 = 4;        // tolerances: points this close in space are one
+constexpr double kOtherMeridian = 1e-3;  // of a patch: arms of a pole this far apart stay two
+constexpr double kStraightOn = 0.9;      // cosine: curves that meet within 25 degrees go on
+
+// A contact's arm in the parameters of the contact's patches.
+ContactArm arm_of(const ContactChain& contact, ArcEnd end, const SurfaceCells& a,
+                  const SurfaceCells& b, const PairSearchResult& found) {
+  const FoundArc& arc = found.arcs[end / 2];
+  const auto here = [&](const Point4& x) {
+    return in_patches(a, b, arc.patch_a, arc.patch_b, x, contact.centre);
+  };
+  return end % 2 == 0 ? ContactArm{here(arc.arc.to), here(arc.arc.from)}
+                      : ContactArm{here(arc.arc.from), here(arc.arc.to)};
+}
+
+// In a pole each arm keeps its own value of the free parameter, and at a seam its own side. Two
+// arms go on into each other only if they have the same one.
+void meet_apart(ContactChain& contact, const Pole& pole, SurfaceCells& a, SurfaceCells& b,
+                PairSearchResult& found) {
+  contact.centre = pole.point;
+  std::vector<Point4> ends;
+  for (auto& side : contact.arms)
+    for (ArcEnd& end : side) {
+      const ContactPoint goal = in_patches_of(found, end, pole, a, b);
+      ends.push_back(in_patches(a, b, goal.patch_a, goal.patch_b, goal.x, pole.point));
+      end = reach_contact(found, a, b, end, goal);
+    }
+  for (std::size_t k = 0; k < 4 && ends.size() == 2; ++k)
+    contact.parted = contact.parted || std::abs(ends[0][k] - ends[1][k]) > kOtherMeridian;
+}
+
+// True if both arms are tangential curves and face each other. Along a strip of contact some cells
+// are within tolerance all over, and the closest point in them need not lie between the arms.
+bool passes(const ContactChain& contact, const std::vector<ContactArm>& arms,
+            const PairSearchResult& found) {
+  for (const auto& side : contact.arms)
+    for (const ArcEnd end : side)
+      if (!found.arcs[end / 2].arc.tangential) return false;
+  const auto over_a = [](const Point4& x) { return Vec2{x[0], x[1]}; };
+  const Vec2 out = unit(over_a(arms[0].end) - over_a(arms[0].start));
+  const Vec2 back = unit(over_a(arms[1].end) - over_a(arms[1].start));
+  const Vec2 step = over_a(arms[1].end) - over_a(arms[0].end);
+  return dot(out, back) < -kStraightOn && dot(out, step) >= 0 && dot(back, step) <= 0;
+}
+
+}  // namespace
+
+void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, SurfaceCells& a,
+            SurfaceCells& b, std::vector<ContactChain>& contacts, double size, double tolerance) {
+  for (const ArcEnd end : ends) {
+    const FoundArc& arc = found.arcs[end / 2];
+    const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+    const auto point = [&](int patch, const Point4& y) {
+      return point_at(a.tree(patch).patch(), y[0], y[1]);
+    };
+    const Vec3 p = point(arc.patch_a, x);
+    double least = kAttachRadius * size;
+    ContactChain* nearest = nullptr;
+    std::size_t side = 0;
+    for (ContactChain& chain : contacts) {
+      if (chain.curve && arc.arc.tangential) continue;  // its own, perhaps
+      const ContactPoint &front = chain.path.front(), &back = chain.path.back();
+      const double to_front = distance(p, point(front.patch_a, front.x));
+      const double to_back = distance(p, point(back.patch_a, back.x));
+      const double d =
+          chain.curve ? std::min(to_front, to_back) : std::sqrt(squared_distance(chain.box, p));
+      if (d >= least) continue;
+      least = d;
+      nearest = &chain;
+      side = to_front <= to_back ? 0 : 1;
+    }
+    if (nearest == nullptr) continue;
+    const ContactPoint& goal = side == 0 ? nearest->path.front() : nearest->path.back();
+    // At a pole one point has many parameters, so being there is enough.
+    if (least <= kSamePoint3 * tolerance ||
+        in_contact(a, b, {arc.patch_a, arc.patch_b, x, 0}, goal, tolerance))
+      nearest->arms[side].push_back(end);
+  }
+}
+
+void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, SurfaceCells& b,
+                     PairSearchResult& found, double tolerance) {
+  for (ContactChain& contact : contacts) {
+    if (contact.curve) continue;
+    if (const auto pole = pole_near(a, b, contact.centre, contact.length, tolerance)) {
+      contact.pole = true;
+      meet_apart(contact, *pole, a, b, found);
+      continue;
+    }
+    const auto &patch_a = a.tree(contact.centre.patch_a).patch(),
+               &patch_b = b.tree(contact.centre.patch_b).patch();
+    std::vector<ContactArm> arms;
+    for (const auto& side : contact.arms)
+      for (const ArcEnd end : side) arms.push_back(arm_of(contact, end, a, b, found));
+    const bool joins = arms.size() == 2;
+    if (joins && jumps(arms[0].end, arms[1].end, a, b)) {
+      meet_apart(contact, {contact.centre, {}}, a, b, found);
+      continue;
+    }
+    contact.passed = joins && passes(contact, arms, found);
+    if (contact.passed)
+      contact.centre.x = arms[0].end;
+    else if (joins)
+      contact.centre.x = meeting_point(patch_a, patch_b, {arms[0], arms[1]}, contact.centre.x);
+    // A branch that only passes by the centre of a node ends beside it.
+    std::size_t next = 0;
+    for (auto& side : contact.arms)
+      for (ArcEnd& end : side)
+        if (const ContactArm& arm = arms[next++];
+            joins || leads_to(patch_a, patch_b, arm, contact.centre.x))
+          end = reach_contact(found, a, b, end, contact.centre);
+  }
+}
+
+}  // namespace blossom
