@@ -5,6 +5,12 @@
 
 #include <algorithm>
 
+#include <Geom_Circle.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Hyperbola.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Parabola.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -74,6 +80,29 @@ Handle(Geom2d_BSplineCurve) to_occt(const Spline2& spline) {
     return new Geom2d_BSplineCurve(poles, knot_array(spline.knots),
                                    multiplicity_array(spline.multiplicities), spline.degree);
   });
+}
+
+Handle(Geom_Curve) to_occt(const Conic& conic) {
+  return guarded("making a conic", [&]() -> Handle(Geom_Curve) {
+    const gp_Pnt centre = to_pnt(conic.centre);
+    const gp_Dir x(conic.x[0], conic.x[1], conic.x[2]);
+    if (conic.kind == ConicKind::Line) return new Geom_Line(centre, x);
+    const Vec3 normal = cross(conic.x, conic.y);
+    const gp_Ax2 axes(centre, gp_Dir(normal[0], normal[1], normal[2]), x);
+    switch (conic.kind) {
+      case ConicKind::Circle: return new Geom_Circle(axes, conic.major);
+      case ConicKind::Parabola: return new Geom_Parabola(axes, conic.major);
+      case ConicKind::Hyperbola: return new Geom_Hyperbola(axes, conic.major, conic.minor);
+      default: return new Geom_Ellipse(axes, conic.major, conic.minor);
+    }
+  });
+}
+
+Handle(Geom_Curve) basis_of(Handle(Geom_Curve) curve) {
+  for (auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve); !trimmed.IsNull();
+       trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
+    curve = trimmed->BasisCurve();
+  return curve;
 }
 
 }  // namespace blossom::occt

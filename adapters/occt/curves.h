@@ -8,6 +8,7 @@
 #include <Geom_BezierCurve.hxx>
 #include <Geom_Curve.hxx>
 
+#include "core/forms/conic.h"
 #include "core/forms/curve.h"
 #include "core/forms/curve_spans.h"
 #include "core/forms/spline.h"
@@ -36,5 +37,12 @@ Handle(Geom_BezierCurve) to_occt(const RationalBezierCurve& curve);
 /// throws   Failure if Open CASCADE refuses the knots or the number of points
 Handle(Geom_BSplineCurve) to_occt(const Spline& spline);
 Handle(Geom2d_BSplineCurve) to_occt(const Spline2& spline);
+
+/// The whole line or conic with the same parameter; of a hyperbola the branch.
+/// throws   Failure if Open CASCADE refuses its axes or lengths
+Handle(Geom_Curve) to_occt(const Conic& conic);
+
+/// The curve without trims; they do not change its parameter.
+Handle(Geom_Curve) basis_of(Handle(Geom_Curve) curve);
 
 }  // namespace blossom::occt

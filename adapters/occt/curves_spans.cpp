@@ -29,14 +29,6 @@ constexpr int kMaxHalvings = 10;
 /// Samples of the error in a span, between the nodes.
 constexpr int kSamples = 4 * kFitDegree + 3;
 
-/// The curve under all trims; they do not change its parameters.
-Handle(Geom_Curve) basis_of(Handle(Geom_Curve) curve) {
-  for (auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve); !trimmed.IsNull();
-       trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
-    curve = trimmed->BasisCurve();
-  return curve;
-}
-
 CurveSpans polynomial(const std::vector<Vec3>& points, const Interval& place) {
   RationalBezierCurve curve;
   for (const Vec3& p : points) curve.points.push_back(with_weight(p, 1));

@@ -2,11 +2,16 @@
 #include "adapters/occt/face_data.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <Geom_TrimmedCurve.hxx>
+
 #include "adapters/occt/curves.h"
+#include "adapters/occt/errors.h"
 #include "adapters/occt/surfaces.h"
 
 namespace blossom::occt {
@@ -51,7 +56,7 @@ IntersectionCurve part_of(const IntersectionCurve& whole, const Interval& part) 
   curve.chart_b = restricted(whole.chart_b, part);
   curve.ends = {part.from > domain.from || whole.closed ? CurveEnd::Trim : whole.ends[0],
                 part.to < domain.to || whole.closed ? CurveEnd::Trim : whole.ends[1]};
-  curve.length = length(part);  // splines are parametrised by arc length
+  curve.length = whole.conic ? arc_length(*whole.conic, part) : length(part);
   curve.samples.clear();
   curve.sample_parameters.clear();
   const auto add = [&](const SurfacePoint& p, double t) {
@@ -65,6 +70,18 @@ IntersectionCurve part_of(const IntersectionCurve& whole, const Interval& part) 
     if (t > part.from + apart && t < part.to - apart) add(whole.samples[i], t);
   }
   add(part.to < domain.to ? point_of(whole, part.to) : whole.samples.back(), part.to);
+  return curve;
+}
+
+// The same curve with its conic's parameter in the first turn, where it begins.
+IntersectionCurve in_first_turn(IntersectionCurve curve) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  if (!curve.conic || !curve.conic->is_closed()) return curve;
+  const double shift = -kTurn * std::floor(curve.curve.domain().from / kTurn);
+  if (shift == 0) return curve;
+  for (std::vector<double>* parameters :
+       {&curve.curve.knots, &curve.chart_a.knots, &curve.chart_b.knots, &curve.sample_parameters})
+    for (double& t : *parameters) t += shift;
   return curve;
 }
 
@@ -101,7 +118,18 @@ void clip(const IntersectionCurve& whole, const std::vector<Interval>& parts,
     curves.front() = appended(std::move(curves.back()), curves.front());
     curves.pop_back();
   }
-  result.insert(result.end(), curves.begin(), curves.end());
+  for (IntersectionCurve& curve : curves) result.push_back(in_first_turn(std::move(curve)));
+}
+
+Handle(Geom_Curve) space_curve(const IntersectionCurve& curve) {
+  if (!curve.conic) return to_occt(curve.curve);
+  const Handle(Geom_Curve) whole = to_occt(*curve.conic);
+  const Interval range = curve.curve.domain();
+  if (curve.conic->is_closed() && range == Interval{0, 2 * std::numbers::pi}) return whole;
+  constexpr bool kSameSense = true, kIntoFirstPeriod = false;  // pcurves keep their parameter
+  return guarded("trimming a conic", [&]() -> Handle(Geom_Curve) {
+    return new Geom_TrimmedCurve(whole, range.from, range.to, kSameSense, kIntoFirstPeriod);
+  });
 }
 
 bool inside(const FaceTrims& trims, const Vec2& uv) {
@@ -142,7 +170,7 @@ void clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b) {
 
 EdgeCurves edge_curves(const IntersectionCurve& curve) {
   const Deviation& d = curve.deviation;
-  return {to_occt(curve.curve), to_occt(curve.chart_a), to_occt(curve.chart_b),
+  return {space_curve(curve), to_occt(curve.chart_a), to_occt(curve.chart_b),
           std::max(kLeastEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}))};
 }
 

@@ -25,13 +25,17 @@ constexpr int kDeviationSamples = 33;
 
 gp_Pnt pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
+Vec3 space_point(const FaceCut& cut, double t) {
+  return cut.conic ? point_at(*cut.conic, t) : point_at(cut.curve, t);
+}
+
 // The largest sampled distance between the curve and the image of its chart curve.
 double deviation(const FaceCut& cut, const Handle(Geom_Surface) & surface, const Interval& range) {
   double largest = 0;
   for (int i = 0; i < kDeviationSamples; ++i) {
     const double s = at(range, static_cast<double>(i) / (kDeviationSamples - 1));
     const Vec2 uv = point_at(cut.chart, s);
-    largest = std::max(largest, pnt(point_at(cut.curve, s)).Distance(surface->Value(uv[0], uv[1])));
+    largest = std::max(largest, pnt(space_point(cut, s)).Distance(surface->Value(uv[0], uv[1])));
   }
   return largest;
 }
@@ -63,7 +67,7 @@ const TopoDS_Vertex& FaceSplitter::shape_of(int vertex, const Strand& strand, do
     of.shape = splits_.vertex(coedge(of.loop, of.coedge).edge, of.split);
   else
     BRep_Builder().MakeVertex(
-        of.shape, pnt(point_at(cuts_[static_cast<std::size_t>(strand.cut)].curve, parameter)),
+        of.shape, pnt(space_point(cuts_[static_cast<std::size_t>(strand.cut)], parameter)),
         Precision::Confusion());
   return of.shape;
 }
@@ -81,13 +85,14 @@ TopoDS_Edge FaceSplitter::cut_edge(const Strand& strand, const Interval& range, 
   for (Vec2& point : chart.points) point += shift;
   const BRep_Builder builder;
   TopoDS_Edge edge;
-  builder.MakeEdge(edge, to_occt(cut.curve), tolerance);
+  const Handle(Geom_Curve) in_space = cut.conic ? to_occt(*cut.conic) : to_occt(cut.curve);
+  builder.MakeEdge(edge, in_space, tolerance);
   builder.UpdateEdge(edge, to_occt(chart), raw, location, tolerance);
   builder.Range(edge, range.from, range.to);
   const TopoDS_Vertex first = shape_of(from, strand, range.from);
   const TopoDS_Vertex last = shape_of(to, strand, range.to);
-  cover(first, pnt(point_at(cut.curve, range.from)), tolerance);
-  cover(last, pnt(point_at(cut.curve, range.to)), tolerance);
+  cover(first, pnt(space_point(cut, range.from)), tolerance);
+  cover(last, pnt(space_point(cut, range.to)), tolerance);
   builder.Add(edge, first.Oriented(TopAbs_FORWARD));
   builder.Add(edge, last.Oriented(TopAbs_REVERSED));
   return edge;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,17 +12,19 @@
 
 #include "adapters/occt/edge_splits.h"
 #include "adapters/occt/face_trims.h"
+#include "core/forms/conic.h"
 #include "core/forms/spline.h"
 #include "core/trimming/pieces.h"
 
 namespace blossom::occt {
 
-/// A curve that a face is to be cut along. The two splines share their parameter.
+/// A curve that a face is to be cut along. The two splines share their parameter, and the conic.
 struct FaceCut {
   Spline curve;           ///< in space
   Spline2 chart;          ///< in the face's own parameters
   double tolerance = 0;   ///< of the edges that come of it; at least what OCCT asks for is taken
   double least_sine = 1;  ///< of the angle between the face and what cuts it
+  std::optional<Conic> conic{};  ///< what the edges become in space; null: the spline
 };
 
 /// A piece of a cut on the border of a piece of the face.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <Geom2d_BSplineCurve.hxx>
-#include <Geom_BSplineCurve.hxx>
+#include <Geom_Curve.hxx>
 #include <TopoDS_Face.hxx>
 
 #include "core/surface_intersection.h"
@@ -15,7 +15,9 @@ namespace blossom::occt {
 
 /// An intersection curve as Open CASCADE takes it; the three share their parameter.
 struct EdgeCurves {
-  Handle(Geom_BSplineCurve) curve;
+  /// A line, circle, ellipse, parabola or hyperbola where the curve is one, else a B-spline.
+  /// Trimmed to its range, but for a whole circle or ellipse that begins at 0.
+  Handle(Geom_Curve) curve;
   Handle(Geom2d_BSplineCurve) pcurve_a;
   Handle(Geom2d_BSplineCurve) pcurve_b;
   double tolerance = 0;  ///< for the edge: max(1e-7, 1.1 x deviation), model units

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
 #include "adapters/occt/section_frame.h"
@@ -107,7 +108,8 @@ class FaceSections {
     const Deviation& d = found.deviation;
     SectionCurve curve;
     curve.face = static_cast<int>(face);
-    curve.curve = curves.curve;
+    curve.curve = basis_of(curves.curve);
+    curve.conic = found.conic;
     curve.pcurve = curves.pcurve_a;
     curve.range = found.curve.domain();
     curve.tolerance = curves.tolerance;

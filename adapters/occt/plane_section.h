@@ -38,6 +38,7 @@ struct SectionCurve {
   TopoDS_Edge edge;  ///< not null: the curve is this edge, which lies in the plane
   Handle(Geom_Curve) curve;
   Interval range;                      ///< of the curve's parameter
+  std::optional<Conic> conic;          ///< what the curve is, if a line or a conic; not of an edge
   Handle(Geom2d_BSplineCurve) pcurve;  ///< on the face, the same parameter; null along an edge
   std::array<int, 2> nodes{-1, -1};    ///< places in PlaneSection::nodes; of a loop, -1
   std::vector<Vec3> samples;           ///< in order, from the first node to the second

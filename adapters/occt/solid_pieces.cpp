@@ -85,8 +85,8 @@ void add_curves(const FaceIntersection& pair, Side& a, Side& b, std::vector<Curv
     const int number = static_cast<int>(uses.size());
     uses.push_back({face_a, a.cuts[face_a].size(), face_b, b.cuts[face_b].size()});
     const double tolerance = pair.edges[i].tolerance, sine = std::sin(curve.least_angle);
-    a.cuts[face_a].push_back({curve.curve, curve.chart_a, tolerance, sine});
-    b.cuts[face_b].push_back({curve.curve, curve.chart_b, tolerance, sine});
+    a.cuts[face_a].push_back({curve.curve, curve.chart_a, tolerance, sine, curve.conic});
+    b.cuts[face_b].push_back({curve.curve, curve.chart_b, tolerance, sine, curve.conic});
     a.sources[face_a].push_back({0, b.solid->faces[face_b], curve.chart_b});
     b.sources[face_b].push_back({0, a.solid->faces[face_a], curve.chart_a});
     a.curves[face_a].push_back(number);

@@ -82,8 +82,8 @@ void add_cuts(const FaceIntersection& pair, const ToolFaces& tools, Job& job, Tr
                              ": a tool touches it along a curve, which is not cut");
       continue;
     }
-    job.cuts.push_back(
-        {curve.curve, curve.chart_a, pair.edges[i].tolerance, std::sin(curve.least_angle)});
+    job.cuts.push_back({curve.curve, curve.chart_a, pair.edges[i].tolerance,
+                        std::sin(curve.least_angle), curve.conic});
     job.sources.push_back({tools.tool[tool_face], tools.faces[tool_face], curve.chart_b});
   }
   note_places(pair, *job.of, result);

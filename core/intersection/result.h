@@ -4,11 +4,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/status.h"
 #include "core/base/tolerances.h"
+#include "core/forms/conic.h"
 #include "core/forms/spline.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
@@ -22,12 +24,13 @@ struct SurfacePoint {
   Vec2 uv_b;
 };
 
-/// Bounds on the distances along a curve, model units.
+/// Bounds on the distances along a curve at equal parameters, model units.
 struct Deviation {
-  double a = 0;        ///< 3D curve to its chart curve's image on surface a
+  double a = 0;        ///< 3D curve (its conic, if any) to its chart curve's image on surface a
   double b = 0;        ///< likewise on b
   double between = 0;  ///< between the two images
   bool proven = true;  ///< false: on some piece of the curve, only the largest of samples
+  double conic = 0;    ///< 3D spline to the conic, if there is one
 };
 
 /// Where a curve ends.
@@ -39,10 +42,12 @@ enum class CurveEnd {
   Trim,     ///< on a trimming curve of a face
 };
 
+/// Its parameter is arc length, or that of the line or conic which it is.
 struct IntersectionCurve {
   Spline curve;     ///< in space
   Spline2 chart_a;  ///< in the parameters of a; same knots as `curve`
   Spline2 chart_b;
+  std::optional<Conic> conic{};           ///< the curve in space, if it is a line or a conic
   std::vector<SurfacePoint> samples;      ///< in order; on both surfaces to rounding
   std::vector<double> sample_parameters;  ///< increasing; where about they lie on `curve`
   std::array<CurveEnd, 2> ends{};

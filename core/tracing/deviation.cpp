@@ -18,13 +18,15 @@
 namespace blossom {
 namespace {
 
-constexpr double kSlack = 1.25;       // of a bound over the largest value seen
-constexpr int kMostHalvings = 400;    // of error forms, for one of the three bounds
-constexpr int kDeepest = 12;          // halvings of a span before its forms are made
-constexpr int kUnprovenSamples = 33;  // of a piece without a bound
-constexpr double kEndOfPiece = 1e-9;  // cuts so near an end of a span are none
+constexpr double kSlack = 1.25;           // of a bound over the largest value seen
+constexpr int kMostHalvings = 400;        // of error forms, for one of the three bounds
+constexpr int kDeepest = 12;              // halvings of a span before its forms are made
+constexpr int kUnprovenSamples = 33;      // of a piece without a bound
+constexpr double kEndOfPiece = 1e-9;      // cuts so near an end of a span are none
 constexpr std::size_t kSpansOfProof = 8;  // that one thread proves in a row
 constexpr std::size_t kLeastShared = 16;  // forms whose bounds are worth sharing out
+constexpr double kConicError = 5e-11;     // model units: of a conic's polynomials
+constexpr double kConicRounding = 16 * 0x1p-53;
 
 // The blossom at five parameters of the form with these points over [0, 1].
 Vec7 blossom_of(QuinticPoints c, const std::array<double, 5>& parameters) {
@@ -138,6 +140,33 @@ class Proof {
     add_piece(last > 0 ? piece_of(points, last, 1) : points, 0);
   }
 
+  // The same with the conic in place of the spline in space.
+  void add_span(const QuinticPoints& points, const Interval& range, const Conic& conic) {
+    const double bend = sixth_derivative_bound(conic, range);
+    const double widest = std::pow(46080 * kConicError / std::max(bend, 1e-300), 1.0 / 6);
+    const int count = static_cast<int>(std::ceil(length(range) / std::min(widest, length(range))));
+    const auto cut = [&](int i) { return static_cast<double>(i) / count; };
+    for (int i = 0; i < count; ++i) {
+      QuinticPoints piece = count > 1 ? piece_of(points, cut(i), cut(i + 1)) : points;
+      const Interval place{at(range, cut(i)), at(range, cut(i + 1))};
+      const auto jet = [&](double t) {
+        return std::array{point_at(conic, t), derivative_at(conic, t),
+                          second_derivative_at(conic, t)};
+      };
+      const auto exact = hermite_points(jet(place.from), jet(place.to), length(place));
+      double gap = 0, size = 0;
+      for (std::size_t k = 0; k < exact.size(); ++k) {
+        gap = std::max(gap, distance(exact[k], space(piece[k])));
+        size = std::max(size, norm(exact[k]) + norm(exact[k] - conic.centre));
+        piece[k] = seven(exact[k], chart_a(piece[k]), chart_b(piece[k]));
+      }
+      const double error = bend * std::pow(length(place), 6) / 46080 + kConicRounding * size;
+      conic_error_ = std::max(conic_error_, error);
+      result_.conic = std::max(result_.conic, gap + error);
+      add_span(piece);
+    }
+  }
+
   // What another part of the curve gave.
   void add(Proof&& other) {
     const auto append = [](std::vector<ErrorForm>& to, std::vector<ErrorForm>& from) {
@@ -150,6 +179,8 @@ class Proof {
     result_.b = std::max(result_.b, other.result_.b);
     result_.between = std::max(result_.between, other.result_.between);
     result_.proven = result_.proven && other.result_.proven;
+    result_.conic = std::max(result_.conic, other.result_.conic);
+    conic_error_ = std::max(conic_error_, other.conic_error_);
   }
 
   Deviation bounds() && {
@@ -159,6 +190,8 @@ class Proof {
                  [&](std::size_t k) {
                    *bounds[k] = std::max(*bounds[k], proven_maximum(std::move(*forms[k])));
                  });
+    result_.a += conic_error_;
+    result_.b += conic_error_;
     return result_;
   }
 
@@ -201,6 +234,7 @@ class Proof {
   ImageGaps a_, b_;
   std::vector<ErrorForm> forms_a_, forms_b_, forms_between_;
   Deviation result_;
+  double conic_error_ = 0;  // of the polynomials that stand for the conic
   bool unprovable_ = false;
 };
 
@@ -231,8 +265,12 @@ Deviation proven_deviation(const IntersectionCurve& curve, const BezierSurface& 
     if (flat[span] < flat[span + 1]) spans.push_back(span);
   std::vector<Proof> proofs(1 + spans.size() / kSpansOfProof, Proof(a, b));
   parallel_for(proofs.size(), 1, [&](std::size_t i) {
-    for (std::size_t k = i * kSpansOfProof; k < std::min((i + 1) * kSpansOfProof, spans.size()); ++k)
-      proofs[i].add_span(span_points(poles, flat, spans[k]));
+    for (std::size_t k = i * kSpansOfProof; k < std::min((i + 1) * kSpansOfProof, spans.size());
+         ++k) {
+      const QuinticPoints points = span_points(poles, flat, spans[k]);
+      const Interval range{flat[spans[k]], flat[spans[k] + 1]};
+      curve.conic ? proofs[i].add_span(points, range, *curve.conic) : proofs[i].add_span(points);
+    }
   });
   for (std::size_t i = 1; i < proofs.size(); ++i) proofs.front().add(std::move(proofs[i]));
   return std::move(proofs.front()).bounds();

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
+#include "core/tracing/conic_fit.h"
 #include "core/tracing/deviation.h"
 #include "core/tracing/sites.h"
 #include "core/tracing/spline_fit.h"
@@ -26,6 +28,12 @@ constexpr double kWorthARound = 0.93;     // of the knots at most, or no further
 constexpr double kLeastError = 1e-12;     // of the wanted, to guess from: below it is rounding
 constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kLeastSamples = 49;
+
+// Traced points leave a conic by rounding alone: so much of the curve's length and of the size.
+constexpr double kConicOfLength = 1e-11;
+constexpr double kConicOfSize = 1e-13;
+// A conic is worth having if it is about as near to the surfaces as a spline would be.
+constexpr double kConicDeviation = 4;  // of the wanted accuracy, and of the gap between the images
 
 // Errors of quintics over spans of one width: of splines with simple knots over that of a Hermite
 // piece. For one derivative of order 6 it is 61 (Favard's constant 1.2726 over pi^6, times 6! 2^6);
@@ -163,30 +171,57 @@ class Fitter {
              kRounding * options.size, kGaps * options.gap})) {}
 
   IntersectionCurve run() {
+    const double whole = tracer_.stations().back();
+    conic_ = conic_along(tracer_, kConicOfLength * whole + kConicOfSize * options_.size);
+    if (conic_) {
+      IntersectionCurve curve = fitted_curve();
+      const Deviation& d = curve.deviation;
+      if (std::max(d.a, d.b) <= kConicDeviation * std::max(wanted_, d.between)) return curve;
+      conic_.reset();
+    }
+    return fitted_curve();
+  }
+
+ private:
+  bool late() const { return options_.work != nullptr && options_.work->late_after_search(); }
+
+  const Conic* conic() const { return conic_ ? &*conic_ : nullptr; }
+
+  IntersectionCurve fitted_curve() {
     IntersectionCurve none;
     none.length = std::numeric_limits<double>::quiet_NaN();
-    runs_ = smooth_runs(tracer_, a_, b_, wanted_, kSamplingShare, options_.work);
+    none.deviation.a = std::numeric_limits<double>::infinity();
+    runs_ = smooth_runs(tracer_, a_, b_, wanted_, kSamplingShare, conic(), options_.work);
     if (runs_.empty() ||
         std::any_of(runs_.begin(), runs_.end(), [&](const SmoothRun& run) { return strays(run); }))
       return none;
+    if (conic_ && conic_->is_closed()) complete_turn();
     IntersectionCurve curve;
     write_splines(curve);
     if (late()) return none;
     sample(curve);
+    curve.conic = conic_;
     curve.deviation = proven_deviation(curve, a_, b_);
     const Deviation& d = curve.deviation;
     return std::max({d.a, d.b, d.between}) <= options_.most ? curve : none;
   }
 
- private:
-  bool late() const { return options_.work != nullptr && options_.work->late_after_search(); }
+  // A loop's parameter grows by a turn, without rounding.
+  void complete_turn() {
+    Site& last = runs_.back().sites.back();
+    const Site& first = runs_.front().sites.front();
+    if (last.point.point != first.point.point) return;
+    last.parameter = first.parameter + 2 * std::numbers::pi;
+    runs_.back().pieces.back().place.to = last.parameter;
+  }
 
   // Pieces that are as good as wanted need not be looked at again.
   bool strays(const SmoothRun& run) const {
     for (std::size_t i = 0; i < run.pieces.size(); ++i) {
       if (run.errors[i] <= 1) continue;
       for (const double t : {0.25, 0.5, 0.75}) {
-        const Gaps gaps = gaps_at(a_, b_, value_at(run.pieces[i].points, t));
+        const Gaps gaps =
+            gaps_at(a_, b_, value_at(run.pieces[i].points, t), conic(), at(run.pieces[i].place, t));
         if (!(std::max({gaps.a, gaps.b, gaps.between}) <= options_.most)) return true;
       }
     }
@@ -222,7 +257,9 @@ class Fitter {
       while (site + 2 < run.sites.size() && run.sites[site + 1].parameter < spline.knots[span])
         ++site;
       const double sine = std::min(run.sites[site].point.sine, run.sites[site + 1].point.sine);
-      const Gaps gaps = gaps_at(a_, b_, spline.values[i]);
+      const double t = at(Interval{spline.knots[span], spline.knots[span + 1]},
+                          kFitChecks[i % kFitChecks.size()]);
+      const Gaps gaps = gaps_at(a_, b_, spline.values[i], conic(), t);
       errors[span] = std::max(errors[span], relative_gap(gaps, wanted_, sine));
     }
     return errors;
@@ -241,7 +278,7 @@ class Fitter {
                &piece == &run.pieces.back() ? run.multiplicity : kFitDegree - 2);
     }
     joined.multiplicities.back() = kFitDegree + 1;
-    curve.length = joined.knots.back();
+    curve.length = runs_.back().sites.back().length;
     curve.curve = {kFitDegree, joined.knots, joined.multiplicities, {}};
     curve.chart_a = {kFitDegree, joined.knots, joined.multiplicities, {}};
     curve.chart_b = {kFitDegree, joined.knots, joined.multiplicities, {}};
@@ -292,7 +329,7 @@ class Fitter {
   }
 
   static int samples_between(const Site& start, const Site& stop, double sag, double whole) {
-    const double width = stop.parameter - start.parameter;
+    const double width = stop.length - start.length;
     const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
     const double bend = std::max({norm(start.point.second), norm(stop.point.second), turn / width});
     const double by_sag = width * std::sqrt(bend / (6 * sag));
@@ -305,6 +342,7 @@ class Fitter {
   const BezierSurface& b_;
   const FitOptions& options_;
   const double wanted_;  // agreement of the three images, model units
+  std::optional<Conic> conic_;
   std::vector<SmoothRun> runs_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // B-splines along a traced chain: in space and in both charts, on common knots.
 //
-// The three curves are one quintic spline in seven coordinates, with arc length as parameter. Its
+// The three curves are one quintic spline in seven coordinates. Its parameter is arc length; where
+// the curve is a line or a conic it is that one's, and the charts belong to its points. The
 // knots are simple where the curve is smooth, chosen by the error that a first spline leaves, and
 // triple to fivefold where a knot line of a surface lets a derivative jump. It is fitted by least
 // squares to Hermite pieces between traced points (`core/tracing/spline_fit.h`); where that does
@@ -18,9 +19,9 @@ namespace blossom {
 
 struct FitOptions {
   double tolerance = 1e-7;  ///< wanted agreement of the three images, model units
-  double gap = 0;   ///< distance of the surfaces along the curve; the images agree no better
-  double size = 1;  ///< diagonal of the larger surface: samples get chords within 1e-4 of it
-  double most = 1e300;              ///< deviation of a curve that is still worth returning
+  double gap = 0;       ///< distance of the surfaces along the curve; the images agree no better
+  double size = 1;      ///< diagonal of the larger surface: samples get chords within 1e-4 of it
+  double most = 1e300;  ///< deviation of a curve that is still worth returning
   const WorkLimit* work = nullptr;  ///< when to give up; null: never
 };
 

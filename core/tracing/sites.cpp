@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <span>
 
 namespace blossom {
@@ -48,18 +50,47 @@ double arc_length(const std::array<Vec3, 6>& points) {
   return sum;
 }
 
+// Value and derivatives by a parameter with ds/dt = speed and d^2 s/dt^2 = change, s the arc
+// length.
+std::array<Vec7, 3> jet(const CurvePoint& x, double speed, double change) {
+  const Vec7 first = seven(x.first, x.a_first, x.b_first);
+  const Vec7 second = seven(x.second, x.a_second, x.b_second);
+  return {seven(x.point, x.a, x.b), first * speed, second * (speed * speed) + first * change};
+}
+
+// A piece that begins at parameter 0, and its length in space.
+struct Step {
+  QuinticPiece piece;
+  double length;
+};
+
 // The parameter is arc length, which the curve itself has to tell: from that of a circle's arc, two
 // rounds settle it.
-QuinticPiece piece_between(const CurvePoint& p, const CurvePoint& q) {
+Step step_by_length(const CurvePoint& p, const CurvePoint& q) {
   const std::array start{p.point, p.first, p.second}, stop{q.point, q.first, q.second};
   const Vec3 turn = q.first - p.first;
   double width = distance(p.point, q.point) * (1 + dot(turn, turn) / 24);
   for (int round = 0; round < 2; ++round) width = arc_length(hermite_points(start, stop, width));
-  const auto jet = [](const CurvePoint& x) {
-    return std::array{seven(x.point, x.a, x.b), seven(x.first, x.a_first, x.b_first),
-                      seven(x.second, x.a_second, x.b_second)};
+  return {{{0, width}, hermite_points(jet(p, 1, 0), jet(q, 1, 0), width)}, width};
+}
+
+// The parameter is that of the conic; where it does not grow, or by half a turn or more, the piece
+// has no width.
+Step step_by_conic(const CurvePoint& p, const CurvePoint& q, const Conic& conic) {
+  const double from = parameter_at(conic, p.point), to = parameter_at(conic, q.point);
+  double width = to - from;
+  if (conic.is_closed()) width = std::remainder(width, 2 * std::numbers::pi);
+  const auto jet_at = [&](const CurvePoint& x, double t) {
+    const Vec3 rate = derivative_at(conic, t);
+    const double speed = norm(rate);
+    return jet(x, speed, dot(rate, second_derivative_at(conic, t)) / speed);
   };
-  return {{0, width}, hermite_points(jet(p), jet(q), width)};
+  Step step{{{0, std::max(width, 0.0)}, {}}, distance(p.point, q.point)};
+  step.piece.points = hermite_points(jet_at(p, from), jet_at(q, to), step.piece.place.to);
+  std::array<Vec3, 6> in_space;
+  for (std::size_t i = 0; i < 6; ++i) in_space[i] = space(step.piece.points[i]);
+  if (width > 0) step.length = arc_length(in_space);
+  return step;
 }
 
 // A difference beyond rounding, measured against the values and a part of `scale`.
@@ -107,25 +138,33 @@ double distance_from(const QuinticPiece& piece, const Vec3& point) {
 class Sampler {
  public:
   Sampler(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b, double wanted,
-          double limit, const WorkLimit* work)
-      : tracer_(tracer), a_(a), b_(b), wanted_(wanted), limit_(limit), work_(work) {}
+          double limit, const Conic* conic, const WorkLimit* work)
+      : tracer_(tracer), a_(a), b_(b), wanted_(wanted), limit_(limit), conic_(conic), work_(work) {}
 
   std::vector<SmoothRun> run() {
     const std::vector<double>& stations = tracer_.stations();
-    begin_run({stations.front(), 0, tracer_.at(stations.front(), true)});
+    const CurvePoint first = tracer_.at(stations.front(), true);
+    begin_run({stations.front(), first_parameter(first), 0, first});
     for (std::size_t i = 1; i < stations.size(); ++i) {
-      Site next{stations[i], 0, tracer_.at(stations[i], false)};
+      Site next{stations[i], 0, 0, tracer_.at(stations[i], false)};
       const bool last = i + 1 == stations.size();
       if (last) close(next.point, runs_.front().sites.front().point);
       refine(Site(runs_.back().sites.back()), next, 0);
       if (!last && (may_break(next.point) || turns_back(next))) break_here();
-      if (late()) return {};
+      if (late() || stands_still_) return {};
     }
     drop_empty_runs();
     return std::move(runs_);
   }
 
  private:
+  // Of a circle it is 0 but for rounding.
+  double first_parameter(const CurvePoint& first) const {
+    constexpr double kRounding = 1e-14;
+    const double t = conic_ != nullptr ? parameter_at(*conic_, first.point) : 0;
+    return std::abs(t) <= kRounding ? 0 : t;
+  }
+
   void begin_run(const Site& site) { runs_.push_back({{site}, {}, {}, 0}); }
 
   // Begins a new run where a derivative may jump. Both have one point, and the derivatives in
@@ -197,17 +236,17 @@ class Sampler {
 
   // The last site of the run is at the start. A piece that is nearly good enough is so in halves.
   void refine(const Site& start, const Site& stop, int depth) {
-    const QuinticPiece piece = piece_between(start.point, stop.point);
-    const double error = error_of(piece, start, stop, kProbes);
+    const Step step = step_between(start, stop);
+    const double error = error_of(step.piece, start, stop, kProbes);
     const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
-    const bool short_enough = !(length(piece.place) > kShortest * wanted_);
+    const bool short_enough = !(step.length > kShortest * wanted_);
     if ((error <= limit_ && turn <= kLongestTurn) || short_enough || depth >= kDeepest ||
         count_ >= kMostPieces || late())
-      return append(piece, error, stop);
+      return append(step, error, stop);
     const double station = 0.5 * (start.station + stop.station);
-    const Site middle{station, 0, tracer_.at(station, true)};
+    const Site middle{station, 0, 0, tracer_.at(station, true)};
     // All three images may agree on another branch: the true middle point has to be near.
-    const double off = distance_from(piece, middle.point.point) * middle.point.sine / wanted_;
+    const double off = distance_from(step.piece, middle.point.point) * middle.point.sine / wanted_;
     const double worst = std::max(error, off);
     const bool halves = turn <= kLongestTurn && worst <= 32 * limit_;
     for (const auto& [from, to] : {std::pair{&start, &middle}, std::pair{&middle, &stop}})
@@ -216,34 +255,45 @@ class Sampler {
 
   // `expected` is the error by its order; the piece tells whether it is.
   bool append_half(const Site& start, const Site& stop, double expected) {
-    const QuinticPiece piece = piece_between(start.point, stop.point);
-    const double error = error_of(piece, start, stop, kMiddleProbe);
+    const Step step = step_between(start, stop);
+    const double error = error_of(step.piece, start, stop, kMiddleProbe);
     if (error > limit_) return false;
-    append(piece, std::max(error, expected), stop);
+    append(step, std::max(error, expected), stop);
     return true;
+  }
+
+  Step step_between(const Site& start, const Site& stop) const {
+    return conic_ != nullptr ? step_by_conic(start.point, stop.point, *conic_)
+                             : step_by_length(start.point, stop.point);
   }
 
   double error_of(const QuinticPiece& piece, const Site& start, const Site& stop,
                   std::span<const Probe> probes) const {
+    if (!(length(piece.place) > 0)) return std::numeric_limits<double>::infinity();
     const double sine = std::min(start.point.sine, stop.point.sine);
+    const double from = conic_ != nullptr ? parameter_at(*conic_, start.point.point) : 0;
     double error = 0;
     for (const auto& [t, factor] : probes) {
-      const Gaps gaps = gaps_at(a_, b_, value_at(piece.points, t));
+      const Gaps gaps =
+          gaps_at(a_, b_, value_at(piece.points, t), conic_, from + t * length(piece.place));
       error = std::max(error, factor * relative_gap(gaps, wanted_, sine));
     }
     return error;
   }
 
-  void append(QuinticPiece piece, double error, Site stop) {
+  void append(Step step, double error, Site stop) {
     SmoothRun& run = runs_.back();
     ++count_;
-    if (!(length(piece.place) > kNoLength * wanted_)) {  // both ends in one point, or no point
+    if (!(step.length > kNoLength * wanted_)) {  // both ends in one point, or no point
       run.sites.back().station = stop.station;
       return;
     }
+    QuinticPiece& piece = step.piece;
     const double from = run.sites.back().parameter;
+    stands_still_ = stands_still_ || !(from + length(piece.place) > from);
     piece.place = {from, from + length(piece.place)};
     stop.parameter = piece.place.to;
+    stop.length = run.sites.back().length + step.length;
     run.pieces.push_back(piece);
     run.errors.push_back(error);
     run.sites.push_back(stop);
@@ -253,8 +303,10 @@ class Sampler {
   const BezierSurface& a_;
   const BezierSurface& b_;
   const double wanted_, limit_;
+  const Conic* conic_;
   const WorkLimit* work_;
   std::size_t count_ = 0;
+  bool stands_still_ = false;  // the parameter, somewhere along the chain
   std::vector<SmoothRun> runs_;
 };
 
@@ -268,9 +320,12 @@ Vec3 space(const Vec7& x) { return {x[0], x[1], x[2]}; }
 Vec2 chart_a(const Vec7& x) { return {x[3], x[4]}; }
 Vec2 chart_b(const Vec7& x) { return {x[5], x[6]}; }
 
-Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x) {
+Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x, const Conic* conic,
+             double parameter) {
   const Vec3 on_a = point_at(a, chart_a(x)), on_b = point_at(b, chart_b(x));
-  return {distance(space(x), on_a), distance(space(x), on_b), distance(on_a, on_b)};
+  const Vec3 point = conic != nullptr ? point_at(*conic, parameter) : space(x);
+  const double off = distance(point, space(x));
+  return {off + distance(point, on_a), off + distance(point, on_b), distance(on_a, on_b)};
 }
 
 double relative_gap(const Gaps& gaps, double wanted, double sine) {
@@ -280,8 +335,8 @@ double relative_gap(const Gaps& gaps, double wanted, double sine) {
 
 std::vector<SmoothRun> smooth_runs(const ChainTracer& tracer, const BezierSurface& a,
                                    const BezierSurface& b, double wanted, double limit,
-                                   const WorkLimit* work) {
-  return Sampler(tracer, a, b, wanted, limit, work).run();
+                                   const Conic* conic, const WorkLimit* work) {
+  return Sampler(tracer, a, b, wanted, limit, conic, work).run();
 }
 
 }  // namespace blossom

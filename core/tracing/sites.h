@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "core/forms/conic.h"
 #include "core/forms/surface.h"
 #include "core/intersection/work_limit.h"
 #include "core/tracing/spline_fit.h"
@@ -12,16 +13,17 @@
 
 namespace blossom {
 
-/// A traced point: where it is on the chain, and by arc length on the curve.
+/// A traced point: where it is on the chain and on the curve.
 struct Site {
   double station = 0;
-  double parameter = 0;
+  double parameter = 0;  ///< of the curve: arc length, or that of its conic
+  double length = 0;     ///< of the curve up to there, model units
   CurvePoint point;
 };
 
 /// A part of a chain along which the curve is smooth in space and in both charts.
 struct SmoothRun {
-  std::vector<Site> sites;           ///< at least 2, by arc length
+  std::vector<Site> sites;           ///< at least 2, in order
   std::vector<QuinticPiece> pieces;  ///< between neighbouring sites
   std::vector<double> errors;        ///< of each piece: largest gap of the images over the wanted
   int multiplicity = 0;              ///< of the knot at the end: 3 curvature, 4 tangent, 5 kink
@@ -39,8 +41,10 @@ Vec3 space(const Vec7& x);
 Vec2 chart_a(const Vec7& x);
 Vec2 chart_b(const Vec7& x);
 
-/// The gaps of the point with these seven coordinates.
-Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x);
+/// The gaps of the point with these seven coordinates. With a conic those from its point at the
+/// parameter, added to that point's distance from the given one.
+Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x,
+             const Conic* conic = nullptr, double parameter = 0);
 
 /// The gaps as a part of the wanted accuracy; at a small angle between the surfaces, whose sine
 /// is given, the images of the charts have to be closer. 1 is just good enough.
@@ -51,10 +55,12 @@ double relative_gap(const Gaps& gaps, double wanted, double sine);
 ///
 /// wanted    agreement of the three images, model units
 /// limit     1: the pieces are as good as wanted
+/// conic     what the curve is in space, which gives the parameter; null: that is arc length
 /// work      when to give up; null: never
-/// returns   in order, each with a piece or more; nothing if the chain has no length or it is late
+/// returns   in order, each with a piece or more; nothing if the chain has no length, it is late or
+///           the conic's parameter does not grow along the chain
 std::vector<SmoothRun> smooth_runs(const ChainTracer& tracer, const BezierSurface& a,
                                    const BezierSurface& b, double wanted, double limit,
-                                   const WorkLimit* work = nullptr);
+                                   const Conic* conic = nullptr, const WorkLimit* work = nullptr);
 
 }  // namespace blossom

@@ -12,6 +12,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
 
 namespace blossom::cli {
@@ -34,7 +35,7 @@ class PairBuilder {
   void add(const occt::EdgeCurves& curves) {
     const double first = curves.curve->FirstParameter(), last = curves.curve->LastParameter();
     TopoDS_Edge edge;
-    builder_.MakeEdge(edge, curves.curve, curves.tolerance);
+    builder_.MakeEdge(edge, occt::basis_of(curves.curve), curves.tolerance);
     builder_.UpdateEdge(edge, curves.pcurve_a, surface_a_, TopLoc_Location(), curves.tolerance);
     builder_.UpdateEdge(edge, curves.pcurve_b, surface_b_, TopLoc_Location(), curves.tolerance);
     builder_.Range(edge, first, last);

@@ -36,6 +36,7 @@ Json curve_json(const IntersectionCurve& curve, const FaceNumbers& faces) {
   Json json = with_faces(faces, {{"closed", curve.closed}, {"tangential", curve.tangential}});
   add_points(curve.samples, "points", json);
   json["length"] = curve.length;
+  json["conic"] = to_json(curve.conic, curve.curve.domain());
   json["degree"] = curve.curve.degree;
   json["poles"] = curve.curve.points.size();
   json["least_angle"] = curve.least_angle;
@@ -73,6 +74,24 @@ Json to_json(const Place& place) {
   return {{"kind", to_string(place.kind)},
           {"box", Json::array({to_json(place.box_low), to_json(place.box_high)})},
           {"gap", Json::array({place.gap_low, place.gap_high})}};
+}
+
+Json to_json(const std::optional<Conic>& conic, const Interval& range) {
+  if (!conic) return nullptr;
+  Json json = {{"type", to_string(conic->kind)},
+               {conic->kind == ConicKind::Line ? "point" : "centre", to_json(conic->centre)},
+               {"x", to_json(conic->x)}};
+  if (conic->kind != ConicKind::Line) json["y"] = to_json(conic->y);
+  switch (conic->kind) {
+    case ConicKind::Line: break;
+    case ConicKind::Circle: json["radius"] = conic->major; break;
+    case ConicKind::Parabola: json["focal"] = conic->major; break;
+    default:
+      json["major"] = conic->major;
+      json["minor"] = conic->minor;
+  }
+  json["range"] = Json::array({range.from, range.to});
+  return json;
 }
 
 Json intersection_report(const Input& a, const Input& b, const occt::ShapeIntersection& found,

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <optional>
+
 #include "adapters/occt/intersection.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/output.h"
@@ -20,6 +22,9 @@ Json to_json(const Vec2& point);
 Json to_json(const Vec3& point);
 Json to_json(const Certificate& certificate);
 Json to_json(const Place& place);
+
+/// What a curve is over a range of its parameter; null if it is no line and no conic.
+Json to_json(const std::optional<Conic>& conic, const Interval& range);
 
 /// The whole object, schema "blossom.intersection/1".
 Json intersection_report(const Input& a, const Input& b, const occt::ShapeIntersection& found,

@@ -98,6 +98,17 @@ py::dict deviation(const Deviation& deviation) {
   return py::dict("a"_a = deviation.a, "b"_a = deviation.b, "between"_a = deviation.between);
 }
 
+py::object conic(const Curve& curve) {
+  using namespace py::literals;
+  const std::optional<Conic>& conic = curve.get().conic;
+  if (!conic) return py::none();
+  const Interval range = curve.get().curve.domain();
+  return py::dict("type"_a = to_string(conic->kind), "centre"_a = conic->centre.coordinates,
+                  "x"_a = conic->x.coordinates, "y"_a = conic->y.coordinates,
+                  "major"_a = conic->major, "minor"_a = conic->minor,
+                  "range"_a = std::pair{range.from, range.to});
+}
+
 py::dict certificate(const Certificate& proof) {
   using namespace py::literals;
   return py::dict("excluded"_a = proof.excluded, "certified"_a = proof.certified,
@@ -155,6 +166,9 @@ void add_curve(py::module_& module) {
       .def_property_readonly("closed", [](const Curve& c) { return c.get().closed; })
       .def_property_readonly("tangential", [](const Curve& c) { return c.get().tangential; })
       .def_property_readonly("length", [](const Curve& c) { return c.get().length; })
+      .def_property_readonly("conic", &conic,
+                             "None, or a dict: type (line, circle, ellipse, parabola, hyperbola), "
+                             "centre, x, y, major, minor, range of its parameter.")
       .def_property_readonly("degree", [](const Curve& c) { return c.get().curve.degree; })
       .def_property_readonly("poles", [](const Curve& c) { return c.get().curve.points.size(); })
       .def_property_readonly("deviation",

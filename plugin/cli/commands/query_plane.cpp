@@ -50,6 +50,7 @@ Json curve_json(const Input& input, const ShapeNumbers& numbers, const occt::Sec
                {"closed", curve.closed},
                {"tangential", curve.tangential},
                {"length", curve.length},
+               {"conic", to_json(curve.conic, curve.range)},
                {"deviation", curve.deviation},
                {"deviation_proven", curve.deviation_proven}};
   json["points"] = Json::array();

@@ -28,7 +28,10 @@ Deviation sampled(const IntersectionCurve& curve, const BezierSurface& a, const 
     for (int i = 0; i <= per_span; ++i) {
       const double t =
           at(Interval{knots[span], knots[span + 1]}, i / static_cast<double>(per_span));
-      const Vec3 x = point_at(curve.curve, t), p = point_at(a, point_at(curve.chart_a, t)),
+      const Vec3 on_spline = point_at(curve.curve, t);
+      const Vec3 x = curve.conic ? point_at(*curve.conic, t) : on_spline;
+      largest.conic = std::max(largest.conic, distance(x, on_spline));
+      const Vec3 p = point_at(a, point_at(curve.chart_a, t)),
                  q = point_at(b, point_at(curve.chart_b, t));
       largest.a = std::max(largest.a, distance(x, p));
       largest.b = std::max(largest.b, distance(x, q));
@@ -41,8 +44,10 @@ Deviation sampled(const IntersectionCurve& curve, const BezierSurface& a, const 
 void expect_close_bounds(const Deviation& bound, const Deviation& seen) {
   constexpr double kRounding = 1e-14;  // of the samples
   EXPECT_TRUE(bound.proven);
-  for (const auto& [b, s] :
-       {std::pair{bound.a, seen.a}, {bound.b, seen.b}, {bound.between, seen.between}}) {
+  for (const auto& [b, s] : {std::pair{bound.a, seen.a},
+                             {bound.b, seen.b},
+                             {bound.between, seen.between},
+                             {bound.conic, seen.conic}}) {
     EXPECT_GE(b, s - kRounding);
     EXPECT_LE(b, 2 * std::max(s, 1e-9));
   }
@@ -81,6 +86,28 @@ TEST(ProvenDeviation, OfShiftedImagesIsTheirShift) {
   EXPECT_NEAR(found.a, 5e-4, 5e-13);
   EXPECT_NEAR(found.b, 4e-4, 5e-13);
   EXPECT_NEAR(found.between, 3e-4, 5e-13);
+}
+
+// The conic counts, at equal parameters: the images are where the segment is, not the line.
+TEST(ProvenDeviation, IsThatOfTheConic) {
+  IntersectionCurve curve = segment();
+  const Vec3 across = unit(Vec3{3, 4, 0}), along{0.8, -0.6, 0};
+  curve.conic = Conic{ConicKind::Circle, {0, 0, -0.3}, across, along, 2, 2};
+  const auto off = [&](double t) { return distance(point_at(*curve.conic, t), {t, 0, 0}); };
+  double largest = 0;
+  for (int i = 0; i <= 1000; ++i) largest = std::max(largest, off(i / 1000.0));
+
+  const Deviation found = proven_deviation(curve, kFloor, kWall);
+
+  for (const double bound : {found.a, found.b, found.conic}) {
+    EXPECT_GE(bound, largest);
+    EXPECT_LE(bound, 1.3 * largest);
+  }
+  EXPECT_LE(found.between, 5e-13);
+
+  curve.conic = Conic{ConicKind::Line, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0, 0};
+  const Deviation line = proven_deviation(curve, kFloor, kWall);
+  EXPECT_LE(std::max({line.a, line.b, line.conic}), 5e-13);
 }
 
 // One pole off by d: a bump of d B_3(t), largest at 3/5, where no end of a piece is.

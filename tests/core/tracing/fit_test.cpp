@@ -54,8 +54,9 @@ TEST_P(FitOf, BeginsAndEndsInTheTracedPointsExactly) {
   }
 }
 
-TEST_P(FitOf, IsParametrisedByArcLength) {
+TEST_P(FitOf, IsParametrisedByArcLengthUnlessItIsAConic) {
   for (const IntersectionCurve& curve : intersect(GetParam().a, GetParam().b).curves) {
+    if (curve.conic) continue;
     EXPECT_EQ(curve.curve.domain(), (Interval{0, curve.length}));
     for (int i = 0; i <= 200; ++i) {
       const double t = at(curve.curve.domain(), (i + 0.5) / 201);

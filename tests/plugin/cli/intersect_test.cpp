@@ -8,12 +8,14 @@
 #include <numbers>
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -71,6 +73,41 @@ TEST_F(IntersectCommand, FindsTheClosedCircle) {
   EXPECT_EQ(curve["points"].front(), curve["points"].back());
   EXPECT_NEAR(curve["length"].get<double>(), std::numbers::pi, 1e-6);
   expect_circle(curve, 0.5, 0.25);
+}
+
+TEST_F(IntersectCommand, SaysThatACircleIsOneAndWritesIt) {
+  const Finished run = intersect(0.25, {"--json", "-", "-o", folder / "circle.step"});
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json conic = json::parse(run.out)["curves"][0]["conic"];
+  EXPECT_EQ(conic["type"], "circle");
+  EXPECT_NEAR(conic["radius"].get<double>(), 0.5, 1e-12);
+  EXPECT_NEAR(conic["centre"][2].get<double>(), 0.25, 1e-12);
+  EXPECT_EQ(conic["range"], (json{0.0, 2 * std::numbers::pi}));
+  EXPECT_NE(testing::text_of(folder / "circle.step").find("CIRCLE("), std::string::npos);
+  const occt::Model again = occt::read_model(folder / "circle.step");
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(again.shape(), TopAbs_EDGE, edges);
+  ASSERT_EQ(edges.Extent(), 1);
+  const BRepAdaptor_Curve curve(TopoDS::Edge(edges(1)));
+  EXPECT_EQ(curve.GetType(), GeomAbs_Circle);
+  EXPECT_TRUE(curve.IsClosed());
+}
+
+TEST_F(IntersectCommand, WritesAnEllipseAsOne) {
+  testing::write({testing::half_pipe()}, folder / "pipe.brep");
+  const gp_Pln oblique(gp_Pnt(0, 0, 0.4), gp_Dir(0.2, 0, 1));
+  testing::write({BRepBuilderAPI_MakeFace(oblique, -3, 3, -3, 3).Face()}, folder / "plane.brep");
+
+  const Finished run = blossom({"intersect", folder / "pipe.brep", folder / "plane.brep", "--json",
+                                "-", "-o", folder / "ellipse.step"});
+
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json conic = json::parse(run.out)["curves"][0]["conic"];
+  EXPECT_EQ(conic["type"], "ellipse");
+  EXPECT_NEAR(conic["major"].get<double>(), std::hypot(1, 0.2), 1e-11);
+  EXPECT_NEAR(conic["minor"].get<double>(), 1, 1e-11);
+  EXPECT_NE(testing::text_of(folder / "ellipse.step").find("ELLIPSE("), std::string::npos);
 }
 
 TEST_F(IntersectCommand, FindsTheFourArcsInTheCorners) {
