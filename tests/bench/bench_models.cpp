@@ -27,10 +27,6 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Section.hxx>
-#include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_Transform.hxx>
-#include <Bnd_Box.hxx>
-#include <gp_Ax1.hxx>
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/intersection.h"
@@ -39,31 +35,16 @@
 #include "adapters/occt/shapes.h"
 #include "tests/bench/models_growth.h"
 #include "tests/bench/models_measure.h"
+#include "tests/bench/moved_copy.h"
 
 namespace blossom::bench {
 namespace {
-
-constexpr double kRadian = 0.017453292519943295;  // of a degree
 
 struct Settings {
   double limit = 60;  // seconds of processor time
   std::set<std::string> parts;
   std::vector<std::string> files;
 };
-
-struct Sized {
-  Vec3 middle;
-  double size = 0;
-};
-
-Sized size_of(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::AddOptimal(shape, box, false, false);
-  double low[3], high[3];
-  box.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
-  const Vec3 a{low[0], low[1], low[2]}, b{high[0], high[1], high[2]};
-  return {0.5 * (a + b), distance(a, b)};
-}
 
 IntersectionOptions options_for(double size) {
   IntersectionOptions options;
@@ -122,7 +103,7 @@ Outcome section_of(const TopoDS_Shape& shape, const occt::Plane& plane, double s
 
 void cut_by_planes(const Settings& settings, const std::string& file) {
   const TopoDS_Shape shape = occt::read_model(file).shape();
-  const Sized box = size_of(shape);
+  const Sized box = sized_by_box(shape);
   int number = 0;
   for (const Vec3& normal : {Vec3{1, 0.02, 0.01}, Vec3{0.3, 1, -0.2}, Vec3{-0.4, 0.5, 1}}) {
     const occt::Plane plane{box.middle + 0.013 * box.size * unit(normal), normal};
@@ -144,15 +125,6 @@ void cut_by_planes(const Settings& settings, const std::string& file) {
 
 // --- moved copies
 
-TopoDS_Shape moved(const TopoDS_Shape& shape, const Sized& box, double degrees, double part) {
-  const Vec3& m = box.middle;
-  gp_Trsf turn, move;
-  turn.SetRotation(gp_Ax1(gp_Pnt(m[0], m[1], m[2]), gp_Dir(0.3, 0.5, 0.81)), degrees * kRadian);
-  const double step = part * box.size;
-  move.SetTranslation(gp_Vec(0.48 * step, 0.6 * step, 0.64 * step));
-  return BRepBuilderAPI_Transform(shape, move * turn, true).Shape();
-}
-
 Outcome intersection_of(const TopoDS_Shape& a, const TopoDS_Shape& b, double size, double limit) {
   IntersectionOptions options = options_for(size);
   options.time_limit = limit;
@@ -171,9 +143,9 @@ Outcome intersection_of(const TopoDS_Shape& a, const TopoDS_Shape& b, double siz
 
 void meet_copies(const Settings& settings, const std::string& file) {
   const TopoDS_Shape shape = occt::read_model(file).shape();
-  const Sized box = size_of(shape);
+  const Sized box = sized_by_box(shape);
   for (const bool far : {true, false}) {
-    const TopoDS_Shape copy = far ? moved(shape, box, 23, 0.06) : moved(shape, box, 2, 0.004);
+    const TopoDS_Shape copy = far ? moved_copy(shape, 23, 0.06) : moved_copy(shape, 2, 0.004);
     const Outcome ours = measured(
         2 * settings.limit, [&] { return intersection_of(shape, copy, box.size, settings.limit); });
     const Outcome theirs = measured(settings.limit, [&] {

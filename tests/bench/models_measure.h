@@ -8,6 +8,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "core/base/status.h"
+#include "tests/bench/apart.h"
 
 namespace blossom::bench {
 
@@ -26,9 +27,6 @@ struct Outcome {
 
 /// Does work in a process of its own, no longer than `limit` seconds of processor time.
 Outcome measured(double limit, const std::function<Outcome()>& work);
-
-/// Processor time of this process so far, seconds.
-double processor_seconds();
 
 /// Sum over the edges of a shape, model units.
 double length_of(const TopoDS_Shape& shape);
