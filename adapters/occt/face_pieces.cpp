@@ -224,20 +224,51 @@ bool FaceSplitter::adds_up(const ChartPieces& found) const {
   return found.consistent && std::abs(sum - whole) <= kAreaError * std::abs(whole);
 }
 
-FaceSplit FaceSplitter::divided(const ChartPieces& found) {
+void FaceSplitter::make_edge(int arc) {
+  const auto index = static_cast<std::size_t>(arc);
+  Origin& origin = origins_[index];
+  const Strand& strand = strands_[static_cast<std::size_t>(origin.strand)];
+  origin.edge = cut_edge(strand, origin.uses.front().at, arcs_[index].from, arcs_[index].to);
+}
+
+// Internal edges, those that hang together in one wire.
+void FaceSplitter::imprint(std::vector<int> arcs, FacePiece& piece) {
+  const BRep_Builder builder;
+  while (!arcs.empty()) {
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    std::vector<int> reached;  // vertices
+    const auto touches = [&](int arc) {
+      const ChartArc& of = arcs_[static_cast<std::size_t>(arc)];
+      return std::any_of(reached.begin(), reached.end(),
+                         [&](int vertex) { return vertex == of.from || vertex == of.to; });
+    };
+    for (auto next = arcs.begin(); next != arcs.end();
+         next = std::find_if(arcs.begin(), arcs.end(), touches)) {
+      make_edge(*next);
+      const auto index = static_cast<std::size_t>(*next);
+      piece.imprints.push_back(TopoDS::Edge(origins_[index].edge.Oriented(TopAbs_INTERNAL)));
+      builder.Add(wire, piece.imprints.back());
+      reached.insert(reached.end(), {arcs_[index].from, arcs_[index].to});
+      arcs.erase(next);
+    }
+    builder.Add(piece.face, wire);
+  }
+}
+
+FaceSplit FaceSplitter::divided(const ChartPieces& found, OpenCuts open) {
   for (std::size_t i = 0; i < arcs_.size(); ++i) {
-    const int strand = origins_[i].strand;
-    if (strand < 0) continue;
-    const Strand& of = strands_[static_cast<std::size_t>(strand)];
-    if (std::find(found.dangling.begin(), found.dangling.end(), static_cast<int>(i)) ==
-        found.dangling.end())
-      origins_[i].edge = cut_edge(of, origins_[i].uses.front().at, arcs_[i].from, arcs_[i].to);
+    const int arc = static_cast<int>(i);
+    if (origins_[i].strand >= 0 &&
+        std::find(found.dangling.begin(), found.dangling.end(), arc) == found.dangling.end())
+      make_edge(arc);
   }
   FaceSplit result;
   for (const ChartPiece& piece : found.pieces) {
-    FacePiece made{without_wires(given_), {}};
+    FacePiece made{without_wires(given_), {}, {}};
     add_wire(piece.outer, made);
     for (const Cycle& hole : piece.holes) add_wire(hole, made);
+    if (open == OpenCuts::Imprint) imprint(piece.inner, made);
     made.face.Orientation(given_.Orientation());
     result.pieces.push_back(std::move(made));
   }
@@ -246,42 +277,49 @@ FaceSplit FaceSplitter::divided(const ChartPieces& found) {
 }
 
 // The wires as they were, with split edges in pieces.
-FaceSplit FaceSplitter::undivided() {
-  const bool same = std::none_of(trims_.loops.begin(), trims_.loops.end(), [&](const auto& loop) {
-    return std::any_of(loop.begin(), loop.end(),
-                       [&](const Coedge& of) { return splits_.is_split(of.edge); });
-  });
-  FacePiece piece{without_wires(given_), {}};
+FaceSplit FaceSplitter::undivided(const std::vector<int>& imprinted) {
+  const bool same = imprinted.empty() &&
+                    std::none_of(trims_.loops.begin(), trims_.loops.end(), [&](const auto& loop) {
+                      return std::any_of(loop.begin(), loop.end(), [&](const Coedge& of) {
+                        return splits_.is_split(of.edge);
+                      });
+                    });
+  FacePiece piece{without_wires(given_), {}, {}};
   std::vector<Cycle> wires(trims_.loops.size());
   for (std::size_t i = 0; i < arcs_.size(); ++i)
     if (arcs_[i].border)
       wires[static_cast<std::size_t>(origins_[i].loop)].push_back({static_cast<int>(i), false});
   for (const Cycle& wire : wires) add_wire(wire, piece);
+  imprint(imprinted, piece);
   piece.face.Orientation(given_.Orientation());
   if (same) piece.face = given_;
   return {{std::move(piece)}, notes_};
 }
 
-FaceSplit FaceSplitter::split() {
+FaceSplit FaceSplitter::split(OpenCuts open) {
   add_border_arcs();
   if (!add_cut_arcs()) return undivided();
   const ChartPieces found = pieces(arcs_);
   for (const int arc : found.dangling)
     note(origins_[static_cast<std::size_t>(arc)].uses.front().cut,
-         "ends inside of the face, a part of it divides nothing and is left out");
+         open == OpenCuts::Imprint
+             ? "ends inside of the face, a part of it divides nothing and is imprinted"
+             : "ends inside of the face, a part of it divides nothing and is left out");
   const auto cuts =
       std::count_if(arcs_.begin(), arcs_.end(), [](const ChartArc& arc) { return !arc.border; });
-  if (cuts == static_cast<std::ptrdiff_t>(found.dangling.size())) return undivided();
-  if (adds_up(found)) return divided(found);
+  if (cuts == static_cast<std::ptrdiff_t>(found.dangling.size()))
+    return undivided(open == OpenCuts::Imprint ? found.dangling : std::vector<int>{});
+  if (adds_up(found)) return divided(found, open);
   notes_.push_back("cuts and wires do not fit together, the face stays whole");
   return undivided();
 }
 
-FaceSplit split_face(const TopoDS_Face& face, const std::vector<FaceCut>& cuts, double tolerance) {
+FaceSplit split_face(const TopoDS_Face& face, const std::vector<FaceCut>& cuts, double tolerance,
+                     OpenCuts open) {
   EdgeSplits splits(tolerance);
   FaceSplitter splitter(face, cuts, splits, tolerance);
   splitter.settle();
-  return splitter.split();
+  return splitter.split(open);
 }
 
 }  // namespace blossom::occt

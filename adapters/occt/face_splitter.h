@@ -38,6 +38,13 @@ struct CutUse {
 struct FacePiece {
   TopoDS_Face face;  ///< oriented as the face it comes from
   std::vector<CutUse> cuts;
+  std::vector<TopoDS_Edge> imprints;  ///< internal edges of the face
+};
+
+/// What becomes of cuts, or parts of them, that divide nothing since they end inside of the face.
+enum class OpenCuts {
+  LeaveOut,
+  Imprint,  ///< internal edges of the piece in which they lie
 };
 
 struct FaceSplit {
@@ -59,9 +66,9 @@ struct CutStop {
 ///   FaceSplit split = splitter.split();                     // the pieces
 ///
 /// Cuts are clipped to the inside of the face. They may cross each other, seams and wires, end
-/// anywhere, and end in one another. What does not divide the face is left out and noted. A run
-/// along an existing edge divides nothing either, but is reported as a use of the cut. Seams stay
-/// edges: pieces on the two sides of a seam are joined by it, not merged.
+/// anywhere, and end in one another. What does not divide the face is left out or imprinted, and
+/// noted. A run along an existing edge divides nothing either, but is reported as a use of the cut.
+/// Seams stay edges: pieces on the two sides of a seam are joined by it, not merged.
 class FaceSplitter {
  public:
   /// tolerance   points of cuts and edges closer than this are one; model units
@@ -81,8 +88,9 @@ class FaceSplitter {
   /// one vertex of the other side become one here, however far its edges' tolerances took them.
   void divide(int cut, const CutStop& stop);
 
-  /// The pieces. When nothing divides the face and no edge is split it is the face itself.
-  FaceSplit split();
+  /// The pieces. When nothing divides the face, no edge is split and nothing imprinted, it is the
+  /// face itself.
+  FaceSplit split(OpenCuts open = OpenCuts::LeaveOut);
 
  private:
   // Where arcs meet: a split of a coedge (its ends among them) or, without one, a node inside.
@@ -132,8 +140,10 @@ class FaceSplitter {
   TopoDS_Edge cut_edge(const Strand& strand, const Interval& at, int from, int to);
   const TopoDS_Vertex& shape_of(int vertex, const Strand& strand, double parameter);
 
-  FaceSplit divided(const ChartPieces& found);
-  FaceSplit undivided();
+  void make_edge(int arc);
+  void imprint(std::vector<int> arcs, FacePiece& piece);
+  FaceSplit divided(const ChartPieces& found, OpenCuts open);
+  FaceSplit undivided(const std::vector<int>& imprinted = {});
   bool adds_up(const ChartPieces& found) const;
   void add_wire(const Cycle& cycle, FacePiece& piece) const;
 
@@ -152,6 +162,6 @@ class FaceSplitter {
 
 /// One face by itself.
 FaceSplit split_face(const TopoDS_Face& face, const std::vector<FaceCut>& cuts,
-                     double tolerance = 1e-7);
+                     double tolerance = 1e-7, OpenCuts open = OpenCuts::LeaveOut);
 
 }  // namespace blossom::occt

@@ -87,8 +87,8 @@ void add_curves(const FaceIntersection& pair, Side& a, Side& b, std::vector<Curv
     const double tolerance = pair.edges[i].tolerance, sine = std::sin(curve.least_angle);
     a.cuts[face_a].push_back({curve.curve, curve.chart_a, tolerance, sine, curve.conic});
     b.cuts[face_b].push_back({curve.curve, curve.chart_b, tolerance, sine, curve.conic});
-    a.sources[face_a].push_back({0, b.solid->faces[face_b], curve.chart_b});
-    b.sources[face_b].push_back({0, a.solid->faces[face_a], curve.chart_a});
+    a.sources[face_a].push_back({0, b.solid->faces[face_b], curve.chart_b, false});
+    b.sources[face_b].push_back({0, a.solid->faces[face_a], curve.chart_a, false});
     a.curves[face_a].push_back(number);
     b.curves[face_b].push_back(number);
   }
@@ -123,7 +123,7 @@ void split(Side& side, EdgeSplits& splits, double tolerance) {
     if (side.splitters[i])
       side.splits[i] = side.splitters[i]->split();
     else
-      side.splits[i] = {{{face, {}}}, {}};
+      side.splits[i] = {{{face, {}, {}}}, {}};
   }
 }
 

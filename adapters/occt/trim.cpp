@@ -35,7 +35,7 @@ void fail(Job& job, const std::string& cause, TrimResult& result) {
   result.notes.push_back(face_name(*job.of) + ": " + cause + ", it stays whole");
   result.status = weaker(result.status, Status::Tolerance);
   job.failed = true;
-  job.split = {{{job.of->face, {}}}, {}};
+  job.split = {{{job.of->face, {}, {}}}, {}};
 }
 
 // Runs a step of a job; what a broken face throws costs that face alone.
@@ -77,14 +77,10 @@ void add_cuts(const FaceIntersection& pair, const ToolFaces& tools, Job& job, Tr
   const auto tool_face = static_cast<std::size_t>(pair.face_b);
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i) {
     const IntersectionCurve& curve = pair.found.curves[i];
-    if (curve.tangential) {
-      result.notes.push_back(face_name(*job.of) +
-                             ": a tool touches it along a curve, which is not cut");
-      continue;
-    }
     job.cuts.push_back({curve.curve, curve.chart_a, pair.edges[i].tolerance,
                         std::sin(curve.least_angle), curve.conic});
-    job.sources.push_back({tools.tool[tool_face], tools.faces[tool_face], curve.chart_b});
+    job.sources.push_back(
+        {tools.tool[tool_face], tools.faces[tool_face], curve.chart_b, curve.tangential});
   }
   note_places(pair, *job.of, result);
 }
@@ -119,6 +115,7 @@ bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
 
 void split_all(std::vector<Job>& jobs, const TrimOptions& options, TrimResult& result) {
   const double tolerance = options.intersection.tolerances.point;
+  const OpenCuts open = options.keep == Keep::All ? OpenCuts::Imprint : OpenCuts::LeaveOut;
   EdgeSplits splits(tolerance);
   const auto begin = [&](Job& job) {
     attempt(job, result, [&] {
@@ -132,10 +129,10 @@ void split_all(std::vector<Job>& jobs, const TrimOptions& options, TrimResult& r
   for (Job& job : jobs) {
     if (!job.splitter && !job.failed && has_split_edge(job.of->face, splits)) begin(job);
     if (!job.splitter || job.failed) {
-      if (!job.failed) job.split = {{{job.of->face, {}}}, {}};
+      if (!job.failed) job.split = {{{job.of->face, {}, {}}}, {}};
       continue;
     }
-    attempt(job, result, [&] { job.split = job.splitter->split(); });
+    attempt(job, result, [&] { job.split = job.splitter->split(open); });
     for (const std::string& note : job.split.notes)
       result.notes.push_back(face_name(*job.of) + ": " + note);
   }

@@ -26,7 +26,7 @@ enum class Keep {
   Below,    ///< opposite to them
   Inside,   ///< inside of a solid tool
   Outside,  ///< outside of all of them
-  All,
+  All,      ///< cuts that divide nothing become internal edges
   Number,  ///< the piece with a number
 };
 

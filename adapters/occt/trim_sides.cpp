@@ -99,7 +99,8 @@ struct Votes {
 Votes votes_of(const SidedPiece& piece, int tool) {
   Votes votes;
   for (const CutUse& use : piece.piece->cuts) {
-    if ((*piece.sources)[static_cast<std::size_t>(use.cut)].tool != tool) continue;
+    const CutSource& source = (*piece.sources)[static_cast<std::size_t>(use.cut)];
+    if (source.tool != tool || source.tangential) continue;
     const ToolSide side = side_at_cut(piece, use);
     votes.above = votes.above || side == ToolSide::Above;
     votes.below = votes.below || side == ToolSide::Below;

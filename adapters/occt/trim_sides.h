@@ -27,9 +27,10 @@ TrimTool trim_tool(const TopoDS_Shape& shape);
 
 /// The tool's part in a cut.
 struct CutSource {
-  int tool = 0;           ///< index of the tool
-  TopoDS_Face tool_face;  ///< as oriented in the tool
-  Spline2 tool_chart;     ///< in the parameters of the tool's face; the cut's own parameter
+  int tool = 0;             ///< index of the tool
+  TopoDS_Face tool_face;    ///< as oriented in the tool
+  Spline2 tool_chart;       ///< in the parameters of the tool's face; the cut's own parameter
+  bool tangential = false;  ///< a contact, beside which no side can be told
 };
 
 /// A piece of a part with the cuts of its face.

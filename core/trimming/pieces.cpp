@@ -41,8 +41,20 @@ struct Outer {
   double area = 0;
 };
 
+constexpr std::size_t kNoComponent = static_cast<std::size_t>(-1);
+
 const ChartArc& first_arc(std::span<const ChartArc> arcs, const Cycle& cycle) {
   return arcs[static_cast<std::size_t>(cycle.front().arc)];
+}
+
+// The smallest piece round an arc, but none that a part of the arrangement bounds.
+ChartPiece* around(std::span<const ChartArc> arcs, const std::vector<Outer>& by_area,
+                   const ChartArc& arc, std::size_t but, std::vector<ChartPiece>& pieces) {
+  const Vec2 inside = middle_of(arc.path);
+  const auto found = std::find_if(by_area.begin(), by_area.end(), [&](const Outer& outer) {
+    return outer.component != but && encloses(arcs, pieces[outer.piece].outer, inside);
+  });
+  return found == by_area.end() ? nullptr : &pieces[found->piece];
 }
 
 }  // namespace
@@ -66,21 +78,22 @@ ChartPieces pieces(std::span<const ChartArc> arcs) {
       continue;
     }
     outers.push_back({result.pieces.size(), components.of(first_arc(arcs, cycle)), area});
-    result.pieces.push_back({std::move(cycle), {}});
+    result.pieces.push_back({std::move(cycle), {}, {}});
   }
   std::sort(outers.begin(), outers.end(),
             [](const Outer& a, const Outer& b) { return a.area < b.area; });
   for (Cycle& hole : holes) {
     const ChartArc& arc = first_arc(arcs, hole);
-    const Vec2 inside = middle_of(arc.path);
-    const auto around = std::find_if(outers.begin(), outers.end(), [&](const Outer& outer) {
-      return outer.component != components.of(arc) &&
-             encloses(arcs, result.pieces[outer.piece].outer, inside);
-    });
-    if (around == outers.end())
+    ChartPiece* const piece = around(arcs, outers, arc, components.of(arc), result.pieces);
+    if (piece == nullptr)
       result.consistent = false;
     else
-      result.pieces[around->piece].holes.push_back(std::move(hole));
+      piece->holes.push_back(std::move(hole));
+  }
+  for (const int index : result.dangling) {
+    const ChartArc& arc = arcs[static_cast<std::size_t>(index)];
+    if (ChartPiece* const piece = around(arcs, outers, arc, kNoComponent, result.pieces))
+      piece->inner.push_back(index);
   }
   return result;
 }

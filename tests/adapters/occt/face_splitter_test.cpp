@@ -5,13 +5,17 @@
 
 #include <numbers>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
@@ -84,6 +88,58 @@ TEST(FaceSplitter, CutThatEndsInsideIsLeftOutWithANote) {
   EXPECT_TRUE(split.pieces[0].face.IsSame(face) || split.notes.size() == 1u);
   ASSERT_EQ(split.notes.size(), 1u);
   EXPECT_NE(split.notes[0].find("cut 1 ends inside"), std::string::npos);
+}
+
+std::vector<TopoDS_Edge> internal_edges(const TopoDS_Face& face) {
+  std::vector<TopoDS_Edge> edges;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (it.Current().Orientation() == TopAbs_INTERNAL) edges.push_back(TopoDS::Edge(it.Current()));
+  return edges;
+}
+
+double length(const TopoDS_Edge& edge) {
+  return GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
+}
+
+FaceSplit imprinted(const TopoDS_Face& face, const std::vector<FaceCut>& cuts) {
+  return split_face(face, cuts, 1e-7, OpenCuts::Imprint);
+}
+
+TEST(FaceSplitter, CutThatEndsInsideIsImprintedOnRequest) {
+  const TopoDS_Face face = square();
+  const FaceSplit split = imprinted(face, {line_cut(face, {1, 0}, {1, 3})});
+  expect_sound(face, split, 1);
+  const std::vector<TopoDS_Edge> edges = internal_edges(split.pieces[0].face);
+  ASSERT_EQ(edges.size(), 1u);
+  EXPECT_NEAR(length(edges[0]), 3, 1e-12);
+  EXPECT_EQ(split.pieces[0].imprints.size(), 1u);
+  // Its one end splits the side of the square, the other one is its own.
+  EXPECT_EQ(edge_uses(split.pieces).size(), 6u);
+  TopTools_IndexedMapOfShape vertices;
+  TopExp::MapShapes(split.pieces[0].face, TopAbs_VERTEX, vertices);
+  EXPECT_EQ(vertices.Extent(), 6);
+  EXPECT_NE(split.notes.at(0).find("imprinted"), std::string::npos);
+}
+
+TEST(FaceSplitter, ImprintsLieInThePieceRoundThem) {
+  const TopoDS_Face face = TopoDS::Face(square_with_hole().Reversed());
+  const FaceSplit split =
+      imprinted(face, {line_cut(face, {0.5, 0}, {0.5, 4}), line_cut(face, {0.2, 1}, {0.3, 2}),
+                       line_cut(face, {3.5, 2}, {2.5, 2}), line_cut(face, {3.2, 1}, {3.2, 3})});
+  expect_sound(face, split, 2);
+  for (const FacePiece& piece : split.pieces) {
+    const bool small = area(piece.face) < 4;
+    // The third cut ends in the rim of the hole, crosses the fourth one and goes on beyond it.
+    EXPECT_EQ(internal_edges(piece.face).size(), small ? 1u : 4u);
+  }
+}
+
+TEST(FaceSplitter, CutFromRimToHoleIsImprintedAsABridge) {
+  const TopoDS_Face face = square_with_hole();
+  const FaceSplit split = imprinted(face, {line_cut(face, {0, 2}, {2, 2})});
+  expect_sound(face, split, 1);
+  ASSERT_EQ(split.pieces[0].imprints.size(), 1u);
+  EXPECT_NEAR(length(split.pieces[0].imprints[0]), 1, 1e-9);
 }
 
 TEST(FaceSplitter, CutOutsideLeavesTheFaceItself) {

@@ -21,6 +21,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/area.h"
@@ -209,13 +210,43 @@ TEST(Trim, RefusesInsideOfAnOpenTool) {
   EXPECT_THROW(trim(part_of(face), {plane_tool({1, 0, 0}, {1, 0, 0})}, options), InvalidInput);
 }
 
-TEST(Trim, ToolThatEndsInsideTheFaceIsNoted) {
+TEST(Trim, ContactAlongACurveDividesAndItsSidesAreDecidedByPoints) {
+  const TopoDS_Face wall = BRepBuilderAPI_MakeFace(
+      gp_Cylinder(gp_Ax3({0, 0, 0}, {0, 0, 1}, {-1, 0, 0}), 2), 0.5, 2 * kPi - 0.5, -3, 3);
+  TrimOptions options;
+  options.keep = Keep::Below;
+  const TrimResult result = trim(part_of(wall), {plane_tool({2, 0, 0}, {1, 0, 0})}, options);
+  ASSERT_EQ(result.pieces.size(), 2u);
+  EXPECT_NEAR(sum_of_areas(result), 12 * (2 * kPi - 1), 1e-9);
+  for (const TrimPiece& piece : result.pieces) {
+    EXPECT_TRUE(BRepCheck_Analyzer(piece.shape).IsValid());
+    EXPECT_EQ(piece.side, PieceSide::Below);
+    EXPECT_NEAR(piece.area, 12 * (kPi - 0.5), 1e-6);
+  }
+  EXPECT_TRUE(result.notes.empty()) << result.notes[0];
+}
+
+TEST(Trim, ToolThatEndsInsideTheFaceIsImprinted) {
   const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
   const TrimResult result = trim(part_of(face), {plane_tool({2, 2, 0}, {1, 0, 0}, 1)});
-  EXPECT_EQ(result.pieces.size(), 1u);
-  EXPECT_TRUE(result.replacements.empty());
+  ASSERT_EQ(result.pieces.size(), 1u);
+  EXPECT_TRUE(BRepCheck_Analyzer(result.pieces[0].shape).IsValid());
+  EXPECT_NEAR(result.pieces[0].area, 16, 1e-12);
+  EXPECT_EQ(uses_of_edges(result.pieces[0].shape), (std::map<int, int>{{1, 5}}));
+  EXPECT_EQ(result.replacements.size(), 1u);
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("face 1: cut 1 ends inside"), std::string::npos);
+}
+
+TEST(Trim, ToolThatEndsInsideLeavesNoImprintWhereASideIsKept) {
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
+  TrimOptions options;
+  options.keep = Keep::Above;
+  const TrimResult result = trim(part_of(face), {plane_tool({2, 2, 0}, {1, 0, 0}, 1)}, options);
+  ASSERT_EQ(result.pieces.size(), 1u);
+  EXPECT_TRUE(result.pieces[0].shape.IsSame(face));
+  ASSERT_GE(result.notes.size(), 1u);
+  EXPECT_NE(result.notes[0].find("left out"), std::string::npos);
 }
 
 }  // namespace

@@ -124,6 +124,23 @@ TEST(Pieces, CutThatEndsInsideIsLeftOutAndListed) {
   EXPECT_EQ(pieces(square.arcs).dangling, std::vector<int>{dangling});
 }
 
+TEST(Pieces, CutThatDividesNothingIsInThePieceRoundIt) {
+  Square square({{1, 3}, {}, {1}, {}});  // vertices (1, 0), (3, 0), and (3, 4)
+  square.cut(5, 6, {line({3, 0}, {3, 4})});
+  const int from_rim = square.cut(4, 7, {line({1, 0}, {1, 2})});
+  square.cut(8, 8, arc({1.5, 3}, 0.5, 0, 2 * kPi));
+  const int in_loop = square.cut(9, 10, {line({1.4, 3}, {1.6, 3})});
+  for (const ChartPiece& piece : pieces(square.arcs).pieces) {
+    const double size = signed_area(square.arcs, piece.outer);
+    if (size > 5)
+      EXPECT_EQ(piece.inner, std::vector<int>{from_rim});  // 3 x 4
+    else if (size < 1)
+      EXPECT_EQ(piece.inner, std::vector<int>{in_loop});
+    else
+      EXPECT_TRUE(piece.inner.empty());
+  }
+}
+
 TEST(Pieces, StemOfAClosedCutIsLeftOutButTheLoopDivides) {
   Square square({{2}, {}, {}, {}});  // vertex 4 = (2, 0)
   const int stem = square.cut(4, 5, {line({2, 0}, {2, 1})});
