@@ -53,12 +53,14 @@ class Density {
   /// For the whole integral: no sum can be better than the coordinates of the trims.
   double tolerance() const { return tolerance_; }
   const std::vector<double>& y_knots() const { return y_knots_; }
+  double height() const { return high_[1 - inner_] - low_[1 - inner_]; }
 
-  // F: the integral along x from the left end to `x`, at y.
-  double strip(double x, double y, int cells) const {
+  // F: the integral along x from the left end to `x`, at y. One of the strips that are added up
+  // over `height` in y: the lower that is, the less exact it has to be. Where a surface has a span
+  // of rounding's width its normals are noise, of which no accuracy can be had.
+  double strip(double x, double y, double height, int cells) const {
     auto density = [&](double s) { return inner_ == 0 ? value(s, y) : value(y, s); };
-    const double width = high_[1 - inner_] - low_[1 - inner_];
-    const double tolerance = tolerance_ / std::max(width, 1e-300);
+    const double tolerance = tolerance_ / std::max(height, 1e-300);
     double sum = 0;
     for (std::size_t i = 0; i + 1 < x_knots_.size(); ++i) {
       const double to = i + 2 == x_knots_.size() ? x : std::min(x_knots_[i + 1], x);
@@ -108,7 +110,8 @@ double across(const Vec2& from, const Vec2& to, const FaceTrims& trims, const De
   if (dy == 0) return 0;
   auto rate = [&](double t) {
     const Vec2 point = (1 - t) * from + t * to;
-    return density.strip(point[x] / trims.scale[x], point[y] / trims.scale[y], 1) * dy;
+    return density.strip(point[x] / trims.scale[x], point[y] / trims.scale[y], std::abs(dy), 1) *
+           dy;
   };
   return integral(rate, 0, 1, density.tolerance()).value;
 }
@@ -148,7 +151,8 @@ double along(const Coedge& coedge, const FaceTrims& trims, const Density& densit
       const PlanarJet jet = jet_at(span.curve, t);
       const double dy = jet.first[y] / trims.scale[y];
       if (dy == 0) return 0.0;
-      return density.strip(jet.point[x] / trims.scale[x], jet.point[y] / trims.scale[y], cells) *
+      return density.strip(jet.point[x] / trims.scale[x], jet.point[y] / trims.scale[y],
+                           density.height(), cells) *
              dy;
     };
     const std::vector<double> ends = breaks(span.curve, y, trims.scale[y], density.y_knots());
