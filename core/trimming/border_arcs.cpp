@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/trimming/border_arcs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "core/base/errors.h"
+#include "core/intersection/planar_crossings.h"
+
+namespace blossom {
+namespace {
+
+// Relative to a border's parameters: no arc is shorter, and stops nearer than this are one.
+constexpr double kShortest = 1e-9;
+// Relative to the surface's range of a parameter: ends that moved less than this moved by rounding.
+constexpr double kRounding = 1e-13;
+constexpr double kLeastCosine = 0.5;  // of the angle that an arc's control polygon may turn
+constexpr double kLongest = 1.5;      // of an arc, in cells
+constexpr double kLeastSlope = 1e-3;  // of a crossing, across the line, that is improved
+constexpr int kNewtonSteps = 3;       // from a crossing within kOnLine to one within rounding
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+bool is_whole(double x) { return x == std::floor(x); }
+
+const std::vector<double>& knots_of(const BezierSurface& surface, int direction) {
+  return direction == 0 ? surface.u_knots : surface.v_knots;
+}
+
+double range_of(const BezierSurface& surface, int direction) {
+  const std::vector<double>& knots = knots_of(surface, direction);
+  return knots.back() - knots.front();
+}
+
+// The curve with ranges of length 1, so that one tolerance serves both directions.
+PlanarCurve unit_sized(const PlanarCurve& curve, const BezierSurface& surface) {
+  return transformed(curve, {1 / range_of(surface, 0), 1 / range_of(surface, 1)}, {});
+}
+
+double improved(const PlanarCurve& curve, int direction, double value, double parameter) {
+  const Interval domain = curve.domain();
+  for (int step = 0; step < kNewtonSteps; ++step) {
+    const PlanarJet jet = jet_at(curve, parameter);
+    if (std::abs(jet.first[direction]) <= kLeastSlope * norm(jet.first)) break;
+    parameter = std::clamp(parameter - (jet.point[direction] - value) / jet.first[direction],
+                           domain.from, domain.to);
+  }
+  return parameter;
+}
+
+// Where a coordinate of the curve takes a value, and the ends of stretches along which it keeps it.
+void add_crossings(const PlanarCurve& curve, const PlanarCurve& unit, int direction, double value,
+                   double unit_value, std::vector<double>& at) {
+  const PlanarBox box = box_of(unit);
+  if (unit_value < box.low[direction] - kOnLine || unit_value > box.high[direction] + kOnLine)
+    return;
+  const int other = 1 - direction;
+  Vec2 from, to;
+  from[direction] = to[direction] = unit_value;
+  from[other] = box.low[other] - 1;
+  to[other] = box.high[other] + 1;
+  const PlanarCrossings found = crossings(unit, planar_line(from, to, {0, 1}), kOnLine);
+  for (const PlanarCrossing& point : found.points)
+    at.push_back(improved(curve, direction, value, point.a));
+  for (const PlanarOverlap& run : found.overlaps) at.insert(at.end(), {run.a.from, run.a.to});
+}
+
+// Increasing, from end to end of the domain, none nearer than the shortest arc.
+void tidy(std::vector<double>& at, const Interval& domain) {
+  const double shortest = kShortest * length(domain);
+  std::ranges::sort(at);
+  std::vector<double> kept{domain.from};
+  for (const double parameter : at)
+    if (parameter > kept.back() + shortest && parameter < domain.to - shortest)
+      kept.push_back(parameter);
+  kept.push_back(domain.to);
+  at = std::move(kept);
+}
+
+}  // namespace
+
+BorderArcs::BorderArcs(const BezierSurface& surface, const TrimmedChart& chart,
+                       const RegionOptions& options, int cells)
+    : surface_(surface), chart_(chart), options_(options), cells_(cells) {
+  steepest_ = Grid<Vec2>(surface.patches.rows(), surface.patches.columns());
+  for (int i = 0; i < steepest_.rows(); ++i)
+    for (int j = 0; j < steepest_.columns(); ++j) {
+      steepest_(i, j) = derivative_bounds(surface.patches(i, j));
+      if (arc_degree(i, j) < 1)
+        throw InvalidInput("trimmed region: a patch of degrees that add up to more than " +
+                           std::to_string(options.highest_degree) + " has no triangles");
+    }
+  for (std::size_t i = 0; i < chart.borders.size(); ++i) divide(static_cast<int>(i));
+}
+
+int BorderArcs::arc_degree(int patch_u, int patch_v) const {
+  const RationalBezierPatch& patch = surface_.patches(patch_u, patch_v);
+  return options_.highest_degree / (patch.degree_u() + patch.degree_v());
+}
+
+Vec2 BorderArcs::metric(int patch_u, int patch_v) const {
+  const Vec2& steep = steepest_(patch_u, patch_v);
+  const auto power = [](double x) { return x > 0 ? std::exp2(std::round(std::log2(x))) : 1.0; };
+  return {power(steep[0]), power(steep[1])};
+}
+
+int BorderArcs::vertex_at(const Vec2& grid) {
+  const auto [known, is_new] =
+      vertex_of_.try_emplace({grid[0], grid[1]}, static_cast<int>(vertices_.size()));
+  if (is_new) vertices_.push_back(grid);
+  return known->second;
+}
+
+// On a line between patches, the ends of cells take what is nearer than kOnLine to them.
+Vec2 BorderArcs::snapped(Vec2 grid) const {
+  for (int k = 0; k < 2; ++k) {
+    if (!is_whole(grid[1 - k])) continue;
+    const double near = std::round(grid[k] * cells_) / cells_;
+    if (std::abs(grid[k] - near) <= kOnLine) grid[k] = near;
+  }
+  return grid;
+}
+
+int BorderArcs::vertex_on(const RegionBorder& border, double parameter, const RegionArc* arc) {
+  Vec2 grid = grid_point(surface_, point_at(border.curve, parameter));
+  for (int k = 0; arc && arc->on_line && k < 2; ++k)
+    if (runs_on(*arc, k)) grid[k] = vertices_[index(arc->from)][k];
+  return vertex_at(snapped(grid));
+}
+
+void BorderArcs::add_line_stops(const RegionBorder& border, int direction,
+                                std::vector<double>& at) const {
+  const std::vector<double>& knots = knots_of(surface_, direction);
+  if (knots.size() < 3) return;
+  const PlanarCurve unit = unit_sized(border.curve, surface_);
+  for (std::size_t k = 1; k + 1 < knots.size(); ++k)
+    add_crossings(border.curve, unit, direction, knots[k], knots[k] / range_of(surface_, direction),
+                  at);
+}
+
+// A border along a line is divided as the cells beside it are.
+void BorderArcs::add_cell_stops(const RegionBorder& border, std::vector<double>& at) const {
+  const PlanarCurve unit = unit_sized(border.curve, surface_);
+  const PlanarBox box = box_of(unit);
+  for (int k = 0; k < 2; ++k) {
+    const auto on_line = [&](double knot) {
+      const double line = knot / range_of(surface_, k);
+      return box.low[k] >= line - kOnLine && box.high[k] <= line + kOnLine;
+    };
+    if (std::ranges::none_of(knots_of(surface_, k), on_line)) continue;
+    const int along = 1 - k;
+    const std::vector<double>& knots = knots_of(surface_, along);
+    const ParameterLaw law = along == 0 ? surface_.u_law : surface_.v_law;
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+      for (int cell = 1; cell < cells_; ++cell) {
+        const double cut =
+            parameter_at(law, {knots[i], knots[i + 1]}, static_cast<double>(cell) / cells_);
+        add_crossings(border.curve, unit, along, cut, cut / range_of(surface_, along), at);
+      }
+  }
+}
+
+void BorderArcs::divide(int number) {
+  const RegionBorder& border = chart_.borders[index(number)];
+  std::vector<double> at = border.stops;
+  for (const PlanarSpan& span : border.curve.spans) at.push_back(span.place.to);
+  for (int direction = 0; direction < 2; ++direction) add_line_stops(border, direction, at);
+  if (!options_.common_borders) add_cell_stops(border, at);
+  tidy(at, border.curve.domain());
+  if (border.reversed) std::ranges::reverse(at);
+
+  const auto corner = [&](int i) {
+    return vertex_at(snapped(grid_point(surface_, chart_.corners[index(i)])));
+  };
+  const std::size_t first = arcs_.size();
+  int from = corner(border.from);
+  for (std::size_t k = 0; k + 1 < at.size(); ++k) {
+    const bool last = k + 2 == at.size();
+    const int to = last ? corner(border.to) : vertex_on(border, at[k + 1], nullptr);
+    add(number, {at[k], at[k + 1]}, from, to, first);
+    from = to;
+  }
+}
+
+void BorderArcs::add(int number, const Interval& place, int from, int to, std::size_t first) {
+  if (arcs_.size() - first > kMostArcs)
+    throw InvalidInput("trimmed region: a border takes more than " + std::to_string(kMostArcs) +
+                       " arcs within the tolerance");
+  const RegionBorder& border = chart_.borders[index(number)];
+  const bool shortest = std::abs(length(place)) <= 2 * kShortest * length(border.curve.domain());
+  if (from == to && shortest) return;
+  const RegionArc arc = made(number, place, from, to);
+  if (shortest || (from != to && arc.fit_error <= options_.tolerance && !is_too_long(arc))) {
+    arcs_.push_back(arc);
+    return;
+  }
+  const double middle = at(place, 0.5);
+  const int vertex = vertex_on(border, middle, &arc);
+  add(number, {place.from, middle}, from, vertex, first);
+  add(number, {middle, place.to}, vertex, to, first);
+}
+
+int BorderArcs::halve(int number) {
+  const RegionArc arc = arcs_[index(number)];
+  const RegionBorder& border = chart_.borders[index(arc.border)];
+  if (std::abs(length(arc.place)) <= 2 * kShortest * length(border.curve.domain())) return -1;
+  const double middle = at(arc.place, 0.5);
+  const int vertex = vertex_on(border, middle, &arc);
+  if (vertex == arc.from || vertex == arc.to) return -1;
+  arcs_[index(number)] = made(arc.border, {arc.place.from, middle}, arc.from, vertex);
+  arcs_.push_back(made(arc.border, {middle, arc.place.to}, vertex, arc.to));
+  return static_cast<int>(arcs_.size()) - 1;
+}
+
+// Whether an arc between two vertices of one line stays on it.
+bool BorderArcs::runs_on(const RegionArc& arc, int direction) const {
+  const Vec2& from = vertices_[index(arc.from)];
+  const Vec2& to = vertices_[index(arc.to)];
+  if (from[direction] != to[direction] || !is_whole(from[direction])) return false;
+  for (const double t : {0.25, 0.5, 0.75}) {
+    const Vec2 uv = point_at(chart_.borders[index(arc.border)].curve, at(arc.place, t));
+    if (grid_point(surface_, uv)[direction] != from[direction]) return false;
+  }
+  return true;
+}
+
+RegionArc BorderArcs::made(int number, const Interval& place, int from, int to) const {
+  const PlanarCurve& curve = chart_.borders[index(number)].curve;
+  RegionArc arc;
+  arc.border = number;
+  arc.place = place;
+  arc.from = from;
+  arc.to = to;
+  const Vec2 middle = grid_point(surface_, point_at(curve, at(place, 0.5)));
+  std::array<int, 2> patch;
+  for (int k = 0; k < 2; ++k) {
+    const int count = k == 0 ? surface_.patches.rows() : surface_.patches.columns();
+    double beside = middle[k];
+    if (from != to && runs_on(arc, k)) {
+      arc.on_line = true;
+      const double on = vertices_[index(to)][1 - k] - vertices_[index(from)][1 - k];
+      beside += (k == 0 ? -0.5 : 0.5) * (on > 0 ? 1 : -1);  // the region lies on the left
+    }
+    patch[index(k)] = std::clamp(static_cast<int>(std::floor(beside)), 0, count - 1);
+  }
+  arc.patch_u = patch[0];
+  arc.patch_v = patch[1];
+  const ArcForm form = arc_form(curve, place, chart_of(surface_, arc.patch_u, arc.patch_v),
+                                {arc_degree(arc.patch_u, arc.patch_v), options_.common_borders});
+  settle_ends(arc, form);
+  return arc;
+}
+
+// Takes the ends to their vertices, and a curve along a line onto it.
+void BorderArcs::settle_ends(RegionArc& arc, const ArcForm& form) const {
+  arc.curve = form.curve;
+  const Vec2 corner{static_cast<double>(arc.patch_u), static_cast<double>(arc.patch_v)};
+  const Vec2 from = vertices_[index(arc.from)] - corner, to = vertices_[index(arc.to)] - corner;
+  Vec2 moved;
+  for (int k = 0; k < 2; ++k) {
+    std::vector<Vec3>& points = arc.curve.points;
+    const bool on_line = arc.on_line && runs_on(arc, k);
+    for (std::size_t i = 0; on_line && i < points.size(); ++i) {
+      moved[k] = std::max(moved[k], std::abs(points[i][k] / points[i][2] - from[k]));
+      points[i][k] = from[k] * points[i][2];
+    }
+    moved[k] = std::max(
+        {moved[k], std::abs(points.front()[k] - from[k]), std::abs(points.back()[k] - to[k])});
+    points.front()[k] = from[k];
+    points.back()[k] = to[k];
+  }
+  const Vec2& steep = steepest_(arc.patch_u, arc.patch_v);
+  const Vec2 error = form.error + moved;
+  const PatchChart chart = chart_of(surface_, arc.patch_u, arc.patch_v);
+  arc.exact = form.exact && moved[0] * length(chart.u) <= kRounding * range_of(surface_, 0) &&
+              moved[1] * length(chart.v) <= kRounding * range_of(surface_, 1);
+  arc.fit_error = form.error[0] * steep[0] + form.error[1] * steep[1];
+  arc.error = arc.exact ? 0 : error[0] * steep[0] + error[1] * steep[1];
+}
+
+bool BorderArcs::is_too_long(const RegionArc& arc) const {
+  if (arc.on_line && !options_.common_borders) return false;
+  const Vec2& steep = steepest_(arc.patch_u, arc.patch_v);
+  const auto leg = [&](std::size_t i, std::size_t j) {
+    const Vec2 d = projected(arc.curve.points[j]) - projected(arc.curve.points[i]);
+    return Vec2{d[0] * steep[0], d[1] * steep[1]};
+  };
+  const std::size_t last = arc.curve.points.size() - 1;
+  const Vec2 chord = projected(arc.curve.points[last]) - projected(arc.curve.points[0]);
+  if (cells_ > 1 && max_norm(chord) * cells_ > kLongest) return true;
+  const Vec2 first = leg(0, 1);
+  for (std::size_t i = 1; i < last; ++i) {
+    const Vec2 next = leg(i, i + 1);
+    if (dot(first, next) < kLeastCosine * norm(first) * norm(next)) return true;
+  }
+  return false;
+}
+
+}  // namespace blossom

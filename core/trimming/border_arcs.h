@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The borders of a trimmed region divided into arcs: each in one patch, within tolerance, turning
+// little.
+
+#pragma once
+
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "core/trimming/arc_forms.h"
+#include "core/trimming/trimmed_chart.h"
+
+namespace blossom {
+
+struct RegionOptions {
+  /// How far the border of the pieces may lie from the trims, along the surface; model units.
+  double tolerance = 1e-7;
+  int highest_degree = kMaxDegree;  ///< of triangles, at least n + m
+  /// Rows and columns of cells in each patch; a power of two, 0 for as many as seem right.
+  int cells = 0;
+  /// Borders will be common curves with other faces: arcs run as evenly as the border's parameter,
+  /// and nothing but triangles touches them.
+  bool common_borders = false;
+};
+
+/// A piece of a border, which is one side of one triangle or one side of a whole cell.
+struct RegionArc {
+  int border = 0;
+  Interval place;  ///< the border's parameters, in the direction of its walk
+  int patch_u = 0;
+  int patch_v = 0;
+  PlanarBezier curve;  ///< in the parameters of the patch; runs from vertex to vertex exactly
+  int from = 0;        ///< vertices
+  int to = 0;
+  bool on_line = false;  ///< along a line between patches or round them all
+  bool exact = true;     ///< the very trim, as far as the doubles go
+  double fit_error = 0;  ///< bound on what the fit alone adds to it; model units
+  double error = 0;      ///< bound on the distance between its and the trim's image; model units
+};
+
+/// Divides the borders of one region, first where it has to be, later where it is asked to.
+class BorderArcs {
+ public:
+  /// throws   InvalidInput if the patches' degrees leave no triangle below the highest degree, or a
+  ///          border takes more than kMostArcs
+  BorderArcs(const BezierSurface& surface, const TrimmedChart& chart, const RegionOptions& options,
+             int cells);
+
+  /// Highest number of arcs of one border.
+  static constexpr std::size_t kMostArcs = 20'000;
+
+  const std::vector<RegionArc>& arcs() const { return arcs_; }
+  const std::vector<Vec2>& vertices() const { return vertices_; }  ///< grid coordinates
+
+  /// The vertex at a point, a new one unless there is one with the same coordinates.
+  int vertex_at(const Vec2& grid);
+
+  /// Divides an arc in the middle of its place: it keeps the first half, and the number of the
+  /// second is returned; -1 if its place is too short for that.
+  int halve(int arc);
+
+  /// Powers of two by which the parameters of a patch become about lengths in space.
+  Vec2 metric(int patch_u, int patch_v) const;
+
+  /// The highest degree of arcs that triangles of a patch can have.
+  int arc_degree(int patch_u, int patch_v) const;
+
+ private:
+  void divide(int border);
+  void add_line_stops(const RegionBorder& border, int direction, std::vector<double>& at) const;
+  void add_cell_stops(const RegionBorder& border, std::vector<double>& at) const;
+  void add(int border, const Interval& place, int from, int to, std::size_t first);
+  RegionArc made(int border, const Interval& place, int from, int to) const;
+  bool runs_on(const RegionArc& arc, int direction) const;
+  void settle_ends(RegionArc& arc, const ArcForm& form) const;
+  bool is_too_long(const RegionArc& arc) const;
+  Vec2 snapped(Vec2 grid) const;
+  int vertex_on(const RegionBorder& border, double parameter, const RegionArc* arc);
+
+  const BezierSurface& surface_;
+  const TrimmedChart& chart_;
+  RegionOptions options_;
+  int cells_;
+  Grid<Vec2> steepest_;  // bounds of derivatives of each patch
+  std::vector<RegionArc> arcs_;
+  std::vector<Vec2> vertices_;
+  std::map<std::pair<double, double>, int> vertex_of_;
+};
+
+}  // namespace blossom
