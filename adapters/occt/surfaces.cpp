@@ -71,9 +71,13 @@ void check_poles(const Surface& surface) {
   const bool rational = surface.IsURational() || surface.IsVRational();
   for (int i = 1; i <= surface.NbUPoles(); ++i)
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
+      const gp_XYZ pole = surface.Pole(i, j).XYZ();
+      const double weight = rational ? surface.Weight(i, j) : 1;
+      if (std::isfinite(pole.X() + pole.Y() + pole.Z()) && weight > 0 && std::isfinite(weight))
+        continue;
       const std::string place = " (" + std::to_string(i) + ", " + std::to_string(j) + ")";
-      check_finite(surface.Pole(i, j).XYZ(), "control point" + place);
-      if (rational) check_weight(surface.Weight(i, j), "weight" + place);
+      check_finite(pole, "control point" + place);
+      check_weight(weight, "weight" + place);
     }
 }
 

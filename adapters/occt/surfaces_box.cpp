@@ -9,6 +9,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
 
 #include "adapters/occt/curves_detail.h"
 #include "adapters/occt/errors.h"
@@ -82,7 +83,9 @@ ParameterBox parameter_box(const TopoDS_Face& face) {
   return guarded("measuring a face", [&] {
     const Handle(Geom_Surface) basis = basis_of(surface);
     ParameterBox box;
-    BRepTools::UVBounds(face, box.u.from, box.u.to, box.v.from, box.v.to);
+    // Where the face is placed does not matter, but chains of placements take most of the time.
+    const TopoDS_Face unplaced = TopoDS::Face(face.Located(TopLoc_Location()));
+    BRepTools::UVBounds(unplaced, box.u.from, box.u.to, box.v.from, box.v.to);
     box.u = fitted(box.u, direction_of(*basis, true));
     box.v = fitted(box.v, direction_of(*basis, false));
     const Interval endless{-1e100, 1e100};
