@@ -2,12 +2,18 @@
 #include "adapters/occt/face_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_Surface.hxx>
 #include <Geom_TrimmedCurve.hxx>
 
 #include "adapters/occt/curves.h"
@@ -19,6 +25,8 @@ namespace {
 
 constexpr double kLeastEdgeTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
 constexpr double kEdgeMargin = 1.1;           // of the edge's tolerance over the deviation
+constexpr double kBeyondTrims = 1e-3;         // of the box of the trims, on every side
+constexpr double kSamePoint = 1e-6;           // contacts as near as this are one, model units
 
 Box box_of(const BezierSurface& surface, double margin) {
   Box box;
@@ -31,19 +39,71 @@ Box box_of(const BezierSurface& surface, double margin) {
   return {box.low - r, box.high + r};
 }
 
-// Both lists are increasing and disjoint.
-std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<Interval>& b) {
-  std::vector<Interval> result;
-  for (const Interval& x : a)
-    for (const Interval& y : b) {
-      const Interval both{std::max(x.from, y.from), std::min(x.to, y.to)};
-      if (both.from < both.to) result.push_back(both);
-    }
-  return result;
+Interval wider(const Interval& side, const Interval& natural, double period) {
+  double margin = kBeyondTrims * length(side);
+  if (period > 0) margin = std::min(margin, 0.5 * (period - length(side)));
+  return {std::max(side.from - margin, std::min(side.from, natural.from)),
+          std::min(side.to + margin, std::max(side.to, natural.to))};
+}
+
+// Whether a rational surface goes on beyond any box of its parameters as it is inside.
+bool goes_on(const GeomAdaptor_Surface& surface) {
+  switch (surface.GetType()) {
+    case GeomAbs_Plane:
+    case GeomAbs_Cylinder:
+    case GeomAbs_Sphere:
+    case GeomAbs_Torus: return true;
+    default: return false;
+  }
+}
+
+// Trims that are no rectangle touch their box, and what runs along them would touch the border of
+// the surface. So it goes on beyond it.
+BezierSurface surface_of(const TopoDS_Face& face, const FaceTrims& trims, double tolerance) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  ParameterBox box = parameter_box(face);
+  if (!trims.natural && goes_on(GeomAdaptor_Surface(surface))) {
+    Interval u, v;
+    surface->Bounds(u.from, u.to, v.from, v.to);
+    const double endless = std::numeric_limits<double>::infinity();
+    const bool in_u = surface->IsUPeriodic(), in_v = surface->IsVPeriodic();
+    box.u = wider(box.u, in_u ? Interval{-endless, endless} : u, in_u ? surface->UPeriod() : 0);
+    box.v = wider(box.v, in_v ? Interval{-endless, endless} : v, in_v ? surface->VPeriod() : 0);
+  }
+  return bezier_surface(surface, box, tolerance);
+}
+
+double edge_tolerance(const Deviation& d) {
+  return std::max(kLeastEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}));
 }
 
 SurfacePoint point_of(const IntersectionCurve& curve, double t) {
   return {point_at(curve.curve, t), point_at(curve.chart_a, t), point_at(curve.chart_b, t)};
+}
+
+double length_of(const IntersectionCurve& curve, const Interval& part) {
+  return curve.conic ? arc_length(*curve.conic, part) : length(part);
+}
+
+// Both lists are increasing and disjoint. Where one ends as the other begins there is a point.
+std::vector<Interval> common(const IntersectionCurve& curve, const std::vector<Interval>& a,
+                             const std::vector<Interval>& b) {
+  std::vector<Interval> result;
+  const Interval domain = curve.curve.domain();
+  for (const Interval& x : a)
+    for (const Interval& y : b) {
+      const Interval both{std::max(x.from, y.from), std::min(x.to, y.to)};
+      const bool round_start = curve.closed && std::max(x.to, y.to) == domain.to &&
+                               std::min(x.from, y.from) == domain.from;
+      if (both.from < both.to)
+        result.push_back(both);
+      else if (distance(point_at(curve.curve, both.from), point_at(curve.curve, both.to)) <=
+               kSamePoint)
+        result.push_back({both.to, both.to});
+      else if (round_start)
+        result.push_back({domain.from, domain.from});
+    }
+  return result;
 }
 
 // The part of a curve on an interval, its ends named where they are new.
@@ -56,7 +116,7 @@ IntersectionCurve part_of(const IntersectionCurve& whole, const Interval& part) 
   curve.chart_b = restricted(whole.chart_b, part);
   curve.ends = {part.from > domain.from || whole.closed ? CurveEnd::Trim : whole.ends[0],
                 part.to < domain.to || whole.closed ? CurveEnd::Trim : whole.ends[1]};
-  curve.length = whole.conic ? arc_length(*whole.conic, part) : length(part);
+  curve.length = length_of(whole, part);
   curve.samples.clear();
   curve.sample_parameters.clear();
   const auto add = [&](const SurfacePoint& p, double t) {
@@ -132,16 +192,60 @@ Handle(Geom_Curve) space_curve(const IntersectionCurve& curve) {
   });
 }
 
-bool inside(const FaceTrims& trims, const Vec2& uv) {
-  return trims.natural || is_inside(trims, {uv[0] * trims.scale[0], uv[1] * trims.scale[1]});
+// Parts too short for an edge become points.
+void move_short_parts(const IntersectionCurve& whole, std::vector<Interval>& parts,
+                      std::vector<SurfacePoint>& touches) {
+  const double least = 2 * edge_tolerance(whole.deviation);
+  std::erase_if(parts, [&](const Interval& part) {
+    if (length_of(whole, part) > least) return false;
+    touches.push_back(point_of(whole, at(part, 0.5)));
+    return true;
+  });
+}
+
+// What the curves of a result end in or another touch repeats is no touch of its own.
+void leave_new_ones(const SurfaceIntersection& found, std::vector<SurfacePoint>& touches) {
+  std::vector<Vec3> known;
+  for (const IntersectionCurve& curve : found.curves)
+    known.insert(known.end(), {curve.samples.front().point, curve.samples.back().point});
+  for (const auto* list : {&found.points, &found.nodes})
+    for (const SurfacePoint& p : *list) known.push_back(p.point);
+  std::erase_if(touches, [&](const SurfacePoint& touch) {
+    const bool is_known = std::any_of(known.begin(), known.end(), [&](const Vec3& p) {
+      return distance(p, touch.point) <= kSamePoint;
+    });
+    if (!is_known) known.push_back(touch.point);
+    return is_known;
+  });
+}
+
+// A contact is known as far as its place goes; what of it may lie inside counts.
+bool may_lie_inside(const FaceTrims& trims, const Interval& u, const Interval& v) {
+  return trims.natural || part_side(trims, u, v) != PartSide::Outside;
+}
+
+// The place of a contact; just its parameters if it has none.
+Place place_of(const SurfacePoint& x, const std::vector<Place>& places) {
+  constexpr std::array kWide{PlaceKind::Tangential, PlaceKind::Overlap, PlaceKind::Open};
+  const auto& [point, uv_a, uv_b] = x;
+  const std::array<double, 4> at{uv_a[0], uv_a[1], uv_b[0], uv_b[1]};
+  for (const Place& place : places) {
+    bool holds = std::find(kWide.begin(), kWide.end(), place.kind) == kWide.end();
+    for (std::size_t k = 0; k < at.size(); ++k)
+      holds = holds && place.parameters[k].from <= at[k] && at[k] <= place.parameters[k].to;
+    if (holds) return place;
+  }
+  Place alone;
+  for (std::size_t k = 0; k < at.size(); ++k) alone.parameters[k] = {at[k], at[k]};
+  return alone;
 }
 
 }  // namespace
 
 FaceData face_data(const TopoDS_Face& face, double tolerance) {
   FaceData data;
-  data.surface = bezier_surface(face, tolerance);
   data.trims = face_trims(face);
+  data.surface = surface_of(face, data.trims, tolerance);
   data.box = box_of(data.surface, data.surface.error + tolerance);
   return data;
 }
@@ -151,27 +255,57 @@ PartTest part_test(const FaceTrims& trims) {
   return [&trims](const Interval& u, const Interval& v) { return part_side(trims, u, v); };
 }
 
-void clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b) {
-  const auto counts = [](const FaceTrims* trims) { return trims != nullptr && !trims->natural; };
-  if (!counts(&a) && !counts(b)) return;
+std::vector<SurfacePoint> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b) {
   std::vector<IntersectionCurve> curves;
+  std::vector<SurfacePoint> touches;
   for (const IntersectionCurve& curve : found.curves) {
-    const std::vector<Interval> in_a = clip_to_trims(a, curve.chart_a);
-    clip(curve, b == nullptr ? in_a : common(in_a, clip_to_trims(*b, curve.chart_b)), curves);
+    std::vector<Interval> parts = clip_to_trims(a, curve.chart_a);
+    if (b != nullptr) parts = common(curve, parts, clip_to_trims(*b, curve.chart_b));
+    move_short_parts(curve, parts, touches);
+    clip(curve, parts, curves);
   }
   found.curves = std::move(curves);
   const auto outside = [&](const SurfacePoint& p) {
-    return !inside(a, p.uv_a) || (b != nullptr && !inside(*b, p.uv_b));
+    const auto& at = place_of(p, found.places).parameters;
+    return !may_lie_inside(a, at[0], at[1]) || (b != nullptr && !may_lie_inside(*b, at[2], at[3]));
   };
   std::erase_if(found.points, outside);
   std::erase_if(found.nodes, outside);
-  found.overlaps.clear();
+  if (!a.natural || (b != nullptr && !b->natural)) found.overlaps.clear();
+  leave_new_ones(found, touches);
+  return touches;
+}
+
+void add_touches(const std::vector<SurfacePoint>& touches, double tolerance,
+                 SurfaceIntersection& found) {
+  if (touches.empty()) return;
+  const Vec3 reach{tolerance, tolerance, tolerance};
+  for (const SurfacePoint& x : touches) {
+    found.points.push_back(x);
+    Place place;
+    widen(place, x, tolerance);
+    place.kind = PlaceKind::Touch;
+    place.gap_low = 0;
+    place.box_low = x.point - reach;
+    place.box_high = x.point + reach;
+    found.places.push_back(place);
+  }
+  found.status = weaker(found.status, Status::Tolerance);
+  found.certificate.reasons.emplace_back("curves touch the trims of a face in a point");
+}
+
+void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, SurfaceIntersection& found) {
+  const auto runs = [&](const IntersectionCurve& curve) {
+    return runs_along_wires(a, curve.chart_a) || runs_along_wires(b, curve.chart_b);
+  };
+  if (std::none_of(found.curves.begin(), found.curves.end(), runs)) return;
+  found.status = weaker(found.status, Status::Tolerance);
+  found.certificate.reasons.emplace_back("a curve runs along the trims of a face");
 }
 
 EdgeCurves edge_curves(const IntersectionCurve& curve) {
-  const Deviation& d = curve.deviation;
   return {space_curve(curve), to_occt(curve.chart_a), to_occt(curve.chart_b),
-          std::max(kLeastEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}))};
+          edge_tolerance(curve.deviation)};
 }
 
 void add(Certificate& sum, const Certificate& one) {

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <vector>
+
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/face_trims.h"
@@ -28,8 +30,19 @@ PartTest part_test(const FaceTrims& trims);
 
 /// Leaves of an intersection what lies inside the trims of both. What they leave of a common region
 /// is not known: it stays among the places only.
-/// b   null if everything of the second surface counts
-void clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b);
+/// b         null if everything of the second surface counts
+/// returns   where curves only touch the trims, or have parts too short for an edge in them; but
+///           for ends of curves and contacts of the result
+std::vector<SurfacePoint> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b);
+
+/// Adds touches to the contacts of a result. They are known within tolerance only, so is the
+/// result.
+void add_touches(const std::vector<SurfacePoint>& touches, double tolerance,
+                 SurfaceIntersection& found);
+
+/// Whether what runs along trims lies inside of them is known within tolerance only, so is the
+/// result if a curve of it does.
+void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, SurfaceIntersection& found);
 
 EdgeCurves edge_curves(const IntersectionCurve& curve);
 

@@ -17,17 +17,15 @@
 #include <TopoDS_Wire.hxx>
 
 #include "adapters/occt/errors.h"
+#include "adapters/occt/face_trims_detail.h"
 #include "adapters/occt/pcurves.h"
 #include "core/trimming/loops.h"
 
 namespace blossom::occt {
 namespace {
 
-// A distance that counts as on the border, where no other is given. Model units, about.
-constexpr double kOnBorder = 1e-7;
-constexpr int kMostHalvings = 6;  // of a wire's span, to see whether it meets a rectangle
-// Relative to the box: parameters of natural borders are exact up to rounding.
-constexpr double kNaturalError = 1e-9;
+constexpr int kMostHalvings = 6;    // of a wire's span, to see whether it meets a rectangle
+constexpr int kPointHalvings = 24;  // likewise a point: pieces are about as long as kOnBorder then
 
 Coedge coedge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   double first = 0, last = 0;
@@ -157,70 +155,6 @@ bool is_natural(const FaceTrims& trims) {
                      [&](const Coedge& coedge) { return lies_on_border(coedge.curve, trims.box); });
 }
 
-bool holds(const PlanarBox& box, const PlanarBox& other) {
-  for (int k = 0; k < 2; ++k) {
-    const double error = kNaturalError * (box.high[k] - box.low[k]);
-    if (other.low[k] < box.low[k] - error || other.high[k] > box.high[k] + error) return false;
-  }
-  return true;
-}
-
-// Between neighbouring parameters the curve is inside or outside as a whole.
-std::vector<double> divisions(const PlanarCurve& curve, const ClippedCurve& found) {
-  const Interval domain = curve.domain();
-  std::vector<double> at{domain.from, domain.to};
-  for (const TrimMeeting& meeting : found.meetings) at.push_back(meeting.at);
-  for (const TrimRun& run : found.runs) at.insert(at.end(), {run.at.from, run.at.to});
-  std::sort(at.begin(), at.end());
-  at.erase(std::unique(at.begin(), at.end()), at.end());
-  return at;
-}
-
-bool on_run(const ClippedCurve& found, double parameter) {
-  return std::any_of(found.runs.begin(), found.runs.end(), [&](const TrimRun& run) {
-    return run.at.from <= parameter && parameter <= run.at.to;
-  });
-}
-
-void append(std::vector<Interval>& intervals, const Interval& next) {
-  if (!intervals.empty() && intervals.back().to >= next.from)
-    intervals.back().to = std::max(intervals.back().to, next.to);
-  else
-    intervals.push_back(next);
-}
-
-// Intervals inside or, if asked, along wires; those of one kind are joined.
-std::vector<Interval> inside_of(const FaceTrims& trims, const PlanarCurve& curve,
-                                const ClippedCurve& found, bool with_runs) {
-  std::vector<Interval> inside;
-  const std::vector<double> at = divisions(curve, found);
-  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-    const double middle = 0.5 * (at[i] + at[i + 1]);
-    const bool along = on_run(found, middle);
-    if (along ? with_runs : is_inside(trims, point_at(curve, middle)))
-      append(inside, {at[i], at[i + 1]});
-  }
-  return inside;
-}
-
-void meet(const FaceTrims& trims, const PlanarCurve& curve, double tolerance, int loop, int index,
-          ClippedCurve& found) {
-  const Coedge& coedge =
-      trims.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(index)];
-  const PlanarCrossings common = crossings(curve, coedge.curve, tolerance);
-  for (const PlanarCrossing& point : common.points)
-    found.meetings.push_back({point.a, loop, index, point.b});
-  for (const PlanarOverlap& run : common.overlaps)
-    found.runs.push_back({run.a, loop, index, run.b});
-  found.complete = found.complete && common.complete;
-}
-
-// Shifts by whole periods.
-std::vector<double> turns(double period) {
-  if (period > 0) return {0, period, -period};
-  return {0};
-}
-
 bool apart(const PlanarBox& a, const PlanarBox& b) {
   for (int k = 0; k < 2; ++k)
     if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
@@ -233,38 +167,46 @@ bool may_meet(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
          may_meet(bezier_piece(piece, {0.5, 1}), box, halvings - 1);
 }
 
+PlanarBox grown(const PlanarBox& box, double margin) {
+  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
+}
+
+// Shifts by whole periods.
+std::vector<double> turns(double period) {
+  if (period > 0) return {0, period, -period};
+  return {0};
+}
+
 // Whether the ray from a point to the right may meet what is in a box.
 bool may_cross(const PlanarBox& box, const Vec2& point) {
   return box.low[1] <= point[1] && point[1] <= box.high[1] && point[0] <= box.high[0];
 }
 
-PlanarBox grown(const PlanarBox& box, double margin) {
-  return {box.low - Vec2{margin, margin}, box.high + Vec2{margin, margin}};
-}
-
 // What lies within an edge's tolerance of its wire, or in a gap between coedges, is on the wire.
 PartSide side_of(const FaceTrims& trims, const PlanarBox& box) {
-  const double gap = kOnBorder + trims.largest_gap;
-  for (const auto& loop : trims.loops)
-    for (const Coedge& coedge : loop) {
-      const PlanarBox near = grown(box, gap + coedge.tolerance);
-      for (std::size_t k = 0; k < coedge.boxes.size(); ++k)
-        if (!apart(coedge.boxes[k], near) &&
-            may_meet(coedge.curve.spans[k].curve, near, kMostHalvings))
-          return PartSide::Mixed;
-    }
+  if (coedge_near(trims, box, kOnBorder + trims.largest_gap, kMostHalvings) != nullptr)
+    return PartSide::Mixed;
   return is_inside(trims, 0.5 * (box.low + box.high)) ? PartSide::Inside : PartSide::Outside;
 }
 
-std::vector<Interval> united(std::vector<Interval> intervals) {
-  std::sort(intervals.begin(), intervals.end(),
-            [](const Interval& a, const Interval& b) { return a.from < b.from; });
-  std::vector<Interval> joined;
-  for (const Interval& interval : intervals) append(joined, interval);
-  return joined;
+}  // namespace
+
+const Coedge* coedge_near(const FaceTrims& trims, const PlanarBox& box, double margin, int halvings,
+                          Wires wires) {
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      const double loose = wires == Wires::WithTolerances ? coedge.tolerance : 0;
+      const PlanarBox near = grown(box, margin + loose);
+      for (std::size_t k = 0; k < coedge.boxes.size(); ++k)
+        if (!apart(coedge.boxes[k], near) && may_meet(coedge.curve.spans[k].curve, near, halvings))
+          return &coedge;
+    }
+  return nullptr;
 }
 
-}  // namespace
+const Coedge* coedge_at(const FaceTrims& trims, const Vec2& point, Wires wires) {
+  return coedge_near(trims, {point, point}, kOnBorder, kPointHalvings, wires);
+}
 
 FaceTrims face_trims(const TopoDS_Face& face) {
   FaceTrims trims;
@@ -319,17 +261,6 @@ std::vector<Vec2> period_shifts(const FaceTrims& trims, const PlanarCurve& curve
   return shifts;
 }
 
-ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double tolerance) {
-  ClippedCurve found;
-  for (std::size_t loop = 0; loop < trims.loops.size(); ++loop)
-    for (std::size_t i = 0; i < trims.loops[loop].size(); ++i)
-      meet(trims, curve, tolerance, static_cast<int>(loop), static_cast<int>(i), found);
-  std::sort(found.meetings.begin(), found.meetings.end(),
-            [](const TrimMeeting& a, const TrimMeeting& b) { return a.at < b.at; });
-  found.inside = inside_of(trims, curve, found, false);
-  return found;
-}
-
 bool is_inside(const FaceTrims& trims, const Vec2& point) {
   for (int k = 0; k < 2; ++k)
     if (point[k] < trims.box.low[k] || point[k] > trims.box.high[k]) return false;
@@ -361,21 +292,23 @@ PartSide part_side(const FaceTrims& trims, const Interval& u, const Interval& v)
   return PartSide::Outside;
 }
 
-std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& chart) {
-  return clip_to_trims(face_trims(face), chart);
-}
-
-std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart) {
-  const PlanarCurve curve = chart_curve(trims, chart);
-  if (trims.natural && holds(trims.box, box_of(curve))) return {curve.domain()};
-  std::vector<Interval> inside;
-  for (const Vec2& shift : period_shifts(trims, curve)) {
-    const PlanarCurve moved = transformed(curve, {1, 1}, shift);
-    const ClippedCurve found = clipped(trims, moved, kOnBorder);
-    const std::vector<Interval> more = inside_of(trims, moved, found, true);
-    inside.insert(inside.end(), more.begin(), more.end());
-  }
-  return united(std::move(inside));
+TopoDS_Shape border_at(const FaceTrims& trims, const Vec2& uv) {
+  const Vec2 point{uv[0] * trims.scale[0], uv[1] * trims.scale[1]};
+  for (const double turn_u : turns(trims.period[0]))
+    for (const double turn_v : turns(trims.period[1])) {
+      const Vec2 moved{point[0] + turn_u, point[1] + turn_v};
+      const Coedge* const coedge = coedge_at(trims, moved);
+      if (coedge == nullptr) continue;
+      for (const bool last : {false, true}) {
+        const TopoDS_Vertex vertex = last ? TopExp::LastVertex(coedge->edge, Standard_True)
+                                          : TopExp::FirstVertex(coedge->edge, Standard_True);
+        const double reach = kOnBorder + std::max(coedge->tolerance, BRep_Tool::Tolerance(vertex));
+        if (coedge->degenerated || distance(end_point(*coedge, last), moved) <= reach)
+          return vertex;
+      }
+      return coedge->edge;
+    }
+  return {};
 }
 
 }  // namespace blossom::occt

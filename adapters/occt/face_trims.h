@@ -11,6 +11,7 @@
 
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
 
 #include "core/forms/spline.h"
 #include "core/intersection/options.h"
@@ -98,11 +99,21 @@ PartSide part_side(const FaceTrims& trims, const Interval& u, const Interval& v)
 /// Periods of the surface are taken into account. A naturally bounded face answers at once.
 ///
 /// chart     in the surface's own parameters
-/// returns   intervals of the curve's parameter, increasing, disjoint; none if all is outside
+/// returns   intervals of the curve's parameter, increasing, disjoint; one without length where
+///           the curve only touches a wire; none if all is outside
 /// throws    BadModel as `face_trims`
 std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& chart);
 
 /// The same for many curves on one face.
 std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart);
+
+/// Whether a part of a chart curve, longer than a touch may be, keeps within tolerance of a wire, so
+/// that it is not known whether it lies inside. Not asked of a naturally bounded face.
+/// chart     in the surface's own parameters
+bool runs_along_wires(const FaceTrims& trims, const Spline2& chart);
+
+/// The vertex or else the edge of the face within tolerance of a point; null off all wires.
+/// uv        the surface's own parameters; whole periods do not matter
+TopoDS_Shape border_at(const FaceTrims& trims, const Vec2& uv);
 
 }  // namespace blossom::occt

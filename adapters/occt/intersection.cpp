@@ -67,8 +67,8 @@ KnownCurve known_curve(const SharedEdge& edge, double size) {
 }
 
 // What was found along a shared edge is the edge.
-void replace_by_edges(SurfaceIntersection& found, const std::vector<SharedEdge>& edges,
-                      double tolerance) {
+void drop_along_edges(SurfaceIntersection& found, std::vector<SurfacePoint>& touches,
+                      const std::vector<SharedEdge>& edges, double tolerance) {
   const auto along_edge = [&](const Vec3& p) {
     return std::any_of(edges.begin(), edges.end(), [&](const SharedEdge& edge) {
       const double reach =
@@ -80,8 +80,8 @@ void replace_by_edges(SurfaceIntersection& found, const std::vector<SharedEdge>&
     return std::all_of(curve.samples.begin(), curve.samples.end(),
                        [&](const SurfacePoint& x) { return along_edge(x.point); });
   });
-  std::erase_if(found.points, [&](const SurfacePoint& x) { return along_edge(x.point); });
-  for (const SharedEdge& edge : edges) found.curves.push_back(edge.curve);
+  for (auto* const points : {&found.points, &touches})
+    std::erase_if(*points, [&](const SurfacePoint& x) { return along_edge(x.point); });
 }
 
 // One pair of faces at a time; pairs may be asked for at the same time.
@@ -109,11 +109,17 @@ class PairIntersector {
     }
     options.part_a = part_test(a.trims);
     options.part_b = part_test(b.trims);
-    FaceIntersection result{pair.first, pair.second, intersect(a.surface, b.surface, options), {}};
-    clip(result.found, a.trims, &b.trims);
-    replace_by_edges(result.found, edges, options_.tolerances.point);
+    FaceIntersection result{
+        pair.first, pair.second, intersect(a.surface, b.surface, options), {}, {}};
+    std::vector<SurfacePoint> touches = clip(result.found, a.trims, &b.trims);
+    drop_along_edges(result.found, touches, edges, options_.tolerances.point);
+    weaken_along_trims(a.trims, b.trims, result.found);
+    for (const SharedEdge& edge : edges) result.found.curves.push_back(edge.curve);
+    add_touches(touches, options_.tolerances.point, result.found);
     for (const IntersectionCurve& curve : result.found.curves)
       result.edges.push_back(edge_curves(curve));
+    for (const SurfacePoint& x : result.found.points)
+      result.borders.push_back({border_at(a.trims, x.uv_a), border_at(b.trims, x.uv_b)});
     return result;
   }
 

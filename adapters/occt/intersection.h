@@ -8,6 +8,7 @@
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_Curve.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
 
 #include "core/surface_intersection.h"
 
@@ -23,12 +24,19 @@ struct EdgeCurves {
   double tolerance = 0;  ///< for the edge: max(1e-7, 1.1 x deviation), model units
 };
 
+/// What of the faces' borders a point is on: a vertex or an edge, null inside of the face.
+struct BorderPlace {
+  TopoDS_Shape on_a;
+  TopoDS_Shape on_b;
+};
+
 /// The intersection of one face with another. Numbers are indices into the callers' lists.
 struct FaceIntersection {
   int face_a = 0;
   int face_b = 0;
-  SurfaceIntersection found;      ///< clipped to the trims of both faces
-  std::vector<EdgeCurves> edges;  ///< one for each of found.curves
+  SurfaceIntersection found;         ///< clipped to the trims of both faces
+  std::vector<EdgeCurves> edges;     ///< one for each of found.curves
+  std::vector<BorderPlace> borders;  ///< one for each of found.points
 };
 
 struct ShapeIntersection {

@@ -72,7 +72,9 @@ class FaceSections {
     IntersectionOptions options = remaining();
     options.part_a = part_test(data_[i].trims);
     SurfaceIntersection found = intersect(data_[i].surface, frame_.over(data_[i].box), options);
-    clip(found, data_[i].trims, nullptr);
+    // What is proven at edges and vertices follows from those, so touches weaken nothing.
+    const std::vector<SurfacePoint> touches = clip(found, data_[i].trims, nullptr);
+    found.points.insert(found.points.end(), touches.begin(), touches.end());
     return found;
   }
 

@@ -54,7 +54,8 @@ InputName parse_input(const std::string& text) {
 
 Input read_input(const std::string& text, Faces need) {
   const InputName name = parse_input(text);
-  Input input{text, occt::read_model(name.file), {}, {}};
+  Input input{text, occt::read_model(name.file), {}, {}, {}};
+  input.shape = input.model.shape();
   const int count = input.model.face_count();
   if (count == 0 && need == Faces::Required)
     throw occt::BadModel(name.file.string() + ": there is no face in it");
@@ -81,6 +82,7 @@ void share_model(const Input& a, Input& b) {
   std::error_code ignored;
   if (!std::filesystem::equivalent(a.model.file(), b.model.file(), ignored)) return;
   for (std::size_t i = 0; i < b.faces.size(); ++i) b.faces[i] = a.model.face(b.numbers[i]);
+  b.shape = a.shape;
 }
 
 }  // namespace blossom::cli

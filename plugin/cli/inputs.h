@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/shapes.h"
 
@@ -30,6 +31,7 @@ struct Input {
   occt::Model model;
   std::vector<int> numbers;        ///< face numbers, 1-based as `info` prints them, each once
   std::vector<TopoDS_Face> faces;  ///< likewise
+  TopoDS_Shape shape;              ///< of the model that the faces belong to
 };
 
 /// Whether a model without any face is an input at all.

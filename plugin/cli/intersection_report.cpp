@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/intersection_report.h"
 
+#include <cstddef>
+#include <utility>
+
+#include "plugin/cli/shape_numbers.h"
+
 namespace blossom::cli {
 namespace {
 
@@ -104,13 +109,18 @@ Json intersection_report(const Input& a, const Input& b, const occt::ShapeInters
                  {"seconds_first", times.first}};
   for (const char* list : {"curves", "points", "nodes", "overlaps", "places"})
     report[list] = Json::array();
+  const ShapeNumbers numbers_a(a.shape), numbers_b(b.shape);
   for (const occt::FaceIntersection& pair : found.pairs) {
     const FaceNumbers faces{a.numbers[static_cast<std::size_t>(pair.face_a)],
                             b.numbers[static_cast<std::size_t>(pair.face_b)]};
     for (const IntersectionCurve& curve : pair.found.curves)
       report["curves"].push_back(curve_json(curve, faces));
-    for (const SurfacePoint& point : pair.found.points)
-      report["points"].push_back(point_json(point, faces));
+    for (std::size_t i = 0; i < pair.found.points.size(); ++i) {
+      Json point = point_json(pair.found.points[i], faces);
+      point["on_a"] = numbers_a.place(pair.borders[i].on_a, faces.a);
+      point["on_b"] = numbers_b.place(pair.borders[i].on_b, faces.b);
+      report["points"].push_back(std::move(point));
+    }
     for (const SurfacePoint& node : pair.found.nodes)
       report["nodes"].push_back(point_json(node, faces));
     for (const Overlap& overlap : pair.found.overlaps)

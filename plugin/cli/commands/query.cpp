@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include <BRep_Builder.hxx>
-#include <TopExp.hxx>
 #include <TopoDS_Compound.hxx>
 
 #include "plugin/cli/commands/commands.h"
@@ -50,23 +49,6 @@ std::string vector_text(const Vec3& v) {
   text.precision(12);
   text << "(" << v[0] << ", " << v[1] << ", " << v[2] << ")";
   return text.str();
-}
-
-ShapeNumbers::ShapeNumbers(const TopoDS_Shape& shape) {
-  TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
-  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
-}
-
-Json ShapeNumbers::place(const TopoDS_Shape& on, int face) const {
-  if (on.IsNull()) return {{"kind", "face"}, {"number", face}};
-  const bool edge = on.ShapeType() == TopAbs_EDGE;
-  return {{"kind", edge ? "edge" : "vertex"},
-          {"number", edge ? edges_.FindIndex(on) : vertices_.FindIndex(on)}};
-}
-
-std::string ShapeNumbers::text(const TopoDS_Shape& on, int face) const {
-  const Json where = place(on, face);
-  return where["kind"].get<std::string>() + " " + std::to_string(where["number"].get<int>());
 }
 
 namespace {

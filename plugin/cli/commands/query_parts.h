@@ -7,13 +7,13 @@
 #include <string>
 
 #include <CLI/App.hpp>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/distance.h"
 #include "core/math/vec.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/output.h"
+#include "plugin/cli/shape_numbers.h"
 
 namespace blossom::cli {
 
@@ -33,21 +33,6 @@ Vec3 parse_vector(const std::string& text, const std::string& what);
 
 /// "(1, -2.5, 300)".
 std::string vector_text(const Vec3& v);
-
-/// Numbers of a model's edges and vertices, 1-based in the order of TopExp::MapShapes.
-class ShapeNumbers {
- public:
-  explicit ShapeNumbers(const TopoDS_Shape& shape);
-
-  /// {"kind": "edge", "number": 3}; kind "face" with the given number where `on` is null.
-  Json place(const TopoDS_Shape& on, int face) const;
-  /// "face 2", "edge 3".
-  std::string text(const TopoDS_Shape& on, int face) const;
-
- private:
-  TopTools_IndexedMapOfShape edges_;
-  TopTools_IndexedMapOfShape vertices_;
-};
 
 /// Seconds since its making.
 class Stopwatch {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -133,6 +134,23 @@ TEST_F(IntersectCommand, ProvesThatThereIsNothing) {
   EXPECT_EQ(report["status"], "complete");
   for (const char* list : {"curves", "points", "nodes", "overlaps", "places"})
     EXPECT_EQ(report[list], json::array()) << list;
+}
+
+TEST_F(IntersectCommand, SaysWhatContactsAreOn) {
+  const json touch = json::parse(intersect(0, {"--json", "-"}).out);
+  ASSERT_EQ(touch["points"].size(), 1u);
+  EXPECT_EQ(touch["points"][0]["on_a"], (json{{"kind", "face"}, {"number", 1}}));
+
+  const json corners = json::parse(intersect(2, {"--json", "-"}).out);
+  ASSERT_EQ(corners["points"].size(), 4u);
+  std::vector<int> vertices;
+  for (const json& point : corners["points"]) {
+    EXPECT_EQ(point["on_a"]["kind"], "vertex");
+    vertices.push_back(point["on_a"]["number"]);
+    EXPECT_EQ(point["on_b"], (json{{"kind", "face"}, {"number", 1}}));
+  }
+  std::ranges::sort(vertices);
+  EXPECT_EQ(vertices, (std::vector{1, 2, 3, 4}));
 }
 
 TEST_F(IntersectCommand, ReportsTheBoundaryOfAnOverlap) {

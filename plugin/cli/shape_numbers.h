@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Numbers of what is not a face, as reports give them.
+
+#pragma once
+
+#include <string>
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "plugin/cli/output.h"
+
+namespace blossom::cli {
+
+/// Numbers of a model's edges and vertices, 1-based in the order of TopExp::MapShapes.
+class ShapeNumbers {
+ public:
+  explicit ShapeNumbers(const TopoDS_Shape& shape);
+
+  /// {"kind": "edge", "number": 3}; kind "face" with the given number where `on` is null.
+  Json place(const TopoDS_Shape& on, int face) const;
+  /// "face 2", "edge 3".
+  std::string text(const TopoDS_Shape& on, int face) const;
+
+ private:
+  TopTools_IndexedMapOfShape edges_;
+  TopTools_IndexedMapOfShape vertices_;
+};
+
+}  // namespace blossom::cli

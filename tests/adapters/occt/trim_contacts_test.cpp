@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Curves that meet the trims of a face in a single point, or run along them.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Ax3.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Elips.hxx>
+#include <gp_Pln.hxx>
+
+#include "adapters/occt/intersection.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+const gp_Pnt O(0, 0, 0);
+const gp_Dir X(1, 0, 0), Y(0, 1, 0), Z(0, 0, 1);
+
+TopoDS_Face disc(const gp_Ax2& place, double r) {
+  return BRepBuilderAPI_MakeFace(
+      gp_Pln(gp_Ax3(place)), BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(place, r))));
+}
+
+TopoDS_Face square_across(const gp_Pnt& at, const gp_Dir& normal) {
+  return BRepBuilderAPI_MakeFace(gp_Pln(at, normal), -3, 3, -3, 3);
+}
+
+TopoDS_Face triangle() {
+  return BRepBuilderAPI_MakeFace(
+      BRepBuilderAPI_MakePolygon(gp_Pnt(0, 0, 0), gp_Pnt(2, 0, 0), gp_Pnt(0.7, 1, 0), true).Wire(),
+      true);
+}
+
+TopoDS_Face wall(const gp_Ax3& place, double r, double from, double to) {
+  return BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(place, r), 0, 2 * kPi, from, to, 1e-7);
+}
+
+TopoDS_Face ball(const gp_Ax3& place, double r) {
+  return BRepBuilderAPI_MakeFace(new Geom_SphericalSurface(place, r), 1e-7);
+}
+
+enum class On { Face, Edge, Vertex };
+
+On kind_of(const TopoDS_Shape& on) {
+  if (on.IsNull()) return On::Face;
+  return on.ShapeType() == TopAbs_VERTEX ? On::Vertex : On::Edge;
+}
+
+struct Touch {
+  const char* name;
+  TopoDS_Face a, b;
+  gp_Pnt at;
+  On on_a, on_b;
+};
+
+std::vector<Touch> touches() {
+  // The start of a circle is a vertex, so discs are turned.
+  const auto turned = [](const gp_Pnt& at, const gp_Dir& axis, double angle) {
+    return gp_Ax2(at, axis).Rotated(gp_Ax1(at, axis), angle);
+  };
+  const TopoDS_Face rim = disc(turned(O, Z, 0.4), 1);
+  const TopoDS_Face square = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
+  return {
+      {"a plane at a rim", rim, square_across({0, 1, 0}, Y), {0, 1, 0}, On::Edge, On::Face},
+      {"a plane at the tip of a triangle",
+       triangle(),
+       square_across({0.7, 1, 0}, Y),
+       {0.7, 1, 0},
+       On::Vertex,
+       On::Face},
+      {"an oblique plane at a corner",
+       triangle(),
+       square_across({2, 0, 0}, {1, 0.1, 0}),
+       {2, 0, 0},
+       On::Vertex,
+       On::Face},
+      {"a plane at the corner of a square",
+       square,
+       square_across({4, 4, 0}, {1, 0.3, 0.2}),
+       {4, 4, 0},
+       On::Vertex,
+       On::Face},
+      {"rims of discs across each other",
+       rim,
+       disc(turned({0, 2, 0}, X, 0.3), 1),
+       {0, 1, 0},
+       On::Edge,
+       On::Edge},
+      {"tangent rims across each other",
+       rim,
+       disc(turned({1, 1, 0}, X, 0.3), 1),
+       {1, 0, 0},
+       On::Edge,
+       On::Edge},
+      {"a ball beside a rim",
+       rim,
+       ball(gp_Ax3({2, 0, 0}, {0, 1, 0.3}), 1),
+       {1, 0, 0},
+       On::Edge,
+       On::Face},
+      {"a rim inside of a wall",
+       disc(turned({0.5, 0, 1}, Z, 1), 0.5),
+       wall(gp_Ax3(O, Z, {-1, 0.2, 0}), 1, 0, 2),
+       {1, 0, 1},
+       On::Edge,
+       On::Face},
+      {"a rim outside of a wall",
+       disc(turned({2, 0, 1}, Z, 1), 1),
+       wall(gp_Ax3(O, Z, {-1, 0.2, 0}), 1, 0, 2),
+       {1, 0, 1},
+       On::Edge,
+       On::Face},
+  };
+}
+
+TEST(TrimContacts, ASinglePointOfTheTrimsIsAContact) {
+  for (const Touch& row : touches())
+    for (const bool swapped : {false, true}) {
+      SCOPED_TRACE(std::string(row.name) + (swapped ? ", swapped" : ""));
+      const ShapeIntersection all =
+          swapped ? intersect({row.b}, {row.a}) : intersect({row.a}, {row.b});
+
+      EXPECT_EQ(all.status, Status::Tolerance);
+      ASSERT_EQ(all.pairs.size(), 1u);
+      const FaceIntersection& pair = all.pairs[0];
+      EXPECT_TRUE(pair.found.curves.empty());
+      ASSERT_EQ(pair.found.points.size(), 1u);
+      ASSERT_EQ(pair.borders.size(), 1u);
+      EXPECT_FALSE(pair.found.places.empty());
+      const Vec3 wanted{row.at.X(), row.at.Y(), row.at.Z()};
+      EXPECT_LE(distance(pair.found.points[0].point, wanted), 1e-6);
+      EXPECT_EQ(kind_of(pair.borders[0].on_a), swapped ? row.on_b : row.on_a);
+      EXPECT_EQ(kind_of(pair.borders[0].on_b), swapped ? row.on_a : row.on_b);
+    }
+}
+
+TEST(TrimContacts, TheParametersOfAContactGiveItsPoint) {
+  for (const Touch& row : touches()) {
+    const ShapeIntersection all = intersect({row.a}, {row.b});
+    ASSERT_EQ(all.pairs.size(), 1u) << row.name;
+    for (const SurfacePoint& x : all.pairs[0].found.points)
+      for (const auto& [face, uv] : {std::pair{row.a, x.uv_a}, std::pair{row.b, x.uv_b}}) {
+        const gp_Pnt p = BRep_Tool::Surface(face)->Value(uv[0], uv[1]);
+        EXPECT_LE(distance(Vec3{p.X(), p.Y(), p.Z()}, x.point), 1e-7) << row.name;
+      }
+  }
+}
+
+// The chord at a distance h from a rim of radius 1 is about 2 sqrt(2 h) long.
+TEST(TrimContacts, TellATouchFromAMissAndAChord) {
+  const TopoDS_Face rim = disc(gp_Ax2(O, Z), 1);
+  for (const double y : {1 + 1e-6, 1 + 5e-8, 1.0, 1 - 5e-8, 1 - 1e-6}) {
+    const ShapeIntersection all = intersect({rim}, {square_across({0, y, 0}, Y)});
+    const SurfaceIntersection found =
+        all.pairs.empty() ? SurfaceIntersection{} : all.pairs[0].found;
+    EXPECT_EQ(found.curves.size(), y == 1 - 1e-6 ? 1u : 0u) << y;
+    EXPECT_EQ(found.points.size(), std::abs(y - 1) < 1e-7 ? 1u : 0u) << y;
+    for (const IntersectionCurve& chord : found.curves)
+      EXPECT_NEAR(chord.length, 2 * std::sqrt(1 - y * y), 1e-7);
+  }
+}
+
+// Through a corner into the face: there is a curve, and no contact beside it.
+TEST(TrimContacts, AnEndOfACurveIsNoContact) {
+  const ShapeIntersection all = intersect({triangle()}, {square_across({0.7, 1, 0}, {1, 0.1, 0})});
+  EXPECT_EQ(all.status, Status::Complete);
+  ASSERT_EQ(all.pairs.size(), 1u);
+  EXPECT_EQ(all.pairs[0].found.curves.size(), 1u);
+  EXPECT_TRUE(all.pairs[0].found.points.empty());
+}
+
+double total_length(const SurfaceIntersection& found) {
+  double sum = 0;
+  for (const IntersectionCurve& curve : found.curves) sum += curve.length;
+  return sum;
+}
+
+struct AlongTrims {
+  const char* name;
+  TopoDS_Face a, b;
+  double length;
+};
+
+TopoDS_Face ellipse(const gp_Ax2& place, double major, double minor) {
+  return BRepBuilderAPI_MakeFace(
+      gp_Pln(gp_Ax3(place)),
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Elips(place, major, minor))));
+}
+
+TopoDS_Face plate_with_hole() {
+  BRepBuilderAPI_MakeFace maker(gp_Pln(), -4, 4, -4, 4);
+  maker.Add(
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(O, gp_Dir(0, 0, -1)), 1))));
+  return maker.Face();
+}
+
+std::vector<AlongTrims> runs() {
+  const gp_Ax2 oblique(gp_Pnt(1, 2, 3), gp_Dir(1, 2, 2));
+  const gp_Dir turned(std::cos(1.0), std::sin(1.0), 0);
+  const gp_Ax2 slanted(gp_Pnt(0, 0, 1), gp_Dir(-1, 0, 1), gp_Dir(1, 0, 1));
+  return {
+      {"a cap", disc(gp_Ax2(O, Z), 1), wall(gp_Ax3(O, Z), 1, 0, 2), 2 * kPi},
+      {"a turned cap", disc(gp_Ax2(O, Z, turned), 1), wall(gp_Ax3(O, Z), 1, 0, 2), 2 * kPi},
+      {"a cap of a turned wall", disc(gp_Ax2(O, Z), 1), wall(gp_Ax3(O, Z, turned), 1, 0, 2),
+       2 * kPi},
+      {"an oblique cap", disc(oblique, 10), wall(gp_Ax3(oblique), 10, 0, 20), 20 * kPi},
+      {"a disc inside", disc(gp_Ax2(gp_Pnt(0, 0, 1), Z), 1), wall(gp_Ax3(O, Z), 1, 0, 2), 2 * kPi},
+      {"a plate round the end", plate_with_hole(), wall(gp_Ax3(O, Z), 1, 0, 2), 2 * kPi},
+      {"an ellipse", ellipse(slanted, std::sqrt(2.0), 1), wall(gp_Ax3(O, Z), 1, -1, 3),
+       7.640395578055425},
+      {"a disc in a ball", disc(gp_Ax2(gp_Pnt(0, 0, 0.6), Z), 0.8), ball(gp_Ax3(O, Z), 1),
+       1.6 * kPi},
+      {"a side of a triangle", triangle(), square_across(O, Y), 2},
+  };
+}
+
+// With edges of their own, the common curve is known within tolerance only.
+TEST(TrimContacts, ACurveAlongTheTrimsIsWhole) {
+  for (const AlongTrims& row : runs())
+    for (const bool swapped : {false, true}) {
+      SCOPED_TRACE(std::string(row.name) + (swapped ? ", swapped" : ""));
+      const ShapeIntersection all =
+          swapped ? intersect({row.b}, {row.a}) : intersect({row.a}, {row.b});
+      ASSERT_EQ(all.pairs.size(), 1u);
+      const SurfaceIntersection& found = all.pairs[0].found;
+      EXPECT_EQ(found.status, Status::Tolerance);
+      EXPECT_TRUE(found.points.empty() && found.nodes.empty());
+      EXPECT_EQ(found.curves.size(), 1u);
+      EXPECT_NEAR(total_length(found), row.length, 1e-6 * row.length);
+    }
+}
+
+}  // namespace
+}  // namespace blossom::occt
