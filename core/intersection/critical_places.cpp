@@ -82,12 +82,12 @@ std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs) {
   return clumps;
 }
 
-void join_singular(std::vector<Clump>& clumps, double distance) {
+void join_singular(std::vector<Clump>& clumps, double tolerance) {
   for (std::size_t i = 0; i < clumps.size(); ++i) {
     if (!clumps[i].singular) continue;
     for (std::size_t j = 0; j < clumps.size();) {
       Clump &to = clumps[i], &from = clumps[j];
-      if (i == j || !meet(widened(to.box, distance), from.box)) {
+      if (i == j || !meet(widened(to.box, diagonal(to.box) + tolerance), from.box)) {
         ++j;
         continue;
       }

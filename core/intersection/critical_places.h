@@ -25,8 +25,8 @@ struct Clump {
 /// pairs, also those that fall into neighbouring cells of a grid.
 std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs);
 
-/// Makes one of a singular clump and those within a distance of it: near a pinch point two sheets
-/// of the surface are within tolerance, too.
-void join_singular(std::vector<Clump>& clumps, double distance);
+/// Makes one of a singular clump and those no farther from it than its size and the tolerance: near
+/// a pinch point two sheets of the surface are within tolerance, too.
+void join_singular(std::vector<Clump>& clumps, double tolerance);
 
 }  // namespace blossom

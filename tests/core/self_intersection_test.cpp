@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/base/errors.h"
 #include "core/forms/conversion.h"
@@ -131,6 +133,102 @@ TEST(SelfIntersection, WhitneyUmbrellaHasALineThatEndsInItsPinchPoint) {
   }
   const auto& ends = found.curves.front().ends;
   EXPECT_EQ(std::count(ends.begin(), ends.end(), CurveEnd::Place), 1);
+}
+
+// The umbrella, its parameters turned and scaled by an affine map: (a, b) -> (u, v).
+BezierSurface askew_umbrella() {
+  const double p = 0.43, q = 0.61;  // the pinch point's parameters
+  MonomialPatch patch{Grid<Vec3>(3, 3)};
+  // u = 2 (a - p) + (b - q), v = (b - q) - (a - p)
+  const auto u = [](int i, int j) { return i == 1 && j == 0 ? 2.0 : i == 0 && j == 1 ? 1.0 : 0.0; };
+  const auto v = [](int i, int j) {
+    return i == 1 && j == 0 ? -1.0 : i == 0 && j == 1 ? 1.0 : 0.0;
+  };
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      patch.coefficients(i, j)[0] += u(i, j);
+      for (int k = 0; k < 2; ++k)
+        for (int l = 0; l < 2; ++l) {
+          patch.coefficients(i + k, j + l)[1] += u(i, j) * v(k, l);
+          patch.coefficients(i + k, j + l)[2] += v(i, j) * v(k, l);
+        }
+    }
+  patch.centre_u = p;
+  patch.centre_v = q;
+  const BezierPatch points = bezier_form(patch);
+  RationalBezierPatch result{Grid<Vec4>(3, 3)};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const Vec3& x = points.points(i, j);
+      result.points(i, j) = {x[0], x[1], x[2], 1};
+    }
+  return testing::of_patch(result);
+}
+
+TEST(SelfIntersection, PinchPointMayLieAskewToTheParameters) {
+  const BezierSurface surface = askew_umbrella();
+  const SurfaceIntersection found = self_intersect(surface);
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.curves.size(), 1u);
+  expect_sound(found, surface);
+  EXPECT_LE(off_plane(found, {1, 0, 0}, 0), 1e-9);
+  EXPECT_LE(off_plane(found, {0, 1, 0}, 0), 1e-9);
+  ASSERT_EQ(found.places.size(), 1u);
+  EXPECT_EQ(found.places.front().kind, PlaceKind::Cusp);
+  EXPECT_LE(distance(found.places.front().box_low, found.places.front().box_high), 1e-4);
+}
+
+// A cubic with a cusp, moved along a line: the proof fails all along an edge.
+TEST(SelfIntersection, CuspidalEdgeStaysOpen) {
+  // (t^2, t^3), t = -0.9 .. 1.1.
+  const BezierSurface surface = extruded(
+      {{0.81, -0.729, 0}, {-0.39, 0.891, 0}, {-0.77 / 3, -1.089, 0}, {1.21, 1.331, 0}}, {0, 0, 0.5});
+  const SurfaceIntersection found = self_intersect(surface);
+  EXPECT_EQ(found.status, Status::Stopped);
+  EXPECT_TRUE(found.curves.empty());
+  ASSERT_FALSE(found.places.empty());
+  EXPECT_EQ(found.places.front().kind, PlaceKind::Open);
+}
+
+// A fold whose two legs touch along a line: x = t (1 - t^2), y = t^4 - 2 t^2 passes (0, -1) with
+// the same tangent at t = -1 and 1.
+TEST(SelfIntersection, LegsThatTouchAreOneTangentialCurve) {
+  // t = -1.5 .. 1.5; point k is the blossom at 4 - k copies of -1.5 and k of 1.5.
+  std::vector<Vec3> curve;
+  for (int k = 0; k <= 4; ++k) {
+    std::array<double, 5> sigma{1, 0, 0, 0, 0};  // elementary symmetric polynomials
+    for (int i = 0; i < 4; ++i)
+      for (std::size_t n = 4; n > 0; --n) sigma[n] += (i < k ? 1.5 : -1.5) * sigma[n - 1];
+    curve.push_back({sigma[1] / 4 - sigma[3] / 4, sigma[4] - 2 * sigma[2] / 6, 0});
+  }
+  const BezierSurface surface = extruded(curve, {0, 0, 1});
+  const SurfaceIntersection found = self_intersect(surface);
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.curves.size(), 1u);
+  EXPECT_TRUE(found.curves.front().tangential);
+  EXPECT_NEAR(found.curves.front().length, 1, 1e-9);
+  expect_sound(found, surface);
+}
+
+// Bicubic patches with random nets have pinch points and loops; nothing may be wrong about them.
+TEST(SelfIntersection, CurvesOfRandomPatchesLieOnThem) {
+  int complete = 0, curves = 0;
+  for (int seed = 0; seed < 20; ++seed) {
+    Random random = seeded(1000 + seed);
+    RationalBezierPatch patch{Grid<Vec4>(4, 4)};
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        patch.points(i, j) = {i + uniform(random, -2, 2), j + uniform(random, -2, 2),
+                              uniform(random, -2, 2), 1};
+    const BezierSurface surface = testing::of_patch(patch);
+    const SurfaceIntersection found = self_intersect(surface);
+    SCOPED_TRACE(seed);
+    expect_sound(found, surface);
+    complete += found.status == Status::Complete;
+    curves += static_cast<int>(found.curves.size());
+  }
+  EXPECT_GE(complete, 4);
+  EXPECT_GE(curves, 15);
 }
 
 // A quarter of a tube bent to radius 1 and moved inwards by 1.6: past its centre in the middle.
