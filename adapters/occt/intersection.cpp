@@ -84,16 +84,22 @@ void drop_along_edges(SurfaceIntersection& found, std::vector<SurfacePoint>& tou
     std::erase_if(*points, [&](const SurfacePoint& x) { return along_edge(x.point); });
 }
 
-// One pair of faces at a time; pairs may be asked for at the same time.
+// Whether the edges and vertices that two faces share belong to their intersection.
+enum class Shared { Listed, LeftOut };
+
+// One pair of faces at a time, of a face with itself where both are the same object; pairs may be
+// asked for at the same time.
 class PairIntersector {
  public:
   PairIntersector(const std::vector<TopoDS_Face>& shapes_a,
                   const std::vector<TopoDS_Face>& shapes_b, const std::vector<FaceData>& faces_a,
-                  const std::vector<FaceData>& faces_b, const IntersectionOptions& options)
+                  const std::vector<FaceData>& faces_b, Shared shared,
+                  const IntersectionOptions& options)
       : shapes_a_(shapes_a),
         shapes_b_(shapes_b),
         faces_a_(faces_a),
         faces_b_(faces_b),
+        shared_(shared),
         options_(options) {}
 
   FaceIntersection of(const std::pair<int, int>& pair) const {
@@ -110,11 +116,22 @@ class PairIntersector {
     options.part_a = part_test(a.trims);
     options.part_b = part_test(b.trims);
     FaceIntersection result{
-        pair.first, pair.second, intersect(a.surface, b.surface, options), {}, {}};
+        pair.first,
+        pair.second,
+        &a == &b ? self_intersect(a.surface, options) : intersect(a.surface, b.surface, options),
+        {},
+        {}};
     std::vector<SurfacePoint> touches = clip(result.found, a.trims, &b.trims);
     drop_along_edges(result.found, touches, edges, options_.tolerances.point);
     weaken_along_trims(a.trims, b.trims, result.found);
-    for (const SharedEdge& edge : edges) result.found.curves.push_back(edge.curve);
+    if (shared_ == Shared::Listed)
+      for (const SharedEdge& edge : edges) result.found.curves.push_back(edge.curve);
+    else if (&a != &b)
+      for (auto* const points : {&result.found.points, &touches})
+        std::erase_if(*points, [&](const SurfacePoint& x) {
+          const TopoDS_Shape on_a = border_at(a.trims, x.uv_a);
+          return !on_a.IsNull() && on_a.IsSame(border_at(b.trims, x.uv_b));
+        });
     add_touches(touches, options_.tolerances.point, result.found);
     for (const IntersectionCurve& curve : result.found.curves)
       result.edges.push_back(edge_curves(curve));
@@ -145,26 +162,18 @@ class PairIntersector {
   const std::vector<TopoDS_Face>& shapes_b_;
   const std::vector<FaceData>& faces_a_;
   const std::vector<FaceData>& faces_b_;
+  Shared shared_;
   const IntersectionOptions& options_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   mutable std::mutex asking_;  // the caller's function is asked by one thread at a time
 };
 
-}  // namespace
+using FacePairs = std::vector<std::pair<int, int>>;
 
-ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-                            const IntersectionOptions& options) {
-  const double tolerance = options.tolerances.point;
-  const std::vector<FaceData> faces_a = data_of(a, "the first shape", tolerance);
-  const std::vector<FaceData> faces_b = data_of(b, "the second shape", tolerance);
-  std::vector<std::pair<int, int>> pairs;
-  tree_of(faces_a).for_each_meeting(tree_of(faces_b),
-                                    [&](int i, int j) { pairs.emplace_back(i, j); });
-  std::sort(pairs.begin(), pairs.end());
-
-  const PairIntersector intersector(a, b, faces_a, faces_b, options);
+ShapeIntersection intersected(const PairIntersector& intersector, const FacePairs& pairs,
+                              int threads) {
   std::vector<FaceIntersection> found(pairs.size());
-  with_threads(options.threads, [&] {
+  with_threads(threads, [&] {
     parallel_for(pairs.size(), 1, [&](std::size_t k) { found[k] = intersector.of(pairs[k]); });
   });
   ShapeIntersection result;
@@ -177,6 +186,35 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
       result.pairs.push_back(std::move(pair));
   }
   return result;
+}
+
+FacePairs meeting_pairs(const std::vector<FaceData>& a, const std::vector<FaceData>& b) {
+  FacePairs pairs;
+  tree_of(a).for_each_meeting(tree_of(b), [&](int i, int j) { pairs.emplace_back(i, j); });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace
+
+ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
+                            const IntersectionOptions& options) {
+  const double tolerance = options.tolerances.point;
+  const std::vector<FaceData> faces_a = data_of(a, "the first shape", tolerance);
+  const std::vector<FaceData> faces_b = data_of(b, "the second shape", tolerance);
+  const PairIntersector intersector(a, b, faces_a, faces_b, Shared::Listed, options);
+  return intersected(intersector, meeting_pairs(faces_a, faces_b), options.threads);
+}
+
+ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfPairs which,
+                                 const IntersectionOptions& options) {
+  const std::vector<FaceData> data = data_of(faces, "the shape", options.tolerances.point);
+  FacePairs pairs = meeting_pairs(data, data);
+  std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
+    return which == SelfPairs::EachFace ? pair.first != pair.second : pair.first > pair.second;
+  });
+  const PairIntersector intersector(faces, faces, data, data, Shared::LeftOut, options);
+  return intersected(intersector, pairs, options.threads);
 }
 
 }  // namespace blossom::occt

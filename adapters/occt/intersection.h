@@ -10,6 +10,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "core/self_intersection.h"
 #include "core/surface_intersection.h"
 
 namespace blossom::occt {
@@ -50,5 +51,18 @@ struct ShapeIntersection {
 /// throws   BadModel if a face cannot be converted; the message has the face's place in its list
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
                             const IntersectionOptions& options = {});
+
+/// What of a shape is compared with itself.
+enum class SelfPairs {
+  EachFace,  ///< every face with itself
+  AllFaces,  ///< also different faces with each other
+};
+
+/// Intersects faces of one shape with themselves, as core/self_intersection.h does; pairs of a face
+/// with itself have its number twice, others the lower one first. The seam of a closed face is no
+/// intersection, nor are edges and vertices that two faces share.
+/// throws   BadModel likewise
+ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfPairs which,
+                                 const IntersectionOptions& options = {});
 
 }  // namespace blossom::occt

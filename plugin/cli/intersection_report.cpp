@@ -57,6 +57,39 @@ Json overlap_json(const Overlap& overlap, const FaceNumbers& faces) {
   return json;
 }
 
+void add_times(const occt::ShapeIntersection& found, const RunTimes& times, Json& report) {
+  report["status"] = to_string(found.status);
+  report["seconds"] = times.seconds;
+  report["seconds_first"] = times.first;
+}
+
+void add_findings(const Input& a, const Input& b, const occt::ShapeIntersection& found,
+                  Json& report) {
+  for (const char* list : {"curves", "points", "nodes", "overlaps", "places"})
+    report[list] = Json::array();
+  const ShapeNumbers numbers_a(a.shape), numbers_b(b.shape);
+  for (const occt::FaceIntersection& pair : found.pairs) {
+    const FaceNumbers faces{a.numbers[static_cast<std::size_t>(pair.face_a)],
+                            b.numbers[static_cast<std::size_t>(pair.face_b)]};
+    for (const IntersectionCurve& curve : pair.found.curves)
+      report["curves"].push_back(curve_json(curve, faces));
+    for (std::size_t i = 0; i < pair.found.points.size(); ++i) {
+      Json point = point_json(pair.found.points[i], faces);
+      point["on_a"] = numbers_a.place(pair.borders[i].on_a, faces.a);
+      point["on_b"] = numbers_b.place(pair.borders[i].on_b, faces.b);
+      report["points"].push_back(std::move(point));
+    }
+    for (const SurfacePoint& node : pair.found.nodes)
+      report["nodes"].push_back(point_json(node, faces));
+    for (const Overlap& overlap : pair.found.overlaps)
+      report["overlaps"].push_back(overlap_json(overlap, faces));
+    for (const Place& place : pair.found.places)
+      report["places"].push_back(with_faces(faces, to_json(place)));
+  }
+  report["certificate"] = to_json(found.certificate);
+  report["certificate"]["face_pairs"] = found.face_pairs;
+}
+
 }  // namespace
 
 Json to_json(const Vec2& point) { return Json::array({point[0], point[1]}); }
@@ -91,9 +124,7 @@ Json to_json(const std::optional<Conic>& conic, const Interval& range) {
     case ConicKind::Line: break;
     case ConicKind::Circle: json["radius"] = conic->major; break;
     case ConicKind::Parabola: json["focal"] = conic->major; break;
-    default:
-      json["major"] = conic->major;
-      json["minor"] = conic->minor;
+    default: json["major"] = conic->major; json["minor"] = conic->minor;
   }
   json["range"] = Json::array({range.from, range.to});
   return json;
@@ -101,35 +132,17 @@ Json to_json(const std::optional<Conic>& conic, const Interval& range) {
 
 Json intersection_report(const Input& a, const Input& b, const occt::ShapeIntersection& found,
                          const RunTimes& times) {
-  Json report = {{"schema", "blossom.intersection/1"},
-                 {"a", a.name},
-                 {"b", b.name},
-                 {"status", to_string(found.status)},
-                 {"seconds", times.seconds},
-                 {"seconds_first", times.first}};
-  for (const char* list : {"curves", "points", "nodes", "overlaps", "places"})
-    report[list] = Json::array();
-  const ShapeNumbers numbers_a(a.shape), numbers_b(b.shape);
-  for (const occt::FaceIntersection& pair : found.pairs) {
-    const FaceNumbers faces{a.numbers[static_cast<std::size_t>(pair.face_a)],
-                            b.numbers[static_cast<std::size_t>(pair.face_b)]};
-    for (const IntersectionCurve& curve : pair.found.curves)
-      report["curves"].push_back(curve_json(curve, faces));
-    for (std::size_t i = 0; i < pair.found.points.size(); ++i) {
-      Json point = point_json(pair.found.points[i], faces);
-      point["on_a"] = numbers_a.place(pair.borders[i].on_a, faces.a);
-      point["on_b"] = numbers_b.place(pair.borders[i].on_b, faces.b);
-      report["points"].push_back(std::move(point));
-    }
-    for (const SurfacePoint& node : pair.found.nodes)
-      report["nodes"].push_back(point_json(node, faces));
-    for (const Overlap& overlap : pair.found.overlaps)
-      report["overlaps"].push_back(overlap_json(overlap, faces));
-    for (const Place& place : pair.found.places)
-      report["places"].push_back(with_faces(faces, to_json(place)));
-  }
-  report["certificate"] = to_json(found.certificate);
-  report["certificate"]["face_pairs"] = found.face_pairs;
+  Json report = {{"schema", "blossom.intersection/1"}, {"a", a.name}, {"b", b.name}};
+  add_times(found, times, report);
+  add_findings(a, b, found, report);
+  return report;
+}
+
+Json self_intersection_report(const Input& input, const occt::ShapeIntersection& found,
+                              const RunTimes& times) {
+  Json report = {{"schema", "blossom.self-intersection/1"}, {"input", input.name}};
+  add_times(found, times, report);
+  add_findings(input, input, found, report);
   return report;
 }
 

@@ -30,4 +30,9 @@ Json to_json(const std::optional<Conic>& conic, const Interval& range);
 Json intersection_report(const Input& a, const Input& b, const occt::ShapeIntersection& found,
                          const RunTimes& times);
 
+/// Likewise of the faces of one input with themselves, schema "blossom.self-intersection/1"; see
+/// schemas/self-intersection-1.md.
+Json self_intersection_report(const Input& input, const occt::ShapeIntersection& found,
+                              const RunTimes& times);
+
 }  // namespace blossom::cli

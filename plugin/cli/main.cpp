@@ -52,6 +52,7 @@ int run(int argc, char** argv) {
   add_info(app, code);
   add_check(app, code);
   add_intersect(app, code);
+  add_self_intersect(app, code);
   add_trim(app, code);
   add_blend(app, code);
   add_subdivide(app, code);

@@ -13,6 +13,7 @@ namespace blossom::cli {
 void add_info(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_intersect(CLI::App& app, int& exit_code);
+void add_self_intersect(CLI::App& app, int& exit_code);
 void add_trim(CLI::App& app, int& exit_code);
 void add_blend(CLI::App& app, int& exit_code);
 void add_subdivide(CLI::App& app, int& exit_code);

@@ -11,6 +11,7 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeWedge.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
@@ -65,9 +66,8 @@ TEST(IntersectShapes, CutsCurvesAtAHole) {
 
 TEST(IntersectShapes, IsTheSameForAnyNumberOfThreads) {
   const auto box = faces_of(BRepPrimAPI_MakeBox(gp_Pnt(-1, -1, -1), 2, 2, 2).Shape());
-  const auto cylinder =
-      faces_of(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.3, 0.2, -2), gp_Dir(0.1, 0.2, 1)), 0.4, 4)
-                   .Shape());
+  const auto cylinder = faces_of(
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.3, 0.2, -2), gp_Dir(0.1, 0.2, 1)), 0.4, 4).Shape());
   const ShapeIntersection alone = intersect(box, cylinder, {.threads = 1});
   for (const int threads : {0, 2, 5}) {
     const ShapeIntersection found = intersect(box, cylinder, {.threads = threads});
@@ -81,6 +81,49 @@ TEST(IntersectShapes, IsTheSameForAnyNumberOfThreads) {
         EXPECT_EQ(found.pairs[i].found.curves[k].curve.points,
                   alone.pairs[i].found.curves[k].curve.points);
     }
+  }
+}
+
+std::size_t curves_of(const ShapeIntersection& found) {
+  std::size_t count = 0;
+  for (const FaceIntersection& pair : found.pairs) count += pair.found.curves.size();
+  return count;
+}
+
+std::size_t points_of(const ShapeIntersection& found) {
+  std::size_t count = 0;
+  for (const FaceIntersection& pair : found.pairs) count += pair.found.points.size();
+  return count;
+}
+
+TEST(SelfIntersectShapes, LeaveOutWhatFacesShare) {
+  // Opposite sides of the pyramid share their top only.
+  for (const TopoDS_Shape& sound :
+       {BRepPrimAPI_MakeBox(1, 2, 3).Shape(),
+        BRepPrimAPI_MakeWedge(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 0)), 2, 1, 2, 1, 1, 1, 1)
+            .Shape(),
+        BRepPrimAPI_MakeCylinder(1, 2).Shape()}) {
+    const auto faces = faces_of(sound);
+    const ShapeIntersection found = self_intersect(faces, SelfPairs::AllFaces);
+    EXPECT_GT(found.face_pairs, static_cast<long>(faces.size()));
+    EXPECT_EQ(curves_of(found), 0u);
+    EXPECT_EQ(points_of(found), 0u);
+    EXPECT_NE(found.status, Status::Stopped);
+  }
+}
+
+// A plate through a box and out of it crosses two of the box's faces.
+TEST(SelfIntersectShapes, FindWhereDifferentFacesCross) {
+  auto faces = faces_of(BRepPrimAPI_MakeBox(gp_Pnt(-1, -1, -1), 2, 2, 2).Shape());
+  faces.push_back(BRepBuilderAPI_MakeFace(gp_Pln(), -3, 3, -0.5, 0.5));
+  EXPECT_EQ(curves_of(self_intersect(faces, SelfPairs::EachFace)), 0u);
+  const ShapeIntersection found = self_intersect(faces, SelfPairs::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_EQ(curves_of(found), 2u);
+  for (const FaceIntersection& pair : found.pairs) {
+    EXPECT_LT(pair.face_a, pair.face_b);
+    EXPECT_EQ(pair.face_b, 6);
+    for (const IntersectionCurve& curve : pair.found.curves) EXPECT_NEAR(curve.length, 1, 1e-9);
   }
 }
 
