@@ -17,7 +17,7 @@
 #include "core/intersection/critical_places.h"
 #include "core/intersection/overlaps.h"
 #include "core/intersection/pair_search.h"
-#include "core/intersection/self_pairs.h"
+#include "core/intersection/self_search.h"
 #include "core/intersection/work_limit.h"
 #include "core/tracing/fit.h"
 #include "core/tracing/trace.h"
@@ -62,7 +62,8 @@ class Assembly {
   SurfaceIntersection run() {
     SurfaceCells cells_a(a_, origin_, options_.form, kCut, options_.part_a);
     if (itself()) {
-      search_itself(cells_a);
+      found_ = search_itself(cells_a, origin_, size_, known_, options_);
+      result_.certificate = found_.certificate;
       return joined_from(cells_a, cells_a);
     }
     SurfaceCells cells_b(b_, origin_, options_.form, kCut, options_.part_b);
@@ -84,20 +85,6 @@ class Assembly {
         known_(options.known, origin_) {}
 
   bool itself() const { return &a_ == &b_; }
-
-  void search_itself(SurfaceCells& cells) {
-    const SelfPairs pairs = self_pairs(cells, glued_borders(a_), origin_, options_);
-    found_ = search_within(cells, pairs.apart, size_, known_, options_);
-    found_.critical.insert(found_.critical.end(), pairs.singular.begin(), pairs.singular.end());
-    found_.stopped = found_.stopped || pairs.stopped;
-    Certificate& certificate = result_.certificate = found_.certificate;
-    certificate.excluded += pairs.excluded;
-    certificate.critical += static_cast<long>(pairs.singular.size());
-    certificate.depth = std::max(certificate.depth, pairs.depth);
-    auto& reasons = certificate.reasons;
-    reasons.insert(reasons.end(), pairs.reasons.begin(), pairs.reasons.end());
-    agree_on_sides(found_, cells);
-  }
 
   SurfaceIntersection joined_from(SurfaceCells& cells_a, SurfaceCells& cells_b) {
     drop_beside_contacts(found_, cells_a, cells_b, options_.tolerances.point);

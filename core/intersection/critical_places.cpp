@@ -83,22 +83,23 @@ std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs) {
 }
 
 void join_singular(std::vector<Clump>& clumps, double tolerance) {
-  for (std::size_t i = 0; i < clumps.size(); ++i) {
-    if (!clumps[i].singular) continue;
-    for (std::size_t j = 0; j < clumps.size();) {
-      Clump &to = clumps[i], &from = clumps[j];
-      if (i == j || !meet(widened(to.box, diagonal(to.box) + tolerance), from.box)) {
-        ++j;
-        continue;
+  // Most of the clumps are near nothing: an emptied one waits for the end of all passes.
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (Clump& to : clumps) {
+      if (!to.singular || to.pairs.empty()) continue;
+      for (Clump& from : clumps) {
+        if (&from == &to || from.pairs.empty()) continue;
+        if (!meet(widened(to.box, diagonal(to.box) + tolerance), from.box)) continue;
+        to.pairs.insert(to.pairs.end(), from.pairs.begin(), from.pairs.end());
+        to.box = joined(to.box, from.box);
+        to.thin = to.thin && from.thin;
+        from.pairs.clear();
+        grown = true;
       }
-      to.pairs.insert(to.pairs.end(), from.pairs.begin(), from.pairs.end());
-      to.box = joined(to.box, from.box);
-      to.thin = to.thin && from.thin;
-      clumps.erase(clumps.begin() + static_cast<std::ptrdiff_t>(j));
-      if (j < i) --i;
-      j = 0;  // the larger box may meet others
     }
   }
+  std::erase_if(clumps, [](const Clump& clump) { return clump.pairs.empty(); });
 }
 
 }  // namespace blossom

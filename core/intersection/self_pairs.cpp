@@ -18,6 +18,7 @@ constexpr int kDeepest = 56;  // halvings of a patch, as in the search over pair
 // Pairs of one generation, and how many more for a patch; singular curves have more.
 constexpr std::size_t kMostOpen = 32768;
 constexpr std::size_t kMostOpenPerPatch = 64;
+constexpr long kLookEvery = 64;   // pairs between looks at the clock
 constexpr double kGlued = 1e-12;  // of the surface's size: borders this near are one
 
 // A block of spans or, in a block of one span, a cell.
@@ -77,9 +78,13 @@ class SelfPairSearch {
     while (!open.empty()) {
       const bool too_many = open.size() > kMostOpen + kMostOpenPerPatch * patches;
       if (too_many) result_.reasons.emplace_back("the surface is singular, or nearly, on a curve");
-      const bool give_up = too_many || out_of_budget(open.size());
       next.clear();
-      for (const PartPair& pair : open) give_up ? keep(pair, false) : examine(pair, next);
+      for (const PartPair& pair : open) {
+        if (too_many || out_of_budget())
+          keep(pair, false);
+        else
+          examine(pair, next);
+      }
       open.swap(next);
     }
     while (!apart_.empty()) {
@@ -91,12 +96,15 @@ class SelfPairSearch {
   }
 
  private:
-  bool out_of_budget(std::size_t pairs) {
+  bool out_of_budget() {
     if (result_.stopped) return true;
-    examined_ += static_cast<long>(pairs);
-    const char* reason =
-        examined_ > options_.budget ? "the budget of cell pairs is spent" : limit_.reached();
-    if (!reason) return false;
+    if (++examined_ > options_.budget) return stop("the budget of cell pairs is spent");
+    if (examined_ % kLookEvery != 0) return false;
+    if (const char* reason = limit_.reached()) return stop(reason);
+    return false;
+  }
+
+  bool stop(const char* reason) {
     result_.stopped = true;
     result_.reasons.emplace_back(reason);
     return true;
@@ -240,7 +248,7 @@ class SelfPairSearch {
       return;
     }
     if (is_cell(a) && is_cell(b)) {
-      if (pole_between(a, b) || in_one_piece(a, b)) return;
+      if (!out_of_budget() && (pole_between(a, b) || in_one_piece(a, b))) return;
       const bool forward =
           place(a).u.from < place(b).u.from ||
           (place(a).u.from == place(b).u.from && place(a).v.from < place(b).v.from);
@@ -277,7 +285,7 @@ class SelfPairSearch {
     }
     const double tolerance = options_.tolerances.point;
     const bool tiny = diagonal(box(a)) <= tolerance && diagonal(box(b)) <= tolerance;
-    if (tiny || !(may_halve(a) || may_halve(b)) || out_of_budget(1)) {
+    if (tiny || !(may_halve(a) || may_halve(b)) || out_of_budget()) {
       keep({a, b}, tiny);
       return true;
     }
