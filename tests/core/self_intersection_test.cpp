@@ -181,8 +181,9 @@ TEST(SelfIntersection, PinchPointMayLieAskewToTheParameters) {
 // A cubic with a cusp, moved along a line: the proof fails all along an edge.
 TEST(SelfIntersection, CuspidalEdgeStaysOpen) {
   // (t^2, t^3), t = -0.9 .. 1.1.
-  const BezierSurface surface = extruded(
-      {{0.81, -0.729, 0}, {-0.39, 0.891, 0}, {-0.77 / 3, -1.089, 0}, {1.21, 1.331, 0}}, {0, 0, 0.5});
+  const BezierSurface surface =
+      extruded({{0.81, -0.729, 0}, {-0.39, 0.891, 0}, {-0.77 / 3, -1.089, 0}, {1.21, 1.331, 0}},
+               {0, 0, 0.5});
   const SurfaceIntersection found = self_intersect(surface);
   EXPECT_EQ(found.status, Status::Stopped);
   EXPECT_TRUE(found.curves.empty());
