@@ -299,15 +299,21 @@ void CurveAssembly::add_contacts(std::vector<CurveContact> contacts) {
     if (used[r]) runs[r].neighbours ? add_cusp(runs[r]) : add_run(runs[r]);
 }
 
-// The ends of a run: where one of the curves ends, its foot on the other.
+// The ends of a run: where one of the curves ends, its foot on the other. A cell of b may reach to
+// an end that is far from a.
 CurveOverlap CurveAssembly::trimmed(const CurveContact& run) const {
   CurveOverlap result{run.a, run.reversed ? Interval{run.b.to, run.b.from} : run.b, 0, false};
   const Interval on_a = a_.curve().domain(), on_b = b_.curve().domain();
   const auto settle = [&](double& at_a, double& at_b) {
-    if ((at_b == on_b.from || at_b == on_b.to) && at_a != on_a.from && at_a != on_a.to)
-      at_a = a_.parameter(foot_along(a_, b_.jet(b_.place(at_b)).point, at_a));
-    else
-      at_b = b_.parameter(foot_along(b_, a_.jet(a_.place(at_a)).point, at_b));
+    if ((at_b == on_b.from || at_b == on_b.to) && at_a != on_a.from && at_a != on_a.to) {
+      const Vec3 end = b_.jet(b_.place(at_b)).point;
+      const SpanPoint foot = foot_along(a_, end, at_a);
+      if (distance(a_.jet(foot).point, end) <= 2 * tolerance_) {
+        at_a = a_.parameter(foot);
+        return;
+      }
+    }
+    at_b = b_.parameter(foot_along(b_, a_.jet(a_.place(at_a)).point, at_b));
   };
   settle(result.a.from, result.b.from);
   settle(result.a.to, result.b.to);

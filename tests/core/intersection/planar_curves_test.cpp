@@ -165,5 +165,30 @@ TEST(PlanarCrossings, RejectAToleranceThatIsNotPositive) {
   EXPECT_THROW(crossings(parabola(), parabola(), 0), InvalidInput);
 }
 
+// A fitted curve that passes a span of rounding's width has such spans itself.
+TEST(PlanarCrossings, TinySpansAtTheEndAreNoRunAlongTheOtherCurve) {
+  constexpr double kLow = -1.2e-8, kStep = 6e-10;
+  PlanarCurve a;
+  a.spans.push_back({{{{0.2, 0.5, 1}, {0.7, 0, 1}}}, {0, 1}, ParameterLaw::Linear});
+  Vec2 at{0.7, 0};
+  for (int k = 0; k < 16; ++k) {
+    PlanarBezier curve{{{at[0], at[1], 1}}};
+    for (const double noise : {1.5e-9, 1.2e-9, 0.9e-9, -0.7e-9, 0.5e-9}) {
+      at = {at[0] + kStep, (k + 1) * kLow / 16 + (k < 15 ? noise : 0)};
+      curve.points.push_back({at[0], at[1], 1});
+    }
+    a.spans.push_back({curve, {1 + k * 1e-8, 1 + (k + 1) * 1e-8}, ParameterLaw::Linear});
+  }
+  PlanarCurve b;
+  b.spans.push_back({{{{0, kLow, 1}, {1, kLow, 1}}}, {0, 1}, ParameterLaw::Linear});
+  const PlanarCrossings found = crossings(a, b, 1e-7);
+  ASSERT_FALSE(found.points.empty());
+  for (const PlanarCrossing& point : found.points) EXPECT_NEAR(point.b, 0.7, 1e-6);
+  for (const PlanarOverlap& run : found.overlaps) {
+    EXPECT_NEAR(run.b.from, 0.7, 1e-6);
+    EXPECT_NEAR(run.b.to, 0.7, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace blossom
