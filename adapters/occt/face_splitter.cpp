@@ -40,7 +40,7 @@ FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, E
       cuts_(std::move(cuts)),
       splits_(splits),
       tolerance_(tolerance) {
-  for (const Vec2& corner : trims_.corners) vertices_.push_back({corner, -1, -1, -1, {}});
+  for (const Vec2& corner : trims_.corners) vertices_.push_back({corner, -1, -1, -1});
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
       const Coedge& of = trims_.loops[loop][i];
@@ -79,7 +79,8 @@ void FaceSplitter::add_strands() {
   for (std::size_t i = 0; i < cuts_.size(); ++i) {
     const PlanarCurve curve = chart_curve(trims_, cuts_[i].chart);
     for (const Vec2& shift : period_shifts(trims_, curve))
-      strands_.push_back({static_cast<int>(i), shift, transformed(curve, {1, 1}, shift), {}, {}});
+      strands_.push_back(
+          {static_cast<int>(i), shift, transformed(curve, {1, 1}, shift), {}, {}, {}});
   }
 }
 
@@ -92,7 +93,7 @@ int FaceSplitter::vertex_at_split(int loop, int index, int split) {
   });
   if (known != vertices_.end()) return static_cast<int>(known - vertices_.begin());
   const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
-  vertices_.push_back({point, loop, index, split, {}});
+  vertices_.push_back({point, loop, index, split});
   return static_cast<int>(vertices_.size()) - 1;
 }
 
@@ -164,7 +165,7 @@ int FaceSplitter::node_near(const Vec2& point) {
     }
   }
   if (nearest >= 0) return nearest;
-  vertices_.push_back({point, -1, -1, -1, {}});
+  vertices_.push_back({point, -1, -1, -1});
   return static_cast<int>(vertices_.size()) - 1;
 }
 
@@ -192,13 +193,21 @@ void FaceSplitter::finish_stops(Strand& strand) {
   tidy_stops(strand, 8 * reach(strand));
 }
 
+// Of two stops the one on the other side's border stays.
 void FaceSplitter::tidy_stops(Strand& strand, double reach) const {
+  const auto is_met = [&](double at) {
+    return std::find(strand.met.begin(), strand.met.end(), at) != strand.met.end();
+  };
   std::sort(strand.stops.begin(), strand.stops.end());
   std::vector<std::pair<double, int>> stops;
-  for (const auto& stop : strand.stops)
+  for (const auto& stop : strand.stops) {
+    const double blur = vertices_[static_cast<std::size_t>(stop.second)].blur;
     if (stops.empty() || stops.back().second != stop.second ||
-        !is_near(strand.curve, stops.back().first, stop.first, reach))
+        !is_near(strand.curve, stops.back().first, stop.first, std::max(reach, blur)))
       stops.push_back(stop);
+    else if (is_met(stop.first) && !is_met(stops.back().first))
+      stops.back() = stop;
+  }
   strand.stops = std::move(stops);
 }
 
@@ -218,20 +227,69 @@ std::vector<CutStop> FaceSplitter::stops(int cut) const {
   return found;
 }
 
+// The place of the stop nearest to a parameter, -1 if none is within reach.
+int FaceSplitter::stop_near(const Strand& strand, double parameter, double reach) const {
+  const Vec2 point = point_at(strand.curve, parameter);
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < strand.stops.size(); ++i) {
+    const double own = strand.stops[i].first;
+    const double gap = distance(point_at(strand.curve, own), point);
+    if (gap >= least || !is_near(strand.curve, own, parameter, reach)) continue;
+    least = gap;
+    nearest = static_cast<int>(i);
+  }
+  return nearest;
+}
+
+void FaceSplitter::meet(int cut, const CutStop& stop) {
+  const double blur = kMargin * BRep_Tool::Tolerance(stop.vertex);
+  for (Strand& strand : strands_) {
+    if (strand.cut != cut) continue;
+    const int near = stop_near(strand, stop.parameter, std::max(8 * reach(strand), blur));
+    if (near < 0) continue;
+    auto& own = strand.stops[static_cast<std::size_t>(near)];
+    Vertex& at = vertices_[static_cast<std::size_t>(own.second)];
+    at.blur = std::max(at.blur, blur);
+    if (at.split < 0) {
+      own.first = stop.parameter;
+      strand.met.push_back(stop.parameter);
+    }
+    tie(own.second, stop.vertex);
+  }
+}
+
+// Two cuts that lead from one vertex to another within the first one's blur cross there only
+// because they reach beyond the border at which they should end.
+void FaceSplitter::unite_blurred() {
+  std::vector<std::pair<int, int>> known;
+  for (const Strand& strand : strands_)
+    for (std::size_t i = 0; i + 1 < strand.stops.size(); ++i) {
+      const auto [a, b] = std::minmax(strand.stops[i].second, strand.stops[i + 1].second);
+      const double blur = std::max(vertices_[static_cast<std::size_t>(a)].blur,
+                                   vertices_[static_cast<std::size_t>(b)].blur);
+      if (a != b && is_near(strand.curve, strand.stops[i].first, strand.stops[i + 1].first, blur))
+        known.emplace_back(a, b);
+    }
+  std::sort(known.begin(), known.end());
+  for (auto pair = known.begin(); (pair = std::adjacent_find(pair, known.end())) != known.end();
+       ++pair)
+    unite(pair->first, pair->second);
+}
+
+void FaceSplitter::tidy() {
+  unite_blurred();
+  for (Strand& strand : strands_) tidy_stops(strand, 8 * reach(strand));
+}
+
 void FaceSplitter::divide(int cut, const CutStop& stop) {
   const double blur = stop.vertex.IsNull() ? 0 : kMargin * BRep_Tool::Tolerance(stop.vertex);
   for (Strand& strand : strands_) {
     if (strand.cut != cut) continue;
     const Vec2 point = point_at(strand.curve, stop.parameter);
     const double reach_here = std::max(8 * reach(strand), blur);
-    int vertex = -1;
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& own : strand.stops) {
-      const double gap = distance(point_at(strand.curve, own.first), point);
-      if (gap >= least || !is_near(strand.curve, own.first, stop.parameter, reach_here)) continue;
-      least = gap;
-      vertex = own.second;
-    }
+    const int near = stop_near(strand, stop.parameter, reach_here);
+    int vertex = near < 0 ? -1 : strand.stops[static_cast<std::size_t>(near)].second;
     if (vertex < 0) {
       if (!is_inside(trims_, point)) continue;
       vertex = node_near(point);
@@ -242,7 +300,7 @@ void FaceSplitter::divide(int cut, const CutStop& stop) {
   }
 }
 
-// Vertices that stand for the same vertex of another face become one; two of the borders stay two.
+// Vertices that stand for the same vertex of another face become one.
 void FaceSplitter::tie(int vertex, const TopoDS_Vertex& other) {
   const auto known = std::find_if(ties_.begin(), ties_.end(),
                                   [&](const auto& tied) { return tied.first.IsSame(other); });
@@ -250,10 +308,16 @@ void FaceSplitter::tie(int vertex, const TopoDS_Vertex& other) {
     ties_.emplace_back(other, vertex);
     return;
   }
-  int kept = known->second, left = vertex;
+  unite(known->second, vertex);
+}
+
+// Two vertices of the borders stay two.
+void FaceSplitter::unite(int kept, int left) {
   const auto on_border = [&](int i) { return vertices_[static_cast<std::size_t>(i)].split >= 0; };
   if (on_border(left)) std::swap(kept, left);
   if (kept == left || on_border(left)) return;
+  double& blur = vertices_[static_cast<std::size_t>(kept)].blur;
+  blur = std::max(blur, vertices_[static_cast<std::size_t>(left)].blur);
   for (auto& tied : ties_)
     if (tied.second == left) tied.second = kept;
   for (Strand& strand : strands_)

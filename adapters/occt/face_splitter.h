@@ -84,6 +84,14 @@ class FaceSplitter {
   /// the other side of the cut, which is to be divided at the same places.
   std::vector<CutStop> stops(int cut) const;
 
+  /// Tells a settled cut of a border's vertex where it stops on the other side: what is near it
+  /// becomes one vertex with all else near the same one, however far the tolerances of that side's
+  /// edges took them apart. `tidy` once all are told, before the first `divide`.
+  void meet(int cut, const CutStop& stop);
+
+  /// Leaves one of the stops that `meet` made one vertex, with next to nothing between them.
+  void tidy();
+
   /// Divides a settled cut at a stop of the other side's, unless it has a stop there. All stops of
   /// one vertex of the other side become one here, however far its edges' tolerances took them.
   void divide(int cut, const CutStop& stop);
@@ -97,7 +105,8 @@ class FaceSplitter {
   struct Vertex {
     Vec2 point;
     int loop = -1, coedge = -1, split = -1;
-    TopoDS_Vertex shape;  // of nodes, once an edge needed it
+    TopoDS_Vertex shape = {};  // of nodes, once an edge needed it
+    double blur = 0;           // how far from the point lies what is this vertex as well
   };
   // A cut as it lies over the face, moved by whole periods.
   struct Strand {
@@ -106,6 +115,7 @@ class FaceSplitter {
     PlanarCurve curve;
     std::vector<TrimRun> runs;
     std::vector<std::pair<double, int>> stops;  // parameters and vertices
+    std::vector<double> met;                    // parameters of stops on the other side's borders
   };
   // What an arc of the arrangement stands for.
   struct Origin {
@@ -122,7 +132,10 @@ class FaceSplitter {
   void add_crossings();
   void finish_stops(Strand& strand);
   void tidy_stops(Strand& strand, double reach) const;
+  int stop_near(const Strand& strand, double parameter, double reach) const;
   void tie(int vertex, const TopoDS_Vertex& other);
+  void unite(int kept, int left);
+  void unite_blurred();
   int vertex_of(const TrimMeeting& meeting, double uncertainty, double obliqueness = 1);
   double obliqueness(const Strand& strand, const TrimMeeting& meeting) const;
   int vertex_at_split(int loop, int coedge, int split);

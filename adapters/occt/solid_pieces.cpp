@@ -105,8 +105,22 @@ bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
   return false;
 }
 
+void tell_borders(const FaceSplitter& from, int cut, FaceSplitter& to, int as) {
+  for (const CutStop& stop : from.stops(cut))
+    if (!stop.vertex.IsNull()) to.meet(as, stop);
+}
+
 // Every curve is divided at the same places on both sides.
 void exchange_stops(Side& a, Side& b, const std::vector<CurveUse>& uses) {
+  for (const CurveUse& use : uses) {
+    FaceSplitter &on_a = *a.splitters[use.face_a], &on_b = *b.splitters[use.face_b];
+    const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
+    tell_borders(on_a, cut_a, on_b, cut_b);
+    tell_borders(on_b, cut_b, on_a, cut_a);
+  }
+  for (Side* side : {&a, &b})
+    for (const auto& splitter : side->splitters)
+      if (splitter) splitter->tidy();
   for (const CurveUse& use : uses) {
     FaceSplitter &on_a = *a.splitters[use.face_a], &on_b = *b.splitters[use.face_b];
     const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);

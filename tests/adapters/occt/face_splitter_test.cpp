@@ -8,6 +8,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -140,6 +141,29 @@ TEST(FaceSplitter, CutFromRimToHoleIsImprintedAsABridge) {
   expect_sound(face, split, 1);
   ASSERT_EQ(split.pieces[0].imprints.size(), 1u);
   EXPECT_NEAR(length(split.pieces[0].imprints[0]), 1, 1e-9);
+}
+
+// Two cuts that end at one loose vertex of the other side, and reach a little beyond each other.
+TEST(FaceSplitter, CutsThatMeetOneVertexOfTheOtherSideEndInOneNode) {
+  constexpr double kBeyond = 5e-6;
+  const TopoDS_Face face = square();
+  EdgeSplits splits(1e-7);
+  FaceSplitter splitter(
+      face, {line_cut(face, {1, 0}, {1, 2 + kBeyond}), line_cut(face, {1 - kBeyond, 2}, {4, 2})},
+      splits, 1e-7);
+  splitter.settle();
+  const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(gp_Pnt(1, 2, 0));
+  BRep_Builder().UpdateVertex(vertex, 2 * kBeyond);
+  splitter.meet(0, {1, vertex});
+  splitter.meet(1, {0, vertex});
+  splitter.tidy();
+  EXPECT_EQ(splitter.stops(0).size(), 2u);
+  EXPECT_EQ(splitter.stops(1).size(), 2u);
+  EXPECT_EQ(splitter.stops(0)[1].parameter, 1);  // where the other side has its border
+  const FaceSplit split = splitter.split();
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 6, 4 * kBeyond);
+  EXPECT_TRUE(split.notes.empty());
 }
 
 TEST(FaceSplitter, CutOutsideLeavesTheFaceItself) {
