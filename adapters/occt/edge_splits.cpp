@@ -31,7 +31,7 @@ constexpr double kMargin = 1.1;
 // Two faces that meet in an edge may be apart by twice its tolerance, and a cut that runs through
 // both meets the edge at an angle: so many tolerances apart are its two ends still one split.
 constexpr double kFaceDisagreement = 4;
-constexpr int kDeviationSamples = 47;
+constexpr int kDeviationSamples = 187;
 
 // The triangulation of the whole edge is none of its pieces.
 void drop_polygons(const TopoDS_Edge& edge) {
@@ -73,10 +73,10 @@ double deviation(const TopoDS_Edge& edge) {
 }
 
 // An edge's stated tolerance may rest on few samples of the whole; a piece is sampled anew, and
-// gets a wider one where it needs it.
+// gets a wider one where what lies between these samples may need it.
 void widen(const TopoDS_Edge& piece) {
   const double found = deviation(piece);
-  if (found > BRep_Tool::Tolerance(piece)) {
+  if (kMargin * found > BRep_Tool::Tolerance(piece)) {
     const BRep_Builder builder;
     builder.UpdateEdge(piece, kMargin * found);
     builder.UpdateVertex(TopExp::FirstVertex(piece), kMargin * found);

@@ -142,7 +142,8 @@ void FaceSplitter::add_end_stop(Strand& strand, double end) {
       nearest_meeting = {end, static_cast<int>(loop), static_cast<int>(i), foot.parameter};
     }
   if (std::isfinite(least))
-    strand.stops.emplace_back(end, vertex_of(nearest_meeting, kObliqueness * least));
+    strand.stops.emplace_back(end, vertex_of(nearest_meeting, kObliqueness * least,
+                                             obliqueness(strand, nearest_meeting)));
 }
 
 // Whether a stop is known that is this place of the curve but for the tolerance.
@@ -316,8 +317,9 @@ void FaceSplitter::unite(int kept, int left) {
   const auto on_border = [&](int i) { return vertices_[static_cast<std::size_t>(i)].split >= 0; };
   if (on_border(left)) std::swap(kept, left);
   if (kept == left || on_border(left)) return;
-  double& blur = vertices_[static_cast<std::size_t>(kept)].blur;
-  blur = std::max(blur, vertices_[static_cast<std::size_t>(left)].blur);
+  Vertex& of = vertices_[static_cast<std::size_t>(kept)];
+  const Vertex& other = vertices_[static_cast<std::size_t>(left)];
+  of.blur = std::max({of.blur, other.blur, kMargin * distance(of.point, other.point)});
   for (auto& tied : ties_)
     if (tied.second == left) tied.second = kept;
   for (Strand& strand : strands_)

@@ -216,6 +216,19 @@ TEST(TrimSolids, CutsThroughEdgesWithLooseTolerances) {
   }
 }
 
+TopoDS_Shape turned_copy(const TopoDS_Shape& shape, double degrees, double part) {
+  Bnd_Box around;
+  BRepBndLib::Add(shape, around);
+  const gp_Pnt low = around.CornerMin(), high = around.CornerMax();
+  gp_Trsf turn, move;
+  turn.SetRotation(
+      gp_Ax1({0.5 * (low.X() + high.X()), 0.5 * (low.Y() + high.Y()), 0.5 * (low.Z() + high.Z())},
+             gp_Dir(1, 2, 3)),
+      degrees * kPi / 180);
+  move.SetTranslation(part * gp_Vec(low, high).Magnitude() * gp_Vec(1, 0.5, 0.3));
+  return BRepBuilderAPI_Transform(shape, move * turn, true).Shape();
+}
+
 TEST(TrimSolids, AgreesWithOpenCascadeAboutModelsAndTheirTurnedCopies) {
   const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
   if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
@@ -223,16 +236,7 @@ TEST(TrimSolids, AgreesWithOpenCascadeAboutModelsAndTheirTurnedCopies) {
        {std::tuple{"ball.brep", 23.0, 0.06}, std::tuple{"d150_wing.brep", 23.0, 0.06},
         std::tuple{"crankarm.brep", 23.0, 0.06}, std::tuple{"crankarm.brep", 2.0, 0.004}}) {
     const Model model = read_model(std::filesystem::path(folder) / "models" / name);
-    Bnd_Box around;
-    BRepBndLib::Add(model.shape(), around);
-    const gp_Pnt low = around.CornerMin(), high = around.CornerMax();
-    gp_Trsf turn, move;
-    turn.SetRotation(
-        gp_Ax1({0.5 * (low.X() + high.X()), 0.5 * (low.Y() + high.Y()), 0.5 * (low.Z() + high.Z())},
-               gp_Dir(1, 2, 3)),
-        degrees * kPi / 180);
-    move.SetTranslation(part * gp_Vec(low, high).Magnitude() * gp_Vec(1, 0.5, 0.3));
-    const TopoDS_Shape copy = BRepBuilderAPI_Transform(model.shape(), move * turn, true).Shape();
+    const TopoDS_Shape copy = turned_copy(model.shape(), degrees, part);
     const SolidTrimResult result =
         trim_solids(trim_tool(model.shape()), trim_tool(copy), SolidOperation::Common);
     ASSERT_EQ(words(result), "") << name;
@@ -242,6 +246,28 @@ TEST(TrimSolids, AgreesWithOpenCascadeAboutModelsAndTheirTurnedCopies) {
     BRepGProp::VolumeProperties(common.Shape(), properties, 1e-8);
     // Open CASCADE's own result is as exact as the edges of the models.
     EXPECT_NEAR(result.volumes.common, properties.Mass(), 1e-6 * result.volumes.part) << name;
+  }
+}
+
+// Faces up to 0.006 apart at their edges meet others at 0.7 degrees, so that the ends of cuts are
+// up to 0.4 apart (s1_mainbody_back); a span of a surface is 1e-8 wide (elliptiplane). Open CASCADE
+// finds other volumes.
+TEST(TrimSolids, ClosesModelsWithLooseEdgesAgainstTheirTurnedCopies) {
+  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  for (const auto& [name, degrees, part, operation] :
+       {std::tuple{"s1_mainbody_back.stp", 23.0, 0.06, SolidOperation::Cut},
+        std::tuple{"s1_mainbody_back.stp", 2.0, 0.004, SolidOperation::Fuse},
+        std::tuple{"elliptiplane.brep", 23.0, 0.06, SolidOperation::Common}}) {
+    const Model model = read_model(std::filesystem::path(folder) / "models" / name);
+    const TopoDS_Shape copy = turned_copy(model.shape(), degrees, part);
+    const SolidTrimResult result =
+        trim_solids(trim_tool(model.shape()), trim_tool(copy), operation);
+    ASSERT_EQ(words(result), "") << name;
+    EXPECT_LE(result.volumes.cut_error(), 1e-12);
+    EXPECT_LE(result.volumes.fuse_error(), 1e-12);
+    for (const TopoDS_Solid& solid : result.solids)
+      EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
   }
 }
 
