@@ -187,7 +187,7 @@ void BorderArcs::divide(int number) {
 void BorderArcs::add(int number, const Interval& place, int from, int to, std::size_t first) {
   if (arcs_.size() - first > kMostArcs)
     throw InvalidInput("trimmed region: a border takes more than " + std::to_string(kMostArcs) +
-                       " arcs within the tolerance");
+                       " arcs within the tolerance; a larger one takes fewer");
   const RegionBorder& border = chart_.borders[index(number)];
   const bool shortest = std::abs(length(place)) <= 2 * kShortest * length(border.curve.domain());
   if (from == to && shortest) return;

@@ -49,7 +49,7 @@ class BorderArcs {
              int cells);
 
   /// Highest number of arcs of one border.
-  static constexpr std::size_t kMostArcs = 20'000;
+  static constexpr std::size_t kMostArcs = 5'000;
 
   const std::vector<RegionArc>& arcs() const { return arcs_; }
   const std::vector<Vec2>& vertices() const { return vertices_; }  ///< grid coordinates

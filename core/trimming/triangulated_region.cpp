@@ -148,7 +148,10 @@ class Builder {
     to[along] = place.to;
     const BorderSide up{borders_.vertex_at(from), borders_.vertex_at(to)};
     const BorderSide down{up.to, up.from};
-    const int span = static_cast<int>(std::floor(0.5 * (place.from + place.to)));
+    // Trims may reach a little beyond the outermost patches.
+    const int spans = along == 0 ? surface_.patches.rows() : surface_.patches.columns();
+    const int span =
+        std::clamp(static_cast<int>(std::floor(0.5 * (place.from + place.to))), 0, spans - 1);
     if (direction == 0) {  // going up, patch line - 1 is on the left
       sides_in_(line - 1, span).push_back(up);
       sides_in_(line, span).push_back(down);

@@ -247,6 +247,18 @@ TEST(TriangulatedRegion, CrossesLinesBetweenPatchesAndTouchesThem) {
   EXPECT_NEAR(area, 3 - kPi * (0.04 + 0.0225), 1e-13);
 }
 
+TEST(TriangulatedRegion, TakesTrimsThatReachALittleBeyondThePatches) {
+  const BezierSurface surface = heights({0, 0.5, 1}, {0, 0.5, 1}, 2);
+  const double e = 1e-6;
+  const Chart chart = Chart().polygon({{-e, -e}, {1 + e, -e}, {1 + e, 1 + e}, {-e, 1 + e}});
+
+  const TriangulatedRegion region = triangulated_region(surface, chart.made);
+
+  ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+  EXPECT_NEAR(grid_area(region), 4 * (1 + 2 * e) * (1 + 2 * e), 1e-13);
+  expect_whole_sides(region);
+}
+
 TEST(TriangulatedRegion, TakesACuspBetweenArcsThatTouch) {
   const BezierSurface surface = heights({0, 1}, {0, 1}, 3);
   // Between v = 0.2 and v = 0.2 + (u - 0.1)^2, closed by u = 0.9.
