@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -11,15 +12,15 @@
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <TopExp_Explorer.hxx>
 
-#include "adapters/occt/face_trims.h"
+#include "core/trimming/border_arcs.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/nets/pieces.h"
+#include "plugin/cli/nets/trimmed_nets.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 
@@ -34,25 +35,17 @@ const std::map<std::string, Form> kTargets = {
 struct Options {
   std::string input;
   std::string to;  ///< empty: the forms stay
+  double tolerance = RegionOptions{}.tolerance;
   CommonOptions common;
 };
 
 struct Made {
   std::vector<Net> nets;  ///< empty if a model was written as it is
   std::size_t faces = 0;
-  std::size_t trims_left_out = 0;  ///< faces that lost their trims
+  std::size_t trims_left_out = 0;    ///< faces that lost their trims
+  std::vector<TrimmedNets> trimmed;  ///< faces whose trims were to be followed, without their nets
   double seconds = 0;
 };
-
-// Whether more than the border of its parameter box bounds a face. Trims that cannot be read count.
-bool is_trimmed(const TopoDS_Face& face) {
-  if (!TopExp_Explorer(face, TopAbs_WIRE).More()) return false;
-  try {
-    return !occt::face_trims(face).natural;
-  } catch (const occt::BadModel&) {
-    return true;
-  }
-}
 
 std::vector<Net> converted(const std::vector<Net>& nets, Form form) {
   std::vector<Net> result;
@@ -70,6 +63,39 @@ std::vector<Net> converted(const std::vector<Net>& nets, Form form) {
   return result;
 }
 
+// As Bezier patches, a triangle too: one of its sides is a point.
+std::vector<Net> patches_of(const std::vector<Net>& nets) {
+  std::vector<Net> result;
+  for (const Net& net : nets) result.push_back(is_triangle(net) ? collapsed_net(net) : net);
+  return result;
+}
+
+void append(std::vector<Net>& all, std::vector<Net> more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+// Face by face: what its trims leave, or all of its surface if it has none or they cannot be
+// followed.
+void convert_faces(const NetInput& input, Form form, double tolerance, Made& made) {
+  const Input& model = *input.model;
+  for (std::size_t i = 0; i < model.faces.size(); ++i) {
+    const int number = model.numbers[i];
+    std::vector<Net> whole;
+    for (const Net& net : input.nets)
+      if (net.source.face == number) whole.push_back(net);
+    TrimmedNets trimmed;
+    if (is_trimmed(model.faces[i]) && !whole.empty()) {
+      trimmed = trimmed_nets(model.faces[i], whole.front().source, tolerance);
+      if (!trimmed.obstacle.empty()) ++made.trims_left_out;
+    }
+    const std::vector<Net>& nets = trimmed.nets.empty() ? whole : trimmed.nets;
+    append(made.nets, form == Form::Bezier && !trimmed.nets.empty() ? patches_of(nets)
+                                                                    : converted(nets, form));
+    trimmed.nets.clear();
+    if (trimmed.face > 0) made.trimmed.push_back(std::move(trimmed));
+  }
+}
+
 Made write_as_it_is(const Options& options) {
   Input input = read_input(options.input, Faces::Optional);
   Made made;
@@ -83,14 +109,19 @@ Made write_as_it_is(const Options& options) {
 Made write_converted(const Options& options, Form form) {
   NetInput input = read_net_input(options.input, Take::Faces);
   Made made;
+  const bool follows_trims = input.model && (form == Form::Bezier || form == Form::Triangles);
   const auto start = std::chrono::steady_clock::now();
-  made.nets = converted(input.nets, form);
+  if (follows_trims)
+    convert_faces(input, form, options.tolerance, made);
+  else
+    made.nets = converted(input.nets, form);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   made.seconds = took.count();
   if (input.model) {
     made.faces = input.model->faces.size();
-    made.trims_left_out =
-        static_cast<std::size_t>(std::ranges::count_if(input.model->faces, is_trimmed));
+    if (!follows_trims)
+      made.trims_left_out =
+          static_cast<std::size_t>(std::ranges::count_if(input.model->faces, is_trimmed));
   }
   stop_if_interrupted();
   write_nets(input, made.nets, options.common.output);
@@ -103,6 +134,19 @@ double largest_error(const Made& made) {
   return error;
 }
 
+Json trimmed_json(const std::vector<TrimmedNets>& faces) {
+  Json list = Json::array();
+  for (const TrimmedNets& face : faces) {
+    Json json = {{"face", face.face},
+                 {"exact", face.exact},
+                 {"fitted", face.fitted},
+                 {"border_error", face.border_error}};
+    if (!face.obstacle.empty()) json["obstacle"] = face.obstacle;
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 Json report_of(const Options& options, const Made& made) {
   return {{"schema", "blossom.conversion/1"},
           {"file", options.input},
@@ -111,6 +155,7 @@ Json report_of(const Options& options, const Made& made) {
           {"faces", made.faces},
           {"nets", made.nets.size()},
           {"trims_left_out", made.trims_left_out},
+          {"trimmed", trimmed_json(made.trimmed)},
           {"error", largest_error(made)},
           {"seconds", made.seconds}};
 }
@@ -125,6 +170,15 @@ std::string summary(const Options& options, const Made& made) {
     text << ", the trims of " << counted(made.trims_left_out, "face") << " left out";
   if (largest_error(made) > 0) text << ", within " << largest_error(made);
   text << "\n";
+  for (const TrimmedNets& face : made.trimmed) {
+    text << "  face " << face.face << ": ";
+    if (!face.obstacle.empty())
+      text << "its trims are left out: " << face.obstacle;
+    else
+      text << counted(face.exact, "exact piece") << ", " << face.fitted << " fitted";
+    if (face.fitted > 0) text << " within " << face.border_error << " of the trims";
+    text << "\n";
+  }
   return text.str();
 }
 
@@ -154,9 +208,18 @@ void add_convert(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->common.output, "write .step, .brep, .iges or .json")
       ->required()
       ->type_name("FILE");
-  command->add_option("--to", options->to, "every surface in this form; trims are left out")
+  command
+      ->add_option("--to", options->to,
+                   "every surface in this form; bezier and triangles follow the trims, others "
+                   "leave them out")
       ->check(CLI::IsMember(kTargets))
       ->type_name("");
+  command
+      ->add_option("--tolerance", options->tolerance,
+                   "how far pieces may end from trims that they cannot follow exactly, model units")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str()
+      ->type_name("T");
   command->add_option("--json", options->common.json, "write a report; - is stdout")
       ->type_name("FILE");
   command->add_flag("-q,--quiet", options->common.quiet, "say nothing but errors");

@@ -45,9 +45,11 @@ struct Net {
   /// How these parameters run in between; of a piece of an arc only that they are angles.
   ParameterLaw u_law = ParameterLaw::Linear;
   ParameterLaw v_law = ParameterLaw::Linear;
-  /// The source's parameters of a triangle's corners; without a source the barycentric ones.
+  /// The source's parameters of a triangle's corners; without a source, or where its sides are
+  /// curved in the parameters, the barycentric ones.
   TriangleCorners corners = {Vec2{1, 0}, Vec2{0, 1}, Vec2{0, 0}};
   NetSource source;
+  double border_error = 0;  ///< how far its border may lie from the trims it follows, model units
 };
 
 template <class Form>

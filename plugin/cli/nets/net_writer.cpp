@@ -119,6 +119,7 @@ Json to_json(const Net& net) {
   if (source.net > 0) json["net"] = source.net;
   if (!source.name.empty()) json["name"] = source.name;
   if (source.error > 0) json["error"] = source.error;
+  if (net.border_error > 0) json["border_error"] = net.border_error;
   return json;
 }
 

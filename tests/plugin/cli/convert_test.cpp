@@ -5,10 +5,14 @@
 
 #include <cmath>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
@@ -17,8 +21,10 @@
 #include <gp_Circ.hxx>
 #include <nlohmann/json.hpp>
 
+#include "adapters/occt/area.h"
 #include "adapters/occt/shapes.h"
 #include "core/forms/conversion.h"
+#include "core/math/quadrature.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom::testing {
@@ -102,18 +108,110 @@ TEST_F(Convert, SplitsFacesIntoBezierPatches) {
   }
 }
 
-TEST_F(Convert, SaysHowManyFacesLostTheirTrims) {
+TopoDS_Face disc() {
   const TopoDS_Edge circle = BRepBuilderAPI_MakeEdge(gp_Circ(gp::XOY(), 1));
-  const TopoDS_Face disc = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(circle).Wire());
-  write({disc, bowl(), half_pipe(), four_spans()}, folder / "a.brep");
-  EXPECT_EQ(convert("a.brep", "b.brep", "bezier")["trims_left_out"], 1);
-  EXPECT_EQ(convert("a.brep", "t.json", "triangles")["trims_left_out"], 1);
+  return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(circle).Wire());
+}
+
+TEST_F(Convert, SaysHowManyFacesLostTheirTrims) {
+  write({disc(), bowl(), half_pipe(), four_spans()}, folder / "a.brep");
+  EXPECT_EQ(convert("a.brep", "t.json", "monomial")["trims_left_out"], 1);
   EXPECT_EQ(convert("a.brep", "c.step")["trims_left_out"], 0);
-  EXPECT_EQ(convert("b.brep", "d.json")["trims_left_out"], 0);
 
   const Finished ran = blossom({"convert", path("a.brep"), "-o", path("b.json")});
   EXPECT_NE(ran.out.find(", the trims of 1 face left out"), std::string::npos) << ran.out;
 }
+
+TEST_F(Convert, FollowsTheTrimsOfADiscExactly) {
+  write({disc(), bowl()}, folder / "a.brep");
+  for (const char* form : {"bezier", "triangles"}) {
+    const Json report = convert("a.brep", "b.brep", form);
+    EXPECT_EQ(report["trims_left_out"], 0);
+    ASSERT_EQ(report["trimmed"].size(), 1u);
+    const Json& face = report["trimmed"][0];
+    EXPECT_EQ(face["face"], 1);
+    EXPECT_EQ(face["fitted"], 0);
+    EXPECT_EQ(face["border_error"], 0);
+    EXPECT_GT(face["exact"], 4);
+  }
+  // Triangles of bidegree (1, 1) under arcs of degree 2: every point of the circle's arcs.
+  convert("a.brep", "t.json", "triangles");
+  int on_circle = 0;
+  for (const Json& net : nets_of("t.json")) {
+    if (net["kind"] != "triangle" || net["degree"] != 4 || net["face"] != 1) continue;
+    EXPECT_TRUE(net["rational"]);
+    for (const Json& corner : {net["points"][4][0], net["points"][0][0], net["points"][0][4]}) {
+      const double w = corner[3].get<double>();
+      const double r = std::hypot(corner[0].get<double>(), corner[1].get<double>()) / w;
+      on_circle += std::abs(r - 1) < 1e-14 ? 1 : 0;
+    }
+  }
+  EXPECT_GE(on_circle, 16);
+  const Finished ran = blossom({"convert", path("a.brep"), "-o", path("b.brep"), "--to", "bezier"});
+  EXPECT_NE(ran.out.find("face 1: "), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find(" exact pieces, 0 fitted\n"), std::string::npos) << ran.out;
+}
+
+// Of trimmed faces, and of untrimmed ones with one rule over all of each.
+double trimmed_area(const occt::Model& model) {
+  double sum = 0;
+  for (int number = 1; number <= model.face_count(); ++number)
+    sum += occt::area(model.face(number));
+  return sum;
+}
+double untrimmed_area(const occt::Model& model) {
+  double sum = 0;
+  for (int number = 1; number <= model.face_count(); ++number) {
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(model.face(number));
+    auto strip = [&](double u) {
+      auto density = [&](double v) {
+        gp_Pnt point;
+        gp_Vec du, dv;
+        surface->D1(u, v, point, du, dv);
+        return du.Crossed(dv).Magnitude();
+      };
+      return quadrature::cell(density, 0, 1).value;
+    };
+    sum += quadrature::cell(strip, 0, 1).value;
+  }
+  return sum;
+}
+
+// A box, a sphere and a cylinder drilled: circles, seams, poles and intersection
+// curves as trims. The pieces have the area of the faces.
+class ConvertTrimmed : public Convert, public ::testing::WithParamInterface<int> {
+ protected:
+  static TopoDS_Shape drilled(int which) {
+    const gp_Ax2 slanted(gp_Pnt(-2, 0.2, 0.1), gp_Dir(1, 0.1, 0.2));
+    const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(slanted, 0.35, 4);
+    switch (which) {
+      case 0: return BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-1, -1, -1), 2, 2, 2), drill);
+      case 1: return BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(1), drill);
+      default: return BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(1, 1), drill);
+    }
+  }
+};
+
+TEST_P(ConvertTrimmed, PiecesHaveTheAreaOfTheFaces) {
+  occt::Model given;
+  given.add(drilled(GetParam()), "drilled");
+  occt::write_model(given, path("a.brep"));
+  const double area = trimmed_area(given);
+
+  const bool step = GetParam() % 2 == 0;
+  const char* const file = step ? "b.step" : "b.brep";
+  const Json report = convert("a.brep", file, step ? "bezier" : "triangles");
+
+  ASSERT_FALSE(report.is_null());
+  EXPECT_EQ(report["trims_left_out"], 0);
+  for (const Json& face : report["trimmed"]) EXPECT_LE(face["border_error"], 1e-6);
+  const occt::Model model = occt::read_model(path(file));
+  EXPECT_EQ(model.face_count(), report["nets"]);
+  EXPECT_TRUE(BRepCheck_Analyzer(model.shape()).IsValid());
+  EXPECT_NEAR(untrimmed_area(model), area, 1e-6 * area);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, ConvertTrimmed, ::testing::Range(0, 3));
 
 TEST_F(Convert, BezierNetsComeBackBitForBit) {
   write({bowl()}, folder / "a.brep");

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Trimmed faces to nets that cover what the trims leave.
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+
+#include "plugin/cli/nets/net.h"
+
+namespace blossom::cli {
+
+struct TrimmedNets {
+  int face = 0;
+  std::vector<Net> nets;    ///< patches and triangles; none if there is an obstacle
+  std::size_t exact = 0;    ///< pieces whose trimmed sides are the trims themselves, or have none
+  std::size_t fitted = 0;   ///< the others
+  double border_error = 0;  ///< bound on how far fitted sides lie from the trims, model units
+  std::string obstacle;     ///< why the face's trims cannot be followed
+};
+
+/// Whether more than the border of its parameter box bounds a face. Trims that cannot be read
+/// count.
+bool is_trimmed(const TopoDS_Face& face);
+
+/// The region of a trimmed face as patches and triangles, which lie on its surface.
+///
+/// tolerance   how far borders may lie from the trims where they cannot be exact, model units
+TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, double tolerance);
+
+}  // namespace blossom::cli
