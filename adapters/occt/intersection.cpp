@@ -206,12 +206,12 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
   return intersected(intersector, meeting_pairs(faces_a, faces_b), options.threads);
 }
 
-ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfPairs which,
+ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScope scope,
                                  const IntersectionOptions& options) {
   const std::vector<FaceData> data = data_of(faces, "the shape", options.tolerances.point);
   FacePairs pairs = meeting_pairs(data, data);
   std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
-    return which == SelfPairs::EachFace ? pair.first != pair.second : pair.first > pair.second;
+    return scope == SelfScope::EachFace ? pair.first != pair.second : pair.first > pair.second;
   });
   const PairIntersector intersector(faces, faces, data, data, Shared::LeftOut, options);
   return intersected(intersector, pairs, options.threads);

@@ -53,7 +53,7 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
                             const IntersectionOptions& options = {});
 
 /// What of a shape is compared with itself.
-enum class SelfPairs {
+enum class SelfScope {
   EachFace,  ///< every face with itself
   AllFaces,  ///< also different faces with each other
 };
@@ -62,7 +62,7 @@ enum class SelfPairs {
 /// with itself have its number twice, others the lower one first. The seam of a closed face is no
 /// intersection, nor are edges and vertices that two faces share.
 /// throws   BadModel likewise
-ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfPairs which,
+ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScope scope,
                                  const IntersectionOptions& options = {});
 
 }  // namespace blossom::occt

@@ -24,10 +24,10 @@ int run(const Options& options) {
   start_threads(options.intersect.engine.threads);
   const Input input = read_input(options.input);
   stop_if_interrupted();
-  const auto which = options.all_faces ? occt::SelfPairs::AllFaces : occt::SelfPairs::EachFace;
+  const auto scope = options.all_faces ? occt::SelfScope::AllFaces : occt::SelfScope::EachFace;
   const TimedIntersection result =
       timed_intersection(options.intersect, [&](const IntersectionOptions& engine) {
-        return occt::self_intersect(input.faces, which, engine);
+        return occt::self_intersect(input.faces, scope, engine);
       });
   write_outputs(input, input, input.name + " with itself", result, options.intersect.common);
   return exit_code(result.found.status);

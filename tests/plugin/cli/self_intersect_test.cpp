@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <Geom_BezierSurface.hxx>
@@ -83,6 +85,21 @@ TEST_F(SelfIntersectCommand, WritesTheEdge) {
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(occt::read_model(folder / "edges.brep").shape(), TopAbs_EDGE, edges);
   EXPECT_EQ(edges.Extent(), 1);
+}
+
+TEST_F(SelfIntersectCommand, WithFacesComparesDifferentOnesToo) {
+  testing::write({testing::bowl(), testing::lid(0.25)}, folder / "both.brep");
+  const Finished each = blossom({"self-intersect", folder / "both.brep", "--json", "-"});
+  ASSERT_EQ(each.code, 0) << each.err;
+  EXPECT_TRUE(json::parse(each.out)["curves"].empty());
+
+  const Finished all = blossom({"self-intersect", folder / "both.brep", "--faces", "--json", "-"});
+  ASSERT_EQ(all.code, 0) << all.err;
+  const json report = json::parse(all.out);
+  ASSERT_EQ(report["curves"].size(), 1u);
+  EXPECT_EQ(report["curves"][0]["face_a"], 1);
+  EXPECT_EQ(report["curves"][0]["face_b"], 2);
+  EXPECT_NEAR(report["curves"][0]["length"], std::numbers::pi, 1e-6);
 }
 
 TEST_F(SelfIntersectCommand, FindsNothingOnASphere) {
