@@ -110,13 +110,47 @@ class Joiner {
     });
   }
 
+  // Over a, moved by so many of its periods, and widened.
+  Box box_over_a(const FoundContact& piece, const Vec2& shift, double margin) const {
+    Box box;
+    for (const Point4& x : piece.contact.path) {
+      const Vec2 p = over_a(piece, x) + shift;
+      box = joined(box, {{p[0], p[1], 0}, {p[0], p[1], 0}});
+    }
+    return widened(box, margin);
+  }
+
+  // For each piece the others that it may repeat, in order: those whose boxes over a it meets.
+  std::vector<std::vector<std::size_t>> beside() const {
+    const auto& pieces = found_.contacts;
+    std::vector<std::vector<std::size_t>> result(pieces.size());
+    std::vector<Box> boxes;
+    for (const FoundContact& piece : pieces)
+      boxes.push_back(box_over_a(piece, {}, kOnPath * length_over_a(piece)));
+    const BoxTree tree(boxes);
+    const BezierSurface& s = a_.surface();
+    const int turns_u = s.closed_u ? 1 : 0, turns_v = s.closed_v ? 1 : 0;
+    for (int u = -turns_u; u <= turns_u; ++u)
+      for (int v = -turns_v; v <= turns_v; ++v) {
+        const Vec2 shift{static_cast<double>(u * s.patches.rows()),
+                         static_cast<double>(v * s.patches.columns())};
+        for (std::size_t i = 0; i < pieces.size(); ++i) boxes[i] = box_over_a(pieces[i], shift, 0);
+        BoxTree(boxes).for_each_meeting(tree, [&](int i, int j) {
+          if (i != j) result[static_cast<std::size_t>(i)].push_back(static_cast<std::size_t>(j));
+        });
+      }
+    for (auto& others : result) std::sort(others.begin(), others.end());
+    return result;
+  }
+
   void drop_repeated() {
     auto& pieces = found_.contacts;
     std::vector<int> goes_to(pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i) goes_to[i] = static_cast<int>(i);
+    const std::vector<std::vector<std::size_t>> others = beside();
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      for (std::size_t j = 0; j < pieces.size(); ++j) {
-        if (i == j || goes_to[j] != static_cast<int>(j) || !repeats(pieces[i], pieces[j])) continue;
+      for (const std::size_t j : others[i]) {
+        if (goes_to[j] != static_cast<int>(j) || !repeats(pieces[i], pieces[j])) continue;
         goes_to[i] = static_cast<int>(j);
         break;
       }
@@ -154,14 +188,21 @@ class Joiner {
         leaving.push_back(e);
         points.push_back(end_point(e));
       }
+    std::vector<Box> boxes;
+    for (const Vec3& p : points) boxes.push_back({p, p});
+    const BoxTree tree(boxes);
     const auto nearest = [&](std::size_t i) {
       std::size_t best = leaving.size();
       double least = kJoinRadius * size_;
-      for (std::size_t j = 0; j < leaving.size(); ++j)
-        if (leaving[j] / 2 != leaving[i] / 2 && distance(points[i], points[j]) < least) {
-          least = distance(points[i], points[j]);
+      tree.for_each_near(points[i], least * least, [&](int found) {
+        const auto j = static_cast<std::size_t>(found);
+        const double gap = distance(points[i], points[j]);
+        if (leaving[j] / 2 != leaving[i] / 2 && (gap < least || (gap == least && j < best))) {
+          least = gap;
           best = j;
         }
+        return least * least;
+      });
       return best;
     };
     for (std::size_t i = 0; i < leaving.size(); ++i) {

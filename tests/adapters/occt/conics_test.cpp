@@ -68,19 +68,21 @@ TopoDS_Face sphere(const gp_Pnt& at, double r) {
   return faces_of(BRepPrimAPI_MakeSphere(at, r).Shape()).front();
 }
 
-// The largest distance at equal parameters between a curve and the images of its pcurves.
+// The largest distance at equal parameters between a curve and the images of its pcurves; near
+// nodes spans are short.
 double same_parameter_gap(const EdgeCurves& edge, const TopoDS_Face& a, const TopoDS_Face& b) {
-  constexpr int kSteps = 1000;
+  constexpr int kSteps = 32;  // a span
   const Handle(Geom_Surface) on_a = BRep_Tool::Surface(a), on_b = BRep_Tool::Surface(b);
   double gap = 0;
-  for (int i = 0; i <= kSteps; ++i) {
-    const double t = at(Interval{edge.curve->FirstParameter(), edge.curve->LastParameter()},
-                        static_cast<double>(i) / kSteps);
-    const gp_Pnt p = edge.curve->Value(t);
-    const gp_Pnt2d x = edge.pcurve_a->Value(t), y = edge.pcurve_b->Value(t);
-    gap = std::max(
-        {gap, p.Distance(on_a->Value(x.X(), x.Y())), p.Distance(on_b->Value(y.X(), y.Y()))});
-  }
+  for (int k = 1; k < edge.pcurve_a->NbKnots(); ++k)
+    for (int i = 0; i <= kSteps; ++i) {
+      const double t = at(Interval{edge.pcurve_a->Knot(k), edge.pcurve_a->Knot(k + 1)},
+                          static_cast<double>(i) / kSteps);
+      const gp_Pnt p = edge.curve->Value(t);
+      const gp_Pnt2d x = edge.pcurve_a->Value(t), y = edge.pcurve_b->Value(t);
+      gap = std::max({gap, p.Distance(on_a->Value(x.X(), x.Y())),
+                      p.Distance(on_b->Value(y.X(), y.Y()))});
+    }
   return gap;
 }
 

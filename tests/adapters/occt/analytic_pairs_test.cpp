@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Planes, cylinders, cones, spheres and tori against each other, in general and in special
+// position, with lengths by closed formulas. Each pair in both orders, with the seams where
+// contacts and symmetry planes are, and turned away from there.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Ax3.hxx>
+
+#include "adapters/occt/intersection.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kSpin = 0.37;  // radians: turns seams and poles out of special positions
+const gp_Pnt O(0, 0, 0);
+const gp_Dir X(1, 0, 0), Y(0, 1, 0), Z(0, 0, 1);
+
+gp_Dir tilted(double degrees) {
+  return {std::sin(degrees * kPi / 180), 0, std::cos(degrees * kPi / 180)};
+}
+
+gp_Ax3 frame(const gp_Pnt& at, const gp_Dir& axis, double spin) {
+  gp_Ax3 axes(at, axis);
+  axes.Rotate(gp_Ax1(at, axis), spin);
+  return axes;
+}
+
+TopoDS_Face face(const Handle(Geom_Surface) & surface, const Interval& u, const Interval& v) {
+  return BRepBuilderAPI_MakeFace(surface, u.from, u.to, v.from, v.to, 1e-7).Face();
+}
+
+constexpr Interval kTurn{0, 2 * kPi};
+
+/// A face whose seam lies at an angle.
+using Maker = std::function<TopoDS_Face(double spin)>;
+
+Maker plane(const gp_Pnt& at, const gp_Dir& normal, double half = 20) {
+  return [=](double spin) {
+    return face(new Geom_Plane(frame(at, normal, spin)), {-half, half}, {-half, half});
+  };
+}
+
+Maker cylinder(const gp_Pnt& at, const gp_Dir& axis, double r, double half = 10) {
+  return [=](double spin) {
+    return face(new Geom_CylindricalSurface(frame(at, axis, spin), r), kTurn, {-half, half});
+  };
+}
+
+// 30 degrees between axis and generators, from the apex on.
+Maker cone(const gp_Pnt& apex, const gp_Dir& axis, double height) {
+  return [=](double spin) {
+    return face(new Geom_ConicalSurface(frame(apex, axis, spin), kPi / 6, 0), kTurn,
+                {0, height / std::cos(kPi / 6)});
+  };
+}
+
+Maker sphere(const gp_Pnt& at, double r, const gp_Dir& axis = Z) {
+  return [=](double spin) {
+    return face(new Geom_SphericalSurface(frame(at, axis, spin), r), kTurn, {-kPi / 2, kPi / 2});
+  };
+}
+
+Maker torus(const gp_Pnt& at, double major, double minor, const gp_Dir& axis = Z) {
+  return [=](double spin) {
+    return face(new Geom_ToroidalSurface(frame(at, axis, spin), major, minor), kTurn, kTurn);
+  };
+}
+
+double perimeter(double a, double b) {
+  return 4 * std::max(a, b) *
+         std::comp_ellint_2(std::sqrt(1 - std::pow(std::min(a, b) / std::max(a, b), 2)));
+}
+
+struct Row {
+  std::string name;
+  Maker a, b;
+  double length = 0;
+  int nodes = 0, points = 0, overlaps = 0;
+  bool tangential = false;
+};
+
+void add_planes(std::vector<Row>& rows) {
+  const double s = std::tan(kPi / 6);
+  rows.insert(
+      rows.end(),
+      {{"plane_and_parallel_plane", plane(O, Z), plane({0, 0, 1e-4}, Z)},
+       {"plane_across_cylinder", plane({0, 0, 1}, Z), cylinder(O, Z, 2), 4 * kPi},
+       {"plane_oblique_to_cylinder", plane({0.3, 0, 0.2}, tilted(45)), cylinder(O, Z, 2),
+        perimeter(2, 2 * std::numbers::sqrt2)},
+       {"plane_almost_along_cylinder", plane(O, tilted(88), 70), cylinder(O, Z, 1, 40),
+        perimeter(1, 1 / std::cos(88 * kPi / 180))},
+       {"plane_through_axis", plane(O, X), cylinder(O, Z, 2), 40},
+       {"plane_beside_axis", plane({1.3, 0, 0}, X), cylinder(O, Z, 2), 40},
+       {"plane_on_cylinder", plane({2, 0, 0}, X), cylinder(O, Z, 2), 20, 0, 0, 0, true},
+       {"plane_beside_cylinder", plane({2 + 1e-4, 0, 0}, X), cylinder(O, Z, 2)},
+       {"plane_across_cone", plane({0, 0, 3}, Z), cone(O, Z, 10), 6 * kPi * s},
+       {"plane_in_sphere", plane({0, 0, 0.5}, Z), sphere(O, 2), 2 * kPi * std::sqrt(3.75)},
+       {"plane_oblique_in_sphere", plane({0, 0, 0.5}, tilted(60)), sphere(O, 2),
+        2 * kPi * std::sqrt(4 - 0.0625)},
+       {"plane_on_equator", plane(O, Z), sphere(O, 2), 4 * kPi},
+       {"plane_through_poles", plane(O, X, 10), sphere(O, 2), 4 * kPi},
+       {"plane_on_sphere", plane({2, 0, 0}, X), sphere(O, 2), 0, 0, 1},
+       {"plane_on_pole", plane({0, 0, 2}, Z), sphere(O, 2), 0, 0, 1},
+       {"plane_in_middle_of_torus", plane(O, Z), torus(O, 5, 2), 20 * kPi},
+       {"plane_across_torus", plane({0, 0, 1}, Z), torus(O, 5, 2), 20 * kPi},
+       {"plane_on_torus", plane({0, 0, 2}, Z), torus(O, 5, 2), 10 * kPi, 0, 0, 0, true},
+       {"plane_through_axis_of_torus", plane(O, {1, 0.4, 0}), torus(O, 5, 2), 8 * kPi},
+       {"plane_of_villarceau", plane(O, {0.4, 0, std::sqrt(0.84)}), torus(O, 5, 2), 20 * kPi, 2},
+       {"plane_outside_on_torus", plane({7, 0, 0}, X), torus(O, 5, 2), 0, 0, 1}});
+}
+
+void add_cylinders(std::vector<Row>& rows) {
+  for (const double degrees : {90, 60, 30, 10}) {
+    const double half = degrees * kPi / 360, long_axis = 2 / std::sin(half);
+    rows.push_back({"equal_cylinders_at_" + std::to_string(static_cast<int>(degrees)),
+                    cylinder(O, Z, 2, 1.2 * long_axis + 2),
+                    cylinder(O, tilted(degrees), 2, 1.2 * long_axis + 2),
+                    perimeter(2, long_axis) + perimeter(2, 2 / std::cos(half)), 2});
+  }
+  rows.insert(
+      rows.end(),
+      {{"coaxial_cylinders", cylinder(O, Z, 2), cylinder(O, Z, 1.9)},
+       {"one_cylinder_twice", cylinder(O, Z, 2), cylinder(O, Z, 2, 5), 0, 0, 0, 1},
+       {"parallel_cylinders", cylinder(O, Z, 2), cylinder({2.5, 0, 0}, Z, 1), 40},
+       {"cylinders_side_by_side", cylinder(O, Z, 2), cylinder({3, 0, 0}, Z, 1), 20, 0, 0, 0, true},
+       {"cylinders_side_by_side_in_y", cylinder(O, Z, 2), cylinder({0, 3, 0}, Z, 1), 20, 0, 0, 0,
+        true},
+       {"cylinder_in_cylinder", cylinder(O, Z, 2), cylinder({1, 0, 0}, Z, 1), 20, 0, 0, 0, true},
+       {"cylinder_in_opposite_cylinder", cylinder(O, Z, 2), cylinder({0, 1, 0}, {0, 0, -1}, 1), 20,
+        0, 0, 0, true},
+       {"cylinders_hardly_crossing", cylinder(O, Z, 2), cylinder({3 - 1e-4, 0, 0}, Z, 1), 40},
+       {"cylinders_touching_crosswise", cylinder(O, Z, 2), cylinder({0, 3, 0}, X, 1), 0, 0, 1},
+       {"cylinder_and_cone_of_one_axis", cylinder(O, Z, 2), cone(O, Z, 10), 4 * kPi},
+       {"cylinder_along_cone",
+        cylinder({std::cos(kPi / 6) + 4.5 * std::sin(kPi / 6), 0,
+                  4.5 * std::cos(kPi / 6) - std::sin(kPi / 6)},
+                 {std::sin(kPi / 6), 0, std::cos(kPi / 6)}, 1, 3.5),
+        cone(O, Z, 10), 7, 0, 0, 0, true},
+       {"cylinder_through_centre_of_sphere", cylinder(O, Z, 1), sphere(O, 2), 4 * kPi},
+       {"sphere_in_cylinder", cylinder(O, Z, 2), sphere(O, 2), 4 * kPi, 0, 0, 0, true},
+       {"sphere_in_oblique_cylinder", cylinder(O, {1, 2, 3}, 2), sphere(O, 2), 4 * kPi, 0, 0, 0,
+        true},
+       {"cylinder_on_sphere", cylinder({3, 0, 0}, Z, 1), sphere(O, 2), 0, 0, 1},
+       {"cylinder_through_torus", cylinder(O, Z, 5), torus(O, 5, 2), 20 * kPi},
+       {"cylinder_round_torus", cylinder(O, Z, 7), torus(O, 5, 2), 14 * kPi, 0, 0, 0, true},
+       {"cylinder_in_torus", cylinder(O, Z, 3), torus(O, 5, 2), 6 * kPi, 0, 0, 0, true},
+       {"cylinder_on_torus", cylinder({8, 0, 0}, Z, 1), torus(O, 5, 2), 0, 0, 1}});
+}
+
+void add_round_ones(std::vector<Row>& rows) {
+  const double s = std::tan(kPi / 6), c = std::cos(kPi / 6);
+  const double circle = 2 * kPi * 5 * (1 - 2 / std::sqrt(41.0));
+  rows.insert(
+      rows.end(),
+      {{"opposite_cones_of_one_axis", cone(O, Z, 10), cone({0, 0, 6}, {0, 0, -1}, 10), 6 * kPi * s},
+       {"cones_apex_to_apex", cone(O, Z, 10), cone(O, {0, 0, -1}, 10), 0, 0, 1},
+       {"sphere_in_cone", cone(O, Z, 10), sphere({0, 0, 4}, 2), 4 * kPi * c, 0, 0, 0, true},
+       {"sphere_round_apex", cone(O, Z, 10), sphere(O, 2), 2 * kPi},
+       {"spheres", sphere(O, 2), sphere({1, 1, 1}, 1.5),
+        2 * kPi * std::sqrt(4 - std::pow((4 + 3 - 2.25) / (2 * std::sqrt(3.0)), 2))},
+       {"spheres_side_by_side", sphere(O, 2), sphere({3.5, 0, 0}, 1.5), 0, 0, 1},
+       {"spheres_pole_to_pole", sphere(O, 2), sphere({0, 0, 3.5}, 1.5), 0, 0, 1},
+       {"sphere_in_sphere", sphere(O, 2), sphere({0.5, 0, 0}, 1.5), 0, 0, 1},
+       {"sphere_round_torus", sphere(O, 7), torus(O, 5, 2), 14 * kPi, 0, 0, 0, true},
+       {"sphere_in_torus", sphere(O, 3), torus(O, 5, 2), 6 * kPi, 0, 0, 0, true},
+       {"sphere_on_torus", sphere({0, 0, 4}, std::sqrt(41.0) - 2), torus(O, 5, 2), circle, 0, 0, 0,
+        true},
+       {"sphere_in_tube", sphere({5 * std::cos(1), 5 * std::sin(1), 0}, 2, {1, 2, 3}),
+        torus(O, 5, 2), 4 * kPi, 0, 0, 0, true},
+       {"small_sphere_in_tube", sphere({5, 0, 0}, 2 - 1e-4), torus(O, 5, 2)},
+       {"sphere_beside_torus", sphere({8, 0, 0}, 1), torus(O, 5, 2), 0, 0, 1},
+       {"tori_one_above_the_other", torus({0, 0, 1}, 5, 2), torus(O, 5, 2), 20 * kPi},
+       {"torus_on_torus", torus({0, 0, 4}, 5, 2), torus(O, 5, 2), 10 * kPi, 0, 0, 0, true},
+       {"torus_round_torus", torus(O, 8, 1), torus(O, 5, 2), 14 * kPi, 0, 0, 0, true},
+       {"torus_in_torus", torus(O, 5.5, 1.5), torus(O, 5, 2), 14 * kPi, 0, 0, 0, true},
+       {"torus_in_torus_inside", torus(O, 4.5, 1.5), torus(O, 5, 2), 6 * kPi, 0, 0, 0, true},
+       {"tori_crossing_on_one_axis", torus(O, 6, 2), torus(O, 5, 2), 22 * kPi},
+       {"thin_torus_in_torus", torus(O, 5, 1), torus(O, 5, 2)},
+       {"linked_tori", torus(O, 5, 1), torus({5, 0, 0}, 5, 1, Y)},
+       {"tori_side_by_side", torus(O, 5, 2), torus({14, 0, 0}, 5, 2), 0, 0, 1}});
+}
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> all = [] {
+    std::vector<Row> made;
+    add_planes(made);
+    add_cylinders(made);
+    add_round_ones(made);
+    return made;
+  }();
+  return all;
+}
+
+class AnalyticPairs : public ::testing::TestWithParam<int> {};
+
+void expect_row(const Row& row, const TopoDS_Face& a, const TopoDS_Face& b) {
+  const ShapeIntersection found = intersect({a}, {b});
+  std::size_t nodes = 0, points = 0, overlaps = 0;
+  double length = 0, touching = 0;
+  for (const FaceIntersection& pair : found.pairs) {
+    nodes += pair.found.nodes.size();
+    points += pair.found.points.size();
+    overlaps += pair.found.overlaps.size();
+    for (const IntersectionCurve& curve : pair.found.curves) {
+      length += curve.length;
+      touching += curve.tangential ? curve.length : 0;
+      const Deviation& d = curve.deviation;
+      EXPECT_LE(std::max({d.a, d.b, d.between}), curve.tangential ? 1e-6 : 1e-7);
+    }
+  }
+  EXPECT_LE(found.status, Status::Tolerance);
+  EXPECT_NEAR(length, row.length, (row.nodes > 0 ? 1e-3 : 1e-6) * row.length);  // less the nodes
+  EXPECT_NEAR(touching, row.tangential ? row.length : 0, 1e-6 * row.length);
+  EXPECT_EQ(static_cast<int>(nodes), row.nodes);
+  EXPECT_EQ(static_cast<int>(points), row.points);
+  EXPECT_EQ(static_cast<int>(overlaps), row.overlaps);
+}
+
+TEST_P(AnalyticPairs, HaveTheirCurves) {
+  const Row& row = rows()[static_cast<std::size_t>(GetParam())];
+  for (const double spin : {0.0, kSpin}) {
+    SCOPED_TRACE(::testing::Message() << "seams turned by " << spin);
+    const TopoDS_Face a = row.a(spin), b = row.b(spin);
+    expect_row(row, a, b);
+    expect_row(row, b, a);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, AnalyticPairs, ::testing::Range(0, static_cast<int>(rows().size())),
+                         [](const auto& which) {
+                           return rows()[static_cast<std::size_t>(which.param)].name;
+                         });
+
+}  // namespace
+}  // namespace blossom::occt
