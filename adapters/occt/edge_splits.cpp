@@ -161,9 +161,10 @@ bool EdgeSplits::is_split(const TopoDS_Edge& edge) const {
 }
 
 TopoDS_Vertex EdgeSplits::vertex(const TopoDS_Edge& edge, int split) const {
-  const Record* of = find(edge);
-  assert(of != nullptr);
-  return of->splits[static_cast<std::size_t>(split)].vertex;
+  if (const Record* of = find(edge)) return of->splits[static_cast<std::size_t>(split)].vertex;
+  assert(split == kFirst || split == kLast);
+  const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+  return split == kFirst ? TopExp::FirstVertex(forward) : TopExp::LastVertex(forward);
 }
 
 double EdgeSplits::parameter(const TopoDS_Edge& edge, int split) const {

@@ -47,7 +47,7 @@ class EdgeSplits {
   /// Whether anybody asked for a split inside of the edge.
   bool is_split(const TopoDS_Edge& edge) const;
 
-  /// The vertex of a split. The same object every time.
+  /// The vertex of a split, or of an end of any edge. The same object every time.
   TopoDS_Vertex vertex(const TopoDS_Edge& edge, int split) const;
 
   /// The edge's own parameter of a split.

@@ -143,6 +143,18 @@ TEST(FaceSplitter, CutFromRimToHoleIsImprintedAsABridge) {
   EXPECT_NEAR(length(split.pieces[0].imprints[0]), 1, 1e-9);
 }
 
+TEST(FaceSplitter, CutThatStopsJustShortOfACornerStopsAtItsVertex) {
+  const TopoDS_Face face = square();
+  EdgeSplits splits(1e-7);
+  FaceSplitter splitter(face, {line_cut(face, {2e-7, 2e-7}, {3, 3})}, splits, 1e-7);
+  splitter.settle();
+  const std::vector<CutStop> stops = splitter.stops(0);
+  ASSERT_EQ(stops.size(), 2u);
+  ASSERT_FALSE(stops[0].vertex.IsNull());
+  EXPECT_LE(BRep_Tool::Pnt(stops[0].vertex).Distance(gp_Pnt(0, 0, 0)), 1e-12);
+  EXPECT_TRUE(stops[1].vertex.IsNull());
+}
+
 // Two cuts that end at one loose vertex of the other side, and reach a little beyond each other.
 TEST(FaceSplitter, CutsThatMeetOneVertexOfTheOtherSideEndInOneNode) {
   constexpr double kBeyond = 5e-6;
