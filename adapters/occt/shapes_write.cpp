@@ -184,6 +184,10 @@ void write_through(const std::string& text, const fs::path& file) {
 
 }  // namespace
 
+bool keeps_internal_edges(const std::filesystem::path& file) {
+  return format_of(file) == Format::Brep;
+}
+
 void write_text(const std::string& text, const std::filesystem::path& file) {
   std::error_code error;
   // A link stays a link: what it points to is replaced.

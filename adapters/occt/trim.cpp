@@ -115,7 +115,7 @@ bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
 
 void split_all(std::vector<Job>& jobs, const TrimOptions& options, TrimResult& result) {
   const double tolerance = options.intersection.tolerances.point;
-  const OpenCuts open = options.keep == Keep::All ? OpenCuts::Imprint : OpenCuts::LeaveOut;
+  const OpenCuts open = options.keep == Keep::All ? options.open_cuts : OpenCuts::LeaveOut;
   EdgeSplits splits(tolerance);
   const auto begin = [&](Job& job) {
     attempt(job, result, [&] {

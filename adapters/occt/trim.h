@@ -26,13 +26,14 @@ enum class Keep {
   Below,    ///< opposite to them
   Inside,   ///< inside of a solid tool
   Outside,  ///< outside of all of them
-  All,      ///< cuts that divide nothing become internal edges
+  All,
   Number,  ///< the piece with a number
 };
 
 struct TrimOptions {
   Keep keep = Keep::All;
   int piece = 0;  ///< of Keep::Number: 1-based, as pieces are numbered in the result
+  OpenCuts open_cuts = OpenCuts::Imprint;  ///< of Keep::All; with others they are left out
   IntersectionOptions intersection;
 };
 

@@ -7,7 +7,10 @@
 #include <filesystem>
 #include <numbers>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <TopExp_Explorer.hxx>
+#include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/area.h"
@@ -70,6 +73,26 @@ TEST_F(TrimCommand, WritesTheCapBelowTheLid) {
   ASSERT_EQ(cap.face_count(), 1);
   EXPECT_TRUE(BRepCheck_Analyzer(cap.shape()).IsValid());
   EXPECT_NEAR(occt::area(cap.face(1)), bowl_area(0.25), 1e-6);
+}
+
+TEST_F(TrimCommand, ImprintsACutThatEndsInsideWhereTheFormatHasInternalEdges) {
+  const gp_Pln plane(gp_Pnt(0.5, 0.5, 0), gp_Dir(1, 0, 0));
+  testing::write({BRepBuilderAPI_MakeFace(plane, -5, 5, -0.2, 0.2).Face()}, folder / "blade.brep");
+  testing::write({testing::bowl()}, folder / "bowl.brep");
+  for (const std::string ending : {"brep", "step", "iges"}) {
+    const std::string output = folder / ("out." + ending);
+    const Finished run = blossom(
+        {"trim", folder / "bowl.brep", folder / "blade.brep", "--keep", "all", "-o", output});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const bool kept = ending == "brep";
+    EXPECT_NE(run.out.find(kept ? "imprinted" : "left out"), std::string::npos) << run.out;
+    int internal = 0;
+    const occt::Model made = occt::read_model(output);
+    for (TopExp_Explorer it(made.shape(), TopAbs_EDGE); it.More(); it.Next())
+      internal += it.Current().Orientation() == TopAbs_INTERNAL;
+    EXPECT_EQ(internal, kept ? 1 : 0);
+    EXPECT_TRUE(BRepCheck_Analyzer(made.shape()).IsValid());
+  }
 }
 
 TEST_F(TrimCommand, KeepsAPieceByTheNumberThatItPrinted) {
