@@ -5,14 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "core/base/errors.h"
 #include "core/forms/degree.h"
+#include "core/forms/interpolation.h"
 #include "core/forms/products.h"
-#include "core/math/binomial.h"
 #include "core/tracing/local_form.h"
 
 namespace blossom {
@@ -62,34 +61,6 @@ void map_coordinate(PlanarBezier& curve, int k, const Interval& span, ParameterL
   for (Vec3& p : curve.points) p[k] = (p[k] - span.from * p[2]) / length(span);
 }
 
-// The polynomial through values at Chebyshev's extreme points in [0, 1], ends included.
-std::vector<double> interpolant(const std::vector<double>& nodes, std::vector<double> values) {
-  const int n = static_cast<int>(nodes.size()) - 1;
-  std::vector<std::vector<double>> m(nodes.size(), std::vector<double>(nodes.size()));
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n; ++j)
-      m[index(i)][index(j)] =
-          binomial(n, j) * std::pow(nodes[index(i)], j) * std::pow(1 - nodes[index(i)], n - j);
-  // Totally positive: elimination without exchanges is stable.
-  for (std::size_t k = 0; k < m.size(); ++k)
-    for (std::size_t i = 0; i < m.size(); ++i) {
-      if (i == k) continue;
-      const double factor = m[i][k] / m[k][k];
-      for (std::size_t j = k; j < m.size(); ++j) m[i][j] -= factor * m[k][j];
-      values[i] -= factor * values[k];
-    }
-  for (std::size_t k = 0; k < m.size(); ++k) values[k] /= m[k][k];
-  return values;
-}
-
-std::vector<double> extreme_points(int degree) {
-  std::vector<double> nodes;
-  for (int k = 0; k <= degree; ++k)
-    nodes.push_back(0.5 - 0.5 * std::cos(k * std::numbers::pi / degree));
-  nodes.back() = 1;
-  return nodes;
-}
-
 // max |p w - x| / w for polynomials p and a rational curve (x, w), by coefficients.
 double distance_bound(const std::vector<double>& p, const PlanarBezier& curve, int k) {
   BezierFunction weight, x;
@@ -120,14 +91,6 @@ Vec2 amplitude(const PlanarSpan& span) {
   return sum;
 }
 
-// The error of interpolation at extreme points of a function with |f^(n + 1)| <= size over a range
-// of angles: size h^(n + 1) / (n + 1)! / 2^(n - 1), h half the range.
-double interpolation_error(double size, double range, int degree) {
-  double error = size;
-  for (int k = 1; k <= degree + 1; ++k) error *= 0.5 * range / k;
-  return std::ldexp(error, 1 - degree);
-}
-
 struct Fit {
   PlanarBezier curve;  // polynomial, the surface's parameters
   Vec2 error;
@@ -146,10 +109,10 @@ Fit fitted(const PlanarCurve& curve, const PlanarBezier& piece, const Interval& 
   std::vector<Vec2> points;
   for (const double t : nodes)
     points.push_back(by_angle ? point_at(curve, at(place, t)) : jet_at(piece, t).point);
+  const BezierCurve2 through = bezier_through(points);
   for (int k = 0; k < 2; ++k) {
-    std::vector<double> values;
-    for (const Vec2& p : points) values.push_back(p[k]);
-    const std::vector<double> form = interpolant(nodes, values);
+    std::vector<double> form;
+    for (const Vec2& p : through.points) form.push_back(p[k]);
     for (std::size_t i = 0; i < form.size(); ++i) fit.curve.points[i][k] = form[i];
     fit.error[k] = by_angle
                        ? interpolation_error(amplitude(span)[k], std::abs(length(place)), wanted)

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/trimming/polynomial_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/base/errors.h"
+#include "core/forms/degree.h"
+#include "core/forms/interpolation.h"
+#include "core/forms/products.h"
+#include "core/subdivision/patch_subdivision.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kAngleFit = 4;     // degree along an angle
+constexpr int kHighestFit = 10;  // as far as kLebesgue holds
+constexpr int kMostParts = 64;   // of a span
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Vec3 projected(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
+
+// Whether weights differ along u of some patch, or along v.
+bool weights_vary(const BezierSurface& surface, bool along_u) {
+  return std::ranges::any_of(surface.patches.values(), [&](const RationalBezierPatch& patch) {
+    for (int i = 0; i < patch.points.rows(); ++i)
+      for (int j = 0; j < patch.points.columns(); ++j)
+        if (patch.points(i, j)[3] != patch.points(along_u ? 0 : i, along_u ? j : 0)[3]) return true;
+    return false;
+  });
+}
+
+// Where weights do not vary the surface is a polynomial of its own degree.
+int fit_degree(const BezierSurface& surface, bool along_u) {
+  if ((along_u ? surface.u_law : surface.v_law) == ParameterLaw::Angle) return kAngleFit;
+  const RationalBezierPatch& patch = surface.patches(0, 0);
+  const int degree = along_u ? patch.degree_u() : patch.degree_v();
+  return weights_vary(surface, along_u) ? std::clamp(degree, kAngleFit, kHighestFit) : degree;
+}
+
+RationalBezierPatch transposed(const RationalBezierPatch& patch) {
+  RationalBezierPatch result{Grid<Vec4>(patch.points.columns(), patch.points.rows())};
+  for (int i = 0; i < patch.points.rows(); ++i)
+    for (int j = 0; j < patch.points.columns(); ++j) result.points(j, i) = patch.points(i, j);
+  return result;
+}
+
+// |A| + |B| of the arcs c + A cos + B sin along u, for all v: the rows are those of a quadratic.
+double amplitude(const RationalBezierPatch& patch, double angle) {
+  const double alpha = 0.5 * angle;
+  double most = 0;
+  for (int j = 0; j < patch.points.columns(); ++j) {
+    const Vec3 a = projected(patch.points(0, j)), p = projected(patch.points(1, j));
+    const Vec3 b = projected(patch.points(2, j));
+    most = std::max(
+        most, distance(p, 0.5 * (a + b)) * std::cos(alpha) / (std::sin(alpha) * std::sin(alpha)) +
+                  distance(a, b) / (2 * std::sin(alpha)));
+  }
+  return most;
+}
+
+// max |P - X / w| by the coefficients of w P - X.
+double distance_bound(const BezierPatch& fit, const RationalBezierPatch& patch) {
+  BezierFunction2 weight{Grid<double>(patch.points.rows(), patch.points.columns())};
+  BezierPatch x{Grid<Vec3>(patch.points.rows(), patch.points.columns())};
+  double least = patch.points(0, 0)[3];
+  for (std::size_t k = 0; k < patch.points.values().size(); ++k) {
+    const Vec4& p = patch.points.values()[k];
+    weight.points.values()[k] = p[3];
+    x.points.values()[k] = {p[0], p[1], p[2]};
+    least = std::min(least, p[3]);
+  }
+  const BezierPatch image = product(weight, fit);
+  x = elevated(x, image.degree_u(), image.degree_v());
+  double most = 0;
+  for (std::size_t k = 0; k < x.points.values().size(); ++k)
+    most = std::max(most, distance(image.points.values()[k], x.points.values()[k]));
+  return most / least;
+}
+
+// One patch of the result, over parts of a span, and the bound on its error.
+class Fitter {
+ public:
+  Fitter(const BezierSurface& surface, int i, int j)
+      : surface_(surface),
+        patch_(surface.patches(i, j)),
+        u_{surface.u_knots[index(i)], surface.u_knots[index(i) + 1]},
+        v_{surface.v_knots[index(j)], surface.v_knots[index(j) + 1]},
+        degree_u_(fit_degree(surface, true)),
+        degree_v_(fit_degree(surface, false)) {}
+
+  BezierPatch fit(const Interval& u, const Interval& v) const {
+    const std::vector<double> in_u = extreme_points(degree_u_), in_v = extreme_points(degree_v_);
+    Grid<Vec3> values(static_cast<int>(in_u.size()), static_cast<int>(in_v.size()));
+    for (int a = 0; a < values.rows(); ++a)
+      for (int b = 0; b < values.columns(); ++b)
+        values(a, b) = point_at(surface_, {at(u, in_u[index(a)]), at(v, in_v[index(b)])});
+    return {bezier_through(values)};
+  }
+
+  // Along an angle the remainder; across it, at each of its nodes, the same or the coefficients.
+  double error(const BezierPatch& made, const Interval& u, const Interval& v) const {
+    const bool angle_u = surface_.u_law == ParameterLaw::Angle;
+    const bool angle_v = surface_.v_law == ParameterLaw::Angle;
+    const RationalBezierPatch part =
+        sub_patch(patch_, local(surface_.u_law, u_, u), local(surface_.v_law, v_, v));
+    if (!angle_u && !angle_v) return distance_bound(made, part);
+    if (angle_u && angle_v)
+      return remainder(patch_, u_, u) + kLebesgue * remainder(transposed(patch_), v_, v);
+    const RationalBezierPatch along = angle_u ? part : transposed(part);
+    const double first = angle_u ? remainder(patch_, u_, u) : remainder(transposed(patch_), v_, v);
+    return first + kLebesgue * across(along, angle_u ? u : v, angle_u ? v : u, angle_u);
+  }
+
+ private:
+  static Interval local(ParameterLaw law, const Interval& span, const Interval& part) {
+    return {part.from == span.from ? 0 : local_parameter(law, span, part.from),
+            part.to == span.to ? 1 : local_parameter(law, span, part.to)};
+  }
+
+  static double remainder(const RationalBezierPatch& patch, const Interval& span,
+                          const Interval& part) {
+    return interpolation_error(amplitude(patch, length(span)), length(part), kAngleFit);
+  }
+
+  // The error across the angle on the lines at its nodes; `along` has the angle as u.
+  double across(const RationalBezierPatch& along, const Interval& angle, const Interval& other,
+                bool angle_is_u) const {
+    const int degree = angle_is_u ? degree_v_ : degree_u_;
+    double most = 0;
+    for (const double s : extreme_points(kAngleFit)) {
+      const double here = at(angle, s);
+      const double t = local_parameter(ParameterLaw::Angle, angle, here);
+      const RationalBezierPatch line = sub_patch(along, {t, t}, {0, 1});
+      BezierPatch fit{Grid<Vec3>(1, degree + 1)};
+      std::vector<Vec3> values;
+      for (const double x : extreme_points(degree)) {
+        const double there = at(other, x);
+        values.push_back(point_at(surface_, angle_is_u ? Vec2{here, there} : Vec2{there, here}));
+      }
+      values = bezier_through(values).points;
+      std::ranges::copy(values, fit.points.values().begin());
+      RationalBezierPatch row{Grid<Vec4>(1, line.points.columns())};
+      for (int k = 0; k < line.points.columns(); ++k) row.points(0, k) = line.points(0, k);
+      most = std::max(most, distance_bound(fit, row));
+    }
+    return most;
+  }
+
+  const BezierSurface& surface_;
+  const RationalBezierPatch& patch_;
+  Interval u_, v_;
+  int degree_u_, degree_v_;
+};
+
+std::vector<double> divided(const std::vector<double>& knots, int parts) {
+  std::vector<double> result{knots.front()};
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    for (int part = 1; part < parts; ++part)
+      result.push_back(at({knots[k], knots[k + 1]}, static_cast<double>(part) / parts));
+    result.push_back(knots[k + 1]);
+  }
+  return result;
+}
+
+RationalBezierPatch homogeneous(const BezierPatch& patch) {
+  RationalBezierPatch result{Grid<Vec4>(patch.points.rows(), patch.points.columns())};
+  for (std::size_t k = 0; k < patch.points.values().size(); ++k) {
+    const Vec3& p = patch.points.values()[k];
+    result.points.values()[k] = {p[0], p[1], p[2], 1};
+  }
+  return result;
+}
+
+// The surface in so many parts of each span.
+BezierSurface in_parts(const BezierSurface& surface, int parts_u, int parts_v) {
+  BezierSurface result;
+  result.u_knots = divided(surface.u_knots, parts_u);
+  result.v_knots = divided(surface.v_knots, parts_v);
+  result.closed_u = surface.closed_u;
+  result.closed_v = surface.closed_v;
+  result.patches = Grid<RationalBezierPatch>(static_cast<int>(result.u_knots.size()) - 1,
+                                             static_cast<int>(result.v_knots.size()) - 1);
+  for (int i = 0; i < result.patches.rows(); ++i)
+    for (int j = 0; j < result.patches.columns(); ++j) {
+      const Interval u{result.u_knots[index(i)], result.u_knots[index(i) + 1]};
+      const Interval v{result.v_knots[index(j)], result.v_knots[index(j) + 1]};
+      const Fitter fitter(surface, i / parts_u, j / parts_v);
+      const BezierPatch made = fitter.fit(u, v);
+      result.error = std::max(result.error, fitter.error(made, u, v));
+      result.patches(i, j) = homogeneous(made);
+    }
+  return result;
+}
+
+}  // namespace
+
+BezierSurface polynomial_surface(const BezierSurface& surface, double tolerance) {
+  validate(surface, "polynomial_surface");
+  if (!(tolerance > 0)) throw InvalidInput("polynomial_surface: the tolerance must be positive");
+  if (!surface.rational) return surface;
+  int parts_u = 1, parts_v = 1;
+  BezierSurface result = in_parts(surface, parts_u, parts_v);
+  while (result.error > tolerance && std::min(parts_u, parts_v) < kMostParts) {
+    // The direction that gains more is divided.
+    const BezierSurface more_u = in_parts(surface, 2 * parts_u, parts_v);
+    const BezierSurface more_v = in_parts(surface, parts_u, 2 * parts_v);
+    const bool by_u = more_u.error <= more_v.error;
+    (by_u ? parts_u : parts_v) *= 2;
+    result = by_u ? more_u : more_v;
+  }
+  result.error += surface.error;
+  return result;
+}
+
+}  // namespace blossom

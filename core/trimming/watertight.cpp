@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/trimming/watertight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "core/base/errors.h"
+#include "core/blossom/triangle_composition.h"
+#include "core/forms/de_casteljau.h"
+#include "core/forms/degree.h"
+#include "core/forms/interpolation.h"
+#include "core/trimming/polynomial_surface.h"
+#include "core/trimming/triangulated_region.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kSideDegree = 5;        // of the curves that take the place of edges
+constexpr int kMostRounds = 12;       // of dividing edges until all faces agree
+constexpr double kSameStop = 2e-9;    // relative to an edge's range
+constexpr double kSurfacePart = 0.1;  // of the tolerance, for polynomials in place of surfaces
+constexpr double kArcPart = 0.3;      // of the tolerance, for arcs in charts
+// Moves up to so many times the edge's own distance from the surfaces cannot be helped.
+constexpr double kEdgePart = 4;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+BezierCurve reversed(BezierCurve curve) {
+  std::ranges::reverse(curve.points);
+  return curve;
+}
+
+Vec3 space(const Vec4& p) { return {p[0], p[1], p[2]}; }
+
+double largest_gap(const BezierCurve& a, const BezierCurve& b) {
+  double most = 0;
+  for (std::size_t k = 0; k < a.points.size(); ++k)
+    most = std::max(most, distance(a.points[k], b.points[k]));
+  return most;
+}
+
+void check(const CommonModel& model, const WatertightOptions& options) {
+  const auto in = [](int i, std::size_t count) { return 0 <= i && index(i) < count; };
+  for (const CommonEdge& edge : model.edges)
+    if (!in(edge.from, model.vertices.size()) || !in(edge.to, model.vertices.size()))
+      throw InvalidInput("watertight: an edge ends at no vertex");
+  for (const CommonFace& face : model.faces) {
+    if (face.edges.size() != face.chart.borders.size())
+      throw InvalidInput("watertight: a face needs one edge for each border");
+    for (const int edge : face.edges)
+      if (!in(edge, model.edges.size())) throw InvalidInput("watertight: there is no such edge");
+  }
+  if (!(options.tolerance > 0)) throw InvalidInput("watertight: the tolerance must be positive");
+}
+
+class Builder {
+ public:
+  Builder(const CommonModel& model, const WatertightOptions& options)
+      : model_(model), options_(options), stops_(model.edges.size()), regions_(model.faces.size()) {
+    for (const CommonFace& face : model.faces) {
+      surfaces_.push_back(polynomial_surface(face.surface, kSurfacePart * options.tolerance));
+      surface_error_ = std::max(surface_error_, surfaces_.back().error);
+    }
+  }
+
+  WatertightPieces built() {
+    std::vector<bool> stale(model_.faces.size(), true);
+    for (int round = 0; round < kMostRounds; ++round) {
+      if (!make_regions(stale)) return std::move(result_);
+      if (agree_on_stops(stale)) continue;
+      make_pieces();
+      if (!divide_moved_sides(stale)) return std::move(result_);
+    }
+    // The last pieces agree; they are only farther from the surfaces than was wished.
+    if (result_.pieces.empty()) result_.obstacle = "the faces do not agree on pieces of an edge";
+    return std::move(result_);
+  }
+
+ private:
+  // ---- regions with equal stops
+
+  bool make_regions(const std::vector<bool>& stale) {
+    RegionOptions region_options;
+    region_options.common_borders = true;
+    region_options.tolerance = kArcPart * options_.tolerance;
+    region_options.highest_degree = options_.highest_degree;
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+      if (!stale[f]) continue;
+      TrimmedChart chart = model_.faces[f].chart;
+      for (std::size_t b = 0; b < chart.borders.size(); ++b)
+        chart.borders[b].stops = stops_[index(model_.faces[f].edges[b])];
+      regions_[f] = triangulated_region(surfaces_[f], chart, region_options);
+      if (regions_[f].obstacle.empty()) continue;
+      result_ = {};
+      result_.obstacle = "face " + std::to_string(f + 1) + ": " + regions_[f].obstacle;
+      return false;
+    }
+    return true;
+  }
+
+  // Increasing, from end to end of the edge; near ones are one.
+  static void tidy(std::vector<double>& stops, const Interval& domain) {
+    const double same = kSameStop * length(domain);
+    std::ranges::sort(stops);
+    std::vector<double> kept{domain.from};
+    for (const double stop : stops)
+      if (stop > kept.back() + same && stop < domain.to - same) kept.push_back(stop);
+    kept.push_back(domain.to);
+    stops = std::move(kept);
+  }
+
+  // Marks the faces whose borders have to be divided further.
+  bool agree_on_stops(std::vector<bool>& stale) {
+    for (std::size_t f = 0; f < model_.faces.size(); ++f)
+      for (std::size_t b = 0; b < regions_[f].stops.size(); ++b) {
+        std::vector<double>& stops = stops_[index(model_.faces[f].edges[b])];
+        stops.insert(stops.end(), regions_[f].stops[b].begin(), regions_[f].stops[b].end());
+      }
+    for (std::size_t e = 0; e < stops_.size(); ++e) tidy(stops_[e], model_.edges[e].domain);
+    stale.assign(model_.faces.size(), false);
+    for (std::size_t f = 0; f < model_.faces.size(); ++f)
+      for (std::size_t b = 0; b < regions_[f].stops.size(); ++b) {
+        const int edge = model_.faces[f].edges[b];
+        if (!model_.edges[index(edge)].is_point && regions_[f].stops[b] != stops_[index(edge)])
+          stale[f] = true;
+      }
+    return std::ranges::find(stale, true) != stale.end();
+  }
+
+  // ---- pieces
+
+  void make_pieces() {
+    result_ = {};
+    result_.vertices = model_.vertices;
+    stop_vertex_.clear();
+    arc_side_.clear();
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) add_face(static_cast<int>(f));
+    raise_degrees();
+    move_sides();
+    result_.deviation = 0;
+    for (const WatertightPiece& piece : result_.pieces)
+      result_.deviation = std::max(result_.deviation, piece.moved);
+    result_.deviation += surface_error_;
+  }
+
+  int vertex_on(int edge, double parameter) {
+    const CommonEdge& on = model_.edges[index(edge)];
+    if (on.is_point || parameter == on.domain.from) return on.from;
+    if (parameter == on.domain.to) return on.to;
+    const auto [known, is_new] =
+        stop_vertex_.try_emplace({edge, parameter}, static_cast<int>(result_.vertices.size()));
+    if (is_new) result_.vertices.push_back(on.point(parameter));
+    return known->second;
+  }
+
+  // The curve of a piece of an edge, in the direction of the edge.
+  int side_on(int edge, Interval place) {
+    if (place.from > place.to) std::swap(place.from, place.to);
+    const auto [known, is_new] =
+        arc_side_.try_emplace({edge, place.from, place.to}, static_cast<int>(result_.sides.size()));
+    if (!is_new) return known->second;
+    const CommonEdge& on = model_.edges[index(edge)];
+    WatertightSide side{edge, vertex_on(edge, place.from), vertex_on(edge, place.to), {}};
+    if (!on.is_point) {
+      std::vector<Vec3> points;
+      for (const double t : extreme_points(kSideDegree)) points.push_back(on.point(at(place, t)));
+      points.front() = result_.vertices[index(side.from)];
+      points.back() = result_.vertices[index(side.to)];
+      side.curve = bezier_through(points);
+    }
+    side_place_[static_cast<int>(result_.sides.size())] = place;
+    result_.sides.push_back(std::move(side));
+    return known->second;
+  }
+
+  // Numbers of a region's vertices in the model; those inside get new ones.
+  std::vector<int> vertices_of(int face) {
+    const TriangulatedRegion& region = regions_[index(face)];
+    std::vector<int> names(region.vertices.size(), -1);
+    for (const RegionArc& arc : region.arcs) {
+      const int edge = model_.faces[index(face)].edges[index(arc.border)];
+      names[index(arc.from)] = vertex_on(edge, arc.place.from);
+      names[index(arc.to)] = vertex_on(edge, arc.place.to);
+    }
+    return names;
+  }
+
+  void add_face(int face) {
+    const TriangulatedRegion& region = regions_[index(face)];
+    std::vector<int> names = vertices_of(face);
+    std::map<std::pair<int, int>, int> inner;  // sides by the region's vertices
+    for (const RegionPiece& piece : region.pieces) {
+      const auto* triangle = std::get_if<CurvedTriangle>(&piece.shape);
+      std::vector<int> corners;
+      if (triangle)
+        corners.assign(triangle->vertices.begin(), triangle->vertices.end());
+      else
+        std::ranges::copy(std::get<RegionCell>(piece.shape).vertices, std::back_inserter(corners));
+      WatertightPiece made{face, polynomial_form(surfaces_[index(face)], piece), {}, {}, {}, 0};
+      name_corners(made, corners, names);
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const int number = triangle ? triangle->arcs[k] : -1;
+        made.sides.push_back(number >= 0 ? side_under(face, region.arcs[index(number)])
+                                         : inner_side(made, static_cast<int>(k), corners, inner));
+      }
+      result_.pieces.push_back(std::move(made));
+    }
+  }
+
+  int side_under(int face, const RegionArc& arc) {
+    return side_on(model_.faces[index(face)].edges[index(arc.border)], arc.place);
+  }
+
+  static std::variant<BezierPatch, BezierTriangle> polynomial_form(const BezierSurface& surface,
+                                                                   const RegionPiece& piece) {
+    const RegionForm form = bezier_form(surface, piece);
+    if (const auto* given = std::get_if<RationalBezierTriangle>(&form)) {
+      BezierTriangle own{given->degree, {}};
+      for (const Vec4& p : given->points) own.points.push_back(space(p));
+      return own;
+    }
+    const Grid<Vec4>& net = std::get<RationalBezierPatch>(form).points;
+    BezierPatch own{Grid<Vec3>(net.rows(), net.columns())};
+    std::ranges::transform(net.values(), own.points.values().begin(), space);
+    return own;
+  }
+
+  // ---- corners and sides of one piece
+
+  static BezierCurve side_curve(const WatertightPiece& piece, int k) {
+    if (const auto* triangle = std::get_if<BezierTriangle>(&piece.form))
+      return side_of(*triangle, k, (k + 1) % 3);
+    const Grid<Vec3>& net = std::get<BezierPatch>(piece.form).points;
+    const int n = net.rows() - 1, m = net.columns() - 1;
+    BezierCurve curve;
+    for (int i = 0; i <= (k % 2 == 0 ? n : m); ++i)
+      curve.points.push_back(k == 0   ? net(i, 0)
+                             : k == 1 ? net(n, i)
+                             : k == 2 ? net(n - i, m)
+                                      : net(0, m - i));
+    return curve;
+  }
+
+  static void set_side_curve(WatertightPiece& piece, int k, const BezierCurve& curve) {
+    if (auto* triangle = std::get_if<BezierTriangle>(&piece.form))
+      return set_side(*triangle, k, (k + 1) % 3, curve);
+    Grid<Vec3>& net = std::get<BezierPatch>(piece.form).points;
+    const int n = net.rows() - 1, m = net.columns() - 1;
+    for (int i = 0; i <= curve.degree(); ++i)
+      (k == 0   ? net(i, 0)
+       : k == 1 ? net(n, i)
+       : k == 2 ? net(n - i, m)
+                : net(0, m - i)) = curve.points[index(i)];
+  }
+
+  // Corners of a piece that are not on an edge get the next numbers, at the piece's own points.
+  void name_corners(WatertightPiece& piece, const std::vector<int>& corners,
+                    std::vector<int>& names) {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      int& name = names[index(corners[k])];
+      if (name < 0) {
+        name = static_cast<int>(result_.vertices.size());
+        result_.vertices.push_back(side_curve(piece, static_cast<int>(k)).points.front());
+      }
+      piece.vertices.push_back(name);
+    }
+  }
+
+  int inner_side(const WatertightPiece& piece, int k, const std::vector<int>& corners,
+                 std::map<std::pair<int, int>, int>& inner) {
+    const std::size_t next = (index(k) + 1) % corners.size();
+    const int a = corners[index(k)], b = corners[next];
+    if (const auto known = inner.find({b, a}); known != inner.end()) return known->second;
+    const int number = inner[{a, b}] = static_cast<int>(result_.sides.size());
+    result_.sides.push_back(
+        {-1, piece.vertices[index(k)], piece.vertices[next], side_curve(piece, k)});
+    return number;
+  }
+
+  // ---- equal degrees along edges, then equal points
+
+  void raise_degrees() {
+    std::vector<int> degree(result_.sides.size(), kSideDegree);
+    bool changed = true;
+    const auto raise = [&](int& low, int to) {
+      if (low >= to) return;
+      low = to;
+      changed = true;
+    };
+    std::vector<int> wanted(result_.pieces.size(), 0);
+    while (changed) {
+      changed = false;
+      for (std::size_t p = 0; p < result_.pieces.size(); ++p) {
+        const auto* triangle = std::get_if<BezierTriangle>(&result_.pieces[p].form);
+        if (!triangle) continue;
+        raise(wanted[p], triangle->degree);
+        for (const int side : result_.pieces[p].sides) {
+          if (result_.sides[index(side)].edge < 0) continue;
+          raise(degree[index(side)], wanted[p]);
+          raise(wanted[p], degree[index(side)]);
+        }
+      }
+    }
+    for (std::size_t p = 0; p < result_.pieces.size(); ++p)
+      if (auto* triangle = std::get_if<BezierTriangle>(&result_.pieces[p].form))
+        *triangle = elevated(*triangle, wanted[p]);
+    for (std::size_t s = 0; s < result_.sides.size(); ++s) {
+      WatertightSide& side = result_.sides[s];
+      if (side.edge < 0 || side.curve.points.empty()) continue;
+      side.curve = elevated(side.curve, degree[s]);
+      side.curve.points.front() = result_.vertices[index(side.from)];
+      side.curve.points.back() = result_.vertices[index(side.to)];
+    }
+  }
+
+  // Inner sides are those of their first piece, with the ends at the vertices; a piece of another
+  // degree gets them elevated or, if its own is lower, keeps its own but for the ends.
+  void move_sides() {
+    for (WatertightSide& side : result_.sides) {
+      if (side.edge >= 0) continue;
+      side.curve.points.front() = result_.vertices[index(side.from)];
+      side.curve.points.back() = result_.vertices[index(side.to)];
+    }
+    moved_.assign(result_.sides.size(), 0);
+    edge_gap_.assign(result_.sides.size(), 0);
+    for (WatertightPiece& piece : result_.pieces) {
+      for (std::size_t k = 0; k < piece.sides.size(); ++k)
+        piece.along.push_back(runs_along(piece, k));
+      for (std::size_t k = 0; k < piece.sides.size(); ++k) move_side(piece, k);
+    }
+  }
+
+  void move_side(WatertightPiece& piece, std::size_t k) {
+    const int number = piece.sides[k];
+    const WatertightSide& side = result_.sides[index(number)];
+    const BezierCurve own = side_curve(piece, static_cast<int>(k));
+    BezierCurve wanted;
+    if (side.curve.points.empty())
+      wanted.points.assign(own.points.size(), result_.vertices[index(side.from)]);
+    else
+      wanted = piece.along[k] ? side.curve : reversed(side.curve);
+    if (wanted.degree() < own.degree()) wanted = elevated(wanted, own.degree());
+    if (wanted.degree() > own.degree()) {
+      BezierCurve kept = own;
+      kept.points.front() = wanted.points.front();
+      kept.points.back() = wanted.points.back();
+      wanted = std::move(kept);
+    }
+    wanted.points.front() = result_.vertices[index(piece.vertices[k])];
+    wanted.points.back() = result_.vertices[index(piece.vertices[(k + 1) % piece.vertices.size()])];
+    const double gap = largest_gap(own, wanted);
+    for (const double t : extreme_points(kSideDegree))
+      edge_gap_[index(number)] =
+          std::max(edge_gap_[index(number)], distance(point_at(own, t), point_at(wanted, t)));
+    piece.moved = std::max(piece.moved, gap);
+    moved_[index(number)] = std::max(moved_[index(number)], gap);
+    set_side_curve(piece, static_cast<int>(k), wanted);
+  }
+
+  // Whether the piece runs along the side as the side's curve does. A side between equal vertices
+  // is told by the nearer end of the middle.
+  bool runs_along(const WatertightPiece& piece, std::size_t k) const {
+    const WatertightSide& side = result_.sides[index(piece.sides[k])];
+    if (side.from != side.to || side.curve.points.empty()) return piece.vertices[k] == side.from;
+    const Vec3 own = point_at(side_curve(piece, static_cast<int>(k)), 0.25);
+    return distance(own, point_at(side.curve, 0.25)) <= distance(own, point_at(side.curve, 0.75));
+  }
+
+  // Halves the pieces of edges whose triangles moved too far for other reasons than the edge's own
+  // distance from the surfaces.
+  bool divide_moved_sides(std::vector<bool>& stale) {
+    std::vector<bool> divided(model_.edges.size(), false);
+    for (const auto& [number, place] : side_place_) {
+      const WatertightSide& side = result_.sides[index(number)];
+      if (side.curve.points.empty() || moved_[index(number)] <= options_.tolerance) continue;
+      if (moved_[index(number)] <= kEdgePart * edge_gap_[index(number)]) continue;
+      stops_[index(side.edge)].push_back(at(place, 0.5));
+      divided[index(side.edge)] = true;
+    }
+    for (std::size_t f = 0; f < model_.faces.size(); ++f)
+      stale[f] = std::ranges::any_of(model_.faces[f].edges,
+                                     [&](int edge) { return divided[index(edge)]; });
+    return std::ranges::find(divided, true) != divided.end();
+  }
+
+  const CommonModel& model_;
+  WatertightOptions options_;
+  std::vector<std::vector<double>> stops_;  // of each edge
+  std::vector<BezierSurface> surfaces_;
+  double surface_error_ = 0;
+  std::vector<TriangulatedRegion> regions_;
+  std::map<std::pair<int, double>, int> stop_vertex_;
+  std::map<std::tuple<int, double, double>, int> arc_side_;
+  std::map<int, Interval> side_place_;
+  std::vector<double> moved_;     // of each side, by its pieces
+  std::vector<double> edge_gap_;  // of each side: the edge's distance from the surfaces
+  WatertightPieces result_;
+};
+
+}  // namespace
+
+WatertightPieces watertight_pieces(const CommonModel& model, const WatertightOptions& options) {
+  check(model, options);
+  return Builder(model, options).built();
+}
+
+}  // namespace blossom

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/trimming/watertight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "core/base/errors.h"
+#include "core/blossom/triangle_composition.h"
+#include "core/forms/de_casteljau.h"
+#include "core/forms/evaluation.h"
+#include "core/trimming/polynomial_surface.h"
+#include "tests/support/solids.h"
+
+namespace blossom {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// A patch z = f(x, y) over [0, 1]^2 and a wall below its side y = 0; the wall is `gap` off. A hole
+// in the patch makes it trimmed. The common edge is a circle's arc in the wall's chart, of another
+// parameter than the patch's.
+double height(double x) { return 1 + 0.3 * std::sin(2 * x); }
+
+BezierSurface roof() {
+  BezierSurface surface{{0, 1}, {0, 0.5, 1}};
+  surface.patches = Grid<RationalBezierPatch>(1, 2);
+  for (int j = 0; j < 2; ++j) {
+    RationalBezierPatch& patch = surface.patches(0, j);
+    patch.points = Grid<Vec4>(4, 4);
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b < 4; ++b) {
+        const double x = a / 3.0, y = 0.5 * j + b / 6.0;
+        patch.points(a, b) = {x, y, height(x) + y * y, 1};
+      }
+  }
+  return surface;
+}
+
+Vec3 edge_point(double t) {
+  Vec3 p = point_at(roof(), {t, 0});
+  return p;
+}
+
+// The wall x-z at y = gap, in two patches; its upper border in the chart is z as a cubic of x.
+CommonModel roof_and_wall(double gap) {
+  CommonModel model;
+  const BezierSurface top = roof();
+  BezierSurface wall{{0, 0.4, 1}, {0, 3}};
+  wall.patches = Grid<RationalBezierPatch>(2, 1);
+  for (int i = 0; i < 2; ++i) {
+    RationalBezierPatch& patch = wall.patches(i, 0);
+    patch.points = Grid<Vec4>(2, 2);
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        patch.points(a, b) = {wall.u_knots[static_cast<std::size_t>(i + a)], gap, 3.0 * b, 1};
+  }
+  PlanarBezier curve;  // (x, z) of the edge
+  for (int a = 0; a < 4; ++a) {
+    const Vec4 p = top.patches(0, 0).points(a, 0);
+    curve.points.push_back({p[0], p[2], 1});
+  }
+  const Vec3 left = edge_point(0), right = edge_point(1);
+  model.vertices = {left,      right,    point_at(top, {1, 1}), point_at(top, {0, 1}),
+                    {0, 0, 0}, {1, 0, 0}};
+  const auto straight = [&](int from, int to) {
+    const Vec3 a = model.vertices[static_cast<std::size_t>(from)];
+    const Vec3 b = model.vertices[static_cast<std::size_t>(to)];
+    return CommonEdge{[a, b](double t) { return (1 - t) * a + t * b; }, {0, 1}, from, to};
+  };
+  const auto on_top = [top](const Vec2& from, const Vec2& to) {
+    return [=](double t) { return point_at(top, (1 - t) * from + t * to); };
+  };
+  model.edges = {{edge_point, {0, 1}, 0, 1},
+                 {on_top({1, 0}, {1, 1}), {0, 1}, 1, 2},
+                 {on_top({1, 1}, {0, 1}), {0, 1}, 2, 3},
+                 {on_top({0, 1}, {0, 0}), {0, 1}, 3, 0},
+                 straight(0, 4),
+                 straight(4, 5),
+                 straight(5, 1)};
+  const auto line = [](const Vec2& a, const Vec2& b) { return planar_line(a, b, {0, 1}); };
+  CommonFace roof_face{top, {}, {0, 1, 2, 3}};
+  roof_face.chart.corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int k = 0; k < 4; ++k)
+    roof_face.chart.borders.push_back(
+        {line(roof_face.chart.corners[static_cast<std::size_t>(k)],
+              roof_face.chart.corners[static_cast<std::size_t>((k + 1) % 4)]),
+         false,
+         k,
+         (k + 1) % 4,
+         {}});
+  CommonFace wall_face{wall, {}, {0, 4, 5, 6}};
+  wall_face.chart.corners = {{0, left[2]}, {1, right[2]}, {0, 0}, {1, 0}};
+  wall_face.chart.borders = {{{{{curve, {0, 1}}}}, true, 1, 0, {}},
+                             {line({0, left[2]}, {0, 0}), false, 0, 2, {}},
+                             {line({0, 0}, {1, 0}), false, 2, 3, {}},
+                             {line({1, 0}, {1, right[2]}), false, 3, 1, {}}};
+  model.faces = {roof_face, wall_face};
+  return model;
+}
+
+BezierCurve side_curve(const WatertightPiece& piece, int k) {
+  return side_of(std::get<BezierTriangle>(piece.form), k, (k + 1) % 3);
+}
+
+// The pieces' curves along each side of an edge, turned to the side's direction.
+std::map<int, std::vector<BezierCurve>> curves_on_edges(const WatertightPieces& made) {
+  std::map<int, std::vector<BezierCurve>> curves;
+  for (const WatertightPiece& piece : made.pieces)
+    for (std::size_t k = 0; k < piece.sides.size(); ++k) {
+      const WatertightSide& side = made.sides[static_cast<std::size_t>(piece.sides[k])];
+      if (side.edge < 0) continue;
+      BezierCurve curve = side_curve(piece, static_cast<int>(k));
+      if (piece.vertices[k] != side.from) std::ranges::reverse(curve.points);
+      curves[piece.sides[k]].push_back(std::move(curve));
+    }
+  return curves;
+}
+
+TEST(WatertightPieces, ShareTheControlPointsOfTheirCommonEdgeBitForBit) {
+  const WatertightPieces made = watertight_pieces(roof_and_wall(1e-5));
+
+  ASSERT_TRUE(made.obstacle.empty()) << made.obstacle;
+  int common = 0;
+  for (const auto& [number, curves] : curves_on_edges(made)) {
+    const WatertightSide& side = made.sides[static_cast<std::size_t>(number)];
+    ASSERT_EQ(curves.size(), side.edge == 0 ? 2u : 1u);
+    for (const BezierCurve& curve : curves) EXPECT_EQ(curve.points, side.curve.points);
+    common += side.edge == 0 ? 1 : 0;
+  }
+  EXPECT_GE(common, 2);  // the wall's two patches
+}
+
+TEST(WatertightPieces, MoveByNoMoreThanTheyState) {
+  for (const double gap : {0.0, 1e-8, 1e-5, 1e-3}) {
+    const CommonModel model = roof_and_wall(gap);
+
+    const WatertightPieces made = watertight_pieces(model);
+
+    ASSERT_TRUE(made.obstacle.empty());
+    EXPECT_LE(made.deviation, std::max(1e-6, 1.01 * gap));
+    double seen = 0;
+    for (const WatertightPiece& piece : made.pieces) {
+      const auto* triangle = std::get_if<BezierTriangle>(&piece.form);
+      for (double x = 0; triangle && x <= 1; x += 0.125)
+        for (double y = 0; x + y <= 1; y += 0.125) {
+          const Vec3 p = point_at(*triangle, x, y);
+          const double off = piece.face == 0
+                                 ? distance(p, point_at(model.faces[0].surface, {p[0], p[1]}))
+                                 : std::abs(p[1] - gap);
+          EXPECT_LE(off, 2 * piece.moved + 1e-14);  // here the nearest, there at equal parameters
+          seen = std::max(seen, off);
+        }
+    }
+    EXPECT_GE(seen, 0.9 * gap);
+  }
+}
+
+// Each side is used twice inside and on the common edge, once on free edges.
+TEST(WatertightPieces, UseEverySideAsOftenAsThereAreFaces) {
+  const WatertightPieces made = watertight_pieces(roof_and_wall(0));
+
+  std::map<int, int> uses;
+  for (const WatertightPiece& piece : made.pieces)
+    for (const int side : piece.sides) ++uses[side];
+  for (const auto& [side, count] : uses) {
+    const int edge = made.sides[static_cast<std::size_t>(side)].edge;
+    EXPECT_EQ(count, edge <= 0 ? 2 : 1);
+  }
+}
+
+TEST(WatertightPieces, RefuseWhatNamesNothing) {
+  CommonModel model = roof_and_wall(0);
+  model.faces[0].edges[1] = 9;
+  EXPECT_THROW(watertight_pieces(model), InvalidInput);
+  model = roof_and_wall(0);
+  model.edges[3].to = 6;
+  EXPECT_THROW(watertight_pieces(model), InvalidInput);
+}
+
+TEST(PolynomialSurface, OfASphereStaysWithinItsBound) {
+  for (const double tolerance : {1e-3, 1e-6, 1e-8}) {
+    const BezierSurface sphere = testing::unit_sphere();
+    const BezierSurface made = polynomial_surface(sphere, tolerance);
+
+    EXPECT_LE(made.error, tolerance);
+    EXPECT_FALSE(made.rational);
+    double seen = 0;
+    for (double u = 0.01; u < 2 * kPi; u += 0.1)
+      for (double v = -1.57; v < 1.57; v += 0.1)
+        seen = std::max(seen, distance(point_at(made, {u, v}), point_at(sphere, {u, v})));
+    EXPECT_LE(seen, made.error);
+    EXPECT_GE(seen, 0.02 * made.error);
+  }
+}
+
+TEST(PolynomialSurface, OfARationalSplineComparesCoefficients) {
+  BezierSurface surface{{0, 2}, {1, 3}};
+  surface.rational = true;
+  surface.patches = Grid<RationalBezierPatch>(1, 1);
+  Grid<Vec4>& net = surface.patches(0, 0).points = Grid<Vec4>(3, 3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double w = 1 + 0.3 * i - 0.2 * j;
+      net(i, j) = {w * i, w * j, w * (i - j) * i, w};
+    }
+
+  const BezierSurface made = polynomial_surface(surface, 1e-6);
+
+  EXPECT_LE(made.error, 1e-6);
+  double seen = 0;
+  for (double u = 0; u <= 2; u += 0.05)
+    for (double v = 1; v <= 3; v += 0.05)
+      seen = std::max(seen, distance(point_at(made, {u, v}), point_at(surface, {u, v})));
+  EXPECT_LE(seen, made.error);
+  EXPECT_GE(seen, 0.02 * made.error);
+}
+
+TEST(PolynomialSurface, OfAPolynomialIsItself) {
+  EXPECT_EQ(polynomial_surface(roof(), 1e-9).patches, roof().patches);
+  EXPECT_THROW(polynomial_surface(roof(), 0), InvalidInput);
+}
+
+}  // namespace
+}  // namespace blossom
