@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/forms/evaluation.h"
 #include "core/intersection/contact_points.h"
@@ -55,12 +56,14 @@ class Joiner {
     for (std::size_t e = 0; e < ends; e += 2)
       if (!used_[e / 2]) chains.push_back(walk(e));
     for (ContactChain& chain : chains) measure(chain);
+    const std::size_t clumps_from = chains.size();
     std::erase_if(clumps, [&](const Clump& clump) {
       const double most = clump.thin ? kPointClump * size_ : tolerance_;
       const bool point = !clump.singular && diagonal(clump.box) <= most;
       if (point) chains.push_back(contact_of(clump));
       return point;
     });
+    measure_across(chains, clumps_from);
     merge_points(chains);
     for (ContactChain& chain : chains) {
       if (chain.curve)
@@ -259,22 +262,67 @@ class Joiner {
     return false;
   }
 
-  void measure(ContactChain& chain) const {
+  Steps steps_of(const ContactChain& chain) const {
     Steps steps;
-    for (std::size_t i = 0; i < chain.path.size(); ++i) {
-      const ContactPoint& q = chain.path[i];
-      const Vec3 at_q = point(q.patch_a, q.x);
-      chain.box = joined(chain.box, {at_q, at_q});
-      if (i == 0) continue;
-      const ContactPoint& p = chain.path[i - 1];
-      steps.push_back({std::max(p.gap, q.gap), distance(point(p.patch_a, p.x), at_q)});
-      chain.length += steps.back().second;
+    for (std::size_t i = 1; i < chain.path.size(); ++i) {
+      const ContactPoint &p = chain.path[i - 1], &q = chain.path[i];
+      const double step = distance(point(p.patch_a, p.x), point(q.patch_a, q.x));
+      steps.push_back({std::max(p.gap, q.gap), step});
     }
+    return steps;
+  }
+
+  bool is_strip(const Steps& steps, double length) const {
     const double close = length_between(steps, 0, kCloser * tolerance_);
-    const bool strip = chain.length > kLong * size_ &&
-                       (close < kHardlyAny * chain.length || has_even_gap(steps, chain.length));
+    return length > kLong * size_ && (close < kHardlyAny * length || has_even_gap(steps, length));
+  }
+
+  void measure(ContactChain& chain) const {
+    for (const ContactPoint& p : chain.path) {
+      const Vec3 at_p = point(p.patch_a, p.x);
+      chain.box = joined(chain.box, {at_p, at_p});
+    }
+    const Steps steps = steps_of(chain);
+    for (const auto& [gap, step] : steps) chain.length += step;
+    const double close = length_between(steps, 0, kCloser * tolerance_);
     chain.curve = chain.length > kShort * size_ &&
-                  (chain.closed || close > kMostOfIt * chain.length || strip);
+                  (chain.closed || close > kMostOfIt * chain.length ||
+                   is_strip(steps, chain.length));
+  }
+
+  // True if a contact begins or ends in a clump.
+  bool ends_in(const ContactChain& chain, const ContactChain& clump) const {
+    const double most = kJoinRadius * size_;
+    const ContactPoint &front = chain.path.front(), &back = chain.path.back();
+    return squared_distance(clump.box, point(front.patch_a, front.x)) <= most * most ||
+           squared_distance(clump.box, point(back.patch_a, back.x)) <= most * most;
+  }
+
+  // Contacts that clumps keep apart may be parts of one strip, each too short for one.
+  void measure_across(std::vector<ContactChain>& chains, std::size_t clumps_from) const {
+    std::vector<std::size_t> group(clumps_from);
+    std::iota(group.begin(), group.end(), std::size_t{0});
+    for (std::size_t c = clumps_from; c < chains.size(); ++c) {
+      std::size_t first = clumps_from;
+      for (std::size_t i = 0; i < clumps_from; ++i) {
+        if (!ends_in(chains[i], chains[c])) continue;
+        if (first == clumps_from) first = group[i];
+        std::replace(group.begin(), group.end(), std::size_t{group[i]}, first);
+      }
+    }
+    for (std::size_t g = 0; g < clumps_from; ++g) {
+      Steps steps;
+      double length = 0;
+      for (std::size_t i = 0; i < clumps_from; ++i) {
+        if (group[i] != g) continue;
+        const Steps more = steps_of(chains[i]);
+        steps.insert(steps.end(), more.begin(), more.end());
+        length += chains[i].length;
+      }
+      if (!is_strip(steps, length)) continue;
+      for (std::size_t i = 0; i < clumps_from; ++i)
+        if (group[i] == g) chains[i].curve = true;
+    }
   }
 
   // A point of least distance near a pair of cells: a crossing, where the surfaces are not
