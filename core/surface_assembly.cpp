@@ -34,6 +34,7 @@ constexpr double kClumpReach = 4;
 constexpr double kPointClump = 1e-2;  // of the surfaces' size: a larger clump is more than a point
 constexpr double kShortest = 4;       // tolerances: the shortest branch between contacts
 constexpr double kOnCurve = 1e-4;     // of the surfaces' size
+constexpr double kPoint = 1e-12;      // likewise: so long is what stays in the apex of a cone
 
 // A curve that leaves the surfaces by so many tolerances and so much of their size is none.
 constexpr double kWorst = 100;
@@ -248,7 +249,7 @@ class Assembly {
         {parameter_at(b_.u_law, cells_b.knots_u(graze.patch_b), graze.x[2]),
          parameter_at(b_.v_law, cells_b.knots_v(graze.patch_b), graze.x[3])}};
     if (known_contact(contact.point) || ends_curve(contact.point) || in_clump(contact.point) ||
-        in_contact(contact.point))
+        in_contact(contact.point) || on_curve(contact.point))
       return;
     result_.points.push_back(contact);
     Place place = place_at(contact);
@@ -291,7 +292,8 @@ class Assembly {
     const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
     const double length = tracer.stations().back();
     const bool is_short = length <= kShortest * options_.tolerances.point;
-    if (is_short && (belongs_to_contact(chain) || chain.closed)) return {};
+    const bool is_point = length <= kPoint * size_;
+    if (is_short && (belongs_to_contact(chain) || chain.closed || is_point)) return {};
     if (slides(chain) && length <= contact_length()) return {};
     const bool tangential = touches_along(chain);
     const double gap = tangential ? largest_gap() : 0;
@@ -503,13 +505,30 @@ class Assembly {
       if (!clump.singular) place.gap_high = kThinGap * options_.tolerances.point;
       place.kind = clump.singular ? PlaceKind::Cusp : PlaceKind::Tangential;
     }
+    const bool coincides = clump.thin && holds_area(clump);
+    if (coincides) {
+      place.kind = PlaceKind::Overlap;
+      result_.overlaps.push_back({{}, place.gap_high});
+    }
     result_.places.push_back(place);
-    if (!clump.thin)
+    if (coincides)
+      weaken(Status::Tolerance, "the surfaces coincide in the listed places");
+    else if (!clump.thin)
       weaken(Status::Stopped, "places stayed open");
     else if (clump.singular)
       weaken(Status::Tolerance, "the surface is singular, or nearly, in the listed places");
     else
       weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+  }
+
+  // True if the surfaces are proven to be one over an area of the clump, not just along a border.
+  // Where that has a border of its own it is a region already.
+  bool holds_area(const Clump& clump) const {
+    constexpr double kWidth = 1e-6;  // of a patch
+    return std::any_of(clump.pairs.begin(), clump.pairs.end(), [&](int i) {
+      const CriticalPair& pair = found_.critical[static_cast<std::size_t>(i)];
+      return pair.shared && length(pair.box[0]) > kWidth && length(pair.box[1]) > kWidth;
+    });
   }
 
   void add_known_curves() {

@@ -14,8 +14,8 @@ constexpr double kSettled = 1e-14;  // a Newton step below this is rounding; fra
 constexpr double kStalled = 1e-10;  // so is one below this that no longer shrinks: ill conditioned
 constexpr double kBorderSlack = 4e-11;  // a root this close to a face is on it; fraction of a patch
 constexpr int kKrawczykSteps = 16;
-constexpr int kFirstSteps = 3;     // of them before Newton's method,
-constexpr double kNarrow = 0.125;  // until the box is so much smaller, or empty
+constexpr int kFirstSteps = 3;           // of them before Newton's method,
+constexpr double kNarrow = 0.125;        // until the box is so much smaller, or empty
 constexpr int kSlidingSamples = 9;       // points of an arc that must all lie on a face
 constexpr double kTangentToFace = 1e-6;  // slower than this across a face means undecided
 
@@ -127,16 +127,18 @@ class PairBorder {
                        [](const auto& s) { return s[0] || s[1]; });
   }
 
-  // An arc along an upper border belongs to the neighbour, if there is one; an arc along a
-  // border that is one point in space, the pole of a sphere, is none.
-  bool belongs_elsewhere(const SurfaceBorders& borders, const CellArc& arc) const {
+  // An arc along an upper border belongs to the neighbour, if there is one.
+  bool belongs_elsewhere(const SurfaceBorders& borders) const {
     for (std::size_t i = 0; i < 4; ++i)
       if (sliding_[i][1] && !borders.high[i]) return true;
+    return false;
+  }
+
+  // True if the arc runs along a border that is one point in space: the pole of a sphere.
+  bool stays_at_pole(const CellArc& arc) const {
     Point4 middle;
     for (std::size_t i = 0; i < 4; ++i) middle[i] = 0.5 * (arc.from[i] + arc.to[i]);
-    const auto point = [&](const Point4& x) {
-      return point_at(tree_a_.patch(), x[0], x[1]);
-    };
+    const auto point = [&](const Point4& x) { return point_at(tree_a_.patch(), x[0], x[1]); };
     const Vec3 start = point(arc.from);
     const double reach = std::max(distance(start, point(middle)), distance(start, point(arc.to)));
     return slides() && reach <= 16 * std::max(a_.margin, b_.margin);
@@ -399,8 +401,13 @@ std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const Cel
     open = starts;
   }
   if (open) return std::nullopt;
-  std::erase_if(found.arcs,
-                [&](const CellArc& arc) { return border.belongs_elsewhere(borders, arc); });
+  if (border.belongs_elsewhere(borders)) found.arcs.clear();
+  // What meets the other surface in nothing but its pole still meets it.
+  std::erase_if(found.arcs, [&](const CellArc& arc) {
+    const bool point = border.stays_at_pole(arc);
+    if (point) found.grazes.push_back(arc.from);
+    return point;
+  });
   found.along_border = border.slides() && !found.arcs.empty();
   return found;
 }

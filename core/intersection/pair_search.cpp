@@ -267,8 +267,10 @@ class Search {
       return;
     }
     ++result_.certificate.critical;
-    result_.critical.push_back(
-        {place.patch_a, place.patch_b, part.box, part.hull.low, part.hull.high, true});
+    CriticalPair critical{place.patch_a, place.patch_b,  part.box,
+                          part.hull.low, part.hull.high, true};
+    critical.shared = true;
+    result_.critical.push_back(critical);
   }
 
   // True if both cells are nearly flat and some of their normals may be parallel.

@@ -96,6 +96,7 @@ struct CriticalPair {
   bool thin = false;               ///< the surfaces stay within tolerance of each other in it
   std::optional<Point4> beside{};  ///< near a contact outside of it there may be zeros, else none
   bool singular = false;  ///< of a surface with itself: cells that touch where it is singular
+  bool shared = false;    ///< the patches are proven to be parts of one surface
 };
 
 /// A pair of cells that a search begins with.

@@ -63,11 +63,11 @@ Maker cylinder(const gp_Pnt& at, const gp_Dir& axis, double r, double half = 10)
   };
 }
 
-// 30 degrees between axis and generators, from the apex on.
-Maker cone(const gp_Pnt& apex, const gp_Dir& axis, double height) {
+// 30 degrees between axis and generators, from the apex on if `low` is 0.
+Maker cone(const gp_Pnt& apex, const gp_Dir& axis, double height, double low = 0) {
   return [=](double spin) {
     return face(new Geom_ConicalSurface(frame(apex, axis, spin), kPi / 6, 0), kTurn,
-                {0, height / std::cos(kPi / 6)});
+                {low / std::cos(kPi / 6), height / std::cos(kPi / 6)});
   };
 }
 
@@ -111,6 +111,9 @@ void add_planes(std::vector<Row>& rows) {
        {"plane_on_cylinder", plane({2, 0, 0}, X), cylinder(O, Z, 2), 20, 0, 0, 0, true},
        {"plane_beside_cylinder", plane({2 + 1e-4, 0, 0}, X), cylinder(O, Z, 2)},
        {"plane_across_cone", plane({0, 0, 3}, Z), cone(O, Z, 10), 6 * kPi * s},
+       {"plane_on_apex", plane(O, Z), cone(O, Z, 10), 0, 0, 1},
+       {"plane_oblique_on_apex", plane(O, tilted(20)), cone(O, Z, 10), 0, 0, 1},
+       {"plane_on_apex_of_both_nappes", plane(O, tilted(20)), cone(O, Z, 10, -10), 0, 0, 1},
        {"plane_in_sphere", plane({0, 0, 0.5}, Z), sphere(O, 2), 2 * kPi * std::sqrt(3.75)},
        {"plane_oblique_in_sphere", plane({0, 0, 0.5}, tilted(60)), sphere(O, 2),
         2 * kPi * std::sqrt(4 - 0.0625)},
@@ -171,6 +174,7 @@ void add_round_ones(std::vector<Row>& rows) {
       rows.end(),
       {{"opposite_cones_of_one_axis", cone(O, Z, 10), cone({0, 0, 6}, {0, 0, -1}, 10), 6 * kPi * s},
        {"cones_apex_to_apex", cone(O, Z, 10), cone(O, {0, 0, -1}, 10), 0, 0, 1},
+       {"apex_on_cone", cone(O, Z, 10), cone({6 * s, 0, 6}, {1, 0, 0}, 10), 0, 0, 1},
        {"sphere_in_cone", cone(O, Z, 10), sphere({0, 0, 4}, 2), 4 * kPi * c, 0, 0, 0, true},
        {"sphere_round_apex", cone(O, Z, 10), sphere(O, 2), 2 * kPi},
        {"spheres", sphere(O, 2), sphere({1, 1, 1}, 1.5),
@@ -187,10 +191,10 @@ void add_round_ones(std::vector<Row>& rows) {
        {"small_sphere_in_tube", sphere({5, 0, 0}, 2 - 1e-4), torus(O, 5, 2)},
        {"sphere_beside_torus", sphere({8, 0, 0}, 1), torus(O, 5, 2), 0, 0, 1},
        {"tori_one_above_the_other", torus({0, 0, 1}, 5, 2), torus(O, 5, 2), 20 * kPi},
+       {"one_torus_twice_turned_over", torus(O, 5, 2), torus(O, 5, 2, {0, 0, -1}), 0, 0, 0, 1},
+       {"one_sphere_twice", sphere(O, 2), sphere(O, 2), 0, 0, 0, 1},
        {"torus_on_torus", torus({0, 0, 4}, 5, 2), torus(O, 5, 2), 10 * kPi, 0, 0, 0, true},
        {"torus_round_torus", torus(O, 8, 1), torus(O, 5, 2), 14 * kPi, 0, 0, 0, true},
-       {"torus_in_torus", torus(O, 5.5, 1.5), torus(O, 5, 2), 14 * kPi, 0, 0, 0, true},
-       {"torus_in_torus_inside", torus(O, 4.5, 1.5), torus(O, 5, 2), 6 * kPi, 0, 0, 0, true},
        {"tori_crossing_on_one_axis", torus(O, 6, 2), torus(O, 5, 2), 22 * kPi},
        {"thin_torus_in_torus", torus(O, 5, 1), torus(O, 5, 2)},
        {"linked_tori", torus(O, 5, 1), torus({5, 0, 0}, 5, 1, Y)},
@@ -233,14 +237,16 @@ void expect_row(const Row& row, const TopoDS_Face& a, const TopoDS_Face& b) {
   EXPECT_EQ(static_cast<int>(overlaps), row.overlaps);
 }
 
-TEST_P(AnalyticPairs, HaveTheirCurves) {
+TEST_P(AnalyticPairs, HaveTheirCurvesInBothOrders) {
   const Row& row = rows()[static_cast<std::size_t>(GetParam())];
-  for (const double spin : {0.0, kSpin}) {
-    SCOPED_TRACE(::testing::Message() << "seams turned by " << spin);
-    const TopoDS_Face a = row.a(spin), b = row.b(spin);
-    expect_row(row, a, b);
-    expect_row(row, b, a);
-  }
+  const TopoDS_Face a = row.a(0), b = row.b(0);
+  expect_row(row, a, b);
+  expect_row(row, b, a);
+}
+
+TEST_P(AnalyticPairs, HaveTheirCurvesWithTheSeamsElsewhere) {
+  const Row& row = rows()[static_cast<std::size_t>(GetParam())];
+  expect_row(row, row.a(kSpin), row.b(kSpin));
 }
 
 INSTANTIATE_TEST_SUITE_P(Rows, AnalyticPairs, ::testing::Range(0, static_cast<int>(rows().size())),
