@@ -166,14 +166,17 @@ class Assembly {
     Place place{PlaceKind::Overlap, {}, {}, 1e300, 0, {}};
     place.parameters.fill({1e300, -1e300});
     Box box;
-    for (const BoundaryLoop& loop : region.loops)
+    std::vector<std::vector<SurfacePoint>> loops;
+    for (const BoundaryLoop& loop : region.loops) {
+      loops.emplace_back();
       for (const ContactPoint& p : loop) {
         const SurfacePoint x = surface_point(cells_a, cells_b, p);
-        overlap.boundary.push_back(x);
+        loops.back().push_back(x);
         box = joined(box, {x.point, x.point});
         widen(place, x, p.gap);
       }
-    if (region.loops.size() > 1) overlap.boundary.push_back(overlap.boundary.front());
+    }
+    overlap.boundary = joined_loops(loops);
     for (const CriticalPair& pair : taken(cells_a, region)) {
       box = joined(box, {pair.low + origin_, pair.high + origin_});
       widen(place, parameters_of(cells_a, cells_b, pair));

@@ -28,8 +28,8 @@ FaceData face_data(const TopoDS_Face& face, double tolerance);
 /// Which part of the face's surface counts; empty for a naturally bounded one. Keeps a reference.
 PartTest part_test(const FaceTrims& trims);
 
-/// Leaves of an intersection what lies inside the trims of both. What they leave of a common region
-/// is not known: it stays among the places only.
+/// Leaves of an intersection what lies inside the trims of both. Common regions of the surfaces
+/// stay among the places only, unless both faces are naturally bounded; see `trimmed_overlaps.h`.
 /// b         null if everything of the second surface counts
 /// returns   where curves only touch the trims, or have parts too short for an edge in them; but
 ///           for ends of curves and contacts of the result

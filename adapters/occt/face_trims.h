@@ -107,8 +107,8 @@ std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& char
 /// The same for many curves on one face.
 std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart);
 
-/// Whether a part of a chart curve, longer than a touch may be, keeps within tolerance of a wire, so
-/// that it is not known whether it lies inside. Not asked of a naturally bounded face.
+/// Whether a part of a chart curve, longer than a touch may be, keeps within tolerance of a wire,
+/// so that it is not known whether it lies inside. Never of a naturally bounded face.
 /// chart     in the surface's own parameters
 bool runs_along_wires(const FaceTrims& trims, const Spline2& chart);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
 #include "adapters/occt/shared_edges.h"
+#include "adapters/occt/trimmed_overlaps.h"
 #include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
 
@@ -106,32 +108,22 @@ class PairIntersector {
     const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
     const FaceData &a = faces_a_[i], &b = faces_b_[j];
     const std::vector<SharedEdge> edges = shared_edges(shapes_a_[i], shapes_b_[j]);
-    IntersectionOptions options = remaining();
-    const double size = std::min(diagonal(a.box), diagonal(b.box));
-    for (const SharedEdge& edge : edges) {
-      KnownCurve known = known_curve(edge, size);
-      if (edge.curve.least_angle < kSmoothAngle || known.gap > kExact * size)
-        options.known.push_back(std::move(known));
-    }
-    options.part_a = part_test(a.trims);
-    options.part_b = part_test(b.trims);
-    FaceIntersection result{
-        pair.first,
-        pair.second,
-        &a == &b ? self_intersect(a.surface, options) : intersect(a.surface, b.surface, options),
-        {},
-        {}};
+    const IntersectionOptions options = options_for(a, b, edges);
+    FaceIntersection result;
+    result.face_a = pair.first;
+    result.face_b = pair.second;
+    result.found =
+        &a == &b ? self_intersect(a.surface, options) : intersect(a.surface, b.surface, options);
+    const std::vector<Overlap> whole = result.found.overlaps;
     std::vector<SurfacePoint> touches = clip(result.found, a.trims, &b.trims);
+    if (result.found.overlaps.size() < whole.size())
+      add_overlaps(shapes_a_[i], shapes_b_[j], whole, result.found);
     drop_along_edges(result.found, touches, edges, options_.tolerances.point);
     weaken_along_trims(a.trims, b.trims, result.found);
     if (shared_ == Shared::Listed)
-      for (const SharedEdge& edge : edges) result.found.curves.push_back(edge.curve);
+      add_edges(edges, result);
     else if (&a != &b)
-      for (auto* const points : {&result.found.points, &touches})
-        std::erase_if(*points, [&](const SurfacePoint& x) {
-          const TopoDS_Shape on_a = border_at(a.trims, x.uv_a);
-          return !on_a.IsNull() && on_a.IsSame(border_at(b.trims, x.uv_b));
-        });
+      for (auto* const points : {&result.found.points, &touches}) drop_shared(a, b, *points);
     add_touches(touches, options_.tolerances.point, result.found);
     for (const IntersectionCurve& curve : result.found.curves)
       result.edges.push_back(edge_curves(curve));
@@ -141,6 +133,48 @@ class PairIntersector {
   }
 
  private:
+  IntersectionOptions options_for(const FaceData& a, const FaceData& b,
+                                  const std::vector<SharedEdge>& edges) const {
+    IntersectionOptions options = remaining();
+    const double size = std::min(diagonal(a.box), diagonal(b.box));
+    for (const SharedEdge& edge : edges) {
+      KnownCurve known = known_curve(edge, size);
+      if (edge.curve.least_angle < kSmoothAngle || known.gap > kExact * size)
+        options.known.push_back(std::move(known));
+    }
+    options.part_a = part_test(a.trims);
+    options.part_b = part_test(b.trims);
+    return options;
+  }
+
+  static void add_edges(const std::vector<SharedEdge>& edges, FaceIntersection& result) {
+    for (const SharedEdge& edge : edges) result.found.curves.push_back(edge.curve);
+  }
+
+  // Points on a vertex or an edge of both faces.
+  static void drop_shared(const FaceData& a, const FaceData& b, std::vector<SurfacePoint>& points) {
+    std::erase_if(points, [&](const SurfacePoint& x) {
+      const TopoDS_Shape on_a = border_at(a.trims, x.uv_a);
+      return !on_a.IsNull() && on_a.IsSame(border_at(b.trims, x.uv_b));
+    });
+  }
+
+  // What the trims leave of common regions of the surfaces.
+  void add_overlaps(const TopoDS_Face& a, const TopoDS_Face& b, const std::vector<Overlap>& whole,
+                    SurfaceIntersection& found) const {
+    TrimmedOverlaps trimmed;
+    try {
+      trimmed = guarded("clipping a common region",
+                        [&] { return trimmed_overlaps(a, b, whole, options_.tolerances.point); });
+    } catch (const std::exception&) {
+      trimmed.complete = false;
+    }
+    found.overlaps = std::move(trimmed.regions);
+    if (trimmed.complete) return;
+    found.status = Status::Stopped;
+    found.certificate.reasons.emplace_back("the trims divide a common region in an unknown way");
+  }
+
   // The time limit is for all pairs together; what is left when it is over stops at once, with its
   // place listed. All pairs share the threads they run on.
   IntersectionOptions remaining() const {

@@ -18,6 +18,13 @@ const char* to_string(PlaceKind kind) {
   return "open";
 }
 
+std::vector<SurfacePoint> joined_loops(const std::vector<std::vector<SurfacePoint>>& loops) {
+  std::vector<SurfacePoint> joined;
+  for (const auto& loop : loops) joined.insert(joined.end(), loop.begin(), loop.end());
+  for (std::size_t i = loops.size(); i-- > 1;) joined.push_back(loops[i - 1].front());
+  return joined;
+}
+
 void widen(Place& place, const SurfacePoint& x, double gap) {
   widen(place, {Interval{x.uv_a[0], x.uv_a[0]}, Interval{x.uv_a[1], x.uv_a[1]},
                 Interval{x.uv_b[0], x.uv_b[0]}, Interval{x.uv_b[1], x.uv_b[1]}});

@@ -94,12 +94,15 @@ struct Certificate {
 /// A connected region that both surfaces have in common.
 struct Overlap {
   /// Its boundary, the region to the left as seen from the tip of a's normal; it repeats its first
-  /// point. A region with holes, or a band round a closed direction, has several loops: they follow
-  /// each other, each closed, and at last comes the first point again, so that the steps from loop
-  /// to loop cancel out in areas. Where whole closed surfaces coincide there is none.
+  /// point. A region with holes, or a band round a closed direction, has several loops, joined as
+  /// `joined_loops` does. Where whole closed surfaces coincide there is none.
   std::vector<SurfacePoint> boundary;
   double gap_high = 0;  ///< largest distance of the surfaces in it, model units
 };
+
+/// Closed loops one after the other, and back over their first points to the first one of all, so
+/// that the steps from loop to loop cancel out in areas.
+std::vector<SurfacePoint> joined_loops(const std::vector<std::vector<SurfacePoint>>& loops);
 
 struct SurfaceIntersection {
   Status status = Status::Complete;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the trims of two faces leave of the regions that their surfaces have in common.
+
+#pragma once
+
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+
+#include "core/intersection/result.h"
+
+namespace blossom::occt {
+
+struct TrimmedOverlaps {
+  std::vector<Overlap> regions;
+  bool complete = true;  ///< false: the trims could not be laid over each other
+};
+
+/// The common regions of two faces.
+///
+/// The first face is split along the edges of the second one, and along the border of what the
+/// surfaces have in common where it runs inside of both faces; the pieces inside of the second face
+/// are the regions. Pieces that a seam separates stay apart.
+///
+/// whole       common regions of the surfaces, as `blossom::intersect` finds them
+/// tolerance   model units; what is ten times as near to the other surface lies on it
+/// returns     boundaries with 128 samples an edge, 4 on straight ones
+TrimmedOverlaps trimmed_overlaps(const TopoDS_Face& a, const TopoDS_Face& b,
+                                 const std::vector<Overlap>& whole, double tolerance);
+
+}  // namespace blossom::occt
