@@ -120,6 +120,8 @@ class PairIntersector {
       add_overlaps(shapes_a_[i], shapes_b_[j], whole, result.found);
     drop_along_edges(result.found, touches, edges, options_.tolerances.point);
     weaken_along_trims(a.trims, b.trims, result.found);
+    result.chains =
+        chains_over_seams(result.found.curves, a.surface, b.surface, options_.tolerances.point);
     if (shared_ == Shared::Listed)
       add_edges(edges, result);
     else if (&a != &b)
@@ -148,7 +150,11 @@ class PairIntersector {
   }
 
   static void add_edges(const std::vector<SharedEdge>& edges, FaceIntersection& result) {
-    for (const SharedEdge& edge : edges) result.found.curves.push_back(edge.curve);
+    for (const SharedEdge& edge : edges) {
+      const int place = static_cast<int>(result.found.curves.size());
+      result.chains.push_back({{{place, true}}, edge.curve.closed});
+      result.found.curves.push_back(edge.curve);
+    }
   }
 
   // Points on a vertex or an edge of both faces.

@@ -10,6 +10,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "core/intersection/seam_chains.h"
 #include "core/self_intersection.h"
 #include "core/surface_intersection.h"
 
@@ -37,6 +38,7 @@ struct FaceIntersection {
   int face_b = 0;
   SurfaceIntersection found;         ///< clipped to the trims of both faces
   std::vector<EdgeCurves> edges;     ///< one for each of found.curves
+  std::vector<CurveChain> chains;    ///< of found.curves: pieces between seams that are one curve
   std::vector<BorderPlace> borders;  ///< one for each of found.points
 };
 

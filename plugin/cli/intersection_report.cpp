@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/intersection_report.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "plugin/cli/shape_numbers.h"
 
 namespace blossom::cli {
 namespace {
+
+constexpr double kSameConic = 1e-7;  // of the larger half axis: what conics of one curve differ by
 
 struct FaceNumbers {
   int a = 0;
@@ -37,17 +43,54 @@ void add_points(const std::vector<SurfacePoint>& list, const char* points, Json&
   }
 }
 
-Json curve_json(const IntersectionCurve& curve, const FaceNumbers& faces) {
-  Json json = with_faces(faces, {{"closed", curve.closed}, {"tangential", curve.tangential}});
-  add_points(curve.samples, "points", json);
-  json["length"] = curve.length;
-  json["conic"] = to_json(curve.conic, curve.curve.domain());
-  json["degree"] = curve.curve.degree;
-  json["poles"] = curve.curve.points.size();
-  json["least_angle"] = curve.least_angle;
+// The samples of a chain; where it crosses a seam, the point is there with both parameters.
+std::vector<SurfacePoint> samples_of(const std::vector<IntersectionCurve>& curves,
+                                     const CurveChain& chain) {
+  std::vector<SurfacePoint> samples;
+  for (const ChainUse& use : chain.uses) {
+    std::vector<SurfacePoint> more = curves[static_cast<std::size_t>(use.curve)].samples;
+    if (!use.forward) std::reverse(more.begin(), more.end());
+    samples.insert(samples.end(), more.begin(), more.end());
+  }
+  return samples;
+}
+
+bool same_conic(const Conic& a, const Conic& b) {
+  const double near = kSameConic * a.major;
+  return a.kind == b.kind && a.is_closed() && distance(a.centre, b.centre) <= near &&
+         std::abs(a.major - b.major) <= near && std::abs(a.minor - b.minor) <= near;
+}
+
+// The circle or ellipse that all pieces lie on, from the first one on.
+Json conic_json(const std::vector<IntersectionCurve>& curves, const CurveChain& chain) {
+  const IntersectionCurve& first = curves[static_cast<std::size_t>(chain.uses.front().curve)];
+  Interval range = first.curve.domain();
+  if (chain.uses.size() == 1 || !first.conic) return to_json(first.conic, range);
+  double turned = 0;
+  for (const ChainUse& use : chain.uses) {
+    const IntersectionCurve& curve = curves[static_cast<std::size_t>(use.curve)];
+    if (!curve.conic || !same_conic(*first.conic, *curve.conic)) return nullptr;
+    turned += blossom::length(curve.curve.domain());
+  }
+  (chain.uses.front().forward ? range.to : range.from) =
+      chain.uses.front().forward ? range.from + turned : range.to - turned;
+  return to_json(first.conic, range);
+}
+
+Json curve_json(const std::vector<IntersectionCurve>& curves, const CurveChain& chain,
+                const FaceNumbers& faces) {
+  const ChainFacts facts = facts_of(curves, chain);
+  Json json = with_faces(faces, {{"closed", chain.closed}, {"tangential", facts.tangential}});
+  add_points(samples_of(curves, chain), "points", json);
+  json["length"] = facts.length;
+  json["conic"] = conic_json(curves, chain);
+  json["edges"] = chain.uses.size();
+  json["degree"] = facts.degree;
+  json["poles"] = facts.poles;
+  json["least_angle"] = facts.least_angle;
   json["deviation"] = {
-      {"a", curve.deviation.a}, {"b", curve.deviation.b}, {"between", curve.deviation.between}};
-  json["deviation_proven"] = curve.deviation.proven;
+      {"a", facts.deviation.a}, {"b", facts.deviation.b}, {"between", facts.deviation.between}};
+  json["deviation_proven"] = facts.deviation.proven;
   return json;
 }
 
@@ -71,8 +114,8 @@ void add_findings(const Input& a, const Input& b, const occt::ShapeIntersection&
   for (const occt::FaceIntersection& pair : found.pairs) {
     const FaceNumbers faces{a.numbers[static_cast<std::size_t>(pair.face_a)],
                             b.numbers[static_cast<std::size_t>(pair.face_b)]};
-    for (const IntersectionCurve& curve : pair.found.curves)
-      report["curves"].push_back(curve_json(curve, faces));
+    for (const CurveChain& chain : pair.chains)
+      report["curves"].push_back(curve_json(pair.found.curves, chain, faces));
     for (std::size_t i = 0; i < pair.found.points.size(); ++i) {
       Json point = point_json(pair.found.points[i], faces);
       point["on_a"] = numbers_a.place(pair.borders[i].on_a, faces.a);
@@ -91,6 +134,24 @@ void add_findings(const Input& a, const Input& b, const occt::ShapeIntersection&
 }
 
 }  // namespace
+
+ChainFacts facts_of(const std::vector<IntersectionCurve>& curves, const CurveChain& chain) {
+  ChainFacts facts;
+  facts.least_angle = std::numeric_limits<double>::infinity();
+  for (const ChainUse& use : chain.uses) {
+    const IntersectionCurve& curve = curves[static_cast<std::size_t>(use.curve)];
+    facts.tangential = facts.tangential && curve.tangential;
+    facts.length += curve.length;
+    facts.least_angle = std::min(facts.least_angle, curve.least_angle);
+    facts.degree = std::max(facts.degree, curve.curve.degree);
+    facts.poles += curve.curve.points.size();
+    facts.deviation.a = std::max(facts.deviation.a, curve.deviation.a);
+    facts.deviation.b = std::max(facts.deviation.b, curve.deviation.b);
+    facts.deviation.between = std::max(facts.deviation.between, curve.deviation.between);
+    facts.deviation.proven = facts.deviation.proven && curve.deviation.proven;
+  }
+  return facts;
+}
 
 Json to_json(const Vec2& point) { return Json::array({point[0], point[1]}); }
 

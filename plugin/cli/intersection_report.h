@@ -3,6 +3,9 @@
 
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include <optional>
 
 #include "adapters/occt/intersection.h"
@@ -16,6 +19,17 @@ struct RunTimes {
   double seconds = 0;  ///< the median of all calls
   double first = 0;    ///< the first call in the process
 };
+
+/// What all pieces of a curve have in common, or the worst or the sum of them.
+struct ChainFacts {
+  bool tangential = true;
+  double length = 0;
+  double least_angle = 0;
+  int degree = 0;
+  std::size_t poles = 0;
+  Deviation deviation;
+};
+ChainFacts facts_of(const std::vector<IntersectionCurve>& curves, const CurveChain& chain);
 
 /// Pieces that other commands' reports have in common with it.
 Json to_json(const Vec2& point);

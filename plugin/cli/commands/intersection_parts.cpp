@@ -34,9 +34,9 @@ struct Counts {
 Counts counts_of(const occt::ShapeIntersection& found) {
   Counts counts;
   for (const occt::FaceIntersection& pair : found.pairs) {
-    counts.curves += pair.found.curves.size();
-    counts.closed += static_cast<std::size_t>(
-        std::ranges::count_if(pair.found.curves, &IntersectionCurve::closed));
+    counts.curves += pair.chains.size();
+    counts.closed +=
+        static_cast<std::size_t>(std::ranges::count_if(pair.chains, &CurveChain::closed));
     counts.points += pair.found.points.size();
     counts.nodes += pair.found.nodes.size();
     counts.places += pair.found.places.size();
@@ -60,12 +60,15 @@ std::string summary(const Input& a, const Input& b, const std::string& title,
   for (const occt::FaceIntersection& pair : result.found.pairs) {
     const int face_a = a.numbers[static_cast<std::size_t>(pair.face_a)];
     const int face_b = b.numbers[static_cast<std::size_t>(pair.face_b)];
-    for (const IntersectionCurve& curve : pair.found.curves)
+    for (const CurveChain& chain : pair.chains) {
+      const ChainFacts facts = facts_of(pair.found.curves, chain);
+      const Deviation& d = facts.deviation;
       text << "  " << faces_text(face_a, face_b, &a == &b) << ": "
-           << (curve.closed ? "closed" : "open") << (curve.tangential ? ", tangential" : "")
-           << ", length " << curve.length << ", degree " << curve.curve.degree << ", "
-           << counted(curve.curve.points.size(), "pole") << ", deviation "
-           << std::max({curve.deviation.a, curve.deviation.b, curve.deviation.between}) << "\n";
+           << (chain.closed ? "closed" : "open") << (facts.tangential ? ", tangential" : "")
+           << ", length " << facts.length << ", degree " << facts.degree << ", "
+           << counted(facts.poles, "pole") << ", deviation " << std::max({d.a, d.b, d.between})
+           << "\n";
+    }
   }
   for (const std::string& reason : result.found.certificate.reasons) text << "  " << reason << "\n";
   return text.str();
