@@ -14,6 +14,15 @@
 
 namespace blossom::occt {
 
+class Model;
+
+/// Where a face of a new part comes from.
+struct FaceOrigin {
+  TopoDS_Face face;              ///< of the new part
+  const Model* model = nullptr;  ///< the face is one of this model's, or a piece of it
+  int number = 0;                ///< of that face there
+};
+
 /// A shape with the names, colours, layers, units and assembly that it came with.
 class Model {
  public:
@@ -41,10 +50,21 @@ class Model {
   /// For each face, by number - 1, its name, or that of its part; empty when neither has one.
   std::vector<std::string> face_names() const;
 
+  /// The name of the part that a face belongs to; empty if it has none.
+  /// throws   BadModel if there is no such face
+  std::string part_name(int number) const;
+
   /// Adds a shape as a part of its own.
   /// colour   red, green, blue in [0, 1], sRGB; empty for none
   void add(const TopoDS_Shape& shape, const std::string& name,
            const std::vector<double>& colour = {});
+
+  /// Adds a shape that was made of other models' faces as a part of its own. Its faces have the
+  /// names and colours of those that they come from, names numbered ("Top.1", "Top.2") where a face
+  /// is in several pieces; a colour may be that of the face's solid or part.
+  /// throws   BadModel if there is no such face
+  void add_combined(const TopoDS_Shape& shape, const std::string& name,
+                    const std::vector<FaceOrigin>& origins);
 
   /// Puts pieces in the place of faces, by face number; no pieces takes the face out. All other
   /// faces keep their edges, names and colours; pieces take the face's colour and its name,

@@ -7,9 +7,11 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <TDF_Label.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -51,6 +53,21 @@ TopoDS_Shape assembled(const TDF_Label& label);
 
 /// The name of a label in UTF-8; empty if it has none.
 std::string name_of(const TDF_Label& label);
+
+/// Gives a label a name in UTF-8, unless it is empty.
+void set_name(const TDF_Label& label, const std::string& name);
+
+/// Where a part is used: from a root, the number of the component in every assembly on the way.
+/// Numbers, because components get new labels when an assembly is copied.
+struct Usage {
+  TDF_Label root;
+  std::vector<int> components;
+  TDF_Label part;
+  TopLoc_Location location;
+};
+
+/// All uses of all parts.
+std::vector<Usage> all_usages(const Document& document);
 
 struct Model::Impl {
   Document document;

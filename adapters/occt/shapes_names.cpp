@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the parts and faces of a model are called.
+// What the parts and faces of a model are called, and where parts are used.
+
+#include <utility>
 
 #include <TCollection_AsciiString.hxx>
+#include <TCollection_ExtendedString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopExp.hxx>
@@ -49,7 +52,39 @@ class FaceNames {
   std::vector<std::string> names_;
 };
 
+void add_usages(const TDF_Label& label, Usage usage, std::vector<Usage>& found) {
+  TDF_Label referred;
+  if (XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
+    usage.location = usage.location * XCAFDoc_ShapeTool::GetLocation(label);
+    return add_usages(referred, std::move(usage), found);
+  }
+  if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
+    usage.part = label;
+    found.push_back(std::move(usage));
+    return;
+  }
+  TDF_LabelSequence components;
+  XCAFDoc_ShapeTool::GetComponents(label, components);
+  for (int i = 1; i <= components.Length(); ++i) {
+    usage.components.push_back(i);
+    add_usages(components(i), usage, found);
+    usage.components.pop_back();
+  }
+}
+
 }  // namespace
+
+std::vector<Usage> all_usages(const Document& document) {
+  TDF_LabelSequence roots;
+  document.shapes()->GetFreeShapes(roots);
+  std::vector<Usage> found;
+  for (const TDF_Label& root : roots) add_usages(root, {root, {}, {}, {}}, found);
+  return found;
+}
+
+void set_name(const TDF_Label& label, const std::string& name) {
+  if (!name.empty()) TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
+}
 
 std::string name_of(const TDF_Label& label) {
   Handle(TDataStd_Name) name;

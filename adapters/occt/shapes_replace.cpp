@@ -30,48 +30,11 @@ namespace {
 
 using Pieces = std::map<int, std::vector<TopoDS_Face>>;
 
-/// Where a part is used: from a root, the number of the component in every assembly on the way.
-/// Numbers, because components get new labels when an assembly is copied.
-struct Usage {
-  TDF_Label root;
-  std::vector<int> components;
-  TDF_Label part;
-  TopLoc_Location location;
-};
-
 /// Faces to be replaced in one use of a part.
 struct Cut {
   Usage usage;
   std::vector<Replacement> replacements;  ///< in the part's coordinates
 };
-
-void add_usages(const TDF_Label& label, Usage usage, std::vector<Usage>& found) {
-  TDF_Label referred;
-  if (XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
-    usage.location = usage.location * XCAFDoc_ShapeTool::GetLocation(label);
-    return add_usages(referred, std::move(usage), found);
-  }
-  if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
-    usage.part = label;
-    found.push_back(std::move(usage));
-    return;
-  }
-  TDF_LabelSequence components;
-  XCAFDoc_ShapeTool::GetComponents(label, components);
-  for (int i = 1; i <= components.Length(); ++i) {
-    usage.components.push_back(i);
-    add_usages(components(i), usage, found);
-    usage.components.pop_back();
-  }
-}
-
-std::vector<Usage> all_usages(const Document& document) {
-  TDF_LabelSequence roots;
-  document.shapes()->GetFreeShapes(roots);
-  std::vector<Usage> found;
-  for (const TDF_Label& root : roots) add_usages(root, {root, {}, {}, {}}, found);
-  return found;
-}
 
 /// The faces by the use of the part in which they lie; each face goes to the first that has it.
 std::vector<Cut> cuts_of(const Document& document, const TopTools_IndexedMapOfShape& faces,
@@ -95,10 +58,6 @@ std::vector<Cut> cuts_of(const Document& document, const TopTools_IndexedMapOfSh
     if (!cut.replacements.empty()) cuts.push_back(std::move(cut));
   }
   return cuts;
-}
-
-void set_name(const TDF_Label& label, const std::string& name) {
-  if (!name.empty()) TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
 }
 
 /// Name, colours, layers and materials.

@@ -28,7 +28,7 @@ namespace {
 
 // A face as it bounds a result, with the volume of its cone.
 struct BoundingFace {
-  TopoDS_Face face;
+  SolidFace of;
   double volume = 0;
 };
 
@@ -43,9 +43,10 @@ struct Measured {
   double volume = 0;
 };
 
-BoundingFace bounding(const Measured& measured, bool reversed) {
-  if (!reversed) return {measured.piece.face, measured.volume};
-  return {TopoDS::Face(measured.piece.face.Reversed()), -measured.volume};
+BoundingFace bounding(const Measured& measured, bool of_tool, bool reversed) {
+  const SolidPiece& piece = measured.piece;
+  if (!reversed) return {{piece.face, of_tool, piece.from}, measured.volume};
+  return {{TopoDS::Face(piece.face.Reversed()), of_tool, piece.from}, -measured.volume};
 }
 
 std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const Vec3& apex) {
@@ -59,9 +60,9 @@ std::vector<BoundingFace> chosen(const std::vector<Measured>& a, ToolSide side_a
                                  const std::vector<Measured>& b, ToolSide side_b, bool reversed) {
   std::vector<BoundingFace> faces;
   for (const Measured& each : a)
-    if (each.piece.side == side_a) faces.push_back(bounding(each, false));
+    if (each.piece.side == side_a) faces.push_back(bounding(each, false, false));
   for (const Measured& each : b)
-    if (each.piece.side == side_b) faces.push_back(bounding(each, reversed));
+    if (each.piece.side == side_b) faces.push_back(bounding(each, true, reversed));
   return faces;
 }
 
@@ -95,7 +96,7 @@ std::vector<std::size_t> connected(const std::vector<BoundingFace>& faces, int& 
   TopTools_IndexedMapOfShape edges;
   std::vector<EdgeUse> uses;
   for (std::size_t i = 0; i < faces.size(); ++i)
-    for (TopExp_Explorer it(faces[i].face, TopAbs_EDGE); it.More(); it.Next()) {
+    for (TopExp_Explorer it(faces[i].of.face, TopAbs_EDGE); it.More(); it.Next()) {
       if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) continue;
       const auto number = static_cast<std::size_t>(edges.Add(it.Current())) - 1;
       if (number == uses.size()) uses.push_back({0, 0, i});
@@ -123,7 +124,7 @@ std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string
   for (std::size_t i = 0; i < faces.size(); ++i) {
     Shell& shell = shells[groups[i]];
     if (shell.shape.IsNull()) builder.MakeShell(shell.shape);
-    builder.Add(shell.shape, faces[i].face);
+    builder.Add(shell.shape, faces[i].of.face);
     shell.volume += faces[i].volume;
   }
   std::vector<Shell> all;
@@ -186,6 +187,7 @@ void add_solids(const std::vector<BoundingFace>& faces, SolidTrimResult& result)
       guarded("making solids", [&] { return solids_of(faces, obstacle); });
   if (!obstacle.empty()) result.obstacles.push_back(obstacle);
   result.solids.insert(result.solids.end(), solids.begin(), solids.end());
+  for (const BoundingFace& face : faces) result.faces.push_back(face.of);
 }
 
 // All cones have their apex at a vertex of the part, so that volumes keep their digits.
@@ -210,7 +212,7 @@ SolidTrimResult trim_solids(const TrimTool& part, const TrimTool& tool, SolidOpe
     throw InvalidInput(std::string("trim: the ") + (part.is_solid() ? "tool" : "part") +
                        " is no closed solid");
   const SolidPieces pieces = solid_pieces(part, tool, options);
-  SolidTrimResult result{pieces.status, pieces.certificate, {}, {}, pieces.obstacles};
+  SolidTrimResult result{pieces.status, pieces.certificate, {}, {}, {}, pieces.obstacles};
   if (!result.obstacles.empty()) return result;
   const Vec3 apex = apex_of(part);
   const std::vector<Measured> a = measured(pieces.a, apex), b = measured(pieces.b, apex);
@@ -225,7 +227,10 @@ SolidTrimResult trim_solids(const TrimTool& part, const TrimTool& tool, SolidOpe
   if (operation == SolidOperation::Fuse) add_solids(fuse, result);
   if (!(std::max(result.volumes.cut_error(), result.volumes.fuse_error()) <= kVolumeError))
     result.obstacles.emplace_back("the volumes do not add up");
-  if (!result.obstacles.empty()) result.solids.clear();
+  if (!result.obstacles.empty()) {
+    result.solids.clear();
+    result.faces.clear();
+  }
   return result;
 }
 

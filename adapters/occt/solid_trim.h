@@ -37,10 +37,18 @@ struct SolidVolumes {
 /// Above this error of volumes a result is not given out.
 inline constexpr double kVolumeError = 1e-6;
 
+/// A face of a result and where it comes from.
+struct SolidFace {
+  TopoDS_Face face;
+  bool of_tool = false;  ///< of the part otherwise
+  int from = 0;          ///< place of the face that it is a piece of among that one's faces
+};
+
 struct SolidTrimResult {
   Status status = Status::Complete;  ///< of the intersection
   Certificate certificate;
   std::vector<TopoDS_Solid> solids;  ///< valid by BRepCheck; none if it is empty or refused
+  std::vector<SolidFace> faces;      ///< of all solids
   SolidVolumes volumes;
   std::vector<std::string> obstacles;  ///< why there is no result; none if it can be used
 };

@@ -39,6 +39,7 @@
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
+#include "core/base/errors.h"
 #include "tests/bench/apart.h"
 #include "tests/bench/moved_copy.h"
 
@@ -87,6 +88,19 @@ void judge(const TopoDS_Shape& shape, const Vec3& apex, Combined& result) {
   result.volume = volume_of(shape, apex);
 }
 
+// What is no closed solid is an obstacle like others here.
+occt::SolidTrimResult combined(const TopoDS_Shape& part, const TopoDS_Shape& tool,
+                               std::size_t operation, const IntersectionOptions& options) {
+  try {
+    return occt::trim_solids(occt::trim_tool(part), occt::trim_tool(tool), kOperations[operation],
+                             options);
+  } catch (const InvalidInput& error) {
+    occt::SolidTrimResult none;
+    none.obstacles.emplace_back(error.what());
+    return none;
+  }
+}
+
 Combined by_blossom(const TopoDS_Shape& part, const TopoDS_Shape& tool, std::size_t operation,
                     const Settings& settings) {
   IntersectionOptions options;
@@ -94,8 +108,7 @@ Combined by_blossom(const TopoDS_Shape& part, const TopoDS_Shape& tool, std::siz
   options.time_limit = settings.limit;
   Combined result;
   const double start = processor_seconds();
-  const occt::SolidTrimResult made = occt::trim_solids(occt::trim_tool(part), occt::trim_tool(tool),
-                                                       kOperations[operation], options);
+  const occt::SolidTrimResult made = combined(part, tool, operation, options);
   result.seconds = processor_seconds() - start;
   result.refused = !made.obstacles.empty();
   std::string words;

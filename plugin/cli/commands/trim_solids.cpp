@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -35,20 +36,19 @@ struct Timed {
   double seconds = 0;
 };
 
-occt::TrimTool solid_of(const std::string& text) {
-  const Input input = read_input(text);
+occt::Model model_of(const std::string& text) {
+  Input input = read_input(text);
   if (static_cast<int>(input.numbers.size()) != input.model.face_count())
     throw UsageError(text + ": --solid takes whole models, not some of their faces");
-  return occt::trim_tool(input.model.shape());
+  return std::move(input.model);
 }
 
-Timed timed_trim(const SolidTrim& options) {
-  const occt::TrimTool part = solid_of(options.part), tool = solid_of(options.tool);
-  stop_if_interrupted();
+Timed timed_trim(const SolidTrim& options, const occt::Model& part, const occt::Model& tool) {
   Progress progress("combining solids", options.common.quiet);
   const IntersectionOptions engine = intersection_options(options.engine, progress);
+  const occt::TrimTool a = occt::trim_tool(part.shape()), b = occt::trim_tool(tool.shape());
   const auto start = std::chrono::steady_clock::now();
-  Timed result{occt::trim_solids(part, tool, kOperations.at(options.operation), engine), 0};
+  Timed result{occt::trim_solids(a, b, kOperations.at(options.operation), engine), 0};
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   stop_if_interrupted();
   result.seconds = took.count();
@@ -109,11 +109,39 @@ std::string summary(const SolidTrim& options, const Timed& timed) {
   return text.str();
 }
 
-occt::Model model_of(const SolidTrim& options, const std::vector<TopoDS_Solid>& solids) {
-  const std::string name = std::filesystem::path(options.part).stem().string();
+// Where the faces of a solid come from, those of the part first.
+std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
+                                         const occt::SolidTrimResult& made, const occt::Model& part,
+                                         const occt::Model& tool) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  std::vector<occt::FaceOrigin> origins;
+  for (const occt::SolidFace& face : made.faces)
+    if (faces.Contains(face.face))
+      origins.push_back({face.face, face.of_tool ? &tool : &part, face.from + 1});
+  return origins;
+}
+
+// Each solid is called as the part from which its first face comes, numbered if others are so too.
+occt::Model model_of(const SolidTrim& options, const occt::SolidTrimResult& made,
+                     const occt::Model& part, const occt::Model& tool) {
+  std::vector<std::vector<occt::FaceOrigin>> origins;
+  std::vector<std::string> names;
+  std::map<std::string, int> count, numbered;
+  for (const TopoDS_Solid& solid : made.solids) {
+    origins.push_back(origins_of(solid, made, part, tool));
+    const occt::FaceOrigin& first = origins.back().front();
+    names.push_back(first.model->part_name(first.number));
+    if (names.back().empty()) names.back() = std::filesystem::path(options.part).stem().string();
+    ++count[names.back()];
+  }
   occt::Model model;
-  for (std::size_t i = 0; i < solids.size(); ++i)
-    model.add(solids[i], solids.size() == 1 ? name : name + "." + std::to_string(i + 1));
+  for (std::size_t i = 0; i < made.solids.size(); ++i) {
+    const std::string& name = names[i];
+    const int number = ++numbered[name];
+    model.add_combined(made.solids[i],
+                       count[name] == 1 ? name : name + "." + std::to_string(number), origins[i]);
+  }
   return model;
 }
 
@@ -139,13 +167,15 @@ bool is_solid_operation(const std::string& word) { return kOperations.contains(w
 int trim_solids(const SolidTrim& options) {
   check_outputs(options.common);
   start_threads(options.engine.threads);
-  const Timed timed = timed_trim(options);
+  const occt::Model part = model_of(options.part), tool = model_of(options.tool);
+  stop_if_interrupted();
+  const Timed timed = timed_trim(options, part, tool);
   const std::string reason = reason_of(timed.made);
   const CommonOptions& outputs = options.common;
   const bool write = reason.empty() && !outputs.output.empty();
   const std::string png =
       reason.empty() && !outputs.picture.empty() ? picture_of(timed.made.solids) : std::string();
-  if (write) occt::write_model(model_of(options, timed.made.solids), outputs.output);
+  if (write) occt::write_model(model_of(options, timed.made, part, tool), outputs.output);
   if (!png.empty()) occt::write_text(png, outputs.picture);
   if (!reason.empty())
     std::cerr << "blossom: "

@@ -72,6 +72,21 @@ TEST_F(TrimSolidsCommand, WritesTheBoxWithoutTheBall) {
   EXPECT_TRUE(report["obstacles"].empty());
 }
 
+TEST_F(TrimSolidsCommand, CallsSolidsAsThePartsTheyComeFrom) {
+  occt::Model block, bar;
+  block.add(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(4, 1, 1)).Shape(), "Block", {1, 0, 0});
+  bar.add(BRepPrimAPI_MakeBox(gp_Pnt(1, -1, -1), gp_Pnt(2, 2, 2)).Shape(), "Bar");
+  occt::write_model(block, folder / "block.step");
+  occt::write_model(bar, folder / "bar.step");
+  const Finished run = blossom({"trim", folder / "block.step", folder / "bar.step", "--solid",
+                                "cut", "-o", folder / "halves.step"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const occt::Model halves = occt::read_model(folder / "halves.step");
+  ASSERT_EQ(halves.face_count(), 12);
+  EXPECT_EQ(halves.part_name(1), "Block.1");
+  EXPECT_EQ(halves.part_name(12), "Block.2");
+}
+
 TEST_F(TrimSolidsCommand, PrintsVolumesForPeople) {
   const Finished run = combine("ball.step", {"fuse"});
   ASSERT_EQ(run.code, 0) << run.err;
