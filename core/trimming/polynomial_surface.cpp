@@ -105,12 +105,15 @@ class Fitter {
   double error(const BezierPatch& made, const Interval& u, const Interval& v) const {
     const bool angle_u = surface_.u_law == ParameterLaw::Angle;
     const bool angle_v = surface_.v_law == ParameterLaw::Angle;
-    const RationalBezierPatch part =
-        sub_patch(patch_, local(surface_.u_law, u_, u), local(surface_.v_law, v_, v));
-    if (!angle_u && !angle_v) return distance_bound(made, part);
+    if (!angle_u && !angle_v)
+      return distance_bound(
+          made, sub_patch(patch_, local(surface_.u_law, u_, u), local(surface_.v_law, v_, v)));
     if (angle_u && angle_v)
       return remainder(patch_, u_, u) + kLebesgue * remainder(transposed(patch_), v_, v);
-    const RationalBezierPatch along = angle_u ? part : transposed(part);
+    // The whole span along the angle, in which alone the law holds.
+    const RationalBezierPatch along =
+        angle_u ? sub_patch(patch_, {0, 1}, local(surface_.v_law, v_, v))
+                : transposed(sub_patch(patch_, local(surface_.u_law, u_, u), {0, 1}));
     const double first = angle_u ? remainder(patch_, u_, u) : remainder(transposed(patch_), v_, v);
     return first + kLebesgue * across(along, angle_u ? u : v, angle_u ? v : u, angle_u);
   }
@@ -133,7 +136,7 @@ class Fitter {
     double most = 0;
     for (const double s : extreme_points(kAngleFit)) {
       const double here = at(angle, s);
-      const double t = local_parameter(ParameterLaw::Angle, angle, here);
+      const double t = local_parameter(ParameterLaw::Angle, angle_is_u ? u_ : v_, here);
       const RationalBezierPatch line = sub_patch(along, {t, t}, {0, 1});
       BezierPatch fit{Grid<Vec3>(1, degree + 1)};
       std::vector<Vec3> values;
@@ -204,7 +207,7 @@ BezierSurface polynomial_surface(const BezierSurface& surface, double tolerance)
   if (!surface.rational) return surface;
   int parts_u = 1, parts_v = 1;
   BezierSurface result = in_parts(surface, parts_u, parts_v);
-  while (result.error > tolerance && std::min(parts_u, parts_v) < kMostParts) {
+  while (result.error > tolerance && std::max(parts_u, parts_v) < kMostParts) {
     // The direction that gains more is divided.
     const BezierSurface more_u = in_parts(surface, 2 * parts_u, parts_v);
     const BezierSurface more_v = in_parts(surface, parts_u, 2 * parts_v);

@@ -197,6 +197,32 @@ TEST(PolynomialSurface, OfASphereStaysWithinItsBound) {
   }
 }
 
+// A quarter of a cone: an angle along u, rational along v as well.
+TEST(PolynomialSurface, OfAConeOfRationalLinesStaysWithinItsBound) {
+  BezierSurface cone{{0, kPi / 2}, {0, 1}};
+  cone.u_law = ParameterLaw::Angle;
+  cone.rational = true;
+  cone.patches = Grid<RationalBezierPatch>(1, 1);
+  Grid<Vec4>& net = cone.patches(0, 0).points = Grid<Vec4>(3, 2);
+  const double w = std::sqrt(0.5);
+  for (int j = 0; j < 2; ++j) {
+    const double r = 2 + j, v = 1 + j;
+    net(0, j) = {v * r, 0, v * j, v};
+    net(1, j) = {v * w * r, v * w * r, v * w * j, v * w};
+    net(2, j) = {0, v * r, v * j, v};
+  }
+
+  const BezierSurface made = polynomial_surface(cone, 1e-6);
+
+  EXPECT_LE(made.error, 1e-6);
+  double seen = 0;
+  for (double u = 0; u < kPi / 2; u += 0.01)
+    for (double v = 0; v <= 1; v += 0.01)
+      seen = std::max(seen, distance(point_at(made, {u, v}), point_at(cone, {u, v})));
+  EXPECT_LE(seen, made.error);
+  EXPECT_GE(seen, 0.02 * made.error);
+}
+
 TEST(PolynomialSurface, OfARationalSplineComparesCoefficients) {
   BezierSurface surface{{0, 2}, {1, 3}};
   surface.rational = true;
