@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Trimmed shapes as untrimmed faces that meet without gaps.
+
+#pragma once
+
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "core/trimming/watertight.h"
+
+namespace blossom::occt {
+
+struct WatertightShape {
+  WatertightPieces pieces;
+  /// For each face of the shape, in the order of TopExp::MapShapes, the faces of its pieces,
+  /// oriented as it is. All share their edges and vertices; triangles are collapsed patches.
+  std::vector<std::vector<TopoDS_Face>> faces;
+  /// The shape's solids and shells, and a compound of the rest, of these faces.
+  TopoDS_Shape shape;
+};
+
+/// All faces of a shape as patches and triangles with common sides.
+///
+/// Faces meet where they have an edge in common; its curve in space gives the common sides. If
+/// there is an obstacle, only that is set.
+///
+/// throws   BadModel if a face cannot be converted, an edge has no curve in space or another range
+///          of parameters on a face; InvalidInput as watertight_pieces
+WatertightShape watertight(const TopoDS_Shape& shape, const WatertightOptions& options = {});
+
+}  // namespace blossom::occt

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/watertight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/shapes.h"
+#include "adapters/occt/solid_trim.h"
+#include "core/blossom/triangle_composition.h"
+
+namespace blossom::occt {
+namespace {
+
+TopoDS_Shape fused(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+  const SolidTrimResult made = trim_solids(trim_tool(a), trim_tool(b), SolidOperation::Fuse);
+  for (const std::string& obstacle : made.obstacles) ADD_FAILURE() << obstacle;
+  return made.solids.empty() ? TopoDS_Shape() : TopoDS_Shape(made.solids.front());
+}
+
+TopoDS_Shape two_spheres() {
+  return fused(BRepPrimAPI_MakeSphere(1), BRepPrimAPI_MakeSphere(gp_Pnt(0.9, 0.3, 0.4), 0.8));
+}
+TopoDS_Shape two_boxes() {
+  return fused(BRepPrimAPI_MakeBox(2, 2, 2), BRepPrimAPI_MakeBox(gp_Pnt(1, 0.5, 0.7), 3, 1, 1));
+}
+TopoDS_Shape box_and_cylinder() {
+  const gp_Ax2 axis(gp_Pnt(1, 1, 1), gp_Dir(0.2, 0.1, 1));
+  return fused(BRepPrimAPI_MakeBox(2, 2, 2), BRepPrimAPI_MakeCylinder(axis, 0.6, 3));
+}
+
+BezierCurve side_curve(const WatertightPiece& piece, std::size_t k) {
+  const auto* triangle = std::get_if<BezierTriangle>(&piece.form);
+  EXPECT_NE(triangle, nullptr) << "only triangles are at edges";
+  BezierCurve curve = triangle
+                          ? side_of(*triangle, static_cast<int>(k), static_cast<int>((k + 1) % 3))
+                          : BezierCurve{};
+  if (!piece.along[k]) std::ranges::reverse(curve.points);
+  return curve;
+}
+
+// Along every edge both triangles have the control points of the side, bit for bit.
+int expect_common_points(const WatertightPieces& made) {
+  std::map<int, int> uses;
+  int common = 0;
+  for (const WatertightPiece& piece : made.pieces)
+    for (std::size_t k = 0; k < piece.sides.size(); ++k) {
+      const WatertightSide& side = made.sides[static_cast<std::size_t>(piece.sides[k])];
+      ++uses[piece.sides[k]];
+      if (side.edge < 0 || side.curve.points.empty()) continue;
+      EXPECT_EQ(side_curve(piece, k).points, side.curve.points);
+      ++common;
+    }
+  for (const auto& [number, count] : uses) {
+    const bool point = made.sides[static_cast<std::size_t>(number)].curve.points.empty();
+    EXPECT_EQ(count, point ? 1 : 2);
+  }
+  return common;
+}
+
+void expect_sound(const WatertightShape& made, double tolerance) {
+  ASSERT_TRUE(made.pieces.obstacle.empty()) << made.pieces.obstacle;
+  EXPECT_GT(expect_common_points(made.pieces), 8);
+  EXPECT_LE(made.pieces.deviation, tolerance);
+  ASSERT_EQ(made.shape.ShapeType(), TopAbs_SOLID);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.shape).IsValid());
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
+  TopExp::MapShapesAndAncestors(made.shape, TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
+  for (int k = 1; k <= faces_of_edge.Extent(); ++k)
+    EXPECT_EQ(faces_of_edge(k).Extent(),
+              BRep_Tool::Degenerated(TopoDS::Edge(faces_of_edge.FindKey(k))) ? 1 : 2);
+}
+
+TEST(Watertight, SpheresFusedHaveCommonControlPoints) {
+  expect_sound(watertight(two_spheres()), 2e-6);
+}
+
+TEST(Watertight, BoxesFusedHaveCommonControlPoints) { expect_sound(watertight(two_boxes()), 1e-6); }
+
+TEST(Watertight, ABoxAndACylinderFusedHaveCommonControlPoints) {
+  expect_sound(watertight(box_and_cylinder()), 2e-6);
+}
+
+TEST(Watertight, KeepsSharedEdgesInBrepFiles) {
+  const WatertightShape made = watertight(two_boxes());
+  Model model;
+  model.add(made.shape, "boxes");
+  const auto folder = std::filesystem::temp_directory_path();
+  const auto file = folder / "watertight_boxes.brep";
+  write_model(model, file);
+
+  const Model back = read_model(file);
+  std::filesystem::remove(file);
+  TopTools_IndexedMapOfShape given, edges;
+  TopExp::MapShapes(made.shape, TopAbs_EDGE, given);
+  TopExp::MapShapes(back.shape(), TopAbs_EDGE, edges);
+  EXPECT_EQ(edges.Extent(), given.Extent());
+  EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid());
+}
+
+}  // namespace
+}  // namespace blossom::occt
