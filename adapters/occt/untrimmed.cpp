@@ -10,8 +10,12 @@ TrimmedChart trimmed_chart(const FaceTrims& trims) {
   TrimmedChart chart;
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop)
-      chart.borders.push_back(
-          {transformed(coedge.curve, back, {}), coedge.reversed(), coedge.from, coedge.to, {}});
+      chart.borders.push_back({transformed(coedge.curve, back, {}),
+                               coedge.reversed(),
+                               coedge.from,
+                               coedge.to,
+                               {},
+                               coedge.degenerated});
   for (const Vec2& corner : trims.corners)
     chart.corners.push_back({corner[0] * back[0], corner[1] * back[1]});
   return chart;

@@ -171,19 +171,8 @@ ArcForm fitted_form(const Fit& fit, const PatchChart& chart, int highest_degree)
   return form;
 }
 
-}  // namespace
-
-PatchChart chart_of(const BezierSurface& surface, int patch_u, int patch_v) {
-  const std::size_t i = index(patch_u), j = index(patch_v);
-  return {{surface.u_knots[i], surface.u_knots[i + 1]},
-          {surface.v_knots[j], surface.v_knots[j + 1]},
-          surface.u_law,
-          surface.v_law};
-}
-
-ArcForm arc_form(const PlanarCurve& curve, const Interval& place, const PatchChart& chart,
-                 const ArcFormOptions& options) {
-  if (options.highest_degree < 1) throw InvalidInput("arc_form: the highest degree is below 1");
+ArcForm full_form(const PlanarCurve& curve, const Interval& place, const PatchChart& chart,
+                  const ArcFormOptions& options) {
   std::vector<PlanarBezier> pieces = bezier_pieces(curve, place);
   if (pieces.empty()) {  // no longer than rounding
     const Vec2 from = point_at(curve, place.from), to = point_at(curve, place.to);
@@ -210,6 +199,41 @@ ArcForm arc_form(const PlanarCurve& curve, const Interval& place, const PatchCha
   map_coordinate(piece, 0, chart.u, chart.u_law);
   map_coordinate(piece, 1, chart.v, chart.v_law);
   return {with_unit_ends(std::move(piece)), {}, true};
+}
+
+// The lowest degree that stays near enough.
+ArcForm lowered(ArcForm form, double within) {
+  const bool polynomial =
+      std::ranges::all_of(form.curve.points, [](const Vec3& p) { return p[2] == 1; });
+  if (!polynomial) return form;
+  BezierCurve2 curve;
+  for (const Vec3& p : form.curve.points) curve.points.push_back({p[0], p[1]});
+  for (int degree = 1; degree < curve.degree(); ++degree) {
+    const auto lower = reduced(curve, degree);
+    if (lower.error > within) continue;
+    form.exact = form.exact && lower.error <= kArcRounding;
+    if (!form.exact) form.error += Vec2{lower.error, lower.error};
+    form.curve.points.clear();
+    for (const Vec2& p : lower.form.points) form.curve.points.push_back({p[0], p[1], 1});
+    break;
+  }
+  return form;
+}
+
+}  // namespace
+
+PatchChart chart_of(const BezierSurface& surface, int patch_u, int patch_v) {
+  const std::size_t i = index(patch_u), j = index(patch_v);
+  return {{surface.u_knots[i], surface.u_knots[i + 1]},
+          {surface.v_knots[j], surface.v_knots[j + 1]},
+          surface.u_law,
+          surface.v_law};
+}
+
+ArcForm arc_form(const PlanarCurve& curve, const Interval& place, const PatchChart& chart,
+                 const ArcFormOptions& options) {
+  if (options.highest_degree < 1) throw InvalidInput("arc_form: the highest degree is below 1");
+  return lowered(full_form(curve, place, chart, options), options.lower_within);
 }
 
 Vec2 derivative_bounds(const RationalBezierPatch& patch) {

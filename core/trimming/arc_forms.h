@@ -32,7 +32,13 @@ struct ArcFormOptions {
   /// Whether the form has to be a polynomial and run as evenly as the curve's own parameter;
   /// else a rational curve or a straight line may have a parameter of its own.
   bool keep_parameter = false;
+  /// A polynomial gets the lowest degree that is within this, in the patch's parameters. Below
+  /// kArcRounding the form still counts as exact.
+  double lower_within = 0;
 };
+
+/// Distances in a patch's parameters that are no more than rounding.
+inline constexpr double kArcRounding = 1e-13;
 
 /// The form of one piece. It is exact if its degree allows and either both laws are linear, the
 /// piece runs along a line of the patch, or an angle does not change along it. Otherwise degree 5

@@ -16,10 +16,11 @@ namespace {
 constexpr double kShortest = 1e-9;
 // Relative to the surface's range of a parameter: ends that moved less than this moved by rounding.
 constexpr double kRounding = 1e-13;
-constexpr double kLeastCosine = 0.5;  // of the angle that an arc's control polygon may turn
-constexpr double kLongest = 1.5;      // of an arc, in cells
-constexpr double kLeastSlope = 1e-3;  // of a crossing, across the line, that is improved
-constexpr int kNewtonSteps = 3;       // from a crossing within kOnLine to one within rounding
+constexpr double kLoweringPart = 0.25;  // of the tolerance, for a lower degree
+constexpr double kLeastCosine = 0.5;    // of the angle that an arc's control polygon may turn
+constexpr double kLongest = 1.5;        // of an arc, in cells
+constexpr double kLeastSlope = 1e-3;    // of a crossing, across the line, that is improved
+constexpr int kNewtonSteps = 3;         // from a crossing within kOnLine to one within rounding
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -100,6 +101,10 @@ int BorderArcs::arc_degree(int patch_u, int patch_v) const {
   return options_.highest_degree / (patch.degree_u() + patch.degree_v());
 }
 
+bool BorderArcs::takes_cells(int border) const {
+  return !options_.common_borders || chart_.borders[index(border)].is_point;
+}
+
 Vec2 BorderArcs::metric(int patch_u, int patch_v) const {
   const Vec2& steep = steepest_(patch_u, patch_v);
   const auto power = [](double x) { return x > 0 ? std::exp2(std::round(std::log2(x))) : 1.0; };
@@ -167,7 +172,7 @@ void BorderArcs::divide(int number) {
   std::vector<double> at = border.stops;
   for (const PlanarSpan& span : border.curve.spans) at.push_back(span.place.to);
   for (int direction = 0; direction < 2; ++direction) add_line_stops(border, direction, at);
-  if (!options_.common_borders) add_cell_stops(border, at);
+  if (takes_cells(number)) add_cell_stops(border, at);
   tidy(at, border.curve.domain());
   if (border.reversed) std::ranges::reverse(at);
 
@@ -247,8 +252,13 @@ RegionArc BorderArcs::made(int number, const Interval& place, int from, int to) 
   }
   arc.patch_u = patch[0];
   arc.patch_v = patch[1];
-  const ArcForm form = arc_form(curve, place, chart_of(surface_, arc.patch_u, arc.patch_v),
-                                {arc_degree(arc.patch_u, arc.patch_v), options_.common_borders});
+  // Common borders are moved anyway, so a low degree is worth a part of the tolerance.
+  const double steep = std::max(max_norm(steepest_(arc.patch_u, arc.patch_v)), kArcRounding);
+  const double lower_within =
+      options_.common_borders ? kLoweringPart * options_.tolerance / steep : kArcRounding;
+  const ArcForm form =
+      arc_form(curve, place, chart_of(surface_, arc.patch_u, arc.patch_v),
+               {arc_degree(arc.patch_u, arc.patch_v), options_.common_borders, lower_within});
   settle_ends(arc, form);
   return arc;
 }
@@ -281,7 +291,7 @@ void BorderArcs::settle_ends(RegionArc& arc, const ArcForm& form) const {
 }
 
 bool BorderArcs::is_too_long(const RegionArc& arc) const {
-  if (arc.on_line && !options_.common_borders) return false;
+  if (arc.on_line && takes_cells(arc.border)) return false;
   const Vec2& steep = steepest_(arc.patch_u, arc.patch_v);
   const auto leg = [&](std::size_t i, std::size_t j) {
     const Vec2 d = projected(arc.curve.points[j]) - projected(arc.curve.points[i]);

@@ -21,7 +21,7 @@ struct RegionOptions {
   /// Rows and columns of cells in each patch; a power of two, 0 for as many as seem right.
   int cells = 0;
   /// Borders will be common curves with other faces: arcs run as evenly as the border's parameter,
-  /// and nothing but triangles touches them.
+  /// and nothing but triangles touches them, unless they are points in space.
   bool common_borders = false;
 };
 
@@ -63,6 +63,9 @@ class BorderArcs {
 
   /// Powers of two by which the parameters of a patch become about lengths in space.
   Vec2 metric(int patch_u, int patch_v) const;
+
+  /// Whether a cell may have a piece of the border for a side.
+  bool takes_cells(int border) const;
 
   /// The highest degree of arcs that triangles of a patch can have.
   int arc_degree(int patch_u, int patch_v) const;

@@ -191,7 +191,7 @@ class Builder {
 
   // Whether an arc is exactly one side of a cell.
   bool is_side_of_cell(const RegionArc& arc) const {
-    if (!arc.on_line || options_.common_borders) return false;
+    if (!arc.on_line || !borders_.takes_cells(arc.border)) return false;
     const Vec2& from = borders_.vertices()[index(arc.from)];
     const Vec2& to = borders_.vertices()[index(arc.to)];
     for (int k = 0; k < 2; ++k)

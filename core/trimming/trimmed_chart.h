@@ -20,6 +20,7 @@ struct RegionBorder {
   int from = 0;           ///< corners where the walk starts and ends
   int to = 0;
   std::vector<double> stops;  ///< parameters where it has to be divided, in any order
+  bool is_point = false;      ///< in space, as at the pole of a sphere
 };
 
 struct TrimmedChart {

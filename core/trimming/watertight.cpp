@@ -20,11 +20,13 @@
 namespace blossom {
 namespace {
 
-constexpr int kSideDegree = 5;        // of the curves that take the place of edges
-constexpr int kMostRounds = 12;       // of dividing edges until all faces agree
-constexpr double kSameStop = 2e-9;    // relative to an edge's range
-constexpr double kSurfacePart = 0.1;  // of the tolerance, for polynomials in place of surfaces
-constexpr double kArcPart = 0.3;      // of the tolerance, for arcs in charts
+constexpr int kSideDegree = 5;         // of the curves that take the place of edges
+constexpr double kRounding = 1e-15;    // of control points, relative to the largest
+constexpr int kMostRounds = 12;        // of dividing edges until all faces agree
+constexpr double kSameStop = 2e-9;     // relative to an edge's range
+constexpr double kSurfacePart = 0.1;   // of the tolerance, for polynomials in place of surfaces
+constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees of sides
+constexpr double kArcPart = 0.3;       // of the tolerance, for arcs in charts
 // Moves up to so many times the edge's own distance from the surfaces cannot be helped.
 constexpr double kEdgePart = 4;
 
@@ -93,7 +95,7 @@ class Builder {
       if (!stale[f]) continue;
       TrimmedChart chart = model_.faces[f].chart;
       for (std::size_t b = 0; b < chart.borders.size(); ++b)
-        chart.borders[b].stops = stops_[index(model_.faces[f].edges[b])];
+        settle(chart.borders[b], model_.faces[f].edges[b]);
       regions_[f] = triangulated_region(surfaces_[f], chart, region_options);
       if (regions_[f].obstacle.empty()) continue;
       result_ = {};
@@ -101,6 +103,12 @@ class Builder {
       return false;
     }
     return true;
+  }
+
+  // A point is divided by each face as it likes.
+  void settle(RegionBorder& border, int edge) const {
+    border.is_point = model_.edges[index(edge)].is_point;
+    if (!border.is_point) border.stops = stops_[index(edge)];
   }
 
   // Increasing, from end to end of the edge; near ones are one.
@@ -158,7 +166,23 @@ class Builder {
     return known->second;
   }
 
-  // The curve of a piece of an edge, in the direction of the edge.
+  // Through points of the edge, of the lowest degree that is hardly farther from them.
+  BezierCurve curve_on(const CommonEdge& edge, const Interval& place, const Vec3& from,
+                       const Vec3& to) const {
+    std::vector<Vec3> points;
+    for (const double t : extreme_points(kSideDegree)) points.push_back(edge.point(at(place, t)));
+    points.front() = from;
+    points.back() = to;
+    const BezierCurve curve = bezier_through(points);
+    for (int degree = 1; degree < kSideDegree; ++degree) {
+      const auto lower = reduced(curve, degree);
+      if (lower.error > kLoweringPart * options_.tolerance) continue;
+      return lower.form;
+    }
+    return curve;
+  }
+
+  // The side on a piece of an edge; its curve runs as the edge does.
   int side_on(int edge, Interval place) {
     if (place.from > place.to) std::swap(place.from, place.to);
     const auto [known, is_new] =
@@ -167,11 +191,8 @@ class Builder {
     const CommonEdge& on = model_.edges[index(edge)];
     WatertightSide side{edge, vertex_on(edge, place.from), vertex_on(edge, place.to), {}};
     if (!on.is_point) {
-      std::vector<Vec3> points;
-      for (const double t : extreme_points(kSideDegree)) points.push_back(on.point(at(place, t)));
-      points.front() = result_.vertices[index(side.from)];
-      points.back() = result_.vertices[index(side.to)];
-      side.curve = bezier_through(points);
+      side.curve =
+          curve_on(on, place, result_.vertices[index(side.from)], result_.vertices[index(side.to)]);
     }
     side_place_[static_cast<int>(result_.sides.size())] = place;
     result_.sides.push_back(std::move(side));
@@ -194,6 +215,9 @@ class Builder {
     const TriangulatedRegion& region = regions_[index(face)];
     std::vector<int> names = vertices_of(face);
     std::map<std::pair<int, int>, int> inner;  // sides by the region's vertices
+    std::map<std::pair<int, int>, int> arc_between;
+    for (std::size_t k = 0; k < region.arcs.size(); ++k)
+      arc_between[{region.arcs[k].from, region.arcs[k].to}] = static_cast<int>(k);
     for (const RegionPiece& piece : region.pieces) {
       const auto* triangle = std::get_if<CurvedTriangle>(&piece.shape);
       std::vector<int> corners;
@@ -204,9 +228,10 @@ class Builder {
       WatertightPiece made{face, polynomial_form(surfaces_[index(face)], piece), {}, {}, {}, 0};
       name_corners(made, corners, names);
       for (std::size_t k = 0; k < corners.size(); ++k) {
-        const int number = triangle ? triangle->arcs[k] : -1;
-        made.sides.push_back(number >= 0 ? side_under(face, region.arcs[index(number)])
-                                         : inner_side(made, static_cast<int>(k), corners, inner));
+        const auto arc = arc_between.find({corners[k], corners[(k + 1) % corners.size()]});
+        made.sides.push_back(arc != arc_between.end()
+                                 ? side_under(face, region.arcs[index(arc->second)])
+                                 : inner_side(made, static_cast<int>(k), corners, inner));
       }
       result_.pieces.push_back(std::move(made));
     }
@@ -216,13 +241,27 @@ class Builder {
     return side_on(model_.faces[index(face)].edges[index(arc.border)], arc.place);
   }
 
+  // A straight triangle in a plane has degree 1, whatever the patch says.
+  static BezierTriangle flat_if_it_is(const BezierTriangle& triangle) {
+    double size = 0;
+    for (const Vec3& p : triangle.points) size = std::max(size, max_norm(p));
+    const int n = triangle.degree;
+    for (int nu = 0; nu <= n; ++nu)
+      for (int mu = 0; nu + mu <= n; ++mu) {
+        const Vec3 flat = (1.0 / n) * (nu * triangle(n, 0) + mu * triangle(0, n) +
+                                       (n - nu - mu) * triangle(0, 0));
+        if (distance(flat, triangle(nu, mu)) > kRounding * size) return triangle;
+      }
+    return {1, {triangle(0, 0), triangle(0, n), triangle(n, 0)}};
+  }
+
   static std::variant<BezierPatch, BezierTriangle> polynomial_form(const BezierSurface& surface,
                                                                    const RegionPiece& piece) {
     const RegionForm form = bezier_form(surface, piece);
     if (const auto* given = std::get_if<RationalBezierTriangle>(&form)) {
       BezierTriangle own{given->degree, {}};
       for (const Vec4& p : given->points) own.points.push_back(space(p));
-      return own;
+      return flat_if_it_is(own);
     }
     const Grid<Vec4>& net = std::get<RationalBezierPatch>(form).points;
     BezierPatch own{Grid<Vec3>(net.rows(), net.columns())};
@@ -285,7 +324,8 @@ class Builder {
   // ---- equal degrees along edges, then equal points
 
   void raise_degrees() {
-    std::vector<int> degree(result_.sides.size(), kSideDegree);
+    std::vector<int> degree;
+    for (const WatertightSide& side : result_.sides) degree.push_back(side.curve.degree());
     bool changed = true;
     const auto raise = [&](int& low, int to) {
       if (low >= to) return;
@@ -300,7 +340,7 @@ class Builder {
         if (!triangle) continue;
         raise(wanted[p], triangle->degree);
         for (const int side : result_.pieces[p].sides) {
-          if (result_.sides[index(side)].edge < 0) continue;
+          if (result_.sides[index(side)].edge < 0 || degree[index(side)] < 0) continue;
           raise(degree[index(side)], wanted[p]);
           raise(wanted[p], degree[index(side)]);
         }

@@ -31,7 +31,7 @@ TopoDS_Shape fused(const TopoDS_Shape& a, const TopoDS_Shape& b) {
 }
 
 TopoDS_Shape two_spheres() {
-  return fused(BRepPrimAPI_MakeSphere(1), BRepPrimAPI_MakeSphere(gp_Pnt(0.9, 0.3, 0.4), 0.8));
+  return fused(BRepPrimAPI_MakeSphere(1), BRepPrimAPI_MakeSphere(gp_Pnt(0.7, 0.2, 0.3), 0.8));
 }
 TopoDS_Shape two_boxes() {
   return fused(BRepPrimAPI_MakeBox(2, 2, 2), BRepPrimAPI_MakeBox(gp_Pnt(1, 0.5, 0.7), 3, 1, 1));

@@ -114,7 +114,7 @@ class Chart {
     return static_cast<int>(made.corners.size() - points.size());
   }
   void add(int from, int to, PlanarCurve curve, bool reversed = false) {
-    made.borders.push_back({std::move(curve), reversed, from, to, {}});
+    made.borders.push_back({std::move(curve), reversed, from, to, {}, false});
   }
 };
 

@@ -94,10 +94,10 @@ CommonModel roof_and_wall(double gap) {
          {}});
   CommonFace wall_face{wall, {}, {0, 4, 5, 6}};
   wall_face.chart.corners = {{0, left[2]}, {1, right[2]}, {0, 0}, {1, 0}};
-  wall_face.chart.borders = {{{{{curve, {0, 1}}}}, true, 1, 0, {}},
-                             {line({0, left[2]}, {0, 0}), false, 0, 2, {}},
-                             {line({0, 0}, {1, 0}), false, 2, 3, {}},
-                             {line({1, 0}, {1, right[2]}), false, 3, 1, {}}};
+  wall_face.chart.borders = {{{{{curve, {0, 1}}}}, true, 1, 0, {}, false},
+                             {line({0, left[2]}, {0, 0}), false, 0, 2, {}, false},
+                             {line({0, 0}, {1, 0}), false, 2, 3, {}, false},
+                             {line({1, 0}, {1, right[2]}), false, 3, 1, {}, false}};
   model.faces = {roof_face, wall_face};
   return model;
 }
