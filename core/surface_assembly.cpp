@@ -15,6 +15,7 @@
 #include "core/intersection/contact_chains.h"
 #include "core/intersection/contact_reach.h"
 #include "core/intersection/critical_places.h"
+#include "core/intersection/found_places.h"
 #include "core/intersection/overlaps.h"
 #include "core/intersection/pair_search.h"
 #include "core/intersection/self_search.h"
@@ -170,7 +171,7 @@ class Assembly {
     for (const BoundaryLoop& loop : region.loops) {
       loops.emplace_back();
       for (const ContactPoint& p : loop) {
-        const SurfacePoint x = surface_point(cells_a, cells_b, p);
+        const SurfacePoint x = surface_point(cells_a, cells_b, origin_, p);
         loops.back().push_back(x);
         box = joined(box, {x.point, x.point});
         widen(place, x, p.gap);
@@ -234,7 +235,7 @@ class Assembly {
       // A clump ends somewhere near its point, a valley's contact exactly.
       const double part = at.path.size() == 1 ? kClumpReach : 1;
       const double most = part * at.length + kShortest * options_.tolerances.point;
-      if (at.curve || diagonal(end_box(cells_a, chain)) > most) continue;
+      if (at.curve || diagonal(end_box(cells_a, found_, chain)) > most) continue;
       for (const ChainLink& link : chain.links)
         found_.arcs[static_cast<std::size_t>(link.arc)].dropped = true;
     }
@@ -244,29 +245,16 @@ class Assembly {
   }
 
   void add_corner_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const FoundGraze& graze) {
-    const auto& patch = cells_a.tree(graze.patch_a).patch();
-    const SurfacePoint contact{
-        point_at(patch, graze.x[0], graze.x[1]) + origin_,
-        {parameter_at(a_.u_law, cells_a.knots_u(graze.patch_a), graze.x[0]),
-         parameter_at(a_.v_law, cells_a.knots_v(graze.patch_a), graze.x[1])},
-        {parameter_at(b_.u_law, cells_b.knots_u(graze.patch_b), graze.x[2]),
-         parameter_at(b_.v_law, cells_b.knots_v(graze.patch_b), graze.x[3])}};
+    const SurfacePoint contact =
+        surface_point(cells_a, cells_b, origin_, {graze.patch_a, graze.patch_b, graze.x});
     if (known_contact(contact.point) || ends_curve(contact.point) || in_clump(contact.point) ||
         in_contact(contact.point) || on_curve(contact.point))
       return;
     result_.points.push_back(contact);
-    Place place = place_at(contact);
+    Place place = place_at(contact, options_.tolerances.point);
     place.kind = PlaceKind::Touch;
     result_.places.push_back(place);
     weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
-  }
-
-  Place place_at(const SurfacePoint& p) const {
-    const double r = options_.tolerances.point;
-    Place place{PlaceKind::Open, p.point - Vec3{r, r, r}, p.point + Vec3{r, r, r}, 0, r, {}};
-    place.parameters = {Interval{p.uv_a[0], p.uv_a[0]}, Interval{p.uv_a[1], p.uv_a[1]},
-                        Interval{p.uv_b[0], p.uv_b[0]}, Interval{p.uv_b[1], p.uv_b[1]}};
-    return place;
   }
 
   // The curves of chains. What is not done in time gets the length that an untraced one has.
@@ -359,17 +347,6 @@ class Assembly {
     return gap;
   }
 
-  SurfacePoint surface_point(SurfaceCells& cells_a, SurfaceCells& cells_b,
-                             const ContactPoint& p) const {
-    const Vec3 on_a = point_at(cells_a.tree(p.patch_a).patch(), p.x[0], p.x[1]);
-    const Vec3 on_b = point_at(cells_b.tree(p.patch_b).patch(), p.x[2], p.x[3]);
-    return {0.5 * (on_a + on_b) + origin_,
-            {parameter_at(a_.u_law, cells_a.knots_u(p.patch_a), p.x[0]),
-             parameter_at(a_.v_law, cells_a.knots_v(p.patch_a), p.x[1])},
-            {parameter_at(b_.u_law, cells_b.knots_u(p.patch_b), p.x[2]),
-             parameter_at(b_.v_law, cells_b.knots_v(p.patch_b), p.x[3])}};
-  }
-
   static PlaceKind kind_of(const ContactChain& point) {
     const std::size_t arms = point.arm_count();
     if (arms == 0) return PlaceKind::Touch;
@@ -382,14 +359,14 @@ class Assembly {
     Place place{PlaceKind::Tangential, {}, {}, 1e300, 0, {}};
     place.parameters.fill({1e300, -1e300});
     for (const ContactPoint& p : contact.path) {
-      const SurfacePoint x = surface_point(cells_a, cells_b, p);
+      const SurfacePoint x = surface_point(cells_a, cells_b, origin_, p);
       widen(place, x, p.gap);
     }
     const double r = options_.tolerances.point;
     place.box_low = contact.box.low + origin_ - Vec3{r, r, r};
     place.box_high = contact.box.high + origin_ + Vec3{r, r, r};
     if (!contact.curve) {
-      const SurfacePoint centre = surface_point(cells_a, cells_b, contact.centre);
+      const SurfacePoint centre = surface_point(cells_a, cells_b, origin_, contact.centre);
       const std::size_t arms = contact.arm_count();
       place.kind = kind_of(contact);
       const bool touches = contact.centre.gap <= options_.tolerances.point;
@@ -414,8 +391,8 @@ class Assembly {
     if (in_contact(middle.point)) return;
     const SurfacePoint contact{middle.point, middle.a, middle.b};
     if (!known_contact(contact.point)) result_.points.push_back(contact);
-    const Box box = end_box(cells_a, chain);
-    Place place = place_at(contact);
+    const Box box = end_box(cells_a, found_, chain);
+    Place place = place_at(contact, options_.tolerances.point);
     place.kind = PlaceKind::Touch;
     place.box_low = box.low + origin_;
     place.box_high = box.high + origin_;
@@ -461,7 +438,7 @@ class Assembly {
 
   // A branch that is proven to be there but cannot be written down, at a pole perhaps.
   void add_untraced(SurfaceCells& cells_a, const Chain& chain) {
-    const Box box = end_box(cells_a, chain);
+    const Box box = end_box(cells_a, found_, chain);
     Place place{PlaceKind::Open, box.low + origin_, box.high + origin_, 0, diagonal(box), {}};
     result_.places.push_back(place);
     weaken(Status::Stopped, "a branch could not be traced");
@@ -475,26 +452,13 @@ class Assembly {
     });
   }
 
-  // The box of all ends of a chain's arcs, relative to the origin.
-  Box end_box(SurfaceCells& cells_a, const Chain& chain) const {
-    Box box;
-    for (const ChainLink& link : chain.links) {
-      const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
-      for (const Point4& x : {arc.arc.from, arc.arc.to}) {
-        const Vec3 p = point_at(cells_a.tree(arc.patch_a).patch(), x[0], x[1]);
-        box = joined(box, {p, p});
-      }
-    }
-    return box;
-  }
-
   // True if a branch may end there, since what follows was not searched.
   bool beside_known(const Vec3& point) const {
     return known_.hold({point - origin_, point - origin_});
   }
 
   void add_loose_end(const SurfacePoint& end) {
-    result_.places.push_back(place_at(end));
+    result_.places.push_back(place_at(end, options_.tolerances.point));
     weaken(Status::Stopped, "a branch ends inside both surfaces without a reason");
   }
 
@@ -503,7 +467,7 @@ class Assembly {
   void add_place(SurfaceCells& cells_a, SurfaceCells& cells_b, const Clump& clump) {
     Place place{PlaceKind::Open,          clump.box.low + origin_,
                 clump.box.high + origin_, 0,
-                diagonal(clump.box),      parameters_of(cells_a, cells_b, clump)};
+                diagonal(clump.box),      parameters_of(cells_a, cells_b, found_.critical, clump)};
     if (clump.thin) {  // within tolerance all over, whatever the surfaces do in it
       if (!clump.singular) place.gap_high = kThinGap * options_.tolerances.point;
       place.kind = clump.singular ? PlaceKind::Cusp : PlaceKind::Tangential;
@@ -542,33 +506,6 @@ class Assembly {
       result_.places.push_back({PlaceKind::Tangential, box.low, box.high, 0, curve.gap, {}});
     }
     weaken(Status::Tolerance, "the surfaces touch along a common edge");
-  }
-
-  std::array<Interval, 4> parameters_of(const SurfaceCells& cells_a, const SurfaceCells& cells_b,
-                                        const Clump& clump) const {
-    std::array<Interval, 4> all;
-    all.fill({1e300, -1e300});
-    for (const int i : clump.pairs) {
-      const std::array one =
-          parameters_of(cells_a, cells_b, found_.critical[static_cast<std::size_t>(i)]);
-      for (std::size_t k = 0; k < 4; ++k) {
-        all[k].from = std::min(all[k].from, one[k].from);
-        all[k].to = std::max(all[k].to, one[k].to);
-      }
-    }
-    return all;
-  }
-
-  std::array<Interval, 4> parameters_of(const SurfaceCells& cells_a, const SurfaceCells& cells_b,
-                                        const CriticalPair& pair) const {
-    const std::array spans{cells_a.knots_u(pair.patch_a), cells_a.knots_v(pair.patch_a),
-                           cells_b.knots_u(pair.patch_b), cells_b.knots_v(pair.patch_b)};
-    const std::array laws{a_.u_law, a_.v_law, b_.u_law, b_.v_law};
-    std::array<Interval, 4> all;
-    for (std::size_t k = 0; k < 4; ++k)
-      all[k] = {parameter_at(laws[k], spans[k], pair.box[k].from),
-                parameter_at(laws[k], spans[k], pair.box[k].to)};
-    return all;
   }
 
   void note_approximations() {

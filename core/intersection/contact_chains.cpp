@@ -285,9 +285,9 @@ class Joiner {
     const Steps steps = steps_of(chain);
     for (const auto& [gap, step] : steps) chain.length += step;
     const double close = length_between(steps, 0, kCloser * tolerance_);
-    chain.curve = chain.length > kShort * size_ &&
-                  (chain.closed || close > kMostOfIt * chain.length ||
-                   is_strip(steps, chain.length));
+    chain.curve =
+        chain.length > kShort * size_ &&
+        (chain.closed || close > kMostOfIt * chain.length || is_strip(steps, chain.length));
   }
 
   // True if a contact begins or ends in a clump.
