@@ -102,8 +102,8 @@ Model read_model(const std::filesystem::path& file);
 /// throws   Failure if the file cannot be written; BadModel if the ending is not known
 void write_model(const Model& model, const std::filesystem::path& file);
 
-/// Whether the format of a file, by its ending, has internal edges of faces. Open CASCADE loses them
-/// on the way to STEP, and cannot write IGES with them.
+/// Whether the format of a file, by its ending, has internal edges of faces. Open CASCADE loses
+/// them on the way to STEP, and cannot write IGES with them.
 /// throws   BadModel if the ending is not known
 bool keeps_internal_edges(const std::filesystem::path& file);
 
