@@ -209,7 +209,11 @@ FaceCut fitted_cut(const EdgeBeside& edge, const Interval& run, const Feet& feet
       off = std::max(
           {off, distance(point, point_at(cut.curve, t)), feet.gap(point, point_at(cut.chart, t))});
     }
-    if (off <= kFitShare * tolerance || pieces >= kMostPieces) return cut;
+    if (off <= kFitShare * tolerance) return cut;
+    if (pieces < kMostPieces) continue;
+    // As where it crosses the seam of a surface that is closed but has no period.
+    if (off > tolerance) throw Failure("an edge has no image in the chart of the other face");
+    return cut;
   }
 }
 
