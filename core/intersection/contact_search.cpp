@@ -20,8 +20,7 @@ namespace {
 
 constexpr int kMostChartHalvings = 24;
 constexpr int kShallow = 8;
-constexpr double kChartReserve = 4;  // widths of the part that matters, as far as the patch goes
-constexpr double kWidening = 0.2;    // of a chart's width
+constexpr double kWidening = 0.2;  // of a chart's width
 constexpr double kLeastWidening = 0.05;
 constexpr int kDeepest = 44;          // halvings of a cell
 constexpr int kDeepestPiece = 40;     // likewise of a chart's piece
@@ -61,32 +60,11 @@ class ContactSearch {
       s = {std::min(s.from, part[0].from), std::max(s.to, part[0].to)};
       t = {std::min(t.from, part[1].from), std::max(t.to, part[1].to)};
     }
-    cover(enlarged(s, 0), enlarged(t, 1), 0);
+    cover(s, t, 0);
   }
 
  private:
   double tolerance() const { return options_.tolerances.point; }
-
-  // A contact along a border of the patch has feet beyond it: those of a cell of a reach as far as
-  // the cell is wide, a narrow chart does not. At a pole a larger chart is none.
-  Interval enlarged(const Interval& x, int direction) const {
-    const bool first = x.from <= 0 && !is_pole(direction, 0);
-    const bool last = x.to >= 1 && !is_pole(direction, 1);
-    if (!first && !last) return x;
-    const double by = kChartReserve * length(x);
-    return {std::max(x.from - by, 0.0), std::min(x.to + by, 1.0)};
-  }
-
-  // True if the border of b's patch at an end of a direction, 0 for s and 1 for t, is one point.
-  bool is_pole(int direction, double end) const {
-    const auto on_border = [&](double run) {
-      return direction == 0 ? point_at(tree_b_.patch(), end, run)
-                            : point_at(tree_b_.patch(), run, end);
-    };
-    const Vec3 first = on_border(0);
-    return distance(first, on_border(0.5)) <= tolerance() &&
-           distance(first, on_border(1)) <= tolerance();
-  }
 
   // Charts over the part of b that matters, each searched as soon as it is found.
   void cover(const Interval& s, const Interval& t, int depth) {
