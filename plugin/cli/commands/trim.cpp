@@ -5,8 +5,10 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "adapters/occt/trim.h"
@@ -17,10 +19,12 @@
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/intersection_report.h"
+#include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
+#include "plugin/cli/watertight_output.h"
 
 namespace blossom::cli {
 namespace {
@@ -31,6 +35,7 @@ struct Options {
   std::string keep;
   std::string solid;  // an operation on solids, instead of keep
   bool allow_incomplete = false;
+  bool watertight = false;
   CommonOptions common;
   EngineOptions engine;
 };
@@ -123,6 +128,7 @@ Json report_of(const Inputs& inputs, const Options& options, const Timed& timed,
           {"pieces", std::move(pieces)},
           {"areas", std::move(areas)},
           {"notes", timed.made.notes},
+          {"watertight", nullptr},
           {"certificate", to_json(timed.made.certificate)}};
 }
 
@@ -166,17 +172,35 @@ std::string obstacle(const Inputs& inputs, const Timed& timed, const Options& op
   return {};
 }
 
+// Puts pieces with common sides in the place of all faces.
+WatertightPieces make_watertight(occt::Model& model, double tolerance) {
+  occt::WatertightShape made = watertight_of(model.shape(), tolerance);
+  std::map<int, std::vector<TopoDS_Face>> faces;
+  for (std::size_t k = 0; k < made.faces.size(); ++k)
+    faces[static_cast<int>(k) + 1] = std::move(made.faces[k]);
+  model.replace_faces(faces);
+  return std::move(made.pieces);
+}
+
 void write_outputs(Inputs& inputs, const Timed& timed, const Options& options) {
   const std::string reason = obstacle(inputs, timed, options);
   const bool write = !options.common.output.empty() && reason.empty();
   std::string png;
   if (!options.common.picture.empty()) png = picture_png(picture_of(inputs, timed.made));
-  const std::string text = summary(inputs, timed);
-  const Json report = report_of(inputs, options, timed, write);
-  if (write) inputs.part.model.replace_faces(timed.made.replacements);
+  std::string text = summary(inputs, timed);
+  Json report = report_of(inputs, options, timed, write);
+  if (reason.empty()) inputs.part.model.replace_faces(timed.made.replacements);
+  std::optional<WatertightPieces> watertight;
+  if (options.watertight && reason.empty()) {
+    watertight = make_watertight(inputs.part.model, options.engine.tolerance);
+    text += summary_of(*watertight);
+    report["watertight"] = to_json(*watertight);
+  }
   stop_if_interrupted();
 
-  if (write)
+  if (write && is_net_file(options.common.output))
+    write_json(nets_json(nets_of(*watertight, inputs.part.name)), options.common.output);
+  else if (write)
     occt::write_model(inputs.part.model, options.common.output);
   else if (!options.common.output.empty())
     std::cerr << "blossom: " << options.common.output << " is not written: " << reason << '\n';
@@ -191,14 +215,14 @@ int run_solid(const Options& options) {
   if (!is_solid_operation(options.solid))
     throw UsageError("--solid takes cut, common, fuse or split, not '" + options.solid + "'");
   if (options.tools.size() != 1) throw UsageError("--solid takes one tool");
-  return trim_solids(
-      {options.part, options.tools.front(), options.solid, options.common, options.engine});
+  return trim_solids({options.part, options.tools.front(), options.solid, options.watertight,
+                      options.common, options.engine});
 }
 
 int run(const Options& options) {
   if (!options.solid.empty()) return run_solid(options);
   if (options.keep.empty()) throw UsageError("trim needs --keep, or --solid for solids");
-  check_outputs(options.common);
+  check_outputs(options.common, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   trim_options(options.keep);  // a wrong word is told before a long reading
   start_threads(options.engine.threads);
   Inputs inputs{read_input(options.part), {}};
@@ -233,6 +257,9 @@ void add_trim(CLI::App& app, int& exit_code) {
       ->type_name("OPERATION");
   command->add_flag("--allow-incomplete", options->allow_incomplete,
                     "write the model even if the intersection was stopped");
+  command->add_flag("--watertight", options->watertight,
+                    "write patches and triangles whose sides along edges have the same control "
+                    "points; also to .json");
   add_common_options(*command, options->common, "write the trimmed model (.step, .brep, .iges)");
   add_engine_options(*command, options->engine);
   command->callback([options, &exit_code] { exit_code = run(*options); });

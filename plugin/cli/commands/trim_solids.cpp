@@ -4,13 +4,17 @@
 #include <chrono>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <utility>
 
+#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/solid_trim.h"
 #include "core/base/parallel.h"
@@ -18,9 +22,11 @@
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/intersection_report.h"
+#include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
+#include "plugin/cli/watertight_output.h"
 
 namespace blossom::cli {
 namespace {
@@ -33,8 +39,33 @@ const std::map<std::string, occt::SolidOperation> kOperations = {
 
 struct Timed {
   occt::SolidTrimResult made;
+  std::optional<WatertightPieces> watertight;
   double seconds = 0;
 };
+
+// All solids at once: those side by side keep their common faces. Pieces come from where their
+// faces do.
+void make_watertight(Timed& timed, double tolerance) {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Solid& solid : timed.made.solids) builder.Add(all, solid);
+  occt::WatertightShape made = watertight_of(all, tolerance);
+  timed.made.solids.clear();
+  for (TopoDS_Iterator it(made.shape); it.More(); it.Next())
+    timed.made.solids.push_back(TopoDS::Solid(it.Value()));
+  TopTools_IndexedMapOfShape numbers;
+  TopExp::MapShapes(all, TopAbs_FACE, numbers);
+  std::vector<occt::SolidFace> faces;
+  for (const occt::SolidFace& face : timed.made.faces)
+    if (const int number = numbers.FindIndex(face.face); number > 0)
+      for (const TopoDS_Face& piece : made.faces[static_cast<std::size_t>(number) - 1]) {
+        faces.push_back(face);
+        faces.back().face = piece;
+      }
+  timed.made.faces = std::move(faces);
+  timed.watertight = std::move(made.pieces);
+}
 
 occt::Model model_of(const std::string& text) {
   Input input = read_input(text);
@@ -48,7 +79,9 @@ Timed timed_trim(const SolidTrim& options, const occt::Model& part, const occt::
   const IntersectionOptions engine = intersection_options(options.engine, progress);
   const occt::TrimTool a = occt::trim_tool(part.shape()), b = occt::trim_tool(tool.shape());
   const auto start = std::chrono::steady_clock::now();
-  Timed result{occt::trim_solids(a, b, kOperations.at(options.operation), engine), 0};
+  Timed result{occt::trim_solids(a, b, kOperations.at(options.operation), engine), {}, 0};
+  if (options.watertight && !result.made.solids.empty())
+    make_watertight(result, options.engine.tolerance);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   stop_if_interrupted();
   result.seconds = took.count();
@@ -92,6 +125,7 @@ Json report_of(const SolidTrim& options, const Timed& timed, bool written) {
           {"solids", std::move(solids)},
           {"volumes", volumes_json(timed.made)},
           {"obstacles", timed.made.obstacles},
+          {"watertight", timed.watertight ? to_json(*timed.watertight) : Json(nullptr)},
           {"certificate", to_json(timed.made.certificate)}};
 }
 
@@ -105,6 +139,7 @@ std::string summary(const SolidTrim& options, const Timed& timed) {
          << ", fuse " << timed.made.volumes.fuse << "\n  they add up within "
          << timed.made.volumes.cut_error() << " (cut) and " << timed.made.volumes.fuse_error()
          << " (fuse)\n";
+  if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
   return text.str();
 }
@@ -165,7 +200,7 @@ std::string reason_of(const occt::SolidTrimResult& made) {
 bool is_solid_operation(const std::string& word) { return kOperations.contains(word); }
 
 int trim_solids(const SolidTrim& options) {
-  check_outputs(options.common);
+  check_outputs(options.common, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   start_threads(options.engine.threads);
   const occt::Model part = model_of(options.part), tool = model_of(options.tool);
   stop_if_interrupted();
@@ -175,7 +210,10 @@ int trim_solids(const SolidTrim& options) {
   const bool write = reason.empty() && !outputs.output.empty();
   const std::string png =
       reason.empty() && !outputs.picture.empty() ? picture_of(timed.made.solids) : std::string();
-  if (write) occt::write_model(model_of(options, timed.made, part, tool), outputs.output);
+  if (write && is_net_file(outputs.output))
+    write_json(nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
+  else if (write)
+    occt::write_model(model_of(options, timed.made, part, tool), outputs.output);
   if (!png.empty()) occt::write_text(png, outputs.picture);
   if (!reason.empty())
     std::cerr << "blossom: "

@@ -12,7 +12,8 @@ namespace blossom::cli {
 struct SolidTrim {
   std::string part;
   std::string tool;
-  std::string operation;  ///< cut, common, fuse or split
+  std::string operation;    ///< cut, common, fuse or split
+  bool watertight = false;  ///< as untrimmed faces with common sides
   CommonOptions common;
   EngineOptions engine;
 };

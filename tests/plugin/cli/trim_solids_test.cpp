@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
 
@@ -10,7 +11,11 @@
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopoDS.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -85,6 +90,29 @@ TEST_F(TrimSolidsCommand, CallsSolidsAsThePartsTheyComeFrom) {
   ASSERT_EQ(halves.face_count(), 12);
   EXPECT_EQ(halves.part_name(1), "Block.1");
   EXPECT_EQ(halves.part_name(12), "Block.2");
+}
+
+TEST_F(TrimSolidsCommand, WritesWatertightPieces) {
+  const Finished run = combine("ball.step", {"cut", "--watertight", "-o", folder / "cut.brep",
+                                             "--json", folder / "cut.json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json report = json::parse(testing::text_of(folder / "cut.json"))["watertight"];
+  EXPECT_GT(report["common_sides"], 10);
+  EXPECT_LE(report["deviation"], 1e-6);
+  const occt::Model cut = occt::read_model(folder / "cut.brep");
+  EXPECT_EQ(cut.face_count(), report["patches"].get<int>() + report["triangles"].get<int>());
+  EXPECT_TRUE(BRepCheck_Analyzer(cut.shape()).IsValid());
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
+  TopExp::MapShapesAndAncestors(cut.shape(), TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
+  for (int k = 1; k <= faces_of_edge.Extent(); ++k)
+    EXPECT_EQ(faces_of_edge(k).Extent(),
+              BRep_Tool::Degenerated(TopoDS::Edge(faces_of_edge.FindKey(k))) ? 1 : 2);
+
+  ASSERT_EQ(combine("ball.step", {"cut", "--watertight", "-o", folder / "nets.json"}).code, 0);
+  const json nets = json::parse(testing::text_of(folder / "nets.json"))["nets"];
+  EXPECT_EQ(nets.size(), static_cast<std::size_t>(cut.face_count()));
+  EXPECT_EQ(std::ranges::count_if(nets, [](const json& net) { return net["kind"] == "triangle"; }),
+            report["triangles"].get<int>());
 }
 
 TEST_F(TrimSolidsCommand, PrintsVolumesForPeople) {

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/watertight_output.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "adapters/occt/errors.h"
+
+namespace blossom::cli {
+namespace {
+
+constexpr double kToleranceFactor = 10;  // trims' own edges are about one tolerance off
+
+Vec4 homogeneous(const Vec3& p) { return {p[0], p[1], p[2], 1}; }
+
+NetValue value_of(const WatertightPiece& piece) {
+  if (const auto* triangle = std::get_if<BezierTriangle>(&piece.form)) {
+    RationalBezierTriangle made{triangle->degree, {}};
+    for (const Vec3& p : triangle->points) made.points.push_back(homogeneous(p));
+    return made;
+  }
+  const Grid<Vec3>& net = std::get<BezierPatch>(piece.form).points;
+  RationalBezierPatch made{Grid<Vec4>(net.rows(), net.columns())};
+  std::ranges::transform(net.values(), made.points.values().begin(), homogeneous);
+  return made;
+}
+
+std::size_t triangle_count(const WatertightPieces& pieces) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(pieces.pieces, [](const WatertightPiece& piece) {
+        return std::holds_alternative<BezierTriangle>(piece.form);
+      }));
+}
+
+// Sides on edges that two or more pieces have.
+std::size_t common_count(const WatertightPieces& pieces) {
+  std::vector<int> uses(pieces.sides.size(), 0);
+  for (const WatertightPiece& piece : pieces.pieces)
+    for (const int side : piece.sides) ++uses[static_cast<std::size_t>(side)];
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < uses.size(); ++k)
+    count += pieces.sides[k].edge >= 0 && uses[k] > 1 ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+occt::WatertightShape watertight_of(const TopoDS_Shape& shape, double tolerance) {
+  WatertightOptions options;
+  options.tolerance = kToleranceFactor * tolerance;
+  occt::WatertightShape made = occt::watertight(shape, options);
+  if (!made.pieces.obstacle.empty())
+    throw occt::BadModel("the faces cannot be made watertight: " + made.pieces.obstacle);
+  return made;
+}
+
+Json to_json(const WatertightPieces& pieces) {
+  const std::size_t triangles = triangle_count(pieces);
+  return {{"patches", pieces.pieces.size() - triangles},
+          {"triangles", triangles},
+          {"common_sides", common_count(pieces)},
+          {"deviation", pieces.deviation}};
+}
+
+std::string summary_of(const WatertightPieces& pieces) {
+  const std::size_t triangles = triangle_count(pieces);
+  std::ostringstream text;
+  text << "  watertight: " << counted(triangles, "triangle") << ", "
+       << counted(pieces.pieces.size() - triangles, "rectangle") << ", "
+       << counted(common_count(pieces), "common side") << ", within " << pieces.deviation
+       << " of the faces\n";
+  return text.str();
+}
+
+std::vector<Net> nets_of(const WatertightPieces& pieces, const std::string& file) {
+  std::vector<Net> nets;
+  for (const WatertightPiece& piece : pieces.pieces) {
+    Net net;
+    net.value = value_of(piece);
+    net.u = net.v = {0, 1};
+    net.source.file = file;
+    net.source.face = piece.face + 1;
+    net.source.error = pieces.deviation;
+    nets.push_back(std::move(net));
+  }
+  return nets;
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What `trim --watertight` makes of a trimmed model.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <TopoDS_Shape.hxx>
+
+#include "adapters/occt/watertight.h"
+#include "plugin/cli/nets/net.h"
+#include "plugin/cli/output.h"
+
+namespace blossom::cli {
+
+/// The shape as pieces with common sides.
+///
+/// tolerance   what counts as one point; pieces may lie ten times as far from the faces
+/// throws      occt::BadModel if the faces have no such pieces, naming the obstacle
+occt::WatertightShape watertight_of(const TopoDS_Shape& shape, double tolerance);
+
+/// The member "watertight" of reports.
+Json to_json(const WatertightPieces& pieces);
+
+/// A line about the pieces.
+std::string summary_of(const WatertightPieces& pieces);
+
+/// The pieces as nets: patches and triangles, by the faces' numbers in the trimmed model.
+std::vector<Net> nets_of(const WatertightPieces& pieces, const std::string& file);
+
+}  // namespace blossom::cli
