@@ -18,6 +18,7 @@ constexpr double kBesides = 1e-5;     // of the size: points of contact this clo
 constexpr double kPointClump = 1e-2;  // of the size: a larger clump is more than a point
 constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest point
 constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
+constexpr double kOnBorder = 1e-9;   // of a patch
 constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
 
@@ -195,7 +196,7 @@ class Joiner {
     for (const Vec3& p : points) boxes.push_back({p, p});
     const BoxTree tree(boxes);
     const auto nearest = [&](std::size_t i) {
-      std::size_t best = leaving.size();
+      auto best = leaving.size();
       double least = kJoinRadius * size_;
       tree.for_each_near(points[i], least * least, [&](int found) {
         const auto j = static_cast<std::size_t>(found);
@@ -215,30 +216,57 @@ class Joiner {
     }
   }
 
+  // The points of a piece, beginning at one of its ends.
+  std::vector<ContactPoint> points_from(std::size_t end) const {
+    const FoundContact& piece = found_.contacts[end / 2];
+    std::vector<ContactPoint> points;
+    for (std::size_t k = 0; k < piece.contact.path.size(); ++k)
+      points.push_back({piece.patch_a, piece.patch_b, piece.contact.path[k], piece.contact.gaps[k],
+                        piece.contact.crosses});
+    if (end % 2 == 1) std::reverse(points.begin(), points.end());
+    return points;
+  }
+
+  // Appends the next piece to a path. Pieces may overlap: its points that lie behind the path's end
+  // are left out, unless all do; then the contact turns there.
+  void append(std::vector<ContactPoint> next, std::vector<ContactPoint>& path) const {
+    auto first = next.begin();
+    if (path.size() >= 2) {
+      const ContactPoint &before = path[path.size() - 2], &last = path.back();
+      const Vec3 end = point(last.patch_a, last.x), ahead = end - point(before.patch_a, before.x);
+      first = std::find_if(next.begin(), next.end(), [&](const ContactPoint& p) {
+        return dot(point(p.patch_a, p.x) - end, ahead) >= 0;
+      });
+      if (first == next.end()) first = next.begin();
+      const bool same_patches = last.patch_a == first->patch_a && last.patch_b == first->patch_b;
+      if (first != next.begin() && !same_patches) {  // it begins at the path's end then
+        const Point4 x = in_patches(a_, b_, last.patch_a, last.patch_b, last.x, *first);
+        const bool beside_seam = std::any_of(
+            x.begin(), x.end(), [](double t) { return t < -kOnBorder || t > 1 + kOnBorder; });
+        first = beside_seam ? next.begin() : first - 1;
+        if (!beside_seam) first->x = x;
+      }
+    }
+    path.insert(path.end(), first, next.end());
+  }
+
   ContactChain walk(std::size_t first) {
     ContactChain chain;
     chain.arms[0] = arms_[first];
     std::size_t end = first;
     while (true) {
       used_[end / 2] = true;
-      const FoundContact& piece = found_.contacts[end / 2];
-      const std::size_t count = piece.contact.path.size();
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t at = end % 2 == 0 ? k : count - 1 - k;
-        chain.path.push_back({piece.patch_a, piece.patch_b, piece.contact.path[at],
-                              piece.contact.gaps[at], piece.contact.crosses});
-      }
+      append(points_from(end), chain.path);
       const std::size_t far = end ^ 1;
       if (partner_[far] < 0) {
         chain.arms[1] = arms_[far];
         return chain;
       }
-      const auto next = static_cast<std::size_t>(partner_[far]);
-      if (used_[next / 2]) {
-        chain.closed = next == first;
+      end = static_cast<std::size_t>(partner_[far]);
+      if (used_[end / 2]) {
+        chain.closed = end == first;
         return chain;
       }
-      end = next;
     }
   }
 
