@@ -226,11 +226,28 @@ class Assembly {
     });
   }
 
+  // The contact that a closed chain passes, if that is the only one it is an arm of; or -1.
+  int contact_on(const Chain& chain) const {
+    const auto holds = [&](ArcEnd end) {
+      return std::any_of(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) {
+        return static_cast<std::size_t>(link.arc) == end / 2;
+      });
+    };
+    int found = -1;
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+      for (const auto& arms : contacts_[i].arms) {
+        if (std::none_of(arms.begin(), arms.end(), holds)) continue;
+        if (found >= 0 && found != static_cast<int>(i)) return -1;
+        found = static_cast<int>(i);
+      }
+    return found;
+  }
+
   // Short chains from a point of contact back to it are parts of it that happened to be certified.
   void drop_scraps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
     for (const Chain& chain : chains_of(found_, cells_a, cells_b, contacts_, clumps_)) {
-      const int contact = chain.ends[0].contact;
-      if (chain.closed || contact < 0 || contact != chain.ends[1].contact) continue;
+      const int contact = chain.closed ? contact_on(chain) : chain.ends[0].contact;
+      if (contact < 0 || (!chain.closed && contact != chain.ends[1].contact)) continue;
       const ContactChain& at = contacts_[static_cast<std::size_t>(contact)];
       // A clump ends somewhere near its point, a valley's contact exactly.
       const double part = at.path.size() == 1 ? kClumpReach : 1;
@@ -369,6 +386,7 @@ class Assembly {
       const SurfacePoint centre = surface_point(cells_a, cells_b, origin_, contact.centre);
       const std::size_t arms = contact.arm_count();
       place.kind = kind_of(contact);
+      if (arms == 0 && on_curve(centre.point, true)) place.kind = PlaceKind::Tangential;
       const bool touches = contact.centre.gap <= options_.tolerances.point;
       if (arms == 0 && touches && !on_curve(centre.point)) result_.points.push_back(centre);
       if (arms > 2) result_.nodes.push_back(centre);
@@ -407,8 +425,9 @@ class Assembly {
   }
 
   // A contact in the middle of a curve is no isolated point: so near is the chord of two samples.
-  bool on_curve(const Vec3& point) const {
+  bool on_curve(const Vec3& point, bool tangential_only = false) const {
     const auto near = [&](const IntersectionCurve& curve) {
+      if (tangential_only && !curve.tangential) return false;
       for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
         const Vec3 from = curve.samples[i].point, step = curve.samples[i + 1].point - from;
         const double square = dot(step, step);
