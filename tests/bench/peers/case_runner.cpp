@@ -111,7 +111,7 @@ Json solved(const Solver& solver, const Pair& pair) {
 }
 
 Json measured(const Solver& solver, const Pair& pair, const Settings& settings) {
-  const fs::path file = settings.out / "answer.json";
+  const fs::path file = settings.out / (solver.name + ".answer.json");
   fs::remove(file);
   std::fflush(nullptr);
   const pid_t child = fork();
