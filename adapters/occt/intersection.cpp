@@ -2,16 +2,15 @@
 #include "adapters/occt/intersection.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
 #include "adapters/occt/shared_edges.h"
+#include "adapters/occt/shared_limit.h"
 #include "adapters/occt/trimmed_overlaps.h"
 #include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
@@ -137,7 +136,7 @@ class PairIntersector {
  private:
   IntersectionOptions options_for(const FaceData& a, const FaceData& b,
                                   const std::vector<SharedEdge>& edges) const {
-    IntersectionOptions options = remaining();
+    IntersectionOptions options = limit_.remaining();
     const double size = std::min(diagonal(a.box), diagonal(b.box));
     for (const SharedEdge& edge : edges) {
       KnownCurve known = known_curve(edge, size);
@@ -181,31 +180,13 @@ class PairIntersector {
     found.certificate.reasons.emplace_back("the trims divide a common region in an unknown way");
   }
 
-  // The time limit is for all pairs together; what is left when it is over stops at once, with its
-  // place listed. All pairs share the threads they run on.
-  IntersectionOptions remaining() const {
-    constexpr double kLeastSeconds = 1e-3;
-    IntersectionOptions left = options_;
-    left.threads = 0;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
-    if (options_.time_limit > 0)
-      left.time_limit = std::max(kLeastSeconds, options_.time_limit - spent.count());
-    if (options_.cancelled)
-      left.cancelled = [this] {
-        const std::lock_guard lock(asking_);
-        return options_.cancelled();
-      };
-    return left;
-  }
-
   const std::vector<TopoDS_Face>& shapes_a_;
   const std::vector<TopoDS_Face>& shapes_b_;
   const std::vector<FaceData>& faces_a_;
   const std::vector<FaceData>& faces_b_;
   Shared shared_;
   const IntersectionOptions& options_;
-  const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-  mutable std::mutex asking_;  // the caller's function is asked by one thread at a time
+  const SharedLimit limit_{options_};
 };
 
 using FacePairs = std::vector<std::pair<int, int>>;

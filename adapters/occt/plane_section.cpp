@@ -2,8 +2,6 @@
 #include "adapters/occt/plane_section.h"
 
 #include <algorithm>
-#include <chrono>
-#include <mutex>
 #include <string>
 #include <utility>
 
@@ -13,6 +11,7 @@
 #include "adapters/occt/section_frame.h"
 #include "adapters/occt/section_nodes.h"
 #include "adapters/occt/section_wires.h"
+#include "adapters/occt/shared_limit.h"
 #include "core/base/parallel.h"
 #include "core/surface_intersection.h"
 
@@ -69,29 +68,13 @@ class FaceSections {
   }
 
   SurfaceIntersection search(std::size_t i) const {
-    IntersectionOptions options = remaining();
+    IntersectionOptions options = limit_.remaining();
     options.part_a = part_test(data_[i].trims);
     SurfaceIntersection found = intersect(data_[i].surface, frame_.over(data_[i].box), options);
     // What is proven at edges and vertices follows from those, so touches weaken nothing.
     const std::vector<SurfacePoint> touches = clip(found, data_[i].trims, nullptr);
     found.points.insert(found.points.end(), touches.begin(), touches.end());
     return found;
-  }
-
-  // The time limit is for all faces together.
-  IntersectionOptions remaining() const {
-    constexpr double kLeastSeconds = 1e-3;
-    IntersectionOptions left = options_;
-    left.threads = 0;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
-    if (options_.time_limit > 0)
-      left.time_limit = std::max(kLeastSeconds, options_.time_limit - spent.count());
-    if (options_.cancelled)
-      left.cancelled = [this] {
-        const std::lock_guard lock(asking_);
-        return options_.cancelled();
-      };
-    return left;
   }
 
   void add_face(std::size_t i, const SurfaceIntersection& found, SectionNodes& nodes) {
@@ -131,13 +114,12 @@ class FaceSections {
   const std::vector<TopoDS_Face>& faces_;
   SectionFrame frame_;
   const IntersectionOptions& options_;
+  const SharedLimit limit_{options_};
   double tolerance_;
   std::vector<FaceData> data_;
   std::vector<char> asked_;     // faces that may have a point in the plane
   std::vector<char> searched_;  // but for those that lie in it
   PlaneSection section_;
-  const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-  mutable std::mutex asking_;  // the caller's function is asked by one thread at a time
 };
 
 }  // namespace

@@ -241,8 +241,8 @@ class Joiner {
       const bool same_patches = last.patch_a == first->patch_a && last.patch_b == first->patch_b;
       if (first != next.begin() && !same_patches) {  // it begins at the path's end then
         const Point4 x = in_patches(a_, b_, last.patch_a, last.patch_b, last.x, *first);
-        const bool beside_seam = std::any_of(
-            x.begin(), x.end(), [](double t) { return t < -kOnBorder || t > 1 + kOnBorder; });
+        const auto beside = [](double t) { return t < -kOnBorder || t > 1 + kOnBorder; };
+        const bool beside_seam = std::any_of(x.begin(), x.end(), beside);
         first = beside_seam ? next.begin() : first - 1;
         if (!beside_seam) first->x = x;
       }

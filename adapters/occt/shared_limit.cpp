@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/shared_limit.h"
+
+#include <algorithm>
+
+namespace blossom::occt {
+
+IntersectionOptions SharedLimit::remaining() const {
+  constexpr double kLeastSeconds = 1e-3;
+  IntersectionOptions left = options_;
+  left.threads = 0;
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
+  if (options_.time_limit > 0)
+    left.time_limit = std::max(kLeastSeconds, options_.time_limit - spent.count());
+  if (options_.cancelled)
+    left.cancelled = [this] {
+      const std::lock_guard lock(asking_);
+      return options_.cancelled();
+    };
+  return left;
+}
+
+}  // namespace blossom::occt
