@@ -3,6 +3,8 @@
 
 #include <cstring>
 
+#include "core/math/binomial.h"
+
 namespace blossom {
 namespace {
 
@@ -16,15 +18,11 @@ struct Weights {
   double second[kMaxDegree + 1];
 };
 
-// One level of the triangle of convex combinations: B^(k-1) to B^k.
-[[gnu::always_inline]] inline void raise(int k, double t, double* b) {
-  double carried = 0;
-  for (int i = 0; i < k; ++i) {
-    const double value = b[i];
-    b[i] = carried + (1 - t) * value;
-    carried = t * value;
-  }
-  b[k] = carried;
+// The Bernstein polynomials of degree k <= n from the powers t^i and (1 - t)^(n - i).
+[[gnu::always_inline]] inline void bernstein(int k, int n, const double* up, const double* down,
+                                             double* b) {
+  const auto& c = detail::kBinomials[static_cast<std::size_t>(k)];
+  for (int i = 0; i <= k; ++i) b[i] = c[static_cast<std::size_t>(i)] * (up[i] * down[n - k + i]);
 }
 
 // The weights of a derivative from those of the degree below: n (b_(i-1) - b_i).
@@ -36,19 +34,27 @@ struct Weights {
 
 template <int kOrder>
 [[gnu::always_inline]] inline void make_weights(int n, double t, Weights& w) {
-  double* b = w.value;
-  double below[kMaxDegree + 1];
-  b[0] = 1;
-  for (int k = 1; k < n; ++k) {
-    if (kOrder > 1 && k == n - 1) differentiate(n - 1, b, below);
-    raise(k, t, b);
+  double up[kMaxDegree + 1], down[kMaxDegree + 1], below[kMaxDegree + 1];
+  const double s = 1 - t;
+  double power_t = 1, power_s = 1;
+  for (int i = 0; i <= n; ++i, power_t *= t, power_s *= s) {
+    up[i] = power_t;
+    down[n - i] = power_s;
   }
-  if (kOrder > 0) differentiate(n, b, w.first);
+  bernstein(n, n, up, down, w.value);
+  if (kOrder > 0) {
+    below[0] = 1;  // of degree 0 too
+    bernstein(n - 1, n, up, down, below);
+    differentiate(n, below, w.first);
+  }
   if (kOrder > 1) {
     for (int i = 0; i <= n; ++i) w.second[i] = 0;
-    if (n > 1) differentiate(n, below, w.second);
+    if (n < 2) return;
+    double lower[kMaxDegree + 1];
+    bernstein(n - 2, n, up, down, lower);
+    differentiate(n - 1, lower, below);
+    differentiate(n, below, w.second);
   }
-  raise(n, t, b);
 }
 
 // (X / w) differentiated: the quotient rule, lower derivatives of the quotient known.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/intersection/net_ranges.h"
+
 namespace blossom {
 namespace {
 
@@ -12,39 +14,12 @@ constexpr int kMostBlock = 1 << 15;  // doubles per block of the arena
 constexpr double kRoundoff = 0x1p-53;
 constexpr double kDerivativeSlack = 1e-13;  // covers the few roundings of a difference of bounds
 
-struct Range {
-  double low;
-  double high;
-};
-
 Range range_of(const double* values, int count) {
   Range range{values[0], values[0]};
   for (int i = 1; i < count; ++i) {
     range.low = std::min(range.low, values[i]);
     range.high = std::max(range.high, values[i]);
   }
-  return range;
-}
-
-// Range of the differences between neighbours of a plane, along rows or columns.
-Range difference_range_u(const double* plane, int rows, int columns) {
-  Range range{plane[columns] - plane[0], plane[columns] - plane[0]};
-  for (int i = 0; i < (rows - 1) * columns; ++i) {
-    const double d = plane[i + columns] - plane[i];
-    range.low = std::min(range.low, d);
-    range.high = std::max(range.high, d);
-  }
-  return range;
-}
-
-Range difference_range_v(const double* plane, int rows, int columns) {
-  Range range{plane[1] - plane[0], plane[1] - plane[0]};
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j + 1 < columns; ++j) {
-      const double d = plane[i * columns + j + 1] - plane[i * columns + j];
-      range.low = std::min(range.low, d);
-      range.high = std::max(range.high, d);
-    }
   return range;
 }
 
@@ -276,20 +251,11 @@ void CellTree::choose_direction(Cell& cell) const {
   const int rows = shape_.rows, columns = shape_.columns, size = shape_.plane_size();
   double along_u = 0, along_v = 0, twist = 0, length_u = 0, length_v = 0;
   for (int k = 0; k < 3; ++k) {
-    const double* p = cell.hull + k * size;
-    const auto value = [&](int i, int j) { return p[i * columns + j]; };
-    for (int i = 0; i < rows; ++i)
-      for (int j = 0; j < columns; ++j) {
-        if (i + 2 < rows)
-          along_u =
-              std::max(along_u, std::abs(value(i + 2, j) - 2 * value(i + 1, j) + value(i, j)));
-        if (j + 2 < columns)
-          along_v =
-              std::max(along_v, std::abs(value(i, j + 2) - 2 * value(i, j + 1) + value(i, j)));
-        if (i + 1 < rows && j + 1 < columns)
-          twist = std::max(twist, std::abs(value(i + 1, j + 1) - value(i + 1, j) - value(i, j + 1) +
-                                           value(i, j)));
-      }
+    const SecondDifferences largest =
+        largest_second_differences(cell.hull + k * size, rows, columns);
+    along_u = std::max(along_u, largest.uu);
+    along_v = std::max(along_v, largest.vv);
+    twist = std::max(twist, largest.uv);
     length_u = std::max(length_u, std::abs(cell.du.middle[k]) + cell.du.radius[k]);
     length_v = std::max(length_v, std::abs(cell.dv.middle[k]) + cell.dv.radius[k]);
   }

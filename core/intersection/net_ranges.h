@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Ranges of differences between neighbouring control points, one coordinate at a time.
+//
+// A plane holds rows x columns values, row-major; both at least 2. Rows go with u.
+
+#pragma once
+
+namespace blossom {
+
+struct Range {
+  double low;
+  double high;
+};
+
+/// Of the differences between neighbours along u (in one column) or v (in one row).
+Range difference_range_u(const double* plane, int rows, int columns);
+Range difference_range_v(const double* plane, int rows, int columns);
+
+/// Largest absolute second differences, 0 where there are none.
+struct SecondDifferences {
+  double uu = 0, uv = 0, vv = 0;
+};
+SecondDifferences largest_second_differences(const double* plane, int rows, int columns);
+
+}  // namespace blossom
