@@ -74,6 +74,13 @@ double distance(const Vec<double, Dim>& a, const Vec<double, Dim>& b) {
   return norm(a - b);
 }
 
+/// The absolute values of the coordinates.
+template <int Dim>
+Vec<double, Dim> absolute(Vec<double, Dim> a) {
+  for (double& x : a.coordinates) x = std::abs(x);
+  return a;
+}
+
 /// Largest absolute coordinate.
 template <int Dim>
 double max_norm(const Vec<double, Dim>& a) {

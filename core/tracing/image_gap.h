@@ -2,9 +2,9 @@
 // The distance of a curve from the image of its chart curve, as a Bezier form.
 //
 // On a piece that stays in one patch, S(p(t)) - C(t) is the patch composed with the chart curve,
-// less the curve: a form whose control points bound it. Where that is no polynomial of low degree,
-// one takes its place within a proven error: of an angle (`core/tracing/local_form.h`), of a
-// patch's high degree by degree reduction round the piece, of a weight's inverse.
+// less the curve: a form whose control points bound it. A polynomial of low degree takes its place
+// within a proven error: of the composition and of a weight's inverse as power series
+// (`core/tracing/image_series.h`), of an angle (`core/tracing/local_form.h`).
 
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/forms/surface.h"
+#include "core/tracing/local_form.h"
 #include "core/tracing/spline_fit.h"
 
 namespace blossom {
@@ -46,12 +47,11 @@ class ImageGaps {
   };
 
   static Slopes slopes_of(const RationalBezierPatch& patch);
-  static Slopes slopes_round(const RationalBezierPatch& patch, const BezierCurve2& chart);
   const Slopes& slopes(int i, int j);
   Slopes slopes_beside(int i, int j);
-  int highest_product() const;
-  std::optional<ImageGap> composed(const RationalBezierPatch& patch, BezierCurve2 chart,
-                                   const QuinticPoints& piece, double rounding) const;
+  std::optional<ImageGap> composed(const RationalBezierPatch& patch, const LocalForm& u,
+                                   const LocalForm& v, const QuinticPoints& piece,
+                                   double rounding) const;
 
   const BezierSurface& surface_;
   const int first_;

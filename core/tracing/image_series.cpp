@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tracing/image_series.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+#include "core/math/binomial.h"
+
+namespace blossom {
+namespace {
+
+constexpr int K = static_cast<int>(kSeriesDegree);
+constexpr int kChartDegree = kSeriesChartDegree;
+constexpr double kUnit = 0x1p-53;
+constexpr double kOutside = 1.06;  // (1 + 2e-3)^25: of the weights of a point 1e-3 off its patch
+
+#define BLOSSOM_HOT __attribute__((target_clones("avx2", "default")))
+
+// Four doubles that the compiler keeps in one vector register where there is one.
+using Four = double __attribute__((vector_size(32)));
+
+// The powers of x - x(0), of which K + 1 coefficients are kept.
+struct Step {
+  explicit Step(const PowerSeries<double>& series) {
+    for (int p = kChartDegree; p > 0; --p) {
+      term[p] = series.terms[static_cast<std::size_t>(p)];
+      beyond[p] = (p < kChartDegree ? beyond[p + 1] : 0) + std::abs(term[p]);
+      if (term[p] != 0) degree = std::max(degree, p);
+    }
+    reach = beyond[1];
+  }
+
+  double term[kChartDegree + 1] = {};
+  double beyond[kChartDegree + 1] = {};  // sums of |term| from there on
+  double reach = 0;
+  int degree = 1;
+};
+
+// Of Taylor's polynomial of degree n round a point, by one parameter within `reach` of it: how many
+// terms count; bounds on the others, their slope and all of them, by the size of the points.
+struct Kept {
+  Kept(int n, double reach, double limit) : highest(n) {
+    for (; highest > 1; --highest) {
+      const double factor = 2 * binomial(n, highest) * std::pow(2 * reach, highest - 1);
+      if (!(rest + factor * reach <= limit)) break;
+      rest += factor * reach;
+      slope += highest * factor;
+    }
+  }
+
+  int highest;
+  double rest = 0, slope = 0;
+};
+
+// Row i holds the weights of the control points in the i-th Taylor coefficient at t: differences
+// of the Bernstein polynomials of degree n - i.
+void make_taylor_weights(int n, int highest, double t, double* rows) {
+  double b[kMaxDegree + 1] = {1};
+  for (int k = 0; k <= n; ++k) {
+    const int i = n - k;
+    if (i <= highest) {
+      double* row = rows + i * (n + 1);
+      std::copy_n(b, k + 1, row);
+      for (int length = k + 1; length <= n; ++length) {
+        row[length] = row[length - 1];
+        for (int l = length - 1; l > 0; --l) row[l] = row[l - 1] - row[l];
+        row[0] = -row[0];
+      }
+      for (int l = 0; l <= n; ++l) row[l] *= binomial(n, i);
+    }
+    double carried = 0;
+    for (int l = 0; l <= k; ++l) {
+      const double value = b[l];
+      b[l] = carried + (1 - t) * value;
+      carried = t * value;
+    }
+    if (k < n) b[k + 1] = carried;
+  }
+}
+
+struct Net {
+  Four points[(kMaxDegree + 1) * (kMaxDegree + 1)];
+  Four size{};  // largest absolute coordinates
+  int n, m;
+};
+
+[[gnu::always_inline]] inline void add_absolute(double factor, const Four& a, Four& sum) {
+  sum += factor * (a < 0 ? -a : a);
+}
+
+BLOSSOM_HOT void make_net(const RationalBezierPatch& patch, const Vec3& origin, Net& net) {
+  const Four shift{origin[0], origin[1], origin[2], 0};
+  const Vec4* p = patch.points.values().data();
+  const std::size_t count = patch.points.values().size();
+  Four size{};
+  for (std::size_t k = 0; k < count; ++k) {
+    Four x;
+    std::memcpy(&x, p + k, sizeof x);
+    x -= x[3] * shift;
+    net.points[k] = x;
+    const Four a = x < 0 ? -x : x;
+    size = a > size ? a : size;
+  }
+  net.size = size;
+  net.n = patch.degree_u();
+  net.m = patch.degree_v();
+}
+
+// Coefficient (i, j) of Taylor's polynomial, i <= rows and j <= columns.
+BLOSSOM_HOT void make_coefficients(const Net& net, const double* in_u, int rows, const double* in_v,
+                                   int columns, Four* a) {
+  const int width = net.m + 1;
+  Four line[kMaxDegree + 1];
+  for (int i = 0; i <= rows; ++i) {
+    const double* wu = in_u + i * (net.n + 1);
+    for (int l = 0; l < width; ++l) line[l] = wu[0] * net.points[l];
+    for (int k = 1; k <= net.n; ++k)
+      for (int l = 0; l < width; ++l) line[l] += wu[k] * net.points[k * width + l];
+    for (int j = 0; j <= columns; ++j) {
+      const double* wv = in_v + j * width;
+      Four sum = wv[0] * line[0];
+      for (int l = 1; l < width; ++l) sum += wv[l] * line[l];
+      a[i * (columns + 1) + j] = sum;
+    }
+  }
+}
+
+// Powers of a step; rest[j] bounds what is cut off the j-th.
+struct Powers {
+  double term[kMaxDegree + 1][K + 1] = {};
+  double rest[kMaxDegree + 1] = {};
+};
+
+BLOSSOM_HOT void make_powers(const Step& step, int highest, Powers& powers) {
+  powers.term[0][0] = 1;
+  for (int j = 0; j < highest; ++j) {
+    const double* from = powers.term[j];
+    double* to = powers.term[j + 1];
+    for (int p = 1; p <= step.degree; ++p)
+      for (int q = j; q + p <= K; ++q) to[q + p] += step.term[p] * from[q];
+    double cut = powers.rest[j] * step.reach;
+    for (int q = std::max(K + 1 - step.degree, 0); q <= K; ++q)
+      cut += std::abs(from[q]) * step.beyond[K + 1 - q];
+    powers.rest[j + 1] = cut;
+  }
+}
+
+// Horner's scheme in u, its coefficients the sums over powers of v.
+BLOSSOM_HOT void compose(const Four* a, int rows, int columns, const Step& u, const Powers& v,
+                         Four* sum, Four& rest) {
+  for (int i = rows; i >= 0; --i) {
+    rest *= u.reach;
+    for (int q = K + 1 - u.degree; q <= K; ++q) add_absolute(u.beyond[K + 1 - q], sum[q], rest);
+    for (int k = K; k >= 0; --k) {
+      Four next{};
+      for (int p = 1; p <= std::min(u.degree, k); ++p) next += u.term[p] * sum[k - p];
+      sum[k] = next;
+    }
+    for (int j = 0; j <= columns; ++j) {
+      const Four c = a[i * (columns + 1) + j];
+      for (int k = std::min(j, K + 1); k <= K; ++k) sum[k] += v.term[j][k] * c;
+      add_absolute(v.rest[j], c, rest);
+    }
+  }
+}
+
+// Sums of absolute values of the terms, differentiated by u.
+BLOSSOM_HOT void add_slopes(const Four* a, int rows, int columns, int step, int width, double u,
+                            double v, Four& slope) {
+  double by_u = 1;
+  for (int i = 1; i <= rows; ++i, by_u *= u) {
+    double by_v = i * by_u;
+    for (int j = 0; j <= columns; ++j, by_v *= v)
+      add_absolute(by_v, a[i * step + j * width], slope);
+  }
+}
+
+// Entry (k, l): the k-th Bezier coefficient of x^l, x = 2 t - 1: its blossom at k times 1 and K - k
+// times -1.
+const auto kBezierOfPower = [] {
+  std::array<std::array<double, K + 1>, K + 1> m{};
+  for (int k = 0; k <= K; ++k)
+    for (int l = 0; l <= K; ++l) {
+      double sum = 0;
+      for (int minus = std::max(0, l - k); minus <= std::min(l, K - k); ++minus)
+        sum += (minus % 2 == 0 ? 1 : -1) * binomial(K - k, minus) * binomial(k, l - minus);
+      m[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)] = sum / binomial(K, l);
+    }
+  return m;
+}();
+
+// c_k = binom(n, k) 2^-k times the k-th difference at the middle, of points less the first one.
+template <class Point>
+PowerSeries<Point> powers_of(std::span<const Point> points) {
+  const int n = static_cast<int>(points.size()) - 1;
+  assert(n <= kChartDegree);
+  std::array<Point, kChartDegree + 1> p{};
+  for (std::size_t i = 0; i < points.size(); ++i) p[i] = points[i] - points[0];
+  PowerSeries<Point> result;
+  for (int k = 0; k <= n; ++k) {
+    std::array<Point, kChartDegree + 1> mean = p;
+    for (int level = n - k; level > 0; --level)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(level); ++i)
+        mean[i] = 0.5 * (mean[i] + mean[i + 1]);
+    result.terms[static_cast<std::size_t>(k)] = (binomial(n, k) * std::ldexp(1.0, -k)) * mean[0];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n - k); ++i) p[i] = p[i + 1] - p[i];
+  }
+  result.terms[0] += points[0];
+  return result;
+}
+
+}  // namespace
+
+PowerSeries<double> power_series(std::span<const double> points) { return powers_of(points); }
+
+PowerSeries<Vec3> power_series(std::span<const Vec3> points) { return powers_of(points); }
+
+std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series) {
+  std::vector<Vec3> points(K + 1);
+  for (std::size_t k = 0; k <= K; ++k)
+    for (std::size_t l = 0; l <= K; ++l) points[k] += kBezierOfPower[k][l] * series.terms[l];
+  return points;
+}
+
+ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
+                         const PowerSeries<double>& u, const PowerSeries<double>& v,
+                         double negligible) {
+  Net net;
+  make_net(patch, origin, net);
+  const double size = std::max(std::max(net.size[0], net.size[1]), net.size[2]);
+  const Step in_u(u), in_v(v);
+  const double limit = 0.25 * negligible / std::max(size, 1e-300);
+  const double all_u = std::pow(1 + 2 * in_u.reach, net.n);
+  const double all_v = std::pow(1 + 2 * in_v.reach, net.m);
+  const Kept kept_u(net.n, in_u.reach, limit / all_v), kept_v(net.m, in_v.reach, limit / all_u);
+  double rows[(kMaxDegree + 1) * (kMaxDegree + 1)], columns[(kMaxDegree + 1) * (kMaxDegree + 1)];
+  make_taylor_weights(net.n, kept_u.highest, u.terms[0], rows);
+  make_taylor_weights(net.m, kept_v.highest, v.terms[0], columns);
+  Four a[(kMaxDegree + 1) * (kMaxDegree + 1)];
+  make_coefficients(net, rows, kept_u.highest, columns, kept_v.highest, a);
+  Powers powers;
+  make_powers(in_v, kept_v.highest, powers);
+  Four sum[K + 1] = {}, rest{};
+  compose(a, kept_u.highest, kept_v.highest, in_u, powers, sum, rest);
+  rest += kOutside * (kept_u.rest * all_v + kept_v.rest * all_u) * net.size;
+
+  Four slope_u = kOutside * kept_u.slope * all_v * net.size;
+  Four slope_v = kOutside * kept_v.slope * all_u * net.size;
+  const int width = kept_v.highest + 1;
+  add_slopes(a, kept_u.highest, kept_v.highest, width, 1, in_u.reach, in_v.reach, slope_u);
+  add_slopes(a, kept_v.highest, kept_u.highest, 1, width, in_v.reach, in_u.reach, slope_v);
+
+  const auto plain = [](const Four& f) { return Vec4{f[0], f[1], f[2], f[3]}; };
+  ImageSeries result{{}, plain(slope_u), plain(slope_v), 0, size, net.size[3]};
+  for (std::size_t k = 0; k <= K; ++k) result.image.terms[k] = plain(sum[k]);
+  result.image.rest = plain(rest);
+  // Longest chain of roundings: weights 4 (n + m), sums n + m, powers of v and Horner 9 (n + m).
+  const double chain = (16 * (net.n + net.m) + 64) * kUnit;
+  result.rounding = chain * kOutside * all_u * all_v * size;
+  return result;
+}
+
+}  // namespace blossom

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The image of a chart curve on a rational patch as a truncated power series.
+//
+// Taylor's polynomial of the patch round the middle of the curve is composed with the curve's own
+// powers. On short pieces both fall off fast: far fewer terms count than the product of the degrees
+// would give, and sums of absolute values bound the rest.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/forms/patch.h"
+#include "core/math/power_series.h"
+
+namespace blossom {
+
+/// Highest degree of a chart curve.
+inline constexpr int kSeriesChartDegree = 8;
+
+/// A form over t in [0, 1] by powers of x = 2 t - 1. Of degree 1..kSeriesChartDegree.
+///
+/// accuracy   power_rounding(degree), relative to the largest distance of a point from the first
+///            one, and a rounding of that one
+PowerSeries<double> power_series(std::span<const double> points);
+PowerSeries<Vec3> power_series(std::span<const Vec3> points);
+
+constexpr double power_rounding(int degree) { return (degree + 4.0) * (1 << degree) * 0x1p-53; }
+
+/// Bezier points of degree kSeriesDegree over t in [0, 1] of the terms.
+std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series);
+
+/// The homogeneous image (X - w origin, w) of a chart curve.
+struct ImageSeries {
+  PowerSeries<Vec4> image;
+  Vec4 slope_u, slope_v;  ///< bounds on its derivatives by u and v, for each coordinate
+  double rounding = 0;    ///< bound on what rounding adds to a coordinate, all terms together
+  double size = 0;        ///< largest coordinate of a control point, relative to the origin
+  double weight = 0;      ///< largest weight of a control point
+};
+
+/// S(u(x), v(x)); where the curve is long the rest is large.
+///
+/// patch       weights positive
+/// u, v        without rests; their terms above kSeriesChartDegree zero; u(0) and v(0) at most 1e-3
+///             outside of [0, 1]
+/// negligible  terms of Taylor's polynomial that sum up to no more, in model units, may be left out
+///
+/// Source: Makino and Berz 2003, Taylor models, with one variable and sums of absolute values in
+/// place of intervals.
+ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
+                         const PowerSeries<double>& u, const PowerSeries<double>& v,
+                         double negligible);
+
+}  // namespace blossom
