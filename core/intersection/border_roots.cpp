@@ -14,8 +14,11 @@ constexpr double kSettled = 1e-14;  // a Newton step below this is rounding; fra
 constexpr double kStalled = 1e-10;  // so is one below this that no longer shrinks: ill conditioned
 constexpr double kBorderSlack = 4e-11;  // a root this close to a face is on it; fraction of a patch
 constexpr int kKrawczykSteps = 16;
-constexpr int kFirstSteps = 3;           // of them before Newton's method,
-constexpr double kNarrow = 0.125;        // until the box is so much smaller, or empty
+constexpr int kFirstSteps = 3;  // of them before Newton's method where no root is expected
+constexpr int kModelSteps = 4;
+constexpr int kModelSamples = 5;
+constexpr double kSlidingSlack = 0.02;   // the same, of an arc that runs along a face
+constexpr double kModelSlack = 0.1;      // of a pair, that a root of its model may be off
 constexpr int kSlidingSamples = 9;       // points of an arc that must all lie on a face
 constexpr double kTangentToFace = 1e-6;  // slower than this across a face means undecided
 
@@ -81,32 +84,47 @@ std::size_t position(const std::array<int, 3>& kept, int column) {
   return static_cast<std::size_t>(std::find(kept.begin(), kept.end(), column) - kept.begin());
 }
 
-enum class Face { Empty, Root, Undecided };
+enum class Found { Empty, Root, Undecided };
+
+// Of the box of a pair: where one of the four parameters has its lowest or highest value.
+struct BoxFace {
+  int axis;
+  bool high;
+};
+
+std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
 
 class PairBorder {
  public:
   PairBorder(const CellTree& tree_a, const Cell& a, const CellTree& tree_b, const Cell& b,
              const JacobianBounds& bounds)
       : tree_a_(tree_a), a_(a), tree_b_(tree_b), b_(b), bounds_(bounds), box_(box_of(a, b)) {
-    const Part part = middle_of_box();
-    middle_a_ = on_a_at(part.middle);
-    middle_b_ = on_b_at(part.middle);
+    const Point4 x = middle_of_box().middle;
+    middle_a_ = jet_at(tree_a_.patch(), x[0], x[1], 2);
+    middle_b_ = jet_at(tree_b_.patch(), x[2], x[3], 2);
   }
 
   // All roots on the eight faces; false if some face stays undecided. Faces along which the arc
   // itself runs have no roots of their own.
   bool find(std::vector<Root>& roots, int along) {
+    std::vector<BoxFace> met;
+    for (int axis = 0; axis < 4; ++axis)
+      for (const bool high : {false, true})
+        if (!apart({axis, high})) met.push_back({axis, high});
+    minors_[index(along)] = bounds_.minor(along);
+    for (const BoxFace& face : met)
+      if (auto& minor = minors_[index(face.axis)]; !minor) minor = bounds_.minor(face.axis);
+    // What fails most comes first: faces that may hold more than one root.
+    std::stable_partition(met.begin(), met.end(),
+                          [&](const BoxFace& face) { return !minors_[index(face.axis)]->regular; });
     std::vector<Point4> points;
-    for (int axis = 0; axis < 4; ++axis) {
-      minor_known_ = false;
-      for (const bool high : {false, true}) {
-        Point4 x;
-        const Face face = decide(axis, high, x);
-        if (face == Face::Root) points.push_back(x);
-        if (face != Face::Undecided) continue;
-        if (axis == along || !slides_along(axis, high, along)) return false;
-        sliding_[static_cast<std::size_t>(axis)][high] = true;
-      }
+    for (const BoxFace& face : met) {
+      Point4 x;
+      const Found found = decide(face, x);
+      if (found == Found::Root) points.push_back(x);
+      if (found != Found::Undecided) continue;
+      if (face.axis == along || !slides_along(face, along)) return false;
+      sliding_[index(face.axis)][face.high] = true;
     }
     return std::all_of(points.begin(), points.end(),
                        [&](const Point4& x) { return add(roots, x, along); });
@@ -153,85 +171,130 @@ class PairBorder {
 
   // Of the arc, at one value of its parameter.
   struct ArcSample {
-    Part part;
-    std::optional<Point4> point{};
-    bool known = false;
+    std::optional<Part> part;  // where it may be; nothing if it is not there
+    std::optional<Point4> point;
   };
 
-  Face decide(int axis, bool high, Point4& root) {
-    const bool on_a = axis < 2;
-    const Border border = on_a ? border_of(a_, tree_a_.shape(), axis == 0, high)
-                               : border_of(b_, tree_b_.shape(), axis == 2, high);
-    if (border_apart(border, on_a ? a_.margin : b_.margin, on_a ? b_ : a_)) return Face::Empty;
-    if (!minor_known_) minor_ = bounds_.minor(axis);
-    minor_known_ = true;
-    if (!minor_.regular) return Face::Undecided;
-
-    Part part = middle_of_box();
-    const Interval& range = box_[static_cast<std::size_t>(axis)];
-    part.middle[static_cast<std::size_t>(axis)] = high ? range.to : range.from;
-    // Most faces hold no root, and the first steps tell; where there is one they come nearer.
-    if (!narrow(part, minor_, axis,
-                on_a ? on_a_at(part.middle) - middle_b_ : middle_a_ - on_b_at(part.middle)))
-      return Face::Empty;
-    int step = 1;
-    for (; step < kFirstSteps && largest_radius(part) > kNarrow; ++step)
-      if (!narrow(part, minor_, axis)) return Face::Empty;
-    const auto solution = newton(tree_a_.patch(), tree_b_.patch(), part.middle, axis, box_);
-    // The minor is regular, so there is at most one root: found means done.
-    if (solution && inside(*solution)) {
-      root = *solution;
-      return Face::Root;
-    }
-    for (; step < kKrawczykSteps; ++step)
-      if (!narrow(part, minor_, axis)) return Face::Empty;
-    return Face::Undecided;
+  double place_of(const BoxFace& face) const {
+    const Interval& range = box_[index(face.axis)];
+    return face.high ? range.to : range.from;
   }
 
-  // True if the box meets the arc, and only along the given face. Points of the arc that cannot lie
-  // on the face are looked at only if others do.
-  bool slides_along(int axis, bool high, int along) {
-    if (!sampled_) sample_arc(along);
-    const auto j = static_cast<std::size_t>(axis);
-    const double face = high ? box_[j].to : box_[j].from;
-    const std::size_t column = position(kept_columns(along), axis);
-    const auto may_lie_on_face = [&](const ArcSample& sample) {
-      const double radius = sample.part.radius[column] * length(box_[j]);
-      return std::abs(sample.part.middle[j] - face) <= radius + kBorderSlack;
-    };
-    int on_face = 0;
-    for (ArcSample& sample : samples_) {
-      if (!may_lie_on_face(sample)) continue;
-      const auto& x = point_of(sample, along);
+  // True if the border curve of its cell proves that the face holds no root.
+  bool apart(const BoxFace& face) const {
+    return face.axis < 2 ? border_apart(border_of(a_, tree_a_.shape(), face.axis == 0, face.high),
+                                        a_.margin, b_)
+                         : border_apart(border_of(b_, tree_b_.shape(), face.axis == 2, face.high),
+                                        b_.margin, a_);
+  }
+
+  Found decide(const BoxFace& face, Point4& root) const {
+    const int axis = face.axis;
+    const Minor& minor = *minors_[index(axis)];
+    if (!minor.regular) return Found::Undecided;
+    Part part = middle_of_box();
+    // Most faces hold no root: the mean value over the pair tells of many, the first steps of more.
+    part.middle[index(axis)] = place_of(face);
+    if (!narrow_by_mean_value(part, minor, face)) return Found::Empty;
+    int step = 0;
+    if (const auto start = model_root(part, axis); start && newton_to(root, *start, axis))
+      return Found::Root;
+    for (; step < kFirstSteps; ++step)
+      if (!narrow(part, minor, axis)) return Found::Empty;
+    if (newton_to(root, part.middle, axis)) return Found::Root;
+    for (; step < kKrawczykSteps; ++step)
+      if (!narrow(part, minor, axis)) return Found::Empty;
+    return Found::Undecided;
+  }
+
+  // The minor is regular, so there is at most one root: found means done.
+  bool newton_to(Point4& root, const Point4& start, int axis) const {
+    const auto solution = newton(tree_a_.patch(), tree_b_.patch(), start, axis, box_);
+    if (!solution || !inside(*solution)) return false;
+    root = *solution;
+    return true;
+  }
+
+  // A point near the root, if there seems to be one: where the quadratic polynomials that touch
+  // the surfaces at the middles of the cells meet.
+  std::optional<Point4> model_root(const Part& part, int axis) const {
+    const auto kept = kept_columns(axis);
+    const Point4 middle = middle_of_box().middle;
+    Point4 x = part.middle;
+    for (int step = 0; step < kModelSteps; ++step) {
+      const PatchJet a = model_at(middle_a_, x[0] - middle[0], x[1] - middle[1]);
+      const PatchJet b = model_at(middle_b_, x[2] - middle[2], x[3] - middle[3]);
+      const Columns j = jacobian(a, b);
+      const auto column = [&](std::size_t i) { return j[static_cast<std::size_t>(kept[i])]; };
+      const auto delta = solve(column(0), column(1), column(2), a.point - b.point);
+      if (!delta) return std::nullopt;
+      for (int i = 0; i < 3; ++i)
+        x[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])] -= (*delta)[i];
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double slack = kModelSlack * length(box_[i]);
+      if (!(x[i] >= box_[i].from - slack && x[i] <= box_[i].to + slack)) return std::nullopt;
+    }
+    return x;
+  }
+
+  static PatchJet model_at(const PatchJet& m, double u, double v) {
+    const Vec3 by_u = u * m.uu + v * m.uv, by_v = u * m.uv + v * m.vv;
+    return {m.point + u * m.u + v * m.v + 0.5 * (u * by_u + v * by_v),
+            m.u + by_u,
+            m.v + by_v,
+            {},
+            {},
+            {}};
+  }
+
+  // False if the models of the surfaces meet somewhere in the box away from the face, or hardly at
+  // all: then the pair is halved, where the models are better.
+  bool may_slide(const BoxFace& face, int along) const {
+    int met = 0;
+    for (int i = 0; i < kModelSamples; ++i) {
+      Part part = middle_of_box();
+      part.middle[index(along)] = at(box_[index(along)], (i + 0.5) / kModelSamples);
+      const auto x = model_root(part, along);
       if (!x) continue;
-      if (std::abs((*x)[j] - face) > kBorderSlack) return false;
+      const double off = std::abs((*x)[index(face.axis)] - place_of(face));
+      if (off > kSlidingSlack * length(box_[index(face.axis)])) return false;
+      ++met;
+    }
+    return met > 1;
+  }
+
+  // True if the box meets the arc, and only along the given face.
+  bool slides_along(const BoxFace& face, int along) {
+    if (!may_slide(face, along)) return false;
+    const std::size_t column = position(kept_columns(along), face.axis);
+    const double place = place_of(face), width = length(box_[index(face.axis)]);
+    int on_face = 0;
+    for (int i = 0; i < kSlidingSamples; ++i) {
+      const ArcSample& sample = arc_sample(i, along);
+      if (!sample.point) continue;
+      const double off = std::abs(sample.part->middle[index(face.axis)] - place);
+      if (off > sample.part->radius[column] * width + kBorderSlack ||
+          std::abs((*sample.point)[index(face.axis)] - place) > kBorderSlack)
+        return false;
       ++on_face;
     }
-    return on_face > 1 && std::none_of(samples_.begin(), samples_.end(), [&](ArcSample& sample) {
-             return !may_lie_on_face(sample) && point_of(sample, along);
-           });
+    return on_face > 1;
   }
 
-  // Where the arc may be for values of the parameter `along` of the certified minor.
-  void sample_arc(int along) {
-    const auto k = static_cast<std::size_t>(along);
-    const Minor minor = bounds_.minor(along);
-    for (int i = 0; i < kSlidingSamples; ++i) {
-      Part part = middle_of_box();
-      part.middle[k] = at(box_[k], (i + 0.5) / kSlidingSamples);
-      if (narrow(part, minor, along)) samples_.push_back({part});
-    }
-    sampled_ = true;
-  }
-
-  // The point of the arc inside the box, found when first asked for.
-  const std::optional<Point4>& point_of(ArcSample& sample, int along) const {
-    if (!sample.known) {
-      sample.point = newton(tree_a_.patch(), tree_b_.patch(), sample.part.middle, along, box_);
-      if (sample.point && !inside(*sample.point)) sample.point.reset();
-      sample.known = true;
-    }
-    return sample.point;
+  // Samples are made when first asked for, beginning in the middle: one off the face is enough.
+  const ArcSample& arc_sample(int i, int along) {
+    auto& sample = samples_[static_cast<std::size_t>(i)];
+    if (sample) return *sample;
+    sample.emplace();
+    const int place = (kSlidingSamples / 2 + (i % 2 == 0 ? i / 2 : -(i + 1) / 2));
+    Part part = middle_of_box();
+    part.middle[index(along)] = at(box_[index(along)], (place + 0.5) / kSlidingSamples);
+    if (!narrow(part, *minors_[index(along)], along)) return *sample;
+    sample->part = part;
+    sample->point = newton(tree_a_.patch(), tree_b_.patch(), part.middle, along, box_);
+    if (sample->point && !inside(*sample->point)) sample->point.reset();
+    return *sample;
   }
 
   bool at_face(const Point4& x, std::size_t i, bool high) const {
@@ -253,26 +316,42 @@ class PairBorder {
     return part;
   }
 
-  static double largest_radius(const Part& part) {
-    return *std::max_element(part.radius.begin(), part.radius.end());
-  }
-
   bool narrow(Part& part, const Minor& minor, int axis) const {
-    return narrow(part, minor, axis, on_a_at(part.middle) - on_b_at(part.middle));
+    return narrow(part, minor, axis, on_a_at(part.middle) - on_b_at(part.middle), rounding());
   }
 
-  // Any root in the box Y with middle y and radius r lies in y - C F(y) +- E r too, with f = F(y).
-  // False if that does not meet Y, which has no root then.
-  bool narrow(Part& part, const Minor& minor, int axis, const Vec3& f) const {
+  // The same for a face, from what is known at the middle of the pair: there F differs from its
+  // value at the middle of the face by half of column `axis` of J somewhere between.
+  bool narrow_by_mean_value(Part& part, const Minor& minor, const BoxFace& face) const {
+    const VectorBounds& column = bounds_.column(face.axis);
+    const Vec3 step = (face.high ? 0.5 : -0.5) * column.middle;
+    return narrow(part, minor, face.axis, middle_a_.point - middle_b_.point + step,
+                  0.5 * column.radius + 1e-15 * absolute(step) + rounding());
+  }
+
+  // Of F at a point: of sums over both directions, and the quotient by the weight.
+  Vec3 rounding() const {
+    const auto of = [](const CellTree& tree) {
+      const NetShape& shape = tree.shape();
+      return (evaluation_error(shape.rows) + evaluation_error(shape.columns)) * tree.scale();
+    };
+    const double r = of(tree_a_) + of(tree_b_);
+    return {r, r, r};
+  }
+
+  // Any root in the box Y with middle y and radius r lies in y - C F(y) +- E r too, with F(y) in
+  // f +- error. False if that does not meet Y, which has no root then.
+  bool narrow(Part& part, const Minor& minor, int axis, const Vec3& f, const Vec3& error) const {
     const auto kept = kept_columns(axis);
     std::array<double, 3> next_radius{};
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto k = static_cast<std::size_t>(kept[i]);
+      const auto k = index(kept[i]);
       const double width = length(box_[k]);
       double shift = 0, spread = 0;
       for (std::size_t j = 0; j < 3; ++j) {
-        shift += minor.inverse[i][j] * f[static_cast<int>(j)];
-        spread += minor.spread[i][j] * part.radius[j];
+        const auto l = static_cast<int>(j);
+        shift += minor.inverse[i][j] * f[l];
+        spread += minor.spread[i][j] * part.radius[j] + std::abs(minor.inverse[i][j]) * error[l];
       }
       spread = spread * (1 + 1e-12) + 1e-14;
       const double middle = (part.middle[k] - box_[k].from) / width;
@@ -316,12 +395,10 @@ class PairBorder {
   const Cell& b_;
   const JacobianBounds& bounds_;
   Box4 box_;
-  Vec3 middle_a_, middle_b_;  // the points at the middles of both cells
-  Minor minor_;
-  bool minor_known_ = false;
+  PatchJet middle_a_, middle_b_;  // at the middles of both cells
+  std::array<std::optional<Minor>, 4> minors_;
   std::array<std::array<bool, 2>, 4> sliding_{};  // by parameter, low and high face
-  std::vector<ArcSample> samples_;
-  bool sampled_ = false;
+  std::array<std::optional<ArcSample>, kSlidingSamples> samples_;
 };
 
 }  // namespace

@@ -47,6 +47,8 @@ class JacobianBounds {
   /// with |C| rad(J) x < x shows (Collatz and Wielandt).
   Minor minor(int left_out) const;
 
+  const VectorBounds& column(int k) const { return columns_[static_cast<std::size_t>(k)]; }
+
   /// The column whose minor has the largest determinant in the middle, for unit columns.
   int best_column() const;
 

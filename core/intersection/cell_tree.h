@@ -70,6 +70,9 @@ class CellTree {
   /// The patch, relative to the origin.
   const RationalBezierPatch& patch() const { return patch_; }
 
+  /// Largest absolute coordinate of its control points in space, model units.
+  double scale() const { return hull_scale_; }
+
  private:
   double* allocate(int count);
   void finish(Cell& cell);
