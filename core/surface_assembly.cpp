@@ -94,6 +94,7 @@ class Assembly {
     clumps_ = clumps_of(found_.critical);
     join_singular(clumps_, options_.tolerances.point);
     contacts_ = contact_chains(found_, cells_a, cells_b, clumps_, size_, options_.tolerances.point);
+    drop_beside_known(cells_a);
     attach(loose_ends(found_, cells_a, cells_b, contacts_), found_, cells_a, cells_b, contacts_,
            size_, options_.tolerances.point);
     drop_scraps(cells_a, cells_b);
@@ -375,9 +376,15 @@ class Assembly {
   void add_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const ContactChain& contact) {
     Place place{PlaceKind::Tangential, {}, {}, 1e300, 0, {}};
     place.parameters.fill({1e300, -1e300});
+    bool known = true;
     for (const ContactPoint& p : contact.path) {
       const SurfacePoint x = surface_point(cells_a, cells_b, origin_, p);
+      known = known && beside_known(x.point);
       widen(place, x, p.gap);
+    }
+    if (known && contact.arm_count() <= 2) {
+      found_.beside_known = true;
+      return;
     }
     const double r = options_.tolerances.point;
     place.box_low = contact.box.low + origin_ - Vec3{r, r, r};

@@ -7,6 +7,7 @@
 
 #include "core/forms/evaluation.h"
 #include "core/intersection/cell_pair.h"
+#include "core/intersection/cell_part.h"
 #include "core/intersection/chart_claims.h"
 #include "core/intersection/contact_points.h"
 #include "core/intersection/crossing_contact.h"
@@ -142,7 +143,7 @@ class ContactSearch {
       ++result_.certificate.excluded;
       return;
     }
-    if (!known_.empty() && known_.hold({a.low, a.high})) {
+    if (known_.hold_common({a.low, a.high}, {piece.low, piece.high})) {
       ++result_.certificate.critical;
       result_.beside_known = true;
       return;
@@ -291,8 +292,15 @@ class ContactSearch {
     const auto read = crossing_contact(tree_a_.patch(), a, tree_b_.patch(), model, tolerance());
     if (!read) return false;
     if (read->contact) return add_inside(a, {{}, {*read->contact}}, foot);
-    keep(a, foot[0], foot[1], chart.piece[0], false, &read->closest);
+    keep(over_patch(a, model), foot[0], foot[1], chart.piece[0], false, &read->closest);
     return true;
+  }
+
+  // The part of a cell whose foot points may lie in the patch, with a box of its own.
+  Cell over_patch(const Cell& a, const GapModel& model) const {
+    const std::array<Interval, 2> part = part_over_patch(model);
+    const bool empty = !(part[0].from < part[0].to && part[1].from < part[1].to);
+    return empty ? a : part_of(tree_a_, a, part[0], part[1]);
   }
 
   // What was read from a valley, as far as its foot points lie in the patch.
@@ -443,7 +451,10 @@ class ContactSearch {
       if (critical.low[k] > critical.high[k]) return;
     }
     ++result_.certificate.critical;
-    result_.critical.push_back(critical);
+    if (is_known(known_, tree_a_, a, {b.low, b.high}))
+      result_.beside_known = true;
+    else
+      result_.critical.push_back(critical);
   }
 
   SurfaceCells& a_;

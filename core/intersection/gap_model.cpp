@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/forms/evaluation.h"
 #include "core/subdivision/patch_subdivision.h"
@@ -325,6 +326,25 @@ std::optional<GapModel> gap_model(const CellTree& tree_a, const Cell& a, const C
   frame.rounding = 2 * (surface_a->rounding + surface_b->rounding);
   frame.degree = surface_a->degree + surface_b->degree;
   return model_in(frame, foot, hs, ht);
+}
+
+std::array<Interval, 2> part_over_patch(const GapModel& model) {
+  std::array<Interval, 2> part{Interval{-1, 1}, Interval{-1, 1}};
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      // slope x + rest lies in [0, 1]
+      TaylorPolynomial rest = model.foot[k];
+      const double slope =
+          std::exchange(rest[axis == 0 ? taylor_index(1, 0) : taylor_index(0, 1)], 0);
+      const TaylorRange r = range(rest, 1, 1);
+      const double low = (-model.foot_error[k] - r.high) / slope;
+      const double high = (1 + model.foot_error[k] - r.low) / slope;
+      if (!std::isfinite(low) || !std::isfinite(high)) continue;
+      part[axis].from = std::max(part[axis].from, std::min(low, high));
+      part[axis].to = std::min(part[axis].to, std::max(low, high));
+    }
+  for (Interval& range : part) range = {0.5 * (range.from + 1), 0.5 * (range.to + 1)};
+  return part;
 }
 
 }  // namespace blossom

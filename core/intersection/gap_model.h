@@ -54,4 +54,10 @@ struct GapModel {
 std::optional<GapModel> gap_model(const CellTree& tree_a, const Cell& a, const CellTree& tree_b,
                                   const GraphChart& chart);
 
+/// The part of the cell outside of which no foot point lies in the patch of b, from the slopes of
+/// the foot point.
+///
+/// returns   fractions of the cell in u and v; from > to if nothing is left
+std::array<Interval, 2> part_over_patch(const GapModel& model);
+
 }  // namespace blossom

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/bounds/box_tree.h"
@@ -21,14 +22,28 @@ class KnownCurves {
 
   bool empty() const { return links_.empty(); }
 
-  /// True if all of the box lies within a curve's radius of it.
+  /// True if all of the box is seen to lie within the curves' radii of them.
   bool hold(const Box& box) const;
+
+  /// The same for what two boxes that meet have in common: surfaces in them meet nowhere else.
+  bool hold_common(const Box& a, const Box& b) const {
+    Box common;
+    for (int k = 0; k < 3; ++k) {
+      common.low[k] = std::max(a.low[k], b.low[k]);
+      common.high[k] = std::min(a.high[k], b.high[k]);
+    }
+    return !empty() && hold(common);
+  }
 
  private:
   struct Link {
     Vec3 from, to;
     double radius;
   };
+
+  bool hold(const Box& box, int halvings) const;
+  static bool holds_corners(const Link& link, const Box& box);
+
   std::vector<Link> links_;
 };
 

@@ -163,13 +163,13 @@ class Search {
     const int points_b = place.tree_b->shape().plane_size();
     if (a.part == PartSide::Outside || b.part == PartSide::Outside) return {Verdict::Apart};
     if (separated(a, b, points_a, points_b)) return {Verdict::Apart};
-    if (!known_.empty() && (known_.hold({a.low, a.high}) || known_.hold({b.low, b.high})))
-      return {Verdict::Known};
+    if (known_.hold({a.low, a.high}) || known_.hold({b.low, b.high})) return {Verdict::Known};
     if (const auto part = place.shared.part(a, b)) return {Verdict::Coincident, -1, part};
     if (pair.along >= 0) return {Verdict::Regular, pair.along};
     const int along = certified_column(JacobianBounds(a, b));
     if (along >= 0) return {Verdict::Regular, along};
     if (itself() && beside_each_other(place, a, b)) return {Verdict::Apart};
+    if (known_.hold_common({a.low, a.high}, {b.low, b.high})) return {Verdict::Known};
     if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b)))
       return {Verdict::Parallel};
     return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};
