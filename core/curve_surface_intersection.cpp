@@ -64,7 +64,7 @@ CurveSurfaceIntersection intersect(const CurveSpans& curve, const BezierSurface&
   CurveCertificate& certificate = result.certificate;
   certificate.excluded = found.excluded;
   certificate.certified = found.certified;
-  certificate.contacts = static_cast<long>(found.contacts.size());
+  certificate.contacts = static_cast<long>(found.contacts.size() + found.touches.size());
   certificate.depth = tree.depth();
   certificate.rounding_bound = std::max(tree.largest_margin(), trees.evaluation_margin());
   if (!result.places.empty()) {

@@ -142,6 +142,34 @@ void PierceAssembly::add_points(const std::vector<PiercePoint>& points) {
   }
 }
 
+// Least gaps of valleys, which neighbouring pairs may tell of both.
+void PierceAssembly::add_touches(const std::vector<PierceTouch>& touches) {
+  for (const PierceTouch& found : touches) {
+    Candidate touch = candidate(found.t, found.patch, found.uv);
+    if (on_overlap(touch)) continue;
+    touch.touch = true;
+    touch.half_length = found.half_length;
+    touch.gap.low = found.gap_low;
+    touch.box = {curve_.parameter({found.t.span, found.run.from}),
+                 curve_.parameter({found.t.span, found.run.to})};
+    const auto known = std::find_if(points_.begin(), points_.end(), [&](const Candidate& other) {
+      return other.touch || found.at_end ? in_one_run(other, touch) : same(other, touch);
+    });
+    if (known == points_.end())
+      points_.push_back(touch);
+    else if (known->touch && touch.gap.high < known->gap.high)
+      *known = touch;
+  }
+}
+
+// True for touches on one sheet of the surface if their runs meet, and for points in such a run.
+bool PierceAssembly::in_one_run(const Candidate& p, const Candidate& q) const {
+  const bool meet = p.box.from <= q.box.to && q.box.from <= p.box.to;
+  return (meet && p.patch == q.patch &&
+          distance(p.on_surface.point, q.on_surface.point) <= p.half_length + q.half_length) ||
+         same(p, q);
+}
+
 void PierceAssembly::add_inside(const std::vector<CurveInSurface>& inside) {
   for (const CurveInSurface& piece : inside) {
     const Interval t{curve_.parameter({piece.piece.span, piece.piece.t.from}),
@@ -241,7 +269,8 @@ PierceAssembly::CloserLook PierceAssembly::look_closer(const std::vector<PierceC
     if (found.stopped) return CloserLook::Undecided;
     if (!found.contacts.empty()) continue;
     add_points(found.points);
-    return found.points.empty() ? CloserLook::Empty : CloserLook::Points;
+    add_touches(found.touches);
+    return found.points.empty() && found.touches.empty() ? CloserLook::Empty : CloserLook::Points;
   }
   return CloserLook::Undecided;
 }
@@ -272,6 +301,8 @@ void PierceAssembly::add_contact(double parameter, bool crosses, const Candidate
                                  const std::vector<PierceContact>& pieces) {
   Candidate point = nearest(parameter, pieces);
   if (point.gap.low > tolerance_ || on_overlap(point)) return;
+  const auto is_known = [&](const Candidate& known) { return known.proven && same(known, point); };
+  if (crosses && std::any_of(points_.begin(), points_.end(), is_known)) return;
   point.touch = true;
   point.crosses = crosses;
   point.half_length = run.half_length;
@@ -284,7 +315,8 @@ void PierceAssembly::add_contact(double parameter, bool crosses, const Candidate
     bool proven = gap > kLeastCloser * margin_;
     if (proven) {
       const PierceFindings found = closer_(pieces, gap);
-      proven = !found.stopped && found.contacts.empty() && found.points.empty();
+      proven =
+          !found.stopped && found.contacts.empty() && found.points.empty() && found.touches.empty();
     }
     point.gap.low = proven ? gap : 0;
   }
@@ -380,6 +412,7 @@ CurveSurfaceIntersection PierceAssembly::finish(const std::vector<CurveInSurface
   closer_ = std::move(closer);
   add_inside(inside);
   add_points(found.points);
+  add_touches(found.touches);
   add_contacts(found.contacts);
   CurveSurfaceIntersection result;
   write(result);

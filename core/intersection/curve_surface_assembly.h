@@ -52,6 +52,8 @@ class PierceAssembly {
   bool on_overlap(const Candidate& point) const;
   void add_contacts(const std::vector<PierceContact>& contacts);
   void add_points(const std::vector<PiercePoint>& points);
+  void add_touches(const std::vector<PierceTouch>& touches);
+  bool in_one_run(const Candidate& p, const Candidate& q) const;
   CloserLook look_closer(const std::vector<PierceContact>& pieces);
   void add_run(const Interval& run, const std::vector<PierceContact>& pieces);
   void add_touch(const Interval& run, const std::vector<PierceContact>& pieces, double length);

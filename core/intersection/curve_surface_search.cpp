@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/intersection/contact_length.h"
 #include "core/intersection/work_limit.h"
 
 namespace blossom {
@@ -81,6 +82,15 @@ std::optional<Pierce> pierce(const CurveTree& curve, int span, const Interval& t
   return std::nullopt;
 }
 
+PierceSearch::PierceSearch(CurveTree& curve, SurfaceTrees& surface,
+                           const IntersectionOptions& options, double tolerance)
+    : curve_(curve),
+      surface_(surface),
+      options_(options),
+      tolerance_(tolerance),
+      valley_{tolerance, longest_touch(tolerance, curve.size()),
+              4 * (curve.evaluation_margin() + surface.evaluation_margin())} {}
+
 PierceFindings PierceSearch::run(const std::vector<PierceContact>& inside) {
   inside_ = &inside;
   for (int i = 0; i < curve_.spans(); ++i)
@@ -123,7 +133,7 @@ void PierceSearch::examine(const Pair& pair) {
     return;
   }
   if (is_inside(c, pair, s)) return;
-  if (settle(c, pair, s)) {
+  if (settle(c, pair, s) || settle_valley(c, pair, s)) {
     ++found_.certified;
     return;
   }
@@ -196,7 +206,7 @@ bool PierceSearch::settle(const CurveCell& c, const Pair& pair, const Cell& s) {
     for (const double x : minor.inverse[row]) sum += std::abs(x);
     return 2 * sum * error;
   };
-  const double rounding = 4 * (curve_.evaluation_margin() + surface_.evaluation_margin());
+  const double rounding = valley_.rounding;
   const auto inside = [&](double error) {
     return within(found->t, c.local, reach(0, error) * length(c.local) + kParameterSlack) &&
            within(found->uv[0], s.u, reach(1, error) * length(s.u) + kParameterSlack) &&
@@ -217,13 +227,23 @@ bool PierceSearch::settle(const CurveCell& c, const Pair& pair, const Cell& s) {
   return krawczyk_empties(c, pair.patch, s, minor);
 }
 
+// False if the gap is not proven to be a valley.
+bool PierceSearch::settle_valley(const CurveCell& c, const Pair& pair, const Cell& s) {
+  const auto valley = pierce_valley(curve_, c, pair.patch, surface_[pair.patch], s, valley_);
+  if (!valley) return false;
+  for (int i = 0; i < valley->count; ++i)
+    found_.points.push_back(valley->points[static_cast<std::size_t>(i)]);
+  if (valley->touch) found_.touches.push_back(*valley->touch);
+  return true;
+}
+
 // Any root in the box with middle y and radius r lies in y - C F(y) +- E r; intersecting again and
 // again empties the box if there is none. In the cells' own parameters.
 // Source: Krawczyk 1969.
 bool PierceSearch::krawczyk_empties(const CurveCell& c, int patch, const Cell& s,
                                     const Minor& minor) const {
   std::array<double, 3> y{0.5, 0.5, 0.5}, radius{0.5, 0.5, 0.5};
-  const double rounding = 4 * (curve_.evaluation_margin() + surface_.evaluation_margin());
+  const double rounding = valley_.rounding;
   for (int step = 0; step < kKrawczykSteps; ++step) {
     const Vec3 f = curve_.jet({c.span, at(c.local, y[0])}).point -
                    jet_at(surface_[patch].patch(), at(s.u, y[1]), at(s.v, y[2]), 1).point;

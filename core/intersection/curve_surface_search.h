@@ -4,7 +4,8 @@
 // C(t) = S(u, v) has three equations and three unknowns. A pair is excluded when boxes or fat
 // planes are apart. Where the Jacobian is regular for every matrix within the derivatives' bounds
 // there is at most one common point: Newton's method finds it, or Krawczyk's operator proves that
-// there is none. Pairs that stay within tolerance all over are contacts.
+// there is none. Pieces that run nearly along a cell are valleys. Pairs that stay within tolerance
+// all over are contacts.
 
 #pragma once
 
@@ -18,6 +19,7 @@
 #include "core/intersection/cell_tree.h"
 #include "core/intersection/curve_cells.h"
 #include "core/intersection/options.h"
+#include "core/intersection/pierce_valley.h"
 
 namespace blossom {
 
@@ -42,16 +44,6 @@ class SurfaceTrees {
   double evaluation_margin_ = 0;
 };
 
-/// A place on the curve and one on the surface.
-struct PiercePoint {
-  SpanPoint t;
-  int patch = 0;
-  Vec2 uv;  ///< local, in [0, 1]
-  /// The only common point of a pair of cells, to rounding; else only within tolerance.
-  bool exact = false;
-  Vec3 reach;  ///< how far rounding may move it in t, u, v
-};
-
 /// A piece of the curve and a cell within tolerance of each other.
 struct PierceContact {
   int span = 0;
@@ -64,6 +56,7 @@ struct PierceContact {
 
 struct PierceFindings {
   std::vector<PiercePoint> points;
+  std::vector<PierceTouch> touches;
   std::vector<PierceContact> contacts;
   std::vector<PierceContact> open;  ///< not examined when the search was stopped
   long excluded = 0;
@@ -74,8 +67,7 @@ struct PierceFindings {
 class PierceSearch {
  public:
   PierceSearch(CurveTree& curve, SurfaceTrees& surface, const IntersectionOptions& options,
-               double tolerance)
-      : curve_(curve), surface_(surface), options_(options), tolerance_(tolerance) {}
+               double tolerance);
 
   /// All pairs; pieces of the curve in `inside` lie in the surface, and only common points
   /// elsewhere are sought.
@@ -100,6 +92,7 @@ class PierceSearch {
   bool is_inside(const CurveCell& c, const Pair& pair, const Cell& s) const;
   VectorBounds derivative(const CurveCell& c) const;
   bool settle(const CurveCell& c, const Pair& pair, const Cell& s);
+  bool settle_valley(const CurveCell& c, const Pair& pair, const Cell& s);
   bool krawczyk_empties(const CurveCell& c, int patch, const Cell& s, const Minor& minor) const;
   PierceContact contact(const Pair& pair) const;
 
@@ -107,6 +100,7 @@ class PierceSearch {
   SurfaceTrees& surface_;
   const IntersectionOptions& options_;
   double tolerance_;
+  PierceValleyOptions valley_;
   const std::vector<PierceContact>* inside_ = nullptr;
   std::vector<Pair> pairs_;
   PierceFindings found_;

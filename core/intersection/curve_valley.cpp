@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/intersection/convex_gap.h"
+
 namespace blossom {
 namespace {
 
@@ -11,8 +13,6 @@ constexpr double kNarrow = 0.97;     // least cosine of half cones that are wort
 constexpr double kNearlyOne = 0.97;  // least cosine between the axes
 constexpr int kSolveSteps = 12;      // of Newton's method for the place with a given x
 constexpr double kNearX = 1e-15;     // of a cell; a smaller step in the search for x is rounding
-constexpr int kSearchSteps = 60;     // of the safeguarded search on x
-constexpr double kSettled = 1e-13;   // steps this small, as part of the range, are the last
 constexpr double kNoise = 1e-3;      // a gap this part of the bound on its error is 0
 constexpr double kBorder = 1e-9;     // fraction of the range; minima this far outside count, too
 
@@ -39,7 +39,7 @@ class Valley {
 
  private:
   struct Side {
-    double x, gap, slope;
+    double x, gap, slope, bend;
     GraphPoint a, b;
   };
 
@@ -146,45 +146,7 @@ class Valley {
     const double y_b = side.b.y + side.b.slope * (x - side.b.x);
     side.gap = sign_ * (y_a - y_b);
     side.slope = sign_ * (side.a.slope - side.b.slope);
-    return side;
-  }
-
-  double bend_of(const Side& side) const {
-    return std::clamp(sign_ * (side.a.bend - side.b.bend), least_bend_, most_bend_);
-  }
-
-  // The place of the least value between two sides whose slopes have different signs.
-  Side least(Side low, Side high) const {
-    Side side = low.slope > -high.slope ? high : low;
-    const double width = high.x - low.x;
-    for (int k = 0; k < kSearchSteps; ++k) {
-      double x = side.x - side.slope / bend_of(side);
-      if (!(x > low.x && x < high.x)) x = 0.5 * (low.x + high.x);
-      if (x == side.x || !(x > low.x && x < high.x)) break;
-      const double moved = std::abs(x - side.x);
-      side = side_at(x);
-      (side.slope < 0 ? low : high) = side;
-      if (moved <= kSettled * width) break;
-    }
-    return side;
-  }
-
-  // The zero between a side with gap above 0 and one with gap below 0.
-  Side zero(Side above, Side below) const {
-    Side side = above;
-    const double width = std::abs(above.x - below.x);
-    for (int k = 0; k < kSearchSteps; ++k) {
-      // On a convex function Newton's steps from above never pass the zero.
-      double x = side.gap > 0 && side.slope != 0 ? side.x - side.gap / side.slope
-                                                 : 0.5 * (above.x + below.x);
-      const double low = std::min(above.x, below.x), high = std::max(above.x, below.x);
-      if (!(x > low && x < high)) x = 0.5 * (low + high);
-      if (x == side.x || !(x > low && x < high)) break;
-      const double moved = std::abs(x - side.x);
-      side = side_at(x);
-      (side.gap > 0 ? above : below) = side;
-      if (moved <= kSettled * width || std::abs(side.gap) <= kNoise * error_) break;
-    }
+    side.bend = std::clamp(sign_ * (side.a.bend - side.b.bend), least_bend_, most_bend_);
     return side;
   }
 
@@ -215,6 +177,11 @@ class Valley {
     point.gap = {std::max(0.0, gap - error), gap + error};
   }
 
+  Side zero(const Side& above, const Side& below) const {
+    return zero_between(
+        above, below, [&](double x) { return side_at(x); }, kNoise * error_);
+  }
+
   // A zero between the border `side` of the range and the least value, if there is one.
   bool add_zero(const Side& side, const Side& least) {
     if (side.gap < -error_) return true;
@@ -226,7 +193,7 @@ class Valley {
     const Side low = side_at(low_), high = side_at(high_);
     const double slack = most_bend_ * kBorder * (high_ - low_);
     if (low.slope < slack && high.slope > -slack) {
-      const Side bottom = least(low, high);
+      const Side bottom = least_between(low, high, [&](double x) { return side_at(x); });
       if (bottom.gap > tolerance_ + error_) return true;
       const double depth = std::max(0.0, -bottom.gap - error_);
       const bool one_point = 2 * std::sqrt(2 * depth / least_bend_) <= tolerance_;
