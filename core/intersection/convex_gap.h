@@ -23,13 +23,13 @@ Side least_between(Side low, Side high, const At& at) {
   Side side = low.slope > -high.slope ? high : low;
   const double width = high.x - low.x;
   for (int k = 0; k < detail::kConvexSteps; ++k) {
-    double x = side.x - side.slope / side.bend;
+    const double step = side.slope / side.bend;
+    if (std::abs(step) <= detail::kConvexSettled * width) break;
+    double x = side.x - step;
     if (!(x > low.x && x < high.x)) x = 0.5 * (low.x + high.x);
-    if (x == side.x || !(x > low.x && x < high.x)) break;
-    const double moved = std::abs(x - side.x);
+    if (!(x > low.x && x < high.x)) break;
     side = at(x);
     (side.slope < 0 ? low : high) = side;
-    if (moved <= detail::kConvexSettled * width) break;
   }
   return side;
 }
@@ -41,17 +41,19 @@ template <class Side, class At>
 Side zero_between(Side above, Side below, const At& at, double noise) {
   Side side = above;
   const double width = std::abs(above.x - below.x);
-  for (int k = 0; k < detail::kConvexSteps; ++k) {
-    // On a convex function Newton's steps from above never pass the zero.
-    double x = side.gap > 0 && side.slope != 0 ? side.x - side.gap / side.slope
-                                               : 0.5 * (above.x + below.x);
+  for (int k = 0; k < detail::kConvexSteps && !(std::abs(side.gap) <= noise); ++k) {
+    // The nearer zero of the parabola with the same gap, slope and bend; of the tangent if that has
+    // none.
+    const double square = side.slope * side.slope - 2 * side.gap * side.bend;
+    const double root = std::copysign(std::sqrt(std::max(0.0, square)), side.slope);
+    const double step = square >= 0 ? 2 * side.gap / (side.slope + root) : side.gap / side.slope;
+    if (std::abs(step) <= detail::kConvexSettled * width) break;
+    double x = side.x - step;
     const double low = std::min(above.x, below.x), high = std::max(above.x, below.x);
     if (!(x > low && x < high)) x = 0.5 * (low + high);
-    if (x == side.x || !(x > low && x < high)) break;
-    const double moved = std::abs(x - side.x);
+    if (!(x > low && x < high)) break;
     side = at(x);
     (side.gap > 0 ? above : below) = side;
-    if (moved <= detail::kConvexSettled * width || std::abs(side.gap) <= noise) break;
   }
   return side;
 }

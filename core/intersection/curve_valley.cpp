@@ -12,7 +12,7 @@ namespace {
 constexpr double kNarrow = 0.97;     // least cosine of half cones that are worth trying
 constexpr double kNearlyOne = 0.97;  // least cosine between the axes
 constexpr int kSolveSteps = 12;      // of Newton's method for the place with a given x
-constexpr double kNearX = 1e-15;     // of a cell; a smaller step in the search for x is rounding
+constexpr double kNearX = 1e-8;      // of a cell; of what is left third powers do not matter
 constexpr double kNoise = 1e-3;      // a gap this part of the bound on its error is 0
 constexpr double kBorder = 1e-9;     // fraction of the range; minima this far outside count, too
 
@@ -119,19 +119,25 @@ class Valley {
     return point;
   }
 
-  // The point of a graph at x, from the linear guess by Newton's method kept inside the cell.
+  // The point of a graph at x, from the linear guess by Newton's method kept inside the cell; what
+  // is left of the equation for x moves value and slope along the graph.
   GraphPoint graph_at(const CurveTree& tree, const CurveCell& cell, double x_from, double x_to,
                       double x) const {
+    const double near = kNearX * std::abs(x_to - x_from);
     double t = at(cell.local, std::clamp((x - x_from) / (x_to - x_from), 0.0, 1.0));
-    GraphPoint point = graph(tree, cell.span, t);
-    for (int k = 0; k < kSolveSteps; ++k) {
-      const double next =
-          std::clamp(t + (x - point.x) / point.rate, cell.local.from, cell.local.to);
-      if (std::abs(next - t) <= kNearX * length(cell.local)) break;
-      t = next;
-      point = graph(tree, cell.span, t);
+    for (int k = 0;; ++k) {
+      GraphPoint point = graph(tree, cell.span, t);
+      const double rest = x - point.x;
+      const double next = std::clamp(t + rest / point.rate, cell.local.from, cell.local.to);
+      if (std::abs(rest) > near && next != t && k < kSolveSteps) {
+        t = next;
+        continue;
+      }
+      point.t = next;
+      point.y += rest * (point.slope + 0.5 * rest * point.bend);
+      point.slope += rest * point.bend;
+      return point;
     }
-    return point;
   }
 
   // The gap over x, as a convex function.
@@ -141,10 +147,7 @@ class Valley {
     side.a = graph_at(pair_.tree_a, pair_.a, a_low_, a_high_, x);
     side.b = reversed_ ? graph_at(pair_.tree_b, pair_.b, b_high_, b_low_, x)
                        : graph_at(pair_.tree_b, pair_.b, b_low_, b_high_, x);
-    // What is left of the equation for x moves the values along the graphs.
-    const double y_a = side.a.y + side.a.slope * (x - side.a.x);
-    const double y_b = side.b.y + side.b.slope * (x - side.b.x);
-    side.gap = sign_ * (y_a - y_b);
+    side.gap = sign_ * (side.a.y - side.b.y);
     side.slope = sign_ * (side.a.slope - side.b.slope);
     side.bend = std::clamp(sign_ * (side.a.bend - side.b.bend), least_bend_, most_bend_);
     return side;
