@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <queue>
 #include <string>
 #include <utility>
@@ -239,19 +240,18 @@ class Search {
   }
 
   void examine(const Pair& pair) {
-    CellTree& tree_a = tree(a_, trees_a_, pair.item_a);
-    CellTree& tree_b = tree(b_, trees_b_, pair.item_b);
+    Tree& tree_a = tree(a_, trees_a_, pair.item_a);
+    Tree& tree_b = tree(b_, trees_b_, pair.item_b);
     const double before = pair.lower;
     if (pair.depth % kHalvingsPerStart == 0) start_from(pair);
-    const Cell cell_a = tree_a[pair.cell_a], cell_b = tree_b[pair.cell_b];
+    const Cell cell_a = tree_a.cells[pair.cell_a], cell_b = tree_b.cells[pair.cell_b];
     const bool split_a = can_split(pair.item_a, a_, cell_a) &&
                          (cell_a.extent >= cell_b.extent || !can_split(pair.item_b, b_, cell_b));
     if (!split_a && !can_split(pair.item_b, b_, cell_b)) {
       dropped_ = std::min(dropped_, before);  // two points, or cells at the limit of halving
       return;
     }
-    CellTree& halved = split_a ? tree_a : tree_b;
-    const int low = halved.split(split_a ? pair.cell_a : pair.cell_b);
+    const int low = (split_a ? tree_a : tree_b).split(split_a ? pair.cell_a : pair.cell_b);
     for (const int child : {low, low + 1}) {
       Pair next = pair;
       (split_a ? next.cell_a : next.cell_b) = child;
@@ -260,43 +260,66 @@ class Search {
     }
   }
 
-  static CellTree& tree(const Items& items, std::vector<std::unique_ptr<CellTree>>& trees,
-                        int item) {
+  // The cells of an item, and how those that were asked about lie to the trims.
+  struct Tree {
+    CellTree cells;
+    std::vector<std::optional<TrimSide>> sides{std::nullopt};
+
+    int split(int cell) {
+      const int low = cells.split(cell);
+      const auto size = static_cast<std::size_t>(cells.size());
+      if (sides.size() < size) {
+        // Halves of a cell inside are inside.
+        const auto known = sides[static_cast<std::size_t>(cell)];
+        sides.resize(size, known == TrimSide::Inside ? known : std::nullopt);
+      }
+      return low;
+    }
+  };
+
+  static Tree& tree(const Items& items, std::vector<std::unique_ptr<Tree>>& trees, int item) {
     auto& made = trees[static_cast<std::size_t>(item)];
     const Item& it = items[item];
     if (!made)
-      made = std::make_unique<CellTree>(it.patch, it.rational, Vec3{}, CellForm::Bezier, kCut);
+      made = std::make_unique<Tree>(
+          Tree{CellTree(it.patch, it.rational, Vec3{}, CellForm::Bezier, kCut)});
     return *made;
+  }
+
+  static bool is_outside(const Items& items, const Item& item, Tree& tree, int index) {
+    auto& side = tree.sides[static_cast<std::size_t>(index)];
+    const Cell& cell = tree.cells[index];
+    if (!side) side = items.side(item, {cell.u.from, cell.v.from}, {cell.u.to, cell.v.to});
+    return side == TrimSide::Outside;
   }
 
   static bool can_split(int item, const Items& items, const Cell& cell) {
     return items[item].dimension() > 0 && cell.depth < kDeepest;
   }
 
-  void consider(Pair& pair, const CellTree& tree_a, const CellTree& tree_b, bool new_a) {
-    const Cell& cell_a = tree_a[pair.cell_a];
-    const Cell& cell_b = tree_b[pair.cell_b];
+  void consider(Pair& pair, Tree& tree_a, Tree& tree_b, bool new_a) {
+    const Cell& cell_a = tree_a.cells[pair.cell_a];
+    const Cell& cell_b = tree_b.cells[pair.cell_b];
     const Item& item_a = a_[pair.item_a];
     const Item& item_b = b_[pair.item_b];
-    const int points_a = tree_a.shape().plane_size(), points_b = tree_b.shape().plane_size();
+    const NetShape &shape_a = tree_a.cells.shape(), &shape_b = tree_b.cells.shape();
+    const int points_a = shape_a.plane_size(), points_b = shape_b.plane_size();
     pair.lower =
         std::max(pair.lower, distance_bound({&cell_a, points_a}, {&cell_b, points_b}, direction_));
     if (!is_settled(pair.lower) && std::min(item_a.dimension(), item_b.dimension()) == 0 &&
         std::max(points_a, points_b) <= kMostPoints) {
       const bool point_a = item_a.dimension() == 0;
       const Vec3 point = projected((point_a ? item_a : item_b).patch.points(0, 0));
-      pair.lower = std::max(pair.lower, point_a ? distance_bound(cell_b, tree_b.shape(), point)
-                                                : distance_bound(cell_a, tree_a.shape(), point));
+      pair.lower = std::max(pair.lower, point_a ? distance_bound(cell_b, shape_b, point)
+                                                : distance_bound(cell_a, shape_a, point));
     }
     if (is_settled(pair.lower)) {
       dropped_ = std::min(dropped_, pair.lower);
       return;
     }
     if (!may_be_normal(cell_a, item_a.across(cell_a), cell_b, item_b.across(cell_b))) return;
-    const Item& item = new_a ? item_a : item_b;
-    const Cell& cell = new_a ? cell_a : cell_b;
-    if ((new_a ? a_ : b_).side(item, {cell.u.from, cell.v.from}, {cell.u.to, cell.v.to}) ==
-        TrimSide::Outside)
+    if (new_a ? is_outside(a_, item_a, tree_a, pair.cell_a)
+              : is_outside(b_, item_b, tree_b, pair.cell_b))
       return;
     open_.push(pair);
   }
@@ -305,8 +328,8 @@ class Search {
   void start_from(const Pair& pair) {
     const Item& item_a = a_[pair.item_a];
     const Item& item_b = b_[pair.item_b];
-    const Cell& a = tree(a_, trees_a_, pair.item_a)[pair.cell_a];
-    const Cell& b = tree(b_, trees_b_, pair.item_b)[pair.cell_b];
+    const Cell& a = tree(a_, trees_a_, pair.item_a).cells[pair.cell_a];
+    const Cell& b = tree(b_, trees_b_, pair.item_b).cells[pair.cell_b];
     const NearPair found =
         near_pair({&item_a.patch, item_a.dimension()}, {&item_b.patch, item_b.dimension()},
                   {at(a.u, 0.5), at(a.v, 0.5)}, {at(b.u, 0.5), at(b.v, 0.5)});
@@ -326,7 +349,7 @@ class Search {
   DistanceOptions options_;
   const Items& a_;
   const Items& b_;
-  std::vector<std::unique_ptr<CellTree>> trees_a_, trees_b_;  // made when a pair needs them
+  std::vector<std::unique_ptr<Tree>> trees_a_, trees_b_;  // made when a pair needs them
   double rounding_;
   DistanceResult result_;
   Vec3 direction_;

@@ -16,6 +16,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/chart_region.h"
@@ -60,9 +61,7 @@ struct MeasuredFace {
 struct MeasuredShape::Impl {
   explicit Impl(const TopoDS_Shape& shape) {
     if (shape.IsNull()) throw BadModel("there is no shape to measure");
-    TopExp::MapShapes(shape, TopAbs_FACE, maps[0]);
-    TopExp::MapShapes(shape, TopAbs_EDGE, maps[1]);
-    TopExp::MapShapes(shape, TopAbs_VERTEX, maps[2]);
+    map_parts(shape);
     for (int i = 1; i <= maps[0].Extent(); ++i) add_face(TopoDS::Face(maps[0](i)));
     for (int i = 1; i <= maps[1].Extent(); ++i) add_edge(TopoDS::Edge(maps[1](i)));
     for (int i = 1; i <= maps[2].Extent(); ++i) {
@@ -74,6 +73,21 @@ struct MeasuredShape::Impl {
     set.trims = [this](int face, const Vec2& low, const Vec2& high) {
       return side(faces[static_cast<std::size_t>(face)], low, high);
     };
+  }
+
+  // As TopExp::MapShapes for faces, edges and vertices, but what several parts share is entered
+  // once: placing parts takes most of the time.
+  void map_parts(const TopoDS_Shape& shape) {
+    const TopAbs_ShapeEnum kind = shape.ShapeType();
+    TopTools_IndexedMapOfShape* const map = kind == TopAbs_FACE     ? &maps[0]
+                                            : kind == TopAbs_EDGE   ? &maps[1]
+                                            : kind == TopAbs_VERTEX ? &maps[2]
+                                                                    : nullptr;
+    if (map != nullptr) {
+      const int known = map->Extent();
+      if (map->Add(shape) <= known) return;
+    }
+    for (TopoDS_Iterator part(shape); part.More(); part.Next()) map_parts(part.Value());
   }
 
   void add_face(const TopoDS_Face& face) {

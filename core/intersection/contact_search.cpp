@@ -143,7 +143,8 @@ class ContactSearch {
       ++result_.certificate.excluded;
       return;
     }
-    if (known_.hold_common({a.low, a.high}, {piece.low, piece.high})) {
+    if (known_.compare_with(a.extent) &&
+        known_.hold_common({a.low, a.high}, {piece.low, piece.high})) {
       ++result_.certificate.critical;
       result_.beside_known = true;
       return;

@@ -18,9 +18,11 @@ double distance_to_link(const Vec3& p, const Vec3& from, const Vec3& to) {
 }  // namespace
 
 KnownCurves::KnownCurves(const std::vector<KnownCurve>& curves, const Vec3& origin) {
-  for (const KnownCurve& curve : curves)
+  for (const KnownCurve& curve : curves) {
+    widest_ = std::max(widest_, curve.radius);
     for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
       links_.push_back({curve.points[i] - origin, curve.points[i + 1] - origin, curve.radius});
+  }
 }
 
 bool KnownCurves::hold(const Box& box) const { return hold(box, kHalvings); }

@@ -35,6 +35,10 @@ class KnownCurves {
     return !empty() && hold(common);
   }
 
+  /// True if a cell of this size is not much larger than the curves' radii: larger ones may yet
+  /// tell what is beside the curve exactly.
+  bool compare_with(double extent) const { return extent <= kMostRadii * widest_; }
+
  private:
   struct Link {
     Vec3 from, to;
@@ -44,7 +48,10 @@ class KnownCurves {
   bool hold(const Box& box, int halvings) const;
   static bool holds_corners(const Link& link, const Box& box);
 
+  static constexpr double kMostRadii = 16;
+
   std::vector<Link> links_;
+  double widest_ = 0;
 };
 
 }  // namespace blossom

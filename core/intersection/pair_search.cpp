@@ -169,7 +169,9 @@ class Search {
     const int along = certified_column(JacobianBounds(a, b));
     if (along >= 0) return {Verdict::Regular, along};
     if (itself() && beside_each_other(place, a, b)) return {Verdict::Apart};
-    if (known_.hold_common({a.low, a.high}, {b.low, b.high})) return {Verdict::Known};
+    if (known_.compare_with(std::min(a.extent, b.extent)) &&
+        known_.hold_common({a.low, a.high}, {b.low, b.high}))
+      return {Verdict::Known};
     if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b)))
       return {Verdict::Parallel};
     return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};
