@@ -6,10 +6,8 @@
 #include <cstddef>
 #include <utility>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include "core/base/errors.h"
+#include "core/base/parallel.h"
 
 namespace blossom {
 namespace {
@@ -77,14 +75,14 @@ std::vector<std::vector<RayHit>> for_all(const RayCaster& caster, std::span<cons
                                          Ask ask) {
   for (const Ray& ray : rays) validate(ray);
   std::vector<std::vector<RayHit>> results(rays.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), kBatch),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      RayQuery query(caster);
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                        const std::span<const RayHit> hits = ask(query, rays[i]);
-                        results[i].assign(hits.begin(), hits.end());
-                      }
-                    });
+  parallel_for((rays.size() + kBatch - 1) / kBatch, 1, [&](std::size_t batch) {
+    RayQuery query(caster);
+    const std::size_t last = std::min(rays.size(), (batch + 1) * kBatch);
+    for (std::size_t i = batch * kBatch; i < last; ++i) {
+      const std::span<const RayHit> hits = ask(query, rays[i]);
+      results[i].assign(hits.begin(), hits.end());
+    }
+  });
   return results;
 }
 
