@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/errors.h"
+#include "core/intersection/curve_closing.h"
 #include "core/intersection/curve_surface_assembly.h"
 
 namespace blossom {
@@ -56,29 +57,12 @@ CurveSurfaceIntersection intersect(const CurveSpans& curve, const BezierSurface&
   CurveSurfaceIntersection result =
       PierceAssembly(tree, surface, trees, tolerance).finish(inside, found, closer);
   for (const PierceContact& pair : found.open) result.places.push_back(open_place(tree, pair));
-  for (CurveSurfacePoint& point : result.points) point.point += origin;
-  for (CurvePlace& place : result.places) {
-    place.box_low += origin;
-    place.box_high += origin;
-  }
   CurveCertificate& certificate = result.certificate;
-  certificate.excluded = found.excluded;
-  certificate.certified = found.certified;
   certificate.contacts = static_cast<long>(found.contacts.size() + found.touches.size());
   certificate.depth = tree.depth();
   certificate.rounding_bound = std::max(tree.largest_margin(), trees.evaluation_margin());
-  if (!result.places.empty()) {
-    result.status = Status::Tolerance;
-    certificate.reasons.push_back("contacts within tolerance");
-  }
-  if (error > 0) {
-    result.status = Status::Tolerance;
-    certificate.reasons.push_back("the curve or the surface is an approximation");
-  }
-  if (found.stopped) {
-    result.status = Status::Stopped;
-    certificate.reasons.push_back(found.stopped);
-  }
+  close_search(result, found, origin,
+               error > 0 ? "the curve or the surface is an approximation" : nullptr);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/errors.h"
 #include "core/intersection/curve_assembly.h"
+#include "core/intersection/curve_closing.h"
 #include "core/intersection/curve_search.h"
 
 namespace blossom {
@@ -61,29 +62,11 @@ CurveIntersection meet(CurveTree& a, CurveTree& b, const Vec3& origin, double er
   const CurveFindings found = CurveSearch(a, b, options, tolerance).run(shared);
   CurveIntersection result = assembly.finish(shared, found);
   add_open(a, b, found.open, result);
-  for (CurvePoint& point : result.points) point.point += origin;
-  for (CurvePlace& place : result.places) {
-    place.box_low += origin;
-    place.box_high += origin;
-  }
   CurveCertificate& certificate = result.certificate;
-  certificate.excluded = found.excluded;
-  certificate.certified = found.certified;
   certificate.contacts = static_cast<long>(found.contacts.size());
   certificate.depth = std::max(a.depth(), b.depth());
   certificate.rounding_bound = std::max(a.largest_margin(), b.largest_margin());
-  if (!result.places.empty()) {
-    result.status = Status::Tolerance;
-    certificate.reasons.push_back("contacts within tolerance");
-  }
-  if (error > 0) {
-    result.status = Status::Tolerance;
-    certificate.reasons.push_back("a curve is an approximation");
-  }
-  if (found.stopped) {
-    result.status = Status::Stopped;
-    certificate.reasons.push_back(found.stopped);
-  }
+  close_search(result, found, origin, error > 0 ? "a curve is an approximation" : nullptr);
   return result;
 }
 

@@ -39,7 +39,7 @@ TEST(ConvexGap, ZerosOnBothSidesAreFoundInAFewSteps) {
     for (const double end : {0.0, 1.0}) {
       gap.asked = 0;
       const Side zero = zero_between(gap(end), bottom, gap, 1e-18);
-      EXPECT_NEAR(zero.gap, 0, 1e-16);
+      EXPECT_NEAR(zero.gap, 0, 1e-14);
       EXPECT_EQ(zero.x > 0.4, end > 0.4);
       EXPECT_LE(gap.asked, 16) << depth;
     }
