@@ -20,7 +20,7 @@
 
 #include "core/surface_intersection.h"
 #include "tests/support/components.h"
-#include "tests/support/cubic_family.h"
+#include "tests/support/cubic_draws.h"
 #include "tests/support/draws.h"
 #include "tests/support/intersection_checks.h"
 #include "tests/support/random.h"
@@ -127,20 +127,6 @@ Plant gap_at_a_point(Random& random, double tolerance) {
           text("centre ", x, " ", y, " scale ", scale, " gap ", gap)};
 }
 
-// Coordinates round a random place, in a random direction.
-struct Frame {
-  double x0, y0, c, s;
-
-  explicit Frame(Random& random) {
-    const double angle = uniform(random, 0, 2 * kPi);
-    x0 = uniform(random, 0.25, 0.75), y0 = uniform(random, 0.25, 0.75);
-    c = std::cos(angle), s = std::sin(angle);
-  }
-  Cubic x() const { return linear(-c * x0 - s * y0, c, s); }
-  Cubic y() const { return linear(s * x0 - c * y0, -s, c); }
-  Vec2 point(double x, double y) const { return {x0 + c * x - s * y, y0 + s * x + c * y}; }
-};
-
 void keep_inside(Plant& plant) {
   std::erase_if(plant.truth, [](const Vec2& p) { return !in_square(p); });
 }
@@ -151,17 +137,17 @@ bool corners_are_clear(const Cubic& h) {
 }
 
 Plant gap_along_a_line(Random& random, double tolerance) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double gap = tolerance * one_of(random, kGaps);
-  return {"gap along a line", f.x() * f.x() + constant(gap), {}, {}, 1, text("gap ", gap)};
+  return {"gap along a line", f.x * f.x + constant(gap), {}, {}, 1, text("gap ", gap)};
 }
 
 Plant shallow_lines(Random& random, double tolerance) {
   for (;;) {
-    const Frame f(random);
+    const testing::Frame f(random);
     const double depth = tolerance * one_of(random, std::array{0.5, 0.99, 1.01, 2.0, 10.0});
     const double e = std::sqrt(depth);
-    Plant plant{"shallow lines",      f.x() * f.x() + constant(-depth), {}, {.open = 2}, e,
+    Plant plant{"shallow lines",      f.x * f.x + constant(-depth), {}, {.open = 2}, e,
                 text("depth ", depth)};
     for (int i = -100; i <= 100; ++i)
       for (const double x : {-e, e}) plant.truth.push_back(f.point(x, i / 70.0));
@@ -172,9 +158,9 @@ Plant shallow_lines(Random& random, double tolerance) {
 
 Plant narrow_crossing(Random& random, double tolerance) {
   for (;;) {
-    const Frame f(random);
+    const testing::Frame f(random);
     const double d = tolerance * one_of(random, std::array{0.5, 0.99, 1.01, 2.0, 10.0});
-    Plant plant{"narrow crossing", f.x() * f.y() + constant(-d), {}, {.open = 2}, std::sqrt(d),
+    Plant plant{"narrow crossing", f.x * f.y + constant(-d), {}, {.open = 2}, std::sqrt(d),
                 text("d ", d)};
     for (int i = -60; i <= 60; ++i)
       for (const double sign : {-1.0, 1.0}) {
@@ -204,9 +190,7 @@ struct Placed {
 
 Placed place(const Plant& plant, double tolerance, Random& random) {
   Placed placed;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; i + j < 4; ++j)
-      placed.base.coefficient[i][j] = uniform(random, -0.3, 0.3);
+  placed.base = testing::random_base(random);
   placed.motion = testing::random_motion(random);
   placed.motion.scale = one_of(random, std::array{1e-3, 1.0, 1e3});
   placed.motion.shift *= placed.motion.scale;
@@ -216,16 +200,6 @@ Placed place(const Plant& plant, double tolerance, Random& random) {
   placed.swapped = pick(random, 0, 1) == 1;
   if (placed.swapped) std::swap(placed.pair.a, placed.pair.b);
   return placed;
-}
-
-double largest_offset(const Plant& plant, const Placed& placed, const SurfaceIntersection& found) {
-  double largest = 0;
-  for (const IntersectionCurve& curve : found.curves)
-    for (const SurfacePoint& sample : curve.samples) {
-      const Vec2 uv = placed.swapped ? sample.uv_b : sample.uv_a;
-      largest = std::max(largest, std::abs(plant.h(uv[0], uv[1])));
-    }
-  return largest;
 }
 
 // How far from a point of the truth a curve may run beside it: as far as h stays below the distance
@@ -255,7 +229,7 @@ std::string fault(const Plant& plant, const Placed& placed, const SurfaceInterse
   constexpr double kOnBoth = 1e-9;  // of h at the samples, which are on both surfaces to rounding
   if (components(found) != plant.exact) return "another number";
   if (!found.places.empty()) return "with places";
-  if (largest_offset(plant, placed, found) > kOnBoth) return "a curve that is none";
+  if (largest_offset(plant.h, placed.swapped, found) > kOnBoth) return "a curve that is none";
   if (!all_truth_is_found(plant, placed, found)) return "a part of the truth is missing";
   return "";
 }

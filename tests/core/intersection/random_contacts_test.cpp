@@ -21,7 +21,7 @@
 
 #include "core/surface_intersection.h"
 #include "tests/support/components.h"
-#include "tests/support/cubic_family.h"
+#include "tests/support/cubic_draws.h"
 #include "tests/support/draws.h"
 #include "tests/support/random.h"
 #include "tests/support/surface_changes.h"
@@ -74,28 +74,8 @@ struct Draw {
   }
 };
 
-Cubic random_base(Random& random) {
-  Cubic base;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; i + j < 4; ++j) base.coefficient[i][j] = uniform(random, -0.3, 0.3);
-  return base;
-}
-
-// Coordinates round a random place, in a random direction.
-struct Frame {
-  Cubic x, y;
-
-  explicit Frame(Random& random) {
-    const double angle = uniform(random, 0, 6.283185307179586);
-    const double a = uniform(random, 0.25, 0.75), b = uniform(random, 0.25, 0.75);
-    const double c = std::cos(angle), s = std::sin(angle);
-    x = linear(-c * a - s * b, c, s);
-    y = linear(s * a - c * b, -s, c);
-  }
-};
-
 Draw loop_draw(Random& random) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double k = pick(random, 0, 1) == 0 ? 1 : 8, r = log_uniform(random, 1e-4, 0.2);
   return {"loop",        k * (f.x * f.x + f.y * f.y + constant(-r * r)),
           {.closed = 1}, {.points = 1},
@@ -104,7 +84,7 @@ Draw loop_draw(Random& random) {
 }
 
 Draw gap_draw(Random& random) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double k = pick(random, 0, 1) == 0 ? 1 : 8, gap = log_uniform(random, 1e-10, 1e-3);
   return {"gap", k * (f.x * f.x + f.y * f.y) + constant(gap),
           {},    {.points = 1},
@@ -113,7 +93,7 @@ Draw gap_draw(Random& random) {
 }
 
 Draw lines_draw(Random& random) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double e = log_uniform(random, 1e-8, 0.05);
   return {"lines",     f.x * f.x + constant(-e * e),
           {.open = 2}, {.open = 1, .tangential = 1},
@@ -122,7 +102,7 @@ Draw lines_draw(Random& random) {
 }
 
 Draw parallel_draw(Random& random) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double e = log_uniform(random, 1e-8, 0.05);
   return {
       "parallel",   f.x * f.x + constant(e * e), {}, {.open = 1, .tangential = 1}, e * e, 0, false,
@@ -130,7 +110,7 @@ Draw parallel_draw(Random& random) {
 }
 
 Draw crossing_draw(Random& random) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double sign = pick(random, 0, 1) == 0 ? 1 : -1, d = log_uniform(random, 1e-8, 1e-2);
   return {"crossing",  f.x * f.y + constant(-sign * d),
           {.open = 2}, {.open = 4, .nodes = 1},
@@ -140,7 +120,7 @@ Draw crossing_draw(Random& random) {
 
 // The loop is 4 s^3 / 27 deep.
 Draw node_draw(Random& random) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double s = log_uniform(random, 1e-3, 0.2);
   return {"node",
           f.y * f.y + -1.0 * (f.x * f.x * (f.x + constant(s))),
@@ -153,14 +133,14 @@ Draw node_draw(Random& random) {
 }
 
 Draw cusp_draw(Random& random) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double k = uniform(random, 0.3, 3);
   return {"cusp",       f.y * f.y + -k * (f.x * f.x * f.x), {.open = 1}, {.open = 1}, 1, 2, true,
           text("k ", k)};
 }
 
 Draw acnode_draw(Random& random) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double s = log_uniform(random, 1e-3, 0.2);
   return {"acnode",
           f.y * f.y + -1.0 * (f.x * f.x * (f.x + constant(-s))),
@@ -173,7 +153,7 @@ Draw acnode_draw(Random& random) {
 }
 
 Draw oval_draw(Random& random) {
-  const Frame f(random);
+  const testing::Frame f(random);
   const double s = uniform(random, 0.02, 0.2), t = uniform(random, 0.02, 0.2);
   return {"oval",
           f.y * f.y + -1.0 * (f.x * (f.x + constant(s)) * (f.x + constant(-t))),
@@ -230,7 +210,7 @@ struct Placed {
 };
 
 Placed place(const Draw& draw, Random& random) {
-  const testing::CubicPair pair = cubic_pair(draw.h, random_base(random));
+  const testing::CubicPair pair = cubic_pair(draw.h, testing::random_base(random));
   const testing::Motion motion = testing::random_motion(random);
   Placed placed{{moved(pair.a, motion), moved(pair.b, motion)}};
   placed.raised = pick(random, 0, 2) > 0;
@@ -239,17 +219,6 @@ Placed place(const Draw& draw, Random& random) {
   placed.swapped = pick(random, 0, 1) == 1;
   if (placed.swapped) std::swap(placed.pair.a, placed.pair.b);
   return placed;
-}
-
-// Largest |h| at the samples: how far the curves lie from where they should.
-double largest_offset(const Draw& draw, const Placed& placed, const SurfaceIntersection& found) {
-  double largest = 0;
-  for (const IntersectionCurve& curve : found.curves)
-    for (const SurfacePoint& sample : curve.samples) {
-      const Vec2 uv = placed.swapped ? sample.uv_b : sample.uv_a;
-      largest = std::max(largest, std::abs(draw.h(uv[0], uv[1])));
-    }
-  return largest;
 }
 
 // More samples than that are a fit that did not settle.
@@ -272,7 +241,7 @@ std::string fault(const Draw& draw, const Placed& placed, const SurfaceIntersect
   if (found.status == Status::Stopped) return "stopped";
   const std::vector<Components> accepted = draw.accepted();
   if (std::find(accepted.begin(), accepted.end(), c) == accepted.end()) return "wrong";
-  if (largest_offset(draw, placed, found) > kBand * kTolerance) return "off the curve";
+  if (largest_offset(draw.h, placed.swapped, found) > kBand * kTolerance) return "off the curve";
   for (const IntersectionCurve& curve : found.curves)
     if (!well_written(curve)) return "badly written";
   return "";
