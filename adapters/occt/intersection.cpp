@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "adapters/occt/edge_contacts.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
 #include "adapters/occt/shared_edges.h"
@@ -121,6 +122,7 @@ class PairIntersector {
     weaken_along_trims(a.trims, b.trims, result.found);
     result.chains =
         chains_over_seams(result.found.curves, a.surface, b.surface, options_.tolerances.point);
+    if (edges.empty()) add_edge_contacts(shapes_a_[i], shapes_b_[j], result.found, touches);
     if (shared_ == Shared::Listed)
       add_edges(edges, result);
     else if (&a != &b)
@@ -162,6 +164,29 @@ class PairIntersector {
       const TopoDS_Shape on_a = border_at(a.trims, x.uv_a);
       return !on_a.IsNull() && on_a.IsSame(border_at(b.trims, x.uv_b));
     });
+  }
+
+  // Where something stays within tolerance, but no curve or region tells what, the faces may have
+  // single points of their outlines in common. What is said of those at other places is less exact.
+  void add_edge_contacts(const TopoDS_Face& a, const TopoDS_Face& b, SurfaceIntersection& found,
+                         std::vector<SurfacePoint>& touches) const {
+    if (found.status != Status::Tolerance || !found.curves.empty() || !found.overlaps.empty() ||
+        a.IsSame(b))
+      return;
+    const double reach = 2 * options_.tolerances.point;
+    for (const SurfacePoint& x : edge_contacts(a, b, options_.tolerances.point)) {
+      const auto is_here = [&](const SurfacePoint& known) {
+        return distance(known.point, x.point) <= reach;
+      };
+      if (std::any_of(found.points.begin(), found.points.end(), is_here) ||
+          std::any_of(touches.begin(), touches.end(), is_here))
+        continue;
+      std::erase_if(found.places, [&](const Place& place) {
+        return place.kind == PlaceKind::Touch && distance(place.box_low, x.point) <= reach &&
+               distance(place.box_high, x.point) <= reach;
+      });
+      touches.push_back(x);
+    }
   }
 
   // What the trims leave of common regions of the surfaces.

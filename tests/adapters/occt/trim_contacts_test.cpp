@@ -9,13 +9,26 @@
 #include <utility>
 #include <vector>
 
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <GeomAPI_PointsToBSplineSurface.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax3.hxx>
@@ -230,6 +243,39 @@ std::vector<AlongTrims> runs() {
   };
 }
 
+// Faces of one plane whose outlines meet in a point: no curve of the surfaces leads there.
+TEST(TrimContacts, FacesInOnePlaneThatMeetInAPointHaveAContact) {
+  const auto square = [](double low, double high) {
+    return TopoDS_Face(BRepBuilderAPI_MakeFace(gp_Pln(), low, high, low, high));
+  };
+  const gp_Ax2 beside(gp_Pnt(1.5, 0.4, 0), Z, gp_Dir(std::cos(1.0), std::sin(1.0), 0));
+  const struct {
+    const char* name;
+    TopoDS_Face a, b;
+    Vec3 at;
+    bool meet;
+  } rows[] = {
+      {"corners", square(0, 1), square(1, 2), {1, 1, 0}, true},
+      {"a disc at a side", square(0, 1), disc(beside, 0.5), {1, 0.4, 0}, true},
+      {"discs", disc(gp_Ax2(O, Z), 1), disc(gp_Ax2(gp_Pnt(2, 0, 0), Z), 1), {1, 0, 0}, true},
+      {"discs apart", disc(gp_Ax2(O, Z), 1), disc(gp_Ax2(gp_Pnt(1.9, 0.9, 0), Z), 1), {}, false},
+      {"corners apart", square(0, 1), square(1.1, 2), {}, false},
+  };
+  for (const auto& row : rows)
+    for (const bool swapped : {false, true}) {
+      SCOPED_TRACE(std::string(row.name) + (swapped ? ", swapped" : ""));
+      const ShapeIntersection all =
+          swapped ? intersect({row.b}, {row.a}) : intersect({row.a}, {row.b});
+      const SurfaceIntersection found =
+          all.pairs.empty() ? SurfaceIntersection{} : all.pairs[0].found;
+      EXPECT_TRUE(found.curves.empty() && found.overlaps.empty());
+      ASSERT_EQ(found.points.size(), row.meet ? 1u : 0u);
+      if (!row.meet) continue;
+      EXPECT_LE(distance(found.points[0].point, row.at), 1e-6);
+      for (const Place& place : found.places) EXPECT_EQ(place.gap_low, 0);
+    }
+}
+
 // With edges of their own, the common curve is known within tolerance only.
 TEST(TrimContacts, ACurveAlongTheTrimsIsWhole) {
   for (const AlongTrims& row : runs())
@@ -244,6 +290,60 @@ TEST(TrimContacts, ACurveAlongTheTrimsIsWhole) {
       EXPECT_EQ(found.curves.size(), 1u);
       EXPECT_NEAR(total_length(found), row.length, 1e-6 * row.length);
     }
+}
+
+// The first face of a shape that is not plane.
+TopoDS_Face curved_face(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer part(shape, TopAbs_FACE); part.More(); part.Next())
+    if (BRepAdaptor_Surface(TopoDS::Face(part.Current())).GetType() != GeomAbs_Plane)
+      return TopoDS::Face(part.Current());
+  return {};
+}
+
+TopoDS_Face bump() {
+  TColgp_Array2OfPnt points(1, 5, 1, 5);
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      points(i + 1, j + 1) = gp_Pnt(i - 2, j - 2, 0.3 * std::sin(i + 0.7 * j));
+  return BRepBuilderAPI_MakeFace(GeomAPI_PointsToBSplineSurface(points).Surface(), 1e-7);
+}
+
+// A sheet swept along y.
+TopoDS_Face swept() {
+  TColgp_Array1OfPnt points(1, 4);
+  points(1) = gp_Pnt(-2, -2, 0);
+  points(2) = gp_Pnt(-0.5, -2, 1);
+  points(3) = gp_Pnt(0.5, -2, -0.5);
+  points(4) = gp_Pnt(2, -2, 0.3);
+  return BRepBuilderAPI_MakeFace(
+      new Geom_SurfaceOfLinearExtrusion(GeomAPI_PointsToBSpline(points).Curve(), gp_Dir(0, 1, 0.1)),
+      0, 1, 0, 4, 1e-7);
+}
+
+// Cut out by a cylinder a face has an outline that touches its own box of parameters four times; on
+// the cylinder's wall it is one curve.
+TEST(TrimContacts, TheOutlineOfACurvedFaceIsWholeOnTheWallThatCutIt) {
+  const gp_Ax2 place(gp_Pnt(0.1, 0.05, -6), Z, gp_Dir(std::cos(1.0), std::sin(1.0), 0));
+  const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(place, 0.8, 20);
+  const TopoDS_Face cone = BRepBuilderAPI_MakeFace(
+      new Geom_ConicalSurface(gp_Ax3(gp_Pnt(-2, 0, -3), gp_Dir(1, 0, 0.1)), 0.4, 3), -1, 4, 0, 6,
+      1e-7);
+  for (const TopoDS_Face& whole : {bump(), swept(), cone}) {
+    const TopoDS_Face face = curved_face(BRepAlgoAPI_Common(whole, drill).Shape());
+    ASSERT_FALSE(face.IsNull());
+    double length = 0;
+    for (TopExp_Explorer part(face, TopAbs_EDGE); part.More(); part.Next())
+      length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(TopoDS::Edge(part.Current())), 1e-9);
+    for (const bool swapped : {false, true}) {
+      const TopoDS_Face round = wall(gp_Ax3(gp_Pnt(0.1, 0.05, -6), Z), 0.8, 0, 20);
+      const ShapeIntersection all =
+          swapped ? intersect({round}, {face}) : intersect({face}, {round});
+      ASSERT_EQ(all.pairs.size(), 1u);
+      EXPECT_EQ(all.pairs[0].chains.size(), 1u);
+      EXPECT_TRUE(all.pairs[0].found.points.empty());
+      EXPECT_NEAR(total_length(all.pairs[0].found), length, 1e-6 * length);
+    }
+  }
 }
 
 }  // namespace
