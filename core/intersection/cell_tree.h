@@ -63,6 +63,12 @@ class CellTree {
   /// Index of the lower half of a cell, made if it is not there. Invalidates references.
   int split(int index);
 
+  /// Asks for the direction in which a cell is halved; too late if it is.
+  void prefer(int index, bool along_u) {
+    Cell& cell = cells_[static_cast<std::size_t>(index)];
+    if (cell.child < 0) cell.split_u = along_u;
+  }
+
   bool monomial() const { return monomial_; }
   int size() const { return static_cast<int>(cells_.size()); }
   const NetShape& shape() const { return shape_; }

@@ -9,8 +9,10 @@
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/cell_part.h"
 #include "core/intersection/chart_claims.h"
+#include "core/intersection/contact_cuts.h"
 #include "core/intersection/contact_points.h"
 #include "core/intersection/crossing_contact.h"
+#include "core/intersection/foot_borders.h"
 #include "core/intersection/gap_model.h"
 #include "core/intersection/regular_cell.h"
 #include "core/intersection/valley.h"
@@ -23,14 +25,14 @@ constexpr int kMostChartHalvings = 24;
 constexpr int kShallow = 8;
 constexpr double kWidening = 0.2;  // of a chart's width
 constexpr double kLeastWidening = 0.05;
-constexpr int kDeepest = 44;          // halvings of a cell
-constexpr int kDeepestPiece = 40;     // likewise of a chart's piece
-constexpr int kCutDepth = 26;         // from here on valleys may cross the chart's border
-constexpr long kMostCells = 60'000;   // per pair of patches
-constexpr long kAskEvery = 16;        // cells between looks at the clock
-constexpr double kRegularMargin = 4;  // see `clearly_regular`
-constexpr double kBoxReserve = 0.1;   // of the box round a cell's foot points
-constexpr double kOnBorder = 1e-9;    // fraction of a patch
+constexpr int kDeepest = 44;             // halvings of a cell
+constexpr int kDeepestPiece = 40;        // likewise of a chart's piece
+constexpr int kCutDepth = 26;            // from here on valleys may cross the chart's border
+constexpr double kThinnest = 1.0 / 256;  // width of a cell to its length
+constexpr long kMostCells = 60'000;      // per pair of patches
+constexpr long kAskEvery = 16;           // cells between looks at the clock
+constexpr double kRegularMargin = 4;     // see `clearly_regular`
+constexpr double kBoxReserve = 0.1;      // of the box round a cell's foot points
 
 // A chart of b and the cells of its piece.
 struct Chart {
@@ -163,6 +165,8 @@ class ContactSearch {
     if (a.depth >= kDeepest || a.extent <= tolerance()) {
       keep(a, graph.s, graph.t, piece, a.extent <= tolerance());
     } else {
+      const auto along_u = model ? halving_of(*model, tolerance()) : halving_of(a, graph);
+      if (along_u && a.depth < kCutDepth && !is_thin(a, *along_u)) tree_a_.prefer(index, *along_u);
       const int child = tree_a_.split(index);
       examine(child, chart);
       examine(child + 1, chart);
@@ -170,14 +174,10 @@ class ContactSearch {
     claims_.leave();
   }
 
-  // Where the foot points of the cell lie, errors included.
-  static Box2 foot_box(const GapModel& model) {
-    Box2 box;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const TaylorRange r = range(model.foot[k], 1, 1);
-      box[k] = {r.low - model.foot_error[k], r.high + model.foot_error[k]};
-    }
-    return box;
+  // True if the cell is much thinner in a direction than in the other one.
+  static bool is_thin(const Cell& a, bool along_u) {
+    const double u = norm(a.du.middle), v = norm(a.dv.middle);
+    return along_u ? u < kThinnest * v : v < kThinnest * u;
   }
 
   // True if the cell needs no halving.
@@ -238,11 +238,15 @@ class ContactSearch {
     return slope > kRegularMargin * std::sqrt(tolerance() * bend);
   }
 
-  // By the gap alone, where all foot points lie in the patch.
+  // By the gap alone, where all foot points lie in the patch or branches leave it but once.
   bool add_graphs(const Cell& a, const GapModel& model, const GapSlope& slope, const Box2& foot) {
-    if (!within(foot, {Interval{0, 1}, Interval{0, 1}})) return false;
+    const bool inside = within(foot, kWholePatch);
+    if (!inside && !crosses_border_once(model, slope)) return false;
     const auto read = regular_cell(tree_a_.patch(), a, tree_b_.patch(), model, slope);
-    return read && add_inside(a, *read, foot);
+    if (!read) return false;
+    ++result_.certificate.certified;
+    add(inside ? *read : part_inside(tree_a_.patch(), tree_b_.patch(), *read));
+    return true;
   }
 
   // The four-variable certificate on the cell and the box of its foot points.
@@ -307,14 +311,14 @@ class ContactSearch {
   // What was read from a valley, as far as its foot points lie in the patch.
   bool add_inside(const Cell& a, const ValleyCell& read, const Box2& foot) {
     const bool empty = read.contacts.empty() && read.branches.empty();
-    const bool inside = within(foot, {Interval{0, 1}, Interval{0, 1}});
+    const bool inside = within(foot, kWholePatch);
     if (!inside && !empty && read.contacts.empty() && a.depth < kCutDepth) return false;
     ++result_.certificate.certified;
     if (inside || empty) {
       add(read);
     } else {
       result_.cut_by_samples = true;
-      add(cut(read));
+      add(part_inside(tree_a_.patch(), tree_b_.patch(), read));
     }
     return true;
   }
@@ -338,107 +342,6 @@ class ContactSearch {
       if (i + 2 == path.size()) arc.contact[1] = number(contact[1]);
       result_.arcs.push_back(arc);
     }
-  }
-
-  // --- the part of a valley cell whose foot points lie in the patch
-
-  // By how much a point lies inside; negative outside.
-  static double depth_inside(const Point4& x) { return std::min({x[2], 1 - x[2], x[3], 1 - x[3]}); }
-
-  // Where a path crosses the patch's border between two of its points.
-  template <class PointIn>
-  std::optional<Point4> crossing(const Point4& in, const Point4& out,
-                                 const PointIn& point_in) const {
-    double first = 2;
-    std::size_t axis = 2;
-    double goal = 0;
-    for (const std::size_t k : {std::size_t{2}, std::size_t{3}})
-      for (const double end : {0.0, 1.0}) {
-        const double f = (end - in[k]) / (out[k] - in[k]);
-        const bool beyond = end == 0 ? out[k] < end : out[k] > end;
-        if (beyond && f < first) {
-          first = f;
-          axis = k;
-          goal = end;
-        }
-      }
-    if (first > 1) return std::nullopt;
-    Point4 start;
-    for (std::size_t k = 0; k < 4; ++k) start[k] = in[k] + first * (out[k] - in[k]);
-    start[axis] = goal;
-    Point4 plane{};
-    plane[axis] = 1;
-    auto x = point_in(start, plane);
-    if (x) (*x)[axis] = goal;
-    return x;
-  }
-
-  ValleyCell cut(const ValleyCell& cell) const {
-    ValleyCell result;
-    std::vector<int> contact_at(cell.contacts.size(), kContactElsewhere);
-    for (std::size_t i = 0; i < cell.contacts.size(); ++i) {
-      const CellContact& contact = cell.contacts[i];
-      const auto on_valley = [&](const Point4& start, const Point4& plane) {
-        const Vec2 across{contact.path.back()[1] - contact.path.front()[1],
-                          contact.path.front()[0] - contact.path.back()[0]};
-        return touch_point(tree_a_.patch(), tree_b_.patch(), start, {across, contact.crosses},
-                           plane, 0.5);
-      };
-      for (const auto& part : parts_inside(contact.path, on_valley)) {
-        CellContact piece;
-        piece.crosses = contact.crosses;
-        piece.path = part.path;
-        for (const Point4& x : piece.path)
-          piece.gaps.push_back(std::abs(signed_gap(tree_a_.patch(), tree_b_.patch(), x)));
-        piece.leaves = {part.cut[0] || contact.leaves[0], part.cut[1] || contact.leaves[1]};
-        contact_at[i] = static_cast<int>(result.contacts.size());
-        result.contacts.push_back(piece);
-      }
-    }
-    const auto on_curve = [&](const Point4& start, const Point4& plane) {
-      return curve_point(tree_a_.patch(), tree_b_.patch(), start, plane, 0.5);
-    };
-    for (const CellBranch& branch : cell.branches)
-      for (const auto& part : parts_inside(branch.path, on_curve)) {
-        CellBranch piece{part.path, {-1, -1}};
-        for (std::size_t end = 0; end < 2; ++end)
-          if (!part.cut[end] && branch.contact[end] >= 0)
-            piece.contact[end] = contact_at[static_cast<std::size_t>(branch.contact[end])];
-        result.branches.push_back(piece);
-      }
-    return result;
-  }
-
-  struct PathPart {
-    std::vector<Point4> path;
-    std::array<bool, 2> cut{};
-  };
-
-  template <class PointIn>
-  std::vector<PathPart> parts_inside(const std::vector<Point4>& path,
-                                     const PointIn& point_in) const {
-    std::vector<PathPart> parts;
-    bool open = false;
-    for (std::size_t i = 0; i < path.size(); ++i) {
-      const bool in = depth_inside(path[i]) >= -kOnBorder;
-      if (in && !open) {
-        parts.emplace_back();
-        if (i > 0) {
-          parts.back().cut[0] = true;
-          if (const auto x = crossing(path[i], path[i - 1], point_in))
-            parts.back().path.push_back(*x);
-        }
-      }
-      if (in) parts.back().path.push_back(path[i]);
-      if (!in && open) {
-        parts.back().cut[1] = true;
-        if (const auto x = crossing(path[i - 1], path[i], point_in))
-          parts.back().path.push_back(*x);
-      }
-      open = in;
-    }
-    std::erase_if(parts, [](const PathPart& part) { return part.path.size() < 2; });
-    return parts;
   }
 
   // beside    a point of a cell whose only contacts are those of the line that passes beside it

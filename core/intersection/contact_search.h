@@ -26,7 +26,7 @@ struct ContactTask {
 ///
 /// size      of the surfaces, model units
 void search_contacts(SurfaceCells& a, SurfaceCells& b, const ContactTask& task, double size,
-                     const KnownCurves& known, const IntersectionOptions& options, const WorkLimit& limit,
-                     PairSearchResult& result);
+                     const KnownCurves& known, const IntersectionOptions& options,
+                     const WorkLimit& limit, PairSearchResult& result);
 
 }  // namespace blossom

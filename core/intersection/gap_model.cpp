@@ -223,12 +223,19 @@ std::optional<GapModel> model_in(const Frame& frame, const Foot& foot, double hs
   const std::array<double, 3> growth{2, n, n * n};
   for (std::size_t d = 0; d < 3; ++d)
     model.gap_error[d] += gap.tail(static_cast<int>(d)) + growth[d] * frame.rounding;
+  // With e the error of sigma, e + q(sigma + e) - q(sigma) is what `off` bounds.
+  const double error = off[0] / (1 - turn);
+  const double bend = std::max(frame.q[0].total[2], frame.q[1].total[2]);
   const std::array<double, 2> middle{foot.s, foot.t}, half{hs, ht};
+  double speed = 0;
+  for (const TaylorPolynomial& p : sigma) speed = std::max(speed, taylor_series(p).total[1]);
+  const double slope_error = (off[1] + bend * error * speed) / (1 - turn);
   for (std::size_t k = 0; k < 2; ++k) {
     model.foot[k] = sigma[k];
     for (double& c : model.foot[k]) c *= half[k];
     model.foot[k][0] += middle[k];
-    model.foot_error[k] = half[k] * off[0] / (1 - turn);
+    model.foot_error[k] = half[k] * error;
+    model.foot_slope_error[k] = half[k] * slope_error;
   }
   return model;
 }

@@ -48,6 +48,7 @@ struct GapModel {
   std::array<double, 3> gap_error{};       ///< of the value and of first, second derivatives
   std::array<TaylorPolynomial, 2> foot{};  ///< s, t: parameters of the foot point
   std::array<double, 2> foot_error{};
+  std::array<double, 2> foot_slope_error{};  ///< of its first derivatives
 };
 
 /// returns   nothing if the cell is too large for a proven model, or leaves the chart

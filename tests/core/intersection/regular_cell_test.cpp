@@ -8,7 +8,10 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
+#include "core/subdivision/patch_subdivision.h"
 #include "core/surface_intersection.h"
 #include "tests/support/components.h"
 #include "tests/support/cubic_family.h"
@@ -55,6 +58,33 @@ TEST_P(TurnedCopy, MeetsThePatchInOneCurveWithFewCells) {
   ASSERT_EQ(found.curves.size(), 1u);
   // The normals of the two points that meet differ by a part of the turn.
   EXPECT_NEAR(found.curves[0].least_angle / angle, 0.48, 0.02);
+}
+
+// Cut into patches, so that the curve crosses their borders, or runs close beside them.
+BezierSurface in_patches(const BezierSurface& surface, const std::vector<double>& u_cuts,
+                         const std::vector<double>& v_cuts) {
+  BezierSurface cut = surface;
+  cut.patches = subdivide(surface.patches(0, 0), u_cuts, v_cuts);
+  cut.u_knots = u_cuts;
+  cut.v_knots = v_cuts;
+  return cut;
+}
+
+TEST_P(TurnedCopy, MeetsThePatchInOneCurveAcrossTheBordersOfItsPatches) {
+  const testing::CubicPair pair = testing::cubic_pair(testing::constant(0));
+  const double angle = GetParam() * std::numbers::pi / 180;
+  const BezierSurface b = turned(pair.b, middle_of(pair.a), angle);
+  const SurfaceIntersection whole = intersect(pair.a, b);
+  const std::vector<double> thirds{0, 0.31, 0.64, 1}, halves{0, 0.47, 1}, uncut{0, 1};
+  for (const auto& [u, v] : {std::pair{thirds, thirds}, {halves, uncut}, {uncut, thirds}}) {
+    const SurfaceIntersection found =
+        intersect(in_patches(pair.a, halves, halves), in_patches(b, u, v));
+    EXPECT_EQ(found.status, Status::Complete);
+    EXPECT_EQ(components(found), (Components{.open = 1}));
+    EXPECT_LT(found.certificate.certified, 3000);
+    ASSERT_EQ(found.curves.size(), 1u);
+    EXPECT_NEAR(found.curves[0].length, whole.curves.at(0).length, 1e-7);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, TurnedCopy, ::testing::Values(20, 5, 1, 0.2, 0.05, 0.01));
