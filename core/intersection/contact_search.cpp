@@ -141,7 +141,8 @@ class ContactSearch {
     const Cell a = tree_a_[index];
     const Cell piece = chart.piece[0];
     const GraphChart& graph = chart.graph;
-    if (a.part == PartSide::Outside || apart(a, piece) || beside(a, piece, graph)) {
+    if (a.part == PartSide::Outside || apart(a, piece) || beside(a, piece, graph) ||
+        (task_.band_b != nullptr && task_.band_b->misses(a, tree_a_.shape()))) {
       ++result_.certificate.excluded;
       return;
     }

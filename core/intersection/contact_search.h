@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/intersection/pair_search.h"
+#include "core/intersection/quadric_band.h"
 #include "core/intersection/work_limit.h"
 
 namespace blossom {
@@ -20,6 +21,7 @@ struct ContactTask {
   int patch_b = 0;
   std::vector<int> cells_a;                      ///< disjoint cells of a's tree
   std::vector<std::array<Interval, 2>> parts_b;  ///< where b may come close to them
+  const QuadricBand* band_b = nullptr;           ///< of the patch of b; null if it has none
 };
 
 /// Searches one pair of patches; adds what it finds to `result`.

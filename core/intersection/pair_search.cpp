@@ -12,6 +12,7 @@
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_search.h"
 #include "core/intersection/gap_model.h"
+#include "core/intersection/quadric_band.h"
 #include "core/intersection/shared_cells.h"
 #include "core/intersection/work_limit.h"
 
@@ -60,6 +61,7 @@ struct PatchPair {
   CellTree* tree_a;
   CellTree* tree_b;
   SharedCells shared;
+  const QuadricBand *band_a, *band_b;  // of the patches; null if they lie on no quadric
   std::vector<CertifiedPair> certified{};
   std::vector<CellsPair> parallel{};
 };
@@ -86,7 +88,8 @@ class Search {
         options_(options),
         slab_(kSlabPart * options.tolerances.point),
         result_(result),
-        limit_(options) {}
+        limit_(options),
+        bands_(options.tolerances.point) {}
 
   void add(const StartPair& pair) {
     const auto [known, added] =
@@ -95,7 +98,8 @@ class Search {
     if (!added) return;
     CellTree &tree_a = a_.tree(pair.patch_a), &tree_b = b_.tree(pair.patch_b);
     places_.push_back({pair.patch_a, pair.patch_b, &tree_a, &tree_b,
-                       SharedCells(tree_a, tree_b, options_.tolerances.point)});
+                       SharedCells(tree_a, tree_b, options_.tolerances.point), bands_.of(tree_a),
+                       bands_.of(tree_b)});
   }
 
   void run() {
@@ -168,6 +172,7 @@ class Search {
     if (pair.along >= 0) return {Verdict::Regular, pair.along};
     const int along = certified_column(JacobianBounds(a, b));
     if (along >= 0) return {Verdict::Regular, along};
+    if (quadric_between(place, a, b)) return {Verdict::Apart};
     if (itself() && beside_each_other(place, a, b)) return {Verdict::Apart};
     if (known_.compare_with(std::min(a.extent, b.extent)) &&
         known_.hold_common({a.low, a.high}, {b.low, b.high}))
@@ -175,6 +180,12 @@ class Search {
     if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b)))
       return {Verdict::Parallel};
     return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};
+  }
+
+  // True if the equation of the quadric that either patch lies on keeps the cells apart.
+  static bool quadric_between(const PatchPair& place, const Cell& a, const Cell& b) {
+    return (place.band_b != nullptr && place.band_b->misses(a, place.tree_a->shape())) ||
+           (place.band_a != nullptr && place.band_a->misses(b, place.tree_b->shape()));
   }
 
   bool itself() const { return &a_ == &b_; }
@@ -313,7 +324,7 @@ class Search {
       const auto i = static_cast<std::size_t>(pair.cell_a);
       dirty[i] = dirty[i] | holds[i];
     }
-    ContactTask task{place.patch_a, place.patch_b, {}, {}};
+    ContactTask task{place.patch_a, place.patch_b, {}, {}, place.band_b};
     collect_dirty(tree_a, 0, false, dirty, covered, task.cells_a);
     std::vector<CellsPair> near(place.parallel);
     for (const CertifiedPair& pair : place.certified) {
@@ -338,7 +349,7 @@ class Search {
                          const CellTree& tree) {
     for (const int index : all.cells_a) {
       const Cell whole = tree[index];
-      ContactTask task{all.patch_a, all.patch_b, {index}, {}};
+      ContactTask task{all.patch_a, all.patch_b, {index}, {}, all.band_b};
       for (const CellsPair& pair : near) {
         const Cell& a = tree[pair.cell_a];
         if (holds(whole.u, a.u) && holds(whole.v, a.v))
@@ -420,6 +431,7 @@ class Search {
   long examined_ = 0;
   std::vector<PatchPair> places_;
   std::map<std::array<int, 2>, int> place_;  // of two patches
+  QuadricBands bands_;
   std::vector<Pair> stack_;
   std::vector<Finding> findings_;  // about the batch at work
 };

@@ -141,6 +141,7 @@ void add_cylinders(std::vector<Row>& rows) {
   rows.insert(
       rows.end(),
       {{"coaxial_cylinders", cylinder(O, Z, 2), cylinder(O, Z, 1.9)},
+       {"coaxial_cylinders_almost_equal", cylinder(O, Z, 2), cylinder(O, Z, 2 - 1e-5)},
        {"equal_cylinders_side_by_side", cylinder(O, Z, 2), cylinder({1e-3, 0, 0}, Z, 2), 40},
        {"equal_cylinders_farther_apart", cylinder(O, Z, 2), cylinder({0, 1e-2, 0}, Z, 2), 40},
        {"one_cylinder_twice", cylinder(O, Z, 2), cylinder(O, Z, 2, 5), 0, 0, 0, 1},
@@ -183,6 +184,7 @@ void add_round_ones(std::vector<Row>& rows) {
        {"sphere_round_apex", cone(O, Z, 10), sphere(O, 2), 2 * kPi},
        {"spheres", sphere(O, 2), sphere({1, 1, 1}, 1.5),
         2 * kPi * std::sqrt(4 - std::pow((4 + 3 - 2.25) / (2 * std::sqrt(3.0)), 2))},
+       {"concentric_spheres", sphere(O, 2), sphere(O, 2 - 1e-5, {1, 2, 3})},
        {"spheres_side_by_side", sphere(O, 2), sphere({3.5, 0, 0}, 1.5), 0, 0, 1},
        {"spheres_pole_to_pole", sphere(O, 2), sphere({0, 0, 3.5}, 1.5), 0, 0, 1},
        {"sphere_in_sphere", sphere(O, 2), sphere({0.5, 0, 0}, 1.5), 0, 0, 1},
