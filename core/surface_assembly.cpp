@@ -150,15 +150,15 @@ class Assembly {
   // Regions in which the surfaces coincide become overlaps, borders that they share arcs; the
   // critical pairs that these explain are taken out.
   void add_overlaps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
+    const auto& reasons = found_.certificate.reasons;
+    if (std::ranges::find(reasons, WorkLimit::kCancelled) != reasons.end()) return;
+    std::vector<CriticalPair> thin(found_.critical);
+    std::erase_if(thin, [](const CriticalPair& pair) { return !pair.thin; });
+    const auto is_large = [&](const Clump& c) { return diagonal(c.box) > kPointClump * size_; };
+    if (std::ranges::none_of(clumps_of(thin), is_large)) return;
     const double tolerance = options_.tolerances.point;
-    std::vector<CriticalPair> thin;
-    for (const CriticalPair& pair : found_.critical)
-      if (pair.thin) thin.push_back(pair);
-    const std::vector<Clump> clumps = clumps_of(thin);
-    if (std::none_of(clumps.begin(), clumps.end(),
-                     [&](const Clump& clump) { return diagonal(clump.box) > kPointClump * size_; }))
-      return;
-    const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_);
+    const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_, limit_);
+    if (overlaps.stopped != nullptr) weaken(Status::Stopped, overlaps.stopped);
     for (const OverlapRegion& region : overlaps.regions) add_overlap(cells_a, cells_b, region);
     for (const SharedBorder& border : overlaps.edges) add_shared_border(cells_a, border);
   }

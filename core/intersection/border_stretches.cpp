@@ -49,13 +49,15 @@ std::optional<int> span_beyond(const BezierSurface& surface, const BorderLine& l
 }
 
 BorderFollower::BorderFollower(SurfaceCells& own, SurfaceCells& other,
-                               std::vector<std::vector<int>> others, double tolerance, double size)
+                               std::vector<std::vector<int>> others, double tolerance, double size,
+                               PolledLimit& limit)
     : own_(own),
       other_(other),
       others_(std::move(others)),
       starts_(static_cast<std::size_t>(other.patches())),
       tolerance_(tolerance),
-      size_(size) {}
+      size_(size),
+      limit_(limit) {}
 
 int BorderFollower::spans(const BorderLine& line) const {
   const auto& patches = own_.surface().patches;
@@ -110,8 +112,7 @@ bool BorderFollower::follow(BorderProbe& at, Foot near) {
     for (int k = 0; k < 2; ++k) near.x[k] = std::clamp(near.raw[k], 0.0, 1.0);
     if (move == kMostMoves || !move_on(near)) break;
   }
-  near.gap =
-      distance(point(at), point_at(other_.tree(near.patch).patch(), near.x[0], near.x[1]));
+  near.gap = distance(point(at), point_at(other_.tree(near.patch).patch(), near.x[0], near.x[1]));
   at.foot = near;
   return true;
 }
@@ -147,6 +148,7 @@ bool BorderFollower::search(BorderProbe& at) {
 }
 
 bool BorderFollower::probe(BorderProbe& at, const Foot* near) {
+  if (limit_.reached()) return false;
   return (near && follow(at, *near) && at.foot.gap <= tolerance_) || search(at);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/intersection/pair_search.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom {
 
@@ -65,8 +66,9 @@ class BorderFollower {
  public:
   /// others       by patch of `own`: the patches of `other` that it may lie on
   /// tolerance    largest distance of a stretch, model units
+  /// limit        once it is reached no point lies on the other surface any more
   BorderFollower(SurfaceCells& own, SurfaceCells& other, std::vector<std::vector<int>> others,
-                 double tolerance, double size);
+                 double tolerance, double size, PolledLimit& limit);
 
   /// All stretches of a border. They are sought from points a fraction of a span apart, so shorter
   /// ones may be missed unless `junctions` names their ends.
@@ -121,6 +123,7 @@ class BorderFollower {
   std::vector<std::vector<Start>> starts_;  // by patch of other
   double tolerance_;
   double size_;
+  PolledLimit& limit_;
 };
 
 }  // namespace blossom

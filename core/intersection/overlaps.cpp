@@ -120,15 +120,16 @@ bool runs_through(const std::vector<ContactPoint>& path, const SurfaceCells& a,
 class OverlapFinder {
  public:
   OverlapFinder(SurfaceCells& a, SurfaceCells& b, const std::vector<CriticalPair>& coincident,
-                double tolerance, double size)
+                double tolerance, double size, const WorkLimit& limit)
       : a_(a),
         b_(b),
         coincident_(coincident),
         join_(std::max(kJoinTolerances * tolerance, kJoinPart * size)),
+        limit_(limit),
         on_b_(a, b, partners(a.patches(), &CriticalPair::patch_a, &CriticalPair::patch_b),
-              tolerance, size),
+              tolerance, size, limit_),
         on_a_(b, a, partners(b.patches(), &CriticalPair::patch_b, &CriticalPair::patch_a),
-              tolerance, size) {}
+              tolerance, size, limit_) {}
 
   Overlaps run() {
     // What one surface's stretches end on may be too short for the other's samples: look twice.
@@ -136,6 +137,7 @@ class OverlapFinder {
     if (!junctions_a_.empty() || !junctions_b_.empty()) find_stretches();
     take(on_b_, stretches_a_, junctions_a_, true);
     take(on_a_, stretches_b_, junctions_b_, false);
+    if (limit_.reached()) return {{}, {}, limit_.reason()};
     for (Piece& piece : pieces_) {
       piece.from = vertex(piece.path.front());
       piece.to = vertex(piece.path.back());
@@ -253,9 +255,7 @@ class OverlapFinder {
     return cross(jet.u, jet.v);
   }
 
-  Vec3 point(const ContactPoint& p) {
-    return point_at(a_.tree(p.patch_a).patch(), p.x[0], p.x[1]);
-  }
+  Vec3 point(const ContactPoint& p) { return point_at(a_.tree(p.patch_a).patch(), p.x[0], p.x[1]); }
 
   double length_of(const std::vector<ContactPoint>& path) {
     double sum = 0;
@@ -402,6 +402,7 @@ class OverlapFinder {
   SurfaceCells& b_;
   const std::vector<CriticalPair>& coincident_;
   double join_;
+  PolledLimit limit_;
   BorderFollower on_b_;  // borders of a
   BorderFollower on_a_;  // borders of b
   std::vector<BorderStretch> stretches_a_, stretches_b_;
@@ -414,8 +415,9 @@ class OverlapFinder {
 }  // namespace
 
 Overlaps find_overlaps(SurfaceCells& a, SurfaceCells& b,
-                       const std::vector<CriticalPair>& coincident, double tolerance, double size) {
-  return OverlapFinder(a, b, coincident, tolerance, size).run();
+                       const std::vector<CriticalPair>& coincident, double tolerance, double size,
+                       const WorkLimit& limit) {
+  return OverlapFinder(a, b, coincident, tolerance, size, limit).run();
 }
 
 bool holds(const OverlapRegion& region, const SurfaceCells& a, const CriticalPair& pair) {

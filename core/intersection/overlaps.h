@@ -10,6 +10,7 @@
 
 #include "core/intersection/contact_chains.h"
 #include "core/intersection/pair_search.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom {
 
@@ -33,6 +34,7 @@ struct OverlapRegion {
 struct Overlaps {
   std::vector<OverlapRegion> regions;
   std::vector<SharedBorder> edges;
+  const char* stopped = nullptr;  ///< why there are none, though there may be some; null: done
 };
 
 /// Regions and shared borders of two surfaces.
@@ -41,11 +43,13 @@ struct Overlaps {
 ///              looked at, and a shared border counts only where they hold it
 /// tolerance    surfaces closer than this coincide, model units
 /// size         of the surfaces, model units
+/// limit        once it is reached nothing is returned but its reason
 /// returns      regions wider than about 3 sqrt(tolerance size); found by samples, not proven
 ///
 /// Source: `core/README.md`, "Intersection".
 Overlaps find_overlaps(SurfaceCells& a, SurfaceCells& b,
-                       const std::vector<CriticalPair>& coincident, double tolerance, double size);
+                       const std::vector<CriticalPair>& coincident, double tolerance, double size,
+                       const WorkLimit& limit);
 
 /// True if the pair's place on a lies in the region or meets its boundary.
 bool holds(const OverlapRegion& region, const SurfaceCells& a, const CriticalPair& pair);

@@ -11,18 +11,20 @@ namespace blossom {
 
 class WorkLimit {
  public:
+  static constexpr const char* kCancelled = "cancelled";
+
   /// The time limit begins to run.
   explicit WorkLimit(const IntersectionOptions& options) : options_(options) {}
 
   /// Why the work has to end now; null if it may go on.
   const char* reached() const {
-    if (options_.cancelled && options_.cancelled()) return "cancelled";
+    if (options_.cancelled && options_.cancelled()) return kCancelled;
     return spent() > 1 ? kLate : nullptr;
   }
 
   /// The same for what follows a search: its results want some time of their own.
   const char* reached_after_search() const {
-    if (options_.cancelled && options_.cancelled()) return "cancelled";
+    if (options_.cancelled && options_.cancelled()) return kCancelled;
     return late_after_search() ? kLate : nullptr;
   }
 
@@ -42,6 +44,28 @@ class WorkLimit {
 
   const IntersectionOptions& options_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+/// Asks a limit once in a while about work that follows a search; when it is reached it stays so.
+/// For one thread.
+class PolledLimit {
+ public:
+  explicit PolledLimit(const WorkLimit& limit) : limit_(limit) {}
+
+  bool reached() {
+    if (reason_ == nullptr && asked_++ % kAskEvery == 0) reason_ = limit_.reached_after_search();
+    return reason_ != nullptr;
+  }
+
+  /// Null if it was not reached.
+  const char* reason() const { return reason_; }
+
+ private:
+  static constexpr long kAskEvery = 16;
+
+  const WorkLimit& limit_;
+  long asked_ = 0;
+  const char* reason_ = nullptr;
 };
 
 }  // namespace blossom

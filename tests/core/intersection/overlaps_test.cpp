@@ -287,5 +287,27 @@ TEST(Overlaps, FullCylindersOverlapInABandWithTwoCircles) {
   EXPECT_GE(count[1], 48);
 }
 
+// Cancelled at any of its questions it ends soon: no half of a boundary is given out, and what was
+// not finished is a listed place.
+TEST(Overlaps, StopWheneverTheyAreCancelled) {
+  const BezierSurface a = cylinder(4, 0, 2 * std::numbers::pi, {0, 1});
+  const BezierSurface b = cylinder(3, 0.7, 2 * std::numbers::pi, {0.4, 2});
+  int questions = 0;
+  intersect(a, b, {.cancelled = [&] { return ++questions < 0; }});
+  ASSERT_GE(questions, 30);  // borders are followed for many points
+
+  for (int last = 1; last <= questions; last += 7) {
+    int asked = 0;
+    const SurfaceIntersection found =
+        intersect(a, b, {.cancelled = [&] { return ++asked >= last; }});
+    EXPECT_EQ(found.status, Status::Stopped);
+    const auto& reasons = found.certificate.reasons;
+    EXPECT_NE(std::find(reasons.begin(), reasons.end(), "cancelled"), reasons.end());
+    EXPECT_LE(asked, last + 2);
+    EXPECT_FALSE(found.places.empty());
+    for (const Overlap& overlap : found.overlaps) EXPECT_TRUE(overlap.boundary.empty());
+  }
+}
+
 }  // namespace
 }  // namespace blossom
