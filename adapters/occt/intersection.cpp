@@ -193,16 +193,20 @@ class PairIntersector {
   void add_overlaps(const TopoDS_Face& a, const TopoDS_Face& b, const std::vector<Overlap>& whole,
                     SurfaceIntersection& found) const {
     TrimmedOverlaps trimmed;
+    const IntersectionOptions left = limit_.remaining();
     try {
-      trimmed = guarded("clipping a common region",
-                        [&] { return trimmed_overlaps(a, b, whole, options_.tolerances.point); });
+      trimmed = guarded("clipping a common region", [&] {
+        return trimmed_overlaps(a, b, whole, left.tolerances.point, WorkLimit(left));
+      });
     } catch (const std::exception&) {
       trimmed.complete = false;
     }
     found.overlaps = std::move(trimmed.regions);
     if (trimmed.complete) return;
     found.status = Status::Stopped;
-    found.certificate.reasons.emplace_back("the trims divide a common region in an unknown way");
+    found.certificate.reasons.emplace_back(
+        trimmed.stopped != nullptr ? trimmed.stopped
+                                   : "the trims divide a common region in an unknown way");
   }
 
   const std::vector<TopoDS_Face>& shapes_a_;

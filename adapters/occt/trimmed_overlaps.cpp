@@ -36,6 +36,8 @@ constexpr double kStraight = 1e-12;                  // of its length
 Vec3 vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
+struct OutOfTime {};
+
 // --- the nearest point of a surface
 
 struct Frame {
@@ -59,18 +61,20 @@ Vec2 chart_step(const Frame& at, const Vec3& step) {
 
 class Feet {
  public:
-  Feet(const TopoDS_Face& face, double tolerance)
+  Feet(const TopoDS_Face& face, double tolerance, PolledLimit& limit)
       : surface_(BRep_Tool::Surface(face)),
         finder_(new ShapeAnalysis_Surface(surface_)),
-        tolerance_(tolerance) {
+        tolerance_(tolerance),
+        limit_(limit) {
     if (surface_->IsUPeriodic()) period_[0] = surface_->UPeriod();
     if (surface_->IsVPeriodic()) period_[1] = surface_->VPeriod();
   }
 
   const Handle(Geom_Surface) & surface() const { return surface_; }
 
-  // Its parameters near others, as far as periods leave a choice.
+  // Its parameters near others, as far as periods leave a choice. Throws OutOfTime.
   Vec2 foot(const Vec3& point, const std::optional<Vec2>& near) const {
+    if (limit_.reached()) throw OutOfTime();
     const gp_Pnt p(point[0], point[1], point[2]);
     const gp_Pnt2d found = finder_->ValueOfUV(p, tolerance_);
     Vec2 uv{found.X(), found.Y()};
@@ -101,6 +105,7 @@ class Feet {
   Handle(Geom_Surface) surface_;
   Handle(ShapeAnalysis_Surface) finder_;
   double tolerance_;
+  PolledLimit& limit_;
   Vec2 period_;
 };
 
@@ -325,15 +330,13 @@ double largest_gap(const std::vector<SurfacePoint>& boundary, const Feet& on_b) 
   return largest;
 }
 
-}  // namespace
-
-TrimmedOverlaps trimmed_overlaps(const TopoDS_Face& a, const TopoDS_Face& b,
-                                 const std::vector<Overlap>& whole, double tolerance) {
+TrimmedOverlaps clipped(const TopoDS_Face& a, const TopoDS_Face& b,
+                        const std::vector<Overlap>& whole, double tolerance, PolledLimit& limit) {
   TrimmedOverlaps result;
   // Splitting writes tolerances of vertices; other pairs of faces may be at work on them.
   const TopoDS_Face cut_face = TopoDS::Face(
       BRepBuilderAPI_Copy(a.Oriented(TopAbs_FORWARD), Standard_False, Standard_False).Shape());
-  const Feet on_a(cut_face, tolerance), on_b(b, tolerance);
+  const Feet on_a(cut_face, tolerance, limit), on_b(b, tolerance, limit);
   const FaceTrims trims_a = face_trims(cut_face), trims_b = face_trims(b);
   double gap = 0;
   for (const Overlap& region : whole) gap = std::max(gap, region.gap_high);
@@ -359,6 +362,19 @@ TrimmedOverlaps trimmed_overlaps(const TopoDS_Face& a, const TopoDS_Face& b,
     result.regions.push_back(std::move(region));
   }
   return result;
+}
+
+}  // namespace
+
+TrimmedOverlaps trimmed_overlaps(const TopoDS_Face& a, const TopoDS_Face& b,
+                                 const std::vector<Overlap>& whole, double tolerance,
+                                 const WorkLimit& limit) {
+  PolledLimit polled(limit);
+  try {
+    return clipped(a, b, whole, tolerance, polled);
+  } catch (const OutOfTime&) {
+    return {{}, false, polled.reason()};
+  }
 }
 
 }  // namespace blossom::occt

@@ -8,12 +8,15 @@
 #include <TopoDS_Face.hxx>
 
 #include "core/intersection/result.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom::occt {
 
 struct TrimmedOverlaps {
   std::vector<Overlap> regions;
   bool complete = true;  ///< false: the trims could not be laid over each other
+  const char* stopped =
+      nullptr;  ///< why nothing was clipped: the limit; null if it was not reached
 };
 
 /// The common regions of two faces.
@@ -24,8 +27,10 @@ struct TrimmedOverlaps {
 ///
 /// whole       common regions of the surfaces, as `blossom::intersect` finds them
 /// tolerance   model units; what is ten times as near to the other surface lies on it
+/// limit       asked while the trims are followed over the other face
 /// returns     boundaries with 128 samples an edge, 4 on straight ones
 TrimmedOverlaps trimmed_overlaps(const TopoDS_Face& a, const TopoDS_Face& b,
-                                 const std::vector<Overlap>& whole, double tolerance);
+                                 const std::vector<Overlap>& whole, double tolerance,
+                                 const WorkLimit& limit);
 
 }  // namespace blossom::occt

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -181,6 +182,38 @@ TEST(TrimmedOverlaps, LieOnTheLeftInTheFirstChart) {
   ASSERT_EQ(regions.size(), 1u);
   EXPECT_NEAR(area_of(regions[0], &SurfacePoint::uv_a), kPi, kChords * kPi);
   EXPECT_NEAR(area_of(regions[0], &SurfacePoint::uv_b), -kPi, kChords * kPi);
+}
+
+// What the trims leave is not known then, and the region is a listed place.
+TEST(TrimmedOverlaps, AreNotClippedOnceTheWorkIsCancelled) {
+  const TopoDS_Face a = disc(0, 0, 1), b = disc(1, 0, 1);
+  int questions = 0;
+  const ShapeIntersection whole =
+      intersect({a}, {b}, {.cancelled = [&] { return ++questions < 0; }});
+  ASSERT_EQ(whole.status, Status::Tolerance);
+  ASSERT_GE(questions, 20);  // trims are followed over the other face
+
+  for (int last = 1; last <= questions; last += 3) {
+    int asked = 0;
+    const ShapeIntersection found =
+        intersect({a}, {b}, {.cancelled = [&] { return ++asked >= last; }});
+    EXPECT_EQ(found.status, Status::Stopped);
+    for (const FaceIntersection& pair : found.pairs) {
+      EXPECT_FALSE(pair.found.places.empty());
+      EXPECT_TRUE(pair.found.overlaps.empty());
+      const auto& reasons = pair.found.certificate.reasons;
+      EXPECT_NE(std::find(reasons.begin(), reasons.end(), "cancelled"), reasons.end());
+    }
+  }
+}
+
+TEST(TrimmedOverlaps, SayWhyTheyStopped) {
+  const IntersectionOptions options{.cancelled = [] { return true; }};
+  const TrimmedOverlaps found =
+      trimmed_overlaps(disc(0, 0, 1), disc(1, 0, 1), {}, 1e-7, WorkLimit(options));
+  EXPECT_FALSE(found.complete);
+  EXPECT_STREQ(found.stopped, "cancelled");
+  EXPECT_TRUE(found.regions.empty());
 }
 
 }  // namespace
