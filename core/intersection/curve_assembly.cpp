@@ -341,7 +341,9 @@ void CurveAssembly::add_run(const CurveContact& contact) {
     last = point;
     run.gap_high = std::max(run.gap_high, gaps[i] + margin_);
   }
-  if (run_length > touch_length_ && is_common_run(gaps, tolerance_, margin_)) {
+  // Pieces of one line that follow each other keep to one strip, but meet in an end at most.
+  const bool strays = run.gap_high > 2 * (tolerance_ + margin_);
+  if (!strays && run_length > touch_length_ && is_common_run(gaps, tolerance_, margin_)) {
     overlaps_.push_back(run);
     std::erase_if(points_, [&](const Candidate& point) { return on_overlap(point); });
     return;
@@ -356,9 +358,11 @@ void CurveAssembly::add_run(const CurveContact& contact) {
   if (itself_ && a_.stays_near(touch.at_a, touch.at_b, tolerance_)) return add_cusp(contact);
   if (touch.gap.low > tolerance_ || on_overlap(touch)) return;
   touch.touch = true;
-  touch.half_length = 0.5 * run_length;
-  touch.box_a = run.a;
-  touch.box_b = increasing(run.b);
+  if (!strays) {
+    touch.half_length = 0.5 * run_length;
+    touch.box_a = run.a;
+    touch.box_b = increasing(run.b);
+  }
   touch.crosses = a_.dimension() == 2 && dot(foot_of(0).foot.gap(), foot_of(1).foot.gap()) < 0;
   for (const Candidate& known : points_) {
     if (!same(known, touch) && !connected(known, touch.at_a, touch.at_b)) continue;

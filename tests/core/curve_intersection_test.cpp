@@ -223,6 +223,18 @@ TEST(CurveIntersection, EndsTouchOnOtherCurves) {
 }
 
 // The corner of a polygon that points at a line.
+TEST(CurveIntersection, PiecesOfOneLineMeetInTheirCommonEnd) {
+  const CurveSpans a = bezier({{0, 0, 0}, {1, 2, 0}});
+  for (const CurveSpans& b : {bezier({{1, 2, 0}, {2, 4, 0}}), bezier({{2, 4, 0}, {1, 2, 0}})}) {
+    const CurveIntersection found = intersect(a, b);
+    EXPECT_TRUE(found.overlaps.empty());
+    ASSERT_EQ(found.points.size(), 1u);
+    EXPECT_NEAR(found.points[0].a, 1, 1e-7);
+    expect_on_both(found, a, b);
+  }
+  EXPECT_TRUE(intersect(a, bezier({{1.1, 2.2, 0}, {2, 4, 0}})).points.empty());
+}
+
 TEST(CurveIntersection, CornerWithinToleranceIsAPoint) {
   const CurveSpans corner = testing::polygon({{-1, 1, 0}, {0, 3e-8, 0}, {1, 1, 0}});
   const CurveIntersection found = intersect(corner, axis());
