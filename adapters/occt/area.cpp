@@ -21,9 +21,18 @@ namespace {
 // Of the rough integral; the integrals' error estimates exceed their errors by far.
 constexpr double kRelativeTolerance = 1e-11;
 constexpr double kCoordinateRounding = 1e-15;
+// Of the size of values: the integral of noise cannot be had any better, and cells as small as a
+// thousandth of the tolerance are not to see it.
+constexpr double kValueRounding = 1e-12;
+
+// A value, and what its rounding is relative to: more, where it is a difference.
+struct Sample {
+  double value = 0;
+  double size = 0;
+};
 
 // What is integrated over the chart: by point and normal S_u x S_v.
-using Integrand = std::function<double(const gp_Pnt&, const gp_Vec&)>;
+using Integrand = std::function<Sample(const gp_Pnt&, const gp_Vec&)>;
 
 // The surface over the box of the trims. The inner integral runs along the direction with fewer
 // spans, called x; the other one is y.
@@ -39,14 +48,20 @@ class Density {
     inner_ = u.size() <= v.size() ? 0 : 1;
     x_knots_ = inner_ == 0 ? u : v;
     y_knots_ = inner_ == 0 ? v : u;
+    double rough = 0, size = 0;
     for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) rough_ += std::abs(value_at((i + 0.5) / 4, (j + 0.5) / 4)) / 16;
-    double rounding = kCoordinateRounding * rough_;
+      for (int j = 0; j < 4; ++j) {
+        const Sample sample = sample_at((i + 0.5) / 4, (j + 0.5) / 4);
+        rough += std::abs(sample.value) / 16;
+        size += sample.size / 16;
+      }
+    double rounding = kCoordinateRounding * rough;
     for (int k = 0; k < 2; ++k) {
-      rough_ *= high_[k] - low_[k];
+      rough *= high_[k] - low_[k];
+      size *= high_[k] - low_[k];
       rounding *= std::max(std::abs(low_[k]), std::abs(high_[k]));
     }
-    tolerance_ = std::max(kRelativeTolerance * rough_, rounding);
+    tolerance_ = std::max({kRelativeTolerance * rough, kValueRounding * size, rounding});
   }
 
   int inner() const { return inner_; }
@@ -85,14 +100,15 @@ class Density {
       surface_.VIntervals(ends, GeomAbs_CN);
     return {ends.begin(), ends.end()};
   }
-  double value(double u, double v) const {
+  Sample sample(double u, double v) const {
     gp_Pnt point;
     gp_Vec du, dv;
     surface_.D1(u, v, point, du, dv);
     return integrand_(point, du.Crossed(dv));
   }
-  double value_at(double s, double t) const {
-    return value(low_[0] + s * (high_[0] - low_[0]), low_[1] + t * (high_[1] - low_[1]));
+  double value(double u, double v) const { return sample(u, v).value; }
+  Sample sample_at(double s, double t) const {
+    return sample(low_[0] + s * (high_[0] - low_[0]), low_[1] + t * (high_[1] - low_[1]));
   }
 
   Integrand integrand_;
@@ -100,7 +116,7 @@ class Density {
   Vec2 low_, high_;
   std::vector<double> x_knots_, y_knots_;  // of the surface inside the box, the box's ends too
   int inner_ = 0;
-  double rough_ = 0, tolerance_ = 0;
+  double tolerance_ = 0;
 };
 
 // What a straight way adds, forward along it: gaps that tolerances leave in the wires.
@@ -186,7 +202,11 @@ double integral_over(const TopoDS_Face& face, const Integrand& integrand, int ce
 
 double area(const TopoDS_Face& face, int cells) {
   return integral_over(
-      face, [](const gp_Pnt&, const gp_Vec& normal) { return normal.Magnitude(); }, cells);
+      face,
+      [](const gp_Pnt&, const gp_Vec& normal) {
+        return Sample{normal.Magnitude(), 0};
+      },
+      cells);
 }
 
 double cone_volume(const TopoDS_Face& face, const Vec3& apex) {
@@ -194,7 +214,8 @@ double cone_volume(const TopoDS_Face& face, const Vec3& apex) {
   const double volume = integral_over(
       face,
       [&](const gp_Pnt& point, const gp_Vec& normal) {
-        return gp_Vec(origin, point).Dot(normal) / 3;
+        const double reach = point.XYZ().Modulus() + origin.XYZ().Modulus();
+        return Sample{gp_Vec(origin, point).Dot(normal) / 3, reach * normal.Magnitude() / 3};
       },
       1);
   return face.Orientation() == TopAbs_REVERSED ? -volume : volume;

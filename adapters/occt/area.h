@@ -29,7 +29,8 @@ double area(const TopoDS_Face& face, int cells = 1);
 ///
 ///   V = integral over the chart of (S - apex) . (S_u x S_v) / 3
 ///
-/// accuracy  as the area, relative to the integral of the integrand's absolute value
+/// accuracy  as the area, relative to the integral of the integrand's absolute value, and 1e-12 of
+///           the area times the coordinates
 /// throws    as area
 double cone_volume(const TopoDS_Face& face, const Vec3& apex);
 

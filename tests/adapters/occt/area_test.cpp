@@ -66,5 +66,13 @@ TEST(Area, ChangesByLessThan1e10WhenCellsAreDivided) {
   for (const int cells : {2, 3, 5}) EXPECT_NEAR(area(face, cells), found, 1e-10 * found);
 }
 
+// A value that is nothing but rounding has no digits to halve cells for.
+TEST(ConeVolume, OfAFaceThroughTheApexIsNothing) {
+  const gp_Pln plane(gp_Ax3(gp_Pnt(0.3, -0.2, 0.7), gp_Dir(1, 2, 3)));
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(plane, -1, 2, -1, 3);
+  const gp_Pnt apex = plane.Location().Translated(0.7 * gp_Vec(plane.XAxis().Direction()));
+  EXPECT_NEAR(cone_volume(face, {apex.X(), apex.Y(), apex.Z()}), 0, 1e-14);
+}
+
 }  // namespace
 }  // namespace blossom::occt
