@@ -173,6 +173,30 @@ double EdgeSplits::parameter(const TopoDS_Edge& edge, int split) const {
   return of->splits[static_cast<std::size_t>(split)].parameter;
 }
 
+int EdgeSplits::count(const TopoDS_Edge& edge) const {
+  const Record* of = find(edge);
+  return of != nullptr ? static_cast<int>(of->splits.size()) : 2;
+}
+
+void EdgeSplits::unite(const TopoDS_Vertex& a, const TopoDS_Vertex& b) {
+  if (are_one(a, b)) return;
+  united_.emplace_back(a, b);
+  const auto class_of = [&](const TopoDS_Vertex& vertex) {
+    const auto place = static_cast<std::size_t>(vertices_.Add(vertex)) - 1;
+    if (place == classes_.size()) classes_.push_back(place);
+    return classes_[place];
+  };
+  const std::size_t kept = class_of(a), left = class_of(b);
+  std::replace(classes_.begin(), classes_.end(), left, kept);
+}
+
+bool EdgeSplits::are_one(const TopoDS_Vertex& a, const TopoDS_Vertex& b) const {
+  if (a.IsSame(b)) return true;
+  const int x = vertices_.FindIndex(a), y = vertices_.FindIndex(b);
+  return x > 0 && y > 0 &&
+         classes_[static_cast<std::size_t>(x) - 1] == classes_[static_cast<std::size_t>(y) - 1];
+}
+
 const std::vector<EdgePiece>& EdgeSplits::pieces(const TopoDS_Edge& edge) {
   Record& of = record(edge);
   if (!of.pieces.empty()) return of.pieces;

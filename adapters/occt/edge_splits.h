@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -53,6 +55,18 @@ class EdgeSplits {
   /// The edge's own parameter of a split.
   double parameter(const TopoDS_Edge& edge, int split) const;
 
+  /// How many splits an edge has, its own vertices among them.
+  int count(const TopoDS_Edge& edge) const;
+
+  /// Says that two vertices, of different shapes, are one.
+  void unite(const TopoDS_Vertex& a, const TopoDS_Vertex& b);
+
+  /// Whether two vertices are the same or were united, perhaps over others.
+  bool are_one(const TopoDS_Vertex& a, const TopoDS_Vertex& b) const;
+
+  /// All that were united.
+  const std::vector<std::pair<TopoDS_Vertex, TopoDS_Vertex>>& united() const { return united_; }
+
   /// The pieces, by increasing parameter. The same objects every time; no split of the edge can
   /// be added any more.
   const std::vector<EdgePiece>& pieces(const TopoDS_Edge& edge);
@@ -76,6 +90,9 @@ class EdgeSplits {
   double tolerance_;
   TopTools_IndexedMapOfShape index_;
   std::vector<Record> records_;
+  std::vector<std::pair<TopoDS_Vertex, TopoDS_Vertex>> united_;
+  TopTools_IndexedMapOfShape vertices_;  // that were united
+  std::vector<std::size_t> classes_;     // of these; equal where they are one
 };
 
 }  // namespace blossom::occt

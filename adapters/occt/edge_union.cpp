@@ -9,6 +9,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
+#include <TopAbs.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -19,12 +20,17 @@ namespace {
 
 TopoDS_Edge forward(const TopoDS_Edge& edge) { return TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)); }
 
-// Both were made without a place of their own, so that their curves' places are in model space.
+// What `from` has was made without a place of its own, so that its curves' places are in model
+// space.
 void take_pcurves(const TopoDS_Edge& from, const TopoDS_Edge& to, double tolerance) {
+  const BRep_Builder builder;
   for (const Handle(BRep_CurveRepresentation) & on :
-       Handle(BRep_TEdge)::DownCast(from.TShape())->Curves())
-    if (on->IsCurveOnSurface())
-      BRep_Builder().UpdateEdge(to, on->PCurve(), on->Surface(), on->Location(), tolerance);
+       Handle(BRep_TEdge)::DownCast(from.TShape())->Curves()) {
+    if (on->IsCurveOnClosedSurface())
+      builder.UpdateEdge(to, on->PCurve(), on->PCurve2(), on->Surface(), on->Location(), tolerance);
+    else if (on->IsCurveOnSurface())
+      builder.UpdateEdge(to, on->PCurve(), on->Surface(), on->Location(), tolerance);
+  }
 }
 
 }  // namespace
@@ -43,15 +49,26 @@ std::size_t EdgeUnion::root(std::size_t vertex) {
   return vertex;
 }
 
-void EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b) {
+void EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b) { join(a, b, b, false); }
+
+bool EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b, const TopoDS_Edge& image,
+                     bool reversed) {
   const TopoDS_Edge first = forward(a), second = forward(b);
+  if (first_of_.IsBound(second) || first_of_.IsBound(first) || curves_for_.IsBound(second))
+    return false;
   first_of_.Bind(second, first);
-  second_of_.Bind(first, second);
-  for (const auto vertex_of : {&TopExp::FirstVertex, &TopExp::LastVertex}) {
-    const std::size_t x = number(vertex_of(first, Standard_False));
-    const std::size_t y = number(vertex_of(second, Standard_False));
-    parent_[root(y)] = root(x);
-  }
+  if (!curves_for_.IsBound(first)) curves_for_.Bind(first, {});
+  curves_for_(first).Append(forward(image));
+  if (reversed) reversed_.Add(second);
+  const TopoDS_Vertex from = TopExp::FirstVertex(second), to = TopExp::LastVertex(second);
+  join(TopExp::FirstVertex(first), reversed ? to : from);
+  join(TopExp::LastVertex(first), reversed ? from : to);
+  return true;
+}
+
+void EdgeUnion::join(const TopoDS_Vertex& a, const TopoDS_Vertex& b) {
+  const std::size_t x = number(a), y = number(b);
+  parent_[root(y)] = root(x);
 }
 
 // The vertex of its whole class, at the place of the root, wide enough for all.
@@ -78,18 +95,20 @@ TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
   if (made_edges_.IsBound(first)) return TopoDS::Edge(made_edges_(first));
   const BRep_Builder builder;
   TopoDS_Edge made = TopoDS::Edge(first.EmptyCopied());
-  bool changed = second_of_.IsBound(first);
+  bool changed = curves_for_.IsBound(first);
   for (TopoDS_Iterator it(first); it.More(); it.Next()) {
     const TopoDS_Vertex vertex = TopoDS::Vertex(it.Value());
     const TopoDS_Vertex other = united(vertex);
     changed = changed || !other.IsSame(vertex);
     builder.Add(made, other.Oriented(vertex.Orientation()));
   }
-  if (second_of_.IsBound(first)) {
-    const TopoDS_Edge second = TopoDS::Edge(second_of_(first));
-    const double tolerance = std::max(BRep_Tool::Tolerance(first), BRep_Tool::Tolerance(second));
+  if (curves_for_.IsBound(first)) {
+    double tolerance = BRep_Tool::Tolerance(first);
+    for (const TopoDS_Shape& second : curves_for_(first))
+      tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Edge(second)));
     builder.UpdateEdge(made, tolerance);
-    take_pcurves(second, made, tolerance);
+    for (const TopoDS_Shape& second : curves_for_(first))
+      take_pcurves(TopoDS::Edge(second), made, tolerance);
   }
   if (!changed) made = first;
   const bool was_closed = TopExp::FirstVertex(first).IsSame(TopExp::LastVertex(first));
@@ -112,8 +131,9 @@ TopoDS_Face EdgeUnion::rebuilt(const TopoDS_Face& face) {
     builder.MakeWire(wire);
     for (TopoDS_Iterator it(part.Value()); it.More(); it.Next()) {
       const TopoDS_Edge edge = united(TopoDS::Edge(it.Value()));
+      const TopAbs_Orientation use = it.Value().Orientation();
       changed = changed || !edge.IsSame(it.Value());
-      builder.Add(wire, edge.Oriented(it.Value().Orientation()));
+      builder.Add(wire, edge.Oriented(reversed_.Contains(it.Value()) ? TopAbs::Reverse(use) : use));
     }
     wire.Closed(part.Value().Closed());
     builder.Add(made, wire);

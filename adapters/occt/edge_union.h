@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <vector>
 
+#include <TopTools_DataMapOfShapeListOfShape.hxx>
 #include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -21,6 +23,16 @@ class EdgeUnion {
   /// the same parameter, over ranges that agree but for the tolerance. The edge that comes of them
   /// has the range of the first and the chart curves of both.
   void join(const TopoDS_Edge& a, const TopoDS_Edge& b);
+
+  /// Makes two edges one that run along each other with parameters of their own. The first one
+  /// stays.
+  /// image      the chart curves of the second one's faces, with the parameters of the first
+  /// reversed   whether they run in opposite directions
+  /// returns    false if the second one is an edge that was joined to another: nothing is done
+  bool join(const TopoDS_Edge& a, const TopoDS_Edge& b, const TopoDS_Edge& image, bool reversed);
+
+  /// Makes two vertices one.
+  void join(const TopoDS_Vertex& a, const TopoDS_Vertex& b);
 
   /// The face with its edges and vertices replaced; itself if none is. Its border stays where it
   /// was: vertices get tolerances that cover all those they stand for.
@@ -36,9 +48,11 @@ class EdgeUnion {
   TopoDS_Edge united(const TopoDS_Edge& edge);
 
   TopTools_IndexedMapOfShape vertices_;
-  std::vector<std::size_t> parent_;                    // of a vertex; its own number at the root
-  std::vector<TopoDS_Vertex> made_;                    // for roots, once needed
-  TopTools_DataMapOfShapeShape first_of_, second_of_;  // joined edges
+  std::vector<std::size_t> parent_;                // of a vertex; its own number at the root
+  std::vector<TopoDS_Vertex> made_;                // for roots, once needed
+  TopTools_DataMapOfShapeShape first_of_;          // of joined edges
+  TopTools_DataMapOfShapeListOfShape curves_for_;  // edges whose chart curves a first one takes
+  TopTools_MapOfShape reversed_;                   // second ones that run against their first
   TopTools_DataMapOfShapeShape made_edges_;
   int collapsed_ = 0;
 };

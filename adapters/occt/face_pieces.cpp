@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -245,8 +246,8 @@ void FaceSplitter::imprint(std::vector<int> arcs, FacePiece& piece) {
     };
     for (auto next = arcs.begin(); next != arcs.end();
          next = std::find_if(arcs.begin(), arcs.end(), touches)) {
-      make_edge(*next);
       const auto index = static_cast<std::size_t>(*next);
+      if (origins_[index].strand >= 0) make_edge(*next);
       piece.imprints.push_back(TopoDS::Edge(origins_[index].edge.Oriented(TopAbs_INTERNAL)));
       builder.Add(wire, piece.imprints.back());
       reached.insert(reached.end(), {arcs_[index].from, arcs_[index].to});
@@ -268,22 +269,29 @@ FaceSplit FaceSplitter::divided(const ChartPieces& found, OpenCuts open) {
     FacePiece made{without_wires(given_), {}, {}};
     add_wire(piece.outer, made);
     for (const Cycle& hole : piece.holes) add_wire(hole, made);
-    if (open == OpenCuts::Imprint) imprint(piece.inner, made);
+    imprint(imprints_among(piece.inner, open), made);
     made.face.Orientation(given_.Orientation());
     result.pieces.push_back(std::move(made));
   }
+  for (std::size_t i = 0; i < arcs_.size(); ++i)
+    if (!origins_[i].piece.IsNull() && std::find(found.dangling.begin(), found.dangling.end(),
+                                                 static_cast<int>(i)) == found.dangling.end())
+      result.laid.push_back({origins_[i].piece, origins_[i].edge});
   result.notes = notes_;
   return result;
 }
 
 // The wires as they were, with split edges in pieces.
 FaceSplit FaceSplitter::undivided(const std::vector<int>& imprinted) {
-  const bool same = imprinted.empty() &&
-                    std::none_of(trims_.loops.begin(), trims_.loops.end(), [&](const auto& loop) {
-                      return std::any_of(loop.begin(), loop.end(), [&](const Coedge& of) {
-                        return splits_.is_split(of.edge);
-                      });
-                    });
+  const auto any_split = [&](const std::vector<Coedge>& loop) {
+    return std::any_of(loop.begin(), loop.end(),
+                       [&](const Coedge& of) { return splits_.is_split(of.edge); });
+  };
+  const bool only_own = std::all_of(imprinted.begin(), imprinted.end(), [&](int arc) {
+    return origins_[static_cast<std::size_t>(arc)].strand < 0;
+  });
+  const bool same = only_own && !any_split(trims_.inner) &&
+                    std::none_of(trims_.loops.begin(), trims_.loops.end(), any_split);
   FacePiece piece{without_wires(given_), {}, {}};
   std::vector<Cycle> wires(trims_.loops.size());
   for (std::size_t i = 0; i < arcs_.size(); ++i)
@@ -298,20 +306,24 @@ FaceSplit FaceSplitter::undivided(const std::vector<int>& imprinted) {
 
 FaceSplit FaceSplitter::split(OpenCuts open) {
   add_border_arcs();
-  if (!add_cut_arcs()) return undivided();
+  const bool any_inner = add_inner_arcs(), any_laid = add_laid_arcs();
+  if (!add_cut_arcs() && !any_inner && !any_laid) return undivided();
   const ChartPieces found = pieces(arcs_);
   for (const int arc : found.dangling)
-    note(origins_[static_cast<std::size_t>(arc)].uses.front().cut,
-         open == OpenCuts::Imprint
-             ? "ends inside of the face, a part of it divides nothing and is imprinted"
-             : "ends inside of the face, a part of it divides nothing and is left out");
+    if (origins_[static_cast<std::size_t>(arc)].strand >= 0)
+      note(origins_[static_cast<std::size_t>(arc)].uses.front().cut,
+           open == OpenCuts::Imprint
+               ? "ends inside of the face, a part of it divides nothing and is imprinted"
+               : "ends inside of the face, a part of it divides nothing and is left out");
   const auto cuts =
       std::count_if(arcs_.begin(), arcs_.end(), [](const ChartArc& arc) { return !arc.border; });
   if (cuts == static_cast<std::ptrdiff_t>(found.dangling.size()))
-    return undivided(open == OpenCuts::Imprint ? found.dangling : std::vector<int>{});
+    return undivided(imprints_among(found.dangling, open));
   if (adds_up(found)) return divided(found, open);
   notes_.push_back("cuts and wires do not fit together, the face stays whole");
-  return undivided();
+  std::vector<int> all(arcs_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return undivided(imprints_among(all, OpenCuts::LeaveOut));
 }
 
 FaceSplit split_face(const TopoDS_Face& face, const std::vector<FaceCut>& cuts, double tolerance,

@@ -63,7 +63,9 @@ void FaceSplitter::settle() {
 }
 
 const Coedge& FaceSplitter::coedge(int loop, int index) const {
-  return trims_.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(index)];
+  const auto place = static_cast<std::size_t>(index);
+  if (loop == inner_loop()) return trims_.inner[place];
+  return trims_.loops[static_cast<std::size_t>(loop)][place];
 }
 
 double FaceSplitter::reach(const Strand& strand) const {
@@ -85,6 +87,7 @@ void FaceSplitter::add_strands() {
 }
 
 int FaceSplitter::vertex_at_split(int loop, int index, int split) {
+  if (loop == inner_loop()) return inner_vertex(index, split);
   const Coedge& of = coedge(loop, index);
   if (split == EdgeSplits::kFirst) return of.reversed() ? of.to : of.from;
   if (split == EdgeSplits::kLast) return of.reversed() ? of.from : of.to;
@@ -123,6 +126,7 @@ void FaceSplitter::add_wire_stops(Strand& strand) {
     strand.stops.emplace_back(meeting.at, vertex_of(meeting, 0, obliqueness(strand, meeting)));
   strand.runs = std::move(found.runs);
   if (!found.complete) note(strand.cut, "runs so close to an edge that not all crossings are sure");
+  add_inner_stops(strand);
 }
 
 // A cut may stop at the natural border of the surface while the wire leaves it, by as much as the

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/edge_splits.h"
@@ -17,6 +19,8 @@
 #include "core/trimming/pieces.h"
 
 namespace blossom::occt {
+
+class SurfaceFeet;
 
 /// A curve that a face is to be cut along. The two splines share their parameter, and the conic.
 struct FaceCut {
@@ -47,9 +51,16 @@ enum class OpenCuts {
   Imprint,  ///< internal edges of the piece in which they lie
 };
 
+/// A piece of an edge of another shape, and the edge that takes its place in a face.
+struct LaidEdge {
+  TopoDS_Edge piece;  ///< as EdgeSplits has it
+  TopoDS_Edge edge;   ///< same vertices, curve and parameters, with a chart curve on the face
+};
+
 struct FaceSplit {
   std::vector<FacePiece> pieces;
   std::vector<std::string> notes;  ///< cuts that were left out, and why
+  std::vector<LaidEdge> laid{};    ///< that bound pieces
 };
 
 /// A place where a cut is divided.
@@ -68,7 +79,8 @@ struct CutStop {
 /// Cuts are clipped to the inside of the face. They may cross each other, seams and wires, end
 /// anywhere, and end in one another. What does not divide the face is left out or imprinted, and
 /// noted. A run along an existing edge divides nothing either, but is reported as a use of the cut.
-/// Seams stay edges: pieces on the two sides of a seam are joined by it, not merged.
+/// Seams stay edges: pieces on the two sides of a seam are joined by it, not merged. Internal edges
+/// of the face are cut by the cuts, stay where they divide nothing, and bound pieces where they do.
 class FaceSplitter {
  public:
   /// tolerance   points of cuts and edges closer than this are one; model units
@@ -79,6 +91,12 @@ class FaceSplitter {
   /// Takes ends that stop just short of a wire to it, preferably where a neighbour splits the same
   /// edge already, and finds where cuts cross each other.
   void settle();
+
+  /// Says that an edge of another shape lies in the face, in whole or in parts. All its splits at
+  /// the borders of the face have to be asked for, and their vertices united with the borders',
+  /// before `split`. Its pieces inside of the face divide it as cuts do; those along borders or
+  /// outside, and those that divide nothing, are left out.
+  void lay(const TopoDS_Edge& edge);
 
   /// Where a settled cut ends, meets wires or other cuts, by increasing parameter. For the face on
   /// the other side of the cut, which is to be divided at the same places.
@@ -102,6 +120,7 @@ class FaceSplitter {
 
  private:
   // Where arcs meet: a split of a coedge (its ends among them) or, without one, a node inside.
+  // Internal edges are coedges of one more loop.
   struct Vertex {
     Vec2 point;
     int loop = -1, coedge = -1, split = -1;
@@ -117,12 +136,20 @@ class FaceSplitter {
     std::vector<std::pair<double, int>> stops;  // parameters and vertices
     std::vector<double> met;                    // parameters of stops on the other side's borders
   };
+  // An edge of another shape in the chart of the face.
+  struct LaidCurve {
+    Handle(Geom_Curve) curve;
+    Handle(Geom2d_Curve) image;  // in the surface's parameters
+    PlanarCurve chart;           // in chart coordinates
+    double tolerance = 0;        // of the edge here
+  };
   // What an arc of the arrangement stands for.
   struct Origin {
     TopoDS_Edge edge;          // walked along the arc
     std::vector<CutUse> uses;  // of cuts, along the arc
     int strand = -1;           // of cuts only
-    int loop = -1;             // of borders only
+    int loop = -1;             // of borders and internal edges
+    TopoDS_Edge piece = {};    // of laid edges: what the edge stands for
   };
 
   void add_strands();
@@ -143,6 +170,20 @@ class FaceSplitter {
   double reach(const Strand& strand) const;
   const Coedge& coedge(int loop, int index) const;
   void note(int cut, const std::string& what);
+
+  int inner_loop() const { return static_cast<int>(trims_.loops.size()); }
+  void add_inner_stops(Strand& strand);
+  int inner_vertex(int index, int split);
+  int vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point) const;
+  bool add_inner_arcs();
+  bool add_laid_arcs();
+  void add_laid_arc(const EdgePiece& piece, const SurfaceFeet& feet);
+  void lay_in_pole(const TopoDS_Edge& edge, bool last, int loop, int index);
+  LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceFeet& feet) const;
+  TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift) const;
+  bool lies_in_surface(const EdgePiece& piece, const SurfaceFeet& feet) const;
+  bool lies_on_wire(const PlanarCurve& curve) const;
+  std::vector<int> imprints_among(const std::vector<int>& arcs, OpenCuts open) const;
 
   void add_border_arcs();
   void add_border_arc(int loop, int index, const EdgePiece& piece);
@@ -168,6 +209,7 @@ class FaceSplitter {
   std::vector<Vertex> vertices_;                     // the corners of the wires first
   std::vector<std::pair<TopoDS_Vertex, int>> ties_;  // of the other sides of cuts, and ours
   std::vector<Strand> strands_;
+  std::vector<TopoDS_Edge> laid_;
   std::vector<ChartArc> arcs_;
   std::vector<Origin> origins_;  // one for each arc
   std::vector<std::string> notes_;

@@ -216,10 +216,14 @@ FaceTrims face_trims(const TopoDS_Face& face) {
   for (TopoDS_Iterator wire(trims.face); wire.More(); wire.Next()) {
     if (wire.Value().ShapeType() != TopAbs_WIRE) continue;
     std::vector<Coedge> loop;
-    for (TopoDS_Iterator edge(wire.Value()); edge.More(); edge.Next())
-      if (edge.Value().Orientation() == TopAbs_FORWARD ||
-          edge.Value().Orientation() == TopAbs_REVERSED)
+    for (TopoDS_Iterator edge(wire.Value()); edge.More(); edge.Next()) {
+      const TopAbs_Orientation use = edge.Value().Orientation();
+      if (use == TopAbs_FORWARD || use == TopAbs_REVERSED)
         loop.push_back(coedge_of(TopoDS::Edge(edge.Value()), trims.face));
+      else if (use == TopAbs_INTERNAL)
+        trims.inner.push_back(
+            coedge_of(TopoDS::Edge(edge.Value().Oriented(TopAbs_FORWARD)), trims.face));
+    }
     if (!loop.empty()) trims.loops.push_back(std::move(loop));
   }
   if (trims.loops.empty()) throw BadModel("a face has no wire");
@@ -227,6 +231,8 @@ FaceTrims face_trims(const TopoDS_Face& face) {
   for (auto& loop : trims.loops)
     for (Coedge& coedge : loop)
       set_curve(coedge, transformed(std::move(coedge.curve), trims.scale, {}));
+  for (Coedge& coedge : trims.inner)
+    set_curve(coedge, transformed(std::move(coedge.curve), trims.scale, {}));
   trims.period = {surface->IsUPeriodic() ? surface->UPeriod() * trims.scale[0] : 0,
                   surface->IsVPeriodic() ? surface->VPeriod() * trims.scale[1] : 0};
   for (Meeting& meeting : meetings(trims)) join(std::move(meeting), trims);

@@ -13,10 +13,11 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/common_edges.h"
+#include "adapters/occt/edge_images.h"
 #include "adapters/occt/edge_union.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/ray_casting.h"
 
 namespace blossom::occt {
 namespace {
@@ -24,17 +25,8 @@ namespace {
 // In tolerances of the faces' edges: how long a piece of an intersection may be left out.
 constexpr double kMostRest = 10;
 constexpr int kChords = 16;
-// Rays that have to agree about a piece, and how many may be tried for that: some hit edges.
-constexpr int kAgreeing = 3;
-constexpr std::array<Vec3, 9> kDirections{{{0.577, 0.211, 0.789},
-                                           {-0.381, 0.907, 0.179},
-                                           {0.131, -0.617, -0.776},
-                                           {-0.709, -0.503, 0.494},
-                                           {0.887, -0.337, 0.316},
-                                           {0.271, 0.653, -0.707},
-                                           {-0.953, 0.283, -0.109},
-                                           {-0.163, -0.941, 0.296},
-                                           {0.449, 0.097, -0.888}}};
+// Of a contact's length: how far beside it the surfaces are looked at.
+constexpr double kBeside = 1e-2;
 
 // One solid on its way through the work; one entry for each face.
 struct Side {
@@ -63,34 +55,72 @@ struct Side {
 struct CurveUse {
   std::size_t face_a = 0, cut_a = 0;
   std::size_t face_b = 0, cut_b = 0;
+  bool touch = false;  // the faces do not cross there
 };
 
-bool is_obstacle(PlaceKind kind) { return kind != PlaceKind::Node; }
+// Beside a tangential curve, the sides of the second face on which the first one lies.
+struct Beside {
+  bool above = false, below = false, open = false;
+};
 
-void add_curves(const FaceIntersection& pair, Side& a, Side& b, std::vector<CurveUse>& uses,
-                SolidPieces& result) {
+void look_beside(const IntersectionCurve& curve, const SurfaceFeet& on_a, const SurfaceFeet& on_b,
+                 double tolerance, Beside& beside) {
+  const double step = kBeside * curve.length;
+  for (const double part : {0.2, 0.5, 0.8}) {
+    const double s = at(curve.curve.domain(), part);
+    const SurfaceFrame frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
+    const Vec3 across = cross(cross(frame.du, frame.dv), derivative_at(curve.curve, s));
+    for (const double sign : {1.0, -1.0}) {
+      const Vec3 aside = frame.point + (sign * step / norm(across)) * across;
+      const double height = on_b.height(frame_at(on_a.surface(), on_a.foot(aside, {})).point);
+      (std::abs(height) <= tolerance ? beside.open
+       : height > 0                  ? beside.above
+                                     : beside.below) = true;
+    }
+  }
+}
+
+// Whether surfaces that touch along a curve stay on one side of each other.
+bool only_touch(const IntersectionCurve& curve, const TopoDS_Face& a, const TopoDS_Face& b,
+                double tolerance) {
+  Beside beside;
+  look_beside(curve, SurfaceFeet(a, tolerance), SurfaceFeet(b, tolerance), tolerance, beside);
+  return !beside.open && beside.above != beside.below;
+}
+
+void add_curve(const FaceIntersection& pair, std::size_t place, Side& a, Side& b,
+               std::vector<CurveUse>& uses) {
+  const auto face_a = static_cast<std::size_t>(pair.face_a);
+  const auto face_b = static_cast<std::size_t>(pair.face_b);
+  const IntersectionCurve& curve = pair.found.curves[place];
+  const int number = static_cast<int>(uses.size());
+  uses.push_back({face_a, a.cuts[face_a].size(), face_b, b.cuts[face_b].size(), curve.tangential});
+  const double tolerance = pair.edges[place].tolerance, sine = std::sin(curve.least_angle);
+  a.cuts[face_a].push_back({curve.curve, curve.chart_a, tolerance, sine, curve.conic});
+  b.cuts[face_b].push_back({curve.curve, curve.chart_b, tolerance, sine, curve.conic});
+  a.sources[face_a].push_back({0, b.solid->faces[face_b], curve.chart_b, curve.tangential});
+  b.sources[face_b].push_back({0, a.solid->faces[face_a], curve.chart_a, curve.tangential});
+  a.curves[face_a].push_back(number);
+  b.curves[face_b].push_back(number);
+}
+
+void add_curves(const FaceIntersection& pair, const CommonEdges& common, double tolerance, Side& a,
+                Side& b, std::vector<CurveUse>& uses, SolidPieces& result) {
   const auto face_a = static_cast<std::size_t>(pair.face_a);
   const auto face_b = static_cast<std::size_t>(pair.face_b);
   const std::string both = a.face_name(face_a) + " and " + b.face_name(face_b);
   for (const Place& place : pair.found.places)
-    if (is_obstacle(place.kind))
+    if (place.kind == PlaceKind::Open || place.kind == PlaceKind::Cusp)
       result.obstacles.push_back(both + ": " + to_string(place.kind) +
-                                 ", contacts without crossing are not supported");
+                                 ", where it is not known how they meet");
+  const std::vector<std::size_t> along = common.curves_along(pair);
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i) {
+    if (std::find(along.begin(), along.end(), i) != along.end()) continue;
     const IntersectionCurve& curve = pair.found.curves[i];
-    if (curve.tangential) {
-      result.obstacles.push_back(both + " touch along a curve, which is not supported");
-      continue;
-    }
-    const int number = static_cast<int>(uses.size());
-    uses.push_back({face_a, a.cuts[face_a].size(), face_b, b.cuts[face_b].size()});
-    const double tolerance = pair.edges[i].tolerance, sine = std::sin(curve.least_angle);
-    a.cuts[face_a].push_back({curve.curve, curve.chart_a, tolerance, sine, curve.conic});
-    b.cuts[face_b].push_back({curve.curve, curve.chart_b, tolerance, sine, curve.conic});
-    a.sources[face_a].push_back({0, b.solid->faces[face_b], curve.chart_b, false});
-    b.sources[face_b].push_back({0, a.solid->faces[face_a], curve.chart_a, false});
-    a.curves[face_a].push_back(number);
-    b.curves[face_b].push_back(number);
+    add_curve(pair, i, a, b, uses);
+    if (curve.tangential &&
+        !only_touch(curve, a.solid->faces[face_a], b.solid->faces[face_b], tolerance))
+      result.obstacles.push_back(both + " touch along a curve in which they may cross as well");
   }
 }
 
@@ -141,8 +171,18 @@ void split(Side& side, EdgeSplits& splits, double tolerance) {
   }
 }
 
-void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, double tolerance) {
-  EdgeSplits splits(tolerance);
+void lay(const std::vector<std::vector<TopoDS_Edge>>& edges, Side& side, EdgeSplits& splits,
+         double tolerance) {
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (const TopoDS_Edge& edge : edges[i]) {
+      if (!side.splitters[i]) begin(side, i, splits, tolerance);
+      side.splitters[i]->lay(edge);
+    }
+}
+
+void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, const CommonEdges& common,
+                EdgeSplits& splits, double tolerance) {
+  common.split(splits);
   for (Side* side : {&a, &b})
     for (std::size_t i = 0; i < side->cuts.size(); ++i)
       if (!side->cuts[i].empty()) begin(*side, i, splits, tolerance);
@@ -150,6 +190,9 @@ void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, double tole
     for (const auto& splitter : side->splitters)
       if (splitter) splitter->settle();
   exchange_stops(a, b, uses);
+  common.match(splits);
+  lay(common.in_a(), a, splits, tolerance);
+  lay(common.in_b(), b, splits, tolerance);
   for (Side* side : {&a, &b}) split(*side, splits, tolerance);
 }
 
@@ -168,6 +211,7 @@ std::vector<std::vector<CurveEdge>> curve_edges(const Side& side, std::size_t co
         auto& of =
             edges[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])];
         const auto is_same = [&](const CurveEdge& known) { return known.edge.IsSame(use.edge); };
+        if (use.along && side.sources[i][static_cast<std::size_t>(use.cut)].tangential) continue;
         if (use.along)
           result.obstacles.push_back(side.face_name(i) +
                                      ": is cut along one of its edges, which is not supported");
@@ -234,7 +278,9 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
     const Spline& curve = a.cuts[use.face_a][use.cut_a].curve;
     const double allowed = kMostRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
                                                 largest_tolerance(b.solid->faces[use.face_b]));
-    if (!match(on_a[i], on_b[i]) || longest_rest(curve, on_a[i]) > allowed) {
+    const bool alike = match(on_a[i], on_b[i]);
+    if (use.touch && !alike) continue;  // what only touches may divide one face alone
+    if (!alike || (!use.touch && longest_rest(curve, on_a[i]) > allowed)) {
       result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
                                  " are not divided alike along their intersection");
       add_notes(a, use.face_a, result);
@@ -245,58 +291,43 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
   }
 }
 
-std::vector<SolidPiece> sided_pieces(const Side& side, const TrimTool& other) {
-  std::vector<SidedPiece> pieces;
-  std::vector<SolidPiece> result;
+void join_laid(const Side& side, EdgeUnion& joined, SolidPieces& result) {
   for (std::size_t i = 0; i < side.splits.size(); ++i)
-    for (const FacePiece& piece : side.splits[i].pieces) {
-      pieces.push_back({&piece, &side.cuts[i], &side.sources[i]});
-      result.push_back({piece.face, static_cast<int>(i), ToolSide::Unknown});
-    }
-  const std::vector<ToolSide> sides = sides_of(pieces, other, 0);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i].side = sides[i];
-  return result;
+    for (const LaidEdge& laid : side.splits[i].laid)
+      if (!joined.join(laid.piece, laid.edge, laid.edge, false))
+        result.obstacles.push_back(side.face_name(i) +
+                                   ": an edge of the other solid lies in two of its faces");
 }
 
-// Whether a ray leaves the solid's faces as often as it has to from inside; nothing if it meets an
-// edge or is tangent, or a hit is not proven.
-std::optional<bool> is_inside(ShapeRayQuery& rays, const gp_Pnt& point, const Vec3& direction) {
-  const auto hits = rays.all_hits({{point.X(), point.Y(), point.Z()}, direction});
-  for (const ShapeHit& hit : hits)
-    if (hit.hit.status != Status::Complete || hit.hit.grazing || !hit.on.IsNull() ||
-        hit.hit.first != hit.hit.last)
-      return std::nullopt;
-  return hits.size() % 2 == 1;
-}
-
-// Compares the side with what rays from a point inside say, or takes it from them when the cuts
-// left it open. Returns why it cannot be trusted; empty if it can.
-std::string objection(SolidPiece& piece, ShapeRayQuery& rays) {
-  const std::optional<gp_Pnt> point = point_inside(piece.face);
-  if (!point) return "no point is found inside of it";
-  int agreeing = 0;
-  for (const Vec3& direction : kDirections) {
-    const std::optional<bool> inside = is_inside(rays, *point, direction);
-    if (!inside) continue;
-    if (piece.side == ToolSide::Unknown) piece.side = *inside ? ToolSide::Below : ToolSide::Above;
-    if (*inside != (piece.side == ToolSide::Below)) return "its side is not certain";
-    if (++agreeing == kAgreeing) return {};
+// What the cuts on its border say of a piece.
+SolidSide side_by_cuts(const SidedPiece& piece) {
+  bool above = false, below = false;
+  for (const CutUse& use : piece.piece->cuts) {
+    if (use.along || (*piece.sources)[static_cast<std::size_t>(use.cut)].tangential) continue;
+    const ToolSide side = side_at_cut(piece, use);
+    above = above || side == ToolSide::Above;
+    below = below || side == ToolSide::Below;
   }
-  return "rays cannot tell its side";
+  if (above == below) return SolidSide::Unknown;
+  return above ? SolidSide::Outside : SolidSide::Inside;
 }
 
-void check_sides(std::vector<SolidPiece>& pieces, const Side& side, const TrimTool& other,
-                 double tolerance, SolidPieces& result) {
-  const ShapeRays rays(other.faces, tolerance);
-  ShapeRayQuery query(rays);
-  for (SolidPiece& piece : pieces)
-    if (const std::string cause = objection(piece, query); !cause.empty())
-      result.obstacles.push_back(
-          "a piece of " + side.face_name(static_cast<std::size_t>(piece.from)) + ": " + cause);
+SplitSolid split_solid(const Side& side, EdgeUnion& joined) {
+  SplitSolid made{side.name, side.solid, {}};
+  for (std::size_t i = 0; i < side.splits.size(); ++i)
+    for (const FacePiece& piece : side.splits[i].pieces)
+      made.pieces.push_back({joined.rebuilt(piece.face), static_cast<int>(i),
+                             side_by_cuts({&piece, &side.cuts[i], &side.sources[i]})});
+  return made;
 }
 
-void rebuild(std::vector<SolidPiece>& pieces, EdgeUnion& joined) {
-  for (SolidPiece& piece : pieces) piece.face = joined.rebuilt(piece.face);
+std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const ShapeIntersection& found) {
+  std::vector<std::pair<std::size_t, std::size_t>> overlaps;
+  for (const FaceIntersection& pair : found.pairs)
+    if (std::any_of(pair.found.places.begin(), pair.found.places.end(),
+                    [](const Place& place) { return place.kind == PlaceKind::Overlap; }))
+      overlaps.emplace_back(pair.face_a, pair.face_b);
+  return overlaps;
 }
 
 }  // namespace
@@ -305,27 +336,33 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
   SolidPieces result;
   Side side_a("part", a), side_b("tool", b);
   std::vector<CurveUse> uses;
+  const double tolerance = options.tolerances.point;
   const ShapeIntersection found = intersect(a.faces, b.faces, options);
   result.status = found.status;
   result.certificate = found.certificate;
-  for (const FaceIntersection& pair : found.pairs) add_curves(pair, side_a, side_b, uses, result);
   if (result.status == Status::Stopped)
     result.obstacles.emplace_back("the intersection is not complete");
+  CommonEdges common(a.faces, b.faces, options);
+  for (const FaceIntersection& pair : found.pairs) common.add(pair);
+  for (const FaceIntersection& pair : found.pairs)
+    add_curves(pair, common, tolerance, side_a, side_b, uses, result);
   if (!result.obstacles.empty()) return result;
-  const double tolerance = options.tolerances.point;
-  guarded("splitting the solids", [&] { split_both(side_a, side_b, uses, tolerance); });
+  EdgeSplits splits(tolerance);
+  guarded("splitting the solids",
+          [&] { split_both(side_a, side_b, uses, common, splits, tolerance); });
   EdgeUnion joined;
+  if (const std::string cause = common.join(splits, joined); !cause.empty())
+    result.obstacles.push_back(cause);
+  for (const Side* side : {&side_a, &side_b}) join_laid(*side, joined, result);
   join_edges(side_a, side_b, uses, joined, result);
   if (!result.obstacles.empty()) return result;
-  result.a = sided_pieces(side_a, b);
-  result.b = sided_pieces(side_b, a);
-  check_sides(result.a, side_a, b, tolerance, result);
-  check_sides(result.b, side_b, a, tolerance, result);
-  rebuild(result.a, joined);
-  rebuild(result.b, joined);
+  SplitSolid split_a = split_solid(side_a, joined), split_b = split_solid(side_b, joined);
   if (joined.collapsed() > 0)
     result.obstacles.push_back(std::to_string(joined.collapsed()) +
                                " edges are shorter than the tolerance of their ends");
+  find_sides(split_a, split_b, overlaps_of(found), tolerance, result.obstacles);
+  result.a = std::move(split_a.pieces);
+  result.b = std::move(split_b.pieces);
   return result;
 }
 

@@ -6,18 +6,11 @@
 #include <string>
 #include <vector>
 
-#include <TopoDS_Face.hxx>
-
+#include "adapters/occt/solid_sides.h"
 #include "adapters/occt/trim_sides.h"
 #include "core/surface_intersection.h"
 
 namespace blossom::occt {
-
-struct SolidPiece {
-  TopoDS_Face face;                   ///< oriented as the face that it comes from
-  int from = 0;                       ///< place of that face among the solid's faces
-  ToolSide side = ToolSide::Unknown;  ///< Below is inside of the other solid
-};
 
 /// The pieces of both solids, or why there are none.
 struct SolidPieces {
@@ -31,10 +24,13 @@ struct SolidPieces {
 /// Splits the faces of two solids along each other.
 ///
 /// Every intersection curve becomes edges that pieces of both solids share, with curves in the
-/// parameters of both. The sides of pieces are decided at the cuts and checked by rays, or decided
-/// by rays that agree where the cuts do not tell.
+/// parameters of both. Edges of one that lie in faces of the other divide these; edges that run
+/// along each other become one, so that faces that coincide have pieces that do as a whole. The
+/// sides of pieces are decided at the cuts and checked by rays, or decided by rays that agree where
+/// the cuts do not tell.
 ///
-/// Contacts without crossing (surfaces that touch or coincide, curves along an edge) are obstacles.
+/// Surfaces that touch, in a point or along a curve, divide nothing; where they may cross as well,
+/// or the intersection stayed open, there is an obstacle.
 ///
 /// throws   BadModel if a face cannot be converted
 SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options);

@@ -4,38 +4,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <map>
 #include <numeric>
 
-#include <BRepCheck_Analyzer.hxx>
-#include <BRepClass3d_SolidClassifier.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Shell.hxx>
 
 #include "adapters/occt/area.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/solid_pieces.h"
+#include "adapters/occt/solid_shells.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {
 namespace {
-
-// A face as it bounds a result, with the volume of its cone.
-struct BoundingFace {
-  SolidFace of;
-  double volume = 0;
-};
-
-struct Shell {
-  TopoDS_Shell shape;
-  double volume = 0;
-};
 
 // One piece of a solid and what its cone adds.
 struct Measured {
@@ -43,11 +25,17 @@ struct Measured {
   double volume = 0;
 };
 
-BoundingFace bounding(const Measured& measured, bool of_tool, bool reversed) {
-  const SolidPiece& piece = measured.piece;
-  if (!reversed) return {{piece.face, of_tool, piece.from}, measured.volume};
-  return {{TopoDS::Face(piece.face.Reversed()), of_tool, piece.from}, -measured.volume};
-}
+// The faces of a result, with what is told about each.
+struct Chosen {
+  std::vector<BoundingFace> faces;
+  std::vector<SolidFace> origins;
+
+  double volume() const {
+    return std::accumulate(
+        faces.begin(), faces.end(), 0.0,
+        [](double so_far, const BoundingFace& face) { return so_far + face.volume; });
+  }
+};
 
 std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const Vec3& apex) {
   std::vector<Measured> all;
@@ -55,21 +43,37 @@ std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const Vec3
   return all;
 }
 
-// The faces of one side of a, and of one side of b, perhaps turned round.
-std::vector<BoundingFace> chosen(const std::vector<Measured>& a, ToolSide side_a,
-                                 const std::vector<Measured>& b, ToolSide side_b, bool reversed) {
-  std::vector<BoundingFace> faces;
-  for (const Measured& each : a)
-    if (each.piece.side == side_a) faces.push_back(bounding(each, false, false));
-  for (const Measured& each : b)
-    if (each.piece.side == side_b) faces.push_back(bounding(each, true, reversed));
-  return faces;
+enum class Turn { AsItIs, Round };
+
+void add(const std::vector<Measured>& pieces, bool of_tool, SolidSide side, Turn turn,
+         Chosen& chosen) {
+  for (const auto& [piece, volume] : pieces) {
+    if (piece.side != side) continue;
+    const bool round = turn == Turn::Round;
+    const TopoDS_Face face = round ? TopoDS::Face(piece.face.Reversed()) : piece.face;
+    chosen.faces.push_back({face, round ? -volume : volume});
+    chosen.origins.push_back({face, of_tool, piece.from});
+  }
 }
 
-double sum(const std::vector<BoundingFace>& faces) {
-  return std::accumulate(
-      faces.begin(), faces.end(), 0.0,
-      [](double so_far, const BoundingFace& face) { return so_far + face.volume; });
+// What bounds the part without the tool, what they have in common, and both together. Where they
+// coincide with material on the same side, the part's faces stand for both.
+struct Results {
+  Chosen cut, common, fuse;
+};
+
+Results results_of(const std::vector<Measured>& part, const std::vector<Measured>& tool) {
+  Results made;
+  add(part, false, SolidSide::Outside, Turn::AsItIs, made.cut);
+  add(part, false, SolidSide::Opposite, Turn::AsItIs, made.cut);
+  add(tool, true, SolidSide::Inside, Turn::Round, made.cut);
+  add(part, false, SolidSide::Inside, Turn::AsItIs, made.common);
+  add(part, false, SolidSide::Same, Turn::AsItIs, made.common);
+  add(tool, true, SolidSide::Inside, Turn::AsItIs, made.common);
+  add(part, false, SolidSide::Outside, Turn::AsItIs, made.fuse);
+  add(part, false, SolidSide::Same, Turn::AsItIs, made.fuse);
+  add(tool, true, SolidSide::Outside, Turn::AsItIs, made.fuse);
+  return made;
 }
 
 double volume_of(const TrimTool& solid, const Vec3& apex) {
@@ -78,116 +82,13 @@ double volume_of(const TrimTool& solid, const Vec3& apex) {
   return volume;
 }
 
-// Uses of an edge by the faces of a result, and one face for each direction.
-struct EdgeUse {
-  int forward = 0;
-  int reversed = 0;
-  std::size_t first = 0;
-};
-
-// Faces that hang together have one number; none if an edge is not used once in each direction.
-std::vector<std::size_t> connected(const std::vector<BoundingFace>& faces, int& open_edges) {
-  std::vector<std::size_t> parent(faces.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  TopTools_IndexedMapOfShape edges;
-  std::vector<EdgeUse> uses;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    for (TopExp_Explorer it(faces[i].of.face, TopAbs_EDGE); it.More(); it.Next()) {
-      if (BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) continue;
-      const auto number = static_cast<std::size_t>(edges.Add(it.Current())) - 1;
-      if (number == uses.size()) uses.push_back({0, 0, i});
-      ++(it.Current().Orientation() == TopAbs_FORWARD ? uses[number].forward
-                                                      : uses[number].reversed);
-      parent[root(i)] = root(uses[number].first);
-    }
-  open_edges = static_cast<int>(std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) {
-    return use.forward != 1 || use.reversed != 1;
-  }));
-  std::vector<std::size_t> groups;
-  for (std::size_t i = 0; i < faces.size(); ++i) groups.push_back(root(i));
-  return groups;
-}
-
-std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string& obstacle) {
-  int open_edges = 0;
-  const std::vector<std::size_t> groups = connected(faces, open_edges);
-  if (open_edges > 0) {
-    obstacle = "the shell does not close at " + std::to_string(open_edges) + " edges";
-    return {};
-  }
-  std::map<std::size_t, Shell> shells;
-  const BRep_Builder builder;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    Shell& shell = shells[groups[i]];
-    if (shell.shape.IsNull()) builder.MakeShell(shell.shape);
-    builder.Add(shell.shape, faces[i].of.face);
-    shell.volume += faces[i].volume;
-  }
-  std::vector<Shell> all;
-  for (auto& [group, shell] : shells) {
-    shell.shape.Closed(Standard_True);
-    all.push_back(std::move(shell));
-  }
-  return all;
-}
-
-// The smallest outer shell round a void; the number of shells if there is none.
-std::size_t around(const Shell& hollow, const std::vector<Shell>& shells) {
-  const auto point =
-      point_inside(TopoDS::Face(TopExp_Explorer(hollow.shape, TopAbs_FACE).Current()));
-  std::size_t best = shells.size();
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; point && i < shells.size(); ++i) {
-    if (shells[i].volume <= -hollow.volume || shells[i].volume >= least) continue;
-    TopoDS_Solid solid;
-    BRep_Builder().MakeSolid(solid);
-    BRep_Builder().Add(solid, shells[i].shape);
-    const BRepClass3d_SolidClassifier classifier(solid, *point, Precision::Confusion());
-    if (classifier.State() != TopAbs_IN) continue;
-    best = i;
-    least = shells[i].volume;
-  }
-  return best;
-}
-
-std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle) {
-  const std::vector<Shell> shells = shells_of(faces, obstacle);
-  const BRep_Builder builder;
-  std::vector<TopoDS_Solid> by_shell(shells.size());
-  for (std::size_t i = 0; i < shells.size(); ++i)
-    if (shells[i].volume > 0) {
-      builder.MakeSolid(by_shell[i]);
-      builder.Add(by_shell[i], shells[i].shape);
-    }
-  for (const Shell& shell : shells) {
-    if (shell.volume > 0) continue;
-    const std::size_t outer = around(shell, shells);
-    if (outer == shells.size()) {
-      obstacle = "a shell is turned inwards, but no solid is round it";
-      return {};
-    }
-    builder.Add(by_shell[outer], shell.shape);
-  }
-  std::vector<TopoDS_Solid> solids;
-  for (const TopoDS_Solid& solid : by_shell) {
-    if (solid.IsNull()) continue;
-    if (!BRepCheck_Analyzer(solid).IsValid()) obstacle = "a solid is not valid by BRepCheck";
-    solids.push_back(solid);
-  }
-  return solids;
-}
-
-void add_solids(const std::vector<BoundingFace>& faces, SolidTrimResult& result) {
+void add_solids(const Chosen& chosen, SolidTrimResult& result) {
   std::string obstacle;
   const std::vector<TopoDS_Solid> solids =
-      guarded("making solids", [&] { return solids_of(faces, obstacle); });
+      guarded("making solids", [&] { return solids_of(chosen.faces, obstacle); });
   if (!obstacle.empty()) result.obstacles.push_back(obstacle);
   result.solids.insert(result.solids.end(), solids.begin(), solids.end());
-  for (const BoundingFace& face : faces) result.faces.push_back(face.of);
+  result.faces.insert(result.faces.end(), chosen.origins.begin(), chosen.origins.end());
 }
 
 // All cones have their apex at a vertex of the part, so that volumes keep their digits.
@@ -215,16 +116,14 @@ SolidTrimResult trim_solids(const TrimTool& part, const TrimTool& tool, SolidOpe
   SolidTrimResult result{pieces.status, pieces.certificate, {}, {}, {}, pieces.obstacles};
   if (!result.obstacles.empty()) return result;
   const Vec3 apex = apex_of(part);
-  const std::vector<Measured> a = measured(pieces.a, apex), b = measured(pieces.b, apex);
-  const auto cut = chosen(a, ToolSide::Above, b, ToolSide::Below, true);
-  const auto common = chosen(a, ToolSide::Below, b, ToolSide::Below, false);
-  const auto fuse = chosen(a, ToolSide::Above, b, ToolSide::Above, false);
-  result.volumes = {volume_of(part, apex), volume_of(tool, apex), sum(cut), sum(common), sum(fuse)};
+  const Results made = results_of(measured(pieces.a, apex), measured(pieces.b, apex));
+  result.volumes = {volume_of(part, apex), volume_of(tool, apex), made.cut.volume(),
+                    made.common.volume(), made.fuse.volume()};
   if (operation == SolidOperation::Cut || operation == SolidOperation::Split)
-    add_solids(cut, result);
+    add_solids(made.cut, result);
   if (operation == SolidOperation::Common || operation == SolidOperation::Split)
-    add_solids(common, result);
-  if (operation == SolidOperation::Fuse) add_solids(fuse, result);
+    add_solids(made.common, result);
+  if (operation == SolidOperation::Fuse) add_solids(made.fuse, result);
   if (!(std::max(result.volumes.cut_error(), result.volumes.fuse_error()) <= kVolumeError))
     result.obstacles.emplace_back("the volumes do not add up");
   if (!result.obstacles.empty()) {

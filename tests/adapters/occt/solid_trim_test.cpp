@@ -271,21 +271,6 @@ TEST(TrimSolids, ClosesModelsWithLooseEdgesAgainstTheirTurnedCopies) {
   }
 }
 
-TEST(TrimSolids, RefusesFacesThatCoincide) {
-  const SolidTrimResult result =
-      trim_solids(trim_tool(box({0, 0, 0}, {1, 1, 1})), trim_tool(box({1, 0, 0}, {2, 1, 1})),
-                  SolidOperation::Fuse);
-  EXPECT_TRUE(result.solids.empty());
-  EXPECT_NE(words(result).find("not supported"), std::string::npos) << words(result);
-}
-
-TEST(TrimSolids, RefusesABallThatTouchesAFace) {
-  const SolidTrimResult result = trim_solids(trim_tool(box({-2, -2, 0}, {2, 2, 2})),
-                                             trim_tool(ball({0, 0, -1}, 1)), SolidOperation::Fuse);
-  EXPECT_TRUE(result.solids.empty());
-  EXPECT_NE(words(result).find("touch"), std::string::npos) << words(result);
-}
-
 TEST(TrimSolids, RefusesWhatIsNotClosed) {
   const TopoDS_Shape a = box({0, 0, 0}, {1, 1, 1});
   const TrimTool open{{trim_tool(a).faces.front()}, {}};

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Faces that bound bodies, put together into closed shells and solids.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Solid.hxx>
+
+namespace blossom::occt {
+
+/// A face with the body behind it, and the volume of its cone over a common apex.
+struct BoundingFace {
+  TopoDS_Face face;
+  double volume = 0;  ///< cubic model units, signed
+};
+
+/// The solids that faces bound.
+///
+/// Faces hang together over their edges, each of which has to be used as often in one direction as
+/// in the other. Where bodies touch in an edge, the two faces of one body's corner belong together,
+/// so that the bodies stay apart. A shell that is turned inwards is a void of the smallest solid
+/// around it.
+///
+/// obstacle   why there are none, or why they cannot be used; else as it was
+std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle);
+
+}  // namespace blossom::occt

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// On which side of the other solid the pieces of two split solids lie.
+
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/trim_sides.h"
+
+namespace blossom::occt {
+
+enum class SolidSide {
+  Unknown,
+  Outside,   ///< of the other solid
+  Inside,    ///< of it
+  Same,      ///< on its surface, material on the same side
+  Opposite,  ///< on its surface, material on the other side
+};
+
+struct SolidPiece {
+  TopoDS_Face face;  ///< oriented as the face that it comes from
+  int from = 0;      ///< place of that face among the solid's faces
+  SolidSide side = SolidSide::Unknown;
+};
+
+/// The pieces of a solid and what is known of them.
+struct SplitSolid {
+  const char* name = "";  ///< in messages
+  const TrimTool* solid = nullptr;
+  std::vector<SolidPiece> pieces;  ///< with the edges that both solids share
+};
+
+/// Finds the sides of all pieces.
+///
+/// Pieces with the same edges and the same surface between them coincide. Sides that are known
+/// already are checked by rays from a point inside, others decided by rays that agree.
+///
+/// overlaps    pairs of faces of a and b that coincide somewhere
+/// obstacles   what is not decided is added
+/// tolerance   model units; ten times as near to the other surface is on it
+void find_sides(SplitSolid& a, SplitSolid& b,
+                const std::vector<std::pair<std::size_t, std::size_t>>& overlaps, double tolerance,
+                std::vector<std::string>& obstacles);
+
+}  // namespace blossom::occt
