@@ -135,6 +135,47 @@ TEST(FaceSplitter, ImprintsLieInThePieceRoundThem) {
   }
 }
 
+// Internal edges from an earlier cut, from (2, 0) to (2, 2).
+TopoDS_Face square_with_internal_edge() {
+  const TopoDS_Face face = square();
+  return imprinted(face, {line_cut(face, {2, 0}, {2, 2})}).pieces[0].face;
+}
+
+TEST(FaceSplitter, InternalEdgeStaysInItsPiece) {
+  const TopoDS_Face face = square_with_internal_edge();
+  const FaceSplit split = split_face(face, {line_cut(face, {3, 0}, {3, 4})});
+  expect_sound(face, split, 2);
+  for (const FacePiece& piece : split.pieces)
+    EXPECT_EQ(internal_edges(piece.face).size(), area(piece.face) > 8 ? 1u : 0u);
+  EXPECT_TRUE(split.notes.empty());
+}
+
+TEST(FaceSplitter, InternalEdgeThatIsCutDividesOnOneSideAndStaysOnTheOther) {
+  const TopoDS_Face face = square_with_internal_edge();
+  const FaceSplit split = split_face(face, {line_cut(face, {0, 1}, {4, 1})});
+  expect_sound(face, split, 3);
+  for (const FacePiece& piece : split.pieces) {
+    const std::vector<TopoDS_Edge> edges = internal_edges(piece.face);
+    ASSERT_EQ(edges.size(), area(piece.face) > 8 ? 1u : 0u);
+    for (const TopoDS_Edge& edge : edges) EXPECT_NEAR(length(edge), 1, 1e-12);
+  }
+}
+
+TEST(FaceSplitter, InternalEdgeDividesTogetherWithACut) {
+  const TopoDS_Face face = square_with_internal_edge();
+  const FaceSplit split = split_face(face, {line_cut(face, {2, 2}, {4, 2})});
+  expect_sound(face, split, 2);
+  EXPECT_NEAR(smallest_area(split), 4, 1e-12);
+  for (const FacePiece& piece : split.pieces) EXPECT_TRUE(internal_edges(piece.face).empty());
+}
+
+TEST(FaceSplitter, FaceThatNothingDividesKeepsItsInternalEdge) {
+  const TopoDS_Face face = square_with_internal_edge();
+  const FaceSplit split = imprinted(face, {line_cut(face, {1, 4}, {1, 3})});
+  expect_sound(face, split, 1);
+  EXPECT_EQ(internal_edges(split.pieces[0].face).size(), 2u);
+}
+
 TEST(FaceSplitter, CutFromRimToHoleIsImprintedAsABridge) {
   const TopoDS_Face face = square_with_hole();
   const FaceSplit split = imprinted(face, {line_cut(face, {0, 2}, {2, 2})});
