@@ -165,7 +165,8 @@ bool FaceSplitter::add_cut_arc(const Strand& strand, const std::pair<double, int
   };
   for (const ChartArc& arc : arcs_)
     if (!arc.border && same_ends(arc) && lies_near(arc.path, point, 4 * reach(strand))) {
-      note(strand.cut, "repeats another cut");
+      if (!cuts_[static_cast<std::size_t>(strand.cut)].may_repeat)
+        note(strand.cut, "repeats another cut");
       return true;
     }
   arcs_.push_back({from.second, to.second, std::move(path), false});
@@ -181,12 +182,13 @@ bool FaceSplitter::add_cut_arcs() {
     bool used = false;
     for (std::size_t i = 0; i + 1 < strand.stops.size(); ++i)
       used = add_cut_arc(strand, strand.stops[i], strand.stops[i + 1]) || used;
-    if (!used && !strand.runs.empty()) note(strand.cut, "runs along an edge");
+    if (!used && !strand.runs.empty() && !cuts_[static_cast<std::size_t>(strand.cut)].may_repeat)
+      note(strand.cut, "runs along an edge");
     if (used || !strand.runs.empty()) useful[static_cast<std::size_t>(strand.cut)] = true;
     any = any || used;
   }
   for (std::size_t i = 0; i < useful.size(); ++i)
-    if (!useful[i]) note(static_cast<int>(i), "lies outside of the trims");
+    if (!useful[i] && !cuts_[i].may_repeat) note(static_cast<int>(i), "lies outside of the trims");
   return any;
 }
 

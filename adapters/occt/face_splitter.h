@@ -29,6 +29,7 @@ struct FaceCut {
   double tolerance = 0;   ///< of the edges that come of it; at least what OCCT asks for is taken
   double least_sine = 1;  ///< of the angle between the face and what cuts it
   std::optional<Conic> conic{};  ///< what the edges become in space; null: the spline
+  bool may_repeat = false;       ///< where other cuts run as well, which is not noted then
 };
 
 /// A piece of a cut on the border of a piece of the face.

@@ -13,7 +13,6 @@
 
 #include "adapters/occt/common_edges.h"
 #include "adapters/occt/edge_images.h"
-#include "adapters/occt/face_trims.h"
 #include "adapters/occt/ray_casting.h"
 
 namespace blossom::occt {
@@ -95,18 +94,10 @@ void check_unmatched(const SplitSolid& of, const std::vector<std::vector<std::si
   for (const SolidPiece& piece : of.pieces) {
     if (is_on(piece.side)) continue;
     const auto& faces = over[static_cast<std::size_t>(piece.from)];
-    const std::optional<gp_Pnt> point =
-        faces.empty() ? std::optional<gp_Pnt>() : point_inside(piece.face);
-    if (!point) continue;
-    for (const std::size_t face : faces) {
-      const TopoDS_Face& under = other.solid->faces[face];
-      const SurfaceFeet feet(under, tolerance);
-      const Vec2 uv = feet.foot(vec(*point), {});
-      if (feet.gap(vec(*point), uv) <= kLiesReach * tolerance &&
-          part_side(face_trims(under), {uv[0], uv[0]}, {uv[1], uv[1]}) != PartSide::Outside)
+    for (const std::size_t face : faces)
+      if (lies_on(piece.face, other.solid->faces[face], kLiesReach * tolerance))
         obstacles.push_back(piece_name(of, piece) + " coincides with face " +
                             std::to_string(face + 1) + " of the " + other.name + " only in part");
-    }
   }
 }
 
@@ -162,7 +153,7 @@ void find_sides(SplitSolid& a, SplitSolid& b,
     over_a[face_a].push_back(face_b);
     over_b[face_b].push_back(face_a);
   }
-  if (!overlaps.empty()) match_pieces(a, b, tolerance);
+  match_pieces(a, b, tolerance);
   check_unmatched(a, over_a, b, tolerance, obstacles);
   check_unmatched(b, over_b, a, tolerance, obstacles);
   if (!obstacles.empty()) return;

@@ -12,6 +12,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/area.h"
+#include "adapters/occt/edge_images.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection.h"
 #include "core/base/errors.h"
@@ -19,11 +20,14 @@
 namespace blossom::occt {
 namespace {
 
+constexpr double kReach = 10;  // tolerances: what is so near a tool's face lies on it
+
 // A face of the part on its way through the work.
 struct Job {
   const PartFace* of = nullptr;
   std::vector<FaceCut> cuts;
   std::vector<CutSource> sources;
+  std::vector<std::pair<int, TopoDS_Face>> coincident;  // tools, and their faces
   std::unique_ptr<FaceSplitter> splitter;
   FaceSplit split;
   bool failed = false;
@@ -68,9 +72,27 @@ ToolFaces all_faces(const std::vector<TrimTool>& tools) {
 
 void note_places(const FaceIntersection& pair, const PartFace& face, TrimResult& result) {
   for (const Place& place : pair.found.places)
-    if (place.kind == PlaceKind::Overlap || place.kind == PlaceKind::Open)
+    if (place.kind == PlaceKind::Open)
       result.notes.push_back(face_name(face) + ": " + to_string(place.kind) +
                              " with a tool's face, nothing is cut there");
+}
+
+bool has_overlap(const FaceIntersection& pair) {
+  return std::any_of(pair.found.places.begin(), pair.found.places.end(),
+                     [](const Place& place) { return place.kind == PlaceKind::Overlap; });
+}
+
+// The edges of a tool's face that lie in a face of the part, as cuts.
+void add_common_border(const FaceIntersection& pair, const ToolFaces& tools, double tolerance,
+                       Job& job) {
+  const auto place = static_cast<std::size_t>(pair.face_b);
+  const SurfaceFeet feet(job.of->face, tolerance);
+  for (FaceCut& cut : edge_cuts(tools.faces[place], feet, kReach * tolerance, tolerance)) {
+    cut.may_repeat = true;
+    job.cuts.push_back(std::move(cut));
+    job.sources.push_back({tools.tool[place], tools.faces[place], {}, true});
+  }
+  job.coincident.emplace_back(tools.tool[place], tools.faces[place]);
 }
 
 void add_cuts(const FaceIntersection& pair, const ToolFaces& tools, Job& job, TrimResult& result) {
@@ -104,6 +126,12 @@ std::vector<Job> jobs_of(const std::vector<PartFace>& part, const std::vector<Tr
   result.certificate = found.certificate;
   for (const FaceIntersection& pair : found.pairs)
     add_cuts(pair, all, jobs[job_of[static_cast<std::size_t>(pair.face_a)]], result);
+  for (const FaceIntersection& pair : found.pairs) {
+    Job& job = jobs[job_of[static_cast<std::size_t>(pair.face_a)]];
+    if (has_overlap(pair) && !job.failed)
+      attempt(job, result,
+              [&] { add_common_border(pair, all, options.intersection.tolerances.point, job); });
+  }
   return jobs;
 }
 
@@ -147,6 +175,7 @@ PieceSide combined(const std::vector<ToolSide>& sides, bool solids) {
     return std::find(sides.begin(), sides.end(), side) != sides.end();
   };
   if (solids && any(ToolSide::Below)) return PieceSide::Inside;
+  if (any(ToolSide::On)) return PieceSide::On;
   if (any(ToolSide::Unknown)) return PieceSide::Unknown;
   if (all(ToolSide::Above)) return solids ? PieceSide::Outside : PieceSide::Above;
   return all(ToolSide::Below) ? PieceSide::Below : PieceSide::Mixed;
@@ -158,17 +187,25 @@ struct Judged {
   bool below = false;
 };
 
-std::vector<Judged> judged(const std::vector<Job>& jobs, const std::vector<TrimTool>& tools) {
+std::vector<Judged> judged(const std::vector<Job>& jobs, const std::vector<TrimTool>& tools,
+                           double tolerance) {
   std::vector<SidedPiece> pieces;
+  std::vector<const Job*> job_of;
   for (const Job& job : jobs)
     if (job.of->cut)
-      for (const FacePiece& piece : job.split.pieces)
+      for (const FacePiece& piece : job.split.pieces) {
         pieces.push_back({&piece, &job.cuts, &job.sources});
+        job_of.push_back(&job);
+      }
   std::vector<std::vector<ToolSide>> sides(pieces.size());
   for (std::size_t k = 0; k < tools.size(); ++k) {
     const std::vector<ToolSide> found = sides_of(pieces, tools[k], static_cast<int>(k));
     for (std::size_t i = 0; i < pieces.size(); ++i) sides[i].push_back(found[i]);
   }
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (const auto& [tool, face] : job_of[i]->coincident)
+      if (lies_on(pieces[i].piece->face, face, kReach * tolerance))
+        sides[i][static_cast<std::size_t>(tool)] = ToolSide::On;
   const bool solids =
       std::all_of(tools.begin(), tools.end(), [](const TrimTool& tool) { return tool.is_solid(); });
   std::vector<Judged> result;
@@ -245,6 +282,7 @@ const char* to_string(PieceSide side) {
     case PieceSide::Below: return "below";
     case PieceSide::Inside: return "inside";
     case PieceSide::Outside: return "outside";
+    case PieceSide::On: return "on";
     case PieceSide::Mixed: return "mixed";
     case PieceSide::Unknown: break;
   }
@@ -257,7 +295,7 @@ TrimResult trim(const std::vector<PartFace>& part, const std::vector<TrimTool>& 
   TrimResult result;
   std::vector<Job> jobs = jobs_of(part, tools, options, result);
   split_all(jobs, options, result);
-  const std::vector<Judged> sides = judged(jobs, tools);
+  const std::vector<Judged> sides = judged(jobs, tools, options.intersection.tolerances.point);
   collect(jobs, sides, options, result);
   const int count = static_cast<int>(result.pieces.size());
   if (options.keep == Keep::Number && (options.piece < 1 || options.piece > count))

@@ -38,7 +38,7 @@ struct TrimOptions {
 };
 
 /// Where a piece lies with respect to all tools.
-enum class PieceSide { Unknown, Above, Below, Inside, Outside, Mixed };
+enum class PieceSide { Unknown, Above, Below, Inside, Outside, On, Mixed };
 
 /// "unknown", "above", ... as in the JSON report.
 const char* to_string(PieceSide side);
@@ -64,6 +64,9 @@ struct TrimResult {
 };
 
 /// Cuts the faces of a part along their intersections with the tools.
+///
+/// Where a face coincides with one of a tool it is cut along the border of their common region; the
+/// piece there lies on the tool, on none of its sides.
 ///
 /// Every cut becomes one edge for both its sides; edges that cuts end in are split once for all
 /// their faces, so that shells stay sewn.

@@ -25,6 +25,9 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/edge_images.h"
+#include "adapters/occt/face_trims.h"
+
 namespace blossom::occt {
 namespace {
 
@@ -153,6 +156,16 @@ std::optional<gp_Pnt> point_inside(const TopoDS_Face& face) {
   const Handle(IntTools_Context) context = new IntTools_Context;
   if (BOPTools_AlgoTools3D::PointInFace(face, point, uv, context) != 0) return std::nullopt;
   return point;
+}
+
+bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach) {
+  const std::optional<gp_Pnt> point = point_inside(piece);
+  if (!point) return false;
+  const Vec3 p{point->X(), point->Y(), point->Z()};
+  const SurfaceFeet feet(face, Precision::Confusion());
+  const Vec2 uv = feet.foot(p, {});
+  return feet.gap(p, uv) <= reach &&
+         part_side(face_trims(face), {uv[0], uv[0]}, {uv[1], uv[1]}) != PartSide::Outside;
 }
 
 TrimTool trim_tool(const TopoDS_Shape& shape) {

@@ -40,11 +40,15 @@ struct SidedPiece {
   const std::vector<CutSource>* sources = nullptr;  ///< one for each cut
 };
 
-enum class ToolSide { Unknown, Above, Below };
+enum class ToolSide { Unknown, Above, Below, On };
 
 /// The side of a piece next to a cut on its border, from directions into the piece at several
 /// points of the cut; unknown when they disagree or the surfaces are tangential there.
 ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use);
+
+/// Whether a piece lies on a face: a point inside of it is within reach of it, inside of its trims
+/// or on its border.
+bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach);
 
 /// A point inside of a face; none if Open CASCADE finds none.
 std::optional<gp_Pnt> point_inside(const TopoDS_Face& face);

@@ -3,11 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
+#include <vector>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -21,6 +26,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
 
@@ -247,6 +254,57 @@ TEST(Trim, ToolThatEndsInsideLeavesNoImprintWhereASideIsKept) {
   EXPECT_TRUE(result.pieces[0].shape.IsSame(face));
   ASSERT_GE(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("left out"), std::string::npos);
+}
+
+std::vector<std::pair<PieceSide, double>> sides_and_areas(const TrimResult& result) {
+  std::vector<std::pair<PieceSide, double>> found;
+  for (const TrimPiece& piece : result.pieces) {
+    EXPECT_TRUE(BRepCheck_Analyzer(piece.shape).IsValid());
+    found.emplace_back(piece.side, std::round(1e6 * piece.area) / 1e6);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+using Sides = std::vector<std::pair<PieceSide, double>>;
+
+TEST(Trim, ABoxThatStandsOnAFaceCutsItsFootOut) {
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
+  const TrimTool tool = trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 0), gp_Pnt(2, 3, 1)).Shape());
+  TrimResult result = trim(part_of(face), {tool});
+  EXPECT_EQ(sides_and_areas(result), (Sides{{PieceSide::Outside, 14}, {PieceSide::On, 2}}));
+  EXPECT_TRUE(result.notes.empty());
+  TrimOptions options;
+  options.keep = Keep::Outside;
+  result = trim(part_of(face), {tool}, options);
+  for (const TrimPiece& piece : result.pieces)
+    EXPECT_EQ(piece.kept, piece.side == PieceSide::Outside);
+}
+
+TEST(Trim, FacesInOnePlaneCutEachOtherAlongTheirBorders) {
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 4, 0, 4);
+  const gp_Circ circle(gp_Ax2(gp_Pnt(4, 2, 0), gp::DZ()), 1);
+  const TopoDS_Face disc =
+      BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle)));
+  const TrimResult result = trim(part_of(face), {trim_tool(disc)});
+  ASSERT_EQ(result.pieces.size(), 2u);
+  const double half_disc = std::round(1e6 * kPi / 2) / 1e6;
+  EXPECT_NEAR(sum_of_areas(result), 16, 1e-9);
+  EXPECT_EQ(sides_and_areas(result).back(), (std::pair{PieceSide::On, half_disc}));
+}
+
+TEST(Trim, CylindersInEachOtherCutBands) {
+  const TopoDS_Shape part = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, 0}, gp::DZ()), 1, 3).Shape();
+  const gp_Ax2 turned(gp_Pnt(0, 0, 1), gp::DZ(), gp_Dir(1, 1, 0));
+  const TopoDS_Shape tool = BRepPrimAPI_MakeCylinder(turned, 1, 1).Shape();
+  const TrimResult result = trim(part_of(part, {1}), {trim_tool(tool)});
+  ASSERT_EQ(result.pieces.size(), 3u);
+  int on = 0;
+  for (const TrimPiece& piece : result.pieces) {
+    EXPECT_NEAR(piece.area, 2 * kPi, 1e-6);
+    on += piece.side == PieceSide::On ? 1 : 0;
+  }
+  EXPECT_EQ(on, 1);
 }
 
 }  // namespace
