@@ -58,17 +58,21 @@ bool goes_on(const GeomAdaptor_Surface& surface) {
 }
 
 // Trims that are no rectangle touch their box, and what runs along them would touch the border of
-// the surface. So it goes on beyond it.
-BezierSurface surface_of(const TopoDS_Face& face, const FaceTrims& trims, double tolerance) {
+// the surface. So it goes on beyond it, as may those that are one; then they have to be clipped.
+BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double tolerance,
+                         FaceTrims& trims) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   ParameterBox box = parameter_box(face);
-  if (!trims.natural && goes_on(GeomAdaptor_Surface(surface))) {
+  if ((!trims.natural || extent == Extent::Beyond) && goes_on(GeomAdaptor_Surface(surface))) {
+    const ParameterBox own = box;
     Interval u, v;
     surface->Bounds(u.from, u.to, v.from, v.to);
     const double endless = std::numeric_limits<double>::infinity();
     const bool in_u = surface->IsUPeriodic(), in_v = surface->IsVPeriodic();
     box.u = wider(box.u, in_u ? Interval{-endless, endless} : u, in_u ? surface->UPeriod() : 0);
     box.v = wider(box.v, in_v ? Interval{-endless, endless} : v, in_v ? surface->VPeriod() : 0);
+    trims.natural =
+        trims.natural && length(box.u) == length(own.u) && length(box.v) == length(own.v);
   }
   return bezier_surface(surface, box, tolerance);
 }
@@ -242,10 +246,10 @@ Place place_of(const SurfacePoint& x, const std::vector<Place>& places) {
 
 }  // namespace
 
-FaceData face_data(const TopoDS_Face& face, double tolerance) {
+FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent) {
   FaceData data;
   data.trims = face_trims(face);
-  data.surface = surface_of(face, data.trims, tolerance);
+  data.surface = surface_of(face, extent, tolerance, data.trims);
   data.box = box_of(data.surface, data.surface.error + tolerance);
   return data;
 }

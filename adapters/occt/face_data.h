@@ -23,7 +23,7 @@ struct FaceData {
 };
 
 /// throws   BadModel if the face cannot be converted
-FaceData face_data(const TopoDS_Face& face, double tolerance);
+FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent = Extent::Trims);
 
 /// Which part of the face's surface counts; empty for a naturally bounded one. Keeps a reference.
 PartTest part_test(const FaceTrims& trims);

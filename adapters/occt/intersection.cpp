@@ -26,12 +26,12 @@ constexpr double kEdgeStrip = 2e-3;    // of the faces' size: so near, smooth fa
 constexpr double kEdgeSag = 1e-4;      // of a shared edge's length, for the chords of its samples
 
 std::vector<FaceData> data_of(const std::vector<TopoDS_Face>& faces, const char* list,
-                              double tolerance) {
+                              double tolerance, Extent extent) {
   std::vector<FaceData> data;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const std::string place = std::string("face ") + std::to_string(i + 1) + " of " + list;
     try {
-      data.push_back(face_data(faces[i], tolerance));
+      data.push_back(face_data(faces[i], tolerance, extent));
     } catch (const BadModel& error) {
       throw BadModel(place + ": " + error.what());
     }
@@ -248,17 +248,18 @@ FacePairs meeting_pairs(const std::vector<FaceData>& a, const std::vector<FaceDa
 }  // namespace
 
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-                            const IntersectionOptions& options) {
+                            const IntersectionOptions& options, Extent extent) {
   const double tolerance = options.tolerances.point;
-  const std::vector<FaceData> faces_a = data_of(a, "the first shape", tolerance);
-  const std::vector<FaceData> faces_b = data_of(b, "the second shape", tolerance);
+  const std::vector<FaceData> faces_a = data_of(a, "the first shape", tolerance, extent);
+  const std::vector<FaceData> faces_b = data_of(b, "the second shape", tolerance, extent);
   const PairIntersector intersector(a, b, faces_a, faces_b, Shared::Listed, options);
   return intersected(intersector, meeting_pairs(faces_a, faces_b), options.threads);
 }
 
 ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScope scope,
                                  const IntersectionOptions& options) {
-  const std::vector<FaceData> data = data_of(faces, "the shape", options.tolerances.point);
+  const std::vector<FaceData> data =
+      data_of(faces, "the shape", options.tolerances.point, Extent::Trims);
   FacePairs pairs = meeting_pairs(data, data);
   std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
     return scope == SelfScope::EachFace ? pair.first != pair.second : pair.first > pair.second;

@@ -42,6 +42,13 @@ struct FaceIntersection {
   std::vector<BorderPlace> borders;  ///< one for each of found.points
 };
 
+/// What of a face's surface is searched. Results are clipped to the trims in any case.
+enum class Extent {
+  Trims,   ///< the rectangle of the trims; it goes on a little where the trims are no rectangle
+  Beyond,  ///< a little more wherever the surface goes on, so that what lies along a border, or
+           ///< within tolerance of it, is found like all else
+};
+
 struct ShapeIntersection {
   Status status = Status::Complete;     ///< the weakest of all pairs
   std::vector<FaceIntersection> pairs;  ///< only pairs with something to tell
@@ -52,7 +59,7 @@ struct ShapeIntersection {
 /// Intersects every face of one list with every face of the other.
 /// throws   BadModel if a face cannot be converted; the message has the face's place in its list
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-                            const IntersectionOptions& options = {});
+                            const IntersectionOptions& options = {}, Extent extent = Extent::Trims);
 
 /// What of a shape is compared with itself.
 enum class SelfScope {

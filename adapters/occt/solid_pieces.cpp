@@ -330,14 +330,13 @@ std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const ShapeIntersec
   return overlaps;
 }
 
-}  // namespace
-
-SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options,
+                      Extent extent) {
   SolidPieces result;
   Side side_a("part", a), side_b("tool", b);
   std::vector<CurveUse> uses;
   const double tolerance = options.tolerances.point;
-  const ShapeIntersection found = intersect(a.faces, b.faces, options);
+  const ShapeIntersection found = intersect(a.faces, b.faces, options, extent);
   result.status = found.status;
   result.certificate = found.certificate;
   if (result.status == Status::Stopped)
@@ -348,8 +347,13 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
     add_curves(pair, common, tolerance, side_a, side_b, uses, result);
   if (!result.obstacles.empty()) return result;
   EdgeSplits splits(tolerance);
-  guarded("splitting the solids",
-          [&] { split_both(side_a, side_b, uses, common, splits, tolerance); });
+  try {
+    guarded("splitting the solids",
+            [&] { split_both(side_a, side_b, uses, common, splits, tolerance); });
+  } catch (const Failure& error) {
+    result.obstacles.emplace_back(error.what());
+    return result;
+  }
   EdgeUnion joined;
   if (const std::string cause = common.join(splits, joined); !cause.empty())
     result.obstacles.push_back(cause);
@@ -364,6 +368,17 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
   result.a = std::move(split_a.pieces);
   result.b = std::move(split_b.pieces);
   return result;
+}
+
+}  // namespace
+
+SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+  SolidPieces found = pieces_of(a, b, options, Extent::Beyond);
+  if (found.obstacles.empty() || options.time_limit > 0) return found;
+  // Borders of surfaces that do not go on are easier to tell from those of others where these end
+  // in the same place.
+  SolidPieces other = pieces_of(a, b, options, Extent::Trims);
+  return other.obstacles.empty() ? other : found;
 }
 
 }  // namespace blossom::occt
