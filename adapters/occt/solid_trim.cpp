@@ -5,13 +5,20 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <string>
+#include <utility>
 
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 
 #include "adapters/occt/area.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/face_data.h"
 #include "adapters/occt/solid_pieces.h"
 #include "adapters/occt/solid_shells.h"
 #include "core/base/errors.h"
@@ -45,14 +52,14 @@ std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const Vec3
 
 enum class Turn { AsItIs, Round };
 
-void add(const std::vector<Measured>& pieces, bool of_tool, SolidSide side, Turn turn,
-         Chosen& chosen) {
+void choose(const std::vector<Measured>& pieces, int tool, SolidSide side, Turn turn,
+            Chosen& chosen) {
   for (const auto& [piece, volume] : pieces) {
     if (piece.side != side) continue;
     const bool round = turn == Turn::Round;
     const TopoDS_Face face = round ? TopoDS::Face(piece.face.Reversed()) : piece.face;
     chosen.faces.push_back({face, round ? -volume : volume});
-    chosen.origins.push_back({face, of_tool, piece.from});
+    chosen.origins.push_back({face, tool, piece.from});
   }
 }
 
@@ -64,15 +71,15 @@ struct Results {
 
 Results results_of(const std::vector<Measured>& part, const std::vector<Measured>& tool) {
   Results made;
-  add(part, false, SolidSide::Outside, Turn::AsItIs, made.cut);
-  add(part, false, SolidSide::Opposite, Turn::AsItIs, made.cut);
-  add(tool, true, SolidSide::Inside, Turn::Round, made.cut);
-  add(part, false, SolidSide::Inside, Turn::AsItIs, made.common);
-  add(part, false, SolidSide::Same, Turn::AsItIs, made.common);
-  add(tool, true, SolidSide::Inside, Turn::AsItIs, made.common);
-  add(part, false, SolidSide::Outside, Turn::AsItIs, made.fuse);
-  add(part, false, SolidSide::Same, Turn::AsItIs, made.fuse);
-  add(tool, true, SolidSide::Outside, Turn::AsItIs, made.fuse);
+  choose(part, -1, SolidSide::Outside, Turn::AsItIs, made.cut);
+  choose(part, -1, SolidSide::Opposite, Turn::AsItIs, made.cut);
+  choose(tool, 0, SolidSide::Inside, Turn::Round, made.cut);
+  choose(part, -1, SolidSide::Inside, Turn::AsItIs, made.common);
+  choose(part, -1, SolidSide::Same, Turn::AsItIs, made.common);
+  choose(tool, 0, SolidSide::Inside, Turn::AsItIs, made.common);
+  choose(part, -1, SolidSide::Outside, Turn::AsItIs, made.fuse);
+  choose(part, -1, SolidSide::Same, Turn::AsItIs, made.fuse);
+  choose(tool, 0, SolidSide::Outside, Turn::AsItIs, made.fuse);
   return made;
 }
 
@@ -99,6 +106,96 @@ Vec3 apex_of(const TrimTool& part) {
   return {point.X(), point.Y(), point.Z()};
 }
 
+// Two solids.
+SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
+                         const IntersectionOptions& options) {
+  const SolidPieces pieces = solid_pieces(part, tool, options);
+  SolidTrimResult result{pieces.status, pieces.certificate, {}, {}, {}, pieces.obstacles};
+  if (!result.obstacles.empty()) return result;
+  const Vec3 apex = apex_of(part);
+  const Results made = results_of(measured(pieces.a, apex), measured(pieces.b, apex));
+  const SolidVolumes volumes{volume_of(part, apex), volume_of(tool, apex), made.cut.volume(),
+                             made.common.volume(), made.fuse.volume()};
+  result.volumes.push_back(volumes);
+  if (operation == SolidOperation::Cut || operation == SolidOperation::Split)
+    add_solids(made.cut, result);
+  if (operation == SolidOperation::Common || operation == SolidOperation::Split)
+    add_solids(made.common, result);
+  if (operation == SolidOperation::Fuse) add_solids(made.fuse, result);
+  if (!(std::max(volumes.cut_error(), volumes.fuse_error()) <= kVolumeError))
+    result.obstacles.emplace_back("the volumes do not add up");
+  return result;
+}
+
+// A result on its way through several tools: a solid again, with the origins of its faces.
+struct Stage {
+  TrimTool solid;
+  std::vector<SolidFace> faces;  // one for each of the solid's
+};
+
+Stage stage_of(const TrimTool& input, int tool) {
+  Stage stage{input, {}};
+  for (const TopoDS_Face& face : input.faces)
+    stage.faces.push_back({face, tool, static_cast<int>(stage.faces.size())});
+  return stage;
+}
+
+Stage stage_of(const SolidTrimResult& made) {
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Solid& solid : made.solids) builder.Add(all, solid);
+  TopTools_IndexedMapOfShape numbers;
+  TopExp::MapShapes(all, TopAbs_FACE, numbers);
+  Stage stage{trim_tool(all), {}};
+  stage.faces.resize(stage.solid.faces.size());
+  for (const SolidFace& face : made.faces)
+    stage.faces[static_cast<std::size_t>(numbers.FindIndex(face.face)) - 1] = face;
+  return stage;
+}
+
+// Combines a stage with another one; faces come from where those of the two do.
+void combine(const Stage& first, const Stage& second, SolidOperation operation,
+             const IntersectionOptions& options, SolidTrimResult& result) {
+  SolidTrimResult made = combined(first.solid, second.solid, operation, options);
+  for (SolidFace& face : made.faces) {
+    const Stage& of = face.tool < 0 ? first : second;
+    const SolidFace& origin = of.faces[static_cast<std::size_t>(face.from)];
+    face = {face.face, origin.tool, origin.from};
+  }
+  result.status = weaker(result.status, made.status);
+  add(result.certificate, made.certificate);
+  result.volumes.insert(result.volumes.end(), made.volumes.begin(), made.volumes.end());
+  result.obstacles = std::move(made.obstacles);
+  result.solids = std::move(made.solids);
+  result.faces = std::move(made.faces);
+}
+
+// One tool after the other, until there is an obstacle or nothing left.
+SolidTrimResult folded(Stage stage, const std::vector<TrimTool>& tools, std::size_t from,
+                       SolidOperation operation, const IntersectionOptions& options) {
+  SolidTrimResult result;
+  for (std::size_t i = from; i < tools.size(); ++i) {
+    combine(stage, stage_of(tools[i], static_cast<int>(i)), operation, options, result);
+    if (!result.obstacles.empty() || result.solids.empty()) break;
+    if (i + 1 < tools.size()) stage = stage_of(result);
+  }
+  return result;
+}
+
+SolidTrimResult split(const TrimTool& part, const std::vector<TrimTool>& tools,
+                      const IntersectionOptions& options) {
+  Stage tool = stage_of(tools.front(), 0);
+  SolidTrimResult result;
+  if (tools.size() > 1) {
+    result = folded(tool, tools, 1, SolidOperation::Fuse, options);
+    if (!result.obstacles.empty()) return result;
+    tool = stage_of(result);
+  }
+  combine(stage_of(part, -1), tool, SolidOperation::Split, options, result);
+  return result;
+}
+
 }  // namespace
 
 double SolidVolumes::cut_error() const { return std::abs(cut + common - part) / part; }
@@ -107,25 +204,18 @@ double SolidVolumes::fuse_error() const {
   return std::abs(fuse + common - part - tool) / (part + tool);
 }
 
-SolidTrimResult trim_solids(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                            const IntersectionOptions& options) {
-  if (!part.is_solid() || !tool.is_solid())
-    throw InvalidInput(std::string("trim: the ") + (part.is_solid() ? "tool" : "part") +
-                       " is no closed solid");
-  const SolidPieces pieces = solid_pieces(part, tool, options);
-  SolidTrimResult result{pieces.status, pieces.certificate, {}, {}, {}, pieces.obstacles};
-  if (!result.obstacles.empty()) return result;
-  const Vec3 apex = apex_of(part);
-  const Results made = results_of(measured(pieces.a, apex), measured(pieces.b, apex));
-  result.volumes = {volume_of(part, apex), volume_of(tool, apex), made.cut.volume(),
-                    made.common.volume(), made.fuse.volume()};
-  if (operation == SolidOperation::Cut || operation == SolidOperation::Split)
-    add_solids(made.cut, result);
-  if (operation == SolidOperation::Common || operation == SolidOperation::Split)
-    add_solids(made.common, result);
-  if (operation == SolidOperation::Fuse) add_solids(made.fuse, result);
-  if (!(std::max(result.volumes.cut_error(), result.volumes.fuse_error()) <= kVolumeError))
-    result.obstacles.emplace_back("the volumes do not add up");
+SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
+                            SolidOperation operation, const IntersectionOptions& options) {
+  if (tools.empty()) throw InvalidInput("trim: there is no tool");
+  if (!part.is_solid()) throw InvalidInput("trim: the part is no closed solid");
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    if (!tools[i].is_solid())
+      throw InvalidInput(
+          "trim: " + (tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1)) +
+          " is no closed solid");
+  SolidTrimResult result = operation == SolidOperation::Split
+                               ? split(part, tools, options)
+                               : folded(stage_of(part, -1), tools, 0, operation, options);
   if (!result.obstacles.empty()) {
     result.solids.clear();
     result.faces.clear();

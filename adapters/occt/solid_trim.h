@@ -14,10 +14,10 @@
 namespace blossom::occt {
 
 enum class SolidOperation {
-  Cut,     ///< the part without the tool
-  Common,  ///< what lies in both
-  Fuse,    ///< what lies in either
-  Split,   ///< the part in pieces: cut and common side by side, with common faces
+  Cut,     ///< the part without the tools
+  Common,  ///< what lies in the part and in all tools
+  Fuse,    ///< what lies in any of them
+  Split,   ///< the part in pieces: outside of all tools and inside of any, with common faces
 };
 
 /// Volumes by our own integration over faces and pieces, cubic model units.
@@ -40,28 +40,33 @@ inline constexpr double kVolumeError = 1e-6;
 /// A face of a result and where it comes from.
 struct SolidFace {
   TopoDS_Face face;
-  bool of_tool = false;  ///< of the part otherwise
-  int from = 0;          ///< place of the face that it is a piece of among that one's faces
+  int tool = -1;  ///< index of the tool; -1 of the part
+  int from = 0;   ///< place of the face that it is a piece of among that one's faces
 };
 
 struct SolidTrimResult {
   Status status = Status::Complete;  ///< of the intersection
   Certificate certificate;
-  std::vector<TopoDS_Solid> solids;  ///< valid by BRepCheck; none if it is empty or refused
-  std::vector<SolidFace> faces;      ///< of all solids
-  SolidVolumes volumes;
+  std::vector<TopoDS_Solid> solids;    ///< valid by BRepCheck; none if it is empty or refused
+  std::vector<SolidFace> faces;        ///< of all solids
+  std::vector<SolidVolumes> volumes;   ///< one for each tool, of the two that were combined then
   std::vector<std::string> obstacles;  ///< why there is no result; none if it can be used
 };
 
-/// Combines two closed solids.
+/// Combines closed solids.
 ///
 /// Faces are split along each other, pieces on the wanted sides put together by their common edges
 /// into closed shells, and shells into solids: a shell that is turned inwards is a void of the
-/// smallest solid around it. Every edge has to be used once in each direction, every solid to be
-/// valid, and volumes to add up; contacts without crossing are refused, see `solid_pieces`.
+/// smallest solid around it. Every edge has to be used as often in one direction as in the other,
+/// every solid to be valid, and volumes to add up; what `solid_pieces` refuses is refused.
 ///
-/// throws    InvalidInput if an input is no closed solid; BadModel if a face cannot be converted
-SolidTrimResult trim_solids(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                            const IntersectionOptions& options = {});
+/// Tools are taken one after the other: the part, and then the result so far, is combined with the
+/// next one, until the result is empty. To split, the tools are fused first.
+///
+/// part, tools   each one or several solids that do not overlap; at least one tool
+/// throws        InvalidInput if an input is no closed solid, or there is no tool; BadModel if a
+///               face cannot be converted
+SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
+                            SolidOperation operation, const IntersectionOptions& options = {});
 
 }  // namespace blossom::occt

@@ -92,7 +92,7 @@ void judge(const TopoDS_Shape& shape, const Vec3& apex, Combined& result) {
 occt::SolidTrimResult combined(const TopoDS_Shape& part, const TopoDS_Shape& tool,
                                std::size_t operation, const IntersectionOptions& options) {
   try {
-    return occt::trim_solids(occt::trim_tool(part), occt::trim_tool(tool), kOperations[operation],
+    return occt::trim_solids(occt::trim_tool(part), {occt::trim_tool(tool)}, kOperations[operation],
                              options);
   } catch (const InvalidInput& error) {
     occt::SolidTrimResult none;

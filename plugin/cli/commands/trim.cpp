@@ -214,8 +214,7 @@ int run_solid(const Options& options) {
     throw UsageError("--solid goes without --keep and --allow-incomplete");
   if (!is_solid_operation(options.solid))
     throw UsageError("--solid takes cut, common, fuse or split, not '" + options.solid + "'");
-  if (options.tools.size() != 1) throw UsageError("--solid takes one tool");
-  return trim_solids({options.part, options.tools.front(), options.solid, options.watertight,
+  return trim_solids({options.part, options.tools, options.solid, options.watertight,
                       options.common, options.engine});
 }
 
@@ -251,9 +250,10 @@ void add_trim(CLI::App& app, int& exit_code) {
                    "tools), all, or the number of a piece")
       ->type_name("SIDE");
   command
-      ->add_option("--solid", options->solid,
-                   "combine two closed solids instead: cut, common, fuse or split (cut and common "
-                   "side by side)")
+      ->add_option(
+          "--solid", options->solid,
+          "combine closed solids instead: cut, common, fuse or split (cut and common side by "
+          "side), with all tools")
       ->type_name("OPERATION");
   command->add_flag("--allow-incomplete", options->allow_incomplete,
                     "write the model even if the intersection was stopped");

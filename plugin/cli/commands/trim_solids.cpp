@@ -74,12 +74,16 @@ occt::Model model_of(const std::string& text) {
   return std::move(input.model);
 }
 
-Timed timed_trim(const SolidTrim& options, const occt::Model& part, const occt::Model& tool) {
+using Models = std::vector<occt::Model>;
+
+Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models& tools) {
   Progress progress("combining solids", options.common.quiet);
   const IntersectionOptions engine = intersection_options(options.engine, progress);
-  const occt::TrimTool a = occt::trim_tool(part.shape()), b = occt::trim_tool(tool.shape());
+  const occt::TrimTool solid = occt::trim_tool(part.shape());
+  std::vector<occt::TrimTool> others;
+  for (const occt::Model& tool : tools) others.push_back(occt::trim_tool(tool.shape()));
   const auto start = std::chrono::steady_clock::now();
-  Timed result{occt::trim_solids(a, b, kOperations.at(options.operation), engine), {}, 0};
+  Timed result{occt::trim_solids(solid, others, kOperations.at(options.operation), engine), {}, 0};
   if (options.watertight && !result.made.solids.empty())
     make_watertight(result, options.engine.tolerance);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
@@ -100,30 +104,31 @@ int shell_count(const TopoDS_Shape& shape) {
   return shells.Extent();
 }
 
-Json volumes_json(const occt::SolidTrimResult& made) {
-  if (made.volumes.part == 0) return nullptr;
-  return {{"part", made.volumes.part},
-          {"tool", made.volumes.tool},
-          {"cut", made.volumes.cut},
-          {"common", made.volumes.common},
-          {"fuse", made.volumes.fuse},
-          {"cut_error", made.volumes.cut_error()},
-          {"fuse_error", made.volumes.fuse_error()}};
+Json to_json(const occt::SolidVolumes& volumes) {
+  return {{"part", volumes.part},
+          {"tool", volumes.tool},
+          {"cut", volumes.cut},
+          {"common", volumes.common},
+          {"fuse", volumes.fuse},
+          {"cut_error", volumes.cut_error()},
+          {"fuse_error", volumes.fuse_error()}};
 }
 
 Json report_of(const SolidTrim& options, const Timed& timed, bool written) {
-  Json solids = Json::array();
+  Json solids = Json::array(), steps = Json::array();
+  for (const occt::SolidVolumes& volumes : timed.made.volumes) steps.push_back(to_json(volumes));
   for (const TopoDS_Solid& solid : timed.made.solids)
     solids.push_back({{"faces", face_count(solid)}, {"voids", shell_count(solid) - 1}});
   return {{"schema", "blossom.solid/1"},
           {"part", options.part},
-          {"tool", options.tool},
+          {"tools", options.tools},
           {"operation", options.operation},
           {"status", to_string(timed.made.status)},
           {"written", written},
           {"seconds", timed.seconds},
           {"solids", std::move(solids)},
-          {"volumes", volumes_json(timed.made)},
+          {"volumes", steps.empty() ? Json(nullptr) : steps.back()},
+          {"steps", steps},
           {"obstacles", timed.made.obstacles},
           {"watertight", timed.watertight ? to_json(*timed.watertight) : Json(nullptr)},
           {"certificate", to_json(timed.made.certificate)}};
@@ -133,12 +138,11 @@ std::string summary(const SolidTrim& options, const Timed& timed) {
   std::ostringstream text;
   text << options.part << ": " << options.operation << ", " << to_string(timed.made.status) << ", "
        << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
-  if (timed.made.volumes.part != 0)
-    text << "  volumes: part " << timed.made.volumes.part << ", tool " << timed.made.volumes.tool
-         << ", cut " << timed.made.volumes.cut << ", common " << timed.made.volumes.common
-         << ", fuse " << timed.made.volumes.fuse << "\n  they add up within "
-         << timed.made.volumes.cut_error() << " (cut) and " << timed.made.volumes.fuse_error()
-         << " (fuse)\n";
+  for (const occt::SolidVolumes& volumes : timed.made.volumes)
+    text << "  volumes: part " << volumes.part << ", tool " << volumes.tool << ", cut "
+         << volumes.cut << ", common " << volumes.common << ", fuse " << volumes.fuse
+         << "\n  they add up within " << volumes.cut_error() << " (cut) and "
+         << volumes.fuse_error() << " (fuse)\n";
   if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
   return text.str();
@@ -147,24 +151,26 @@ std::string summary(const SolidTrim& options, const Timed& timed) {
 // Where the faces of a solid come from, those of the part first.
 std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
                                          const occt::SolidTrimResult& made, const occt::Model& part,
-                                         const occt::Model& tool) {
+                                         const Models& tools) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(solid, TopAbs_FACE, faces);
   std::vector<occt::FaceOrigin> origins;
   for (const occt::SolidFace& face : made.faces)
     if (faces.Contains(face.face))
-      origins.push_back({face.face, face.of_tool ? &tool : &part, face.from + 1});
+      origins.push_back({face.face,
+                         face.tool < 0 ? &part : &tools[static_cast<std::size_t>(face.tool)],
+                         face.from + 1});
   return origins;
 }
 
 // Each solid is called as the part from which its first face comes, numbered if others are so too.
 occt::Model model_of(const SolidTrim& options, const occt::SolidTrimResult& made,
-                     const occt::Model& part, const occt::Model& tool) {
+                     const occt::Model& part, const Models& tools) {
   std::vector<std::vector<occt::FaceOrigin>> origins;
   std::vector<std::string> names;
   std::map<std::string, int> count, numbered;
   for (const TopoDS_Solid& solid : made.solids) {
-    origins.push_back(origins_of(solid, made, part, tool));
+    origins.push_back(origins_of(solid, made, part, tools));
     const occt::FaceOrigin& first = origins.back().front();
     names.push_back(first.model->part_name(first.number));
     if (names.back().empty()) names.back() = std::filesystem::path(options.part).stem().string();
@@ -202,9 +208,11 @@ bool is_solid_operation(const std::string& word) { return kOperations.contains(w
 int trim_solids(const SolidTrim& options) {
   check_outputs(options.common, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   start_threads(options.engine.threads);
-  const occt::Model part = model_of(options.part), tool = model_of(options.tool);
+  const occt::Model part = model_of(options.part);
+  Models tools;
+  for (const std::string& tool : options.tools) tools.push_back(model_of(tool));
   stop_if_interrupted();
-  const Timed timed = timed_trim(options, part, tool);
+  const Timed timed = timed_trim(options, part, tools);
   const std::string reason = reason_of(timed.made);
   const CommonOptions& outputs = options.common;
   const bool write = reason.empty() && !outputs.output.empty();
@@ -213,7 +221,7 @@ int trim_solids(const SolidTrim& options) {
   if (write && is_net_file(outputs.output))
     write_json(nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
   else if (write)
-    occt::write_model(model_of(options, timed.made, part, tool), outputs.output);
+    occt::write_model(model_of(options, timed.made, part, tools), outputs.output);
   if (!png.empty()) occt::write_text(png, outputs.picture);
   if (!reason.empty())
     std::cerr << "blossom: "

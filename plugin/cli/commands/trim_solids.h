@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// `blossom trim PART TOOL --solid OPERATION`.
+// `blossom trim PART TOOL... --solid OPERATION`.
 
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "plugin/cli/options.h"
 
@@ -11,7 +12,7 @@ namespace blossom::cli {
 
 struct SolidTrim {
   std::string part;
-  std::string tool;
+  std::vector<std::string> tools;
   std::string operation;    ///< cut, common, fuse or split
   bool watertight = false;  ///< as untrimmed faces with common sides
   CommonOptions common;

@@ -31,12 +31,12 @@ TEST(ShapesOrigins, FacesOfACombinedSolidLookLikeThoseTheyComeFrom) {
   bar.add(BRepPrimAPI_MakeBox(gp_Pnt(10, -5, 5), gp_Pnt(15, 35, 20)).Shape(), "Bar", {0, 0, 1});
   const TopoDS_Shape plate = TopExp_Explorer(machine.shape(), TopAbs_SOLID).Current();
   const SolidTrimResult made =
-      trim_solids(trim_tool(plate), trim_tool(bar.shape()), SolidOperation::Cut);
+      trim_solids(trim_tool(plate), {trim_tool(bar.shape())}, SolidOperation::Cut);
   ASSERT_EQ(made.solids.size(), 1u);
   ASSERT_EQ(made.faces.size(), 10u);  // two of the top, five others, three of the slot
   std::vector<FaceOrigin> origins;
   for (const SolidFace& face : made.faces)
-    origins.push_back({face.face, face.of_tool ? &bar : &machine, face.from + 1});
+    origins.push_back({face.face, face.tool >= 0 ? &bar : &machine, face.from + 1});
 
   Model result;
   result.add_combined(made.solids[0], machine.part_name(1), origins);

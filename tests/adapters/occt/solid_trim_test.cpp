@@ -91,27 +91,28 @@ void expect_solids(const SolidTrimResult& result, std::size_t solids, double wan
   EXPECT_EQ(result.solids.size(), solids);
   for (const TopoDS_Solid& solid : result.solids) EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
   EXPECT_NEAR(volume(result.solids), wanted, 2e-6 * size);
-  EXPECT_LE(result.volumes.cut_error(), 1e-8);
-  EXPECT_LE(result.volumes.fuse_error(), 1e-8);
+  EXPECT_LE(result.volumes.back().cut_error(), 1e-8);
+  EXPECT_LE(result.volumes.back().fuse_error(), 1e-8);
 }
 
 void expect_all(const TopoDS_Shape& a, const TopoDS_Shape& b, const Expected& expected) {
   const TrimTool part = trim_tool(a), tool = trim_tool(b);
-  const SolidTrimResult cut = trim_solids(part, tool, SolidOperation::Cut);
-  const double of_a = cut.volumes.part, of_b = cut.volumes.tool, common = expected.volume;
+  const SolidTrimResult cut = trim_solids(part, {tool}, SolidOperation::Cut);
+  const double of_a = cut.volumes.back().part, of_b = cut.volumes.back().tool,
+               common = expected.volume;
   expect_solids(cut, expected.cut, of_a - common, of_a);
-  EXPECT_NEAR(cut.volumes.common, common, 1e-8 * of_a);
-  expect_solids(trim_solids(part, tool, SolidOperation::Common), expected.common, common, of_a);
-  expect_solids(trim_solids(part, tool, SolidOperation::Fuse), expected.fuse, of_a + of_b - common,
-                of_a + of_b);
-  expect_solids(trim_solids(part, tool, SolidOperation::Split), expected.cut + expected.common,
+  EXPECT_NEAR(cut.volumes.back().common, common, 1e-8 * of_a);
+  expect_solids(trim_solids(part, {tool}, SolidOperation::Common), expected.common, common, of_a);
+  expect_solids(trim_solids(part, {tool}, SolidOperation::Fuse), expected.fuse,
+                of_a + of_b - common, of_a + of_b);
+  expect_solids(trim_solids(part, {tool}, SolidOperation::Split), expected.cut + expected.common,
                 of_a, of_a);
 }
 
 TEST(TrimSolids, CutsABoxByABox) {
   const TopoDS_Shape a = box({0, 0, 0}, {2, 2, 2}), b = box({1, 1, 1}, {3, 3.5, 4});
   expect_all(a, b, {1});
-  const SolidTrimResult cut = trim_solids(trim_tool(a), trim_tool(b), SolidOperation::Cut);
+  const SolidTrimResult cut = trim_solids(trim_tool(a), {trim_tool(b)}, SolidOperation::Cut);
   ASSERT_EQ(cut.solids.size(), 1u);
   EXPECT_EQ(count(cut.solids[0], TopAbs_FACE), 9);
   EXPECT_EQ(count(cut.solids[0], TopAbs_EDGE), 21);
@@ -157,7 +158,7 @@ TEST(TrimSolids, CutsATorusByABox) {
 TEST(TrimSolids, LeavesAVoidWhereABallLiesInside) {
   const TopoDS_Shape a = box({-2, -2, -2}, {2, 2, 2}), b = ball({0.3, 0, 0}, 1);
   expect_all(a, b, {4 * kPi / 3});
-  const SolidTrimResult cut = trim_solids(trim_tool(a), trim_tool(b), SolidOperation::Cut);
+  const SolidTrimResult cut = trim_solids(trim_tool(a), {trim_tool(b)}, SolidOperation::Cut);
   ASSERT_EQ(cut.solids.size(), 1u);
   EXPECT_EQ(count(cut.solids[0], TopAbs_SHELL), 2);
   expect_all(b, a, {4 * kPi / 3, 0, 1, 1});
@@ -208,11 +209,11 @@ TEST(TrimSolids, CutsThroughEdgesWithLooseTolerances) {
   const TrimTool tool = trim_tool(turned(box({0.7, -1, 1}, {1.3, 3, 4}), gp_Dir(1, 2, 3), 0.2));
   for (const SolidOperation operation :
        {SolidOperation::Cut, SolidOperation::Common, SolidOperation::Fuse}) {
-    const SolidTrimResult result = trim_solids(part, tool, operation);
+    const SolidTrimResult result = trim_solids(part, {tool}, operation);
     ASSERT_EQ(words(result), "");
     EXPECT_EQ(result.solids.size(), 1u);
-    EXPECT_LE(result.volumes.cut_error(), kVolumeError);
-    EXPECT_LE(result.volumes.fuse_error(), kVolumeError);
+    EXPECT_LE(result.volumes.back().cut_error(), kVolumeError);
+    EXPECT_LE(result.volumes.back().fuse_error(), kVolumeError);
   }
 }
 
@@ -238,14 +239,15 @@ TEST(TrimSolids, AgreesWithOpenCascadeAboutModelsAndTheirTurnedCopies) {
     const Model model = read_model(std::filesystem::path(folder) / "models" / name);
     const TopoDS_Shape copy = turned_copy(model.shape(), degrees, part);
     const SolidTrimResult result =
-        trim_solids(trim_tool(model.shape()), trim_tool(copy), SolidOperation::Common);
+        trim_solids(trim_tool(model.shape()), {trim_tool(copy)}, SolidOperation::Common);
     ASSERT_EQ(words(result), "") << name;
     BRepAlgoAPI_Common common(model.shape(), copy);
     EXPECT_EQ(result.solids.size(), static_cast<std::size_t>(count(common.Shape(), TopAbs_SOLID)));
     GProp_GProps properties;
     BRepGProp::VolumeProperties(common.Shape(), properties, 1e-8);
     // Open CASCADE's own result is as exact as the edges of the models.
-    EXPECT_NEAR(result.volumes.common, properties.Mass(), 1e-6 * result.volumes.part) << name;
+    EXPECT_NEAR(result.volumes.back().common, properties.Mass(), 1e-6 * result.volumes.back().part)
+        << name;
   }
 }
 
@@ -262,20 +264,53 @@ TEST(TrimSolids, ClosesModelsWithLooseEdgesAgainstTheirTurnedCopies) {
     const Model model = read_model(std::filesystem::path(folder) / "models" / name);
     const TopoDS_Shape copy = turned_copy(model.shape(), degrees, part);
     const SolidTrimResult result =
-        trim_solids(trim_tool(model.shape()), trim_tool(copy), operation);
+        trim_solids(trim_tool(model.shape()), {trim_tool(copy)}, operation);
     ASSERT_EQ(words(result), "") << name;
-    EXPECT_LE(result.volumes.cut_error(), 1e-12);
-    EXPECT_LE(result.volumes.fuse_error(), 1e-12);
+    EXPECT_LE(result.volumes.back().cut_error(), 1e-12);
+    EXPECT_LE(result.volumes.back().fuse_error(), 1e-12);
     for (const TopoDS_Solid& solid : result.solids)
       EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
   }
 }
 
+// A plate with three holes at once: one through, one that ends inside, one beside the first.
+TEST(TrimSolids, TakesSeveralTools) {
+  const TrimTool plate = trim_tool(box({0, 0, 0}, {4, 2, 1}));
+  const std::vector<TrimTool> tools{trim_tool(box({0.5, 0.5, -1}, {1, 1, 2})),
+                                    trim_tool(box({2, 0.5, 0.5}, {3, 1, 2})),
+                                    trim_tool(box({1, 0.5, -1}, {1.5, 1, 2}))};
+  const SolidTrimResult cut = trim_solids(plate, tools, SolidOperation::Cut);
+  ASSERT_EQ(words(cut), "");
+  ASSERT_EQ(cut.solids.size(), 1u);
+  EXPECT_NEAR(volume(cut.solids), 8 - 0.25 - 0.25 - 0.25, 1e-9);
+  EXPECT_EQ(cut.volumes.size(), 3u);
+  for (const SolidFace& face : cut.faces) {
+    ASSERT_LT(face.tool, 3);
+    const auto& faces =
+        face.tool < 0 ? plate.faces : tools[static_cast<std::size_t>(face.tool)].faces;
+    ASSERT_LT(static_cast<std::size_t>(face.from), faces.size());
+    EXPECT_EQ(BRep_Tool::Surface(face.face),
+              BRep_Tool::Surface(faces[static_cast<std::size_t>(face.from)]));
+  }
+  const SolidTrimResult split = trim_solids(plate, tools, SolidOperation::Split);
+  ASSERT_EQ(words(split), "");
+  EXPECT_EQ(split.solids.size(), 3u);
+  EXPECT_NEAR(volume(split.solids), 8, 1e-9);
+  const SolidTrimResult fuse = trim_solids(plate, tools, SolidOperation::Fuse);
+  ASSERT_EQ(words(fuse), "");
+  ASSERT_EQ(fuse.solids.size(), 1u);
+  EXPECT_NEAR(volume(fuse.solids), 8 + 4 * 0.25 + 0.5, 1e-9);
+  const SolidTrimResult common = trim_solids(plate, tools, SolidOperation::Common);
+  EXPECT_EQ(words(common), "");
+  EXPECT_TRUE(common.solids.empty());
+}
+
 TEST(TrimSolids, RefusesWhatIsNotClosed) {
   const TopoDS_Shape a = box({0, 0, 0}, {1, 1, 1});
   const TrimTool open{{trim_tool(a).faces.front()}, {}};
-  EXPECT_THROW(trim_solids(trim_tool(a), open, SolidOperation::Cut), InvalidInput);
-  EXPECT_THROW(trim_solids(open, trim_tool(a), SolidOperation::Cut), InvalidInput);
+  EXPECT_THROW(trim_solids(trim_tool(a), {open}, SolidOperation::Cut), InvalidInput);
+  EXPECT_THROW(trim_solids(open, {trim_tool(a)}, SolidOperation::Cut), InvalidInput);
+  EXPECT_THROW(trim_solids(trim_tool(a), {}, SolidOperation::Cut), InvalidInput);
 }
 
 }  // namespace

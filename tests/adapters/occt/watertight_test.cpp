@@ -25,7 +25,7 @@ namespace blossom::occt {
 namespace {
 
 TopoDS_Shape fused(const TopoDS_Shape& a, const TopoDS_Shape& b) {
-  const SolidTrimResult made = trim_solids(trim_tool(a), trim_tool(b), SolidOperation::Fuse);
+  const SolidTrimResult made = trim_solids(trim_tool(a), {trim_tool(b)}, SolidOperation::Fuse);
   for (const std::string& obstacle : made.obstacles) ADD_FAILURE() << obstacle;
   return made.solids.empty() ? TopoDS_Shape() : TopoDS_Shape(made.solids.front());
 }
