@@ -102,21 +102,35 @@ BLOSSOM_INSTANTIATE(Vec3)
 BLOSSOM_INSTANTIATE(Vec4)
 #undef BLOSSOM_INSTANTIATE
 
-template <class Point>
-ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>& triangle, int degree) {
-  check_higher("reduced", degree, triangle.degree);
-  detail::check_triangle("reduced", triangle, kMaxDegree);
-  const Grid<double> matrix = detail::triangle_reduction_matrix(triangle.degree, degree);
-  const BezierTriangleOf<Point> lower{degree, product(matrix, triangle.points)};
-  const BezierTriangleOf<Point> raised = elevated(lower, triangle.degree);
-  return {lower, proven_distance<Point>(triangle.points, lower.points, raised.points,
-                                        triangle_elevation_error(degree, triangle.degree))};
+TriangleReduction::TriangleReduction(int from, int to) : from_(from), to_(to) {
+  check_higher("reduced", to, from);
+  if (from > kMaxDegree) throw InvalidInput("reduced: the degree is too high");
+  matrix_ = detail::triangle_reduction_matrix(from, to);
 }
 
-#define BLOSSOM_INSTANTIATE(Point)                                                         \
-  template ReducedOf<BezierCurveOf<Point>> reduced(const BezierCurveOf<Point>&, int);      \
-  template ReducedOf<BezierPatchOf<Point>> reduced(const BezierPatchOf<Point>&, int, int); \
-  template ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>&, int);
+template <class Point>
+ReducedOf<BezierTriangleOf<Point>> TriangleReduction::operator()(
+    const BezierTriangleOf<Point>& triangle) const {
+  detail::check_triangle("reduced", triangle, kMaxDegree);
+  if (triangle.degree != from_) throw InvalidInput("reduced: the triangle has another degree");
+  const BezierTriangleOf<Point> lower{to_, product(matrix_, triangle.points)};
+  const BezierTriangleOf<Point> raised = elevated(lower, from_);
+  return {lower, proven_distance<Point>(triangle.points, lower.points, raised.points,
+                                        triangle_elevation_error(to_, from_))};
+}
+
+template <class Point>
+ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>& triangle, int degree) {
+  detail::check_triangle("reduced", triangle, kMaxDegree);
+  return TriangleReduction(triangle.degree, degree)(triangle);
+}
+
+#define BLOSSOM_INSTANTIATE(Point)                                                          \
+  template ReducedOf<BezierCurveOf<Point>> reduced(const BezierCurveOf<Point>&, int);       \
+  template ReducedOf<BezierPatchOf<Point>> reduced(const BezierPatchOf<Point>&, int, int);  \
+  template ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>&, int); \
+  template ReducedOf<BezierTriangleOf<Point>> TriangleReduction::operator()(                \
+      const BezierTriangleOf<Point>&) const;
 BLOSSOM_INSTANTIATE(Vec2)
 BLOSSOM_INSTANTIATE(Vec3)
 BLOSSOM_INSTANTIATE(Vec4)

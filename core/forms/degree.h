@@ -8,6 +8,7 @@
 
 #include "core/forms/function.h"
 #include "core/forms/triangle.h"
+#include "core/math/grid.h"
 
 namespace blossom {
 
@@ -68,6 +69,25 @@ ReducedOf<BezierPatchOf<Point>> reduced(const BezierPatchOf<Point>& patch, int d
 /// cost         O(N^6)
 template <class Point>
 ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>& triangle, int degree);
+
+/// The same for many triangles of one degree, with the matrix made once.
+class TriangleReduction {
+ public:
+  /// from, to   degrees
+  /// throws     InvalidInput as `reduced`
+  /// cost       O(from^6)
+  TriangleReduction(int from, int to);
+
+  /// throws     InvalidInput if the triangle is not of degree `from`
+  /// cost       O(from^4)
+  template <class Point>
+  ReducedOf<BezierTriangleOf<Point>> operator()(const BezierTriangleOf<Point>& triangle) const;
+
+ private:
+  int from_;
+  int to_;
+  Grid<double> matrix_;
+};
 
 /// Bound on the error of a coordinate of an elevated form of this degree, relative to the largest:
 /// a sum of at most degree / 2 + 1 terms, and 13 roundings of the binomials and products.

@@ -14,6 +14,7 @@
 #include "core/forms/de_casteljau.h"
 #include "core/forms/degree.h"
 #include "core/forms/interpolation.h"
+#include "core/trimming/lower_degrees.h"
 #include "core/trimming/polynomial_surface.h"
 #include "core/trimming/triangulated_region.h"
 
@@ -26,6 +27,7 @@ constexpr int kMostRounds = 12;        // of dividing edges until all faces agre
 constexpr double kSameStop = 2e-9;     // relative to an edge's range
 constexpr double kSurfacePart = 0.1;   // of the tolerance, for polynomials in place of surfaces
 constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees of sides
+constexpr double kTrianglePart = 0.1;  // of the tolerance, for lower degrees of triangles
 constexpr double kArcPart = 0.3;       // of the tolerance, for arcs in charts
 // Moves up to so many times the edge's own distance from the surfaces cannot be helped.
 constexpr double kEdgePart = 4;
@@ -148,6 +150,7 @@ class Builder {
     stop_vertex_.clear();
     arc_side_.clear();
     for (std::size_t f = 0; f < model_.faces.size(); ++f) add_face(static_cast<int>(f));
+    lowering_.lower(result_, surfaces_, kTrianglePart * options_.tolerance);
     raise_degrees();
     move_sides();
     result_.deviation = 0;
@@ -371,11 +374,15 @@ class Builder {
     for (WatertightPiece& piece : result_.pieces) {
       for (std::size_t k = 0; k < piece.sides.size(); ++k)
         piece.along.push_back(runs_along(piece, k));
-      for (std::size_t k = 0; k < piece.sides.size(); ++k) move_side(piece, k);
+      double most = 0;
+      for (std::size_t k = 0; k < piece.sides.size(); ++k)
+        most = std::max(most, move_side(piece, k));
+      piece.moved += most;
     }
   }
 
-  void move_side(WatertightPiece& piece, std::size_t k) {
+  // Returns the largest way of a control point.
+  double move_side(WatertightPiece& piece, std::size_t k) {
     const int number = piece.sides[k];
     const WatertightSide& side = result_.sides[index(number)];
     const BezierCurve own = side_curve(piece, static_cast<int>(k));
@@ -397,9 +404,9 @@ class Builder {
     for (const double t : extreme_points(kSideDegree))
       edge_gap_[index(number)] =
           std::max(edge_gap_[index(number)], distance(point_at(own, t), point_at(wanted, t)));
-    piece.moved = std::max(piece.moved, gap);
     moved_[index(number)] = std::max(moved_[index(number)], gap);
     set_side_curve(piece, static_cast<int>(k), wanted);
+    return gap;
   }
 
   // Whether the piece runs along the side as the side's curve does. A side between equal vertices
@@ -437,6 +444,7 @@ class Builder {
   std::map<std::pair<int, double>, int> stop_vertex_;
   std::map<std::tuple<int, double, double>, int> arc_side_;
   std::map<int, Interval> side_place_;
+  DegreeLowering lowering_;
   std::vector<double> moved_;     // of each side, by its pieces
   std::vector<double> edge_gap_;  // of each side: the edge's distance from the surfaces
   WatertightPieces result_;

@@ -110,5 +110,27 @@ TEST(Watertight, KeepsSharedEdgesInBrepFiles) {
   EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid());
 }
 
+// The same solid comes back, closed along the same number of edges, from a file that is no larger
+// than so many patches need.
+TEST(Watertight, SurvivesAStepFile) {
+  const WatertightShape made = watertight(box_and_cylinder());
+  Model model;
+  model.add(made.shape, "fused");
+  const auto file = std::filesystem::temp_directory_path() / "watertight_fused.step";
+  write_model(model, file);
+  EXPECT_LT(std::filesystem::file_size(file), 10000 * made.pieces.pieces.size());
+
+  const Model back = read_model(file);
+  std::filesystem::remove(file);
+  ASSERT_EQ(back.shape().ShapeType(), TopAbs_SOLID);
+  EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid());
+  EXPECT_EQ(back.face_count(), static_cast<int>(made.pieces.pieces.size()));
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
+  TopExp::MapShapesAndAncestors(back.shape(), TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
+  for (int k = 1; k <= faces_of_edge.Extent(); ++k)
+    EXPECT_EQ(faces_of_edge(k).Extent(),
+              BRep_Tool::Degenerated(TopoDS::Edge(faces_of_edge.FindKey(k))) ? 1 : 2);
+}
+
 }  // namespace
 }  // namespace blossom::occt

@@ -231,6 +231,19 @@ TEST(Degree, OfATriangleReducedToAConstantIsTheMeanOfThePoints) {
   EXPECT_LE(middle.error, 3 + 1e-12);
 }
 
+TEST(Degree, OfManyTrianglesIsReducedAsThatOfEach) {
+  auto random = seeded(1);
+  const TriangleReduction reduction(7, 4);
+  for (int i = 0; i < 3; ++i) {
+    const BezierTriangle triangle = random_triangle(random, 7);
+    EXPECT_EQ(reduction(triangle).form, reduced(triangle, 4).form);
+    EXPECT_EQ(reduction(triangle).error, reduced(triangle, 4).error);
+  }
+  EXPECT_THROW(reduction(random_triangle(random, 6)), InvalidInput);
+  EXPECT_THROW(TriangleReduction(4, 5), InvalidInput);
+  EXPECT_THROW(TriangleReduction(26, 5), InvalidInput);
+}
+
 TEST(Degree, OfTheHighestTrianglesIsReduced) {
   auto random = seeded(1);
   const BezierTriangle triangle = random_triangle(random, 24);

@@ -172,6 +172,25 @@ TEST(WatertightPieces, UseEverySideAsOftenAsThereAreFaces) {
   }
 }
 
+// Over the arc the roof's triangles have degree 3 x (3 + 3), but nothing like it is in them.
+TEST(WatertightPieces, HaveHardlyMoreThanTheDegreesOfTheirSurfaces) {
+  WatertightOptions fine;
+  fine.tolerance = 1e-9;
+  const WatertightPieces made = watertight_pieces(roof_and_wall(0)),
+                         finer = watertight_pieces(roof_and_wall(0), fine);
+  const auto highest = [](const WatertightPieces& pieces) {
+    int most = 0;
+    for (const WatertightPiece& piece : pieces.pieces)
+      if (const auto* triangle = std::get_if<BezierTriangle>(&piece.form))
+        most = std::max(most, triangle->degree);
+    return most;
+  };
+  EXPECT_LE(highest(made), 6);
+  EXPECT_LE(highest(finer), 8);
+  EXPECT_LE(made.deviation, 1e-6);
+  EXPECT_LE(finer.deviation, 1e-9);
+}
+
 TEST(WatertightPieces, RefuseWhatNamesNothing) {
   CommonModel model = roof_and_wall(0);
   model.faces[0].edges[1] = 9;
