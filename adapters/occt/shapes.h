@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
 
 namespace blossom::occt {
 
@@ -21,6 +23,18 @@ struct FaceOrigin {
   TopoDS_Face face;              ///< of the new part
   const Model* model = nullptr;  ///< the face is one of this model's, or a piece of it
   int number = 0;                ///< of that face there
+};
+
+/// A solid made of faces of models and of pieces of them.
+struct CombinedSolid {
+  TopoDS_Solid solid;             ///< in model space
+  std::vector<FaceOrigin> faces;  ///< all of its faces
+};
+
+/// Faces that two parts have in common, such as the cut between the parts of a split solid.
+enum class CommonFaces {
+  Keep,
+  Copy,  ///< for files that tell names and colours by the shape, see `keeps_names`
 };
 
 /// A shape with the names, colours, layers, units and assembly that it came with.
@@ -79,9 +93,22 @@ class Model {
   /// throws   BadModel if there is no such face or a piece is null; nothing is changed then
   void replace_faces(const std::map<int, std::vector<TopoDS_Face>>& pieces);
 
+  /// Puts solids in the place of all solids of the model. Each goes to the part of its first face
+  /// that is this model's; a part that comes out as it was is not touched, nor are its instances,
+  /// and one of which nothing comes is taken out. A part that was one solid and falls apart becomes
+  /// several at the same place, which share its looks and have its name and those of its instance,
+  /// numbered ("Plate.1", "plate:1.1"); a part of several solids stays one part. Names, colours and
+  /// layers of faces, shells and solids follow; faces of other models bring their names and
+  /// colours. Solids without any face of this model are added as parts of their own. For parts that
+  /// are used several times and for areas and volumes see replace_faces.
+  /// throws   BadModel if a solid has no faces or an origin is no face
+  void replace_solids(const std::vector<CombinedSolid>& solids,
+                      CommonFaces common = CommonFaces::Copy);
+
  private:
   friend Model read_model(const std::filesystem::path& file);
-  friend void write_model(const Model& model, const std::filesystem::path& file);
+  friend void write_model(const Model& model, const std::filesystem::path& file,
+                          const std::function<void()>& stop);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
@@ -96,19 +123,28 @@ class Model {
 Model read_model(const std::filesystem::path& file);
 
 /// Writes by the file's ending, beside the target, and renames when all is on the disk: an
-/// interrupted or failed write leaves what was there before. Numbers keep 16 digits. Names,
+/// interrupted or failed write leaves what was there before, and nothing else if the file system
+/// has files without names (most on Linux have). `stop` is asked between steps and before the
+/// target is touched; it ends the writing by an exception. Numbers keep 16 digits. Names,
 /// colours, layers and the assembly go into STEP; IGES keeps names of 8 letters, BREP shapes only.
 /// A link stays a link, and a device is written to directly.
 /// throws   Failure if the file cannot be written; BadModel if the ending is not known
-void write_model(const Model& model, const std::filesystem::path& file);
+void write_model(const Model& model, const std::filesystem::path& file,
+                 const std::function<void()>& stop = {});
 
 /// Whether the format of a file, by its ending, has internal edges of faces. Open CASCADE loses
 /// them on the way to STEP, and cannot write IGES with them.
 /// throws   BadModel if the ending is not known
 bool keeps_internal_edges(const std::filesystem::path& file);
 
+/// Whether the format of a file, by its ending, has names and colours. It gives them to shapes, so
+/// a face that two parts have in common would carry them in one part only.
+/// throws   BadModel if the ending is not known
+bool keeps_names(const std::filesystem::path& file);
+
 /// Writes `text` in the same safe way.
-void write_text(const std::string& text, const std::filesystem::path& file);
+void write_text(const std::string& text, const std::filesystem::path& file,
+                const std::function<void()>& stop = {});
 
 /// Sends Open CASCADE's messages to stderr, warnings and worse only. Call it once, first.
 void quiet_messages();

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Parts made of pieces of other models' faces, with the names and colours that those have.
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,18 +16,12 @@
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shapes_detail.h"
+#include "adapters/occt/shapes_parts.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr std::array kColourTypes{XCAFDoc_ColorGen, XCAFDoc_ColorSurf};
-using Colours = std::array<std::optional<Quantity_ColorRGBA>, kColourTypes.size()>;
-
-/// What a face looks like in its model.
-struct Looks {
-  std::string name;
-  Colours colours;
-};
+using Colours = decltype(Looks::colours);
 
 Colours colours_of(const Document& document, const TDF_Label& label) {
   const Handle(XCAFDoc_ColorTool) tool = XCAFDoc_DocumentTool::ColorTool(document.main());
@@ -41,10 +32,11 @@ Colours colours_of(const Document& document, const TDF_Label& label) {
   return found;
 }
 
-/// All faces of a model, by number - 1. Colours of faces go before those of shells, solids, parts.
+}  // namespace
+
 std::vector<Looks> all_looks(const Document& document, const TopTools_IndexedMapOfShape& faces) {
   std::vector<Looks> looks(static_cast<std::size_t>(faces.Extent()));
-  const auto paint = [&](const TDF_Label& label, const TopLoc_Location& place) {
+  const auto look = [&](const TDF_Label& label, const TopLoc_Location& place) {
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label).Moved(place);
     const Colours colours = colours_of(document, label);
     for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
@@ -57,17 +49,27 @@ std::vector<Looks> all_looks(const Document& document, const TopTools_IndexedMap
     }
   };
   for (const Usage& usage : all_usages(document)) {
-    paint(usage.part, usage.location);
+    look(usage.part, usage.location);
     TDF_LabelSequence subs;
     XCAFDoc_ShapeTool::GetSubShapes(usage.part, subs);
     for (int kind = TopAbs_COMPOUND; kind <= TopAbs_FACE; ++kind)
       for (const TDF_Label& sub : subs)
-        if (XCAFDoc_ShapeTool::GetShape(sub).ShapeType() == kind) paint(sub, usage.location);
+        if (XCAFDoc_ShapeTool::GetShape(sub).ShapeType() == kind) look(sub, usage.location);
   }
   return looks;
 }
 
-}  // namespace
+void paint(const Document& document, const TDF_Label& label, const Looks& looks) {
+  const auto colours = XCAFDoc_DocumentTool::ColorTool(document.main());
+  for (std::size_t i = 0; i < kColourTypes.size(); ++i)
+    if (looks.colours[i]) colours->SetColor(label, *looks.colours[i], kColourTypes[i]);
+}
+
+std::string PieceNames::next(const FaceOrigin& piece, const std::string& name) {
+  const std::pair<const Model*, int> key{piece.model, piece.number};
+  const int number = ++numbered_[key];
+  return pieces_[key] > 1 ? numbered_name(name, number) : name;
+}
 
 std::string Model::part_name(int number) const {
   const TopoDS_Face wanted = face(number);
@@ -85,31 +87,24 @@ void Model::add_combined(const TopoDS_Shape& shape, const std::string& name,
   const std::lock_guard guard(exchange_lock());
   add(shape, name);
   std::map<const Model*, std::vector<Looks>> looks;
-  std::map<std::pair<const Model*, int>, int> pieces, numbered;
+  PieceNames names;
   for (const FaceOrigin& origin : origins) {
     origin.model->face(origin.number);
-    ++pieces[{origin.model, origin.number}];
+    names.count(origin);
     auto& of = looks[origin.model];
     if (of.empty()) of = all_looks(origin.model->impl_->document, origin.model->impl_->faces);
   }
   guarded("naming the faces of '" + name + "'", [&] {
     const Handle(XCAFDoc_ShapeTool) shapes = impl_->document.shapes();
-    const auto colours = XCAFDoc_DocumentTool::ColorTool(impl_->document.main());
     TDF_LabelSequence parts;
     shapes->GetFreeShapes(parts);
     for (const FaceOrigin& origin : origins) {
       const Looks& of = looks[origin.model][static_cast<std::size_t>(origin.number) - 1];
-      const bool coloured = std::any_of(of.colours.begin(), of.colours.end(),
-                                        [](const auto& colour) { return colour.has_value(); });
-      if (of.name.empty() && !coloured) continue;
+      if (!of.any()) continue;
       const TDF_Label label = shapes->AddSubShape(parts.Last(), origin.face);
       if (label.IsNull()) continue;
-      const int number = ++numbered[{origin.model, origin.number}];
-      const bool several = pieces[{origin.model, origin.number}] > 1;
-      if (!of.name.empty())
-        set_name(label, several ? of.name + "." + std::to_string(number) : of.name);
-      for (std::size_t i = 0; i < of.colours.size(); ++i)
-        if (of.colours[i]) colours->SetColor(label, *of.colours[i], kColourTypes[i]);
+      set_name(label, names.next(origin, of.name));
+      paint(impl_->document, label, of);
     }
   });
 }

@@ -164,6 +164,7 @@ void read_step(Document& document, const std::filesystem::path& file) {
   reader.SetGDTMode(true);
   reader.SetMatMode(true);
   reader.SetViewMode(true);
+  reader.SetSHUOMode(true);  // styles of single instances
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) throw BadModel("is no readable STEP file");
   check_entities(*reader.ChangeReader().Model());
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;

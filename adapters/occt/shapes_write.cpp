@@ -60,6 +60,7 @@ std::string step_text(const Document& document) {
   writer.SetPropsMode(true);
   writer.SetDimTolMode(true);
   writer.SetMaterialMode(true);
+  writer.SetSHUOMode(true);  // styles of single instances
   if (!writer.Transfer(document.handle(), STEPControl_AsIs))
     throw Failure("Open CASCADE cannot turn the model into STEP");
   const Handle(StepData_StepModel) model = writer.ChangeWriter().Model();
@@ -111,6 +112,11 @@ class Descriptor {
   }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor& operator=(int number) {
+    if (number_ >= 0) ::close(number_);
+    number_ = number;
+    return *this;
+  }
 
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }
@@ -129,13 +135,14 @@ void write_all(int descriptor, std::string_view text, const fs::path& file) {
   }
 }
 
-/// A file that is gone again unless it is moved to its target.
+/// A file that is gone again unless it is moved to its target. Where the file system can, it has no
+/// name until it is whole, so that nothing of it stays even if the program is killed.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target)
       : target_(target),
-        name_((target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string()),
-        descriptor_(::mkstemp(name_.data())) {
+        descriptor_(::open(target.parent_path().c_str(), O_TMPFILE | O_WRONLY, 0600)) {
+    if (!descriptor_.is_open() || !fs::exists(self())) make_named();
     if (!descriptor_.is_open()) fail(target, "its folder cannot be written to", errno);
   }
   ~TemporaryFile() {
@@ -150,7 +157,7 @@ class TemporaryFile {
   }
 
   void move_to_target(mode_t mode) {
-    if (::fchmod(descriptor_.number(), mode) != 0 || !descriptor_.close() ||
+    if (::fchmod(descriptor_.number(), mode) != 0 || !has_name() || !descriptor_.close() ||
         ::rename(name_.c_str(), target_.c_str()) != 0)
       fail(target_, "cannot be put in place", errno);
     name_.clear();
@@ -160,8 +167,34 @@ class TemporaryFile {
   }
 
  private:
+  /// Its link in the table of open files, by which it can be given a name.
+  std::string self() const { return "/proc/self/fd/" + std::to_string(descriptor_.number()); }
+
+  std::string beside(const std::string& ending) const {
+    return (target_.parent_path() / ("." + target_.filename().string() + "." + ending)).string();
+  }
+
+  void make_named() {
+    name_ = beside("XXXXXX");
+    descriptor_ = ::mkstemp(name_.data());
+    if (!descriptor_.is_open()) name_.clear();
+  }
+
+  /// Gives the file a name of its own if it has none: a link cannot replace the target at once.
+  bool has_name() {
+    constexpr int kMostNames = 100;  // tried until one is free
+    for (int i = 0; i < kMostNames && name_.empty(); ++i) {
+      const std::string name = beside(std::to_string(::getpid()) + "-" + std::to_string(i));
+      if (::linkat(AT_FDCWD, self().c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
+        name_ = name;
+      else if (errno != EEXIST)
+        break;
+    }
+    return !name_.empty();
+  }
+
   fs::path target_;
-  std::string name_;
+  std::string name_;  // empty while the file has none
   Descriptor descriptor_;
 };
 
@@ -188,7 +221,10 @@ bool keeps_internal_edges(const std::filesystem::path& file) {
   return format_of(file) == Format::Brep;
 }
 
-void write_text(const std::string& text, const std::filesystem::path& file) {
+bool keeps_names(const std::filesystem::path& file) { return format_of(file) != Format::Brep; }
+
+void write_text(const std::string& text, const std::filesystem::path& file,
+                const std::function<void()>& stop) {
   std::error_code error;
   // A link stays a link: what it points to is replaced.
   const fs::path target = fs::weakly_canonical(fs::absolute(file, error), error);
@@ -202,10 +238,12 @@ void write_text(const std::string& text, const std::filesystem::path& file) {
   if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) fail(file, "is protected", errno);
   TemporaryFile temporary(target);
   temporary.write(text);
+  if (stop) stop();
   temporary.move_to_target(rights_for(target));
 }
 
-void write_model(const Model& model, const std::filesystem::path& file) {
+void write_model(const Model& model, const std::filesystem::path& file,
+                 const std::function<void()>& stop) {
   const Format format = format_of(file);
   if (model.shape().IsNull()) throw Failure(file.string() + ": the model is empty");
   std::string text;
@@ -222,7 +260,8 @@ void write_model(const Model& model, const std::filesystem::path& file) {
   } catch (const Failure& failure) {
     throw Failure(file.string() + ": " + failure.what());
   }
-  write_text(text, file);
+  if (stop) stop();
+  write_text(text, file, stop);
 }
 
 }  // namespace blossom::occt

@@ -131,7 +131,7 @@ void write_outputs(const Input& a, const Input& b, const std::string& title,
   stop_if_interrupted();
 
   if (model)
-    occt::write_model(*model, options.output);
+    occt::write_model(*model, options.output, stop_if_interrupted);
   else if (!options.output.empty())
     std::cerr << "blossom: nothing was found, " << options.output << " is not written\n";
   if (!options.picture.empty()) occt::write_text(png, options.picture);

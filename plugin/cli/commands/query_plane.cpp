@@ -139,7 +139,7 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
   if (!common.picture.empty()) png = picture_png(picture_of(input, section));
   stop_if_interrupted();
   if (!common.output.empty() && any)
-    occt::write_model(model, common.output);
+    occt::write_model(model, common.output, stop_if_interrupted);
   else if (!common.output.empty())
     std::cerr << "blossom: nothing was found, " << common.output << " is not written\n";
   if (!common.picture.empty()) occt::write_text(png, common.picture);

@@ -201,7 +201,7 @@ void write_outputs(Inputs& inputs, const Timed& timed, const Options& options) {
   if (write && is_net_file(options.common.output))
     write_json(nets_json(nets_of(*watertight, inputs.part.name)), options.common.output);
   else if (write)
-    occt::write_model(inputs.part.model, options.common.output);
+    occt::write_model(inputs.part.model, options.common.output, stop_if_interrupted);
   else if (!options.common.output.empty())
     std::cerr << "blossom: " << options.common.output << " is not written: " << reason << '\n';
   if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);

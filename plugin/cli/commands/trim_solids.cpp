@@ -163,27 +163,14 @@ std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
   return origins;
 }
 
-// Each solid is called as the part from which its first face comes, numbered if others are so too.
-occt::Model model_of(const SolidTrim& options, const occt::SolidTrimResult& made,
-                     const occt::Model& part, const Models& tools) {
-  std::vector<std::vector<occt::FaceOrigin>> origins;
-  std::vector<std::string> names;
-  std::map<std::string, int> count, numbered;
-  for (const TopoDS_Solid& solid : made.solids) {
-    origins.push_back(origins_of(solid, made, part, tools));
-    const occt::FaceOrigin& first = origins.back().front();
-    names.push_back(first.model->part_name(first.number));
-    if (names.back().empty()) names.back() = std::filesystem::path(options.part).stem().string();
-    ++count[names.back()];
-  }
-  occt::Model model;
-  for (std::size_t i = 0; i < made.solids.size(); ++i) {
-    const std::string& name = names[i];
-    const int number = ++numbered[name];
-    model.add_combined(made.solids[i],
-                       count[name] == 1 ? name : name + "." + std::to_string(number), origins[i]);
-  }
-  return model;
+// Puts the solids in the place of the part's, as the output file can have them.
+void replace_solids(occt::Model& part, const occt::SolidTrimResult& made, const Models& tools,
+                    const std::string& output) {
+  std::vector<occt::CombinedSolid> solids;
+  for (const TopoDS_Solid& solid : made.solids)
+    solids.push_back({solid, origins_of(solid, made, part, tools)});
+  part.replace_solids(
+      solids, occt::keeps_names(output) ? occt::CommonFaces::Copy : occt::CommonFaces::Keep);
 }
 
 std::string picture_of(const std::vector<TopoDS_Solid>& solids) {
@@ -208,7 +195,7 @@ bool is_solid_operation(const std::string& word) { return kOperations.contains(w
 int trim_solids(const SolidTrim& options) {
   check_outputs(options.common, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   start_threads(options.engine.threads);
-  const occt::Model part = model_of(options.part);
+  occt::Model part = model_of(options.part);
   Models tools;
   for (const std::string& tool : options.tools) tools.push_back(model_of(tool));
   stop_if_interrupted();
@@ -218,10 +205,12 @@ int trim_solids(const SolidTrim& options) {
   const bool write = reason.empty() && !outputs.output.empty();
   const std::string png =
       reason.empty() && !outputs.picture.empty() ? picture_of(timed.made.solids) : std::string();
-  if (write && is_net_file(outputs.output))
+  if (write && is_net_file(outputs.output)) {
     write_json(nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
-  else if (write)
-    occt::write_model(model_of(options, timed.made, part, tools), outputs.output);
+  } else if (write) {
+    replace_solids(part, timed.made, tools, outputs.output);
+    occt::write_model(part, outputs.output, stop_if_interrupted);
+  }
   if (!png.empty()) occt::write_text(png, outputs.picture);
   if (!reason.empty())
     std::cerr << "blossom: "

@@ -19,6 +19,7 @@
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Controller.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
+#include <TDF_AttributeSequence.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -26,8 +27,10 @@
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_GraphNode.hxx>
 #include <XCAFDoc_LayerTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <gp.hxx>
 #include <gp_Trsf.hxx>
 
 #include "adapters/occt/shapes.h"
@@ -59,6 +62,7 @@ void write(const Handle(TDocStd_Document) & document, const fs::path& file,
   Interface_Static::SetCVal("write.step.unit", unit.c_str());
   STEPCAFControl_Writer writer;
   Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
+  writer.SetSHUOMode(true);
   writer.Transfer(document, STEPControl_AsIs);
   writer.Write(file.c_str());
   XCAFApp_Application::GetApplication()->Close(document);
@@ -96,6 +100,27 @@ class Teller {
     return text;
   }
 
+  /// The looks that a component gives to parts below it.
+  std::vector<std::string> styles(const TDF_Label& component, const std::string& indent) const {
+    std::vector<std::string> lines;
+    TDF_AttributeSequence occurrences;
+    XCAFDoc_ShapeTool::GetAllComponentSHUO(component, occurrences);
+    for (const Handle(TDF_Attribute) & occurrence : occurrences) {
+      TDF_LabelSequence upper, next;
+      if (XCAFDoc_ShapeTool::GetSHUOUpperUsage(occurrence->Label(), upper)) continue;
+      std::string path = name_of(component);
+      XCAFDoc_ShapeTool::GetSHUONextUsage(occurrence->Label(), next);
+      while (!next.IsEmpty()) {
+        const TDF_Label below = next.First();
+        path += "/" + name_of(below.Father());
+        next.Clear();
+        XCAFDoc_ShapeTool::GetSHUONextUsage(below, next);
+      }
+      lines.push_back(indent + "  > " + path + looks(occurrence->Label()) + "\n");
+    }
+    return lines;
+  }
+
   static std::string size(const TopoDS_Shape& shape) {
     Bnd_Box box;
     BRepBndLib::AddOptimal(shape, box, false, false);
@@ -112,12 +137,12 @@ class Teller {
     XCAFDoc_ShapeTool::GetReferredShape(label, part);
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
     out_ << indent << name_of(label);
-    if (part != label) out_ << " of " << name_of(part);
+    if (part != label) out_ << looks(label) << " of " << name_of(part);
     out_ << looks(part) << size(shape)
          << (BRepCheck_Analyzer(shape).IsValid() ? " valid" : " invalid") << "\n";
     TDF_LabelSequence subs, components;
     XCAFDoc_ShapeTool::GetSubShapes(part, subs);
-    std::vector<std::string> lines;
+    std::vector<std::string> lines = styles(label, indent);
     for (const TDF_Label& sub : subs)
       lines.push_back(indent + "  * " + name_of(sub) + looks(sub) + "\n");
     std::sort(lines.begin(), lines.end());
@@ -224,6 +249,60 @@ void write_pairs(const fs::path& file) {
   write(document, file, "MM");
 }
 
+void write_works(const fs::path& file, const std::string& unit) {
+  const Handle(TDocStd_Document) document = new_document();
+  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const auto colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  const auto layers = XCAFDoc_DocumentTool::LayerTool(document->Main());
+  const auto add = [&](const TopoDS_Shape& shape, const char* name, const Quantity_Color& look) {
+    const TDF_Label label = shapes->AddShape(shape, false);
+    TDataStd_Name::Set(label, name);
+    colours->SetColor(label, look, XCAFDoc_ColorSurf);
+    return label;
+  };
+  const auto name_top = [&](const TDF_Label& part, const char* name) {
+    TopExp_Explorer face(XCAFDoc_ShapeTool::GetShape(part), TopAbs_FACE);
+    for (int i = 1; i < 6; ++i) face.Next();
+    const TDF_Label label = shapes->AddSubShape(part, face.Current());
+    TDataStd_Name::Set(label, name);
+    return label;
+  };
+  const auto put = [&](const TDF_Label& part, const TDF_Label& into, const char* name,
+                       const gp_Vec& step, double degrees) {
+    gp_Trsf move, turn;
+    move.SetTranslation(step);
+    turn.SetRotation(gp::OZ(), degrees * M_PI / 180);
+    const TDF_Label label = shapes->AddComponent(into, part, TopLoc_Location(move * turn));
+    TDataStd_Name::Set(label, name);
+    return label;
+  };
+  const TDF_Label plate = add(BRepPrimAPI_MakeBox(40, 30, 10).Shape(), "Plate", colour(0, 0, 1));
+  const TDF_Label bolt = add(BRepPrimAPI_MakeBox(8, 8, 20).Shape(), "Bolt", colour(1, 1, 0));
+  layers->SetLayer(plate, "plates");
+  layers->SetLayer(bolt, "bolts");
+  const TDF_Label top = name_top(plate, "Top");
+  colours->SetColor(top, colour(1, 0, 0), XCAFDoc_ColorSurf);
+  layers->SetLayer(top, "tops");
+  name_top(bolt, "Head");
+  const TDF_Label machine = shapes->NewShape(), works = shapes->NewShape();
+  TDataStd_Name::Set(machine, "Machine");
+  TDataStd_Name::Set(works, "Works");
+  put(plate, machine, "plate:1", {0, 0, 0}, 0);
+  const TDF_Label first = put(bolt, machine, "bolt:1", {5, 5, 10}, 0);
+  colours->SetColor(put(bolt, machine, "bolt:2", {25, 5, 10}, 0), colour(0, 0, 1),
+                    XCAFDoc_ColorSurf);
+  put(machine, works, "machine:1", {0, 0, 0}, 0);
+  const TDF_Label second = put(machine, works, "machine:2", {0, 100, 0}, 90);
+  put(bolt, works, "bolt:9", {200, 0, 0}, 0);
+  TDF_LabelSequence path;
+  path.Append(second);
+  path.Append(first);
+  Handle(XCAFDoc_GraphNode) style;
+  shapes->SetSHUO(path, style);
+  colours->SetColor(style->Label(), colour(1, 0, 1), XCAFDoc_ColorSurf);
+  write(document, file, unit);
+}
+
 std::string story(const fs::path& file) {
   Handle(TDocStd_Document) document = new_document();
   STEPCAFControl_Reader reader;
@@ -231,6 +310,7 @@ std::string story(const fs::path& file) {
   reader.SetColorMode(true);
   reader.SetNameMode(true);
   reader.SetLayerMode(true);
+  reader.SetSHUOMode(true);
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return "unreadable";
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);

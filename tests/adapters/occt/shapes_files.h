@@ -39,6 +39,14 @@ void write_machine(const std::filesystem::path& file, const std::string& unit = 
 /// whose face 1 is called "Fläche". Faces 1 to 6 are box:1 in pair:1, 7 to 12 box:2, and so on.
 void write_pairs(const std::filesystem::path& file);
 
+/// An assembly "Works" of the instances "machine:1", "machine:2" of an assembly "Machine", and of
+/// "bolt:9" of a "Bolt". The machine has a "plate:1" of a blue "Plate" in the layer "plates", whose
+/// face "Top" is red and in the layer "tops", and "bolt:1", "bolt:2" of the yellow "Bolt" in the
+/// layer "bolts", with a face "Head"; "bolt:2" is blue, and "bolt:1" violet, but only in
+/// "machine:2", which is turned by a right angle. All parts are boxes with six faces each, in this
+/// order: machine:1 plate:1, bolt:1, bolt:2, machine:2 likewise, bolt:9.
+void write_works(const std::filesystem::path& file, const std::string& unit = "MM");
+
 /// What a STEP file holds, a line for each label: names, colours, layers, sizes, validity.
 std::string story(const std::filesystem::path& file);
 

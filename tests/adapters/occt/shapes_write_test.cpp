@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Models through files: nothing of them is lost, and files are whole or not there.
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -256,6 +257,37 @@ TEST(Writing, LeavesTheOldFileAndNothingElseWhenTheDiskIsFull) {
     EXPECT_EQ(testing::content(folder / name), "old");
   }
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"part.brep", "part.iges", "part.step"}));
+}
+
+// Asked twice: when the text is there, and when it is on the disk.
+TEST(Writing, LeavesTheOldFileAndNothingElseWhenItIsStopped) {
+  const Folder folder;
+  const Model model = box_model();
+  for (const char* name : {"part.step", "part.iges", "part.brep"})
+    for (const int last : {1, 2}) {
+      testing::write_content(folder / name, "old");
+      int asked = 0;
+      const auto stop = [&] {
+        if (++asked == last) throw std::runtime_error("enough");
+      };
+      EXPECT_EQ(failure_of([&] { write_model(model, folder / name, stop); }), "enough");
+      EXPECT_EQ(testing::content(folder / name), "old");
+      EXPECT_EQ(folder.names(), std::vector<std::string>{name});
+      if (last == 2) fs::remove(folder / name);
+    }
+}
+
+// A killed program cannot tidy up, so there must be nothing to tidy: the file has no name yet.
+TEST(Writing, ShowsNothingBeforeTheFileIsWhole) {
+  const Folder folder;
+  const int probe = ::open(folder.path().c_str(), O_TMPFILE | O_WRONLY, 0600);
+  if (probe < 0) GTEST_SKIP() << "the file system has no files without names";
+  ::close(probe);
+  std::vector<std::string> seen{"never asked"};
+  write_text("text", folder / "out.txt", [&] { seen = folder.names(); });
+  EXPECT_EQ(seen, std::vector<std::string>{});
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"out.txt"});
+  EXPECT_EQ(testing::content(folder / "out.txt"), "text");
 }
 
 TEST(Writing, SaysThatADeviceIsFullAndLeavesItADevice) {

@@ -92,6 +92,23 @@ TEST_F(TrimSolidsCommand, CallsSolidsAsThePartsTheyComeFrom) {
   EXPECT_EQ(halves.part_name(12), "Block.2");
 }
 
+TEST_F(TrimSolidsCommand, NamesPartsWithoutANameAfterTheFile) {
+  ASSERT_EQ(combine("ball.step", {"cut", "-o", folder / "cut.step"}).code, 0);
+  EXPECT_EQ(occt::read_model(folder / "cut.step").part_name(1), "box");
+  const Finished run = blossom({"trim", folder / "ball.step", folder / "box.brep", "--solid", "cut",
+                                "-o", folder / "rest.step"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(occt::read_model(folder / "rest.step").part_name(1), "ball.step");
+}
+
+// Both solids have the faces of the cut, where the file can say so.
+TEST_F(TrimSolidsCommand, KeepsCommonFacesOfASplitInBrepFiles) {
+  ASSERT_EQ(combine("ball.step", {"split", "-o", folder / "split.brep"}).code, 0);
+  ASSERT_EQ(combine("ball.step", {"split", "-o", folder / "split.step"}).code, 0);
+  const int in_brep = occt::read_model(folder / "split.brep").face_count();
+  EXPECT_EQ(occt::read_model(folder / "split.step").face_count(), in_brep + 1);
+}
+
 TEST_F(TrimSolidsCommand, WritesWatertightPieces) {
   const Finished run = combine("ball.step", {"cut", "--watertight", "-o", folder / "cut.brep",
                                              "--json", folder / "cut.json"});
