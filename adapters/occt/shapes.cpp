@@ -138,6 +138,7 @@ void quiet_messages() {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   const Handle(Message_PrinterOStream) printer =
       new Message_PrinterOStream("cerr", false, Message_Warning);
+  printer->SetToColorize(false);
   Message::DefaultMessenger()->AddPrinter(printer);
 }
 

@@ -115,8 +115,10 @@ class Model {
 
 /// Reads .step .stp .iges .igs .brep .brp (any case).
 /// A STEP or IGES file's length unit is kept for writing. Faces that Open CASCADE cannot make from
-/// a sound STEP file are left out, with a warning.
-/// throws   BadModel if the file is missing, no file, empty, cut off, damaged, or holds no shape,
+/// a sound STEP file are left out, with a warning; it also tells faces that Open CASCADE is known
+/// to read wrong. Edges without a curve in the parameters of their face get one from their curve in
+/// space, with a warning. throws   BadModel if the file is missing, no file, empty, cut off,
+/// damaged, or holds no shape,
 ///          or a number of its geometry is not finite or a weight not positive; the message names
 ///          the file, the face, edge or entity, and the cause
 /// Safe to call from several threads; they wait for each other.
@@ -128,7 +130,9 @@ Model read_model(const std::filesystem::path& file);
 /// target is touched; it ends the writing by an exception. Numbers keep 16 digits. Names,
 /// colours, layers and the assembly go into STEP; IGES keeps names of 8 letters, BREP shapes only.
 /// A link stays a link, and a device is written to directly.
-/// throws   Failure if the file cannot be written; BadModel if the ending is not known
+/// throws   Failure if the file cannot be written, or edges that are not of BREP files have no
+/// curve
+///          in the parameters of their face; BadModel if the ending is not known
 void write_model(const Model& model, const std::filesystem::path& file,
                  const std::function<void()>& stop = {});
 

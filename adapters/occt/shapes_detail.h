@@ -13,6 +13,8 @@
 #include <TDocStd_Document.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
@@ -92,5 +94,15 @@ void read_step(Document& document, const std::filesystem::path& file);
 /// Returns why a surface was left out, in a few words; empty when all is well.
 /// throws   BadModel with the cause, without the file's name
 std::string read_brep(Document& document, const std::string& text);
+
+/// Whether an edge has a curve in the parameters of a face, or the face is a plane, on which any
+/// edge with a curve in space has one.
+bool has_curve_on(const TopoDS_Edge& edge, const TopoDS_Face& face);
+
+/// Uses of edges by faces in whose parameters they have no curve.
+int count_missing_curves(const TopoDS_Shape& shape);
+
+/// Makes those curves where it can, from the curves in space. Changes the shape's edges.
+void add_missing_curves(const TopoDS_Shape& shape);
 
 }  // namespace blossom::occt

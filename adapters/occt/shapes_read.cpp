@@ -12,6 +12,7 @@
 #include <IGESData_GlobalSection.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <Interface_Static.hxx>
+#include <Message.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
@@ -108,6 +109,17 @@ void check_geometry(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape&
           [&] { check_finite(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))).XYZ(), "its point"); });
 }
 
+void heal(const TopoDS_Shape& shape, const std::filesystem::path& file) {
+  const int missing = count_missing_curves(shape);
+  if (missing == 0) return;
+  add_missing_curves(shape);
+  const int left = count_missing_curves(shape);
+  const std::string text = file.string() + ": " + std::to_string(missing) +
+                           " edges have no curve in the parameters of their face; " +
+                           std::to_string(missing - left) + " are made from their curves in space";
+  Message::SendWarning(text.c_str());
+}
+
 bool is_empty(const TopoDS_Shape& shape) {
   return shape.IsNull() || (shape.ShapeType() != TopAbs_VERTEX && !TopoDS_Iterator(shape).More());
 }
@@ -126,6 +138,7 @@ Model read_model(const std::filesystem::path& file) {
       model.impl_->refresh();
       if (is_empty(model.shape())) throw BadModel("holds no shape");
       check_geometry(model.shape(), model.impl_->faces, notes);
+      heal(model.shape(), file);
     });
   } catch (const std::runtime_error& error) {
     throw BadModel(file.string() + ": " + error.what());

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
 
+#include <BRep_Tool.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
@@ -17,12 +19,19 @@
 #include <StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve.hxx>
 #include <StepGeom_BSplineSurfaceWithKnots.hxx>
 #include <StepGeom_BSplineSurfaceWithKnotsAndRationalBSplineSurface.hxx>
+#include <StepGeom_SphericalSurface.hxx>
+#include <StepShape_Edge.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
+#include <StepShape_OrientedEdge.hxx>
 #include <TColStd_HArray1OfInteger.hxx>
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColStd_HArray2OfReal.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
@@ -119,22 +128,66 @@ void check_entities(const Interface_InterfaceModel& model) {
   }
 }
 
-/// Faces that Open CASCADE could not make: the model can be used without them, but not silently.
+/// How many edges the loops of a face use once in each direction, as seams.
+int seams_of(const StepShape_FaceSurface& face) {
+  std::map<const Standard_Transient*, int> uses;
+  for (int i = 1; i <= face.NbBounds(); ++i) {
+    const auto loop = Handle(StepShape_EdgeLoop)::DownCast(face.BoundsValue(i)->Bound());
+    for (int k = 1; !loop.IsNull() && k <= loop->NbEdgeList(); ++k)
+      ++uses[loop->EdgeListValue(k)->EdgeElement().get()];
+  }
+  return static_cast<int>(
+      std::count_if(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; }));
+}
+
+/// Open CASCADE takes a seam that runs from a border to a pole of a sphere and back for a notch,
+/// and then turns the border round: what is left is the part of the sphere that was missing.
+bool is_turned_round(const StepShape_FaceSurface& face, const TopoDS_Shape& made) {
+  if (!face.FaceGeometry()->IsKind(STANDARD_TYPE(StepGeom_SphericalSurface))) return false;
+  if (made.ShapeType() != TopAbs_FACE || seams_of(face) == 0) return false;
+  for (TopExp_Explorer it(made, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, TopoDS::Face(made))) return false;
+  }
+  return true;
+}
+
+/// Entities of one fault, and the first of them.
+struct Faulty {
+  int count = 0;
+  std::string first;
+
+  void add(const Interface_InterfaceModel& model, const Handle(Standard_Transient) & entity) {
+    if (count++ == 0) first = model.StringLabel(entity)->ToCString();
+  }
+  void tell(const std::filesystem::path& file, const std::string& what) const {
+    if (count == 0) return;
+    const std::string text =
+        file.string() + ": " + std::to_string(count) + " faces " + what + ", the first is " + first;
+    Message::SendWarning(text.c_str());
+  }
+};
+
+/// Faces that Open CASCADE could not make, or not as they are in the file: the model can be used
+/// without them, but not silently.
 void tell_lost_faces(const XSControl_WorkSession& session, const std::filesystem::path& file) {
   const Handle(Interface_InterfaceModel)& model = session.Model();
   const Handle(Transfer_TransientProcess)& made = session.TransferReader()->TransientProcess();
-  int lost = 0;
-  std::string first;
+  Faulty lost, turned;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(Standard_Transient)& entity = model->Value(i);
-    if (!entity->IsKind(STANDARD_TYPE(StepShape_FaceSurface))) continue;
-    if (!TransferBRep::ShapeResult(made, entity).IsNull()) continue;
-    if (lost++ == 0) first = model->StringLabel(entity)->ToCString();
+    const auto face = Handle(StepShape_FaceSurface)::DownCast(entity);
+    if (face.IsNull()) continue;
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(made, entity);
+    if (shape.IsNull())
+      lost.add(*model, entity);
+    else if (is_turned_round(*face, shape))
+      turned.add(*model, entity);
   }
-  if (lost == 0) return;
-  const std::string text = file.string() + ": " + std::to_string(lost) +
-                           " faces cannot be made and are left out, the first is " + first;
-  Message::SendWarning(text.c_str());
+  lost.tell(file, "cannot be made and are left out");
+  turned.tell(file,
+              "on spheres are not what the file says: Open CASCADE takes their border for that of "
+              "the rest of the sphere");
 }
 
 }  // namespace

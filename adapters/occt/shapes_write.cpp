@@ -246,6 +246,10 @@ void write_model(const Model& model, const std::filesystem::path& file,
                  const std::function<void()>& stop) {
   const Format format = format_of(file);
   if (model.shape().IsNull()) throw Failure(file.string() + ": the model is empty");
+  // Open CASCADE's writers break down on them.
+  if (const int missing = count_missing_curves(model.shape()); keeps_names(file) && missing > 0)
+    throw Failure(file.string() + ": the model has " + std::to_string(missing) +
+                  " edges without a curve in the parameters of their face; only BREP files can");
   std::string text;
   try {
     const std::lock_guard guard(exchange_lock());

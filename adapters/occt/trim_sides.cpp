@@ -11,6 +11,7 @@
 
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepCheck_Shell.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
@@ -24,8 +25,11 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 
 #include "adapters/occt/edge_images.h"
+#include "adapters/occt/errors.h"
 #include "adapters/occt/face_trims.h"
 
 namespace blossom::occt {
@@ -168,6 +172,22 @@ bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach) {
          part_side(face_trims(face), {uv[0], uv[0]}, {uv[1], uv[1]}) != PartSide::Outside;
 }
 
+namespace {
+
+// Of a closed solid whose faces are turned differently, or inwards, nothing is inside for sure.
+void check_orientation(const TopoDS_Solid& solid) {
+  for (TopExp_Explorer shell(solid, TopAbs_SHELL); shell.More(); shell.Next()) {
+    BRepCheck_Shell check(TopoDS::Shell(shell.Current()));
+    if (check.Orientation() != BRepCheck_NoError)
+      throw BadModel("the faces of a solid are not all turned the same way");
+  }
+  BRepClass3d_SolidClassifier classifier(solid);
+  classifier.PerformInfinitePoint(Precision::Confusion());
+  if (classifier.State() == TopAbs_IN) throw BadModel("a solid is turned inside out");
+}
+
+}  // namespace
+
 TrimTool trim_tool(const TopoDS_Shape& shape) {
   TrimTool tool;
   TopTools_IndexedMapOfShape faces;
@@ -180,6 +200,7 @@ TrimTool trim_tool(const TopoDS_Shape& shape) {
     for (int i = 1; i <= users.Extent(); ++i)
       if (users(i).Extent() < 2 && !BRep_Tool::Degenerated(TopoDS::Edge(users.FindKey(i))))
         return tool;  // an open shell
+    check_orientation(TopoDS::Solid(it.Current()));
     TopExp::MapShapes(it.Current(), TopAbs_FACE, bounding);
     tool.solids.push_back(TopoDS::Solid(it.Current()));
   }

@@ -23,6 +23,7 @@ struct TrimTool {
 };
 
 /// A tool of all the shape's faces; it is solid if they all belong to closed solids.
+/// throws   BadModel if faces of a closed solid are turned differently, or all inwards
 TrimTool trim_tool(const TopoDS_Shape& shape);
 
 /// The tool's part in a cut.
