@@ -12,8 +12,6 @@
 namespace blossom {
 namespace {
 
-// Relative to a border's parameters: no arc is shorter, and stops nearer than this are one.
-constexpr double kShortest = 1e-9;
 // Relative to the surface's range of a parameter: ends that moved less than this moved by rounding.
 constexpr double kRounding = 1e-13;
 constexpr double kLoweringPart = 0.25;  // of the tolerance, for a lower degree
@@ -70,7 +68,7 @@ void add_crossings(const PlanarCurve& curve, const PlanarCurve& unit, int direct
 
 // Increasing, from end to end of the domain, none nearer than the shortest arc.
 void tidy(std::vector<double>& at, const Interval& domain) {
-  const double shortest = kShortest * length(domain);
+  const double shortest = kShortestArc * length(domain);
   std::ranges::sort(at);
   std::vector<double> kept{domain.from};
   for (const double parameter : at)
@@ -194,7 +192,7 @@ void BorderArcs::add(int number, const Interval& place, int from, int to, std::s
     throw InvalidInput("trimmed region: a border takes more than " + std::to_string(kMostArcs) +
                        " arcs within the tolerance; a larger one takes fewer");
   const RegionBorder& border = chart_.borders[index(number)];
-  const bool shortest = std::abs(length(place)) <= 2 * kShortest * length(border.curve.domain());
+  const bool shortest = std::abs(length(place)) <= 2 * kShortestArc * length(border.curve.domain());
   if (from == to && shortest) return;
   const RegionArc arc = made(number, place, from, to);
   if (shortest || (from != to && arc.fit_error <= options_.tolerance && !is_too_long(arc))) {
@@ -210,7 +208,7 @@ void BorderArcs::add(int number, const Interval& place, int from, int to, std::s
 int BorderArcs::halve(int number) {
   const RegionArc arc = arcs_[index(number)];
   const RegionBorder& border = chart_.borders[index(arc.border)];
-  if (std::abs(length(arc.place)) <= 2 * kShortest * length(border.curve.domain())) return -1;
+  if (std::abs(length(arc.place)) <= 2 * kShortestArc * length(border.curve.domain())) return -1;
   const double middle = at(arc.place, 0.5);
   const int vertex = vertex_on(border, middle, &arc);
   if (vertex == arc.from || vertex == arc.to) return -1;

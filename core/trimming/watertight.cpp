@@ -14,6 +14,7 @@
 #include "core/forms/de_casteljau.h"
 #include "core/forms/degree.h"
 #include "core/forms/interpolation.h"
+#include "core/trimming/border_arcs.h"
 #include "core/trimming/lower_degrees.h"
 #include "core/trimming/polynomial_surface.h"
 #include "core/trimming/triangulated_region.h"
@@ -24,7 +25,6 @@ namespace {
 constexpr int kSideDegree = 5;         // of the curves that take the place of edges
 constexpr double kRounding = 1e-15;    // of control points, relative to the largest
 constexpr int kMostRounds = 12;        // of dividing edges until all faces agree
-constexpr double kSameStop = 2e-9;     // relative to an edge's range
 constexpr double kSurfacePart = 0.1;   // of the tolerance, for polynomials in place of surfaces
 constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees of sides
 constexpr double kTrianglePart = 0.1;  // of the tolerance, for lower degrees of triangles
@@ -115,7 +115,7 @@ class Builder {
 
   // Increasing, from end to end of the edge; near ones are one.
   static void tidy(std::vector<double>& stops, const Interval& domain) {
-    const double same = kSameStop * length(domain);
+    const double same = kShortestArc * length(domain);
     std::ranges::sort(stops);
     std::vector<double> kept{domain.from};
     for (const double stop : stops)
@@ -149,6 +149,7 @@ class Builder {
     result_.vertices = model_.vertices;
     stop_vertex_.clear();
     arc_side_.clear();
+    side_place_.clear();
     for (std::size_t f = 0; f < model_.faces.size(); ++f) add_face(static_cast<int>(f));
     lowering_.lower(result_, surfaces_, kTrianglePart * options_.tolerance);
     raise_degrees();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -108,6 +109,29 @@ TEST(Watertight, KeepsSharedEdgesInBrepFiles) {
   TopExp::MapShapes(back.shape(), TopAbs_EDGE, edges);
   EXPECT_EQ(edges.Extent(), given.Extent());
   EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid());
+}
+
+// A face of a real model that takes several rounds of dividing its edges.
+TEST(Watertight, DividesTheEdgesOfABladeAgain) {
+  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const Model model = read_model(std::string(folder) + "/models/propeller.brep");
+  WatertightOptions options;
+  options.tolerance = 1e-3;
+  const WatertightShape made = watertight(model.face(2), options);
+  EXPECT_EQ(made.pieces.obstacle, "");
+  EXPECT_GT(made.pieces.pieces.size(), 10u);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.shape).IsValid());
+}
+
+// Its edges are up to 6e-3 off its faces, and lines between patches end next to each other.
+TEST(Watertight, LetsTheFacesOfABodyAgreeOnTheirEdges) {
+  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const Model model = read_model(std::string(folder) + "/models/s1_mainbody_back.stp");
+  WatertightOptions options;
+  options.tolerance = 1e-4;
+  expect_sound(watertight(model.shape(), options), 1e-2);
 }
 
 // The same solid comes back, closed along the same number of edges, from a file that is no larger

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/base/errors.h"
 #include "core/blossom/triangle_composition.h"
@@ -102,6 +104,53 @@ CommonModel roof_and_wall(double gap) {
   return model;
 }
 
+// A square in the plane through three points, in two patches that meet at u = split.
+CommonFace square(const Vec3& origin, const Vec3& along_u, const Vec3& along_v, double split,
+                  const std::vector<int>& edges, const std::vector<bool>& reversed) {
+  BezierSurface surface{{0, split, 1}, {0, 1}};
+  surface.patches = Grid<RationalBezierPatch>(2, 1);
+  for (int i = 0; i < 2; ++i) {
+    RationalBezierPatch& patch = surface.patches(i, 0);
+    patch.points = Grid<Vec4>(2, 2);
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b) {
+        const double u = surface.u_knots[static_cast<std::size_t>(i + a)];
+        const Vec3 p = origin + u * along_u + static_cast<double>(b) * along_v;
+        patch.points(a, b) = {p[0], p[1], p[2], 1};
+      }
+  }
+  CommonFace face{surface, {}, edges};
+  face.chart.corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t next = (k + 1) % 4, from = reversed[k] ? next : k;
+    const std::size_t to = reversed[k] ? k : next;
+    face.chart.borders.push_back(
+        {planar_line(face.chart.corners[from], face.chart.corners[to], {0, 1}),
+         reversed[k],
+         static_cast<int>(k),
+         static_cast<int>(next),
+         {}});
+  }
+  return face;
+}
+
+// Two squares with a common edge, on which their lines between patches end `apart` from each other.
+CommonModel two_squares(double apart) {
+  CommonModel model;
+  model.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}};
+  for (const auto& [from, to] :
+       std::vector<std::pair<int, int>>{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {1, 5}, {5, 4}, {4, 0}}) {
+    const Vec3 a = model.vertices[static_cast<std::size_t>(from)];
+    const Vec3 b = model.vertices[static_cast<std::size_t>(to)];
+    model.edges.push_back({[a, b](double t) { return (1 - t) * a + t * b; }, {0, 1}, from, to});
+  }
+  model.faces = {
+      square({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.4 + apart, {0, 1, 2, 3},
+             {false, false, false, false}),
+      square({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0.4, {0, 4, 5, 6}, {false, false, false, false})};
+  return model;
+}
+
 BezierCurve side_curve(const WatertightPiece& piece, int k) {
   return side_of(std::get<BezierTriangle>(piece.form), k, (k + 1) % 3);
 }
@@ -171,6 +220,18 @@ TEST(WatertightPieces, UseEverySideAsOftenAsThereAreFaces) {
     EXPECT_EQ(count, edge <= 0 ? 2 : 1);
   }
 }
+
+class NearlyMeeting : public ::testing::TestWithParam<double> {};
+
+TEST_P(NearlyMeeting, LinesBetweenPatchesDoNotKeepFacesFromAgreeing) {
+  const WatertightPieces made = watertight_pieces(two_squares(GetParam()));
+  EXPECT_EQ(made.obstacle, "");
+  EXPECT_LE(made.deviation, 1e-6);
+  EXPECT_GE(made.pieces.size(), 4u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Distances, NearlyMeeting,
+                         ::testing::Values(0, 3e-10, 0.9e-9, 2.5e-9, 1e-6));
 
 // Over the arc the roof's triangles have degree 3 x (3 + 3), but nothing like it is in them.
 TEST(WatertightPieces, HaveHardlyMoreThanTheDegreesOfTheirSurfaces) {
