@@ -367,8 +367,8 @@ class Joiner {
     ContactPoint best{pair.patch_a, pair.patch_b, middle, 1e300};
     const auto consider = [&](const std::optional<Point4>& found) {
       if (!found) return;
-      ContactPoint p{pair.patch_a, pair.patch_b, *found, 0};
-      for (double& t : p.x) t = std::clamp(t, 0.0, 1.0);
+      ContactPoint p{pair.patch_a, pair.patch_b, moved_into(patch_a, patch_b, *found, kPolishReach),
+                     0};
       p.gap = distance(point(p.patch_a, p.x), point_at(patch_b, p.x[2], p.x[3]));
       if (p.gap < best.gap) best = p;
     };

@@ -185,6 +185,20 @@ std::optional<Point4> foot_point(const RationalBezierPatch& a, const RationalBez
       kAlways);
 }
 
+Point4 moved_into(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                  double reach) {
+  const auto clamped = [](Point4 p) {
+    for (double& t : p) t = std::clamp(t, 0.0, 1.0);
+    return p;
+  };
+  const Point4 p = clamped(x);
+  const bool moved_a = p[0] != x[0] || p[1] != x[1], moved_b = p[2] != x[2] || p[3] != x[3];
+  if (moved_a == moved_b) return p;
+  if (moved_a) return clamped(foot_point(a, b, p, reach).value_or(p));
+  const auto foot = foot_point(b, a, {p[2], p[3], p[0], p[1]}, reach);
+  return foot ? clamped({(*foot)[2], (*foot)[3], p[2], p[3]}) : p;
+}
+
 Point4 touch_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
                      const TouchLine& line) {
   const auto rows = line_rows(a, b, x, line);

@@ -39,6 +39,11 @@ std::optional<Point4> touch_point(const RationalBezierPatch& a, const RationalBe
 std::optional<Point4> foot_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                  const Point4& start, double reach);
 
+/// The point within both patches nearest to one beside them: what moves to a border of one patch
+/// takes its foot on the other along, as far as `reach` (in each parameter).
+Point4 moved_into(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                  double reach);
+
 /// The tangent of the line at a point of it, in the four parameters, not normalised.
 Point4 touch_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
                      const TouchLine& line);
