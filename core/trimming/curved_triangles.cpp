@@ -64,8 +64,11 @@ class Region {
     for (const int side : flat.conflicts)
       if (index(side) < arcs_.size()) to_halve.insert(arcs_[index(side)]);
     if (!flat.consistent) to_halve.insert(arcs_.begin(), arcs_.end());
+    // Halves of a straight arc that is the very trim lie where it does; there may be 2^16 of them.
     if (std::ranges::any_of(to_halve, [&](int number) { return is_curved(number); }))
       std::erase_if(to_halve, [&](int number) { return !is_curved(number); });
+    else
+      std::erase_if(to_halve, [&](int number) { return arc(number).exact; });
     if (!flat.conflicts.empty() || !flat.consistent) {
       if (to_halve.empty()) made.obstacle = "its borders cross each other";
       return to_halve;

@@ -233,6 +233,13 @@ TEST_P(NearlyMeeting, LinesBetweenPatchesDoNotKeepFacesFromAgreeing) {
 INSTANTIATE_TEST_SUITE_P(Distances, NearlyMeeting,
                          ::testing::Values(0, 3e-10, 0.9e-9, 2.5e-9, 1e-6));
 
+// Between these distances neither the vertices nor the stops are one, and the arc between them is
+// no longer than the doubles tell: refused at once, where straight arcs were halved 2^16 times.
+TEST(WatertightPieces, RefuseArcsTooShortToTell) {
+  for (const double apart : {1.5e-9, 1.9e-9})
+    EXPECT_NE(watertight_pieces(two_squares(apart)).obstacle.find("borders"), std::string::npos);
+}
+
 // Over the arc the roof's triangles have degree 3 x (3 + 3), but nothing like it is in them.
 TEST(WatertightPieces, HaveHardlyMoreThanTheDegreesOfTheirSurfaces) {
   WatertightOptions fine;
