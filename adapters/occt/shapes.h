@@ -130,9 +130,8 @@ Model read_model(const std::filesystem::path& file);
 /// target is touched; it ends the writing by an exception. Numbers keep 16 digits. Names,
 /// colours, layers and the assembly go into STEP; IGES keeps names of 8 letters, BREP shapes only.
 /// A link stays a link, and a device is written to directly.
-/// throws   Failure if the file cannot be written, or edges that are not of BREP files have no
-/// curve
-///          in the parameters of their face; BadModel if the ending is not known
+/// throws   Failure if the file cannot be written, or is not BREP and an edge has no curve in the
+///          parameters of its face; BadModel if the ending is not known
 void write_model(const Model& model, const std::filesystem::path& file,
                  const std::function<void()>& stop = {});
 

@@ -249,7 +249,7 @@ void write_model(const Model& model, const std::filesystem::path& file,
   // Open CASCADE's writers break down on them.
   if (const int missing = count_missing_curves(model.shape()); keeps_names(file) && missing > 0)
     throw Failure(file.string() + ": the model has " + std::to_string(missing) +
-                  " edges without a curve in the parameters of their face; only BREP files can");
+                  " edges without a curve in the parameters of their face, which only BREP has");
   std::string text;
   try {
     const std::lock_guard guard(exchange_lock());
