@@ -36,7 +36,7 @@ struct Coedge {
 struct FaceTrims {
   TopoDS_Face face;                        ///< turned forward: it lies on the left of its wires
   std::vector<std::vector<Coedge>> loops;  ///< one for each wire, in no particular order inside
-  std::vector<Coedge> inner;  ///< internal edges, which bound nothing; without corners
+  std::vector<Coedge> inner;               ///< internal edges, which bound nothing; without corners
   std::vector<Vec2> corners;  ///< where coedges meet; a vertex on a seam has one on each side
   double largest_gap = 0;     ///< between the ends of coedges that meet, chart coordinates
   Vec2 scale;                 ///< chart coordinates per parameter

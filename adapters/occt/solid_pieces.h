@@ -29,8 +29,8 @@ struct SolidPieces {
 /// sides of pieces are decided at the cuts and checked by rays, or decided by rays that agree where
 /// the cuts do not tell.
 ///
-/// Surfaces that touch, in a point or along a curve, divide nothing; where they may cross as well,
-/// or the intersection stayed open, there is an obstacle.
+/// Surfaces that touch in a point divide nothing, and along a curve what it goes across; where they
+/// may cross there as well, or the intersection stayed open, there is an obstacle.
 ///
 /// throws   BadModel if a face cannot be converted
 SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options);
