@@ -108,31 +108,37 @@ std::vector<FlatKnots::Span> FlatKnots::spans(const Interval& range) const {
   return found;
 }
 
-std::vector<Vec4> bezier_points(const FlatKnots& knots, const FlatKnots::Span& span,
-                                std::vector<Vec4> poles) {
-  const int n = knots.degree();
-  std::vector<Vec4> points(poles.size());
-  std::vector<Vec4> d;
-  for (int k = 0; k <= n; ++k) {
-    d = poles;
+SpanForm::SpanForm(const FlatKnots& knots, const FlatKnots::Span& span) : degree_(knots.degree()) {
+  const int n = degree_;
+  std::vector<double> near;  // the knots that count
+  for (int i = span.index - n + 1; i <= span.index + n; ++i) near.push_back(knots.knot(i));
+  alphas_.reserve(static_cast<std::size_t>(n * (n + 1) / 2 * (n + 1)));
+  for (int k = 0; k <= n; ++k)
     for (int r = 1; r <= n; ++r) {
       const double x = r <= n - k ? span.place.from : span.place.to;
       for (int i = n; i >= r; --i) {
-        const double low = knots.knot(span.index - n + i);
-        const double high = knots.knot(span.index + 1 + i - r);
-        Vec4& here = d[static_cast<std::size_t>(i)];
-        const Vec4& before = d[static_cast<std::size_t>(i - 1)];
-        if (x == low) {
-          here = before;
-        } else if (x != high) {
-          const double alpha = (x - low) / (high - low);
-          here = (1 - alpha) * before + alpha * here;
-        }
+        const double low = near[static_cast<std::size_t>(i - 1)];
+        const double high = near[static_cast<std::size_t>(n + i - r)];
+        alphas_.push_back(x == low ? 0 : x == high ? 1 : (x - low) / (high - low));
       }
     }
-    points[static_cast<std::size_t>(k)] = d.back();
+}
+
+void SpanForm::bezier_points(const Vec4* poles, Vec4* points) const {
+  const int n = degree_;
+  Vec4 d[kMaxDegree + 1];
+  const double* alpha = alphas_.data();
+  for (int k = 0; k <= n; ++k) {
+    std::copy(poles, poles + n + 1, d);
+    for (int r = 1; r <= n; ++r)
+      for (int i = n; i >= r; --i, ++alpha) {
+        if (*alpha == 0)
+          d[i] = d[i - 1];
+        else if (*alpha != 1)
+          d[i] = (1 - *alpha) * d[i - 1] + *alpha * d[i];
+      }
+    points[k] = d[n];
   }
-  return points;
 }
 
 std::vector<ArcSpan> arc_spans(const Interval& angles) {

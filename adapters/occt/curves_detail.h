@@ -67,10 +67,19 @@ class FlatKnots {
 ///   point k = the blossom at degree - k copies of place.from and k copies of place.to
 ///
 /// Convex combinations only; ends that are knots of full multiplicity keep the points' bits, and
-/// neighbouring spans share their common point bit for bit.
-/// Source: de Boor's algorithm with different arguments (Ramshaw 1989).
-std::vector<Vec4> bezier_points(const FlatKnots& knots, const FlatKnots::Span& span,
-                                std::vector<Vec4> poles);
+/// neighbouring spans share their common point bit for bit. The factors are made once for any
+/// number of control polygons. Source: de Boor's algorithm with different arguments (Ramshaw 1989).
+class SpanForm {
+ public:
+  SpanForm(const FlatKnots& knots, const FlatKnots::Span& span);
+
+  /// poles, points   degree + 1 each; not the same ones
+  void bezier_points(const Vec4* poles, Vec4* points) const;
+
+ private:
+  int degree_;
+  std::vector<double> alphas_;  // by point, step and place, in the order of use
+};
 
 /// Bezier points of w(t) (cos, sin, 1) over one span of an arc of the unit circle.
 struct ArcSpan {

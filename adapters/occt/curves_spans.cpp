@@ -76,7 +76,8 @@ CurveSpans spline_spans(const FlatKnots& knots, const std::vector<Vec4>& poles,
     std::vector<Vec4> local;
     for (int i = span.index - knots.degree(); i <= span.index; ++i)
       local.push_back(poles[static_cast<std::size_t>(knots.pole(i))]);
-    RationalBezierCurve curve{bezier_points(knots, span, std::move(local))};
+    RationalBezierCurve curve{std::vector<Vec4>(local.size())};
+    SpanForm(knots, span).bezier_points(local.data(), curve.points.data());
     result.spans.push_back({std::move(curve), span.place, ParameterLaw::Linear});
   }
   for (const Vec4& p : poles) result.rational = result.rational || p[3] != 1;

@@ -38,13 +38,14 @@ Grid<Vec4> bezier_rows(const FlatKnots& knots, const std::vector<FlatKnots::Span
                        const Grid<Vec4>& net) {
   const int order = knots.degree() + 1;
   Grid<Vec4> result(order * static_cast<int>(spans.size()), net.columns());
-  std::vector<Vec4> local(static_cast<std::size_t>(order));
+  std::vector<Vec4> local(static_cast<std::size_t>(order)), points(local);
   for (int s = 0; s < static_cast<int>(spans.size()); ++s) {
     const FlatKnots::Span& span = spans[static_cast<std::size_t>(s)];
+    const SpanForm form(knots, span);
     for (int j = 0; j < net.columns(); ++j) {
       for (int i = 0; i < order; ++i)
         local[static_cast<std::size_t>(i)] = net(knots.pole(span.index - order + 1 + i), j);
-      const std::vector<Vec4> points = bezier_points(knots, span, local);
+      form.bezier_points(local.data(), points.data());
       for (int i = 0; i < order; ++i)
         result(order * s + i, j) = points[static_cast<std::size_t>(i)];
     }
