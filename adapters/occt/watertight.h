@@ -24,7 +24,8 @@ struct WatertightShape {
 /// All faces of a shape as patches and triangles with common sides.
 ///
 /// Faces meet where they have an edge in common; its curve in space gives the common sides. If
-/// there is an obstacle, only that is set.
+/// there is an obstacle, only that is set. Closed shells stay closed and the shape is valid by
+/// BRepCheck; if it were not, that is the obstacle.
 ///
 /// throws   BadModel if a face cannot be converted, an edge has no curve in space or another range
 ///          of parameters on a face; InvalidInput as watertight_pieces

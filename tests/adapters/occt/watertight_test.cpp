@@ -137,6 +137,7 @@ TEST(Watertight, LetsTheFacesOfABodyAgreeOnTheirEdges) {
 // The same solid comes back, closed along the same number of edges, from a file that is no larger
 // than so many patches need.
 TEST(Watertight, SurvivesAStepFile) {
+  quiet_messages();
   const WatertightShape made = watertight(box_and_cylinder());
   Model model;
   model.add(made.shape, "fused");
