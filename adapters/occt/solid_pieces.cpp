@@ -196,33 +196,44 @@ void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, const Commo
   for (Side* side : {&a, &b}) split(*side, splits, tolerance);
 }
 
-// The edges along an intersection curve on one side, and their places on it.
+// What an intersection curve becomes on one side.
 struct CurveEdge {
   Interval at;  // increasing
   TopoDS_Edge edge;
 };
 
-std::vector<std::vector<CurveEdge>> curve_edges(const Side& side, std::size_t count,
-                                                SolidPieces& result) {
-  std::vector<std::vector<CurveEdge>> edges(count);
+struct CurveEdges {
+  std::vector<CurveEdge> made;  // by increasing parameter
+  std::vector<Interval> along;  // where it runs along edges that are there already
+};
+
+Interval increasing(const Interval& of) {
+  return {std::min(of.from, of.to), std::max(of.from, of.to)};
+}
+
+// Uses along an edge have the middle half of their range.
+Interval whole_range(const Interval& middle) {
+  const double half = length(middle);
+  return {at(middle, 0.5) - half, at(middle, 0.5) + half};
+}
+
+std::vector<CurveEdges> curve_edges(const Side& side, std::size_t count) {
+  std::vector<CurveEdges> found(count);
   for (std::size_t i = 0; i < side.splits.size(); ++i)
     for (const FacePiece& piece : side.splits[i].pieces)
       for (const CutUse& use : piece.cuts) {
-        auto& of =
-            edges[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])];
+        CurveEdges& of =
+            found[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])];
         const auto is_same = [&](const CurveEdge& known) { return known.edge.IsSame(use.edge); };
-        if (use.along && side.sources[i][static_cast<std::size_t>(use.cut)].tangential) continue;
         if (use.along)
-          result.obstacles.push_back(side.face_name(i) +
-                                     ": is cut along one of its edges, which is not supported");
-        else if (std::none_of(of.begin(), of.end(), is_same))
-          of.push_back(
-              {{std::min(use.at.from, use.at.to), std::max(use.at.from, use.at.to)}, use.edge});
+          of.along.push_back(whole_range(increasing(use.at)));
+        else if (std::none_of(of.made.begin(), of.made.end(), is_same))
+          of.made.push_back({increasing(use.at), use.edge});
       }
-  for (auto& of : edges)
-    std::sort(of.begin(), of.end(),
+  for (CurveEdges& of : found)
+    std::sort(of.made.begin(), of.made.end(),
               [](const CurveEdge& x, const CurveEdge& y) { return x.at.from < y.at.from; });
-  return edges;
+  return found;
 }
 
 // Whether each edge of one side has its counterpart on the other.
@@ -246,15 +257,21 @@ double length_of(const Spline& curve, const Interval& range) {
   return length;
 }
 
-// The longest piece of a curve that became no edge. Ends that stick out over the border of a face
-// by its edges' tolerances are left out; more would be an intersection that is lost.
-double longest_rest(const Spline& curve, const std::vector<CurveEdge>& edges) {
+// The longest piece of a curve that became no edge and runs along none. Ends that stick out over
+// the border of a face by its edges' tolerances are left out; more would be an intersection that is
+// lost.
+double longest_rest(const Spline& curve, const CurveEdges& a, const CurveEdges& b) {
+  std::vector<Interval> covered = a.along;
+  covered.insert(covered.end(), b.along.begin(), b.along.end());
+  for (const CurveEdge& edge : a.made) covered.push_back(edge.at);
+  std::sort(covered.begin(), covered.end(),
+            [](const Interval& x, const Interval& y) { return x.from < y.from; });
   double longest = 0, from = curve.knots.front();
-  for (const CurveEdge& edge : edges) {
-    longest = std::max(longest, length_of(curve, {from, std::max(from, edge.at.from)}));
-    from = std::max(from, edge.at.to);
+  for (const Interval& each : covered) {
+    longest = std::max(longest, length_of(curve, {from, std::max(from, each.from)}));
+    from = std::max(from, each.to);
   }
-  return std::max(longest, length_of(curve, {from, curve.knots.back()}));
+  return std::max(longest, length_of(curve, {from, std::max(from, curve.knots.back())}));
 }
 
 double largest_tolerance(const TopoDS_Face& face) {
@@ -271,23 +288,24 @@ void add_notes(const Side& side, std::size_t face, SolidPieces& result) {
 
 void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses, EdgeUnion& joined,
                 SolidPieces& result) {
-  const auto on_a = curve_edges(a, uses.size(), result);
-  const auto on_b = curve_edges(b, uses.size(), result);
+  const auto on_a = curve_edges(a, uses.size());
+  const auto on_b = curve_edges(b, uses.size());
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const CurveUse& use = uses[i];
     const Spline& curve = a.cuts[use.face_a][use.cut_a].curve;
     const double allowed = kMostRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
                                                 largest_tolerance(b.solid->faces[use.face_b]));
-    const bool alike = match(on_a[i], on_b[i]);
+    const bool alike = match(on_a[i].made, on_b[i].made);
     if (use.touch && !alike) continue;  // what only touches may divide one face alone
-    if (!alike || (!use.touch && longest_rest(curve, on_a[i]) > allowed)) {
+    if (!alike || (!use.touch && longest_rest(curve, on_a[i], on_b[i]) > allowed)) {
       result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
                                  " are not divided alike along their intersection");
       add_notes(a, use.face_a, result);
       add_notes(b, use.face_b, result);
       continue;
     }
-    for (std::size_t k = 0; k < on_a[i].size(); ++k) joined.join(on_a[i][k].edge, on_b[i][k].edge);
+    for (std::size_t k = 0; k < on_a[i].made.size(); ++k)
+      joined.join(on_a[i].made[k].edge, on_b[i].made[k].edge);
   }
 }
 
