@@ -12,7 +12,7 @@
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_search.h"
 #include "core/intersection/gap_model.h"
-#include "core/intersection/quadric_band.h"
+#include "core/intersection/quadric_pair.h"
 #include "core/intersection/shared_cells.h"
 #include "core/intersection/work_limit.h"
 
@@ -61,7 +61,7 @@ struct PatchPair {
   CellTree* tree_a;
   CellTree* tree_b;
   SharedCells shared;
-  const QuadricBand *band_a, *band_b;  // of the patches; null if they lie on no quadric
+  QuadricPair quadrics;
   std::vector<CertifiedPair> certified{};
   std::vector<CellsPair> parallel{};
 };
@@ -89,7 +89,8 @@ class Search {
         slab_(kSlabPart * options.tolerances.point),
         result_(result),
         limit_(options),
-        bands_(options.tolerances.point) {}
+        bands_(options.tolerances.point),
+        one_is_whole_(is_whole_quadric(a, bands_) || is_whole_quadric(b, bands_)) {}
 
   void add(const StartPair& pair) {
     const auto [known, added] =
@@ -98,8 +99,8 @@ class Search {
     if (!added) return;
     CellTree &tree_a = a_.tree(pair.patch_a), &tree_b = b_.tree(pair.patch_b);
     places_.push_back({pair.patch_a, pair.patch_b, &tree_a, &tree_b,
-                       SharedCells(tree_a, tree_b, options_.tolerances.point), bands_.of(tree_a),
-                       bands_.of(tree_b)});
+                       SharedCells(tree_a, tree_b, options_.tolerances.point),
+                       QuadricPair(tree_a, tree_b, bands_, !itself() && one_is_whole_, size_)});
   }
 
   void run() {
@@ -169,10 +170,12 @@ class Search {
     if (separated(a, b, points_a, points_b)) return {Verdict::Apart};
     if (known_.hold({a.low, a.high}) || known_.hold({b.low, b.high})) return {Verdict::Known};
     if (const auto part = place.shared.part(a, b)) return {Verdict::Coincident, -1, part};
+    if (place.quadrics.is_one())
+      return {place.quadrics.coincide(a, b) ? Verdict::Thin : Verdict::Mixed};
     if (pair.along >= 0) return {Verdict::Regular, pair.along};
     const int along = certified_column(JacobianBounds(a, b));
     if (along >= 0) return {Verdict::Regular, along};
-    if (quadric_between(place, a, b)) return {Verdict::Apart};
+    if (place.quadrics.apart(a, b)) return {Verdict::Apart};
     if (itself() && beside_each_other(place, a, b)) return {Verdict::Apart};
     if (known_.compare_with(std::min(a.extent, b.extent)) &&
         known_.hold_common({a.low, a.high}, {b.low, b.high}))
@@ -180,12 +183,6 @@ class Search {
     if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b)))
       return {Verdict::Parallel};
     return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};
-  }
-
-  // True if the equation of the quadric that either patch lies on keeps the cells apart.
-  static bool quadric_between(const PatchPair& place, const Cell& a, const Cell& b) {
-    return (place.band_b != nullptr && place.band_b->misses(a, place.tree_a->shape())) ||
-           (place.band_a != nullptr && place.band_a->misses(b, place.tree_b->shape()));
   }
 
   bool itself() const { return &a_ == &b_; }
@@ -324,7 +321,7 @@ class Search {
       const auto i = static_cast<std::size_t>(pair.cell_a);
       dirty[i] = dirty[i] | holds[i];
     }
-    ContactTask task{place.patch_a, place.patch_b, {}, {}, place.band_b};
+    ContactTask task{place.patch_a, place.patch_b, {}, {}, place.quadrics.band_b()};
     collect_dirty(tree_a, 0, false, dirty, covered, task.cells_a);
     std::vector<CellsPair> near(place.parallel);
     for (const CertifiedPair& pair : place.certified) {
@@ -416,6 +413,7 @@ class Search {
       critical.high[k] = std::min(a.high[k], b.high[k]);
       if (critical.low[k] > critical.high[k]) return;  // apart, though never examined
     }
+    critical.shared = thin && place.quadrics.is_one();
     ++result_.certificate.critical;
     result_.critical.push_back(critical);
   }
@@ -432,6 +430,7 @@ class Search {
   std::vector<PatchPair> places_;
   std::map<std::array<int, 2>, int> place_;  // of two patches
   QuadricBands bands_;
+  const bool one_is_whole_;  // of the surfaces, of a quadric
   std::vector<Pair> stack_;
   std::vector<Finding> findings_;  // about the batch at work
 };

@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kMostPoints = 64;  // of a net: the cost is their square
 constexpr double kRoundoff = 0x1p-53;
+constexpr double kTight = 0.5;  // of the tolerance: with kSteep distances are within it
+constexpr double kSteep = 0.5;
 
 using Net = std::array<Vec4, kMostPoints>;
 using Form = std::array<double, 4 * kMostPoints>;  // (2n + 1)(2m + 1) < 4 (n + 1)(m + 1)
@@ -84,12 +86,15 @@ double error_of(const Quadric& q, const Cell& cell, const NetShape& shape, doubl
          slope * cell.margin;
 }
 
+Vec3 corner_of(const Vec3& low, const Vec3& high, int corner) {
+  return {(corner & 1) != 0 ? high[0] : low[0], (corner & 2) != 0 ? high[1] : low[1],
+          (corner & 4) != 0 ? high[2] : low[2]};
+}
+
 double largest_slope(const Quadric& q, const Vec3& low, const Vec3& high) {
   Vec3 most;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 x{(corner & 1) != 0 ? high[0] : low[0], (corner & 2) != 0 ? high[1] : low[1],
-                 (corner & 4) != 0 ? high[2] : low[2]};
-    const Vec3 g = q.gradient(x);
+    const Vec3 g = q.gradient(corner_of(low, high, corner));
     for (int k = 0; k < 3; ++k) most[k] = std::max(most[k], std::abs(g[k]));
   }
   return norm(most);
@@ -97,23 +102,46 @@ double largest_slope(const Quadric& q, const Vec3& low, const Vec3& high) {
 
 }  // namespace
 
-std::optional<QuadricBand> QuadricBand::of(const CellTree& tree, double tolerance) {
-  const auto quadric = quadric_of(tree.patch());
-  if (!quadric) return std::nullopt;
-  const Cell& root = tree[0];
-  const NetShape& shape = tree.shape();
-  const CellForm2 form = form_of(*quadric, root, shape);
-  const Vec3 by{tolerance, tolerance, tolerance};
+double QuadricBand::largest_over(const CellTree& tree) const {
+  const CellForm2 form = form_of(quadric_, tree[0], tree.shape());
   double largest = 0;
   for (int k = 0; k < form.rows * form.columns; ++k) {
     const auto at = static_cast<std::size_t>(k);
     largest = std::max(largest, std::abs(form.value[at]) / form.weight[at]);
   }
+  return largest + error_of(quadric_, tree[0], tree.shape(), largest);
+}
+
+std::optional<QuadricBand> QuadricBand::of(const CellTree& tree, double tolerance) {
+  const auto quadric = quadric_of(tree.patch());
+  if (!quadric) return std::nullopt;
+  const Vec3 by{tolerance, tolerance, tolerance};
   QuadricBand band;
   band.quadric_ = *quadric;
-  band.half_ = largest + error_of(*quadric, root, shape, largest) +
-               tolerance * largest_slope(*quadric, root.low - by, root.high + by);
+  band.tolerance_ = tolerance;
+  band.off_ = band.largest_over(tree);
+  band.half_ = band.off_ + tolerance * largest_slope(*quadric, tree[0].low - by, tree[0].high + by);
   return band;
+}
+
+bool QuadricBand::holds_tightly(const CellTree& other) const {
+  if (other.shape().plane_size() > kMostPoints) return false;
+  return off_ + largest_over(other) <= kTight * tolerance_;
+}
+
+// The gradient is affine, so each entry has its extremes at corners.
+bool QuadricBand::is_steep_in(const Cell& cell) const {
+  Vec3 low = quadric_.gradient(cell.low), high = low;
+  for (int corner = 1; corner < 8; ++corner) {
+    const Vec3 g = quadric_.gradient(corner_of(cell.low, cell.high, corner));
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], g[k]);
+      high[k] = std::max(high[k], g[k]);
+    }
+  }
+  Vec3 least;
+  for (int k = 0; k < 3; ++k) least[k] = std::max({low[k], -high[k], 0.0});
+  return norm(least) >= kSteep;
 }
 
 bool QuadricBand::misses(const Cell& cell, const NetShape& shape) const {

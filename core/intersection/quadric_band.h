@@ -32,12 +32,20 @@ class QuadricBand {
   /// cost        O(n^2 m^2) for a cell on neither side of the quadric that has corners on one
   bool misses(const Cell& cell, const NetShape& shape) const;
 
-  /// Largest |q| in the band; about a distance.
-  double half() const { return half_; }
+  /// True if the values over this patch and those over another one are proven to be, together,
+  /// within half of the tolerance: where they are steep the patches are as close to each other.
+  bool holds_tightly(const CellTree& other) const;
+
+  /// True if values change by half of the distance at least, all over the cell's box.
+  bool is_steep_in(const Cell& cell) const;
 
  private:
+  double largest_over(const CellTree& tree) const;
+
   Quadric quadric_;
-  double half_ = 0;
+  double half_ = 0;       // largest |q| in the band; about a distance
+  double tolerance_ = 0;  // model units
+  double off_ = 0;        // largest |q| over the patch
 };
 
 /// The bands of patches, made when first asked for.

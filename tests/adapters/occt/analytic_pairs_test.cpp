@@ -199,6 +199,8 @@ void add_round_ones(std::vector<Row>& rows) {
        {"tori_one_above_the_other", torus({0, 0, 1}, 5, 2), torus(O, 5, 2), 20 * kPi},
        {"one_torus_twice_turned_over", torus(O, 5, 2), torus(O, 5, 2, {0, 0, -1}), 0, 0, 0, 1},
        {"one_sphere_twice", sphere(O, 2), sphere(O, 2), 0, 0, 0, 1},
+       {"one_sphere_twice_turned", sphere(O, 2), sphere(O, 2, {1, 2, 3}), 0, 0, 0, 1},
+       {"one_sphere_twice_almost", sphere({2e-8, 0, 0}, 2), sphere(O, 2, X), 0, 0, 0, 1},
        {"torus_on_torus", torus({0, 0, 4}, 5, 2), torus(O, 5, 2), 10 * kPi, 0, 0, 0, true},
        {"torus_round_torus", torus(O, 8, 1), torus(O, 5, 2), 14 * kPi, 0, 0, 0, true},
        {"tori_crossing_on_one_axis", torus(O, 6, 2), torus(O, 5, 2), 22 * kPi},

@@ -45,6 +45,21 @@ TEST(QuadricBand, HoldsWhatIsWithinTolerance) {
   EXPECT_FALSE(apart(sphere_octant({0.3, -0.3, 0}, 2), sphere_octant({}, 2)));  // they cross
 }
 
+TEST(QuadricBand, TellsPatchesOfOneQuadric) {
+  const auto band = QuadricBand::of(tree_of(sphere_octant({1, 2, 3}, 2)), kTolerance);
+  ASSERT_TRUE(band);
+  RationalBezierPatch turned = sphere_octant({1, 2, 3}, 2);  // another part of the sphere
+  for (Vec4& p : turned.points.values()) {
+    const double x = p[0] - p[3];
+    p[0] = p[3] - 0.6 * x - 0.8 * (p[1] - 2 * p[3]);
+    p[1] = 2 * p[3] + 0.8 * x - 0.6 * (p[1] - 2 * p[3]);
+  }
+  EXPECT_TRUE(band->holds_tightly(tree_of(turned)));
+  EXPECT_TRUE(band->holds_tightly(tree_of(sphere_octant({1, 2, 3 + 3e-8}, 2))));
+  EXPECT_FALSE(band->holds_tightly(tree_of(sphere_octant({1, 2, 3}, 2 + 6e-8))));
+  EXPECT_FALSE(band->holds_tightly(tree_of(cylinder_quarter(2, 1))));
+}
+
 // Cells of random patches: one that holds a point of the sphere is never said to miss it.
 class CellsAtASphere : public ::testing::TestWithParam<int> {};
 

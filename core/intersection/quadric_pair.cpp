@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/quadric_pair.h"
+
+#include <algorithm>
+
+namespace blossom {
+namespace {
+
+constexpr int kMostPatches = 64;         // of a surface that is looked at as a whole
+constexpr double kSmallPart = 1.0 / 16;  // of the surfaces' size
+
+constexpr double kOnePoint = 1e-12;  // relative
+
+// The surface ends nowhere: it is closed in one direction, and in the other one closed, too, or its
+// borders are single points, as the poles of a sphere.
+bool is_borderless(const BezierSurface& surface) {
+  const auto& patches = surface.patches;
+  const auto is_point = [&](const RationalBezierPatch& patch, bool across_u, bool upper) {
+    const auto& net = patch.points;
+    const int count = across_u ? net.columns() : net.rows();
+    const auto at = [&](int k) {
+      const Vec4& p =
+          across_u ? net(upper ? net.rows() - 1 : 0, k) : net(k, upper ? net.columns() - 1 : 0);
+      return Vec3{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+    };
+    for (int k = 1; k < count; ++k)
+      if (distance(at(k), at(0)) > kOnePoint * (1 + norm(at(0)))) return false;
+    return true;
+  };
+  const auto ends_in_points = [&](bool across_u) {
+    const int last = (across_u ? patches.rows() : patches.columns()) - 1;
+    for (int k = 0; k < (across_u ? patches.columns() : patches.rows()); ++k)
+      for (const bool upper : {false, true}) {
+        const int end = upper ? last : 0;
+        if (!is_point(across_u ? patches(end, k) : patches(k, end), across_u, upper)) return false;
+      }
+    return true;
+  };
+  return (surface.closed_u && (surface.closed_v || ends_in_points(false))) ||
+         (surface.closed_v && ends_in_points(true));
+}
+
+}  // namespace
+
+bool is_whole_quadric(SurfaceCells& surface, QuadricBands& bands) {
+  if (surface.patches() > kMostPatches || !is_borderless(surface.surface())) return false;
+  const QuadricBand* band = bands.of(surface.tree(0));
+  if (band == nullptr) return false;
+  for (int patch = 1; patch < surface.patches(); ++patch)
+    if (!band->holds_tightly(surface.tree(patch))) return false;
+  return true;
+}
+
+QuadricPair::QuadricPair(const CellTree& a, const CellTree& b, QuadricBands& bands,
+                         bool one_is_whole, double size)
+    : shape_a_(a.shape()),
+      shape_b_(b.shape()),
+      band_a_(bands.of(a)),
+      band_b_(bands.of(b)),
+      largest_(kSmallPart * size),
+      is_one_(one_is_whole && band_b_ != nullptr && band_b_->holds_tightly(a)) {}
+
+bool QuadricPair::coincide(const Cell& a, const Cell& b) const {
+  return std::max(a.extent, b.extent) <= largest_ && band_b_->is_steep_in(a) &&
+         band_b_->is_steep_in(b);
+}
+
+bool QuadricPair::apart(const Cell& a, const Cell& b) const {
+  return (band_b_ != nullptr && band_b_->misses(a, shape_a_)) ||
+         (band_a_ != nullptr && band_a_->misses(b, shape_b_));
+}
+
+}  // namespace blossom

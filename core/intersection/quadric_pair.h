@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the quadrics that two patches lie on tell about pairs of their cells.
+
+#pragma once
+
+#include "core/intersection/quadric_band.h"
+#include "core/intersection/surface_cells.h"
+
+namespace blossom {
+
+/// True if a surface is all of a quadric: it ends nowhere, as a whole sphere, and all of its
+/// patches lie on one.
+bool is_whole_quadric(SurfaceCells& surface, QuadricBands& bands);
+
+class QuadricPair {
+ public:
+  /// one_is_whole   one of the patches' surfaces is all of a quadric
+  /// size           of the surfaces, model units
+  QuadricPair(const CellTree& a, const CellTree& b, QuadricBands& bands, bool one_is_whole,
+              double size);
+
+  /// Of patch b; null if it lies on none that can be told.
+  const QuadricBand* band_b() const { return band_b_; }
+
+  /// True if both patches lie on one quadric and one of their surfaces is all of it: then they
+  /// coincide as far as the other one goes.
+  bool is_one() const { return is_one_; }
+
+  /// Of patches on one quadric: true if the cells are so small that the whole surface passes
+  /// through their common box once.
+  bool coincide(const Cell& a, const Cell& b) const;
+
+  /// True if the equation of one patch proves that the other one's cell does not come close to it.
+  bool apart(const Cell& a, const Cell& b) const;
+
+ private:
+  NetShape shape_a_, shape_b_;
+  const QuadricBand *band_a_, *band_b_;
+  double largest_;  // of cells that coincide
+  bool is_one_;
+};
+
+}  // namespace blossom
