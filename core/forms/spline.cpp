@@ -2,10 +2,13 @@
 #include "core/forms/spline.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cstddef>
 #include <string>
 
 #include "core/base/errors.h"
+#include "core/forms/curve.h"
 
 namespace blossom {
 namespace {
@@ -27,19 +30,19 @@ std::size_t span_of(const std::vector<double>& flat, std::size_t degree, std::si
   return static_cast<std::size_t>(above - flat.begin()) - 1;
 }
 
-// The blossom of the polynomial of a span at `degree` parameters: de Boor's triangle with one
-// parameter a level.
+// The blossom of the polynomial of a span at p parameters: de Boor's triangle with one parameter a
+// level.
+//
+// points   the p + 1 control points of the span
+// knots    the 2 p flat knots round the span, which lies between knots[p - 1] and knots[p]
 template <class Point>
-Point blossom_of_span(const SplineOf<Point>& spline, const std::vector<double>& flat,
-                      std::size_t span, const double* parameters) {
-  const auto p = static_cast<std::size_t>(spline.degree);
-  const std::size_t first = span - p;
-  std::vector<Point> d(spline.points.begin() + static_cast<std::ptrdiff_t>(first),
-                       spline.points.begin() + static_cast<std::ptrdiff_t>(first + p + 1));
+Point blossom_of_span(const Point* points, const double* knots, std::size_t p,
+                      const double* parameters) {
+  std::array<Point, kMaxDegree + 1> d;
+  std::copy_n(points, p + 1, d.begin());
   for (std::size_t r = 1; r <= p; ++r)
     for (std::size_t j = p; j >= r; --j) {
-      const double low = flat[j + first];
-      const double high = flat[j + 1 + span - r];
+      const double low = knots[j - 1], high = knots[j + p - r];
       const double s = (parameters[r - 1] - low) / (high - low);
       d[j] = (1 - s) * d[j - 1] + s * d[j];
     }
@@ -50,16 +53,30 @@ Point blossom_of_span(const SplineOf<Point>& spline, const std::vector<double>& 
 template <class Point>
 Point de_boor(const SplineOf<Point>& spline, double parameter, bool derivative) {
   const auto p = static_cast<std::size_t>(spline.degree);
-  const std::vector<double> flat = flat_knots(spline.knots, spline.multiplicities);
+  assert(spline.degree <= kMaxDegree);
   const double t = std::clamp(parameter, spline.knots.front(), spline.knots.back());
-  const std::size_t span = span_of(flat, p, spline.points.size(), t);
-  std::vector<double> parameters(p, t);
-  if (!derivative) return blossom_of_span(spline, flat, span, parameters.data());
-  parameters.back() = flat[span + 1];
-  const Point high = blossom_of_span(spline, flat, span, parameters.data());
-  parameters.back() = flat[span];
-  const Point low = blossom_of_span(spline, flat, span, parameters.data());
-  return (static_cast<double>(p) / (flat[span + 1] - flat[span])) * (high - low);
+  const auto above = std::upper_bound(spline.knots.begin() + 1, spline.knots.end() - 1, t);
+  const auto knot = static_cast<std::size_t>(above - spline.knots.begin()) - 1;
+  std::array<double, 2 * kMaxDegree> knots;
+  std::size_t left = 0, right = 0, past = 0;
+  for (std::size_t i = 0; i <= knot; ++i)
+    past += static_cast<std::size_t>(spline.multiplicities[i]);
+  for (std::size_t i = knot + 1; left < p && i-- > 0;)
+    for (int k = 0; k < spline.multiplicities[i] && left < p; ++k)
+      knots[p - 1 - left++] = spline.knots[i];
+  for (std::size_t i = knot + 1; right < p && i < spline.knots.size(); ++i)
+    for (int k = 0; k < spline.multiplicities[i] && right < p; ++k)
+      knots[p + right++] = spline.knots[i];
+
+  std::array<double, kMaxDegree> parameters;
+  std::fill_n(parameters.begin(), p, t);
+  const Point* points = spline.points.data() + (past - 1 - p);
+  if (!derivative) return blossom_of_span(points, knots.data(), p, parameters.data());
+  parameters[p - 1] = spline.knots[knot + 1];
+  const Point high = blossom_of_span(points, knots.data(), p, parameters.data());
+  parameters[p - 1] = spline.knots[knot];
+  const Point low = blossom_of_span(points, knots.data(), p, parameters.data());
+  return (static_cast<double>(p) / (spline.knots[knot + 1] - spline.knots[knot])) * (high - low);
 }
 
 template <class Point>
@@ -86,7 +103,9 @@ SplineOf<Point> part_of(const SplineOf<Point>& spline, const Interval& part) {
     while (!(flat[reached] < flat[reached + 1])) ++reached;
     const double middle = 0.5 * (flat[reached] + flat[reached + 1]);
     const std::size_t span = span_of(old_flat, p, spline.points.size(), middle);
-    result.points.push_back(blossom_of_span(spline, old_flat, span, flat.data() + i + 1));
+    result.points.push_back(blossom_of_span(spline.points.data() + (span - p),
+                                            old_flat.data() + (span + 1 - p), p,
+                                            flat.data() + i + 1));
   }
   return result;
 }
