@@ -103,7 +103,7 @@ int shell_count(const TopoDS_Shape& shape) {
   return shells.Extent();
 }
 
-Json to_json(const occt::SolidVolumes& volumes) {
+Json volumes_json(const occt::SolidVolumes& volumes) {
   return {{"part", volumes.part},
           {"tool", volumes.tool},
           {"cut", volumes.cut},
@@ -115,7 +115,8 @@ Json to_json(const occt::SolidVolumes& volumes) {
 
 Json report_of(const SolidTrim& options, const Timed& timed, bool written) {
   Json solids = Json::array(), steps = Json::array();
-  for (const occt::SolidVolumes& volumes : timed.made.volumes) steps.push_back(to_json(volumes));
+  for (const occt::SolidVolumes& volumes : timed.made.volumes)
+    steps.push_back(volumes_json(volumes));
   for (const TopoDS_Solid& solid : timed.made.solids)
     solids.push_back({{"faces", face_count(solid)}, {"voids", shell_count(solid) - 1}});
   return {{"schema", "blossom.solid/1"},

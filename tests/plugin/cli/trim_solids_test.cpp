@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <numbers>
+#include <set>
+#include <string>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
@@ -149,9 +151,10 @@ TEST_F(TrimSolidsCommand, FusesSolidsThatShareAFace) {
 }
 
 TEST_F(TrimSolidsCommand, TakesSeveralTools) {
+  write(BRepPrimAPI_MakeBox(gp_Pnt(9, 9, 9), gp_Pnt(10, 10, 10)).Shape(), "away.step");
   const Finished run =
       blossom({"trim", folder / "box.brep", folder / "ball.step", folder / "beside.brep",
-               folder / "away.brep", "--solid", "fuse", "-o", folder / "out.step", "--json", "-"});
+               folder / "away.step", "--solid", "fuse", "-o", folder / "out.step", "--json", "-"});
   EXPECT_EQ(run.code, 3) << run.err;
   const json report = json::parse(run.out);
   EXPECT_EQ(report["tools"].size(), 3u);
@@ -161,8 +164,9 @@ TEST_F(TrimSolidsCommand, TakesSeveralTools) {
   EXPECT_NEAR(report["volumes"]["fuse"].get<double>(), 72 + 1 + 4 * std::numbers::pi / 3 - kCap,
               1e-6);
   const occt::Model made = occt::read_model(folder / "out.step");
-  EXPECT_EQ(made.part_name(1), "box.brep");
-  EXPECT_EQ(made.part_name(made.face_count()), "away.brep");
+  // A .brep has no names, so the box is called as its file.
+  const std::set<std::string> names{made.part_name(1), made.part_name(made.face_count())};
+  EXPECT_EQ(names, (std::set<std::string>{"away.step", "box"}));
 }
 
 TEST_F(TrimSolidsCommand, WritesNothingButSaysWhyWhereFacesCoincideRoughly) {
