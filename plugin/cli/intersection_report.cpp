@@ -52,6 +52,8 @@ std::vector<SurfacePoint> samples_of(const std::vector<IntersectionCurve>& curve
     if (!use.forward) std::reverse(more.begin(), more.end());
     samples.insert(samples.end(), more.begin(), more.end());
   }
+  // Pieces meet within rounding; who draws a closed curve wants it closed.
+  if (chain.closed) samples.back().point = samples.front().point;
   return samples;
 }
 

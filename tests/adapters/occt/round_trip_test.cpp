@@ -74,7 +74,7 @@ void expect_small_changes(const TopoDS_Shape& part, const TopoDS_Shape& tool,
               of_tool = change_of(tool, ending);
   const Sizes allowed{of_part.volume + of_tool.volume, of_part.area + of_tool.area};
   for (const SolidOperation operation : operations) {
-    const SolidTrimResult made = trim_solids(trim_tool(part), trim_tool(tool), operation);
+    const SolidTrimResult made = trim_solids(trim_tool(part), {trim_tool(tool)}, operation);
     ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
     TopoDS_Compound solids;
     BRep_Builder().MakeCompound(solids);
@@ -145,7 +145,7 @@ TEST(IgesFiles, AreCutAndWritten) {
   Model tool;
   tool.add(BRepPrimAPI_MakeBox(gp_Pnt(18, -5, -5), gp_Pnt(22, 35, 40)).Shape(), "Saw");
   const SolidTrimResult made =
-      trim_solids(trim_tool(part.shape()), trim_tool(tool.shape()), SolidOperation::Cut);
+      trim_solids(trim_tool(part.shape()), {trim_tool(tool.shape())}, SolidOperation::Cut);
   ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
   std::vector<CombinedSolid> solids;
   for (const TopoDS_Solid& solid : made.solids) {
@@ -153,7 +153,7 @@ TEST(IgesFiles, AreCutAndWritten) {
     for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
       for (const SolidFace& face : made.faces)
         if (face.face.IsSame(it.Current()))
-          solids.back().faces.push_back({face.face, face.of_tool ? &tool : &part, face.from + 1});
+          solids.back().faces.push_back({face.face, face.tool < 0 ? &part : &tool, face.from + 1});
   }
   part.replace_solids(solids);
   write_model(part, folder / "out.iges");

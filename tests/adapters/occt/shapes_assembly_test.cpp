@@ -71,7 +71,7 @@ Model saw(const TopoDS_Shape& shape) {
 std::string combined(Model& part, const Model& tool, SolidOperation operation,
                      const Folder& folder) {
   const SolidTrimResult made =
-      trim_solids(trim_tool(part.shape()), trim_tool(tool.shape()), operation);
+      trim_solids(trim_tool(part.shape()), {trim_tool(tool.shape())}, operation);
   EXPECT_TRUE(made.obstacles.empty()) << made.obstacles.front();
   std::vector<CombinedSolid> solids;
   for (const TopoDS_Solid& solid : made.solids) {
@@ -80,7 +80,7 @@ std::string combined(Model& part, const Model& tool, SolidOperation operation,
     TopExp::MapShapes(solid, TopAbs_FACE, faces);
     for (const SolidFace& face : made.faces)
       if (faces.Contains(face.face))
-        solids.back().faces.push_back({face.face, face.of_tool ? &tool : &part, face.from + 1});
+        solids.back().faces.push_back({face.face, face.tool < 0 ? &part : &tool, face.from + 1});
   }
   part.replace_solids(solids);
   write_model(part, folder / "out.step");

@@ -4,6 +4,7 @@
 #include "shapes_files.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
@@ -127,7 +128,9 @@ class Teller {
     std::ostringstream text;
     text << std::fixed << std::setprecision(3);
     const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
-    for (int i = 1; i <= 3; ++i) text << " " << low.Coord(i) + 0.0 << ".." << high.Coord(i) + 0.0;
+    const auto rounded = [](double x) { return std::round(1e3 * x) / 1e3 + 0.0; };  // no -0.000
+    for (int i = 1; i <= 3; ++i)
+      text << " " << rounded(low.Coord(i)) << ".." << rounded(high.Coord(i));
     return text.str();
   }
 
