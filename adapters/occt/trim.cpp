@@ -244,6 +244,7 @@ void collect(const std::vector<Job>& jobs, const std::vector<Judged>& sides,
   std::size_t next = 0;
   for (const Job& job : jobs) {
     std::vector<TopoDS_Face> kept;
+    const double whole = job.of->cut ? area(job.of->face) : 0;
     for (const FacePiece& piece : job.split.pieces) {
       if (!job.of->cut) {
         kept.push_back(piece.face);
@@ -252,7 +253,8 @@ void collect(const std::vector<Job>& jobs, const std::vector<Judged>& sides,
       const Judged& side = sides[next++];
       const int number = static_cast<int>(next);
       result.pieces.push_back({number, job.of->number, side.side, is_kept(side, number, options),
-                               area(piece.face), piece.face});
+                               piece.face.IsSame(job.of->face) ? whole : area(piece.face),
+                               piece.face});
       if (!job.cuts.empty()) check_piece(result.pieces.back(), result);
       if (result.pieces.back().kept) kept.push_back(piece.face);
       if (side.side == PieceSide::Unknown && options.keep != Keep::All &&
@@ -260,7 +262,7 @@ void collect(const std::vector<Job>& jobs, const std::vector<Judged>& sides,
         result.notes.push_back("piece " + std::to_string(number) +
                                ": its side is not decided, it is not kept");
     }
-    if (job.of->cut) result.areas[job.of->number] = area(job.of->face);
+    if (job.of->cut) result.areas[job.of->number] = whole;
     if (kept.size() != 1 || !kept.front().IsSame(job.of->face))
       result.replacements[job.of->number] = std::move(kept);
   }
