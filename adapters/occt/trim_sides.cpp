@@ -10,10 +10,8 @@
 #include <optional>
 
 #include <BOPTools_AlgoTools3D.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepCheck_Shell.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
-#include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
 #include <IntTools_Context.hxx>
@@ -28,6 +26,7 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include "adapters/occt/distance.h"
 #include "adapters/occt/edge_images.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_trims.h"
@@ -37,6 +36,9 @@ namespace {
 
 // Below this cosine between the way into the piece and the tool's normal, a side is not decided.
 constexpr double kLeastCosine = 1e-4;
+// Of cells, for a nearest point. More are needed only where many points are all but equally near,
+// as from the middle of a sphere, or hardly off the face; then any of them will do.
+constexpr long kMostPairs = 500;
 // Places on a cut, as fractions, where the side is looked at.
 constexpr std::array kLooks{0.5, 0.23, 0.77};
 
@@ -125,23 +127,33 @@ ToolSide side_of_solids(const std::vector<TopoDS_Solid>& solids, const gp_Pnt& p
   return ToolSide::Above;
 }
 
+std::optional<ShapeDistance> nearest_on(const TopoDS_Face& face, const gp_Pnt& point) {
+  try {
+    return nearest_point(MeasuredShape(face), {point.X(), point.Y(), point.Z()},
+                         {.budget = kMostPairs});
+  } catch (const BadModel&) {
+    return std::nullopt;  // such a face decides nothing
+  }
+}
+
 // By the nearest point; where faces are equally near (at their common edge) by the one whose
 // normal is the most decided.
 ToolSide side_of_faces(const std::vector<TopoDS_Face>& faces, const gp_Pnt& point) {
-  const TopoDS_Vertex vertex = BRepBuilderAPI_MakeVertex(point);
   double least = std::numeric_limits<double>::infinity(), decided = 0;
   for (const TopoDS_Face& face : faces) {
-    const BRepExtrema_DistShapeShape distance(vertex, face);
-    if (!distance.IsDone() || distance.NbSolution() == 0 ||
-        distance.Value() > least + Precision::Confusion())
-      continue;
-    const gp_Pnt foot = distance.PointOnShape2(1);
-    const gp_Pnt2d uv =
-        ShapeAnalysis_Surface(BRep_Tool::Surface(face)).ValueOfUV(foot, Precision::Confusion());
-    const double found = cosine(gp_Vec(foot, point), oriented_normal(face, {uv.X(), uv.Y()}));
-    const bool nearer = distance.Value() < least - Precision::Confusion();
-    if (nearer || std::abs(found) > std::abs(decided)) decided = found;
-    least = std::min(least, distance.Value());
+    const auto found = nearest_on(face, point);
+    if (!found || found->upper > least + Precision::Confusion()) continue;
+    const gp_Pnt foot(found->b.point[0], found->b.point[1], found->b.point[2]);
+    Vec2 uv = found->b.uv;
+    if (found->b.on.IsNull() || found->b.on.ShapeType() != TopAbs_FACE) {
+      const gp_Pnt2d on_face =
+          ShapeAnalysis_Surface(BRep_Tool::Surface(face)).ValueOfUV(foot, Precision::Confusion());
+      uv = {on_face.X(), on_face.Y()};
+    }
+    const double side = cosine(gp_Vec(foot, point), oriented_normal(face, uv));
+    const bool nearer = found->upper < least - Precision::Confusion();
+    if (nearer || std::abs(side) > std::abs(decided)) decided = side;
+    least = std::min(least, found->upper);
   }
   return side_from(decided);
 }
