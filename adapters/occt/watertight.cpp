@@ -29,6 +29,7 @@
 #include "adapters/occt/untrimmed.h"
 #include "core/base/tolerances.h"
 #include "core/blossom/triangle_conversion.h"
+#include "core/forms/conversion.h"
 
 namespace blossom::occt {
 namespace {
@@ -102,15 +103,6 @@ class Reader {
 };
 
 // ---- and back
-
-RationalBezierPatch homogeneous(const BezierPatch& patch) {
-  RationalBezierPatch result{Grid<Vec4>(patch.points.rows(), patch.points.columns())};
-  for (std::size_t k = 0; k < patch.points.values().size(); ++k) {
-    const Vec3& p = patch.points.values()[k];
-    result.points.values()[k] = {p[0], p[1], p[2], 1};
-  }
-  return result;
-}
 
 // The triangle with its corners renamed: `first` becomes a, the next one b.
 BezierTriangle turned(const BezierTriangle& triangle, std::size_t first) {

@@ -5,20 +5,11 @@
 #include <string>
 
 #include "core/base/errors.h"
+#include "core/forms/conversion.h"
 #include "core/subdivision/tessellation.h"
 
 namespace blossom::openmesh {
 namespace {
-
-RationalBezierPatch homogeneous(const BezierPatch& patch) {
-  RationalBezierPatch result{Grid<Vec4>(patch.points.rows(), patch.points.columns())};
-  for (int i = 0; i < patch.points.rows(); ++i)
-    for (int j = 0; j < patch.points.columns(); ++j) {
-      const Vec3& p = patch.points(i, j);
-      result.points(i, j) = {p[0], p[1], p[2], 1};
-    }
-  return result;
-}
 
 // Sums before each span: where its first point is in the whole grid.
 std::vector<int> starts(const std::vector<int>& counts) {

@@ -59,4 +59,13 @@ BLOSSOM_INSTANTIATE(Vec3)
 BLOSSOM_INSTANTIATE(Vec4)
 #undef BLOSSOM_INSTANTIATE
 
+RationalBezierPatch homogeneous(const BezierPatch& patch) {
+  RationalBezierPatch result{Grid<Vec4>(patch.points.rows(), patch.points.columns())};
+  for (std::size_t k = 0; k < patch.points.values().size(); ++k) {
+    const Vec3& p = patch.points.values()[k];
+    result.points.values()[k] = {p[0], p[1], p[2], 1};
+  }
+  return result;
+}
+
 }  // namespace blossom

@@ -86,4 +86,7 @@ constexpr double round_trip_error(int degree_u, int degree_v, Origin origin) {
   return (4 * (degree_u + degree_v) + 12) * monomial_growth(degree_u, degree_v, origin) * 0x1p-53;
 }
 
+/// The same patch with weights of 1.
+RationalBezierPatch homogeneous(const BezierPatch& patch);
+
 }  // namespace blossom

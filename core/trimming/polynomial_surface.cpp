@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "core/base/errors.h"
+#include "core/forms/conversion.h"
 #include "core/forms/degree.h"
 #include "core/forms/interpolation.h"
 #include "core/forms/products.h"
@@ -165,15 +166,6 @@ std::vector<double> divided(const std::vector<double>& knots, int parts) {
     for (int part = 1; part < parts; ++part)
       result.push_back(at({knots[k], knots[k + 1]}, static_cast<double>(part) / parts));
     result.push_back(knots[k + 1]);
-  }
-  return result;
-}
-
-RationalBezierPatch homogeneous(const BezierPatch& patch) {
-  RationalBezierPatch result{Grid<Vec4>(patch.points.rows(), patch.points.columns())};
-  for (std::size_t k = 0; k < patch.points.values().size(); ++k) {
-    const Vec3& p = patch.points.values()[k];
-    result.points.values()[k] = {p[0], p[1], p[2], 1};
   }
   return result;
 }

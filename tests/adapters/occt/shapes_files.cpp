@@ -159,6 +159,29 @@ class Teller {
   std::ostringstream out_;
 };
 
+// A document to which parts are added.
+struct PartsFile {
+  Handle(TDocStd_Document) document = new_document();
+  Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  Handle(XCAFDoc_ColorTool) colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
+  Handle(XCAFDoc_LayerTool) layers = XCAFDoc_DocumentTool::LayerTool(document->Main());
+
+  TDF_Label add(const TopoDS_Shape& shape, const char* name, const Quantity_Color& look) const {
+    const TDF_Label label = shapes->AddShape(shape, false);
+    TDataStd_Name::Set(label, name);
+    colours->SetColor(label, look, XCAFDoc_ColorSurf);
+    return label;
+  }
+
+  TDF_Label name_face(const TDF_Label& part, int number, const char* name) const {
+    TopExp_Explorer face(XCAFDoc_ShapeTool::GetShape(part), TopAbs_FACE);
+    while (--number > 0) face.Next();
+    const TDF_Label label = shapes->AddSubShape(part, face.Current());
+    TDataStd_Name::Set(label, name);
+    return label;
+  }
+};
+
 }  // namespace
 
 Folder::Folder() {
@@ -191,32 +214,17 @@ void write_content(const fs::path& file, const std::string& text) {
 }
 
 void write_machine(const fs::path& file, const std::string& unit) {
-  const Handle(TDocStd_Document) document = new_document();
-  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
-  const auto colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
-  const auto layers = XCAFDoc_DocumentTool::LayerTool(document->Main());
-  const auto add = [&](const TopoDS_Shape& shape, const char* name, const Quantity_Color& look) {
-    const TDF_Label label = shapes->AddShape(shape, false);
-    TDataStd_Name::Set(label, name);
-    colours->SetColor(label, look, XCAFDoc_ColorSurf);
-    return label;
-  };
-  const auto name_face = [&](const TDF_Label& part, int number, const char* name) {
-    TopExp_Explorer face(XCAFDoc_ShapeTool::GetShape(part), TopAbs_FACE);
-    while (--number > 0) face.Next();
-    const TDF_Label label = shapes->AddSubShape(part, face.Current());
-    TDataStd_Name::Set(label, name);
-    return label;
-  };
+  const PartsFile parts;
+  const auto& [document, shapes, colours, layers] = parts;
   const TDF_Label plate =
-      add(BRepPrimAPI_MakeBox(40, 30, 10).Shape(), "Base plate", colour(0.2, 0.4, 0.8));
-  const TDF_Label pin = add(BRepPrimAPI_MakeBox(gp_Pnt(-4, -4, 0), gp_Pnt(4, 4, 20)).Shape(), "Pin",
-                            colour(0.8, 0.8, 0));
+      parts.add(BRepPrimAPI_MakeBox(40, 30, 10).Shape(), "Base plate", colour(0.2, 0.4, 0.8));
+  const TDF_Label pin = parts.add(BRepPrimAPI_MakeBox(gp_Pnt(-4, -4, 0), gp_Pnt(4, 4, 20)).Shape(),
+                                  "Pin", colour(0.8, 0.8, 0));
   layers->SetLayer(plate, "plates");
-  colours->SetColor(name_face(plate, 6, "TopFace"), colour(1, 0, 0), XCAFDoc_ColorSurf);
-  colours->SetColor(name_face(plate, 3, "SideFace"), colour(0, 1, 0), XCAFDoc_ColorSurf);
-  name_face(pin, 1, "Left");
-  colours->SetColor(name_face(pin, 2, "Right"), colour(1, 0, 1), XCAFDoc_ColorSurf);
+  colours->SetColor(parts.name_face(plate, 6, "TopFace"), colour(1, 0, 0), XCAFDoc_ColorSurf);
+  colours->SetColor(parts.name_face(plate, 3, "SideFace"), colour(0, 1, 0), XCAFDoc_ColorSurf);
+  parts.name_face(pin, 1, "Left");
+  colours->SetColor(parts.name_face(pin, 2, "Right"), colour(1, 0, 1), XCAFDoc_ColorSurf);
   const TDF_Label machine = shapes->NewShape();
   TDataStd_Name::Set(machine, "Machine");
   TDataStd_Name::Set(shapes->AddComponent(machine, plate, TopLoc_Location()), "plate:1");
@@ -253,23 +261,8 @@ void write_pairs(const fs::path& file) {
 }
 
 void write_works(const fs::path& file, const std::string& unit) {
-  const Handle(TDocStd_Document) document = new_document();
-  const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
-  const auto colours = XCAFDoc_DocumentTool::ColorTool(document->Main());
-  const auto layers = XCAFDoc_DocumentTool::LayerTool(document->Main());
-  const auto add = [&](const TopoDS_Shape& shape, const char* name, const Quantity_Color& look) {
-    const TDF_Label label = shapes->AddShape(shape, false);
-    TDataStd_Name::Set(label, name);
-    colours->SetColor(label, look, XCAFDoc_ColorSurf);
-    return label;
-  };
-  const auto name_top = [&](const TDF_Label& part, const char* name) {
-    TopExp_Explorer face(XCAFDoc_ShapeTool::GetShape(part), TopAbs_FACE);
-    for (int i = 1; i < 6; ++i) face.Next();
-    const TDF_Label label = shapes->AddSubShape(part, face.Current());
-    TDataStd_Name::Set(label, name);
-    return label;
-  };
+  const PartsFile parts;
+  const auto& [document, shapes, colours, layers] = parts;
   const auto put = [&](const TDF_Label& part, const TDF_Label& into, const char* name,
                        const gp_Vec& step, double degrees) {
     gp_Trsf move, turn;
@@ -279,14 +272,15 @@ void write_works(const fs::path& file, const std::string& unit) {
     TDataStd_Name::Set(label, name);
     return label;
   };
-  const TDF_Label plate = add(BRepPrimAPI_MakeBox(40, 30, 10).Shape(), "Plate", colour(0, 0, 1));
-  const TDF_Label bolt = add(BRepPrimAPI_MakeBox(8, 8, 20).Shape(), "Bolt", colour(1, 1, 0));
+  const TDF_Label plate =
+      parts.add(BRepPrimAPI_MakeBox(40, 30, 10).Shape(), "Plate", colour(0, 0, 1));
+  const TDF_Label bolt = parts.add(BRepPrimAPI_MakeBox(8, 8, 20).Shape(), "Bolt", colour(1, 1, 0));
   layers->SetLayer(plate, "plates");
   layers->SetLayer(bolt, "bolts");
-  const TDF_Label top = name_top(plate, "Top");
+  const TDF_Label top = parts.name_face(plate, 6, "Top");
   colours->SetColor(top, colour(1, 0, 0), XCAFDoc_ColorSurf);
   layers->SetLayer(top, "tops");
-  name_top(bolt, "Head");
+  parts.name_face(bolt, 6, "Head");
   const TDF_Label machine = shapes->NewShape(), works = shapes->NewShape();
   TDataStd_Name::Set(machine, "Machine");
   TDataStd_Name::Set(works, "Works");
