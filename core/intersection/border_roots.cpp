@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/forms/evaluation.h"
+#include "core/intersection/pair_model.h"
 
 namespace blossom {
 namespace {
@@ -14,12 +15,11 @@ constexpr double kSettled = 1e-14;  // a Newton step below this is rounding; fra
 constexpr double kStalled = 1e-10;  // so is one below this that no longer shrinks: ill conditioned
 constexpr double kBorderSlack = 4e-11;  // a root this close to a face is on it; fraction of a patch
 constexpr int kKrawczykSteps = 16;
-constexpr int kFirstSteps = 3;  // of them before Newton's method where no root is expected
-constexpr int kModelSteps = 4;
-constexpr int kModelSamples = 5;
-constexpr double kSlidingSlack = 0.02;   // the same, of an arc that runs along a face
-constexpr double kModelSlack = 0.1;      // of a pair, that a root of its model may be off
-constexpr int kSlidingSamples = 9;       // points of an arc that must all lie on a face
+constexpr int kFirstSteps = 3;           // of them before Newton's method
+constexpr std::size_t kStretches = 16;   // of an arc: twice as many as the shortest ones
+constexpr double kSlidingSlack = 0.02;   // of a cell, from the face that an arc may run along
+constexpr double kPartSlack = 1e-9;      // a root this close to a part is in it; of a cell
+constexpr double kSumSlack = 1e-12;      // covers the rounding of places in a cell
 constexpr double kTangentToFace = 1e-6;  // slower than this across a face means undecided
 
 struct Root {
@@ -79,13 +79,6 @@ bool border_apart(const Border& border, double margin, const Cell& other) {
   return outside(low - 2 * margin, high + 2 * margin, other.plane.low, other.plane.high);
 }
 
-// Of a column among those that a minor keeps.
-std::size_t position(const std::array<int, 3>& kept, int column) {
-  return static_cast<std::size_t>(std::find(kept.begin(), kept.end(), column) - kept.begin());
-}
-
-enum class Found { Empty, Root, Undecided };
-
 // Of the box of a pair: where one of the four parameters has its lowest or highest value.
 struct BoxFace {
   int axis;
@@ -97,37 +90,38 @@ std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
 class PairBorder {
  public:
   PairBorder(const CellTree& tree_a, const Cell& a, const CellTree& tree_b, const Cell& b,
-             const JacobianBounds& bounds)
-      : tree_a_(tree_a), a_(a), tree_b_(tree_b), b_(b), bounds_(bounds), box_(box_of(a, b)) {
-    const Point4 x = middle_of_box().middle;
-    middle_a_ = jet_at(tree_a_.patch(), x[0], x[1], 2);
-    middle_b_ = jet_at(tree_b_.patch(), x[2], x[3], 2);
-  }
+             const JacobianBounds& bounds, int along)
+      : tree_a_(tree_a),
+        a_(a),
+        tree_b_(tree_b),
+        b_(b),
+        bounds_(bounds),
+        along_(along),
+        graph_(bounds.minor(along)),
+        box_(box_of(a, b)) {}
 
   // All roots on the eight faces; false if some face stays undecided. Faces along which the arc
   // itself runs have no roots of their own.
-  bool find(std::vector<Root>& roots, int along) {
+  bool find(std::vector<Root>& roots) {
     std::vector<BoxFace> met;
     for (int axis = 0; axis < 4; ++axis)
       for (const bool high : {false, true})
         if (!apart({axis, high})) met.push_back({axis, high});
-    minors_[index(along)] = bounds_.minor(along);
-    for (const BoxFace& face : met)
-      if (auto& minor = minors_[index(face.axis)]; !minor) minor = bounds_.minor(face.axis);
-    // What fails most comes first: faces that may hold more than one root.
-    std::stable_partition(met.begin(), met.end(),
-                          [&](const BoxFace& face) { return !minors_[index(face.axis)]->regular; });
+    if (met.empty()) return true;
+    model_.emplace(tree_a_, a_, tree_b_, b_);
     std::vector<Point4> points;
+    // What fails most comes first: faces that may hold more than one root.
+    if (const Stretch& all = stretch(1); !all.empty)
+      std::stable_partition(met.begin(), met.end(), [&](const BoxFace& face) {
+        return face.axis != along_ && !all.bounds->minor(face.axis).regular;
+      });
     for (const BoxFace& face : met) {
-      Point4 x;
-      const Found found = decide(face, x);
-      if (found == Found::Root) points.push_back(x);
-      if (found != Found::Undecided) continue;
-      if (face.axis == along || !slides_along(face, along)) return false;
+      if (face.axis == along_ ? decide_end(face, points) : decide(face, 1, points)) continue;
+      if (face.axis == along_ || !slides_along(face)) return false;
       sliding_[index(face.axis)][face.high] = true;
     }
     return std::all_of(points.begin(), points.end(),
-                       [&](const Point4& x) { return add(roots, x, along); });
+                       [&](const Point4& x) { return add(roots, x); });
   }
 
   // Does the arc run on inside the box in the direction `sign` of its tangent?
@@ -163,17 +157,14 @@ class PairBorder {
   }
 
  private:
-  // Part of the box: its middle, and half its widths as parts of the cells' for the kept columns.
-  struct Part {
-    Point4 middle;
-    std::array<double, 3> radius{0.5, 0.5, 0.5};
+  // A part of the parameter `along`, and all that may be of the arc over it.
+  struct Stretch {
+    bool empty = false;
+    PairPart part;
+    std::optional<JacobianBounds> bounds;  // of J over the part; nothing if it is empty
   };
 
-  // Of the arc, at one value of its parameter.
-  struct ArcSample {
-    std::optional<Part> part;  // where it may be; nothing if it is not there
-    std::optional<Point4> point;
-  };
+  static double side_of(const BoxFace& face) { return face.high ? 0.5 : -0.5; }
 
   double place_of(const BoxFace& face) const {
     const Interval& range = box_[index(face.axis)];
@@ -188,113 +179,114 @@ class PairBorder {
                                         b_.margin, a_);
   }
 
-  Found decide(const BoxFace& face, Point4& root) const {
-    const int axis = face.axis;
-    const Minor& minor = *minors_[index(axis)];
-    if (!minor.regular) return Found::Undecided;
-    Part part = middle_of_box();
-    // Most faces hold no root: the mean value over the pair tells of many, the first steps of more.
-    part.middle[index(axis)] = place_of(face);
-    if (!narrow_by_mean_value(part, minor, face)) return Found::Empty;
-    int step = 0;
-    if (const auto start = model_root(part, axis); start && newton_to(root, *start, axis))
-      return Found::Root;
-    for (; step < kFirstSteps; ++step)
-      if (!narrow(part, minor, axis)) return Found::Empty;
-    if (newton_to(root, part.middle, axis)) return Found::Root;
-    for (; step < kKrawczykSteps; ++step)
-      if (!narrow(part, minor, axis)) return Found::Empty;
-    return Found::Undecided;
-  }
-
-  // The minor is regular, so there is at most one root: found means done.
-  bool newton_to(Point4& root, const Point4& start, int axis) const {
-    const auto solution = newton(tree_a_.patch(), tree_b_.patch(), start, axis, box_);
-    if (!solution || !inside(*solution)) return false;
-    root = *solution;
-    return true;
-  }
-
-  // A point near the root, if there seems to be one: where the quadratic polynomials that touch
-  // the surfaces at the middles of the cells meet.
-  std::optional<Point4> model_root(const Part& part, int axis) const {
-    const auto kept = kept_columns(axis);
-    const Point4 middle = middle_of_box().middle;
-    Point4 x = part.middle;
-    for (int step = 0; step < kModelSteps; ++step) {
-      const PatchJet a = model_at(middle_a_, x[0] - middle[0], x[1] - middle[1]);
-      const PatchJet b = model_at(middle_b_, x[2] - middle[2], x[3] - middle[3]);
-      const Columns j = jacobian(a, b);
-      const auto column = [&](std::size_t i) { return j[static_cast<std::size_t>(kept[i])]; };
-      const auto delta = solve(column(0), column(1), column(2), a.point - b.point);
-      if (!delta) return std::nullopt;
-      for (int i = 0; i < 3; ++i)
-        x[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])] -= (*delta)[i];
+  // Stretch 1 is all of the arc, and that of number i has the halves 2 i and 2 i + 1. Each is made
+  // when first asked for.
+  const Stretch& stretch(std::size_t number) {
+    auto& made = stretches_[number];
+    if (made) return *made;
+    Stretch next;
+    if (number > 1) {
+      next = stretch(number / 2);
+      if (!next.empty) {
+        next.part.radius[index(along_)] *= 0.5;
+        next.part.middle[index(along_)] +=
+            (number % 2 == 0 ? -1 : 1) * next.part.radius[index(along_)];
+      }
     }
+    if (!next.empty) narrow_stretch(next, number == 1);
+    made = next;
+    return *made;
+  }
+
+  // Over a stretch J is known better than over the whole pair.
+  void narrow_stretch(Stretch& s, bool whole) const {
+    if (whole)
+      s.empty = !narrow(s.part, graph_, along_, bounds_.column(along_), s.part.middle,
+                        model_->gap(s.part.middle));
+    if (s.empty) return;
+    const PairJet jet = model_->jet(s.part.middle);
+    s.bounds = model_->jacobian(jet, s.part);
+    const Minor minor = s.bounds->minor(along_);
+    if (!minor.regular) return;
+    s.empty = !narrow(s.part, minor, along_, s.bounds->column(along_), jet.place,
+                      {jet.gap, model_->rounding()});
+    if (!s.empty) s.bounds = model_->jacobian(jet, s.part);
+  }
+
+  static bool off(const PairPart& part, const BoxFace& face) {
+    return std::abs(part.middle[index(face.axis)] - side_of(face)) >
+           part.radius[index(face.axis)] + kSumSlack;
+  }
+
+  // A face across the arc's parameter: at most one root.
+  bool decide_end(const BoxFace& face, std::vector<Point4>& points) {
+    const Stretch& all = stretch(1);
+    if (all.empty) return true;
+    const Minor minor = all.bounds->minor(along_);
+    return decide_in(all.part, minor.regular ? minor : graph_, face, points);
+  }
+
+  // Where the arc crosses another face: stretch by stretch, until it keeps off the face or crosses
+  // it one way only. False if some stretch stays undecided.
+  bool decide(const BoxFace& face, std::size_t number, std::vector<Point4>& points) {
+    const Stretch& s = stretch(number);
+    if (s.empty || off(s.part, face)) return true;
+    const Minor across = s.bounds->minor(face.axis);
+    if (across.regular && decide_in(s.part, across, face, points)) return true;
+    if (2 * number >= kStretches) {
+      undecided_ = number;
+      return false;
+    }
+    return decide(face, 2 * number, points) && decide(face, 2 * number + 1, points);
+  }
+
+  // The minor is regular in the part, so it holds at most one root on the face: found means done.
+  bool decide_in(PairPart part, const Minor& minor, const BoxFace& face,
+                 std::vector<Point4>& points) const {
+    const PairPart all = part;
+    const VectorBounds none{};
+    part.middle[index(face.axis)] = side_of(face);
+    part.radius[index(face.axis)] = 0;
+    for (int step = 0; step < kFirstSteps; ++step)
+      if (!narrow(part, minor, face.axis, none, part.middle, model_->gap(part.middle))) return true;
+    if (const auto root = root_near(part, all, face.axis)) {
+      points.push_back(*root);
+      return true;
+    }
+    for (int step = 0; step < kKrawczykSteps; ++step)
+      if (!narrow(part, minor, face.axis, none, part.middle, model_->gap(part.middle))) return true;
+    return false;
+  }
+
+  // The root on a face that Newton's method finds, if it is in the part.
+  std::optional<Point4> root_near(const PairPart& start, const PairPart& part, int axis) const {
+    auto x = newton(tree_a_.patch(), tree_b_.patch(), model_->parameters(start.middle), axis, box_);
+    if (!x || !inside(*x)) return std::nullopt;
     for (std::size_t i = 0; i < 4; ++i) {
-      const double slack = kModelSlack * length(box_[i]);
-      if (!(x[i] >= box_[i].from - slack && x[i] <= box_[i].to + slack)) return std::nullopt;
+      const double z = ((*x)[i] - at(box_[i], 0.5)) / length(box_[i]);
+      const double slack = kPartSlack + kBorderSlack / length(box_[i]);
+      if (std::abs(z - part.middle[i]) > part.radius[i] + slack) return std::nullopt;
     }
     return x;
   }
 
-  static PatchJet model_at(const PatchJet& m, double u, double v) {
-    const Vec3 by_u = u * m.uu + v * m.uv, by_v = u * m.uv + v * m.vv;
-    return {m.point + u * m.u + v * m.v + 0.5 * (u * by_u + v * by_v),
-            m.u + by_u,
-            m.v + by_v,
-            {},
-            {},
-            {}};
-  }
-
-  // False if the models of the surfaces meet somewhere in the box away from the face, or hardly at
-  // all: then the pair is halved, where the models are better.
-  bool may_slide(const BoxFace& face, int along) const {
-    int met = 0;
-    for (int i = 0; i < kModelSamples; ++i) {
-      Part part = middle_of_box();
-      part.middle[index(along)] = at(box_[index(along)], (i + 0.5) / kModelSamples);
-      const auto x = model_root(part, along);
-      if (!x) continue;
-      const double off = std::abs((*x)[index(face.axis)] - place_of(face));
-      if (off > kSlidingSlack * length(box_[index(face.axis)])) return false;
-      ++met;
-    }
-    return met > 1;
-  }
-
   // True if the box meets the arc, and only along the given face.
-  bool slides_along(const BoxFace& face, int along) {
-    if (!may_slide(face, along)) return false;
-    const std::size_t column = position(kept_columns(along), face.axis);
-    const double place = place_of(face), width = length(box_[index(face.axis)]);
+  bool slides_along(const BoxFace& face) {
+    if (std::abs(stretch(undecided_).part.middle[index(face.axis)] - side_of(face)) > kSlidingSlack)
+      return false;
+    for (std::size_t number = kStretches / 2; number < kStretches; ++number)
+      if (const Stretch& s = stretch(number); !s.empty && off(s.part, face)) return false;
     int on_face = 0;
-    for (int i = 0; i < kSlidingSamples; ++i) {
-      const ArcSample& sample = arc_sample(i, along);
-      if (!sample.point) continue;
-      const double off = std::abs(sample.part->middle[index(face.axis)] - place);
-      if (off > sample.part->radius[column] * width + kBorderSlack ||
-          std::abs((*sample.point)[index(face.axis)] - place) > kBorderSlack)
-        return false;
+    for (std::size_t number = kStretches / 2; number < kStretches; ++number) {
+      const Stretch& s = stretch(number);
+      if (s.empty) continue;
+      const auto x =
+          newton(tree_a_.patch(), tree_b_.patch(), model_->parameters(s.part.middle), along_, box_);
+      if (!x || !inside(*x)) continue;
+      if (std::abs((*x)[index(face.axis)] - place_of(face)) > kBorderSlack) return false;
       ++on_face;
     }
     return on_face > 1;
-  }
-
-  // Samples are made when first asked for, beginning in the middle: one off the face is enough.
-  const ArcSample& arc_sample(int i, int along) {
-    auto& sample = samples_[static_cast<std::size_t>(i)];
-    if (sample) return *sample;
-    sample.emplace();
-    const int place = (kSlidingSamples / 2 + (i % 2 == 0 ? i / 2 : -(i + 1) / 2));
-    Part part = middle_of_box();
-    part.middle[index(along)] = at(box_[index(along)], (place + 0.5) / kSlidingSamples);
-    if (!narrow(part, *minors_[index(along)], along)) return *sample;
-    sample->part = part;
-    sample->point = newton(tree_a_.patch(), tree_b_.patch(), part.middle, along, box_);
-    if (sample->point && !inside(*sample->point)) sample->point.reset();
-    return *sample;
   }
 
   bool at_face(const Point4& x, std::size_t i, bool high) const {
@@ -307,72 +299,14 @@ class PairBorder {
     return true;
   }
 
-  Vec3 on_a_at(const Point4& x) const { return point_at(tree_a_.patch(), x[0], x[1]); }
-  Vec3 on_b_at(const Point4& x) const { return point_at(tree_b_.patch(), x[2], x[3]); }
-
-  Part middle_of_box() const {
-    Part part;
-    for (std::size_t i = 0; i < 4; ++i) part.middle[i] = at(box_[i], 0.5);
-    return part;
-  }
-
-  bool narrow(Part& part, const Minor& minor, int axis) const {
-    return narrow(part, minor, axis, on_a_at(part.middle) - on_b_at(part.middle), rounding());
-  }
-
-  // The same for a face, from what is known at the middle of the pair: there F differs from its
-  // value at the middle of the face by half of column `axis` of J somewhere between.
-  bool narrow_by_mean_value(Part& part, const Minor& minor, const BoxFace& face) const {
-    const VectorBounds& column = bounds_.column(face.axis);
-    const Vec3 step = (face.high ? 0.5 : -0.5) * column.middle;
-    return narrow(part, minor, face.axis, middle_a_.point - middle_b_.point + step,
-                  0.5 * column.radius + 1e-15 * absolute(step) + rounding());
-  }
-
-  // Of F at a point: of sums over both directions, and the quotient by the weight.
-  Vec3 rounding() const {
-    const auto of = [](const CellTree& tree) {
-      const NetShape& shape = tree.shape();
-      return (evaluation_error(shape.rows) + evaluation_error(shape.columns)) * tree.scale();
-    };
-    const double r = of(tree_a_) + of(tree_b_);
-    return {r, r, r};
-  }
-
-  // Any root in the box Y with middle y and radius r lies in y - C F(y) +- E r too, with F(y) in
-  // f +- error. False if that does not meet Y, which has no root then.
-  bool narrow(Part& part, const Minor& minor, int axis, const Vec3& f, const Vec3& error) const {
-    const auto kept = kept_columns(axis);
-    std::array<double, 3> next_radius{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto k = index(kept[i]);
-      const double width = length(box_[k]);
-      double shift = 0, spread = 0;
-      for (std::size_t j = 0; j < 3; ++j) {
-        const auto l = static_cast<int>(j);
-        shift += minor.inverse[i][j] * f[l];
-        spread += minor.spread[i][j] * part.radius[j] + std::abs(minor.inverse[i][j]) * error[l];
-      }
-      spread = spread * (1 + 1e-12) + 1e-14;
-      const double middle = (part.middle[k] - box_[k].from) / width;
-      const double low = std::max(middle - shift - spread, middle - part.radius[i]);
-      const double high = std::min(middle - shift + spread, middle + part.radius[i]);
-      if (low > high) return false;
-      part.middle[k] = box_[k].from + 0.5 * (low + high) * width;
-      next_radius[i] = 0.5 * (high - low);
-    }
-    part.radius = next_radius;
-    return true;
-  }
-
   // False if the arc is too nearly tangent to a face it meets here.
-  bool add(std::vector<Root>& roots, const Point4& x, int along) const {
+  bool add(std::vector<Root>& roots, const Point4& x) const {
     for (const Root& known : roots) {
       double gap = 0;
       for (std::size_t i = 0; i < 4; ++i) gap = std::max(gap, std::abs(known.x[i] - x[i]));
       if (gap < kSamePoint) return true;
     }
-    Root root{x, tangent_at(tree_a_.patch(), tree_b_.patch(), x, along)};
+    Root root{x, tangent_at(tree_a_.patch(), tree_b_.patch(), x, along_)};
     double largest = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       root.tangent[i] /= length(box_[i]);
@@ -394,11 +328,13 @@ class PairBorder {
   const CellTree& tree_b_;
   const Cell& b_;
   const JacobianBounds& bounds_;
-  Box4 box_;
-  PatchJet middle_a_, middle_b_;  // at the middles of both cells
-  std::array<std::optional<Minor>, 4> minors_;
+  const int along_;
+  const Minor graph_;  // the minor that leaves `along` out
+  const Box4 box_;
+  std::optional<PairModel> model_;
+  std::array<std::optional<Stretch>, kStretches> stretches_;
+  std::size_t undecided_ = 0;                     // the last stretch that was
   std::array<std::array<bool, 2>, 4> sliding_{};  // by parameter, low and high face
-  std::array<std::optional<ArcSample>, kSlidingSamples> samples_;
 };
 
 }  // namespace
@@ -453,9 +389,9 @@ Point4 tangent_at(const RationalBezierPatch& a, const RationalBezierPatch& b, co
 std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const CellTree& tree_b,
                                 const Cell& b, const JacobianBounds& bounds,
                                 const SurfaceBorders& borders, int along) {
-  PairBorder border(tree_a, a, tree_b, b, bounds);
+  PairBorder border(tree_a, a, tree_b, b, bounds, along);
   std::vector<Root> roots;
-  if (!border.find(roots, along)) return std::nullopt;
+  if (!border.find(roots)) return std::nullopt;
   const auto k = static_cast<std::size_t>(along);
   std::sort(roots.begin(), roots.end(),
             [k](const Root& p, const Root& q) { return p.x[k] < q.x[k]; });

@@ -36,6 +36,9 @@ class JacobianBounds {
  public:
   JacobianBounds(const Cell& a, const Cell& b);
 
+  /// Of the four columns themselves.
+  explicit JacobianBounds(const std::array<VectorBounds, 4>& columns) : columns_(columns) {}
+
   /// Of a curve with this derivative, in place of a, and a cell. Column 1 is 0, so `minor(1)` is
   /// the only one to ask for.
   JacobianBounds(const VectorBounds& curve, const Cell& b);

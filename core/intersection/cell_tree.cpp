@@ -50,16 +50,18 @@ CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& 
 
   Cell root;
   double* net = allocate(shape_.size());
-  least_weight_ = patch_.points.values().front()[3];
+  double most_weight = least_weight_ = patch_.points.values().front()[3];
   for (int i = 0; i < shape_.plane_size(); ++i) {
     const Vec4& p = patch_.points.values()[static_cast<std::size_t>(i)];
     least_weight_ = std::min(least_weight_, p[3]);
+    most_weight = std::max(most_weight, p[3]);
     for (int k = 0; k < shape_.planes; ++k) {
       net[k * shape_.plane_size() + i] = p[k];
       net_scale_ = std::max(net_scale_, std::abs(p[k]));
     }
   }
   root.homogeneous = net;
+  weight_spread_ = most_weight / least_weight_;
 
   double* coefficients = allocate(shape_.size());
   monomial_from_bezier(shape_, net, coefficients);

@@ -79,6 +79,9 @@ class CellTree {
   /// Largest absolute coordinate of its control points in space, model units.
   double scale() const { return hull_scale_; }
 
+  /// The largest weight of the patch over the smallest.
+  double weight_spread() const { return weight_spread_; }
+
  private:
   double* allocate(int count);
   void finish(Cell& cell);
@@ -99,6 +102,7 @@ class CellTree {
   double hull_scale_ = 0;         // largest absolute coordinate of a control point in space
   double coefficient_scale_ = 0;  // largest sum of absolute coefficients over the planes
   double least_weight_ = 1;
+  double weight_spread_ = 1;
   std::vector<Cell> cells_;
   std::vector<std::unique_ptr<double[]>> blocks_;
   int free_in_block_ = 0;

@@ -16,7 +16,9 @@ constexpr int kMostPieces = 400;
 constexpr int kMostExactPieces = 40;
 constexpr double kShallow = 1.0 / 64;  // of the tolerance: depth of what is no contact
 constexpr int kDepthSamples = 8;
-constexpr double kShortestPiece = 1e-9;  // of the cell
+constexpr double kSure = 2;  // errors: a gap larger than this has a sure sign
+constexpr std::array kCuts{0.4865, 0.4231, 0.5617};  // of a piece: where it may be halved
+constexpr double kShortestPiece = 1e-9;              // of the cell
 
 std::vector<ValleyPiece> merged(const std::vector<ValleyPiece>& pieces) {
   std::vector<ValleyPiece> result;
@@ -165,8 +167,18 @@ bool ValleyLabels::label(double from, double to, const BorderEvent& in, const Bo
     pieces.push_back({from, to, ValleyLabel::Contact});
     return true;
   }
-  const double cut = from + 0.4865 * (to - from);
+  const double cut = cut_between(from, to);
   return label(from, cut, in, out, pieces) && label(cut, to, in, out, pieces);
+}
+
+// A fold too near a cut could not be told from the cut: signs at cuts are sure if they can be.
+double ValleyLabels::cut_between(double from, double to) const {
+  for (const double part : kCuts) {
+    const double cut = from + part * (to - from);
+    const auto z = shape_.valley_at(cut);
+    if (z && std::abs(value(shape_.gap, cut, *z)) > kSure * shape_.error[0]) return cut;
+  }
+  return from + kCuts[0] * (to - from);
 }
 
 // A piece over which m is monotone with sure signs at its ends: one fold.
@@ -175,7 +187,8 @@ bool ValleyLabels::add_fold(double from, double to, std::vector<ValleyPiece>& pi
   if (!z0 || !z1) return false;
   const double m0 = value(shape_.gap, from, *z0), m1 = value(shape_.gap, to, *z1);
   const double error = shape_.error[0];
-  if (std::abs(m0) <= 2 * error || std::abs(m1) <= 2 * error || (m0 > 0) == (m1 > 0)) return false;
+  if (std::abs(m0) <= kSure * error || std::abs(m1) <= kSure * error || (m0 > 0) == (m1 > 0))
+    return false;
   double a = from, b = to;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (a + b);

@@ -57,6 +57,7 @@ class ValleyLabels {
   bool beyond_tolerance(const std::vector<ValleyPiece>& pieces) const;
   bool label(double from, double to, const BorderEvent& in, const BorderEvent& out,
              std::vector<ValleyPiece>& pieces);
+  double cut_between(double from, double to) const;
   bool add_fold(double from, double to, std::vector<ValleyPiece>& pieces) const;
 
   const ValleyShape& shape_;

@@ -246,7 +246,7 @@ class RandomSmallLoops : public ::testing::TestWithParam<LoopRow> {};
 TEST_P(RandomSmallLoops, AreNeverLost) {
   std::mt19937_64 random(20260101);
   std::uniform_real_distribution<double> place(0.15, 0.85);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 300; ++i) {
     const double a = place(random), b = place(random);
     const CubicPair pair = cubic_pair(loop(a, b, 1e-3, GetParam().scale));
 
