@@ -99,7 +99,7 @@ std::vector<Interval> common(const IntersectionCurve& curve, const std::vector<I
       const Interval both{std::max(x.from, y.from), std::min(x.to, y.to)};
       const bool round_start = curve.closed && std::max(x.to, y.to) == domain.to &&
                                std::min(x.from, y.from) == domain.from;
-      if (both.from < both.to)
+      if (is_span(both, domain))
         result.push_back(both);
       else if (distance(point_at(curve.curve, both.from), point_at(curve.curve, both.to)) <=
                kSamePoint)

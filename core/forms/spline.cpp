@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -87,7 +88,8 @@ SplineOf<Point> part_of(const SplineOf<Point>& spline, const Interval& part) {
                        std::to_string(part.to) + "] is empty or outside the domain");
   SplineOf<Point> result{spline.degree, {part.from}, {spline.degree + 1}, {}};
   for (std::size_t i = 0; i < spline.knots.size(); ++i)
-    if (spline.knots[i] > part.from && spline.knots[i] < part.to) {
+    if (is_span({part.from, spline.knots[i]}, domain) &&
+        is_span({spline.knots[i], part.to}, domain)) {
       result.knots.push_back(spline.knots[i]);
       result.multiplicities.push_back(spline.multiplicities[i]);
     }
@@ -124,6 +126,10 @@ SplineOf<Point> appended(SplineOf<Point> first, const SplineOf<Point>& second) {
 }
 
 }  // namespace
+
+bool is_span(const Interval& part, const Interval& domain) {
+  return part.to - part.from > kSameKnot * std::max(std::abs(domain.from), std::abs(domain.to));
+}
 
 Vec3 point_at(const Spline& spline, double t) { return de_boor(spline, t, false); }
 Vec2 point_at(const Spline2& spline, double t) { return de_boor(spline, t, false); }

@@ -34,8 +34,15 @@ Vec2 point_at(const Spline2& spline, double t);
 Vec3 derivative_at(const Spline& spline, double t);
 Vec2 derivative_at(const Spline2& spline, double t);
 
+/// Of the largest parameter of a spline's domain: knots nearer to each other are rounding apart.
+inline constexpr double kSameKnot = 0x1p-47;
+
+/// True if an interval is longer than the rounding of a domain's parameters.
+bool is_span(const Interval& part, const Interval& domain);
+
 /// The part of a spline on an interval of its domain, with the same parameters. The control
-/// points are the blossoms of the spline's polynomials at the part's knots.
+/// points are the blossoms of the spline's polynomials at the part's knots; knots that are rounding
+/// apart from its ends are left out.
 /// throws   InvalidInput if the interval is empty or leaves the domain
 /// Source: Ramshaw 1989, Proposition 9.1.
 Spline restricted(const Spline& spline, const Interval& part);
