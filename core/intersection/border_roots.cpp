@@ -21,9 +21,11 @@ constexpr double kSlidingSlack = 0.02;   // of a cell, from the face that an arc
 constexpr double kPartSlack = 1e-9;      // a root this close to a part is in it; of a cell
 constexpr double kSumSlack = 1e-12;      // covers the rounding of places in a cell
 constexpr double kTangentToFace = 1e-6;  // slower than this across a face means undecided
+constexpr double kRootNoise = 1e-13;     // of a root at least; fraction of a patch
 
 struct Root {
   Point4 x;
+  Point4 noise;    // bounds on the rounding of its parameters
   Point4 tangent;  // in the cells' own parameters
 };
 
@@ -128,8 +130,8 @@ class PairBorder {
   bool enters(const Root& root, double sign) const {
     for (std::size_t i = 0; i < 4; ++i) {
       const double rate = sign * root.tangent[i];
-      if (at_face(root.x, i, false) && rate < 0) return false;
-      if (at_face(root.x, i, true) && rate > 0) return false;
+      if (at_face(root, i, false) && rate < 0) return false;
+      if (at_face(root, i, true) && rate > 0) return false;
     }
     return true;
   }
@@ -283,20 +285,75 @@ class PairBorder {
       const auto x =
           newton(tree_a_.patch(), tree_b_.patch(), model_->parameters(s.part.middle), along_, box_);
       if (!x || !inside(*x)) continue;
-      if (std::abs((*x)[index(face.axis)] - place_of(face)) > kBorderSlack) return false;
+      const double slack = std::max(kBorderSlack, noise_at(*x)[index(face.axis)]);
+      if (std::abs((*x)[index(face.axis)] - place_of(face)) > slack || leaves(*x, face.axis))
+        return false;
       ++on_face;
     }
     return on_face > 1;
   }
 
-  bool at_face(const Point4& x, std::size_t i, bool high) const {
-    return !sliding_[i][high] && std::abs(x[i] - (high ? box_[i].to : box_[i].from)) <= kSamePoint;
+  // True if the arc moves across a face as seen in the box: within a tiny one it may stay near all
+  // the same.
+  bool leaves(const Point4& x, int across) const {
+    const Point4 t = tangent_at(tree_a_.patch(), tree_b_.patch(), x, along_);
+    return std::abs(t[index(across)]) * length(box_[index(along_)]) >
+           kTangentToFace * std::abs(t[index(along_)]) * length(box_[index(across)]);
+  }
+
+  // True if the face is no farther along the arc than one point is large, in any parameter: an arc
+  // that comes to a face slowly crosses it far from where it is near. At a pole parameters move
+  // where points do not.
+  bool at_face(const Root& root, std::size_t i, bool high) const {
+    const double off = std::abs(root.x[i] - (high ? box_[i].to : box_[i].from));
+    if (sliding_[i][high] || off > kSamePoint) return false;
+    const bool at_pole = *std::ranges::max_element(root.noise) >= kSamePoint;
+    return at_pole || off <= root.noise[i] || off * speed(root) <= kSamePoint * rate(root, i);
+  }
+
+  // Of a root's parameters along the arc, and of the fastest one.
+  double rate(const Root& root, std::size_t i) const {
+    return std::abs(root.tangent[i]) * length(box_[i]);
+  }
+
+  double speed(const Root& root) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < 4; ++i) largest = std::max(largest, rate(root, i));
+    return largest;
+  }
+
+  // True if the arc passes outside of the box there and crosses its face elsewhere.
+  bool beyond(const Root& root) const {
+    for (std::size_t i = 0; i < 4; ++i)
+      for (const bool high : {false, true}) {
+        const double off = high ? root.x[i] - box_[i].to : box_[i].from - root.x[i];
+        if (off > 0 && !sliding_[i][high] && !at_face(root, i, high)) return true;
+      }
+    return false;
   }
 
   bool inside(const Point4& x) const {
+    const auto off = [&](std::size_t i) {
+      return std::max(box_[i].from - x[i], x[i] - box_[i].to);
+    };
+    const double worst = std::max({off(0), off(1), off(2), off(3)});
+    if (worst <= kBorderSlack || worst > kSamePoint) return worst <= kBorderSlack;
+    const Point4 noise = noise_at(x);
     for (std::size_t i = 0; i < 4; ++i)
-      if (x[i] < box_[i].from - kBorderSlack || x[i] > box_[i].to + kBorderSlack) return false;
+      if (off(i) > std::max(kBorderSlack, noise[i])) return false;
     return true;
+  }
+
+  // A parameter is known to the rounding of points by the speed at which they move with it: near a
+  // pole hardly at all.
+  Point4 noise_at(const Point4& x) const {
+    const PatchJet a = jet_at(tree_a_.patch(), x[0], x[1], 1);
+    const PatchJet b = jet_at(tree_b_.patch(), x[2], x[3], 1);
+    const Columns j = jacobian(a, b);
+    Point4 noise;
+    for (std::size_t i = 0; i < 4; ++i)
+      noise[i] = std::max(kRootNoise, std::min(model_->rounding()[0] / norm(j[i]), kSamePoint));
+    return noise;
   }
 
   // False if the arc is too nearly tangent to a face it meets here.
@@ -306,19 +363,19 @@ class PairBorder {
       for (std::size_t i = 0; i < 4; ++i) gap = std::max(gap, std::abs(known.x[i] - x[i]));
       if (gap < kSamePoint) return true;
     }
-    Root root{x, tangent_at(tree_a_.patch(), tree_b_.patch(), x, along_)};
+    Root root{x, noise_at(x), tangent_at(tree_a_.patch(), tree_b_.patch(), x, along_)};
     double largest = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       root.tangent[i] /= length(box_[i]);
       largest = std::max(largest, std::abs(root.tangent[i]));
     }
     if (!(largest > 0)) return false;
-    for (std::size_t i = 0; i < 4; ++i) {
-      root.tangent[i] /= largest;
-      if ((at_face(x, i, false) || at_face(x, i, true)) &&
+    for (double& t : root.tangent) t /= largest;
+    if (beyond(root)) return true;
+    for (std::size_t i = 0; i < 4; ++i)
+      if ((at_face(root, i, false) || at_face(root, i, true)) &&
           std::abs(root.tangent[i]) < kTangentToFace)
         return false;
-    }
     roots.push_back(root);
     return true;
   }
