@@ -102,7 +102,7 @@ class Assembly {
     std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     straighten_at_poles(chains, found_, cells_a, cells_b, contacts_, size_,
                         options_.tolerances.point);
-    if (found_.stopped) result_.status = Status::Stopped;
+    if (found_.stopped) stop_at_limit();
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
     std::vector<std::optional<IntersectionCurve>> fits = fits_of(cells_a, cells_b, chains);
     for (std::size_t i = 0; i < chains.size(); ++i) {
@@ -127,6 +127,17 @@ class Assembly {
     auto& reasons = result_.certificate.reasons;
     if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
       reasons.push_back(reason);
+  }
+
+  // The search has given its own reason.
+  void stop_at_limit() {
+    result_.status = Status::Stopped;
+    result_.certificate.limited = true;
+  }
+
+  void stop_at_limit(const char* reason) {
+    weaken(Status::Stopped, reason);
+    result_.certificate.limited = true;
   }
 
   // Where smooth faces meet along a known curve, what rounding makes of their borders crosses there
@@ -158,7 +169,7 @@ class Assembly {
     if (std::ranges::none_of(clumps_of(thin), is_large)) return;
     const double tolerance = options_.tolerances.point;
     const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_, limit_);
-    if (overlaps.stopped != nullptr) weaken(Status::Stopped, overlaps.stopped);
+    if (overlaps.stopped != nullptr) stop_at_limit(overlaps.stopped);
     for (const OverlapRegion& region : overlaps.regions) add_overlap(cells_a, cells_b, region);
     for (const SharedBorder& border : overlaps.edges) add_shared_border(cells_a, border);
   }
@@ -284,14 +295,14 @@ class Assembly {
     std::vector<std::optional<IntersectionCurve>> fits(chains.size(), untraced);
     for (std::size_t first = 0; first < chains.size(); first += kFitsAtOnce) {
       if (const char* reason = limit_.reached_after_search()) {
-        weaken(Status::Stopped, reason);
+        stop_at_limit(reason);
         break;
       }
       parallel_for(std::min(kFitsAtOnce, chains.size() - first), 1, [&](std::size_t i) {
         fits[first + i] = fit(cells_a, cells_b, chains[first + i]);
       });
     }
-    if (limit_.late_after_search()) weaken(Status::Stopped, "the time limit is reached");
+    if (limit_.late_after_search()) stop_at_limit("the time limit is reached");
     return fits;
   }
 

@@ -319,6 +319,7 @@ void add(Certificate& sum, const Certificate& one) {
   sum.cells_bezier += one.cells_bezier;
   sum.cells_monomial += one.cells_monomial;
   sum.depth = std::max(sum.depth, one.depth);
+  sum.limited = sum.limited || one.limited;
   sum.rounding_bound = std::max(sum.rounding_bound, one.rounding_bound);
   if (one.least_angle > 0)
     sum.least_angle =

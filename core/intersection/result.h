@@ -86,6 +86,7 @@ struct Certificate {
   long cells_bezier = 0;             ///< cells whose nets came from the Bezier form
   long cells_monomial = 0;           ///< cells whose nets came from the monomial form
   int depth = 0;                     ///< deepest bisection of a patch
+  bool limited = false;              ///< a budget, the time limit or the user ended the search
   double rounding_bound = 0;         ///< largest rounding margin added to a net, model units
   double least_angle = 0;            ///< least angle between normals on the curves, radians
   std::vector<std::string> reasons;  ///< why the status is not complete

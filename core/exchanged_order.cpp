@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/exchanged_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace blossom {
+namespace {
+
+constexpr double kOnBorder = 2e-9;  // of a span, as where chains end
+
+bool is_on_border(const BezierSurface& surface, const Vec2& uv) {
+  const auto at_end = [](const std::vector<double>& knots, double x) {
+    const std::size_t last = knots.size() - 1;
+    return std::abs(x - knots[0]) <= kOnBorder * (knots[1] - knots[0]) ||
+           std::abs(x - knots[last]) <= kOnBorder * (knots[last] - knots[last - 1]);
+  };
+  return at_end(surface.u_knots, uv[0]) || at_end(surface.v_knots, uv[1]);
+}
+
+void exchange(SurfacePoint& x) { std::swap(x.uv_a, x.uv_b); }
+
+void exchange(Place& place) {
+  std::swap(place.parameters[0], place.parameters[2]);
+  std::swap(place.parameters[1], place.parameters[3]);
+}
+
+// An end on the borders of both surfaces is said to be on that of the first one.
+CurveEnd exchanged(CurveEnd end, const SurfacePoint& x, const BezierSurface& a) {
+  if (end == CurveEnd::BorderB) return CurveEnd::BorderA;
+  if (end == CurveEnd::BorderA && !is_on_border(a, x.uv_a)) return CurveEnd::BorderB;
+  return end;
+}
+
+void exchange(IntersectionCurve& curve, const BezierSurface& a) {
+  std::swap(curve.chart_a, curve.chart_b);
+  std::swap(curve.deviation.a, curve.deviation.b);
+  for (SurfacePoint& x : curve.samples) exchange(x);
+  if (curve.samples.empty()) return;
+  curve.ends = {exchanged(curve.ends[0], curve.samples.front(), a),
+                exchanged(curve.ends[1], curve.samples.back(), a)};
+}
+
+}  // namespace
+
+SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a) {
+  for (IntersectionCurve& curve : found.curves) exchange(curve, a);
+  for (SurfacePoint& x : found.points) exchange(x);
+  for (SurfacePoint& x : found.nodes) exchange(x);
+  for (Place& place : found.places) exchange(place);
+  return found;
+}
+
+bool may_gain_by_exchange(const SurfaceIntersection& found) {
+  return found.status == Status::Stopped && !found.certificate.limited;
+}
+
+bool is_gain(const SurfaceIntersection& found, const SurfaceIntersection& other) {
+  const auto is_bounded = [](const Overlap& overlap) { return !overlap.boundary.empty(); };
+  return weaker(found.status, other.status) != other.status &&
+         std::ranges::none_of(other.overlaps, is_bounded);
+}
+
+}  // namespace blossom

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// An intersection seen from the other surface.
+//
+// The search is not the same for both orders: it is cells of a that are looked at over charts of b,
+// and at a border of b's patches branches are cut. What one order leaves open the other one may
+// settle, with a proof as good.
+
+#pragma once
+
+#include "core/forms/surface.h"
+#include "core/intersection/result.h"
+
+namespace blossom {
+
+/// The intersection of a and b, made from that of b and a.
+///
+/// found     that of b and a; its overlaps have no boundary, since their sense follows the normal
+///           of the first surface
+/// a         the surface that was the second one
+SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a);
+
+/// True if the answer is open for other reasons than a limit, so that the other order may do
+/// better.
+bool may_gain_by_exchange(const SurfaceIntersection& found);
+
+/// True if the second answer, of the exchanged surfaces, is better and can be told from a.
+bool is_gain(const SurfaceIntersection& found, const SurfaceIntersection& other);
+
+}  // namespace blossom

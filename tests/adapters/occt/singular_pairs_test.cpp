@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Quadrics and tori that touch, or nearly, where their parameters are singular too: at poles, along
+// seams, in an apex. In both orders, with the seams elsewhere, and turned as a whole.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <gp_Trsf.hxx>
+
+#include "tests/adapters/occt/analytic_faces.h"
+
+namespace blossom::occt::analytic {
+namespace {
+
+constexpr double kSeconds = 20;  // a row takes one at most
+
+// Two cylinders about axes that cross at an angle; the first is the larger one. Both branches, by
+// chords round the smaller one: where they come near each other they turn in few of them.
+double crossing_length(double large, double small, double degrees) {
+  constexpr int kChords = 400'000;
+  const double angle = degrees * kPi / 180, s = std::sin(angle), c = std::cos(angle);
+  double sum = 0;
+  for (const double side : {1.0, -1.0}) {
+    gp_Pnt last;
+    for (int i = 0; i <= kChords; ++i) {
+      const double t = 2 * kPi * i / kChords, x = small * std::cos(t), y = small * std::sin(t);
+      const double along = (x * c + side * std::sqrt(large * large - y * y)) / s;
+      const gp_Pnt point(along * s - x * c, y, along * c + x * s);
+      if (i > 0) sum += point.Distance(last);
+      last = point;
+    }
+  }
+  return sum;
+}
+
+struct SingularRow {
+  std::string name;
+  Maker a, b;
+  double length = 0;
+  double left_out = 0;  // part of the length that may lie in places
+};
+
+void add_cylinders(std::vector<SingularRow>& rows) {
+  for (const double degrees : {10.0, 5.0}) {
+    const double half = degrees * kPi / 360, long_axis = 2 / std::sin(half);
+    const double height = 1.2 * long_axis + 2;
+    const std::string at = "_at_" + std::to_string(static_cast<int>(degrees));
+    rows.push_back({"equal_cylinders" + at, cylinder(O, Z, 2, height),
+                    cylinder(O, tilted(degrees), 2, height),
+                    perimeter(2, long_axis) + perimeter(2, 2 / std::cos(half)), 1e-3});
+    for (const double less : {1e-3, 1e-6})
+      rows.push_back({"cylinders" + at + (less > 1e-4 ? "_almost_equal" : "_hardly_apart"),
+                      cylinder(O, Z, 2, height), cylinder(O, tilted(degrees), 2 - less, height),
+                      crossing_length(2, 2 - less, degrees), 1e-7});
+  }
+}
+
+void add_cones(std::vector<SingularRow>& rows) {
+  const double s = std::sin(kPi / 6), c = std::cos(kPi / 6);
+  rows.insert(
+      rows.end(),
+      {{"cones_of_one_apex", cone(O, Z, 10), cone(O, tilted(40), 10), 20 / c, 1e-6},
+       {"cylinder_along_inside_of_cone", cone(O, Z, 10),
+        cylinder({4.5 * s - 0.4 * c, 0, 4.5 * c + 0.4 * s}, tilted(30), 0.4, 3.5), 7, 1e-6}});
+}
+
+void add_spheres(std::vector<SingularRow>& rows) {
+  const double figure_eight = 20.333756, viviani = 15.280791;
+  rows.insert(
+      rows.end(),
+      {{"plane_through_poles_along_seam", plane(O, {0.8, 0, -0.6}, 10), sphere(O, 2, {0.6, 0, 0.8}),
+        4 * kPi, 1e-6},
+       {"plane_through_poles", plane(O, {2, -1, 0}, 10), sphere(O, 2, {1, 2, 3}), 4 * kPi, 1e-6},
+       {"sphere_in_tube_round_poles", cylinder(O, X, 2), sphere(O, 2), 4 * kPi, 1e-5},
+       {"tube_on_pole", cylinder({0, 0, 0.5}, X, 1.5), sphere(O, 2), figure_eight, 1e-4},
+       {"viviani_on_pole", cylinder({0, 0, 1}, X, 1, 3), sphere(O, 2), viviani, 1e-4},
+       {"tube_through_pole", cylinder({0, 0.4, 2 - std::sqrt(0.84)}, X, 1), sphere(O, 2), 13.283845,
+        1e-6}});
+}
+
+const std::vector<SingularRow>& rows() {
+  static const std::vector<SingularRow> all = [] {
+    std::vector<SingularRow> made;
+    add_cylinders(made);
+    add_cones(made);
+    add_spheres(made);
+    return made;
+  }();
+  return all;
+}
+
+class SingularPairs : public ::testing::TestWithParam<int> {
+ protected:
+  const SingularRow& row() const { return rows()[static_cast<std::size_t>(GetParam())]; }
+
+  void expect_settled(const TopoDS_Face& a, const TopoDS_Face& b) const {
+    const ShapeIntersection found = intersect({a}, {b}, {.time_limit = kSeconds});
+    double length = 0;
+    for (const FaceIntersection& pair : found.pairs)
+      for (const IntersectionCurve& curve : pair.found.curves) length += curve.length;
+    EXPECT_LE(found.status, Status::Tolerance);
+    EXPECT_NEAR(length, row().length, row().left_out * row().length);
+  }
+};
+
+TEST_P(SingularPairs, AreSettledInBothOrders) {
+  const TopoDS_Face a = row().a(0), b = row().b(0);
+  expect_settled(a, b);
+  expect_settled(b, a);
+}
+
+TEST_P(SingularPairs, AreSettledWithTheSeamsElsewhere) {
+  expect_settled(row().a(kSpin), row().b(kSpin));
+}
+
+TEST_P(SingularPairs, AreSettledTurned) {
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1({0.1, 0.2, 0.3}, {0.3, -0.5, 0.8}), 0.7);
+  const TopLoc_Location place(turn);
+  const auto turned = [&](const TopoDS_Face& face) { return TopoDS::Face(face.Moved(place)); };
+  const TopoDS_Face a = turned(row().a(kSpin)), b = turned(row().b(1.6 * kSpin));
+  expect_settled(a, b);
+  expect_settled(b, a);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, SingularPairs, ::testing::Range(0, static_cast<int>(rows().size())),
+                         [](const auto& which) {
+                           return rows()[static_cast<std::size_t>(which.param)].name;
+                         });
+
+}  // namespace
+}  // namespace blossom::occt::analytic

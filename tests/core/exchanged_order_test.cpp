@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/exchanged_order.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+
+#include "core/forms/surface.h"
+#include "core/surface_intersection.h"
+
+namespace blossom {
+namespace {
+
+BezierSurface rectangle(const Vec3& corner, const Vec3& u, const Vec3& v) {
+  BezierSurface surface{{0, 1}, {0, 2}};
+  RationalBezierPatch patch{Grid<Vec4>(2, 2)};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      const Vec3 p = corner + double(i) * u + double(j) * v;
+      patch.points(i, j) = {p[0], p[1], p[2], 1};
+    }
+  surface.patches = Grid<RationalBezierPatch>(1, 1, patch);
+  return surface;
+}
+
+// From y = 0.25, on the border of the wall, to y = 1, on that of the floor.
+const BezierSurface kFloor = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+const BezierSurface kWall = rectangle({0.5, 0.25, -1}, {0, 1.75, 0}, {0, 0, 3});
+// To y = 1, where both end.
+const BezierSurface kLowWall = rectangle({0.5, 0.25, -1}, {0, 0.75, 0}, {0, 0, 3});
+
+void expect_same_ends(const IntersectionCurve& curve, const IntersectionCurve& other) {
+  const bool turned = distance(curve.samples.front().point, other.samples.front().point) > 1e-9;
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    const std::size_t there = turned ? 1 - side : side;
+    const SurfacePoint& p = side == 0 ? curve.samples.front() : curve.samples.back();
+    const SurfacePoint& q = there == 0 ? other.samples.front() : other.samples.back();
+    EXPECT_EQ(curve.ends[side], other.ends[there]);
+    EXPECT_LE(distance(p.point, q.point), 1e-12);
+    EXPECT_LE(distance(p.uv_a, q.uv_a), 1e-12);
+    EXPECT_LE(distance(p.uv_b, q.uv_b), 1e-12);
+  }
+}
+
+TEST(ExchangedOrder, GivesParametersAndEndsOfTheOtherOrder) {
+  for (const BezierSurface& wall : {kWall, kLowWall}) {
+    const SurfaceIntersection there = intersect(kFloor, wall);
+    const SurfaceIntersection back = exchanged(intersect(wall, kFloor), kFloor);
+    ASSERT_EQ(there.curves.size(), 1);
+    ASSERT_EQ(back.curves.size(), 1);
+    expect_same_ends(there.curves[0], back.curves[0]);
+    const IntersectionCurve& curve = back.curves[0];
+    for (const double t : {0.0, 0.3, 0.7}) {
+      const double at = t * curve.curve.knots.back();
+      EXPECT_LE(distance(point_at(kFloor, point_at(curve.chart_a, at)), point_at(curve.curve, at)),
+                1e-9);
+      EXPECT_LE(distance(point_at(wall, point_at(curve.chart_b, at)), point_at(curve.curve, at)),
+                1e-9);
+    }
+  }
+}
+
+TEST(ExchangedOrder, ExchangesPointsAndPlaces) {
+  SurfaceIntersection found;
+  found.points.push_back({{1, 2, 3}, {4, 5}, {6, 7}});
+  found.nodes = found.points;
+  Place place;
+  place.parameters = {Interval{0, 1}, {2, 3}, {4, 5}, {6, 7}};
+  found.places.push_back(place);
+
+  const SurfaceIntersection other = exchanged(found, kFloor);
+
+  EXPECT_EQ(other.points[0].uv_a, (Vec2{6, 7}));
+  EXPECT_EQ(other.nodes[0].uv_b, (Vec2{4, 5}));
+  EXPECT_EQ(other.places[0].parameters,
+            (std::array{Interval{4, 5}, Interval{6, 7}, Interval{0, 1}, Interval{2, 3}}));
+}
+
+TEST(ExchangedOrder, IsTriedWhereSomethingStayedOpenButForALimit) {
+  SurfaceIntersection found;
+  EXPECT_FALSE(may_gain_by_exchange(found));
+  found.status = Status::Stopped;
+  EXPECT_TRUE(may_gain_by_exchange(found));
+  found.certificate.limited = true;
+  EXPECT_FALSE(may_gain_by_exchange(found));
+}
+
+TEST(ExchangedOrder, IsAGainIfItSettlesMoreAndItsOverlapsHaveNoSense) {
+  SurfaceIntersection stopped, other;
+  stopped.status = other.status = Status::Stopped;
+  EXPECT_FALSE(is_gain(stopped, other));
+  other.status = Status::Tolerance;
+  EXPECT_TRUE(is_gain(stopped, other));
+  other.overlaps.emplace_back();
+  EXPECT_TRUE(is_gain(stopped, other));
+  other.overlaps[0].boundary.emplace_back();
+  EXPECT_FALSE(is_gain(stopped, other));
+}
+
+// A search that its budget ends says so.
+TEST(ExchangedOrder, KnowsThatABudgetEndedTheSearch) {
+  EXPECT_TRUE(intersect(kFloor, kWall, {.budget = 0}).certificate.limited);
+  EXPECT_FALSE(intersect(kFloor, kWall).certificate.limited);
+}
+
+}  // namespace
+}  // namespace blossom
