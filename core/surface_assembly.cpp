@@ -255,15 +255,18 @@ class Assembly {
     return found;
   }
 
-  // Short chains from a point of contact back to it are parts of it that happened to be certified.
+  // Short chains from a point of contact back to it, or on to a border that it reaches, are parts
+  // of it that happened to be certified.
   void drop_scraps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
     for (const Chain& chain : chains_of(found_, cells_a, cells_b, contacts_, clumps_)) {
-      const int contact = chain.closed ? contact_on(chain) : chain.ends[0].contact;
-      if (contact < 0 || (!chain.closed && contact != chain.ends[1].contact)) continue;
+      const auto [least, most_of_ends] = std::minmax(chain.ends[0].contact, chain.ends[1].contact);
+      const int contact = chain.closed ? contact_on(chain) : most_of_ends;
+      const bool both = chain.closed || least == contact;
+      if (contact < 0 || (!both && least >= 0)) continue;
       const ContactChain& at = contacts_[static_cast<std::size_t>(contact)];
       // A clump ends somewhere near its point, a valley's contact exactly.
       const double part = at.path.size() == 1 ? kClumpReach : 1;
-      const double most = part * at.length + kShortest * options_.tolerances.point;
+      const double most = (both ? part * at.length : 0) + kShortest * options_.tolerances.point;
       if (at.curve || diagonal(end_box(cells_a, found_, chain)) > most) continue;
       for (const ChainLink& link : chain.links)
         found_.arcs[static_cast<std::size_t>(link.arc)].dropped = true;
@@ -405,6 +408,7 @@ class Assembly {
       const std::size_t arms = contact.arm_count();
       place.kind = kind_of(contact);
       if (arms == 0 && on_curve(centre.point, true)) place.kind = PlaceKind::Tangential;
+      if (arms == 0 && contact.pole && on_curve(centre.point)) place.kind = PlaceKind::Pole;
       const bool touches = contact.centre.gap <= options_.tolerances.point;
       if (arms == 0 && touches && !on_curve(centre.point)) result_.points.push_back(centre);
       if (arms > 2) result_.nodes.push_back(centre);

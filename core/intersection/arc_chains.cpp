@@ -15,6 +15,9 @@ namespace {
 // Border points found from two sides agree to rounding; twice the slack of one side.
 constexpr double kJoin = 2 * kSamePoint;
 
+// A free parameter of a point near a pole is known so well at least; fraction of a patch.
+constexpr double kPoleJoin = 1e-5;
+
 // Of the size. A piece so short is straight to rounding, and from a few hundredths of it the free
 // parameter has derivatives good enough for it.
 constexpr double kPoleReach = 1e-4;
@@ -45,6 +48,7 @@ class Graph {
         points_.push_back(over_surfaces(a, b, arc.patch_a, arc.patch_b, x));
     vertex_.assign(points_.size(), -1);
     join_ends();
+    join_near_poles();
     for (const auto& join : found.joins) merge(join[0], join[1]);
     contact_of_.assign(points_.size(), -1);
     for (std::size_t c = 0; c < contacts.size(); ++c) add_contact(contacts[c], static_cast<int>(c));
@@ -99,6 +103,41 @@ class Graph {
       }
       ends_[static_cast<std::size_t>(vertex_[e])].push_back(e);
     }
+  }
+
+  // Near a pole a parameter hardly moves points, and is known no better than that. Ends that are
+  // single for this reason are one if their points are.
+  void join_near_poles() {
+    std::vector<std::size_t> single;
+    for (std::size_t e = 0; e < points_.size(); ++e)
+      if (!found_.arcs[e / 2].dropped && ends_at(e).size() == 1 && !on_border(e))
+        single.push_back(e);
+    for (std::size_t i = 0; i < single.size(); ++i) {
+      const Point4 reach = join_reach(single[i]);
+      for (std::size_t j = 0; j < single.size(); ++j) {
+        const std::size_t e = single[i], f = single[j];
+        if (e / 2 == f / 2 || ends_at(e).size() != 1 || ends_at(f).size() != 1) continue;
+        bool near = true;
+        for (std::size_t k = 0; k < 4; ++k)
+          near = near && std::abs(points_[e][k] - points_[f][k]) <= reach[k];
+        if (near) merge(e, f);
+      }
+    }
+  }
+
+  // How far a parameter may be off without moving the point more than the other one does by kJoin.
+  Point4 join_reach(std::size_t end) const {
+    const FoundArc& arc = found_.arcs[end / 2];
+    const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+    const auto jet_of = [](const SurfaceCells& cells, int patch, double u, double v) {
+      return jet_at(cells.surface().patches.values()[static_cast<std::size_t>(patch)], u, v, 1);
+    };
+    const auto reach = [](const Vec3& own, const Vec3& other) {
+      return std::min(kJoin * std::max(1.0, norm(other) / norm(own)), kPoleJoin);
+    };
+    const PatchJet a = jet_of(a_, arc.patch_a, x[0], x[1]);
+    const PatchJet b = jet_of(b_, arc.patch_b, x[2], x[3]);
+    return {reach(a.u, a.v), reach(a.v, a.u), reach(b.u, b.v), reach(b.v, b.u)};
   }
 
   void merge(std::size_t e, std::size_t f) {

@@ -302,23 +302,23 @@ class PairBorder {
   }
 
   // True if the face is no farther along the arc than one point is large, in any parameter: an arc
-  // that comes to a face slowly crosses it far from where it is near. At a pole parameters move
-  // where points do not.
+  // that comes to a face slowly crosses it far from where it is near.
   bool at_face(const Root& root, std::size_t i, bool high) const {
     const double off = std::abs(root.x[i] - (high ? box_[i].to : box_[i].from));
     if (sliding_[i][high] || off > kSamePoint) return false;
-    const bool at_pole = *std::ranges::max_element(root.noise) >= kSamePoint;
-    return at_pole || off <= root.noise[i] || off * speed(root) <= kSamePoint * rate(root, i);
+    return off <= root.noise[i] || off * speed(root) <= kSamePoint * rate(root, i);
   }
 
-  // Of a root's parameters along the arc, and of the fastest one.
+  // Of a root's parameters along the arc, and of the fastest one. At a pole parameters move where
+  // points do not.
   double rate(const Root& root, std::size_t i) const {
     return std::abs(root.tangent[i]) * length(box_[i]);
   }
 
   double speed(const Root& root) const {
     double largest = 0;
-    for (std::size_t i = 0; i < 4; ++i) largest = std::max(largest, rate(root, i));
+    for (std::size_t i = 0; i < 4; ++i)
+      if (root.noise[i] < kSamePoint) largest = std::max(largest, rate(root, i));
     return largest;
   }
 
