@@ -33,12 +33,14 @@ ContactArm arm_of(const ContactChain& contact, ArcEnd end, const SurfaceCells& a
 void meet_apart(ContactChain& contact, const Pole& pole, SurfaceCells& a, SurfaceCells& b,
                 PairSearchResult& found) {
   contact.centre = pole.point;
+  const bool at_pole = std::ranges::any_of(pole.free, [](bool free) { return free; });
   std::vector<Point4> ends;
   for (auto& side : contact.arms)
     for (ArcEnd& end : side) {
       const ContactPoint goal = in_patches_of(found, end, pole, a, b);
       ends.push_back(in_patches(a, b, goal.patch_a, goal.patch_b, goal.x, pole.point));
       end = reach_contact(found, a, b, end, goal);
+      found.arcs[end / 2].to_pole = found.arcs[end / 2].to_pole || at_pole;
     }
   for (std::size_t k = 0; k < 4 && ends.size() == 2; ++k)
     contact.parted = contact.parted || std::abs(ends[0][k] - ends[1][k]) > kOtherMeridian;
