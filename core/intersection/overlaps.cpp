@@ -215,7 +215,7 @@ class OverlapFinder {
       for (const BorderStretch& part : follower.cut(whole, places_on(whole.line, junctions))) {
         if (part.points.size() < 2) continue;
         auto path = contact_path(part.points, of_a);
-        if (length_of(path) <= join_) continue;
+        if (length_of(path) <= join_ && !(of_a && is_pole(part))) continue;
         if (follower.bounds_coincidence(part)) {
           if (!runs_with_region_left(part.line, path, of_a)) std::reverse(path.begin(), path.end());
           pieces_.push_back({std::move(path)});
@@ -223,6 +223,16 @@ class OverlapFinder {
           result_.edges.push_back({contact_path(follower.links(part), true)});
         }
       }
+  }
+
+  // A pole bounds a region round it in a's chart as any other border does: what is one point there
+  // closes the band.
+  bool is_pole(const BorderStretch& stretch) const {
+    const BezierSurface& surface = a_.surface();
+    const bool across_u = stretch.line.across == 0;
+    const int spans = across_u ? surface.patches.columns() : surface.patches.rows();
+    return (across_u ? surface.closed_v : surface.closed_u) && stretch.points.front().along == 0 &&
+           stretch.points.back().along == spans;
   }
 
   // The search met a coincidence along the path, at its middle and quarters.
@@ -340,15 +350,17 @@ class OverlapFinder {
     double area = 0;
     Vec2 winding;  // in spans
     Vec2 inside;   // a point of it
+    bool pole = false;
   };
 
-  ChartLoop charted(BoundaryLoop loop) const {
+  ChartLoop charted(BoundaryLoop loop) {
     const std::vector<Vec2> polygon = unwrapped(a_, loop);
     ChartLoop chart;
     for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
       chart.area += 0.5 * (polygon[i][0] * polygon[i + 1][1] - polygon[i][1] * polygon[i + 1][0]);
     chart.winding = polygon.back() - polygon.front();
     chart.inside = polygon.front();
+    chart.pole = length_of(loop) <= join_;
     chart.loop = std::move(loop);
     return chart;
   }
@@ -382,7 +394,7 @@ class OverlapFinder {
   }
 
   // A band lies to the left of both its loops: one that runs along +u below one along -u, or one
-  // along -v left of one along +v.
+  // along -v left of one along +v. Between two poles it has no boundary.
   void pair_bands(std::vector<ChartLoop>& bands) {
     const auto axis = [](const ChartLoop& c) {
       return std::abs(c.winding[0]) > std::abs(c.winding[1]) ? 0 : 1;
@@ -394,7 +406,7 @@ class OverlapFinder {
       return c.inside[1 - axis(c)] < d.inside[1 - axis(d)];
     });
     for (std::size_t i = 0; i + 1 < bands.size(); ++i)
-      if (is_low(bands[i]) && !is_low(bands[i + 1]))
+      if (is_low(bands[i]) && !is_low(bands[i + 1]) && !(bands[i].pole && bands[i + 1].pole))
         result_.regions.push_back({{std::move(bands[i].loop), std::move(bands[i + 1].loop)}});
   }
 

@@ -66,7 +66,7 @@ struct PatchPair {
   std::vector<CellsPair> parallel{};
 };
 
-enum class Verdict : char { Apart, Known, Coincident, Regular, Parallel, Thin, Mixed };
+enum class Verdict : char { Apart, Known, Coincident, OneQuadric, Regular, Parallel, Thin, Mixed };
 
 struct Finding {
   Verdict verdict = Verdict::Mixed;
@@ -172,6 +172,8 @@ class Search {
     if (const auto part = place.shared.part(a, b)) return {Verdict::Coincident, -1, part};
     if (place.quadrics.is_one())
       return {place.quadrics.coincide(a, b) ? Verdict::Thin : Verdict::Mixed};
+    if (place.quadrics.is_common() && place.quadrics.coincide(a, b))
+      return {place.quadrics.cover_each_other(a, b) ? Verdict::OneQuadric : Verdict::Mixed};
     if (pair.along >= 0) return {Verdict::Regular, pair.along};
     const int along = certified_column(JacobianBounds(a, b));
     if (along >= 0) return {Verdict::Regular, along};
@@ -252,9 +254,11 @@ class Search {
       place.certified.push_back({pair.cell_a, pair.cell_b, box_of(a, b), std::move(*held)});
       return;
     }
-    if (finding.verdict == Verdict::Parallel) {
-      if (place.shared.look_near(a, b))
+    if (finding.verdict == Verdict::Parallel || finding.verdict == Verdict::OneQuadric) {
+      const bool known = place.shared.look_near(a, b);
+      if (known)
         if (const auto part = place.shared.part(a, b)) return settle_shared(place, *part);
+      if (finding.verdict == Verdict::OneQuadric && !known) return keep(pair, true);
       place.parallel.push_back({pair.cell_a, pair.cell_b});
       return;
     }

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 
+#include "core/intersection/contact_points.h"
+
 namespace blossom {
 namespace {
 
-constexpr int kMostPatches = 64;         // of a surface that is looked at as a whole
-constexpr double kSmallPart = 1.0 / 16;  // of the surfaces' size
+constexpr int kMostPatches = 64;          // of a surface that is looked at as a whole
+constexpr double kSmallPart = 1.0 / 16;   // of the surfaces' size: cells that coincide
+constexpr double kLeastPart = 1.0 / 256;  // likewise: cells at a border
+constexpr double kReach = 0.5;            // of Newton's method for feet, fraction of a patch
 
 constexpr double kOnePoint = 1e-12;  // relative
 
@@ -40,6 +44,16 @@ bool is_borderless(const BezierSurface& surface) {
          (surface.closed_v && ends_in_points(true));
 }
 
+// True if the middle of one cell is a point of the other one.
+bool holds_middle(const CellTree& outer_tree, const Cell& outer, const CellTree& inner_tree,
+                  const Cell& inner) {
+  const auto x =
+      foot_point(inner_tree.patch(), outer_tree.patch(),
+                 {at(inner.u, 0.5), at(inner.v, 0.5), at(outer.u, 0.5), at(outer.v, 0.5)}, kReach);
+  return x && (*x)[2] >= outer.u.from && (*x)[2] <= outer.u.to && (*x)[3] >= outer.v.from &&
+         (*x)[3] <= outer.v.to;
+}
+
 }  // namespace
 
 bool is_whole_quadric(SurfaceCells& surface, QuadricBands& bands) {
@@ -53,21 +67,25 @@ bool is_whole_quadric(SurfaceCells& surface, QuadricBands& bands) {
 
 QuadricPair::QuadricPair(const CellTree& a, const CellTree& b, QuadricBands& bands,
                          bool one_is_whole, double size)
-    : shape_a_(a.shape()),
-      shape_b_(b.shape()),
-      band_a_(bands.of(a)),
-      band_b_(bands.of(b)),
-      largest_(kSmallPart * size),
-      is_one_(one_is_whole && band_b_ != nullptr && band_b_->holds_tightly(a)) {}
+    : tree_a_(a), tree_b_(b), band_a_(bands.of(a)), band_b_(bands.of(b)), size_(size) {
+  const bool on_one = &a != &b && band_b_ != nullptr && band_b_->holds_tightly(a);
+  is_one_ = on_one && one_is_whole;
+  is_common_ = on_one && !one_is_whole;
+}
 
 bool QuadricPair::coincide(const Cell& a, const Cell& b) const {
-  return std::max(a.extent, b.extent) <= largest_ && band_b_->is_steep_in(a) &&
+  return std::max(a.extent, b.extent) <= kSmallPart * size_ && band_b_->is_steep_in(a) &&
          band_b_->is_steep_in(b);
 }
 
+bool QuadricPair::cover_each_other(const Cell& a, const Cell& b) const {
+  if (std::max(a.extent, b.extent) <= kLeastPart * size_) return true;
+  return holds_middle(tree_b_, b, tree_a_, a) || holds_middle(tree_a_, a, tree_b_, b);
+}
+
 bool QuadricPair::apart(const Cell& a, const Cell& b) const {
-  return (band_b_ != nullptr && band_b_->misses(a, shape_a_)) ||
-         (band_a_ != nullptr && band_a_->misses(b, shape_b_));
+  return (band_b_ != nullptr && band_b_->misses(a, tree_a_.shape())) ||
+         (band_a_ != nullptr && band_a_->misses(b, tree_b_.shape()));
 }
 
 }  // namespace blossom

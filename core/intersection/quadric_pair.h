@@ -26,18 +26,25 @@ class QuadricPair {
   /// coincide as far as the other one goes.
   bool is_one() const { return is_one_; }
 
+  /// True if both patches lie on one quadric, and neither surface is known to be all of it.
+  bool is_common() const { return is_common_; }
+
   /// Of patches on one quadric: true if the cells are so small that the whole surface passes
   /// through their common box once.
   bool coincide(const Cell& a, const Cell& b) const;
+
+  /// Of patches on one quadric: true if the cells also have the middle of one of them in common, or
+  /// are too small to tell more of the border of what the patches have in common.
+  bool cover_each_other(const Cell& a, const Cell& b) const;
 
   /// True if the equation of one patch proves that the other one's cell does not come close to it.
   bool apart(const Cell& a, const Cell& b) const;
 
  private:
-  NetShape shape_a_, shape_b_;
+  const CellTree &tree_a_, &tree_b_;
   const QuadricBand *band_a_, *band_b_;
-  double largest_;  // of cells that coincide
-  bool is_one_;
+  double size_;
+  bool is_one_, is_common_;
 };
 
 }  // namespace blossom

@@ -20,6 +20,12 @@ namespace {
 
 constexpr double kSeconds = 20;  // a row takes one at most
 
+Maker half_sphere(const gp_Dir& axis) {
+  return [=](double spin) {
+    return face(new Geom_SphericalSurface(frame(O, axis, spin), 2), kTurn, {0, kPi / 2});
+  };
+}
+
 // Two cylinders about axes that cross at an angle; the first is the larger one. Both branches, by
 // chords round the smaller one: where they come near each other they turn in few of them.
 double crossing_length(double large, double small, double degrees) {
@@ -44,6 +50,7 @@ struct SingularRow {
   Maker a, b;
   double length = 0;
   double left_out = 0;  // part of the length that may lie in places
+  int nodes = 0;
 };
 
 void add_cylinders(std::vector<SingularRow>& rows) {
@@ -53,7 +60,7 @@ void add_cylinders(std::vector<SingularRow>& rows) {
     const std::string at = "_at_" + std::to_string(static_cast<int>(degrees));
     rows.push_back({"equal_cylinders" + at, cylinder(O, Z, 2, height),
                     cylinder(O, tilted(degrees), 2, height),
-                    perimeter(2, long_axis) + perimeter(2, 2 / std::cos(half)), 1e-3});
+                    perimeter(2, long_axis) + perimeter(2, 2 / std::cos(half)), 1e-3, 2});
     for (const double less : {1e-3, 1e-6})
       rows.push_back({"cylinders" + at + (less > 1e-4 ? "_almost_equal" : "_hardly_apart"),
                       cylinder(O, Z, 2, height), cylinder(O, tilted(degrees), 2 - less, height),
@@ -78,8 +85,8 @@ void add_spheres(std::vector<SingularRow>& rows) {
         4 * kPi, 1e-6},
        {"plane_through_poles", plane(O, {2, -1, 0}, 10), sphere(O, 2, {1, 2, 3}), 4 * kPi, 1e-6},
        {"sphere_in_tube_round_poles", cylinder(O, X, 2), sphere(O, 2), 4 * kPi, 1e-5},
-       {"tube_on_pole", cylinder({0, 0, 0.5}, X, 1.5), sphere(O, 2), figure_eight, 1e-4},
-       {"viviani_on_pole", cylinder({0, 0, 1}, X, 1, 3), sphere(O, 2), viviani, 1e-4},
+       {"tube_on_pole", cylinder({0, 0, 0.5}, X, 1.5), sphere(O, 2), figure_eight, 1e-4, 1},
+       {"viviani_on_pole", cylinder({0, 0, 1}, X, 1, 3), sphere(O, 2), viviani, 1e-4, 1},
        {"tube_through_pole", cylinder({0, 0.4, 2 - std::sqrt(0.84)}, X, 1), sphere(O, 2), 13.283845,
         1e-6}});
 }
@@ -102,10 +109,14 @@ class SingularPairs : public ::testing::TestWithParam<int> {
   void expect_settled(const TopoDS_Face& a, const TopoDS_Face& b) const {
     const ShapeIntersection found = intersect({a}, {b}, {.time_limit = kSeconds});
     double length = 0;
-    for (const FaceIntersection& pair : found.pairs)
+    std::size_t nodes = 0;
+    for (const FaceIntersection& pair : found.pairs) {
+      nodes += pair.found.nodes.size();
       for (const IntersectionCurve& curve : pair.found.curves) length += curve.length;
+    }
     EXPECT_LE(found.status, Status::Tolerance);
     EXPECT_NEAR(length, row().length, row().left_out * row().length);
+    EXPECT_EQ(static_cast<int>(nodes), row().nodes);
   }
 };
 
@@ -133,6 +144,83 @@ INSTANTIATE_TEST_SUITE_P(Rows, SingularPairs, ::testing::Range(0, static_cast<in
                          [](const auto& which) {
                            return rows()[static_cast<std::size_t>(which.param)].name;
                          });
+
+struct TouchingRow {
+  std::string name;
+  Maker a, b;
+  double length;
+};
+
+// Tangential curves through poles, with the seams elsewhere.
+const std::vector<TouchingRow>& touching_rows() {
+  const auto slim_cone = [](double spin) {
+    return face(new Geom_ConicalSurface(frame(O, tilted(10), spin), kPi / 9, 0), kTurn,
+                {0, 8 / std::cos(kPi / 9)});
+  };
+  static const std::vector<TouchingRow> all{
+      {"cones_of_one_apex", cone(O, Z, 10), slim_cone, 8 / std::cos(kPi / 9)},
+      {"sphere_in_tube_of_torus", torus(O, 5, 2), sphere({5, 0, 0}, 2), 4 * kPi}};
+  return all;
+}
+
+class TouchingThroughPoles : public ::testing::TestWithParam<int> {};
+
+TEST_P(TouchingThroughPoles, HaveOneCurveOfFullLength) {
+  const TouchingRow& row = touching_rows()[static_cast<std::size_t>(GetParam())];
+  const ShapeIntersection found =
+      intersect({row.a(kSpin)}, {row.b(1.6 * kSpin)}, {.time_limit = kSeconds});
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_EQ(found.pairs.size(), 1);
+  double length = 0;
+  for (const IntersectionCurve& curve : found.pairs[0].found.curves) {
+    EXPECT_TRUE(curve.tangential);
+    length += curve.length;
+  }
+  EXPECT_NEAR(length, row.length, 1e-6 * row.length);
+  EXPECT_TRUE(found.pairs[0].found.points.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Rows, TouchingThroughPoles,
+                         ::testing::Range(0, static_cast<int>(touching_rows().size())),
+                         [](const auto& which) {
+                           return touching_rows()[static_cast<std::size_t>(which.param)].name;
+                         });
+
+// The area inside of a boundary on a sphere about its centre, by a's parameters; a step over the
+// seam is none.
+double area_on_sphere(const std::vector<SurfacePoint>& boundary, double r) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < boundary.size(); ++i) {
+    const Vec2 &p = boundary[i].uv_a, &q = boundary[i + 1].uv_a;
+    sum -= r * r * std::sin(0.5 * (p[1] + q[1])) * std::remainder(q[0] - p[0], 2 * kPi);
+  }
+  return sum;
+}
+
+class HalfSpheres : public ::testing::TestWithParam<double> {};
+
+TEST_P(HalfSpheres, HaveALuneInCommonThatHoldsAPole) {
+  const gp_Dir axis(1, 2, 3);
+  for (const bool turned : {false, true}) {
+    const TopoDS_Face a = half_sphere(turned ? axis : Z)(GetParam());
+    const TopoDS_Face b = half_sphere(turned ? Z : axis)(GetParam());
+    const ShapeIntersection found = intersect({a}, {b}, {.time_limit = kSeconds});
+
+    EXPECT_EQ(found.status, Status::Tolerance);
+    ASSERT_EQ(found.pairs.size(), 1);
+    ASSERT_EQ(found.pairs[0].found.overlaps.size(), 1);
+    EXPECT_TRUE(found.pairs[0].found.points.empty());
+    const double area = 2 * 4 * (kPi - axis.Angle(Z));
+    EXPECT_NEAR(area_on_sphere(found.pairs[0].found.overlaps[0].boundary, 2), area, 1e-3 * area);
+  }
+}
+
+TEST_P(HalfSpheres, AreSettledWithAPoleOnEachOthersBorder) {
+  const TopoDS_Face a = half_sphere(Z)(GetParam()), b = half_sphere(X)(GetParam());
+  EXPECT_EQ(intersect({a}, {b}, {.time_limit = kSeconds}).status, Status::Tolerance);
+}
+
+INSTANTIATE_TEST_SUITE_P(Spins, HalfSpheres, ::testing::Values(0.0, kSpin));
 
 }  // namespace
 }  // namespace blossom::occt::analytic
