@@ -33,6 +33,20 @@ using Columns = std::array<Vec3, 4>;
 
 Columns jacobian(const PatchJet& a, const PatchJet& b) { return {a.u, a.v, -b.u, -b.v}; }
 
+// The kernel of J, with `along` growing.
+Point4 tangent_of(const Columns& j, int along) {
+  Point4 tangent{};
+  for (int k = 0; k < 4; ++k) {
+    const auto kept = kept_columns(k);
+    const auto column = [&](std::size_t i) { return j[static_cast<std::size_t>(kept[i])]; };
+    const double minor = dot(column(0), cross(column(1), column(2)));
+    tangent[static_cast<std::size_t>(k)] = k % 2 == 0 ? minor : -minor;
+  }
+  if (tangent[static_cast<std::size_t>(along)] < 0)
+    for (double& t : tangent) t = -t;
+  return tangent;
+}
+
 // Solves M y = r by Cramer's rule; nothing if M is singular.
 std::optional<Vec3> solve(const Vec3& c0, const Vec3& c1, const Vec3& c2, const Vec3& r) {
   const Vec3 n = cross(c1, c2);
@@ -264,10 +278,13 @@ class PairBorder {
   std::optional<Point4> root_near(const PairPart& start, const PairPart& part, int axis) const {
     auto x = newton(tree_a_.patch(), tree_b_.patch(), model_->parameters(start.middle), axis, box_);
     if (!x || !inside(*x)) return std::nullopt;
+    std::optional<Point4> noise;
     for (std::size_t i = 0; i < 4; ++i) {
       const double z = ((*x)[i] - at(box_[i], 0.5)) / length(box_[i]);
-      const double slack = kPartSlack + kBorderSlack / length(box_[i]);
-      if (std::abs(z - part.middle[i]) > part.radius[i] + slack) return std::nullopt;
+      const double off = std::abs(z - part.middle[i]) - part.radius[i];
+      if (off <= kPartSlack + kBorderSlack / length(box_[i])) continue;
+      if (!noise) noise = noise_at(*x);
+      if (off > (*noise)[i] / length(box_[i])) return std::nullopt;
     }
     return x;
   }
@@ -296,7 +313,7 @@ class PairBorder {
   // True if the arc moves across a face as seen in the box: within a tiny one it may stay near all
   // the same.
   bool leaves(const Point4& x, int across) const {
-    const Point4 t = tangent_at(tree_a_.patch(), tree_b_.patch(), x, along_);
+    const Point4 t = tangent_of(jacobian_at(x), along_);
     return std::abs(t[index(across)]) * length(box_[index(along_)]) >
            kTangentToFace * std::abs(t[index(along_)]) * length(box_[index(across)]);
   }
@@ -344,12 +361,15 @@ class PairBorder {
     return true;
   }
 
+  Columns jacobian_at(const Point4& x) const {
+    return jacobian(jet_at(tree_a_.patch(), x[0], x[1], 1), jet_at(tree_b_.patch(), x[2], x[3], 1));
+  }
+
+  Point4 noise_at(const Point4& x) const { return noise_of(jacobian_at(x)); }
+
   // A parameter is known to the rounding of points by the speed at which they move with it: near a
   // pole hardly at all.
-  Point4 noise_at(const Point4& x) const {
-    const PatchJet a = jet_at(tree_a_.patch(), x[0], x[1], 1);
-    const PatchJet b = jet_at(tree_b_.patch(), x[2], x[3], 1);
-    const Columns j = jacobian(a, b);
+  Point4 noise_of(const Columns& j) const {
     Point4 noise;
     for (std::size_t i = 0; i < 4; ++i)
       noise[i] = std::max(kRootNoise, std::min(model_->rounding()[0] / norm(j[i]), kSamePoint));
@@ -363,7 +383,8 @@ class PairBorder {
       for (std::size_t i = 0; i < 4; ++i) gap = std::max(gap, std::abs(known.x[i] - x[i]));
       if (gap < kSamePoint) return true;
     }
-    Root root{x, noise_at(x), tangent_at(tree_a_.patch(), tree_b_.patch(), x, along_)};
+    const Columns j = jacobian_at(x);
+    Root root{x, noise_of(j), tangent_of(j, along_)};
     double largest = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       root.tangent[i] /= length(box_[i]);
@@ -430,17 +451,7 @@ std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierP
 
 Point4 tangent_at(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
                   int along) {
-  const Columns j = jacobian(jet_at(a, x[0], x[1], 1), jet_at(b, x[2], x[3], 1));
-  Point4 tangent{};
-  for (int k = 0; k < 4; ++k) {
-    const auto kept = kept_columns(k);
-    const auto column = [&](std::size_t i) { return j[static_cast<std::size_t>(kept[i])]; };
-    const double minor = dot(column(0), cross(column(1), column(2)));
-    tangent[static_cast<std::size_t>(k)] = k % 2 == 0 ? minor : -minor;
-  }
-  if (tangent[static_cast<std::size_t>(along)] < 0)
-    for (double& t : tangent) t = -t;
-  return tangent;
+  return tangent_of(jacobian(jet_at(a, x[0], x[1], 1), jet_at(b, x[2], x[3], 1)), along);
 }
 
 std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const CellTree& tree_b,
