@@ -57,14 +57,12 @@ template <int kOrder>
   }
 }
 
-// (X / w) differentiated: the quotient rule, lower derivatives of the quotient known.
-Vec3 quotient(const Four& h, const Vec3& correction, double w) {
-  return {(h[0] - correction[0]) / w, (h[1] - correction[1]) / w, (h[2] - correction[2]) / w};
-}
+Vec3 head(const Four& h) { return {h[0], h[1], h[2]}; }
 
-template <int kOrder>
+// Of the degrees (kN, kM) if they are not negative: bicubic patches are by far the most frequent.
+template <int kOrder, int kN = -1, int kM = -1>
 [[gnu::always_inline]] inline PatchJet jet(const RationalBezierPatch& patch, double u, double v) {
-  const int n = patch.degree_u(), m = patch.degree_v();
+  const int n = kN < 0 ? patch.degree_u() : kN, m = kM < 0 ? patch.degree_v() : kM;
   Weights bu, bv;
   make_weights<kOrder>(n, u, bu);
   make_weights<kOrder>(m, v, bv);
@@ -90,37 +88,43 @@ template <int kOrder>
       h02 += bu.value[i] * s2;
     }
   }
-  const double w = h00[3];
+  // X / w and its derivatives, by the quotient rule.
+  const double over = 1 / h00[3];
   PatchJet result;
-  result.point = quotient(h00, Vec3{}, w);
-  if (kOrder > 0) {
-    result.u = quotient(h10, h10[3] * result.point, w);
-    result.v = quotient(h01, h01[3] * result.point, w);
-  }
-  if (kOrder > 1) {
-    result.uu = quotient(h20, 2 * h10[3] * result.u + h20[3] * result.point, w);
-    result.uv = quotient(h11, h10[3] * result.v + h01[3] * result.u + h11[3] * result.point, w);
-    result.vv = quotient(h02, 2 * h01[3] * result.v + h02[3] * result.point, w);
-  }
+  const Four point = h00 * over;
+  result.point = head(point);
+  if (kOrder == 0) return result;
+  const Four by_u = (h10 - h10[3] * point) * over, by_v = (h01 - h01[3] * point) * over;
+  result.u = head(by_u);
+  result.v = head(by_v);
+  if (kOrder == 1) return result;
+  result.uu = head((h20 - 2 * h10[3] * by_u - h20[3] * point) * over);
+  result.uv = head((h11 - h10[3] * by_v - h01[3] * by_u - h11[3] * point) * over);
+  result.vv = head((h02 - 2 * h01[3] * by_v - h02[3] * point) * over);
   return result;
+}
+
+template <int kOrder>
+[[gnu::always_inline]] inline PatchJet jet_of(const RationalBezierPatch& patch, double u,
+                                              double v) {
+  const bool bicubic = patch.degree_u() == 3 && patch.degree_v() == 3;
+  return bicubic ? jet<kOrder, 3, 3>(patch, u, v) : jet<kOrder>(patch, u, v);
 }
 
 __attribute__((target_clones("avx2", "default"))) Vec3 value(const RationalBezierPatch& patch,
                                                              double u, double v) {
-  return jet<0>(patch, u, v).point;
+  return jet_of<0>(patch, u, v).point;
 }
 
 __attribute__((target_clones("avx2", "default"))) PatchJet first_jet(
     const RationalBezierPatch& patch, double u, double v) {
-  return jet<1>(patch, u, v);
+  return jet_of<1>(patch, u, v);
 }
 
 __attribute__((target_clones("avx2", "default"))) PatchJet second_jet(
     const RationalBezierPatch& patch, double u, double v) {
-  return jet<2>(patch, u, v);
+  return jet_of<2>(patch, u, v);
 }
-
-Vec3 head(const Four& h) { return {h[0], h[1], h[2]}; }
 
 __attribute__((target_clones("avx2", "default"))) CurveJet curve_jet(
     const RationalBezierCurve& curve, double t) {

@@ -7,6 +7,10 @@
 namespace blossom {
 namespace {
 
+// Nearly parallel pairs are this flat: the sines of the angles by which the derivatives of both
+// cells turn, added.
+constexpr double kFlat = 0.15;
+
 constexpr double kInverseRoundoff = 1e-14;  // relative, of a 3 x 3 inverse times its matrix
 constexpr int kPowerSteps = 4;              // towards the Perron vector of the spread
 
@@ -90,6 +94,19 @@ bool within_slab(const Cell& a, const Cell& b, int points_a, int points_b, doubl
   return slab_holds(a.plane, b, points_b, thickness) || slab_holds(b.plane, a, points_a, thickness);
 }
 
+bool nearly_parallel(const Cell& a, const Cell& b) {
+  const auto turn = [](const Cell& c) {
+    return norm(c.du.radius) / norm(c.du.middle) + norm(c.dv.radius) / norm(c.dv.middle);
+  };
+  const double turns = turn(a) + turn(b);
+  if (!(turns < kFlat)) return false;
+  const Vec3 na = unit(cross(a.du.middle, a.dv.middle));
+  const Vec3 nb = unit(cross(b.du.middle, b.dv.middle));
+  // A skew frame turns its normal by more than its sides turn.
+  const auto skew = [](const Cell& c) { return norm(cross(unit(c.du.middle), unit(c.dv.middle))); };
+  return norm(cross(na, nb)) <= 2 * turns / std::min(skew(a), skew(b));
+}
+
 std::array<int, 3> kept_columns(int left_out) {
   std::array<int, 3> kept{};
   std::size_t next = 0;
@@ -121,6 +138,14 @@ int JacobianBounds::best_column() const {
     }
   }
   return best;
+}
+
+int JacobianBounds::certified_column() const {
+  const int best = best_column();
+  if (minor(best).regular) return best;
+  for (int k = 0; k < 4; ++k)
+    if (k != best && minor(k).regular) return k;
+  return -1;
 }
 
 Minor JacobianBounds::minor(int left_out) const {

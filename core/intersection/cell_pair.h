@@ -22,6 +22,9 @@ bool separated_along(const Vec3& normal, const Cell& a, const Cell& b, int point
 /// within that distance of each other, seen along the slab's normal.
 bool within_slab(const Cell& a, const Cell& b, int points_a, int points_b, double thickness);
 
+/// True if both cells are nearly flat and some of their normals may be parallel.
+bool nearly_parallel(const Cell& a, const Cell& b);
+
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 
 /// The minor of J that leaves one column out, over a pair of cells.
@@ -54,6 +57,9 @@ class JacobianBounds {
 
   /// The column whose minor has the largest determinant in the middle, for unit columns.
   int best_column() const;
+
+  /// A column whose minor is regular, the best one if it is; -1 if none is.
+  int certified_column() const;
 
  private:
   std::array<VectorBounds, 4> columns_;

@@ -25,13 +25,9 @@ constexpr double kSlabPart = 1.0 / 1024;
 constexpr int kDeepest = 56;              // halvings of a patch: 2^-28 in each direction
 constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
 constexpr std::size_t kBatch = 128;       // pairs examined at the same time
-constexpr std::size_t kPairGrain = 64;    // pairs, and
+constexpr std::size_t kPairGrain = 16;    // pairs, and
 constexpr std::size_t kArcsGrain = 4;     // certified pairs that one thread examines in a row
 constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
-
-// Nearly parallel pairs this flat go to the search for contacts: the sines of the angles by which
-// the derivatives of both cells turn, added.
-constexpr double kFlat = 0.15;
 
 // Cells of one surface no farther apart than this many of their widths are near each other in it.
 constexpr double kNearDiagonal = 16;
@@ -41,6 +37,11 @@ struct Pair {
   int cell_a;
   int cell_b;
   int along;  // >= 0: already certified over this parameter, halved for its border only
+};
+
+struct Halving {
+  Pair pair;
+  bool halves_a;  // or b
 };
 
 struct CellsPair {
@@ -158,6 +159,7 @@ class Search {
       const bool certified = findings_[i].verdict == Verdict::Regular;
       apply(pairs[i], findings_[i], certified ? *held++ : std::nullopt);
     }
+    halve_pairs();
   }
 
   // What a pair proves by its bounds alone.
@@ -175,7 +177,7 @@ class Search {
     if (place.quadrics.is_common() && place.quadrics.coincide(a, b))
       return {place.quadrics.cover_each_other(a, b) ? Verdict::OneQuadric : Verdict::Mixed};
     if (pair.along >= 0) return {Verdict::Regular, pair.along};
-    const int along = certified_column(JacobianBounds(a, b));
+    const int along = JacobianBounds(a, b).certified_column();
     if (along >= 0) return {Verdict::Regular, along};
     if (place.quadrics.apart(a, b)) return {Verdict::Apart};
     if (itself() && beside_each_other(place, a, b)) return {Verdict::Apart};
@@ -270,7 +272,7 @@ class Search {
     if (thin || (a.depth >= kDeepest && b.depth >= kDeepest))
       keep(pair, thin);
     else
-      halve(pair);
+      halvings_.push_back({pair, halves_a(a, b)});
   }
 
   // Both patches are parts of one surface: the pair coincides in a rectangle or not at all.
@@ -284,22 +286,6 @@ class Search {
                           part.hull.low, part.hull.high, true};
     critical.shared = true;
     result_.critical.push_back(critical);
-  }
-
-  // True if both cells are nearly flat and some of their normals may be parallel.
-  static bool nearly_parallel(const Cell& a, const Cell& b) {
-    const auto turn = [](const Cell& c) {
-      return norm(c.du.radius) / norm(c.du.middle) + norm(c.dv.radius) / norm(c.dv.middle);
-    };
-    const double turns = turn(a) + turn(b);
-    if (!(turns < kFlat)) return false;
-    const Vec3 na = unit(cross(a.du.middle, a.dv.middle));
-    const Vec3 nb = unit(cross(b.du.middle, b.dv.middle));
-    // A skew frame turns its normal by more than its sides turn.
-    const auto skew = [](const Cell& c) {
-      return norm(cross(unit(c.du.middle), unit(c.dv.middle)));
-    };
-    return norm(cross(na, nb)) <= 2 * turns / std::min(skew(a), skew(b));
   }
 
   // What the pairs of two patches gave. Cells of a that some nearly parallel pair holds are
@@ -388,24 +374,27 @@ class Search {
       result_.grazes.push_back({place.patch_a, place.patch_b, x});
   }
 
-  static int certified_column(const JacobianBounds& bounds) {
-    const int best = bounds.best_column();
-    if (bounds.minor(best).regular) return best;
-    for (int k = 0; k < 4; ++k)
-      if (k != best && bounds.minor(k).regular) return k;
-    return -1;
+  static bool halves_a(const Cell& a, const Cell& b) {
+    return b.depth >= kDeepest || (a.depth < kDeepest && a.bend + kExtentWeight * a.extent >=
+                                                             b.bend + kExtentWeight * b.extent);
   }
 
-  void halve(const Pair& pair) {
-    const PatchPair& place = place_of(pair);
-    const Cell &a = cell_a(pair), &b = cell_b(pair);
-    const bool halve_a = b.depth >= kDeepest ||
-                         (a.depth < kDeepest &&
-                          a.bend + kExtentWeight * a.extent >= b.bend + kExtentWeight * b.extent);
-    const int child = halve_a ? place.tree_a->split(pair.cell_a) : place.tree_b->split(pair.cell_b);
-    for (int half = 0; half < 2; ++half)
-      stack_.push_back(halve_a ? Pair{pair.place, child + half, pair.cell_b, pair.along}
-                               : Pair{pair.place, pair.cell_a, child + half, pair.along});
+  // The cells of a batch in the order of its pairs, those of both surfaces at the same time.
+  void halve_pairs() {
+    const auto halve = [&](bool of_a) {
+      for (const auto& [pair, halves_a] : halvings_)
+        if (halves_a == of_a)
+          of_a ? place_of(pair).tree_a->split(pair.cell_a)
+               : place_of(pair).tree_b->split(pair.cell_b);
+    };
+    parallel_for(2, itself() ? 2 : 1, [&](std::size_t i) { halve(i == 0); });
+    for (const auto& [pair, halves_a] : halvings_) {
+      const int child = halves_a ? cell_a(pair).child : cell_b(pair).child;
+      for (int half = 0; half < 2; ++half)
+        stack_.push_back(halves_a ? Pair{pair.place, child + half, pair.cell_b, pair.along}
+                                  : Pair{pair.place, pair.cell_a, child + half, pair.along});
+    }
+    halvings_.clear();
   }
 
   void keep(const Pair& pair, bool thin) {
@@ -437,6 +426,7 @@ class Search {
   const bool one_is_whole_;  // of the surfaces, of a quadric
   std::vector<Pair> stack_;
   std::vector<Finding> findings_;  // about the batch at work
+  std::vector<Halving> halvings_;  // that it asks for
 };
 
 // Boxes of the patches' control points: cells are made of those patches only that meet another.

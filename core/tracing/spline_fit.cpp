@@ -148,10 +148,12 @@ void improve(const Sampled& samples, RunSpline& spline) {
 }  // namespace
 
 Vec7 value_at(const QuinticPoints& points, double t) {
-  QuinticPoints c = points;
-  for (std::size_t level = kFitDegree; level > 0; --level)
-    for (std::size_t i = 0; i < level; ++i) c[i] = (1 - t) * c[i] + t * c[i + 1];
-  return c[0];
+  const double s = 1 - t, s2 = s * s, t2 = t * t;
+  const Basis basis{s2 * s2 * s,      5 * s2 * s2 * t, 10 * s2 * s * t2,
+                    10 * s2 * t2 * t, 5 * s * t2 * t2, t2 * t2 * t};
+  Vec7 sum = basis[0] * points[0];
+  for (std::size_t i = 1; i < kOrder; ++i) sum += basis[i] * points[i];
+  return sum;
 }
 
 RunSpline least_squares_spline(const std::vector<QuinticPiece>& pieces,

@@ -4,14 +4,21 @@
 //
 // Every iteration does one of each, from two faces (surfaces) in memory to finished Open CASCADE
 // curves. Counters: milliseconds of both, their ratio, and the number of curves each returns.
+//
+//   bench_surface_intersection --write FOLDER    the pairs as cases for the programs in `peers`
 
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepTools.hxx>
 #include <GeomAPI_IntSS.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <TopoDS_Face.hxx>
@@ -33,6 +40,57 @@ double milliseconds_of(const auto& work) {
   work();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
       .count();
+}
+
+struct Row {
+  std::string name;
+  Cubic h;  // the pair meets where it vanishes
+};
+
+std::vector<Row> rows() {
+  const Cubic x = linear(-0.43, 1, 0), y = linear(-0.57, 0, 1), middle = linear(-0.5, 0, 1);
+  const Cubic line = linear(-0.6, 1, 0.2);
+  std::vector<Row> all{
+      {"transversal", linear(-0.5, 1, 0) + 0.3 * middle + 0.4 * (middle * middle)}};
+  for (const char* r : {"0.2", "0.1", "0.05", "0.02", "0.01", "0.005", "0.001"})
+    all.push_back({std::string("loop_") + r, testing::loop(0.43, 0.57, std::stod(r))});
+  all.push_back({"touch", testing::loop(0.43, 0.57, 0)});
+  all.push_back({"tangent_curve", line * line});
+  for (const char* e : {"1e-2", "1e-3", "1e-4"})
+    all.push_back({std::string("near_tangent_") + e,
+                   line * line + testing::constant(-std::stod(e) * std::stod(e))});
+  all.push_back({"crossing", x * y});
+  for (const char* d : {"1e-3", "1e-5"})
+    all.push_back({std::string("near_crossing_") + d, x * y + testing::constant(-std::stod(d))});
+  all.push_back({"node", y * y + -1.0 * (x * x * linear(-0.13, 1, 0))});
+  all.push_back({"cusp", y * y + -1.0 * (x * x * x)});
+  all.push_back({"acnode", testing::oval(0.3, 0.3, 0.6)});
+  all.push_back({"oval_and_branch", testing::oval(0.2, 0.4, 0.7)});
+  all.push_back({"small_oval_and_branch", testing::oval(0.3, 0.33, 0.7)});
+  all.push_back({"overlap", testing::constant(0)});
+  all.push_back({"near_disjoint", testing::loop(0.43, 0.57, 0) + testing::constant(1e-6)});
+  return all;
+}
+
+int write(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream list(folder / "cases.jsonl");
+  for (const Row& row : rows()) {
+    const testing::CubicPair pair = testing::cubic_pair(row.h);
+    const auto save = [&](const BezierSurface& surface, const std::string& name) {
+      const TopoDS_Face face =
+          BRepBuilderAPI_MakeFace(occt::to_occt(surface.patches(0, 0)), kTolerance);
+      BRepTools::Write(face, (folder / name).c_str());
+      return name;
+    };
+    list << nlohmann::json{{"name", row.name},
+                           {"a", save(pair.a, row.name + ".a.brep")},
+                           {"b", save(pair.b, row.name + ".b.brep")},
+                           {"size", 2},
+                           {"tolerance", kTolerance}}
+         << "\n";
+  }
+  return list ? 0 : 1;
 }
 
 void compare(benchmark::State& state, const Cubic& h) {
@@ -65,12 +123,9 @@ void compare(benchmark::State& state, const Cubic& h) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Cubic y = linear(-0.5, 0, 1);
-  benchmark::RegisterBenchmark("surface_intersection/transversal", compare,
-                               linear(-0.5, 1, 0) + 0.3 * y + 0.4 * (y * y));
-  for (const double r : {0.2, 0.1, 0.05, 0.02, 0.01, 0.005, 0.001})
-    benchmark::RegisterBenchmark(("surface_intersection/loop/" + std::to_string(r)).c_str(),
-                                 compare, testing::loop(0.43, 0.57, r));
+  if (argc == 3 && std::string(argv[1]) == "--write") return write(argv[2]);
+  for (const Row& row : rows())
+    benchmark::RegisterBenchmark(("surface_intersection/" + row.name).c_str(), compare, row.h);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -119,4 +119,10 @@ inline Cubic loop(double a, double b, double r, double scale = 1) {
                   constant(-r * r));
 }
 
+/// (y - 0.57)^2 - (x - from) (x - to) (x - branch): an oval over [from, to] and a branch beside it.
+inline Cubic oval(double from, double to, double branch) {
+  const Cubic y = linear(-0.57, 0, 1);
+  return y * y + -1.0 * (linear(-from, 1, 0) * linear(-to, 1, 0) * linear(-branch, 1, 0));
+}
+
 }  // namespace blossom::testing

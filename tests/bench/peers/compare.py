@@ -3,9 +3,11 @@
 """Scores the answers of all tools and compares their times with Blossom's.
 
     compare.py CASES_FOLDER OUT_FOLDER [SET]
+    compare.py --each OUT_FOLDER
 
 CASES_FOLDER has score.py and the folder SET (dev); OUT_FOLDER the .jsonl of occt_cases, sisl_cases.
-Ratios are over the cases that the tool gets right: its seconds by Blossom's seconds.
+Ratios are over the cases that the tool gets right: its seconds by Blossom's seconds. With --each
+nothing is scored: a line for every case, with the milliseconds and numbers of curves of all tools.
 """
 import json
 import pathlib
@@ -42,22 +44,38 @@ def compare(tool, right, theirs, ours):
     return f"{tool:14} {len(both):5} {median:8.1f} {quarter:8.1f} {last:8.2f} {len(slow):5}  {listed}"
 
 
+def each(out):
+    tools = {f.stem: {r["case"]: r for r in lines(f)} for f in sorted(out.glob("*.jsonl"))}
+    print(f"{'ms (curves)':24}" + "".join(f"{tool:>20}" for tool in tools))
+    for case in tools["blossom"]:
+        told = [
+            f"{1e3 * rows[case]['seconds']:.2f} ({len(rows[case]['curves'])})"
+            if rows[case]["status"] == "ok"
+            else rows[case]["status"]
+            for rows in tools.values()
+        ]
+        print(f"{case:24}" + "".join(f"{text:>20}" for text in told))
+
+
 def main():
+    if sys.argv[1] == "--each":
+        return each(pathlib.Path(sys.argv[2]))
     cases, out = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
     name = sys.argv[3] if len(sys.argv) > 3 else "dev"
-    ours = {row["case"]: row for row in lines(out / "blossom.jsonl")}
-    seconds = [row["seconds"] for row in ours.values()]
-    right = sum(scored(cases, name, out / "blossom.jsonl").values())
-    print(
-        f"blossom: {right} of {len(ours)} right, median {1e3 * statistics.median(seconds):.2f} ms, "
-        f"longest {1e3 * max(seconds):.0f} ms, all {sum(seconds):.1f} s"
-    )
-    print("tool           right   median  quarter     last  slow  (ours/theirs)")
-    for answers in sorted(out.glob("*.jsonl")):
-        if answers.stem == "blossom":
-            continue
-        theirs = {row["case"]: row for row in lines(answers) if row["case"] in ours}
-        print(compare(answers.stem, scored(cases, name, answers), theirs, ours))
+    peers = [file for file in sorted(out.glob("*.jsonl")) if not file.stem.startswith("blossom")]
+    right = {file: scored(cases, name, file) for file in peers}
+    for file in sorted(out.glob("blossom*.jsonl")):
+        ours = {row["case"]: row for row in lines(file)}
+        seconds = [row["seconds"] for row in ours.values()]
+        print(
+            f"{file.stem}: {sum(scored(cases, name, file).values())} of {len(ours)} right, "
+            f"median {1e3 * statistics.median(seconds):.2f} ms, "
+            f"longest {1e3 * max(seconds):.0f} ms, all {sum(seconds):.1f} s"
+        )
+        print("tool           right   median  quarter     last  slow  (ours/theirs)")
+        for peer in peers:
+            theirs = {row["case"]: row for row in lines(peer) if row["case"] in ours}
+            print(compare(peer.stem, right[peer], theirs, ours))
 
 
 if __name__ == "__main__":

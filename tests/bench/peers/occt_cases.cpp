@@ -3,7 +3,7 @@
 //
 //   occt_cases CASES_FOLDER OUT_FOLDER [--limit SECONDS] [--only PREFIX]
 //
-// Blossom works in one thread here, as the others do.
+// Blossom works in one thread, as the others do, and once more in as many as there are cores.
 
 #include <memory>
 
@@ -44,18 +44,19 @@ SampledCurve sampled(const Adaptor3d_Curve& curve) {
   return result;
 }
 
-Solver blossom_solver() {
+// threads   0: as many as there are cores
+Solver blossom_solver(const std::string& name, int threads) {
   struct State {
     std::vector<TopoDS_Face> a, b;
     IntersectionOptions options;
     occt::ShapeIntersection found;
   };
   const auto state = std::make_shared<State>();
-  const auto prepare = [state](const Pair& pair) {
+  const auto prepare = [state, threads](const Pair& pair) {
     state->a = {pair.a};
     state->b = {pair.b};
     state->options.tolerances.point = pair.tolerance;
-    state->options.threads = 1;
+    state->options.threads = threads;
   };
   const auto solve = [state] {
     state->found = occt::intersect(state->a, state->b, state->options);
@@ -73,7 +74,7 @@ Solver blossom_solver() {
     }
     return result;
   };
-  return {"blossom", prepare, solve, answer};
+  return {name, prepare, solve, answer};
 }
 
 Solver intss_solver() {
@@ -138,5 +139,7 @@ Solver section_solver() {
 
 int main(int argc, char** argv) {
   using namespace blossom::bench;
-  return run_cases(argc, argv, {blossom_solver(), intss_solver(), section_solver()});
+  return run_cases(argc, argv,
+                   {blossom_solver("blossom", 1), blossom_solver("blossom_all_cores", 0),
+                    intss_solver(), section_solver()});
 }

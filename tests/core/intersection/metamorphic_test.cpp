@@ -25,6 +25,7 @@ using testing::cubic_pair;
 using testing::CubicPair;
 using testing::linear;
 using testing::loop;
+using testing::oval;
 using testing::moved;
 using testing::Random;
 using testing::random_motion;
@@ -58,10 +59,6 @@ struct Row {
 
   bool regular() const { return places.empty(); }
 };
-
-Cubic oval(double from, double to, double branch) {
-  return kY * kY + -1.0 * (linear(-from, 1, 0) * linear(-to, 1, 0) * linear(-branch, 1, 0));
-}
 
 const std::vector<Row> kRows{
     {"transversal", linear(-0.5, 1, 0) + 0.3 * kMiddleY + 0.4 * (kMiddleY * kMiddleY), {.open = 1}},
