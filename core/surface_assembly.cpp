@@ -255,13 +255,24 @@ class Assembly {
     return found;
   }
 
-  // Short chains from a point of contact back to it, or on to a border that it reaches, are parts
-  // of it that happened to be certified.
+  // The contact that is a point and that a box meets, or -1.
+  int contact_at(const Box& box) const {
+    const double r = options_.tolerances.point;
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+      if (!contacts_[i].curve && meet(widened(contacts_[i].box, r), box))
+        return static_cast<int>(i);
+    return -1;
+  }
+
+  // Short chains from a point of contact back to it, or to or along a border that it reaches, are
+  // parts of it that happened to be certified.
   void drop_scraps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
     for (const Chain& chain : chains_of(found_, cells_a, cells_b, contacts_, clumps_)) {
       const auto [least, most_of_ends] = std::minmax(chain.ends[0].contact, chain.ends[1].contact);
-      const int contact = chain.closed ? contact_on(chain) : most_of_ends;
-      const bool both = chain.closed || least == contact;
+      const bool both = chain.closed || (least == most_of_ends && least >= 0);
+      const int contact = chain.closed        ? contact_on(chain)
+                          : most_of_ends >= 0 ? most_of_ends
+                                              : contact_at(end_box(cells_a, found_, chain));
       if (contact < 0 || (!both && least >= 0)) continue;
       const ContactChain& at = contacts_[static_cast<std::size_t>(contact)];
       // A clump ends somewhere near its point, a valley's contact exactly.

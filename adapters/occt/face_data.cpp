@@ -207,7 +207,19 @@ void move_short_parts(const IntersectionCurve& whole, std::vector<Interval>& par
   });
 }
 
-// What the curves of a result end in or another touch repeats is no touch of its own.
+// True if a listed contact in a point holds it.
+bool is_listed(const Vec3& point, const std::vector<Place>& places) {
+  constexpr std::array kPoints{PlaceKind::Touch, PlaceKind::Node, PlaceKind::Cusp, PlaceKind::Pole};
+  return std::ranges::any_of(places, [&](const Place& place) {
+    bool holds = std::ranges::find(kPoints, place.kind) != kPoints.end();
+    for (int k = 0; k < 3; ++k)
+      holds = holds && place.box_low[k] <= point[k] && point[k] <= place.box_high[k];
+    return holds;
+  });
+}
+
+// What the curves of a result end in, a listed contact holds or another touch repeats is no touch
+// of its own.
 void leave_new_ones(const SurfaceIntersection& found, std::vector<SurfacePoint>& touches) {
   std::vector<Vec3> known;
   for (const IntersectionCurve& curve : found.curves)
@@ -215,9 +227,10 @@ void leave_new_ones(const SurfaceIntersection& found, std::vector<SurfacePoint>&
   for (const auto* list : {&found.points, &found.nodes})
     for (const SurfacePoint& p : *list) known.push_back(p.point);
   std::erase_if(touches, [&](const SurfacePoint& touch) {
-    const bool is_known = std::any_of(known.begin(), known.end(), [&](const Vec3& p) {
-      return distance(p, touch.point) <= kSamePoint;
-    });
+    const bool is_known = is_listed(touch.point, found.places) ||
+                          std::any_of(known.begin(), known.end(), [&](const Vec3& p) {
+                            return distance(p, touch.point) <= kSamePoint;
+                          });
     if (!is_known) known.push_back(touch.point);
     return is_known;
   });
