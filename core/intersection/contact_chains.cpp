@@ -39,6 +39,7 @@ class Joiner {
       : found_(found), a_(a), b_(b), size_(size), tolerance_(tolerance) {}
 
   std::vector<ContactChain> run(std::vector<Clump>& clumps) {
+    move_above_borders(found_, a_, b_);
     drop_repeated();
     const std::size_t ends = 2 * found_.contacts.size();
     partner_.assign(ends, -1);

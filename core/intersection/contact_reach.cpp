@@ -71,6 +71,23 @@ std::array<bool, 2> move_to_pole(const RationalBezierPatch& patch, double& u, do
   return {norm(here.u) <= most && norm(here.v) > most, norm(here.v) <= most && norm(here.u) > most};
 }
 
+// Gives a piece to the patch of one surface above the border along which it runs; its parameters
+// there begin at `first`.
+void move_above(CellContact& piece, const SurfaceCells& cells, int& patch, std::size_t first) {
+  const BezierSurface& s = cells.surface();
+  const int rows = s.patches.rows(), columns = s.patches.columns();
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    const bool along = std::ranges::all_of(
+        piece.path, [&](const Point4& x) { return std::abs(x[first + k] - 1) <= kOnBorder; });
+    const int span = k == 0 ? cells.span_u(patch) : cells.span_v(patch);
+    const int count = k == 0 ? rows : columns;
+    if (!along || (span + 1 == count && !(k == 0 ? s.closed_u : s.closed_v))) continue;
+    const int step = (span + 1) % count - span;
+    patch += k == 0 ? step * columns : step;
+    for (Point4& x : piece.path) x[first + k] -= 1;
+  }
+}
+
 std::array<int, 4> spans_of(const SurfaceCells& a, const SurfaceCells& b, int patch_a,
                             int patch_b) {
   return {a.span_u(patch_a), a.span_v(patch_a), b.span_u(patch_b), b.span_v(patch_b)};
@@ -99,6 +116,13 @@ Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int 
           x[1] + a.span_v(from_a) - a.span_v(to.patch_a),
           x[2] + b.span_u(from_b) - b.span_u(to.patch_b),
           x[3] + b.span_v(from_b) - b.span_v(to.patch_b)};
+}
+
+void move_above_borders(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b) {
+  for (FoundContact& piece : found.contacts) {
+    move_above(piece.contact, a, piece.patch_a, 0);
+    move_above(piece.contact, b, piece.patch_b, 2);
+  }
 }
 
 bool jumps(const Point4& p, const Point4& q, const SurfaceCells& a, const SurfaceCells& b) {

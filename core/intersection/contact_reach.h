@@ -15,6 +15,10 @@ namespace blossom {
 Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int from_b,
                   const Point4& x, const ContactPoint& to);
 
+/// Pieces of contact along a border of patches are found from both sides of it, now from one and
+/// now from the other: they are given to the patches above.
+void move_above_borders(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b);
+
 /// True if two points near each other lie on two sides of a seam.
 bool jumps(const Point4& p, const Point4& q, const SurfaceCells& a, const SurfaceCells& b);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <TopLoc_Location.hxx>
@@ -73,6 +74,7 @@ void add_cones(std::vector<SingularRow>& rows) {
   rows.insert(
       rows.end(),
       {{"cones_of_one_apex", cone(O, Z, 10), cone(O, tilted(40), 10), 20 / c, 1e-6},
+       {"cylinder_through_apex", cone(O, Z, 10), cylinder({1, 0, 0}, Z, 1), 9.688448, 1e-6},
        {"cylinder_along_inside_of_cone", cone(O, Z, 10),
         cylinder({4.5 * s - 0.4 * c, 0, 4.5 * c + 0.4 * s}, tilted(30), 0.4, 3.5), 7, 1e-6}});
 }
@@ -109,14 +111,16 @@ class SingularPairs : public ::testing::TestWithParam<int> {
   void expect_settled(const TopoDS_Face& a, const TopoDS_Face& b) const {
     const ShapeIntersection found = intersect({a}, {b}, {.time_limit = kSeconds});
     double length = 0;
-    std::size_t nodes = 0;
+    std::size_t nodes = 0, points = 0;
     for (const FaceIntersection& pair : found.pairs) {
       nodes += pair.found.nodes.size();
+      points += pair.found.points.size();
       for (const IntersectionCurve& curve : pair.found.curves) length += curve.length;
     }
     EXPECT_LE(found.status, Status::Tolerance);
     EXPECT_NEAR(length, row().length, row().left_out * row().length);
     EXPECT_EQ(static_cast<int>(nodes), row().nodes);
+    EXPECT_EQ(points, 0);
   }
 };
 
@@ -185,6 +189,19 @@ INSTANTIATE_TEST_SUITE_P(Rows, TouchingThroughPoles,
                          [](const auto& which) {
                            return touching_rows()[static_cast<std::size_t>(which.param)].name;
                          });
+
+// Each piece of it is found from both sides of the torus's seam.
+TEST(TouchingAlongSeam, IsInFewPieces) {
+  const TopoDS_Face ball = sphere({5, 0, 0}, 2, Y)(0), tube = torus(O, 5, 2)(0);
+  for (const auto& [a, b] : {std::pair{ball, tube}, std::pair{tube, ball}}) {
+    const ShapeIntersection found = intersect({a}, {b}, {.time_limit = kSeconds});
+    ASSERT_EQ(found.pairs.size(), 1);
+    double length = 0;
+    for (const IntersectionCurve& curve : found.pairs[0].found.curves) length += curve.length;
+    EXPECT_NEAR(length, 4 * kPi, 1e-5);
+    EXPECT_LE(found.pairs[0].found.curves.size(), 2);
+  }
+}
 
 // The area inside of a boundary on a sphere about its centre, by a's parameters; a step over the
 // seam is none.
