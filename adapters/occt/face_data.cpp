@@ -207,13 +207,14 @@ void move_short_parts(const IntersectionCurve& whole, std::vector<Interval>& par
   });
 }
 
-// True if a listed contact in a point holds it.
+// True if a listed contact in a point holds it, or is no farther than its own size.
 bool is_listed(const Vec3& point, const std::vector<Place>& places) {
   constexpr std::array kPoints{PlaceKind::Touch, PlaceKind::Node, PlaceKind::Cusp, PlaceKind::Pole};
   return std::ranges::any_of(places, [&](const Place& place) {
+    const double size = distance(place.box_low, place.box_high);
     bool holds = std::ranges::find(kPoints, place.kind) != kPoints.end();
     for (int k = 0; k < 3; ++k)
-      holds = holds && place.box_low[k] <= point[k] && point[k] <= place.box_high[k];
+      holds = holds && place.box_low[k] - size <= point[k] && point[k] <= place.box_high[k] + size;
     return holds;
   });
 }

@@ -58,8 +58,8 @@ class Graph {
   std::vector<ArcEnd> loose() const {
     std::vector<ArcEnd> ends;
     for (std::size_t e = 0; e < points_.size(); ++e)
-      if (!dropped_[e / 2] && contact_of_[e] < 0 && ends_at(e).size() != 2 && !on_border(e) &&
-          !is_swapped(e))
+      if (!dropped_[e / 2] && contact_of_[e] < 0 && ends_at(e).size() != 2 &&
+          (!on_border(e) || runs_along_seam(e)) && !is_swapped(e))
         ends.push_back(e);
     return ends;
   }
@@ -217,6 +217,24 @@ class Graph {
     if (a_.outside(arc.patch_a, x[0], x[1]) || b_.outside(arc.patch_b, x[2], x[3]))
       return CurveEnd::Trim;
     return std::nullopt;
+  }
+
+  // An arc that runs along a seam lies on that border all the way: it is no reason to end there.
+  bool runs_along_seam(std::size_t end) const {
+    const BezierSurface &a = a_.surface(), &b = b_.surface();
+    const std::array closed{a.closed_u, a.closed_v, b.closed_u, b.closed_v};
+    const std::array spans{a.patches.rows(), a.patches.columns(), b.patches.rows(),
+                           b.patches.columns()};
+    bool along = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto at_end = [&](std::size_t e) {
+        return points_[e][i] <= kJoin || points_[e][i] >= spans[i] - kJoin;
+      };
+      if (!at_end(end)) continue;
+      if (!closed[i] || !at_end(end ^ 1)) return false;
+      along = true;
+    }
+    return along;
   }
 
   ChainEnd end_kind(std::size_t end, const std::vector<Clump>& clumps) const {

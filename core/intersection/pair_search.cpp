@@ -22,7 +22,7 @@ namespace {
 // A slab this part of the tolerance thick ends the search: below it, splitting would only tell
 // contacts apart that differ by less than the tolerance.
 constexpr double kSlabPart = 1.0 / 1024;
-constexpr int kDeepest = 56;              // halvings of a patch: 2^-28 in each direction
+constexpr int kDeepest = 60;              // halvings of a patch: 2^-30 in each direction
 constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
 constexpr std::size_t kBatch = 128;       // pairs examined at the same time
 constexpr std::size_t kPairGrain = 16;    // pairs, and
@@ -67,7 +67,18 @@ struct PatchPair {
   std::vector<CellsPair> parallel{};
 };
 
-enum class Verdict : char { Apart, Known, Coincident, OneQuadric, Regular, Parallel, Thin, Mixed };
+// On one quadric: a pair that covers each other or lies beside each other, or may do so.
+enum class Verdict : char {
+  Apart,
+  Known,
+  Coincident,
+  Over,
+  Beside,
+  Regular,
+  Parallel,
+  Thin,
+  Mixed
+};
 
 struct Finding {
   Verdict verdict = Verdict::Mixed;
@@ -174,8 +185,8 @@ class Search {
     if (const auto part = place.shared.part(a, b)) return {Verdict::Coincident, -1, part};
     if (place.quadrics.is_one())
       return {place.quadrics.coincide(a, b) ? Verdict::Thin : Verdict::Mixed};
-    if (place.quadrics.is_common() && place.quadrics.coincide(a, b))
-      return {place.quadrics.cover_each_other(a, b) ? Verdict::OneQuadric : Verdict::Mixed};
+    if (place.quadrics.is_common() && !place.shared.is_known() && place.quadrics.coincide(a, b))
+      return {place.quadrics.cover_each_other(a, b) ? Verdict::Over : Verdict::Beside};
     if (pair.along >= 0) return {Verdict::Regular, pair.along};
     const int along = JacobianBounds(a, b).certified_column();
     if (along >= 0) return {Verdict::Regular, along};
@@ -256,13 +267,15 @@ class Search {
       place.certified.push_back({pair.cell_a, pair.cell_b, box_of(a, b), std::move(*held)});
       return;
     }
-    if (finding.verdict == Verdict::Parallel || finding.verdict == Verdict::OneQuadric) {
+    const bool over = finding.verdict == Verdict::Over, beside = finding.verdict == Verdict::Beside;
+    if (over || beside || finding.verdict == Verdict::Parallel) {
       const bool known = place.shared.look_near(a, b);
       if (known)
         if (const auto part = place.shared.part(a, b)) return settle_shared(place, *part);
-      if (finding.verdict == Verdict::OneQuadric && !known) return keep(pair, true);
-      place.parallel.push_back({pair.cell_a, pair.cell_b});
-      return;
+      if (over || beside) return over && !known ? keep(pair, true) : halve(pair);
+      if (known || !place.quadrics.is_common() || !place.quadrics.is_steep(a, b))
+        return place.parallel.push_back({pair.cell_a, pair.cell_b});
+      return halve(pair);
     }
     pair.along = finding.along;
     const bool thin =
@@ -428,26 +441,6 @@ class Search {
   std::vector<Finding> findings_;  // about the batch at work
   std::vector<Halving> halvings_;  // that it asks for
 };
-
-// Boxes of the patches' control points: cells are made of those patches only that meet another.
-std::vector<Box> patch_boxes(const BezierSurface& surface) {
-  constexpr double kRounding = 16 * 0x1p-53;  // as much as cells allow for themselves
-  std::vector<Box> boxes;
-  boxes.reserve(surface.patches.values().size());
-  for (const RationalBezierPatch& patch : surface.patches.values()) {
-    Box box;
-    for (const Vec4& p : patch.points.values()) {
-      const double inverse = 1 / p[3];
-      for (int k = 0; k < 3; ++k) {
-        const double x = p[k] * inverse;
-        box.low[k] = std::min(box.low[k], x);
-        box.high[k] = std::max(box.high[k], x);
-      }
-    }
-    boxes.push_back(widened(box, kRounding * std::max(max_norm(box.low), max_norm(box.high))));
-  }
-  return boxes;
-}
 
 }  // namespace
 

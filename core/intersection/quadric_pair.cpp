@@ -73,9 +73,12 @@ QuadricPair::QuadricPair(const CellTree& a, const CellTree& b, QuadricBands& ban
   is_common_ = on_one && !one_is_whole;
 }
 
+bool QuadricPair::is_steep(const Cell& a, const Cell& b) const {
+  return band_b_->is_steep_in(a) && band_b_->is_steep_in(b);
+}
+
 bool QuadricPair::coincide(const Cell& a, const Cell& b) const {
-  return std::max(a.extent, b.extent) <= kSmallPart * size_ && band_b_->is_steep_in(a) &&
-         band_b_->is_steep_in(b);
+  return std::max(a.extent, b.extent) <= kSmallPart * size_ && is_steep(a, b);
 }
 
 bool QuadricPair::cover_each_other(const Cell& a, const Cell& b) const {

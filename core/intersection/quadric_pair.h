@@ -29,6 +29,9 @@ class QuadricPair {
   /// True if both patches lie on one quadric, and neither surface is known to be all of it.
   bool is_common() const { return is_common_; }
 
+  /// True if b's quadric is smooth all over both cells.
+  bool is_steep(const Cell& a, const Cell& b) const;
+
   /// Of patches on one quadric: true if the cells are so small that the whole surface passes
   /// through their common box once.
   bool coincide(const Cell& a, const Cell& b) const;

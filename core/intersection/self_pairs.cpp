@@ -14,7 +14,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kDeepest = 56;  // halvings of a patch, as in the search over pairs
+constexpr int kDeepest = 56;  // halvings of a patch: 2^-28 in each direction
 // Pairs of one generation, and how many more for a patch; singular curves have more.
 constexpr std::size_t kMostOpen = 32768;
 constexpr std::size_t kMostOpenPerPatch = 64;

@@ -29,6 +29,8 @@ class SharedCells {
   /// it is known.
   bool look_near(const Cell& a, const Cell& b);
 
+  bool is_known() const { return chart_.has_value(); }
+
   /// returns   nothing unless it is proven that the cells meet only where they coincide: b must be
   ///           a graph over a plane as far as the place of a
   std::optional<SharedPart> part(const Cell& a, const Cell& b) const;

@@ -62,4 +62,23 @@ bool SurfaceCells::monomial() const {
                      [](const auto& t) { return t && t->monomial(); });
 }
 
+std::vector<Box> patch_boxes(const BezierSurface& surface) {
+  constexpr double kRounding = 16 * 0x1p-53;  // as much as cells allow for themselves
+  std::vector<Box> boxes;
+  boxes.reserve(surface.patches.values().size());
+  for (const RationalBezierPatch& patch : surface.patches.values()) {
+    Box box;
+    for (const Vec4& p : patch.points.values()) {
+      const double inverse = 1 / p[3];
+      for (int k = 0; k < 3; ++k) {
+        const double x = p[k] * inverse;
+        box.low[k] = std::min(box.low[k], x);
+        box.high[k] = std::max(box.high[k], x);
+      }
+    }
+    boxes.push_back(widened(box, kRounding * std::max(max_norm(box.low), max_norm(box.high))));
+  }
+  return boxes;
+}
+
 }  // namespace blossom

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/bounds/box_tree.h"
 #include "core/forms/surface.h"
 #include "core/intersection/cell_tree.h"
 #include "core/intersection/options.h"
@@ -47,5 +48,9 @@ class SurfaceCells {
   PartTest part_;
   std::vector<std::unique_ptr<CellTree>> trees_;
 };
+
+/// Boxes of the patches' control points, with rounding: cells are made of those patches only that
+/// meet another.
+std::vector<Box> patch_boxes(const BezierSurface& surface);
 
 }  // namespace blossom

@@ -55,7 +55,7 @@ struct SingularRow {
 };
 
 void add_cylinders(std::vector<SingularRow>& rows) {
-  for (const double degrees : {10.0, 5.0}) {
+  for (const double degrees : {5.0, 2.0, 1.0}) {
     const double half = degrees * kPi / 360, long_axis = 2 / std::sin(half);
     const double height = 1.2 * long_axis + 2;
     const std::string at = "_at_" + std::to_string(static_cast<int>(degrees));
@@ -203,6 +203,22 @@ TEST(TouchingAlongSeam, IsInFewPieces) {
   }
 }
 
+TEST(PartsOfASphere, BesideEachOtherTouchAlongTheirBorder) {
+  const auto octant = [](double from) {
+    return face(new Geom_SphericalSurface(frame(O, Z, 0), 2), {from, from + kPi / 2}, {0, kPi / 2});
+  };
+  const TopoDS_Face a = octant(0), b = octant(kPi / 2);
+  for (const auto& [first, second] : {std::pair{a, b}, std::pair{b, a}}) {
+    const ShapeIntersection found = intersect({first}, {second}, {.time_limit = kSeconds});
+    EXPECT_EQ(found.status, Status::Tolerance);
+    ASSERT_EQ(found.pairs.size(), 1);
+    EXPECT_TRUE(found.pairs[0].found.overlaps.empty());
+    double length = 0;
+    for (const IntersectionCurve& curve : found.pairs[0].found.curves) length += curve.length;
+    EXPECT_NEAR(length, kPi, 1e-6);
+  }
+}
+
 // The area inside of a boundary on a sphere about its centre, by a's parameters; a step over the
 // seam is none.
 double area_on_sphere(const std::vector<SurfacePoint>& boundary, double r) {
@@ -214,13 +230,11 @@ double area_on_sphere(const std::vector<SurfacePoint>& boundary, double r) {
   return sum;
 }
 
-class HalfSpheres : public ::testing::TestWithParam<double> {};
-
-TEST_P(HalfSpheres, HaveALuneInCommonThatHoldsAPole) {
+TEST(HalfSpheres, HaveALuneInCommonThatHoldsAPole) {
   const gp_Dir axis(1, 2, 3);
   for (const bool turned : {false, true}) {
-    const TopoDS_Face a = half_sphere(turned ? axis : Z)(GetParam());
-    const TopoDS_Face b = half_sphere(turned ? Z : axis)(GetParam());
+    const TopoDS_Face a = half_sphere(turned ? axis : Z)(kSpin);
+    const TopoDS_Face b = half_sphere(turned ? Z : axis)(kSpin);
     const ShapeIntersection found = intersect({a}, {b}, {.time_limit = kSeconds});
 
     EXPECT_EQ(found.status, Status::Tolerance);
@@ -232,12 +246,10 @@ TEST_P(HalfSpheres, HaveALuneInCommonThatHoldsAPole) {
   }
 }
 
-TEST_P(HalfSpheres, AreSettledWithAPoleOnEachOthersBorder) {
-  const TopoDS_Face a = half_sphere(Z)(GetParam()), b = half_sphere(X)(GetParam());
+TEST(HalfSpheres, AreSettledWithAPoleOnEachOthersBorder) {
+  const TopoDS_Face a = half_sphere(Z)(kSpin), b = half_sphere(X)(kSpin);
   EXPECT_EQ(intersect({a}, {b}, {.time_limit = kSeconds}).status, Status::Tolerance);
 }
-
-INSTANTIATE_TEST_SUITE_P(Spins, HalfSpheres, ::testing::Values(0.0, kSpin));
 
 }  // namespace
 }  // namespace blossom::occt::analytic
