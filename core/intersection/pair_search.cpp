@@ -197,6 +197,8 @@ class Search {
       return {Verdict::Known};
     if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b)))
       return {Verdict::Parallel};
+    if (!itself() && place.quadrics.touch_all_over(a, b))
+      return {place.quadrics.cover_each_other(a, b) ? Verdict::Over : Verdict::Beside};
     return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};
   }
 

@@ -102,14 +102,14 @@ double largest_slope(const Quadric& q, const Vec3& low, const Vec3& high) {
 
 }  // namespace
 
-double QuadricBand::largest_over(const CellTree& tree) const {
-  const CellForm2 form = form_of(quadric_, tree[0], tree.shape());
+double QuadricBand::largest_over(const Cell& cell, const NetShape& shape) const {
+  const CellForm2 form = form_of(quadric_, cell, shape);
   double largest = 0;
   for (int k = 0; k < form.rows * form.columns; ++k) {
     const auto at = static_cast<std::size_t>(k);
     largest = std::max(largest, std::abs(form.value[at]) / form.weight[at]);
   }
-  return largest + error_of(quadric_, tree[0], tree.shape(), largest);
+  return largest + error_of(quadric_, cell, shape, largest);
 }
 
 std::optional<QuadricBand> QuadricBand::of(const CellTree& tree, double tolerance) {
@@ -119,14 +119,18 @@ std::optional<QuadricBand> QuadricBand::of(const CellTree& tree, double toleranc
   QuadricBand band;
   band.quadric_ = *quadric;
   band.tolerance_ = tolerance;
-  band.off_ = band.largest_over(tree);
+  band.off_ = band.largest_over(tree[0], tree.shape());
   band.half_ = band.off_ + tolerance * largest_slope(*quadric, tree[0].low - by, tree[0].high + by);
   return band;
 }
 
 bool QuadricBand::holds_tightly(const CellTree& other) const {
-  if (other.shape().plane_size() > kMostPoints) return false;
-  return off_ + largest_over(other) <= kTight * tolerance_;
+  return holds_tightly(other[0], other.shape());
+}
+
+bool QuadricBand::holds_tightly(const Cell& cell, const NetShape& shape) const {
+  if (shape.plane_size() > kMostPoints) return false;
+  return off_ + largest_over(cell, shape) <= kTight * tolerance_;
 }
 
 // The gradient is affine, so each entry has its extremes at corners.

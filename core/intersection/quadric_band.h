@@ -36,11 +36,16 @@ class QuadricBand {
   /// within half of the tolerance: where they are steep the patches are as close to each other.
   bool holds_tightly(const CellTree& other) const;
 
+  /// The same for a cell of another patch.
+  ///
+  /// shape       of the cell's net
+  bool holds_tightly(const Cell& cell, const NetShape& shape) const;
+
   /// True if values change by half of the distance at least, all over the cell's box.
   bool is_steep_in(const Cell& cell) const;
 
  private:
-  double largest_over(const CellTree& tree) const;
+  double largest_over(const Cell& cell, const NetShape& shape) const;
 
   Quadric quadric_;
   double half_ = 0;       // largest |q| in the band; about a distance

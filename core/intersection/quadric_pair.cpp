@@ -81,6 +81,11 @@ bool QuadricPair::coincide(const Cell& a, const Cell& b) const {
   return std::max(a.extent, b.extent) <= kSmallPart * size_ && is_steep(a, b);
 }
 
+bool QuadricPair::touch_all_over(const Cell& a, const Cell& b) const {
+  return band_a_ != nullptr && band_b_ != nullptr && coincide(a, b) &&
+         band_b_->holds_tightly(a, tree_a_.shape()) && band_a_->holds_tightly(b, tree_b_.shape());
+}
+
 bool QuadricPair::cover_each_other(const Cell& a, const Cell& b) const {
   if (std::max(a.extent, b.extent) <= kLeastPart * size_) return true;
   return holds_middle(tree_b_, b, tree_a_, a) || holds_middle(tree_a_, a, tree_b_, b);

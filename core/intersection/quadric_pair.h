@@ -36,8 +36,13 @@ class QuadricPair {
   /// through their common box once.
   bool coincide(const Cell& a, const Cell& b) const;
 
-  /// Of patches on one quadric: true if the cells also have the middle of one of them in common, or
-  /// are too small to tell more of the border of what the patches have in common.
+  /// Of patches on two quadrics that hardly differ there: the same for cells that lie within half
+  /// of the tolerance of the other one's quadric.
+  bool touch_all_over(const Cell& a, const Cell& b) const;
+
+  /// Where surfaces coincide or touch all over: true if the cells also have the middle of one of
+  /// them in common, or are too small to tell more of the border of what the patches have in
+  /// common.
   bool cover_each_other(const Cell& a, const Cell& b) const;
 
   /// True if the equation of one patch proves that the other one's cell does not come close to it.

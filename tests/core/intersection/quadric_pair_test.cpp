@@ -57,6 +57,31 @@ TEST(WholeQuadric, IsNoneWithABorderOrAnotherPatch) {
   EXPECT_FALSE(is_whole(egg));
 }
 
+// The first small enough cell at the pole.
+Cell pole_cell(CellTree& tree) {
+  int cell = 0;
+  while (tree[cell].extent > 0.1) {
+    const int child = tree.split(cell);
+    cell = tree[child].v.to == 1 ? child : child + 1;
+  }
+  return tree[cell];
+}
+
+TEST(QuadricPair, TouchesAllOverAPoleOnlyIfTheQuadricsHardlyDifferThere) {
+  const BezierSurface a = turned_round(sphere_octant({}, 2), false);
+  for (const double up : {1e-8, 1e-6}) {
+    const BezierSurface b = turned_round(sphere_octant({0, 0, up}, 2), false);
+    SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
+    QuadricBands bands(1e-7);
+    const QuadricPair pair(cells_a.tree(0), cells_b.tree(0), bands, false, 4);
+    const Cell cell_a = pole_cell(cells_a.tree(0)), cell_b = pole_cell(cells_b.tree(0));
+
+    EXPECT_EQ(pair.touch_all_over(cell_a, cell_b), up < 1e-7);
+    EXPECT_TRUE(pair.cover_each_other(cell_a, cell_b));
+    EXPECT_FALSE(pair.touch_all_over(cells_a.tree(0)[0], cell_b));  // too large
+  }
+}
+
 TEST(QuadricPair, AWholeSphereCoincidesWithItselfWhateverTheAxis) {
   const BezierSurface a = turned_round(sphere_octant({}, 2), true);
   BezierSurface b = a;
