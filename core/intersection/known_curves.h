@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "core/bounds/box_tree.h"
@@ -20,7 +21,7 @@ class KnownCurves {
   /// origin   taken away from the curves' points, as from the cells
   KnownCurves(const std::vector<KnownCurve>& curves, const Vec3& origin);
 
-  bool empty() const { return links_.empty(); }
+  bool empty() const { return capsules_.empty(); }
 
   /// True if all of the box is seen to lie within the curves' radii of them.
   bool hold(const Box& box) const;
@@ -40,17 +41,34 @@ class KnownCurves {
   bool compare_with(double extent) const { return extent <= kMostRadii * widest_; }
 
  private:
-  struct Link {
-    Vec3 from, to;
-    double radius;
+  // A piece of a polygon with all that lies within a radius of it.
+  struct Capsule {
+    Vec3 from, step;
+    double inverse_square;  // of the step's length; 0 for a point
+    double square_radius;
+
+    bool holds(const Vec3& p) const {
+      const Vec3 aside = p - from;
+      const Vec3 rest = aside - std::clamp(dot(aside, step) * inverse_square, 0.0, 1.0) * step;
+      return dot(rest, rest) <= square_radius;
+    }
+    bool holds(const Box& box) const;
+  };
+  // Capsules that follow one another, so that most points are seen to be far from all of them.
+  struct Run {
+    Box box;
+    std::size_t first, last;
   };
 
+  void add(const KnownCurve& curve, const Vec3& origin);
+  template <class Wanted>
+  bool any_round(const Vec3& p, Wanted wanted) const;
   bool hold(const Box& box, int halvings) const;
-  static bool holds_corners(const Link& link, const Box& box);
 
   static constexpr double kMostRadii = 16;
 
-  std::vector<Link> links_;
+  std::vector<Capsule> capsules_;
+  std::vector<Run> runs_;
   double widest_ = 0;
 };
 
