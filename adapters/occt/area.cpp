@@ -5,14 +5,22 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_SweptSurface.hxx>
+#include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
+#include "adapters/occt/curves_detail.h"
 #include "adapters/occt/face_trims.h"
+#include "adapters/occt/surfaces_detail.h"
+#include "core/forms/iso_line.h"
 #include "core/math/quadrature.h"
 
 namespace blossom::occt {
@@ -24,6 +32,9 @@ constexpr double kCoordinateRounding = 1e-15;
 // Of the size of values: the integral of noise cannot be had any better, and cells as small as a
 // thousandth of the tolerance are not to see it.
 constexpr double kValueRounding = 1e-12;
+// Of the height of the trims: gaps as low as this are the rounding of coordinates. What they add is
+// below the tolerance unless the density there is a thousand times its mean.
+constexpr double kNoHeight = 1e-14;
 
 // A value, and what its rounding is relative to: more, where it is a difference.
 struct Sample {
@@ -32,26 +43,138 @@ struct Sample {
 };
 
 // What is integrated over the chart: by point and normal S_u x S_v.
-using Integrand = std::function<Sample(const gp_Pnt&, const gp_Vec&)>;
+using Integrand = std::function<Sample(const Vec3&, const Vec3&)>;
+
+// The surface of a face. Splines, and what is swept from them, are taken in Bezier form, since to
+// look up spans and expand them anew for every point takes many times longer.
+class AreaSurface {
+ public:
+  AreaSurface(const TopoDS_Face& face, const ParameterBox& box);
+
+  /// Where the surface is less than smooth along u or v, with the ends of the box.
+  std::vector<double> knots(Along along) const;
+
+ private:
+  friend class AreaLine;
+  static BezierSurface spans_of(const Handle(Geom_Surface) & surface, const ParameterBox& box);
+
+  ParameterBox box_;
+  GeomAdaptor_Surface adaptor_;
+  BezierSurface spans_;  // none where the surface itself is as quick, or no exact form is known
+};
+
+AreaSurface::AreaSurface(const TopoDS_Face& face, const ParameterBox& box) : box_(box) {
+  const Handle(Geom_Surface) surface = basis_of(BRep_Tool::Surface(face));
+  adaptor_.Load(surface, box.u.from, box.u.to, box.v.from, box.v.to);
+  const ParameterBox natural = natural_bounds(*surface);
+  const auto common = [](const Interval& a, const Interval& b) {
+    return Interval{std::max(a.from, b.from), std::min(a.to, b.to)};
+  };
+  const ParameterBox inside{common(box.u, natural.u), common(box.v, natural.v)};
+  if (inside.u.from < inside.u.to && inside.v.from < inside.v.to)
+    spans_ = spans_of(surface, inside);
+}
+
+BezierSurface AreaSurface::spans_of(const Handle(Geom_Surface) & surface, const ParameterBox& box) {
+  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface); !spline.IsNull())
+    return spline_patches(*spline, box);
+  if (const auto bezier = Handle(Geom_BezierSurface)::DownCast(surface); !bezier.IsNull())
+    return spline_patches(*bezier, box);
+  if (Handle(Geom_SweptSurface)::DownCast(surface).IsNull()) return {};
+  BezierSurface swept = swept_patches(surface, box, Precision::Confusion());
+  return swept.error == 0 ? swept : BezierSurface{};
+}
+
+std::vector<double> AreaSurface::knots(Along along) const {
+  const bool u = along == Along::U;
+  if (!spans_.patches.empty()) {
+    std::vector<double> knots = u ? spans_.u_knots : spans_.v_knots;
+    const Interval& side = u ? box_.u : box_.v;
+    knots.front() = side.from;
+    knots.back() = side.to;
+    return knots;
+  }
+  const int count = u ? adaptor_.NbUIntervals(GeomAbs_CN) : adaptor_.NbVIntervals(GeomAbs_CN);
+  TColStd_Array1OfReal ends(1, count + 1);
+  if (u)
+    adaptor_.UIntervals(ends, GeomAbs_CN);
+  else
+    adaptor_.VIntervals(ends, GeomAbs_CN);
+  return {ends.begin(), ends.end()};
+}
+
+// A line of the surface along x at a constant y, over the span round some x.
+class AreaLine {
+ public:
+  AreaLine(const AreaSurface& surface, Along along, double y, double x)
+      : surface_(surface), along_(along), y_(y) {
+    const BezierSurface& spans = surface.spans_;
+    if (spans.patches.empty()) return;
+    const bool u = along == Along::U;
+    const Span of_u(spans.u_knots, spans.u_law, u ? x : y);
+    const Span of_v(spans.v_knots, spans.v_law, u ? y : x);
+    const Span& across = u ? of_v : of_u;
+    x_ = u ? of_u : of_v;
+    y_rate_ = across.rate(across.local(y));
+    line_.emplace(spans.patches(of_u.number, of_v.number), along, across.local(y));
+  }
+
+  Sample sample(const Integrand& integrand, double x) const {
+    if (line_) {
+      const double t = x_.local(x);
+      const PatchJet jet = line_->jet(t);
+      return integrand(jet.point, (x_.rate(t) * y_rate_) * cross(jet.u, jet.v));
+    }
+    gp_Pnt point;
+    gp_Vec du, dv;
+    const bool u = along_ == Along::U;
+    surface_.adaptor_.D1(u ? x : y_, u ? y_ : x, point, du, dv);
+    return integrand(to_vec(point), to_vec(du.Crossed(dv).XYZ()));
+  }
+
+ private:
+  // A span of the knots; the nearest one, as it goes on, for a parameter outside of all.
+  struct Span {
+    Interval range;
+    ParameterLaw law = ParameterLaw::Linear;
+    int number = 0;
+
+    Span() = default;
+    Span(const std::vector<double>& knots, ParameterLaw of, double parameter) : law(of) {
+      const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
+      range = {*(after - 1), *after};
+      number = static_cast<int>(after - knots.begin()) - 1;
+    }
+    double local(double parameter) const { return local_parameter(law, range, parameter); }
+    // Of the local parameter by the surface's own one.
+    double rate(double t) const { return 1 / parameter_derivative(law, range, t); }
+  };
+
+  const AreaSurface& surface_;
+  Along along_;
+  double y_;
+  Span x_;
+  double y_rate_ = 1;
+  std::optional<IsoLine> line_;
+};
 
 // The surface over the box of the trims. The inner integral runs along the direction with fewer
 // spans, called x; the other one is y.
 class Density {
  public:
-  Density(const FaceTrims& trims, Integrand integrand) : integrand_(std::move(integrand)) {
-    for (int k = 0; k < 2; ++k) {
-      low_[k] = trims.box.low[k] / trims.scale[k];
-      high_[k] = trims.box.high[k] / trims.scale[k];
-    }
-    surface_.Load(BRep_Tool::Surface(trims.face), low_[0], high_[0], low_[1], high_[1]);
-    const std::vector<double> u = knots(true), v = knots(false);
+  Density(const FaceTrims& trims, Integrand integrand)
+      : integrand_(std::move(integrand)),
+        low_{trims.box.low[0] / trims.scale[0], trims.box.low[1] / trims.scale[1]},
+        high_{trims.box.high[0] / trims.scale[0], trims.box.high[1] / trims.scale[1]},
+        surface_(trims.face, {{low_[0], high_[0]}, {low_[1], high_[1]}}) {
+    const std::vector<double> u = surface_.knots(Along::U), v = surface_.knots(Along::V);
     inner_ = u.size() <= v.size() ? 0 : 1;
     x_knots_ = inner_ == 0 ? u : v;
     y_knots_ = inner_ == 0 ? v : u;
     double rough = 0, size = 0;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) {
-        const Sample sample = sample_at((i + 0.5) / 4, (j + 0.5) / 4);
+        const Sample sample = sample_at(i, j);
         rough += std::abs(sample.value) / 16;
         size += sample.size / 16;
       }
@@ -74,12 +197,14 @@ class Density {
   // over `height` in y: the lower that is, the less exact it has to be. Where a surface has a span
   // of rounding's width its normals are noise, of which no accuracy can be had.
   double strip(double x, double y, double height, int cells) const {
-    auto density = [&](double s) { return inner_ == 0 ? value(s, y) : value(y, s); };
     const double tolerance = tolerance_ / std::max(height, 1e-300);
     double sum = 0;
+    if (x == x_knots_.front()) return sum;
     for (std::size_t i = 0; i + 1 < x_knots_.size(); ++i) {
       const double to = i + 2 == x_knots_.size() ? x : std::min(x_knots_[i + 1], x);
       if (i > 0 && x_knots_[i] >= x) break;
+      const AreaLine line(surface_, along(), y, 0.5 * (x_knots_[i] + x_knots_[i + 1]));
+      auto density = [&](double s) { return line.sample(integrand_, s).value; };
       for (int k = 0; k < cells; ++k) {
         const double from = x_knots_[i], step = (to - from) / cells;
         sum += integral(density, from + k * step, from + (k + 1) * step, tolerance).value;
@@ -89,31 +214,17 @@ class Density {
   }
 
  private:
-  // Where the surface is less than smooth along u or v.
-  std::vector<double> knots(bool along_u) const {
-    const int count =
-        along_u ? surface_.NbUIntervals(GeomAbs_CN) : surface_.NbVIntervals(GeomAbs_CN);
-    TColStd_Array1OfReal ends(1, count + 1);
-    if (along_u)
-      surface_.UIntervals(ends, GeomAbs_CN);
-    else
-      surface_.VIntervals(ends, GeomAbs_CN);
-    return {ends.begin(), ends.end()};
-  }
-  Sample sample(double u, double v) const {
-    gp_Pnt point;
-    gp_Vec du, dv;
-    surface_.D1(u, v, point, du, dv);
-    return integrand_(point, du.Crossed(dv));
-  }
-  double value(double u, double v) const { return sample(u, v).value; }
-  Sample sample_at(double s, double t) const {
-    return sample(low_[0] + s * (high_[0] - low_[0]), low_[1] + t * (high_[1] - low_[1]));
+  Along along() const { return inner_ == 0 ? Along::U : Along::V; }
+  // In the middle of one of 4 x 4 cells.
+  Sample sample_at(int i, int j) const {
+    const Vec2 at =
+        low_ + Vec2{(i + 0.5) / 4 * (high_[0] - low_[0]), (j + 0.5) / 4 * (high_[1] - low_[1])};
+    return AreaLine(surface_, Along::U, at[1], at[0]).sample(integrand_, at[0]);
   }
 
   Integrand integrand_;
-  GeomAdaptor_Surface surface_;
   Vec2 low_, high_;
+  AreaSurface surface_;
   std::vector<double> x_knots_, y_knots_;  // of the surface inside the box, the box's ends too
   int inner_ = 0;
   double tolerance_ = 0;
@@ -123,7 +234,7 @@ class Density {
 double across(const Vec2& from, const Vec2& to, const FaceTrims& trims, const Density& density) {
   const int x = density.inner(), y = 1 - x;
   const double dy = (to[y] - from[y]) / trims.scale[y];
-  if (dy == 0) return 0;
+  if (std::abs(dy) <= kNoHeight * density.height()) return 0;
   auto rate = [&](double t) {
     const Vec2 point = (1 - t) * from + t * to;
     return density.strip(point[x] / trims.scale[x], point[y] / trims.scale[y], std::abs(dy), 1) *
@@ -203,19 +314,18 @@ double integral_over(const TopoDS_Face& face, const Integrand& integrand, int ce
 double area(const TopoDS_Face& face, int cells) {
   return integral_over(
       face,
-      [](const gp_Pnt&, const gp_Vec& normal) {
-        return Sample{normal.Magnitude(), 0};
+      [](const Vec3&, const Vec3& normal) {
+        return Sample{norm(normal), 0};
       },
       cells);
 }
 
 double cone_volume(const TopoDS_Face& face, const Vec3& apex) {
-  const gp_Pnt origin(apex[0], apex[1], apex[2]);
   const double volume = integral_over(
       face,
-      [&](const gp_Pnt& point, const gp_Vec& normal) {
-        const double reach = point.XYZ().Modulus() + origin.XYZ().Modulus();
-        return Sample{gp_Vec(origin, point).Dot(normal) / 3, reach * normal.Magnitude() / 3};
+      [&](const Vec3& point, const Vec3& normal) {
+        const double reach = norm(point) + norm(apex);
+        return Sample{dot(point - apex, normal) / 3, reach * norm(normal) / 3};
       },
       1);
   return face.Orientation() == TopAbs_REVERSED ? -volume : volume;

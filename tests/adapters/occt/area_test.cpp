@@ -9,8 +9,11 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
@@ -20,6 +23,8 @@
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
+
+#include "core/math/quadrature.h"
 
 namespace blossom::occt {
 namespace {
@@ -64,6 +69,49 @@ TEST(Area, ChangesByLessThan1e10WhenCellsAreDivided) {
   const TopoDS_Face face = wave();
   const double found = area(face);
   for (const int cells : {2, 3, 5}) EXPECT_NEAR(area(face, cells), found, 1e-10 * found);
+}
+
+// The integral over the cells between knots, taken with Open CASCADE's derivatives.
+double area_by_cells(const Geom_BSplineSurface& surface) {
+  double sum = 0;
+  const auto density = [&](double u, double v) {
+    gp_Pnt point;
+    gp_Vec du, dv;
+    surface.D1(u, v, point, du, dv);
+    return du.Crossed(dv).Magnitude();
+  };
+  for (int i = 1; i < surface.NbUKnots(); ++i)
+    for (int j = 1; j < surface.NbVKnots(); ++j)
+      sum += integral(
+                 [&](double v) {
+                   return integral([&](double u) { return density(u, v); }, surface.UKnot(i),
+                                   surface.UKnot(i + 1), 1e-11)
+                       .value;
+                 },
+                 surface.VKnot(j), surface.VKnot(j + 1), 1e-11)
+                 .value;
+  return sum;
+}
+
+TEST(Area, OfASplineIsTheSumOverItsCells) {
+  const TopoDS_Face face = wave();
+  const double expected =
+      area_by_cells(*Handle(Geom_BSplineSurface)::DownCast(BRep_Tool::Surface(face)));
+  EXPECT_NEAR(area(face), expected, 1e-10 * expected);
+}
+
+// The patches of a periodic spline go on over its seam.
+TEST(Area, OfAPeriodicSplineDoesNotDependOnTheSeam) {
+  Handle(Geom_BSplineSurface) tube =
+      GeomConvert::SurfaceToBSplineSurface(new Geom_RectangularTrimmedSurface(
+          new Geom_ToroidalSurface(gp_Ax3(), 3, 1), 0, 2 * kPi, 0, 2 * kPi));
+  tube->SetUPeriodic();
+  tube->SetVPeriodic();
+  double u0, u1, v0, v1;
+  tube->Bounds(u0, u1, v0, v1);
+  const TopoDS_Face face =
+      BRepBuilderAPI_MakeFace(tube, u0 + 0.3 * (u1 - u0), u0 + 1.3 * (u1 - u0), v0, v1, 1e-7);
+  EXPECT_NEAR(area(face), 12 * kPi * kPi, 1e-11 * 12 * kPi * kPi);
 }
 
 // A value that is nothing but rounding has no digits to halve cells for.
