@@ -8,6 +8,8 @@
 #include <limits>
 
 #include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 
 namespace blossom::occt {
 namespace {
@@ -31,6 +33,39 @@ bool is_near(const PlanarCurve& curve, double s, double t, double reach) {
          distance(point, point_at(curve, 0.5 * (s + t))) <= reach;
 }
 
+// Loops that touch in a vertex have a corner each there; one stands for all, so that what ends in
+// the vertex meets them all. Not at edges that the face uses twice: their two sides lie in one
+// place and stay apart by their corners alone.
+void join_corners(FaceTrims& trims, double tolerance) {
+  std::vector<TopoDS_Vertex> shapes(trims.corners.size());
+  std::vector<bool> apart(trims.corners.size());
+  TopTools_IndexedMapOfShape edges;
+  for (auto& loop : trims.loops)
+    for (const Coedge& of : loop) {
+      const int count = edges.Extent();
+      const bool twice = edges.Add(of.edge) <= count;
+      if (twice)
+        apart[static_cast<std::size_t>(of.from)] = apart[static_cast<std::size_t>(of.to)] = true;
+      shapes[static_cast<std::size_t>(of.from)] =
+          of.reversed() ? TopExp::LastVertex(of.edge) : TopExp::FirstVertex(of.edge);
+    }
+  std::vector<int> kept(trims.corners.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    kept[i] = static_cast<int>(i);
+    for (std::size_t k = 0; k < i && !apart[i]; ++k)
+      if (!apart[k] && shapes[k].IsSame(shapes[i]) &&
+          distance(trims.corners[k], trims.corners[i]) <= tolerance) {
+        kept[i] = kept[k];
+        break;
+      }
+  }
+  for (auto& loop : trims.loops)
+    for (Coedge& of : loop) {
+      of.from = kept[static_cast<std::size_t>(of.from)];
+      of.to = kept[static_cast<std::size_t>(of.to)];
+    }
+}
+
 }  // namespace
 
 FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, EdgeSplits& splits,
@@ -40,6 +75,7 @@ FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, E
       cuts_(std::move(cuts)),
       splits_(splits),
       tolerance_(tolerance) {
+  join_corners(trims_, tolerance_);
   for (const Vec2& corner : trims_.corners) vertices_.push_back({corner, -1, -1, -1});
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {

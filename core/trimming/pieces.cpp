@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace blossom {
 namespace {
@@ -35,6 +37,28 @@ bool is_inside(std::span<const ChartArc> arcs, const Cycle& cycle) {
   });
 }
 
+// The cycle in parts that come to no vertex twice: where a hole touches the outer loop or another
+// hole in a vertex, the walk round the piece goes through it once for each of them.
+std::vector<Cycle> simple_parts(std::span<const ChartArc> arcs, const Cycle& cycle) {
+  const auto vertex = [&](const HalfEdge& edge, bool start) {
+    const ChartArc& arc = arcs[static_cast<std::size_t>(edge.arc)];
+    return edge.reversed != start ? arc.from : arc.to;
+  };
+  std::vector<Cycle> parts;
+  Cycle open;
+  for (const HalfEdge& edge : cycle) {
+    open.push_back(edge);
+    const int end = vertex(edge, false);
+    const auto last = std::find_if(open.rbegin(), open.rend(), [&](const HalfEdge& known) {
+      return vertex(known, true) == end;
+    });
+    if (last == open.rend()) continue;
+    parts.emplace_back(last.base() - 1, open.end());
+    open.erase(last.base() - 1, open.end());
+  }
+  return parts;
+}
+
 struct Outer {
   std::size_t piece = 0;
   std::size_t component = 0;
@@ -45,6 +69,17 @@ constexpr std::size_t kNoComponent = static_cast<std::size_t>(-1);
 
 const ChartArc& first_arc(std::span<const ChartArc> arcs, const Cycle& cycle) {
   return arcs[static_cast<std::size_t>(cycle.front().arc)];
+}
+
+// Of the parts one goes round the others.
+ChartPiece piece_of(std::span<const ChartArc> arcs, std::vector<Cycle> parts) {
+  const auto outer = std::max_element(
+      parts.begin(), parts.end(),
+      [&](const Cycle& a, const Cycle& b) { return signed_area(arcs, a) < signed_area(arcs, b); });
+  ChartPiece piece{std::move(*outer), {}, {}};
+  parts.erase(outer);
+  piece.holes = std::move(parts);
+  return piece;
 }
 
 // The smallest piece round an arc, but none that a part of the arrangement bounds.
@@ -70,15 +105,16 @@ ChartPieces pieces(std::span<const ChartArc> arcs) {
   result.dangling = std::move(all.dangling);
   std::vector<Outer> outers;
   std::vector<Cycle> holes;
-  for (Cycle& cycle : all.cycles) {
+  for (const Cycle& cycle : all.cycles) {
     if (!is_inside(arcs, cycle)) continue;
     const double area = signed_area(arcs, cycle);
+    std::vector<Cycle> parts = simple_parts(arcs, cycle);
     if (area <= 0) {
-      holes.push_back(std::move(cycle));
+      std::move(parts.begin(), parts.end(), std::back_inserter(holes));
       continue;
     }
     outers.push_back({result.pieces.size(), components.of(first_arc(arcs, cycle)), area});
-    result.pieces.push_back({std::move(cycle), {}, {}});
+    result.pieces.push_back(piece_of(arcs, std::move(parts)));
   }
   std::sort(outers.begin(), outers.end(),
             [](const Outer& a, const Outer& b) { return a.area < b.area; });

@@ -12,7 +12,7 @@ namespace blossom {
 
 struct ChartPiece {
   Cycle outer;               ///< counter-clockwise
-  std::vector<Cycle> holes;  ///< clockwise
+  std::vector<Cycle> holes;  ///< clockwise; each touches others in vertices at most
   std::vector<int> inner;    ///< cuts inside that divide nothing
 };
 
@@ -26,7 +26,8 @@ struct ChartPieces {
 ///
 /// A cycle that walks a border arc backwards lies outside of the face. Of the others, the
 /// counter-clockwise ones bound pieces; a clockwise one is a hole of the smallest piece that
-/// goes round it and has no arc connected to it. A cut that divides nothing lies in the smallest
+/// goes round it and has no arc connected to it. Cycles that come to a vertex twice are loops that
+/// touch there: each becomes one of its own. A cut that divides nothing lies in the smallest
 /// piece round its middle.
 ///
 /// arcs      borders and cuts; they meet only at vertices, cuts lie inside the borders

@@ -186,6 +186,19 @@ TEST(Pieces, CutThatTouchesTheRimInAVertexDividesThere) {
   expect_areas(square, {kPi, 16 - kPi});
 }
 
+TEST(Pieces, LoopsThatTouchInAVertexAreHolesOfTheirOwn) {
+  Square square({{2}, {}, {}, {}});  // vertex 4 = (2, 0)
+  square.cut(4, 4, arc({2, 0.5}, 0.5, -kPi / 2, 1.5 * kPi));
+  square.cut(5, 5, arc({1, 2}, 0.5, 0, 2 * kPi));  // from (1.5, 2)
+  square.cut(5, 5, arc({2, 2}, 0.5, kPi, 3 * kPi));
+  expect_areas(square, {kPi / 4, kPi / 4, kPi / 4, 16 - 0.75 * kPi});
+  for (const ChartPiece& piece : pieces(square.arcs).pieces) {
+    const bool around = signed_area(square.arcs, piece.outer) > 1;
+    EXPECT_EQ(piece.outer.size(), around ? 5U : 1U);
+    EXPECT_EQ(piece.holes.size(), around ? 3U : 0U);
+  }
+}
+
 TEST(Pieces, SayWhenAHoleLiesOutsideOfTheFace) {
   Square square;
   square.arcs.push_back({4, 4, arc({9, 2}, 0.5, 2 * kPi, 0), true});
