@@ -17,7 +17,10 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/curve_queries.h"
+#include "adapters/occt/curves.h"
 #include "adapters/occt/edge_images.h"
+#include "core/bounds/box_tree.h"
+#include "core/forms/curve_spans.h"
 
 namespace blossom::occt {
 namespace {
@@ -86,25 +89,48 @@ bool has_overlap(const FaceIntersection& pair) {
                      [](const Place& place) { return place.kind == PlaceKind::Overlap; });
 }
 
-bool is_near(const gp_Pnt& point, const std::vector<TopoDS_Edge>& edges, double reach) {
-  return std::any_of(edges.begin(), edges.end(), [&](const TopoDS_Edge& edge) {
-    return foot_on(curve_of(edge), point).distance <= reach;
+// Edges with boxes of all that is within reach of them.
+struct BoxedEdge {
+  TopoDS_Edge edge;
+  Box box;
+};
+
+std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, double reach) {
+  std::vector<BoxedEdge> all;
+  for (const TopoDS_Edge& edge : edges) {
+    const EdgeCurve of = curve_of(edge);
+    const CurveSpans spans = bezier_spans(of.curve, of.range, reach);
+    Box box;
+    for (const auto& span : spans.spans)
+      for (const Vec4& p : span.curve.points) {
+        const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+        box = joined(box, {x, x});
+      }
+    all.push_back({edge, widened(box, spans.error + kMargin * reach)});
+  }
+  return all;
+}
+
+bool is_near(const Vec3& point, const std::vector<BoxedEdge>& edges, double reach) {
+  return std::any_of(edges.begin(), edges.end(), [&](const BoxedEdge& each) {
+    return meet(each.box, {point, point}) &&
+           foot_on(curve_of(each.edge), pnt(point)).distance <= reach;
   });
 }
 
 // Whether every sample of a curve is near one of the edges.
-bool keeps_to(const IntersectionCurve& curve, const std::vector<TopoDS_Edge>& edges, double reach) {
+bool keeps_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges, double reach) {
   return std::all_of(curve.samples.begin(), curve.samples.end(),
-                     [&](const SurfacePoint& x) { return is_near(pnt(x.point), edges, reach); });
+                     [&](const SurfacePoint& x) { return is_near(x.point, edges, reach); });
 }
 
 // A few points between the ends tell which curves may run along edges.
-bool may_keep_to(const IntersectionCurve& curve, const std::vector<TopoDS_Edge>& edges,
+bool may_keep_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges,
                  double reach) {
   const std::size_t last = curve.samples.size() - 1;
-  return is_near(pnt(curve.samples[last / 2].point), edges, reach) ||
-         is_near(pnt(curve.samples[last / 4].point), edges, reach) ||
-         is_near(pnt(curve.samples[3 * last / 4].point), edges, reach);
+  return is_near(curve.samples[last / 2].point, edges, reach) ||
+         is_near(curve.samples[last / 4].point, edges, reach) ||
+         is_near(curve.samples[3 * last / 4].point, edges, reach);
 }
 
 }  // namespace
@@ -127,8 +153,10 @@ void CommonEdges::add(const FaceIntersection& pair) {
   const std::vector<TopoDS_Edge> of_a = edges_of(a_[face_a]), of_b = edges_of(b_[face_b]);
   const auto& curves = pair.found.curves;
   const auto any_along = [&](const std::vector<TopoDS_Edge>& edges) {
+    if (curves.empty()) return false;
+    const std::vector<BoxedEdge> near = boxed(edges, reach_);
     return std::any_of(curves.begin(), curves.end(), [&](const IntersectionCurve& curve) {
-      return may_keep_to(curve, edges, reach_);
+      return may_keep_to(curve, near, reach_);
     });
   };
   const bool overlap = has_overlap(pair);
@@ -182,9 +210,10 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
   };
   take(edges_of(b_[face_b]), in_a_[face_a]);
   take(edges_of(a_[face_a]), in_b_[face_b]);
+  const std::vector<BoxedEdge> near = boxed(edges, reach_);
   std::vector<std::size_t> along;
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i)
-    if (keeps_to(pair.found.curves[i], edges, reach_)) along.push_back(i);
+    if (keeps_to(pair.found.curves[i], near, reach_)) along.push_back(i);
   return along;
 }
 
