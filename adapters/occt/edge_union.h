@@ -34,6 +34,9 @@ class EdgeUnion {
   /// Makes two vertices one.
   void join(const TopoDS_Vertex& a, const TopoDS_Vertex& b);
 
+  /// What stands for an edge; itself if nothing does.
+  TopoDS_Edge united(const TopoDS_Edge& edge);
+
   /// The face with its edges and vertices replaced; itself if none is. Its border stays where it
   /// was: vertices get tolerances that cover all those they stand for.
   TopoDS_Face rebuilt(const TopoDS_Face& face);
@@ -45,7 +48,6 @@ class EdgeUnion {
   std::size_t number(const TopoDS_Vertex& vertex);
   std::size_t root(std::size_t vertex);
   TopoDS_Vertex united(const TopoDS_Vertex& vertex);
-  TopoDS_Edge united(const TopoDS_Edge& edge);
 
   TopTools_IndexedMapOfShape vertices_;
   std::vector<std::size_t> parent_;                // of a vertex; its own number at the root

@@ -28,17 +28,6 @@ constexpr double kEdgeMargin = 1.1;           // of the edge's tolerance over th
 constexpr double kBeyondTrims = 1e-3;         // of the box of the trims, on every side
 constexpr double kSamePoint = 1e-6;           // contacts as near as this are one, model units
 
-Box box_of(const BezierSurface& surface, double margin) {
-  Box box;
-  for (const RationalBezierPatch& patch : surface.patches.values())
-    for (const Vec4& p : patch.points.values()) {
-      const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
-      box = joined(box, {x, x});
-    }
-  const Vec3 r{margin, margin, margin};
-  return {box.low - r, box.high + r};
-}
-
 Interval wider(const Interval& side, const Interval& natural, double period) {
   double margin = kBeyondTrims * length(side);
   if (period > 0) margin = std::min(margin, 0.5 * (period - length(side)));
@@ -259,6 +248,17 @@ Place place_of(const SurfacePoint& x, const std::vector<Place>& places) {
 }
 
 }  // namespace
+
+Box box_of(const BezierSurface& surface, double margin) {
+  Box box;
+  for (const RationalBezierPatch& patch : surface.patches.values())
+    for (const Vec4& p : patch.points.values()) {
+      const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+      box = joined(box, {x, x});
+    }
+  const Vec3 r{margin, margin, margin};
+  return {box.low - r, box.high + r};
+}
 
 FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent) {
   FaceData data;

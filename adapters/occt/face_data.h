@@ -22,6 +22,9 @@ struct FaceData {
   Box box;  ///< of the surface, its error and the tolerance included
 };
 
+/// Holds all of a surface; `margin` wider on every side.
+Box box_of(const BezierSurface& surface, double margin);
+
 /// throws   BadModel if the face cannot be converted
 FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent = Extent::Trims);
 

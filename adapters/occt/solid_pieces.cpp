@@ -330,12 +330,20 @@ SolidSide side_by_cuts(const SidedPiece& piece) {
   return above ? SolidSide::Outside : SolidSide::Inside;
 }
 
-SplitSolid split_solid(const Side& side, EdgeUnion& joined) {
-  SplitSolid made{side.name, side.solid, {}};
+// lying   by face of the other solid: edges of this one that lie in it
+SplitSolid split_solid(const Side& side, const std::vector<std::vector<TopoDS_Edge>>& lying,
+                       EdgeSplits& splits, EdgeUnion& joined) {
+  SplitSolid made{side.name, side.solid, {}, {}};
   for (std::size_t i = 0; i < side.splits.size(); ++i)
-    for (const FacePiece& piece : side.splits[i].pieces)
+    for (const FacePiece& piece : side.splits[i].pieces) {
       made.pieces.push_back({joined.rebuilt(piece.face), static_cast<int>(i),
                              side_by_cuts({&piece, &side.cuts[i], &side.sources[i]})});
+      for (const CutUse& use : piece.cuts) made.crossed.Add(joined.united(use.edge));
+    }
+  for (const std::vector<TopoDS_Edge>& edges : lying)
+    for (const TopoDS_Edge& edge : edges)
+      for (const EdgePiece& piece : splits.pieces(edge))
+        made.crossed.Add(joined.united(piece.edge));
   return made;
 }
 
@@ -378,7 +386,8 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
   for (const Side* side : {&side_a, &side_b}) join_laid(*side, joined, result);
   join_edges(side_a, side_b, uses, joined, result);
   if (!result.obstacles.empty()) return result;
-  SplitSolid split_a = split_solid(side_a, joined), split_b = split_solid(side_b, joined);
+  SplitSolid split_a = split_solid(side_a, common.in_b(), splits, joined);
+  SplitSolid split_b = split_solid(side_b, common.in_a(), splits, joined);
   if (joined.collapsed() > 0)
     result.obstacles.push_back(std::to_string(joined.collapsed()) +
                                " edges are shorter than the tolerance of their ends");

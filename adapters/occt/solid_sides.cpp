@@ -2,33 +2,25 @@
 #include "adapters/occt/solid_sides.h"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include <BRep_Tool.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/common_edges.h"
 #include "adapters/occt/edge_images.h"
-#include "adapters/occt/ray_casting.h"
+#include "adapters/occt/solid_rays.h"
 
 namespace blossom::occt {
 namespace {
 
-// Rays that have to agree about a piece, and how many may be tried for that: some hit edges.
-constexpr int kAgreeing = 3;
-constexpr std::array<Vec3, 9> kDirections{{{0.577, 0.211, 0.789},
-                                           {-0.381, 0.907, 0.179},
-                                           {0.131, -0.617, -0.776},
-                                           {-0.709, -0.503, 0.494},
-                                           {0.887, -0.337, 0.316},
-                                           {0.271, 0.653, -0.707},
-                                           {-0.953, 0.283, -0.109},
-                                           {-0.163, -0.941, 0.296},
-                                           {0.449, 0.097, -0.888}}};
+constexpr int kAgreeing = 3;  // rays that have to agree about a region
 
 Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
@@ -38,16 +30,21 @@ std::string piece_name(const SplitSolid& of, const SolidPiece& piece) {
 
 // --- pieces that coincide
 
-// The numbers of a piece's edges, in increasing order; seams are there twice.
+bool bounds(const TopoDS_Shape& edge) {
+  return edge.Orientation() != TopAbs_INTERNAL && !BRep_Tool::Degenerated(TopoDS::Edge(edge));
+}
+
+// The numbers of the edges that bound a piece, in increasing order. Seams are none of them: where
+// a closed surface begins is a matter of taste.
 using Border = std::vector<int>;
 
 Border border_of(const TopoDS_Face& face, TopTools_IndexedMapOfShape& edges) {
-  Border border;
+  std::map<int, int> uses;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    if (it.Current().Orientation() != TopAbs_INTERNAL &&
-        !BRep_Tool::Degenerated(TopoDS::Edge(it.Current())))
-      border.push_back(edges.Add(it.Current()));
-  std::sort(border.begin(), border.end());
+    if (bounds(it.Current())) ++uses[edges.Add(it.Current())];
+  Border border;
+  for (const auto& [edge, count] : uses)
+    if (count == 1) border.push_back(edge);
   return border;
 }
 
@@ -79,6 +76,8 @@ void match_pieces(SplitSolid& a, SplitSolid& b, double tolerance) {
     const std::optional<gp_Pnt> point = point_inside(piece.face);
     for (auto it = first; point && it != last; ++it) {
       SolidPiece& other = b.pieces[it->second];
+      // A circle bounds both parts of a sphere.
+      if (!lies_on(piece.face, other.face, kLiesReach * tolerance)) continue;
       const std::optional<SolidSide> side = side_on(piece, *point, other, tolerance);
       if (side) piece.side = other.side = *side;
     }
@@ -103,42 +102,94 @@ void check_unmatched(const SplitSolid& of, const std::vector<std::vector<std::si
 
 // --- all others
 
-// Whether a ray leaves the solid's faces as often as it has to from inside; nothing if it meets an
-// edge or is tangent, or a hit is not proven.
-std::optional<bool> is_inside(ShapeRayQuery& rays, const gp_Pnt& point, const Vec3& direction) {
-  const auto hits = rays.all_hits({{point.X(), point.Y(), point.Z()}, direction});
-  for (const ShapeHit& hit : hits)
-    if (hit.hit.status != Status::Complete || hit.hit.grazing || !hit.on.IsNull() ||
-        hit.hit.first != hit.hit.last)
-      return std::nullopt;
-  return hits.size() % 2 == 1;
+using Region = std::vector<std::size_t>;  // places of pieces
+
+// The pieces that hang together over edges that the other solid does not cross.
+std::vector<Region> regions_of(const SplitSolid& of, const SplitSolid& other) {
+  TopTools_IndexedMapOfShape shared, edges;
+  for (const SolidPiece& piece : other.pieces) TopExp::MapShapes(piece.face, TopAbs_EDGE, shared);
+  const auto divides = [&](const TopoDS_Shape& edge) {
+    return shared.Contains(edge) || of.crossed.Contains(edge);
+  };
+  std::vector<std::size_t> next(of.pieces.size());  // towards the first piece of the region
+  std::iota(next.begin(), next.end(), std::size_t{0});
+  const auto first_of = [&](std::size_t piece) {
+    while (next[piece] != piece) piece = next[piece] = next[next[piece]];
+    return piece;
+  };
+  std::vector<std::size_t> user;  // a piece with each of the edges
+  for (std::size_t i = 0; i < of.pieces.size(); ++i)
+    for (TopExp_Explorer it(of.pieces[i].face, TopAbs_EDGE); it.More(); it.Next()) {
+      if (!bounds(it.Current()) || divides(it.Current())) continue;
+      const auto edge = static_cast<std::size_t>(edges.Add(it.Current())) - 1;
+      if (edge == user.size()) user.push_back(i);
+      const std::size_t a = first_of(i), b = first_of(user[edge]);
+      next[std::max(a, b)] = std::min(a, b);
+    }
+  std::map<std::size_t, Region> regions;
+  for (std::size_t i = 0; i < of.pieces.size(); ++i) regions[first_of(i)].push_back(i);
+  std::vector<Region> all;
+  for (auto& [first, region] : regions) all.push_back(std::move(region));
+  return all;
 }
 
-// Compares the side with what rays from a point inside say, or takes it from them when the cuts
-// left it open. Returns why it cannot be trusted; empty if it can.
-std::string objection(SolidPiece& piece, ShapeRayQuery& rays) {
-  const std::optional<gp_Pnt> point = point_inside(piece.face);
-  if (!point) return "no point is found inside of it";
-  int agreeing = 0;
-  for (const Vec3& direction : kDirections) {
-    const std::optional<bool> inside = is_inside(rays, *point, direction);
-    if (!inside) continue;
-    const SolidSide side = *inside ? SolidSide::Inside : SolidSide::Outside;
-    if (piece.side == SolidSide::Unknown) piece.side = side;
-    if (side != piece.side) return "its side is not certain";
-    if (++agreeing == kAgreeing) return {};
+// The side that all known ones of a region agree on; nothing if they do not.
+std::optional<SolidSide> known_side(const SplitSolid& of, const Region& region) {
+  SolidSide known = SolidSide::Unknown;
+  for (const std::size_t i : region) {
+    const SolidSide side = of.pieces[i].side;
+    if (side == SolidSide::Unknown) continue;
+    if (known != SolidSide::Unknown && side != known) return std::nullopt;
+    known = side;
   }
-  return "rays cannot tell its side";
+  return known;
+}
+
+// Pieces at both ends and in the middle of the region first.
+Region spread(Region region) {
+  if (region.size() > 2) {
+    std::swap(region[1], region.back());
+    std::swap(region[2], region[region.size() / 2]);
+  }
+  return region;
+}
+
+// Sets the side that is known of a region and that rays from up to three of its pieces agree with.
+// Returns why none can be trusted; empty if one can.
+std::string settle(SplitSolid& of, const Region& region, SolidRays& rays) {
+  const std::string name = piece_name(of, of.pieces[region.front()]);
+  std::optional<SolidSide> known = known_side(of, region);
+  if (!known) return name + ": its side is not certain";
+  const std::size_t pieces = std::min<std::size_t>(region.size(), kAgreeing);
+  const int of_each = (kAgreeing + static_cast<int>(pieces) - 1) / static_cast<int>(pieces);
+  int agreeing = 0;
+  for (const std::size_t i : spread(region)) {
+    const std::optional<gp_Pnt> point = point_inside(of.pieces[i].face);
+    int from_here = 0;
+    for (const Vec3& direction : kRayDirections) {
+      if (!point || from_here == of_each || agreeing == kAgreeing) break;
+      const std::optional<bool> inside = rays.is_inside(vec(*point), direction);
+      if (!inside) continue;
+      const SolidSide side = *inside ? SolidSide::Inside : SolidSide::Outside;
+      if (*known == SolidSide::Unknown) known = side;
+      if (side != *known) return name + ": its side is not certain";
+      ++from_here;
+      ++agreeing;
+    }
+    if (agreeing == kAgreeing) break;
+  }
+  if (agreeing < kAgreeing) return name + ": rays cannot tell its side";
+  for (const std::size_t k : region) of.pieces[k].side = *known;
+  return {};
 }
 
 void check_sides(SplitSolid& of, const SplitSolid& other, double tolerance,
                  std::vector<std::string>& obstacles) {
-  const ShapeRays rays(other.solid->faces, tolerance);
-  ShapeRayQuery query(rays);
-  for (SolidPiece& piece : of.pieces) {
-    if (is_on(piece.side)) continue;
-    if (const std::string cause = objection(piece, query); !cause.empty())
-      obstacles.push_back(piece_name(of, piece) + ": " + cause);
+  SolidRays rays(other.solid->faces, tolerance);
+  for (const Region& region : regions_of(of, other)) {
+    if (is_on(of.pieces[region.front()].side)) continue;
+    if (const std::string cause = settle(of, region, rays); !cause.empty())
+      obstacles.push_back(cause);
   }
 }
 

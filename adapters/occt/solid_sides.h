@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/trim_sides.h"
@@ -33,12 +34,16 @@ struct SplitSolid {
   const char* name = "";  ///< in messages
   const TrimTool* solid = nullptr;
   std::vector<SolidPiece> pieces;  ///< with the edges that both solids share
+  /// Edges that intersection curves run along, or that lie in a face of the other solid: beyond
+  /// them a piece may be on another side.
+  TopTools_MapOfShape crossed;
 };
 
 /// Finds the sides of all pieces.
 ///
-/// Pieces with the same edges and the same surface between them coincide. Sides that are known
-/// already are checked by rays from a point inside, others decided by rays that agree.
+/// Pieces with the same edges and the same surface between them coincide. All others that hang
+/// together over edges that the other solid does not cross lie on one side: what is known of them
+/// already has to agree, and rays from points inside of them with that and each other.
 ///
 /// overlaps    pairs of faces of a and b that coincide somewhere
 /// obstacles   what is not decided is added

@@ -44,9 +44,25 @@ struct Chosen {
   }
 };
 
-std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const Vec3& apex) {
+// The cones under a solid's faces.
+std::vector<double> cones_of(const TrimTool& solid, const Vec3& apex) {
+  std::vector<double> cones;
+  for (const TopoDS_Face& face : solid.faces) cones.push_back(cone_volume(face, apex));
+  return cones;
+}
+
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const TrimTool& solid,
+                               const std::vector<double>& cones, const Vec3& apex) {
   std::vector<Measured> all;
-  for (const SolidPiece& piece : pieces) all.push_back({piece, cone_volume(piece.face, apex)});
+  for (const SolidPiece& piece : pieces) {
+    const auto from = static_cast<std::size_t>(piece.from);
+    const bool whole = piece.face.IsSame(solid.faces[from]);
+    all.push_back({piece, whole ? cones[from] : cone_volume(piece.face, apex)});
+  }
   return all;
 }
 
@@ -83,12 +99,6 @@ Results results_of(const std::vector<Measured>& part, const std::vector<Measured
   return made;
 }
 
-double volume_of(const TrimTool& solid, const Vec3& apex) {
-  double volume = 0;
-  for (const TopoDS_Face& face : solid.faces) volume += cone_volume(face, apex);
-  return volume;
-}
-
 void add_solids(const Chosen& chosen, SolidTrimResult& result) {
   std::string obstacle;
   const std::vector<TopoDS_Solid> solids =
@@ -113,9 +123,11 @@ SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperat
   SolidTrimResult result{pieces.status, pieces.certificate, {}, {}, {}, pieces.obstacles};
   if (!result.obstacles.empty()) return result;
   const Vec3 apex = apex_of(part);
-  const Results made = results_of(measured(pieces.a, apex), measured(pieces.b, apex));
-  const SolidVolumes volumes{volume_of(part, apex), volume_of(tool, apex), made.cut.volume(),
-                             made.common.volume(), made.fuse.volume()};
+  const std::vector<double> of_part = cones_of(part, apex), of_tool = cones_of(tool, apex);
+  const Results made =
+      results_of(measured(pieces.a, part, of_part, apex), measured(pieces.b, tool, of_tool, apex));
+  const SolidVolumes volumes{sum(of_part), sum(of_tool), made.cut.volume(), made.common.volume(),
+                             made.fuse.volume()};
   result.volumes.push_back(volumes);
   if (operation == SolidOperation::Cut || operation == SolidOperation::Split)
     add_solids(made.cut, result);

@@ -240,6 +240,12 @@ std::vector<Contact> contacts() {
        2 * kPi / 3},
       {"BallHalvedAcrossItsSeam", [] { return ball(kOrigin, 1); }, boxed({0, -2, -2}, {2, 2, 2}),
        2 * kPi / 3},
+      {"EqualTurnedBalls", [] { return ball(kOrigin, 1); },
+       [] { return turned(ball(kOrigin, 1), gp_Dir(1, 2, 3), 0.7); }, 4 * kPi / 3},
+      {"EqualBallsWithCommonPoles", [] { return ball(kOrigin, 1); },
+       [] { return turned(ball(kOrigin, 1), gp::DZ(), 0.7); }, 4 * kPi / 3},
+      {"HalfBallInATurnedBall", [] { return half_ball(0, kPi / 2); },
+       [] { return turned(ball(kOrigin, 1), gp_Dir(1, 2, 3), 0.7); }, 2 * kPi / 3},
       {"ConeOnAPlate", whole_plate,
        [] {
          return BRepPrimAPI_MakeCone(gp_Ax2({0, 0, 1}, gp::DZ()), 0.5, 0.2, 1).Shape();
@@ -321,6 +327,14 @@ std::vector<Contact> more_contacts() {
        }},
       {"HalfPegInAHole", drilled, [] { return rod(kOrigin, 0.5, 1, gp::DZ(), kPi); }},
       {"ThickPegInAHole", drilled, [] { return rod(kOrigin, 1, 1); }, 0.75 * kPi},
+      {"FlushAtAnInnerCorner",
+       [] {
+         return BRepAlgoAPI_Fuse(box({3, 2, 0}, {4, 3, 2}), box({1, 0, 0}, {4, 2, 4})).Shape();
+       },
+       [] {
+         return box({2, 0, 2}, {3, 2, 3});
+       },
+       2},
       {"ConeOnCone", [=] { return frustum(0, 1); }, [=] { return frustum(1, 1.5); }},
       {"ConeInCone", [=] { return frustum(0, 1); }, [=] { return frustum(0.5, 1.5); },
        kPi / 3 * (2.25 + 1.5 + 1) * 0.5},
@@ -461,11 +475,11 @@ TEST(TrimSolidsNearlyInContact, IsRightOrRefusedBeyondTheTolerance) {
 // One of each kind, for the quick tests.
 bool is_quick(const std::string& name) {
   const std::array names{
-      "EqualFaces",      "ShiftedFaces", "FlushInTwo",           "Equal",
-      "EdgeToEdge",      "WedgeOnAFace", "CutThroughTwoEdges",   "Slot",
-      "PocketAtAnEdge",  "RodOnAPlate",  "RodInTheBorder",       "RodInTurnedRod",
-      "HalfBalls",       "BallOnAPlate", "LongRodLyingOnAPlate", "PegInAHole",
-      "SplineCubeInCube"};
+      "EqualFaces",       "ShiftedFaces",    "FlushInTwo",           "Equal",
+      "EdgeToEdge",       "WedgeOnAFace",    "CutThroughTwoEdges",   "Slot",
+      "PocketAtAnEdge",   "RodOnAPlate",     "RodInTheBorder",       "RodInTurnedRod",
+      "HalfBalls",        "BallOnAPlate",    "LongRodLyingOnAPlate", "PegInAHole",
+      "SplineCubeInCube", "EqualTurnedBalls"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
