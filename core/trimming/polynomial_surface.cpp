@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "core/base/errors.h"
 #include "core/forms/conversion.h"
@@ -160,30 +161,87 @@ class Fitter {
   int degree_u_, degree_v_;
 };
 
-std::vector<double> divided(const std::vector<double>& knots, int parts) {
+// Parts of each span, along u and along v.
+struct Parts {
+  std::vector<int> u;
+  std::vector<int> v;
+};
+
+std::vector<double> divided(const Interval& span, int parts) {
+  std::vector<double> ends;
+  for (int part = 0; part < parts; ++part)
+    ends.push_back(at(span, static_cast<double>(part) / parts));
+  ends.push_back(span.to);
+  return ends;
+}
+
+std::vector<double> divided(const std::vector<double>& knots, const std::vector<int>& parts) {
   std::vector<double> result{knots.front()};
-  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
-    for (int part = 1; part < parts; ++part)
-      result.push_back(at({knots[k], knots[k + 1]}, static_cast<double>(part) / parts));
-    result.push_back(knots[k + 1]);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::vector<double> ends = divided(Interval{knots[k], knots[k + 1]}, parts[k]);
+    result.insert(result.end(), ends.begin() + 1, ends.end());
   }
   return result;
 }
 
-// The surface in so many parts of each span.
-BezierSurface in_parts(const BezierSurface& surface, int parts_u, int parts_v) {
+// The error of one patch in so many parts.
+double error_in_parts(const BezierSurface& surface, int i, int j, int parts_u, int parts_v) {
+  const Fitter fitter(surface, i, j);
+  const auto in_u = divided({surface.u_knots[index(i)], surface.u_knots[index(i) + 1]}, parts_u);
+  const auto in_v = divided({surface.v_knots[index(j)], surface.v_knots[index(j) + 1]}, parts_v);
+  double most = 0;
+  for (std::size_t a = 0; a + 1 < in_u.size(); ++a)
+    for (std::size_t b = 0; b + 1 < in_v.size(); ++b) {
+      const Interval u{in_u[a], in_u[a + 1]}, v{in_v[b], in_v[b + 1]};
+      most = std::max(most, fitter.error(fitter.fit(u, v), u, v));
+    }
+  return most;
+}
+
+// As many parts of each span as it takes, in the direction that gains more; narrow spans, as they
+// come with nearly equal knots, stay whole.
+Parts parts_within(const BezierSurface& surface, double tolerance) {
+  Parts parts{std::vector<int>(index(surface.patches.rows()), 1),
+              std::vector<int>(index(surface.patches.columns()), 1)};
+  while (true) {
+    Parts more = parts;
+    for (int i = 0; i < surface.patches.rows(); ++i)
+      for (int j = 0; j < surface.patches.columns(); ++j) {
+        const int u = parts.u[index(i)], v = parts.v[index(j)];
+        if (std::max(u, v) >= kMostParts) continue;
+        if (error_in_parts(surface, i, j, u, v) <= tolerance) continue;
+        if (error_in_parts(surface, i, j, 2 * u, v) <= error_in_parts(surface, i, j, u, 2 * v))
+          more.u[index(i)] = 2 * u;
+        else
+          more.v[index(j)] = 2 * v;
+      }
+    if (more.u == parts.u && more.v == parts.v) return parts;
+    parts = std::move(more);
+  }
+}
+
+// The span of each part.
+std::vector<int> spans_of(const std::vector<int>& parts) {
+  std::vector<int> spans;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    spans.insert(spans.end(), index(parts[k]), static_cast<int>(k));
+  return spans;
+}
+
+BezierSurface in_parts(const BezierSurface& surface, const Parts& parts) {
   BezierSurface result;
-  result.u_knots = divided(surface.u_knots, parts_u);
-  result.v_knots = divided(surface.v_knots, parts_v);
+  result.u_knots = divided(surface.u_knots, parts.u);
+  result.v_knots = divided(surface.v_knots, parts.v);
   result.closed_u = surface.closed_u;
   result.closed_v = surface.closed_v;
   result.patches = Grid<RationalBezierPatch>(static_cast<int>(result.u_knots.size()) - 1,
                                              static_cast<int>(result.v_knots.size()) - 1);
+  const std::vector<int> span_u = spans_of(parts.u), span_v = spans_of(parts.v);
   for (int i = 0; i < result.patches.rows(); ++i)
     for (int j = 0; j < result.patches.columns(); ++j) {
       const Interval u{result.u_knots[index(i)], result.u_knots[index(i) + 1]};
       const Interval v{result.v_knots[index(j)], result.v_knots[index(j) + 1]};
-      const Fitter fitter(surface, i / parts_u, j / parts_v);
+      const Fitter fitter(surface, span_u[index(i)], span_v[index(j)]);
       const BezierPatch made = fitter.fit(u, v);
       result.error = std::max(result.error, fitter.error(made, u, v));
       result.patches(i, j) = homogeneous(made);
@@ -197,16 +255,7 @@ BezierSurface polynomial_surface(const BezierSurface& surface, double tolerance)
   validate(surface, "polynomial_surface");
   if (!(tolerance > 0)) throw InvalidInput("polynomial_surface: the tolerance must be positive");
   if (!surface.rational) return surface;
-  int parts_u = 1, parts_v = 1;
-  BezierSurface result = in_parts(surface, parts_u, parts_v);
-  while (result.error > tolerance && std::max(parts_u, parts_v) < kMostParts) {
-    // The direction that gains more is divided.
-    const BezierSurface more_u = in_parts(surface, 2 * parts_u, parts_v);
-    const BezierSurface more_v = in_parts(surface, parts_u, 2 * parts_v);
-    const bool by_u = more_u.error <= more_v.error;
-    (by_u ? parts_u : parts_v) *= 2;
-    result = by_u ? more_u : more_v;
-  }
+  BezierSurface result = in_parts(surface, parts_within(surface, tolerance));
   result.error += surface.error;
   return result;
 }
