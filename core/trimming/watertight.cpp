@@ -170,11 +170,15 @@ class Builder {
     return known->second;
   }
 
-  // Through points of the edge, of the lowest degree that is hardly farther from them.
+  // Through points of the edge, of the lowest degree that is hardly farther from them. Where the
+  // edge misses its vertices, that is spread over the piece: a polynomial that makes up for it at
+  // once would swing several times as far.
   BezierCurve curve_on(const CommonEdge& edge, const Interval& place, const Vec3& from,
                        const Vec3& to) const {
+    const Vec3 at_from = from - edge.point(place.from), at_to = to - edge.point(place.to);
     std::vector<Vec3> points;
-    for (const double t : extreme_points(kSideDegree)) points.push_back(edge.point(at(place, t)));
+    for (const double t : extreme_points(kSideDegree))
+      points.push_back(edge.point(at(place, t)) + (1 - t) * at_from + t * at_to);
     points.front() = from;
     points.back() = to;
     const BezierCurve curve = bezier_through(points);
