@@ -104,14 +104,13 @@ BLOSSOM_INSTANTIATE(Vec4)
 
 TriangleReduction::TriangleReduction(int from, int to) : from_(from), to_(to) {
   check_higher("reduced", to, from);
-  if (from > kMaxDegree) throw InvalidInput("reduced: the degree is too high");
   matrix_ = detail::triangle_reduction_matrix(from, to);
 }
 
 template <class Point>
 ReducedOf<BezierTriangleOf<Point>> TriangleReduction::operator()(
     const BezierTriangleOf<Point>& triangle) const {
-  detail::check_triangle("reduced", triangle, kMaxDegree);
+  detail::check_triangle("reduced", triangle, kMaxProductDegree);
   if (triangle.degree != from_) throw InvalidInput("reduced: the triangle has another degree");
   const BezierTriangleOf<Point> lower{to_, product(matrix_, triangle.points)};
   const BezierTriangleOf<Point> raised = elevated(lower, from_);
@@ -121,7 +120,7 @@ ReducedOf<BezierTriangleOf<Point>> TriangleReduction::operator()(
 
 template <class Point>
 ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>& triangle, int degree) {
-  detail::check_triangle("reduced", triangle, kMaxDegree);
+  detail::check_triangle("reduced", triangle, kMaxProductDegree);
   return TriangleReduction(triangle.degree, degree)(triangle);
 }
 

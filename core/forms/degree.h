@@ -64,8 +64,8 @@ ReducedOf<BezierPatchOf<Point>> reduced(const BezierPatchOf<Point>& patch, int d
 /// share it, to rounding.
 ///
 /// degree       0..N; with 0 the corners are given up
-/// throws       InvalidInput if the degree is above the triangle's, or that is above kMaxDegree or
-///              does not fit the number of points
+/// throws       InvalidInput if the degree is above the triangle's, or that is above
+///              kMaxProductDegree or does not fit the number of points
 /// cost         O(N^6)
 template <class Point>
 ReducedOf<BezierTriangleOf<Point>> reduced(const BezierTriangleOf<Point>& triangle, int degree);

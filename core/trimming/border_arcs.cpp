@@ -28,9 +28,18 @@ const std::vector<double>& knots_of(const BezierSurface& surface, int direction)
   return direction == 0 ? surface.u_knots : surface.v_knots;
 }
 
+ParameterLaw law_of(const BezierSurface& surface, int direction) {
+  return direction == 0 ? surface.u_law : surface.v_law;
+}
+
 double range_of(const BezierSurface& surface, int direction) {
   const std::vector<double>& knots = knots_of(surface, direction);
   return knots.back() - knots.front();
+}
+
+// Of a patch over a straight triangle.
+int straight_degree(const RationalBezierPatch& patch) {
+  return patch.degree_u() + patch.degree_v();
 }
 
 // The curve with ranges of length 1, so that one tolerance serves both directions.
@@ -49,12 +58,13 @@ double improved(const PlanarCurve& curve, int direction, double value, double pa
   return parameter;
 }
 
-// Where a coordinate of the curve takes a value, and the ends of stretches along which it keeps it.
-void add_crossings(const PlanarCurve& curve, const PlanarCurve& unit, int direction, double value,
-                   double unit_value, std::vector<double>& at) {
+// Where a coordinate of the curve takes a value, and then the ends of stretches along which it
+// keeps it; returns the number of the first.
+std::size_t add_crossings(const PlanarCurve& curve, const PlanarCurve& unit, int direction,
+                          double value, double unit_value, std::vector<double>& at) {
   const PlanarBox box = box_of(unit);
   if (unit_value < box.low[direction] - kOnLine || unit_value > box.high[direction] + kOnLine)
-    return;
+    return 0;
   const int other = 1 - direction;
   Vec2 from, to;
   from[direction] = to[direction] = unit_value;
@@ -64,6 +74,7 @@ void add_crossings(const PlanarCurve& curve, const PlanarCurve& unit, int direct
   for (const PlanarCrossing& point : found.points)
     at.push_back(improved(curve, direction, value, point.a));
   for (const PlanarOverlap& run : found.overlaps) at.insert(at.end(), {run.a.from, run.a.to});
+  return found.points.size();
 }
 
 // Increasing, from end to end of the domain, none nearer than the shortest arc.
@@ -87,7 +98,7 @@ BorderArcs::BorderArcs(const BezierSurface& surface, const TrimmedChart& chart,
   for (int i = 0; i < steepest_.rows(); ++i)
     for (int j = 0; j < steepest_.columns(); ++j) {
       steepest_(i, j) = derivative_bounds(surface.patches(i, j));
-      if (arc_degree(i, j) < 1)
+      if (straight_degree(surface.patches(i, j)) > options.highest_degree)
         throw InvalidInput("trimmed region: a patch of degrees that add up to more than " +
                            std::to_string(options.highest_degree) + " has no triangles");
     }
@@ -95,8 +106,10 @@ BorderArcs::BorderArcs(const BezierSurface& surface, const TrimmedChart& chart,
 }
 
 int BorderArcs::arc_degree(int patch_u, int patch_v) const {
-  const RationalBezierPatch& patch = surface_.patches(patch_u, patch_v);
-  return options_.highest_degree / (patch.degree_u() + patch.degree_v());
+  const int straight = straight_degree(surface_.patches(patch_u, patch_v));
+  const int exact = options_.highest_degree / straight;
+  return options_.common_borders ? std::max(exact, std::min(kCommonArcs, kMostComposed / straight))
+                                 : exact;
 }
 
 bool BorderArcs::takes_cells(int border) const {
@@ -126,21 +139,49 @@ Vec2 BorderArcs::snapped(Vec2 grid) const {
   return grid;
 }
 
-int BorderArcs::vertex_on(const RegionBorder& border, double parameter, const RegionArc* arc) {
+int BorderArcs::vertex_within(const RegionArc& arc, double parameter) {
+  const RegionBorder& border = chart_.borders[index(arc.border)];
   Vec2 grid = grid_point(surface_, point_at(border.curve, parameter));
-  for (int k = 0; arc && arc->on_line && k < 2; ++k)
-    if (runs_on(*arc, k)) grid[k] = vertices_[index(arc->from)][k];
+  for (int k = 0; arc.on_line && k < 2; ++k)
+    if (runs_on(arc, k)) grid[k] = vertices_[index(arc.from)][k];
   return vertex_at(snapped(grid));
 }
 
-void BorderArcs::add_line_stops(const RegionBorder& border, int direction,
-                                std::vector<double>& at) const {
+void BorderArcs::add_line_stops(const RegionBorder& border, int direction, std::vector<double>& at,
+                                std::vector<LineStop>& lines) const {
   const std::vector<double>& knots = knots_of(surface_, direction);
   if (knots.size() < 3) return;
   const PlanarCurve unit = unit_sized(border.curve, surface_);
-  for (std::size_t k = 1; k + 1 < knots.size(); ++k)
-    add_crossings(border.curve, unit, direction, knots[k], knots[k] / range_of(surface_, direction),
-                  at);
+  for (std::size_t k = 1; k + 1 < knots.size(); ++k) {
+    const std::size_t before = at.size();
+    const std::size_t crossings = add_crossings(border.curve, unit, direction, knots[k],
+                                                knots[k] / range_of(surface_, direction), at);
+    for (std::size_t i = before; i < before + crossings; ++i)
+      lines.push_back({at[i], direction, static_cast<double>(k)});
+  }
+}
+
+// The vertex at a stop. Of several stops that are as near as kOnLine to a line the nearest to the
+// crossing is on it, since other faces tell them apart; the others stay where they are.
+int BorderArcs::vertex_at_stop(const RegionBorder& border, const std::vector<double>& at,
+                               std::size_t stop, const std::vector<LineStop>& lines) {
+  const Vec2 uv = point_at(border.curve, at[stop]);
+  Vec2 grid = snapped(grid_point(surface_, uv));
+  for (int k = 0; k < 2; ++k) {
+    bool beside = false, on = false;
+    for (const LineStop& line : lines) {
+      if (line.direction != k || std::abs(line.line - grid[k]) > 0.5) continue;
+      const double way = std::abs(at[stop] - line.at);
+      const bool nearest =
+          std::ranges::none_of(at, [&](double other) { return std::abs(other - line.at) < way; });
+      on = on || (nearest && way <= kShortestArc * length(border.curve.domain()));
+      beside = beside || (!nearest && grid[k] == line.line);
+      if (on) grid[k] = line.line;
+    }
+    if (beside && !on)
+      grid[k] = unrounded_grid_coordinate(knots_of(surface_, k), law_of(surface_, k), uv[k]);
+  }
+  return vertex_at(grid);
 }
 
 // A border along a line is divided as the cells beside it are.
@@ -155,7 +196,7 @@ void BorderArcs::add_cell_stops(const RegionBorder& border, std::vector<double>&
     if (std::ranges::none_of(knots_of(surface_, k), on_line)) continue;
     const int along = 1 - k;
     const std::vector<double>& knots = knots_of(surface_, along);
-    const ParameterLaw law = along == 0 ? surface_.u_law : surface_.v_law;
+    const ParameterLaw law = law_of(surface_, along);
     for (std::size_t i = 0; i + 1 < knots.size(); ++i)
       for (int cell = 1; cell < cells_; ++cell) {
         const double cut =
@@ -169,7 +210,8 @@ void BorderArcs::divide(int number) {
   const RegionBorder& border = chart_.borders[index(number)];
   std::vector<double> at = border.stops;
   for (const PlanarSpan& span : border.curve.spans) at.push_back(span.place.to);
-  for (int direction = 0; direction < 2; ++direction) add_line_stops(border, direction, at);
+  std::vector<LineStop> lines;
+  for (int direction = 0; direction < 2; ++direction) add_line_stops(border, direction, at, lines);
   if (takes_cells(number)) add_cell_stops(border, at);
   tidy(at, border.curve.domain());
   if (border.reversed) std::ranges::reverse(at);
@@ -181,7 +223,7 @@ void BorderArcs::divide(int number) {
   int from = corner(border.from);
   for (std::size_t k = 0; k + 1 < at.size(); ++k) {
     const bool last = k + 2 == at.size();
-    const int to = last ? corner(border.to) : vertex_on(border, at[k + 1], nullptr);
+    const int to = last ? corner(border.to) : vertex_at_stop(border, at, k + 1, lines);
     add(number, {at[k], at[k + 1]}, from, to, first);
     from = to;
   }
@@ -200,7 +242,7 @@ void BorderArcs::add(int number, const Interval& place, int from, int to, std::s
     return;
   }
   const double middle = at(place, 0.5);
-  const int vertex = vertex_on(border, middle, &arc);
+  const int vertex = vertex_within(arc, middle);
   add(number, {place.from, middle}, from, vertex, first);
   add(number, {middle, place.to}, vertex, to, first);
 }
@@ -210,7 +252,7 @@ int BorderArcs::halve(int number) {
   const RegionBorder& border = chart_.borders[index(arc.border)];
   if (std::abs(length(arc.place)) <= 2 * kShortestArc * length(border.curve.domain())) return -1;
   const double middle = at(arc.place, 0.5);
-  const int vertex = vertex_on(border, middle, &arc);
+  const int vertex = vertex_within(arc, middle);
   if (vertex == arc.from || vertex == arc.to) return -1;
   arcs_[index(number)] = made(arc.border, {arc.place.from, middle}, arc.from, vertex);
   arcs_.push_back(made(arc.border, {middle, arc.place.to}, vertex, arc.to));
@@ -236,15 +278,18 @@ RegionArc BorderArcs::made(int number, const Interval& place, int from, int to) 
   arc.place = place;
   arc.from = from;
   arc.to = to;
-  const Vec2 middle = grid_point(surface_, point_at(curve, at(place, 0.5)));
+  const Vec2 middle = point_at(curve, at(place, 0.5));
   std::array<int, 2> patch;
   for (int k = 0; k < 2; ++k) {
     const int count = k == 0 ? surface_.patches.rows() : surface_.patches.columns();
-    double beside = middle[k];
+    // The middle may be as near to a line as what counts as on it, and yet the arc beside it.
+    double beside =
+        unrounded_grid_coordinate(knots_of(surface_, k), law_of(surface_, k), middle[k]);
     if (from != to && runs_on(arc, k)) {
       arc.on_line = true;
       const double on = vertices_[index(to)][1 - k] - vertices_[index(from)][1 - k];
-      beside += (k == 0 ? -0.5 : 0.5) * (on > 0 ? 1 : -1);  // the region lies on the left
+      // The region lies on the left.
+      beside = vertices_[index(from)][k] + (k == 0 ? -0.5 : 0.5) * (on > 0 ? 1 : -1);
     }
     patch[index(k)] = std::clamp(static_cast<int>(std::floor(beside)), 0, count - 1);
   }

@@ -14,10 +14,19 @@
 
 namespace blossom {
 
+/// Highest degree of a patch over a curved triangle that `composition` takes.
+inline constexpr int kMostComposed = 2 * kMaxDegree;
+
+/// Degree of arcs that is worth triangles above the highest degree: where only straight arcs were
+/// left, a long border took thousands of them, the square root of what the tolerance asks for.
+inline constexpr int kCommonArcs = 3;
+
 struct RegionOptions {
   /// How far the border of the pieces may lie from the trims, along the surface; model units.
   double tolerance = 1e-7;
-  int highest_degree = kMaxDegree;  ///< of triangles, at least n + m
+  /// Of triangles, at least n + m. With common borders those over arcs may have up to kMostComposed
+  /// instead, for arcs of degree kCommonArcs, as they will be moved and can be lowered then.
+  int highest_degree = kMaxDegree;
   /// Rows and columns of cells in each patch; a power of two, 0 for as many as seem right.
   int cells = 0;
   /// Borders will be common curves with other faces: arcs run as evenly as the border's parameter,
@@ -52,7 +61,7 @@ class BorderArcs {
   BorderArcs(const BezierSurface& surface, const TrimmedChart& chart, const RegionOptions& options,
              int cells);
 
-  /// Highest number of arcs of one border.
+  /// Highest number of arcs of one border: as many triangles of the highest degree take 45 MB.
   static constexpr std::size_t kMostArcs = 5'000;
 
   const std::vector<RegionArc>& arcs() const { return arcs_; }
@@ -76,7 +85,17 @@ class BorderArcs {
 
  private:
   void divide(int border);
-  void add_line_stops(const RegionBorder& border, int direction, std::vector<double>& at) const;
+  /// Where a border crosses a line between patches.
+  struct LineStop {
+    double at;      ///< parameter
+    int direction;  ///< of which the line is a value
+    double line;    ///< grid coordinate
+  };
+
+  void add_line_stops(const RegionBorder& border, int direction, std::vector<double>& at,
+                      std::vector<LineStop>& lines) const;
+  int vertex_at_stop(const RegionBorder& border, const std::vector<double>& at, std::size_t stop,
+                     const std::vector<LineStop>& lines);
   void add_cell_stops(const RegionBorder& border, std::vector<double>& at) const;
   void add(int border, const Interval& place, int from, int to, std::size_t first);
   RegionArc made(int border, const Interval& place, int from, int to) const;
@@ -84,7 +103,7 @@ class BorderArcs {
   void settle_ends(RegionArc& arc, const ArcForm& form) const;
   bool is_too_long(const RegionArc& arc) const;
   Vec2 snapped(Vec2 grid) const;
-  int vertex_on(const RegionBorder& border, double parameter, const RegionArc* arc);
+  int vertex_within(const RegionArc& arc, double parameter);
 
   const BezierSurface& surface_;
   const TrimmedChart& chart_;

@@ -47,7 +47,7 @@ double size_of(const BezierCurve& curve) {
 }  // namespace
 
 void DegreeLowering::lower(WatertightPieces& pieces, const std::vector<BezierSurface>& surfaces,
-                           double tolerance) {
+                           int highest, double tolerance) {
   const std::vector<bool> of_patch = sides_of_patches(pieces);
   for (const WatertightPiece& piece : pieces.pieces) {
     const int straight = straight_degree(surfaces[index(piece.face)]);
@@ -60,20 +60,27 @@ void DegreeLowering::lower(WatertightPieces& pieces, const std::vector<BezierSur
         lower_side(side, 1, tolerance);
     }
   }
-  for (WatertightPiece& piece : pieces.pieces) lower_triangle(piece, pieces.sides, tolerance);
+  for (WatertightPiece& piece : pieces.pieces)
+    lower_triangle(piece, pieces.sides, highest, tolerance);
 }
 
 void DegreeLowering::lower_triangle(WatertightPiece& piece,
-                                    const std::vector<WatertightSide>& sides, double tolerance) {
+                                    const std::vector<WatertightSide>& sides, int highest,
+                                    double tolerance) {
   auto* triangle = std::get_if<BezierTriangle>(&piece.form);
   if (!triangle) return;
   int degree = 1;
   for (const int side : piece.sides) degree = std::max(degree, sides[index(side)].curve.degree());
-  for (; degree < triangle->degree; ++degree) {
-    const auto lower = reduction(triangle->degree, degree)(*triangle);
-    if (lower.error > tolerance) continue;
-    *triangle = lower.form;
+  if (triangle->degree > std::max(highest, degree)) {
+    auto lower = reduction(triangle->degree, std::max(highest, degree))(*triangle);
+    *triangle = std::move(lower.form);
     piece.moved = lower.error;
+  }
+  for (; degree < triangle->degree; ++degree) {
+    auto lower = reduction(triangle->degree, degree)(*triangle);
+    if (lower.error > tolerance) continue;
+    *triangle = std::move(lower.form);
+    piece.moved += lower.error;
     return;
   }
 }

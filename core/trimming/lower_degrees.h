@@ -23,15 +23,16 @@ class DegreeLowering {
   /// Inner sides get the lowest degree within the tolerance, or where a rectangle has them their
   /// own, which is at most n + m, as they are straight in the parameters of their patch. Triangles
   /// get the lowest degree that is not below those of their sides and leaves them within the
-  /// tolerance; the distance is their `moved` then.
+  /// tolerance, or else the highest degree; the distance is their `moved` then.
   ///
   /// surfaces    of the faces, polynomial
+  /// highest     degree of triangles, if their sides allow
   /// tolerance   model units
-  void lower(WatertightPieces& pieces, const std::vector<BezierSurface>& surfaces,
+  void lower(WatertightPieces& pieces, const std::vector<BezierSurface>& surfaces, int highest,
              double tolerance);
 
  private:
-  void lower_triangle(WatertightPiece& piece, const std::vector<WatertightSide>& sides,
+  void lower_triangle(WatertightPiece& piece, const std::vector<WatertightSide>& sides, int highest,
                       double tolerance);
   const TriangleReduction& reduction(int from, int to);
 

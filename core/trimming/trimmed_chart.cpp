@@ -6,8 +6,10 @@
 
 namespace blossom {
 
-double grid_coordinate(const std::vector<double>& knots, ParameterLaw law, double parameter) {
-  const double near = kOnLine * (knots.back() - knots.front());
+namespace {
+
+double coordinate(const std::vector<double>& knots, ParameterLaw law, double parameter,
+                  double near) {
   const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
   const auto i = static_cast<std::size_t>(above - knots.begin()) - 1;
   const Interval span{knots[i], knots[i + 1]};
@@ -15,6 +17,17 @@ double grid_coordinate(const std::vector<double>& knots, ParameterLaw law, doubl
   if (std::abs(parameter - span.from) <= near) return whole;
   if (std::abs(parameter - span.to) <= near) return whole + 1;
   return whole + local_parameter(law, span, parameter);
+}
+
+}  // namespace
+
+double grid_coordinate(const std::vector<double>& knots, ParameterLaw law, double parameter) {
+  return coordinate(knots, law, parameter, kOnLine * (knots.back() - knots.front()));
+}
+
+double unrounded_grid_coordinate(const std::vector<double>& knots, ParameterLaw law,
+                                 double parameter) {
+  return coordinate(knots, law, parameter, 0);
 }
 
 Vec2 grid_point(const BezierSurface& surface, const Vec2& uv) {

@@ -35,6 +35,10 @@ inline constexpr double kOnLine = 1e-9;
 /// A parameter of the surface as a grid coordinate; exactly a whole number within kOnLine of one.
 double grid_coordinate(const std::vector<double>& knots, ParameterLaw law, double parameter);
 
+/// The same without that: a whole number on a line alone.
+double unrounded_grid_coordinate(const std::vector<double>& knots, ParameterLaw law,
+                                 double parameter);
+
 Vec2 grid_point(const BezierSurface& surface, const Vec2& uv);
 
 }  // namespace blossom

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -151,13 +152,23 @@ class Builder {
     arc_side_.clear();
     side_place_.clear();
     for (std::size_t f = 0; f < model_.faces.size(); ++f) add_face(static_cast<int>(f));
-    lowering_.lower(result_, surfaces_, kTrianglePart * options_.tolerance);
+    lowering_.lower(result_, surfaces_, options_.highest_degree,
+                    kTrianglePart * options_.tolerance);
+    find_coarse_sides();
     raise_degrees();
     move_sides();
     result_.deviation = 0;
     for (const WatertightPiece& piece : result_.pieces)
       result_.deviation = std::max(result_.deviation, piece.moved);
     result_.deviation += surface_error_;
+  }
+
+  // Sides of triangles that did not come down to the highest degree within the tolerance.
+  void find_coarse_sides() {
+    coarse_.clear();
+    for (const WatertightPiece& piece : result_.pieces)
+      if (piece.moved > 2 * kTrianglePart * options_.tolerance)
+        coarse_.insert(piece.sides.begin(), piece.sides.end());
   }
 
   int vertex_on(int edge, double parameter) {
@@ -423,14 +434,17 @@ class Builder {
     return distance(own, point_at(side.curve, 0.25)) <= distance(own, point_at(side.curve, 0.75));
   }
 
-  // Halves the pieces of edges whose triangles moved too far for other reasons than the edge's own
-  // distance from the surfaces.
+  // Halves the pieces of edges whose triangles are coarse or moved too far for other reasons than
+  // the edge's own distance from the surfaces.
   bool divide_moved_sides(std::vector<bool>& stale) {
     std::vector<bool> divided(model_.edges.size(), false);
     for (const auto& [number, place] : side_place_) {
       const WatertightSide& side = result_.sides[index(number)];
-      if (side.curve.points.empty() || moved_[index(number)] <= options_.tolerance) continue;
-      if (moved_[index(number)] <= kEdgePart * edge_gap_[index(number)]) continue;
+      if (side.curve.points.empty()) continue;
+      const double moved = moved_[index(number)];
+      const bool coarse = coarse_.contains(number);
+      if (!coarse && moved <= std::max(options_.tolerance, kEdgePart * edge_gap_[index(number)]))
+        continue;
       stops_[index(side.edge)].push_back(at(place, 0.5));
       divided[index(side.edge)] = true;
     }
@@ -450,6 +464,7 @@ class Builder {
   std::map<std::tuple<int, double, double>, int> arc_side_;
   std::map<int, Interval> side_place_;
   DegreeLowering lowering_;
+  std::set<int> coarse_;
   std::vector<double> moved_;     // of each side, by its pieces
   std::vector<double> edge_gap_;  // of each side: the edge's distance from the surfaces
   WatertightPieces result_;

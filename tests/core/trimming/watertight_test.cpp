@@ -13,7 +13,9 @@
 #include "core/base/errors.h"
 #include "core/blossom/triangle_composition.h"
 #include "core/forms/de_casteljau.h"
+#include "core/forms/degree.h"
 #include "core/forms/evaluation.h"
+#include "core/subdivision/patch_subdivision.h"
 #include "core/trimming/polynomial_surface.h"
 #include "tests/support/solids.h"
 
@@ -104,10 +106,11 @@ CommonModel roof_and_wall(double gap) {
   return model;
 }
 
-// A square in the plane through three points, in two patches that meet at u = split.
+// A square in the plane through three points, in two patches that meet at u = split and reach
+// beyond it.
 CommonFace square(const Vec3& origin, const Vec3& along_u, const Vec3& along_v, double split,
-                  const std::vector<int>& edges, const std::vector<bool>& reversed) {
-  BezierSurface surface{{0, split, 1}, {0, 1}};
+                  double reach, const std::vector<int>& edges, const std::vector<bool>& reversed) {
+  BezierSurface surface{{-reach, split, 1 + reach}, {-reach, 1 + reach}};
   surface.patches = Grid<RationalBezierPatch>(2, 1);
   for (int i = 0; i < 2; ++i) {
     RationalBezierPatch& patch = surface.patches(i, 0);
@@ -115,7 +118,8 @@ CommonFace square(const Vec3& origin, const Vec3& along_u, const Vec3& along_v, 
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b) {
         const double u = surface.u_knots[static_cast<std::size_t>(i + a)];
-        const Vec3 p = origin + u * along_u + static_cast<double>(b) * along_v;
+        const Vec3 p =
+            origin + u * along_u + surface.v_knots[static_cast<std::size_t>(b)] * along_v;
         patch.points(a, b) = {p[0], p[1], p[2], 1};
       }
   }
@@ -135,7 +139,7 @@ CommonFace square(const Vec3& origin, const Vec3& along_u, const Vec3& along_v, 
 }
 
 // Two squares with a common edge, on which their lines between patches end `apart` from each other.
-CommonModel two_squares(double apart) {
+CommonModel two_squares(double apart, double reach = 0) {
   CommonModel model;
   model.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}};
   for (const auto& [from, to] :
@@ -144,10 +148,10 @@ CommonModel two_squares(double apart) {
     const Vec3 b = model.vertices[static_cast<std::size_t>(to)];
     model.edges.push_back({[a, b](double t) { return (1 - t) * a + t * b; }, {0, 1}, from, to});
   }
-  model.faces = {
-      square({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.4 + apart, {0, 1, 2, 3},
-             {false, false, false, false}),
-      square({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0.4, {0, 4, 5, 6}, {false, false, false, false})};
+  model.faces = {square({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.4 + apart, reach, {0, 1, 2, 3},
+                        {false, false, false, false}),
+                 square({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0.4, reach, {0, 4, 5, 6},
+                        {false, false, false, false})};
   return model;
 }
 
@@ -208,6 +212,18 @@ TEST(WatertightPieces, MoveByNoMoreThanTheyState) {
   }
 }
 
+// A curve through the vertex and other points of the edge would swing several times as far.
+TEST(WatertightPieces, MoveHardlyFartherThanVerticesAreFromTheirEdges) {
+  CommonModel model = roof_and_wall(0);
+  model.vertices[0] += Vec3{0, 0, 1e-3};
+
+  const WatertightPieces made = watertight_pieces(model);
+
+  ASSERT_EQ(made.obstacle, "");
+  EXPECT_GE(made.deviation, 1e-3);
+  EXPECT_LE(made.deviation, 1.1e-3);
+}
+
 // Each side is used twice inside and on the common edge, once on free edges.
 TEST(WatertightPieces, UseEverySideAsOftenAsThereAreFaces) {
   const WatertightPieces made = watertight_pieces(roof_and_wall(0));
@@ -224,21 +240,19 @@ TEST(WatertightPieces, UseEverySideAsOftenAsThereAreFaces) {
 class NearlyMeeting : public ::testing::TestWithParam<double> {};
 
 TEST_P(NearlyMeeting, LinesBetweenPatchesDoNotKeepFacesFromAgreeing) {
-  const WatertightPieces made = watertight_pieces(two_squares(GetParam()));
-  EXPECT_EQ(made.obstacle, "");
-  EXPECT_LE(made.deviation, 1e-6);
-  EXPECT_GE(made.pieces.size(), 4u);
+  for (const double reach : {0.0, 1.0, 30.0}) {
+    const WatertightPieces made = watertight_pieces(two_squares(GetParam(), reach));
+    EXPECT_EQ(made.obstacle, "");
+    EXPECT_LE(made.deviation, 1e-6);
+    EXPECT_GE(made.pieces.size(), 4u);
+    // Where patches reach farther, points on the common edge that are two may count as on one line.
+    for (const auto& [number, curves] : curves_on_edges(made))
+      EXPECT_EQ(curves.size(), made.sides[static_cast<std::size_t>(number)].edge == 0 ? 2u : 1u);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Distances, NearlyMeeting,
-                         ::testing::Values(0, 3e-10, 0.9e-9, 2.5e-9, 1e-6));
-
-// Between these distances neither the vertices nor the stops are one, and the arc between them is
-// no longer than the doubles tell: refused at once, where straight arcs were halved 2^16 times.
-TEST(WatertightPieces, RefuseArcsTooShortToTell) {
-  for (const double apart : {1.5e-9, 1.9e-9})
-    EXPECT_NE(watertight_pieces(two_squares(apart)).obstacle.find("borders"), std::string::npos);
-}
+                         ::testing::Values(0, 3e-10, 0.9e-9, 1.5e-9, 1.9e-9, 2.5e-9, 1e-8, 1e-6));
 
 // Over the arc the roof's triangles have degree 3 x (3 + 3), but nothing like it is in them.
 TEST(WatertightPieces, HaveHardlyMoreThanTheDegreesOfTheirSurfaces) {
@@ -257,6 +271,48 @@ TEST(WatertightPieces, HaveHardlyMoreThanTheDegreesOfTheirSurfaces) {
   EXPECT_LE(highest(finer), 8);
   EXPECT_LE(made.deviation, 1e-6);
   EXPECT_LE(finer.deviation, 1e-9);
+}
+
+// A part of a roof of degrees 7 x 6 within a loop of four cubics, nearly a circle.
+CommonModel disc_of_high_degree() {
+  CommonModel model;
+  CommonFace face{BezierSurface{{0, 1}, {0, 1}}, {}, {0, 1, 2, 3}};
+  face.surface.patches = Grid<RationalBezierPatch>(1, 1);
+  face.surface.patches(0, 0) = elevated(roof().patches(0, 0), 7, 6);
+  const BezierSurface surface = face.surface;
+  for (int k = 0; k < 4; ++k) {
+    const auto turned = [k](double x, double y) {
+      const double c = k % 2 == 0 ? 1 - k : 0, s = k % 2 == 0 ? 0 : 2 - k;
+      return Vec2{0.5 + 0.4 * (c * x - s * y), 0.5 + 0.4 * (s * x + c * y)};
+    };
+    PlanarBezier arc;
+    for (const Vec2& p : {turned(1, 0), turned(1, 0.55), turned(0.55, 1), turned(0, 1)})
+      arc.points.push_back({p[0], p[1], 1});
+    const PlanarCurve curve{{{arc, {0, 1}}}};
+    face.chart.corners.push_back(turned(1, 0));
+    face.chart.borders.push_back({curve, false, k, (k + 1) % 4, {}});
+    model.edges.push_back(
+        {[surface, curve](double t) { return point_at(surface, point_at(curve, t)); },
+         {0, 1},
+         k,
+         (k + 1) % 4});
+    model.vertices.push_back(model.edges.back().point(0));
+  }
+  model.faces = {face};
+  return model;
+}
+
+// Triangles of degree 25 would leave straight arcs alone, more than 500 for each border.
+TEST(WatertightPieces, TakeCubicArcsOnSurfacesOfHighDegrees) {
+  const WatertightPieces made = watertight_pieces(disc_of_high_degree());
+
+  EXPECT_EQ(made.obstacle, "");
+  EXPECT_LE(made.deviation, 1e-6);
+  EXPECT_LE(made.pieces.size(), 200u);
+  for (const WatertightPiece& piece : made.pieces) {
+    const auto* triangle = std::get_if<BezierTriangle>(&piece.form);
+    EXPECT_LE(triangle ? triangle->degree : 0, kMaxDegree);
+  }
 }
 
 TEST(WatertightPieces, RefuseWhatNamesNothing) {
@@ -330,6 +386,28 @@ TEST(PolynomialSurface, OfARationalSplineComparesCoefficients) {
       seen = std::max(seen, distance(point_at(made, {u, v}), point_at(surface, {u, v})));
   EXPECT_LE(seen, made.error);
   EXPECT_GE(seen, 0.02 * made.error);
+}
+
+// Nearly equal knots leave such spans; their parts would be narrower than what counts as equal.
+TEST(PolynomialSurface, LeavesNarrowSpansWhole) {
+  RationalBezierPatch whole{Grid<Vec4>(3, 2)};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 2; ++j) {
+      const double w = i == 1 ? 0.6 : 1;
+      whole.points(i, j) = {w * i, w * i * (2 - i), w * j, w};
+    }
+  BezierSurface surface{{0, 1e-8, 1}, {0, 1}};
+  surface.rational = true;
+  surface.patches = Grid<RationalBezierPatch>(2, 1);
+  surface.patches(0, 0) = sub_patch(whole, {0, 1e-8}, {0, 1});
+  surface.patches(1, 0) = sub_patch(whole, {1e-8, 1}, {0, 1});
+
+  const BezierSurface made = polynomial_surface(surface, 1e-8);
+
+  EXPECT_LE(made.error, 1e-8);
+  ASSERT_GT(made.u_knots.size(), 4u);
+  EXPECT_EQ(made.u_knots[1], 1e-8);
+  EXPECT_EQ(made.v_knots.size(), 2u);
 }
 
 TEST(PolynomialSurface, OfAPolynomialIsItself) {
