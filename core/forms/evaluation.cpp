@@ -10,8 +10,6 @@ namespace {
 
 using namespace detail;
 
-Vec3 head(const Four& h) { return {h[0], h[1], h[2]}; }
-
 // Of the degrees (kN, kM) if they are not negative: bicubic patches are by far the most frequent.
 template <int kOrder, int kN = -1, int kM = -1>
 [[gnu::always_inline]] inline PatchJet jet(const RationalBezierPatch& patch, double u, double v) {

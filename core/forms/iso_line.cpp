@@ -47,9 +47,11 @@ __attribute__((target_clones("avx2", "default"))) PatchJet line_jet(int degree, 
     h01 += b.value[i] * rate;
   }
   PatchJet result;
-  result.point = quotient(h00, Vec3{}, h00[3]);
-  result.u = quotient(h10, h10[3] * result.point, h00[3]);
-  result.v = quotient(h01, h01[3] * result.point, h00[3]);
+  const double over = 1 / h00[3];
+  const Four point = h00 * over;
+  result.point = head(point);
+  result.u = head((h10 - h10[3] * point) * over);
+  result.v = head((h01 - h01[3] * point) * over);
   return result;
 }
 

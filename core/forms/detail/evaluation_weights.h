@@ -58,9 +58,6 @@ template <int kOrder>
   }
 }
 
-// (X / w) differentiated: the quotient rule, lower derivatives of the quotient known.
-inline Vec3 quotient(const Four& h, const Vec3& correction, double w) {
-  return {(h[0] - correction[0]) / w, (h[1] - correction[1]) / w, (h[2] - correction[2]) / w};
-}
+inline Vec3 head(const Four& h) { return {h[0], h[1], h[2]}; }
 
 }  // namespace blossom::detail
