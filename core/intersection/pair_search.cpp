@@ -287,7 +287,7 @@ class Search {
     if (thin || (a.depth >= kDeepest && b.depth >= kDeepest))
       keep(pair, thin);
     else
-      halvings_.push_back({pair, halves_a(a, b)});
+      halve(pair);
   }
 
   // Both patches are parts of one surface: the pair coincides in a rectangle or not at all.
@@ -389,9 +389,12 @@ class Search {
       result_.grazes.push_back({place.patch_a, place.patch_b, x});
   }
 
-  static bool halves_a(const Cell& a, const Cell& b) {
-    return b.depth >= kDeepest || (a.depth < kDeepest && a.bend + kExtentWeight * a.extent >=
-                                                             b.bend + kExtentWeight * b.extent);
+  void halve(const Pair& pair) {
+    const Cell &a = cell_a(pair), &b = cell_b(pair);
+    const bool halves_a = b.depth >= kDeepest ||
+                          (a.depth < kDeepest &&
+                           a.bend + kExtentWeight * a.extent >= b.bend + kExtentWeight * b.extent);
+    halvings_.push_back({pair, halves_a});
   }
 
   // The cells of a batch in the order of its pairs, those of both surfaces at the same time.
