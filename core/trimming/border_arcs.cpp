@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/errors.h"
+#include "core/forms/evaluation.h"
 #include "core/intersection/planar_crossings.h"
 
 namespace blossom {
@@ -127,6 +128,12 @@ int BorderArcs::vertex_at(const Vec2& grid) {
       vertex_of_.try_emplace({grid[0], grid[1]}, static_cast<int>(vertices_.size()));
   if (is_new) vertices_.push_back(grid);
   return known->second;
+}
+
+Vec3 BorderArcs::point_in(const std::array<int, 2>& patch, int vertex) const {
+  const Vec2 local =
+      vertices_[index(vertex)] - Vec2{static_cast<double>(patch[0]), static_cast<double>(patch[1])};
+  return point_at(surface_.patches(patch[0], patch[1]), local[0], local[1]);
 }
 
 // On a line between patches, the ends of cells take what is nearer than kOnLine to them.

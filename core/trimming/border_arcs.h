@@ -70,6 +70,9 @@ class BorderArcs {
   /// The vertex at a point, a new one unless there is one with the same coordinates.
   int vertex_at(const Vec2& grid);
 
+  /// The point of a vertex of a patch, or near it, in space.
+  Vec3 point_in(const std::array<int, 2>& patch, int vertex) const;
+
   /// Divides an arc in the middle of its place: it keeps the first half, and the number of the
   /// second is returned; -1 if its place is too short for that.
   int halve(int arc);
@@ -79,6 +82,8 @@ class BorderArcs {
 
   /// Whether a cell may have a piece of the border for a side.
   bool takes_cells(int border) const;
+
+  bool has_common_borders() const { return options_.common_borders; }
 
   /// The highest degree of arcs that triangles of a patch can have.
   int arc_degree(int patch_u, int patch_v) const;

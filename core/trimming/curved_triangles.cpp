@@ -4,19 +4,111 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "core/blossom/triangle_composition.h"
 #include "core/forms/degree.h"
+#include "core/trimming/plane_predicates.h"
 
 namespace blossom {
 namespace {
 
 constexpr int kMostRounds = 16;  // of halving; chords come nearer to arcs by 4 each time
 
+constexpr double kFlat = -0.5;    // cosine of an angle beyond which a triangle is flat
+constexpr double kBetter = 0.01;  // of cosines that are worth a flip
+constexpr int kMostFlips = 8;     // rounds of flips, each of which may call for another
+
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+using Corners = std::array<int, 3>;
+using ArcBetween = std::map<std::pair<int, int>, int>;  // arcs by their ends
+
+// Flips sides of ears, triangles between two arcs, that are nearly flat in space: all of a facet at
+// the tip lies on the border then, which may bend away from the face and into the next one.
+class FlatEars {
+ public:
+  /// points     of the vertices in the chart
+  /// in_space   the point of a vertex
+  FlatEars(std::vector<Corners>& triangles, const std::vector<Vec2>& points,
+           std::function<Vec3(int)> in_space, const ArcBetween& arcs)
+      : triangles_(triangles), points_(points), in_space_(std::move(in_space)), arcs_(arcs) {
+    for (std::size_t i = 0; i < triangles_.size(); ++i) note(i);
+  }
+
+  void flip_all() {
+    bool flipped = true;
+    for (int round = 0; flipped && round < kMostFlips; ++round) {
+      flipped = false;
+      for (std::size_t i = 0; i < triangles_.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) flipped = flip(i, k) || flipped;
+    }
+  }
+
+ private:
+  void note(std::size_t i) {
+    for (std::size_t k = 0; k < 3; ++k) beside_[{triangles_[i][k], triangles_[i][(k + 1) % 3]}] = i;
+  }
+
+  bool turns_left(int a, int b, int c) const {
+    return orientation(points_[index(a)], points_[index(b)], points_[index(c)]) > 0;
+  }
+
+  static double cosine(const Vec3& a, const Vec3& b) {
+    const double size = norm(a) * norm(b);
+    return size > 0 ? dot(a, b) / size : 1;
+  }
+
+  // Of the widest angle.
+  double least_cosine(int a, int b, int c) const {
+    const Vec3 p = in_space_(a), q = in_space_(b), r = in_space_(c);
+    return std::min({cosine(q - p, r - p), cosine(r - q, p - q), cosine(p - r, q - r)});
+  }
+
+  bool is_arc(int from, int to) const { return arcs_.contains({from, to}); }
+
+  // Whether the triangle lies between two arcs that meet at b.
+  bool is_ear(int a, int b, int c) const { return is_arc(a, b) && is_arc(b, c); }
+
+  // Whether it lies behind one, so that the ear has no other triangle to be flipped with.
+  bool is_behind_ear(int from, int to) const {
+    const auto found = beside_.find({to, from});
+    if (found == beside_.end()) return false;
+    const Corners& ear = triangles_[found->second];
+    const int tip = ear[0] + ear[1] + ear[2] - from - to;
+    return is_ear(from, tip, to);
+  }
+
+  // The side opposite to corner k of triangle i.
+  bool flip(std::size_t i, std::size_t k) {
+    const int a = triangles_[i][(k + 2) % 3], b = triangles_[i][k], c = triangles_[i][(k + 1) % 3];
+    const auto behind = beside_.find({a, c});
+    if (behind == beside_.end() || arcs_.contains({a, c}) || arcs_.contains({c, a})) return false;
+    if (!is_ear(a, b, c) && !is_behind_ear(a, b) && !is_behind_ear(b, c)) return false;
+    const std::size_t j = behind->second;
+    const Corners& other = triangles_[j];
+    const int d = other[0] + other[1] + other[2] - a - c;
+    const double now = std::min(least_cosine(a, b, c), least_cosine(a, c, d));
+    if (now >= kFlat || !turns_left(a, b, d) || !turns_left(b, c, d)) return false;
+    if (std::min(least_cosine(a, b, d), least_cosine(b, c, d)) < now + kBetter) return false;
+    beside_.erase({a, c});
+    beside_.erase({c, a});
+    triangles_[i] = {a, b, d};
+    triangles_[j] = {b, c, d};
+    note(i);
+    note(j);
+    return true;
+  }
+
+  std::vector<Corners>& triangles_;
+  const std::vector<Vec2>& points_;
+  std::function<Vec3(int)> in_space_;
+  const ArcBetween& arcs_;
+  std::map<std::pair<int, int>, std::size_t> beside_;  // triangles by their directed sides
+};
 
 // The region of one patch while its arcs are being divided.
 class Region {
@@ -26,6 +118,7 @@ class Region {
       : borders_(borders),
         arcs_(arcs),
         sides_(sides),
+        patch_{patch_u, patch_v},
         corner_{static_cast<double>(patch_u), static_cast<double>(patch_v)},
         scale_(borders.metric(patch_u, patch_v)) {}
 
@@ -52,7 +145,7 @@ class Region {
   // The triangles, or the arcs to halve first.
   std::set<int> attempt(CurvedTriangles& made) const {
     std::vector<BorderSide> sides;
-    std::map<std::pair<int, int>, int> arc_between;
+    ArcBetween arc_between;
     for (const int number : arcs_) {
       sides.push_back({arc(number).from, arc(number).to});
       arc_between[{arc(number).from, arc(number).to}] = number;
@@ -60,7 +153,8 @@ class Region {
     sides.insert(sides.end(), sides_.begin(), sides_.end());
     std::set<int> to_halve = between_two_points(sides);
     if (!to_halve.empty()) return to_halve;
-    const Triangulation flat = triangulate(scaled_points(), sides);
+    const std::vector<Vec2> points = scaled_points();
+    Triangulation flat = triangulate(points, sides);
     for (const int side : flat.conflicts)
       if (index(side) < arcs_.size()) to_halve.insert(arcs_[index(side)]);
     if (!flat.consistent) to_halve.insert(arcs_.begin(), arcs_.end());
@@ -73,7 +167,11 @@ class Region {
       if (to_halve.empty()) made.obstacle = "its borders cross each other";
       return to_halve;
     }
-    for (const std::array<int, 3>& corners : flat.triangles) {
+    if (borders_.has_common_borders()) {
+      const auto in_space = [this](int vertex) { return borders_.point_in(patch_, vertex); };
+      FlatEars(flat.triangles, points, in_space, arc_between).flip_all();
+    }
+    for (const Corners& corners : flat.triangles) {
       CurvedTriangle triangle = curved(corners, arc_between);
       if (!keeps_its_turn(triangle.map))
         for (const int number : triangle.arcs)
@@ -100,8 +198,7 @@ class Region {
     return points;
   }
 
-  CurvedTriangle curved(const std::array<int, 3>& corners,
-                        const std::map<std::pair<int, int>, int>& arc_between) const {
+  CurvedTriangle curved(const Corners& corners, const ArcBetween& arc_between) const {
     CurvedTriangle triangle{corners, {-1, -1, -1}, {1, {}}};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto found = arc_between.find({corners[k], corners[(k + 1) % 3]});
@@ -137,6 +234,7 @@ class Region {
   BorderArcs& borders_;
   std::vector<int>& arcs_;
   const std::vector<BorderSide>& sides_;
+  std::array<int, 2> patch_;
   Vec2 corner_;
   Vec2 scale_;
 };

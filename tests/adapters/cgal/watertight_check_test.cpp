@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/cgal/gpl/mesh_check.h"
+#include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/watertight.h"
 #include "core/forms/de_casteljau.h"
@@ -192,6 +195,17 @@ TEST(WatertightMesh, OfABoxAndACylinderIsClosed) {
   const gp_Ax2 axis(gp_Pnt(1, 1, 1), gp_Dir(0.2, 0.1, 1));
   expect_watertight(BRepPrimAPI_MakeBox(2, 2, 2), BRepPrimAPI_MakeCylinder(axis, 0.6, 3),
                     Faces::Flat);
+}
+
+// Its blends join their neighbours smoothly along edges of many short pieces: a facet of three
+// points of such an edge may lie on the other side of it.
+TEST(WatertightMesh, OfACrankArmDoesNotCrossItself) {
+  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const occt::Model model = occt::read_model(std::string(folder) + "/models/crankarm.brep");
+  const occt::WatertightShape made = occt::watertight(model.shape());
+  ASSERT_EQ(made.pieces.obstacle, "");
+  expect_closed(Sampler(made, 4).mesh(), 54074, 1e-3);
 }
 
 }  // namespace
