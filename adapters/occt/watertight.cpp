@@ -271,17 +271,15 @@ class Rebuilder {
   TopTools_IndexedMapOfShape numbers_;
 };
 
-// Why a shape of pieces is not to be used: where the model's own edges are farther from its faces
-// than the pieces are wide, these fold over or miss each other. Empty if all is well.
-std::string fault_of(const TopoDS_Shape& given, const TopoDS_Shape& made) {
+}  // namespace
+
+std::string watertight_fault(const TopoDS_Shape& given, const TopoDS_Shape& made) {
   TopExp_Explorer before(given, TopAbs_SHELL), after(made, TopAbs_SHELL);
   for (; before.More() && after.More(); before.Next(), after.Next())
     if (BRep_Tool::IsClosed(before.Current()) && !BRep_Tool::IsClosed(after.Current()))
       return "the pieces of a closed shell do not close";
   return BRepCheck_Analyzer(made).IsValid() ? "" : "the pieces are not valid by BRepCheck";
 }
-
-}  // namespace
 
 WatertightShape watertight(const TopoDS_Shape& shape, const WatertightOptions& options) {
   WatertightShape result;
@@ -296,7 +294,7 @@ WatertightShape watertight(const TopoDS_Shape& shape, const WatertightOptions& o
   Rebuilder rebuilder(shape, result.faces);
   result.shape =
       shape.ShapeType() == TopAbs_FACE ? rebuilder.of_face(shape) : rebuilder.rebuilt(shape);
-  const std::string fault = fault_of(shape, result.shape);
+  const std::string fault = watertight_fault(shape, result.shape);
   if (fault.empty()) return result;
   WatertightShape refused;
   refused.pieces.obstacle =

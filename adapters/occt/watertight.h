@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
@@ -21,11 +22,16 @@ struct WatertightShape {
   TopoDS_Shape shape;
 };
 
+/// Why a shape of pieces is not to be used in the place of a given one: where the model's own edges
+/// are farther from its faces than the pieces are wide, these may fold over or miss each other.
+/// Empty if closed shells stay closed and the pieces are valid by BRepCheck.
+std::string watertight_fault(const TopoDS_Shape& given, const TopoDS_Shape& made);
+
 /// All faces of a shape as patches and triangles with common sides.
 ///
 /// Faces meet where they have an edge in common; its curve in space gives the common sides. If
 /// there is an obstacle, only that is set. Closed shells stay closed and the shape is valid by
-/// BRepCheck; if it were not, that is the obstacle.
+/// BRepCheck; if it were not, `watertight_fault` is the obstacle.
 ///
 /// throws   BadModel if a face cannot be converted, an edge has no curve in space or another range
 ///          of parameters on a face; InvalidInput as watertight_pieces

@@ -13,10 +13,13 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
 
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
@@ -94,6 +97,30 @@ TEST(Watertight, ABoxAndACylinderFusedHaveCommonControlPoints) {
   expect_sound(watertight(box_and_cylinder()), 2e-6);
 }
 
+// A shell of the faces of a shape but the first ones.
+TopoDS_Shape shell_without(const TopoDS_Shape& shape, int left_out) {
+  BRep_Builder builder;
+  TopoDS_Shell shell;
+  builder.MakeShell(shell);
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    if (left_out-- <= 0) builder.Add(shell, it.Current());
+  return shell;
+}
+
+TEST(Watertight, RefusesPiecesThatDoNotCloseOrAreNotValid) {
+  const TopoDS_Shape box = shell_without(BRepPrimAPI_MakeBox(1, 2, 3), 0);
+  EXPECT_EQ(watertight_fault(box, box), "");
+  const TopoDS_Shape open = shell_without(box, 1);
+  EXPECT_NE(watertight_fault(box, open).find("do not close"), std::string::npos);
+  EXPECT_EQ(watertight_fault(open, open), "");  // open as it was
+
+  const TopoDS_Shape bent = BRepPrimAPI_MakeBox(1, 2, 3);
+  BRep_Builder().UpdateVertex(TopoDS::Vertex(TopExp_Explorer(bent, TopAbs_VERTEX).Current()),
+                              gp_Pnt(9, 9, 9), 1e-7);
+  const TopoDS_Shape invalid = shell_without(bent, 0);
+  EXPECT_NE(watertight_fault(box, invalid).find("BRepCheck"), std::string::npos);
+}
+
 TEST(Watertight, KeepsSharedEdgesInBrepFiles) {
   const WatertightShape made = watertight(two_boxes());
   Model model;
@@ -122,6 +149,19 @@ TEST(Watertight, DividesTheEdgesOfABladeAgain) {
   EXPECT_EQ(made.pieces.obstacle, "");
   EXPECT_GT(made.pieces.pieces.size(), 10u);
   EXPECT_TRUE(BRepCheck_Analyzer(made.shape).IsValid());
+}
+
+// Straight arcs alone, as the degrees of its blades would have it, were refused: more than 5000 on
+// one border.
+TEST(Watertight, TakesABladeOfHighDegree) {
+  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const Model model = read_model(std::string(folder) + "/models/propeller.brep");
+  WatertightOptions options;
+  options.tolerance = 1e-5;
+  const WatertightShape made = watertight(model.face(25), options);
+  EXPECT_EQ(made.pieces.obstacle, "");
+  EXPECT_LT(made.pieces.pieces.size(), 400u);
 }
 
 // Its edges are up to 6e-3 off its faces, and lines between patches end next to each other.
