@@ -9,181 +9,138 @@
 #include <memory>
 #include <optional>
 #include <queue>
-#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/errors.h"
-#include "core/bounds/box_tree.h"
-#include "core/forms/evaluation.h"
+#include "core/distance_parts.h"
 #include "core/intersection/cell_tree.h"
+#include "core/queries/convex_pair.h"
 #include "core/queries/nearest_pair.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Distances below this, relative to the largest coordinate, are roundings.
+// Distances of points below this, relative to the largest coordinate, are roundings.
 constexpr double kRounding = 64 * 0x1p-53;
 // Off the middle, so that cells of symmetric shapes have no stationary points on their borders.
 constexpr double kCut = 0.5 - 1.0 / 64;
 // The bound from squares costs the square of the number of control points.
-constexpr int kMostPoints = 64;
-// Newton's method starts at every so many halvings of a pair.
-constexpr int kHalvingsPerStart = 3;
-
-// A point, a curve or a patch of a surface, all as patches: a curve has no width.
-struct Item {
-  DistanceEnd::Kind kind = DistanceEnd::Kind::Point;
-  int index = 0;
-  int row = 0, column = 0;  // of a surface's patch
-  RationalBezierPatch patch;
-  bool rational = false;
-  Box box;
-  /// By direction, at the low and the high border: the surface goes on there, but with a kink.
-  std::array<std::array<bool, 2>, 2> kinked{};
-
-  int dimension() const { return static_cast<int>(kind); }
-
-  // Whether a line that is nearest within a cell must be across its derivatives.
-  std::array<bool, 2> across(const Cell& cell) const {
-    const auto at_kink = [&](std::size_t k, const Interval& side) {
-      return (side.from == 0 && kinked[k][0]) || (side.to == 1 && kinked[k][1]);
-    };
-    return {dimension() > 0 && !at_kink(0, cell.u), dimension() > 1 && !at_kink(1, cell.v)};
-  }
-};
+constexpr int kMostPoints = 121;
+// Newton's method starts at every so many halvings of a pair, even where it promises nothing.
+constexpr int kHalvingsPerStart = 12;
+// Trims take as long to be asked as several halvings.
+constexpr int kHalvingsPerTrim = 6;
 
 Vec3 projected(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
 
-// Whether two patches that share a border go on in different directions there. Parts of one
-// polynomial agree to rounding.
-bool has_kink(const RationalBezierPatch& low, const RationalBezierPatch& high, bool along_u) {
-  constexpr double kSmooth = 1e-10;
-  const Grid<Vec4>&p = low.points, &q = high.points;
-  const int count = along_u ? p.columns() : p.rows();
-  const auto point = [&](const Grid<Vec4>& net, int across, int along) {
-    return projected(along_u ? net(across, along) : net(along, across));
-  };
-  const int last = (along_u ? p.rows() : p.columns()) - 1;
-  for (int k = 0; k < count; ++k) {
-    const Vec3 before = point(p, last, k) - point(p, last - 1, k);
-    const Vec3 after = point(q, 1, k) - point(q, 0, k);
-    const double lengths = norm(before) * norm(after);
-    if (!(lengths > 0) || norm(cross(before, after)) > kSmooth * lengths || dot(before, after) < 0)
-      return true;
-  }
-  return false;
-}
-
-Vec4 homogeneous(const Vec3& p) { return {p[0], p[1], p[2], 1}; }
-
-RationalBezierPatch as_patch(const std::vector<Vec4>& points) {
-  const int count = static_cast<int>(points.size());
-  RationalBezierPatch patch{Grid<Vec4>(count, 2)};
-  for (int i = 0; i < count; ++i)
-    patch.points(i, 0) = patch.points(i, 1) = points[static_cast<std::size_t>(i)];
-  return patch;
-}
-
-}  // namespace
-
-struct PreparedSet::Items {
-  explicit Items(MeasuredSet measured_set) : set(std::move(measured_set)) {
-    for (std::size_t i = 0; i < set.points.size(); ++i)
-      add(DistanceEnd::Kind::Point, i,
-          as_patch({homogeneous(set.points[i]), homogeneous(set.points[i])}));
-    for (std::size_t i = 0; i < set.curves.size(); ++i)
-      add(DistanceEnd::Kind::Curve, i, as_patch(set.curves[i].points));
-    for (std::size_t i = 0; i < set.surfaces.size(); ++i) {
-      validate(set.surfaces[i], ("number " + std::to_string(i)).c_str());
-      for (int row = 0; row < set.surfaces[i].patches.rows(); ++row)
-        for (int column = 0; column < set.surfaces[i].patches.columns(); ++column) {
-          add(DistanceEnd::Kind::Surface, i, set.surfaces[i].patches(row, column));
-          all.back().row = row;
-          all.back().column = column;
-          all.back().kinked = kinks(set.surfaces[i].patches, row, column);
-        }
-    }
-    if (all.empty()) throw InvalidInput("least_distance: a set is empty");
-    std::vector<Box> boxes;
-    for (const Item& item : all) boxes.push_back(item.box);
-    tree = BoxTree(boxes);
-  }
-
-  const Item& operator[](int item) const { return all[static_cast<std::size_t>(item)]; }
-
-  // Of trimmed surfaces it is not known where they have points.
-  bool is_whole(int item) const { return !set.trims || (*this)[item].dimension() < 2; }
-
-  Vec2 parameters(const Item& item, const Vec2& local) const {
-    if (item.kind != DistanceEnd::Kind::Surface) return {local[0], 0};
-    const BezierSurface& s = set.surfaces[static_cast<std::size_t>(item.index)];
-    const auto i = static_cast<std::size_t>(item.row), j = static_cast<std::size_t>(item.column);
-    return {parameter_at(s.u_law, {s.u_knots[i], s.u_knots[i + 1]}, local[0]),
-            parameter_at(s.v_law, {s.v_knots[j], s.v_knots[j + 1]}, local[1])};
-  }
-
-  TrimSide side(const Item& item, const Vec2& low, const Vec2& high) const {
-    if (item.kind != DistanceEnd::Kind::Surface || !set.trims) return TrimSide::Inside;
-    return set.trims(item.index, parameters(item, low), parameters(item, high));
-  }
-
-  static std::array<std::array<bool, 2>, 2> kinks(const Grid<RationalBezierPatch>& patches, int row,
-                                                  int column) {
-    const RationalBezierPatch& own = patches(row, column);
-    return {{{row > 0 && has_kink(patches(row - 1, column), own, true),
-              row + 1 < patches.rows() && has_kink(own, patches(row + 1, column), true)},
-             {column > 0 && has_kink(patches(row, column - 1), own, false),
-              column + 1 < patches.columns() && has_kink(own, patches(row, column + 1), false)}}};
-  }
-
-  void add(DistanceEnd::Kind kind, std::size_t index, RationalBezierPatch patch) {
-    Item item;
-    item.kind = kind;
-    item.index = static_cast<int>(index);
-    for (const Vec4& p : patch.points.values()) {
-      const Vec3 point = Vec3{p[0], p[1], p[2]} * (1 / p[3]);
-      if (!(p[3] > 0) || !std::isfinite(dot(p, p)))
-        throw InvalidInput("least_distance: a number is not finite or a weight not positive");
-      item.box = joined(item.box, {point, point});
-      item.rational = item.rational || p[3] != 1;
-      scale = std::max(scale, max_norm(point));
-    }
-    item.patch = std::move(patch);
-    all.push_back(std::move(item));
-  }
-
-  MeasuredSet set;
-  std::vector<Item> all;
-  BoxTree tree{{}};
-  double scale = 0;  // largest absolute coordinate
+// A cell of an item of a part; the part itself while there is no item.
+struct Place {
+  int part = 0;
+  int item = -1;
+  int cell = 0;
 };
-
-namespace {
 
 struct Pair {
   double lower = 0;
-  int item_a = 0, cell_a = 0;
-  int item_b = 0, cell_b = 0;
-  int depth = 0;
+  Place a, b;
+  int depth = -1;  // halvings; -1: only boxes and hulls have been looked at
   bool operator<(const Pair& other) const { return lower > other.lower; }  // the nearest on top
 };
 
-template <class Items>
+// The cells of an item, and how those that were asked about lie to the trims.
+struct ItemTree {
+  CellTree cells;
+  std::vector<std::optional<TrimSide>> sides{std::nullopt};
+
+  explicit ItemTree(const DistanceItem& item)
+      : cells(item.patch, item.rational, Vec3{}, CellForm::Bezier, kCut) {}
+
+  int split(int cell) {
+    const int low = cells.split(cell);
+    const auto size = static_cast<std::size_t>(cells.size());
+    if (sides.size() < size) {
+      // Halves of a cell inside are inside.
+      const auto known = sides[static_cast<std::size_t>(cell)];
+      sides.resize(size, known == TrimSide::Inside ? known : std::nullopt);
+    }
+    return low;
+  }
+};
+
+// One of the sets, with the trees of its items: made when a pair needs them.
+class Side {
+ public:
+  explicit Side(const DistanceParts& of) : parts(of), trees_(static_cast<std::size_t>(of.size())) {}
+
+  const DistanceParts& parts;
+
+  const DistanceItem& item(const Place& place) const {
+    return parts.items(place.part)[static_cast<std::size_t>(place.item)];
+  }
+
+  ItemTree& tree(const Place& place) {
+    auto& of_part = trees_[static_cast<std::size_t>(place.part)];
+    if (of_part.empty()) of_part.resize(parts.items(place.part).size());
+    auto& made = of_part[static_cast<std::size_t>(place.item)];
+    if (!made) made = std::make_unique<ItemTree>(item(place));
+    return *made;
+  }
+
+  // Outside of the trims; asked now and then.
+  bool is_outside(const Place& place) {
+    ItemTree& of = tree(place);
+    auto& side = of.sides[static_cast<std::size_t>(place.cell)];
+    const Cell& cell = of.cells[place.cell];
+    if (cell.depth % kHalvingsPerTrim != 0) return false;
+    if (!side)
+      side =
+          parts.side(place.part, item(place), {cell.u.from, cell.v.from}, {cell.u.to, cell.v.to});
+    return side == TrimSide::Outside;
+  }
+
+  bool is_outside(const Place& place, const Vec2& at) const {
+    return parts.side(place.part, item(place), at, at) == TrimSide::Outside;
+  }
+
+  DistanceEnd end(const Place& place, const Vec2& at, const Vec3& point) const {
+    return parts.end(place.part, item(place), at, point);
+  }
+
+ private:
+  std::vector<std::vector<std::unique_ptr<ItemTree>>> trees_;
+};
+
+double farthest(const Box& a, const Box& b) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double most = std::max(a.high[k] - b.low[k], b.high[k] - a.low[k]);
+    sum += most * most;
+  }
+  return sum;
+}
+
+double lower_end(double squared) { return (1 - 1e-14) * std::sqrt(squared); }
+
+Vec2 inside(const Cell& cell, const Vec2& at) {
+  return {std::clamp(at[0], cell.u.from, cell.u.to), std::clamp(at[1], cell.v.from, cell.v.to)};
+}
+
 class Search {
  public:
-  Search(const Items& a, const Items& b, const DistanceOptions& options)
+  Search(const DistanceParts& a, const DistanceParts& b, const DistanceOptions& options)
       : options_(options),
         a_(a),
         b_(b),
-        trees_a_(a.all.size()),
-        trees_b_(b.all.size()),
-        rounding_(kRounding * (a.scale + b.scale)) {
+        rounding_(kRounding * (a.scale() + b.scale())),
+        floor_((options.enough < 0 ? kDistanceResolution : kDistanceRounding) *
+               (a.scale() + b.scale())) {
     result_.upper = kInfinity;
   }
 
   DistanceResult run() {
-    add_items();
+    add_parts();
     double lowest = kInfinity;
     while (!open_.empty()) {
       const Pair pair = open_.top();
@@ -196,7 +153,12 @@ class Search {
       open_.pop();
       lowest = kInfinity;
       ++result_.pairs;
-      examine(pair);
+      if (pair.a.item < 0)
+        look_at_hulls(pair);
+      else if (pair.depth < 0)
+        consider({pair.lower, pair.a, pair.b, 0});
+      else
+        examine(pair);
     }
     result_.lower = std::max(0.0, std::min({lowest, dropped_, result_.upper}));
     // Cells at the limit of halving leave a gap, too.
@@ -206,7 +168,9 @@ class Search {
   }
 
  private:
-  double gap() const { return std::max(kDistanceAccuracy * result_.upper, rounding_); }
+  double gap() const {
+    return result_.upper < kInfinity ? std::max(kDistanceAccuracy * result_.upper, floor_) : floor_;
+  }
 
   // No pair at this distance or more matters any longer.
   bool is_settled(double lower) const {
@@ -214,145 +178,215 @@ class Search {
            (options_.enough >= 0 && (lower > options_.enough || result_.upper <= options_.enough));
   }
 
-  // Pairs of items near enough, by their boxes.
-  void add_items() {
-    double bound = kInfinity;  // square of a distance that is not exceeded
-    for (int i = 0; i < static_cast<int>(a_.all.size()); ++i)
-      if (a_.is_whole(i)) bound = std::min(bound, farthest(a_[i].box, b_.tree.box()));
-    for (int i = 0; i < static_cast<int>(a_.all.size()); ++i) {
-      const Box box = widened(a_[i].box, rounding_);
-      b_.tree.for_each_near(box, bound, [&](int j) {
-        const Box& other = b_[j].box;
-        if (a_.is_whole(i) && b_.is_whole(j)) bound = std::min(bound, farthest(box, other));
-        open_.push({(1 - 1e-14) * std::sqrt(squared_distance(box, other)), i, 0, j, 0, 0});
+  // Pairs of parts near enough, by their boxes. Two points give a first upper bound.
+  void add_parts() {
+    start_with_points();
+    double bound = result_.upper * result_.upper;
+    const Vec3 along = direction_;
+    std::vector<Interval> heights;  // of the parts of b
+    double front = -kInfinity;
+    for (int j = 0; j < b_.parts.size(); ++j) {
+      heights.push_back(b_.parts.heights(j, along));
+      front = std::max(front, heights.back().to);
+    }
+    std::vector<Pair> near;
+    for (int i = 0; i < a_.parts.size(); ++i) {
+      const double height = a_.parts.heights(i, along).from - rounding_;
+      if (height - front > result_.upper) continue;
+      const Box& box = a_.parts.box(i);
+      b_.parts.tree().for_each_near(box, bound, [&](int j) {
+        const double squared = squared_distance(box, b_.parts.box(j));
+        const double lower = std::max({0.0, lower_end(squared) - rounding_,
+                                       height - heights[static_cast<std::size_t>(j)].to});
+        if (a_.parts.is_point(i) && b_.parts.is_point(j)) {
+          if (squared < bound) take_points(i, j);
+          bound = std::min(bound, squared);
+        } else if (lower <= result_.upper) {
+          near.push_back({lower, {i}, {j}});
+        }
+        return bound;
+      });
+    }
+    std::erase_if(near, [&](const Pair& pair) { return pair.lower > result_.upper; });
+    open_ = std::priority_queue<Pair>(std::less<Pair>(), std::move(near));
+  }
+
+  // The points of each set that lie farthest towards the other one.
+  void start_with_points() {
+    const auto middle = [](const DistanceParts& parts) {
+      return 0.5 * (parts.bounds().low + parts.bounds().high);
+    };
+    const auto foremost = [](const DistanceParts& parts, const Vec3& direction) {
+      int best = -1;
+      double highest = -kInfinity;
+      for (int i = 0; i < parts.points(); ++i)
+        if (const double height = dot(direction, parts.box(i).low); height > highest) {
+          best = i;
+          highest = height;
+        }
+      return best;
+    };
+    const Vec3 towards = middle(b_.parts) - middle(a_.parts);
+    const int i = foremost(a_.parts, towards), j = foremost(b_.parts, -towards);
+    if (i >= 0 && j >= 0) take_points(i, j);
+  }
+
+  void take_points(int i, int j) {
+    const Vec3 p = a_.parts.box(i).low, q = b_.parts.box(j).low;
+    result_.upper = distance(p, q);
+    drop(result_.upper);
+    result_.a = {DistanceEnd::Kind::Point, i, {}, p};
+    result_.b = {DistanceEnd::Kind::Point, j, {}, q};
+    direction_ = unit(p - q);
+  }
+
+  // Bounds two parts by their hulls, along the direction of the nearest points so far.
+  void look_at_hulls(Pair pair) {
+    const Interval a = a_.parts.heights(pair.a.part, direction_);
+    const Interval b = b_.parts.heights(pair.b.part, direction_);
+    pair.lower = std::max({pair.lower, a.from - b.to - rounding_, b.from - a.to - rounding_});
+    is_settled(pair.lower) ? drop(pair.lower) : open_parts(pair);
+  }
+
+  void drop(double lower) { dropped_ = std::min(dropped_, lower); }
+
+  // Pairs of items near enough.
+  void open_parts(const Pair& pair) {
+    const int a = pair.a.part, b = pair.b.part;
+    const auto& items_a = a_.parts.items(a);
+    const auto& items_b = b_.parts.items(b);
+    double bound = result_.upper * result_.upper;
+    for (int i = 0; i < static_cast<int>(items_a.size()); ++i) {
+      const DistanceItem& item = items_a[static_cast<std::size_t>(i)];
+      b_.parts.item_tree(b).for_each_near(widened(item.box, rounding_), bound, [&](int j) {
+        const DistanceItem& other = items_b[static_cast<std::size_t>(j)];
+        if (a_.parts.is_whole(item) && b_.parts.is_whole(other))
+          bound = std::min(bound, (1 + 1e-12) * farthest(widened(item.box, rounding_), other.box));
+        const double far = lower_end(squared_distance(item.box, other.box)) - rounding_;
+        open_.push({std::max(pair.lower, far), {a, i}, {b, j}});
         return bound;
       });
     }
   }
 
-  static double farthest(const Box& a, const Box& b) {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double most = std::max(a.high[k] - b.low[k], b.high[k] - a.low[k]);
-      sum += most * most;
-    }
-    return sum;
-  }
-
   void examine(const Pair& pair) {
-    Tree& tree_a = tree(a_, trees_a_, pair.item_a);
-    Tree& tree_b = tree(b_, trees_b_, pair.item_b);
-    const double before = pair.lower;
-    if (pair.depth % kHalvingsPerStart == 0) start_from(pair);
-    const Cell cell_a = tree_a.cells[pair.cell_a], cell_b = tree_b.cells[pair.cell_b];
-    const bool split_a = can_split(pair.item_a, a_, cell_a) &&
-                         (cell_a.extent >= cell_b.extent || !can_split(pair.item_b, b_, cell_b));
-    if (!split_a && !can_split(pair.item_b, b_, cell_b)) {
-      dropped_ = std::min(dropped_, before);  // two points, or cells at the limit of halving
+    // Trims take long to be made, so they are asked last.
+    if (is_proven_convex(pair) || a_.is_outside(pair.a) || b_.is_outside(pair.b)) return;
+    ItemTree& tree_a = a_.tree(pair.a);
+    ItemTree& tree_b = b_.tree(pair.b);
+    const Cell &cell_a = tree_a.cells[pair.a.cell], &cell_b = tree_b.cells[pair.b.cell];
+    const bool can_a = can_split(a_.item(pair.a), cell_a);
+    const bool can_b = can_split(b_.item(pair.b), cell_b);
+    if (!can_a && !can_b) {
+      drop(pair.lower);  // two points, or the limit of halving
       return;
     }
-    const int low = (split_a ? tree_a : tree_b).split(split_a ? pair.cell_a : pair.cell_b);
+    const bool split_a = can_a && (cell_a.extent >= cell_b.extent || !can_b);
+    const int low = split_a ? tree_a.split(pair.a.cell) : tree_b.split(pair.b.cell);
     for (const int child : {low, low + 1}) {
       Pair next = pair;
-      (split_a ? next.cell_a : next.cell_b) = child;
+      (split_a ? next.a : next.b).cell = child;
       ++next.depth;
-      consider(next, tree_a, tree_b, split_a);
+      consider(next);
     }
   }
 
-  // The cells of an item, and how those that were asked about lie to the trims.
-  struct Tree {
-    CellTree cells;
-    std::vector<std::optional<TrimSide>> sides{std::nullopt};
-
-    int split(int cell) {
-      const int low = cells.split(cell);
-      const auto size = static_cast<std::size_t>(cells.size());
-      if (sides.size() < size) {
-        // Halves of a cell inside are inside.
-        const auto known = sides[static_cast<std::size_t>(cell)];
-        sides.resize(size, known == TrimSide::Inside ? known : std::nullopt);
-      }
-      return low;
-    }
-  };
-
-  static Tree& tree(const Items& items, std::vector<std::unique_ptr<Tree>>& trees, int item) {
-    auto& made = trees[static_cast<std::size_t>(item)];
-    const Item& it = items[item];
-    if (!made)
-      made = std::make_unique<Tree>(
-          Tree{CellTree(it.patch, it.rational, Vec3{}, CellForm::Bezier, kCut)});
-    return *made;
+  // Cells that are this small and not excluded by now are on a border of the trims.
+  bool can_split(const DistanceItem& item, const Cell& cell) const {
+    return item.dimension() > 0 && cell.depth < kDeepest && cell.extent > 0.1 * floor_;
   }
 
-  static bool is_outside(const Items& items, const Item& item, Tree& tree, int index) {
-    auto& side = tree.sides[static_cast<std::size_t>(index)];
-    const Cell& cell = tree.cells[index];
-    if (!side) side = items.side(item, {cell.u.from, cell.v.from}, {cell.u.to, cell.v.to});
-    return side == TrimSide::Outside;
-  }
-
-  static bool can_split(int item, const Items& items, const Cell& cell) {
-    return items[item].dimension() > 0 && cell.depth < kDeepest;
-  }
-
-  void consider(Pair& pair, Tree& tree_a, Tree& tree_b, bool new_a) {
-    const Cell& cell_a = tree_a.cells[pair.cell_a];
-    const Cell& cell_b = tree_b.cells[pair.cell_b];
-    const Item& item_a = a_[pair.item_a];
-    const Item& item_b = b_[pair.item_b];
-    const NetShape &shape_a = tree_a.cells.shape(), &shape_b = tree_b.cells.shape();
-    const int points_a = shape_a.plane_size(), points_b = shape_b.plane_size();
-    pair.lower =
-        std::max(pair.lower, distance_bound({&cell_a, points_a}, {&cell_b, points_b}, direction_));
-    if (!is_settled(pair.lower) && std::min(item_a.dimension(), item_b.dimension()) == 0 &&
-        std::max(points_a, points_b) <= kMostPoints) {
-      const bool point_a = item_a.dimension() == 0;
-      const Vec3 point = projected((point_a ? item_a : item_b).patch.points(0, 0));
-      pair.lower = std::max(pair.lower, point_a ? distance_bound(cell_b, shape_b, point)
-                                                : distance_bound(cell_a, shape_a, point));
-    }
+  // Keeps a pair if it may matter.
+  void consider(Pair pair) {
+    const Cell& cell_a = a_.tree(pair.a).cells[pair.a.cell];
+    const Cell& cell_b = b_.tree(pair.b).cells[pair.b.cell];
+    pair.lower = std::max(pair.lower, bound_of(pair, cell_a, cell_b));
     if (is_settled(pair.lower)) {
-      dropped_ = std::min(dropped_, pair.lower);
+      drop(pair.lower);
       return;
     }
-    if (!may_be_normal(cell_a, item_a.across(cell_a), cell_b, item_b.across(cell_b))) return;
-    if (new_a ? is_outside(a_, item_a, tree_a, pair.cell_a)
-              : is_outside(b_, item_b, tree_b, pair.cell_b))
-      return;
-    open_.push(pair);
+    if (may_be_normal(cell_a, a_.item(pair.a).across(cell_a), cell_b,
+                      b_.item(pair.b).across(cell_b)))
+      open_.push(pair);
   }
 
-  // A pair of near points, by Newton's method from the middle of the cells.
-  void start_from(const Pair& pair) {
-    const Item& item_a = a_[pair.item_a];
-    const Item& item_b = b_[pair.item_b];
-    const Cell& a = tree(a_, trees_a_, pair.item_a).cells[pair.cell_a];
-    const Cell& b = tree(b_, trees_b_, pair.item_b).cells[pair.cell_b];
-    const NearPair found =
-        near_pair({&item_a.patch, item_a.dimension()}, {&item_b.patch, item_b.dimension()},
-                  {at(a.u, 0.5), at(a.v, 0.5)}, {at(b.u, 0.5), at(b.v, 0.5)});
+  double bound_of(const Pair& pair, const Cell& cell_a, const Cell& cell_b) {
+    const DistanceItem &item_a = a_.item(pair.a), &item_b = b_.item(pair.b);
+    const NetShape& shape_a = a_.tree(pair.a).cells.shape();
+    const NetShape& shape_b = b_.tree(pair.b).cells.shape();
+    const int points_a = shape_a.plane_size(), points_b = shape_b.plane_size();
+    const double bound = distance_bound({&cell_a, points_a}, {&cell_b, points_b}, direction_);
+    if (is_settled(bound) || std::min(item_a.dimension(), item_b.dimension()) > 0 ||
+        std::max(points_a, points_b) > kMostPoints)
+      return bound;
+    const bool point_a = item_a.dimension() == 0;
+    const Vec3 point = projected((point_a ? item_a : item_b).patch.points(0, 0));
+    const PointBound to_point =
+        point_a ? distance_bound(cell_b, shape_b, point) : distance_bound(cell_a, shape_a, point);
+    const double bend = std::max(to_point.bend_u, to_point.bend_v);
+    if (bend > 2 * result_.upper * gap()) {
+      ItemTree& tree = point_a ? b_.tree(pair.b) : a_.tree(pair.a);
+      tree.cells.prefer((point_a ? pair.b : pair.a).cell, to_point.bend_u == bend);
+    }
+    return std::max(bound, to_point.distance);
+  }
+
+  // Whether Newton's method may find something nearer from the middle of the cells.
+  bool is_promising(const Pair& pair, const Cell& a, const Cell& b) const {
+    return pair.depth % kHalvingsPerStart == kHalvingsPerStart - 1 ||
+           distance(0.5 * (a.low + a.high), 0.5 * (b.low + b.high)) < result_.upper - gap();
+  }
+
+  // Whether the least distance of a pair is known and settles it. On the way Newton's method looks
+  // for a nearer one.
+  bool is_proven_convex(const Pair& pair) {
+    const Cell& a = a_.tree(pair.a).cells[pair.a.cell];
+    const Cell& b = b_.tree(pair.b).cells[pair.b.cell];
+    const DistanceItem &item_a = a_.item(pair.a), &item_b = b_.item(pair.b);
+    const PatchOf form_a{&item_a.patch, item_a.dimension()};
+    const PatchOf form_b{&item_b.patch, item_b.dimension()};
+    std::array<Vec2, 2> at_foot = best_at_;
+    if (is_promising(pair, a, b)) {
+      const NearPair found =
+          near_pair(form_a, form_b, {at(a.u, 0.5), at(a.v, 0.5)}, {at(b.u, 0.5), at(b.v, 0.5)});
+      take(pair, found);
+      at_foot = {found.a, found.b};
+    } else if (best_a_ != &item_a || best_b_ != &item_b) {
+      at_foot = {Vec2{at(a.u, 0.5), at(a.v, 0.5)}, Vec2{at(b.u, 0.5), at(b.v, 0.5)}};
+    }
+    const double bound = convex_bound(
+        {&a, a_.tree(pair.a).cells.shape(), form_a}, {&b, b_.tree(pair.b).cells.shape(), form_b},
+        inside(a, at_foot[0]), inside(b, at_foot[1]), result_.upper - gap(), rounding_);
+    if (!is_settled(bound)) return false;
+    drop(bound);
+    return true;
+  }
+
+  // Keeps a pair of points if it is the nearest one so far.
+  void take(const Pair& pair, const NearPair& found) {
     const double far = distance(found.point_a, found.point_b);
     if (!(far < result_.upper)) return;
-    if (a_.side(item_a, found.a, found.a) == TrimSide::Outside ||
-        b_.side(item_b, found.b, found.b) == TrimSide::Outside)
-      return;
+    if (a_.is_outside(pair.a, found.a) || b_.is_outside(pair.b, found.b)) return;
     result_.upper = far;
+    best_a_ = &a_.item(pair.a);
+    best_b_ = &b_.item(pair.b);
+    best_at_ = {found.a, found.b};
     direction_ = unit(found.point_a - found.point_b);
-    result_.a = {item_a.kind, item_a.index, a_.parameters(item_a, found.a), found.point_a};
-    result_.b = {item_b.kind, item_b.index, b_.parameters(item_b, found.b), found.point_b};
+    result_.a = a_.end(pair.a, found.a, found.point_a);
+    result_.b = b_.end(pair.b, found.b, found.point_b);
   }
 
   static constexpr int kDeepest = 90;  // halvings of a patch: 45 in each direction
 
   DistanceOptions options_;
-  const Items& a_;
-  const Items& b_;
-  std::vector<std::unique_ptr<Tree>> trees_a_, trees_b_;  // made when a pair needs them
-  double rounding_;
+  Side a_, b_;
+  double rounding_;  // of the distance of two points, model units
+  double floor_;     // what differences of distances below this are worth, model units
   DistanceResult result_;
-  Vec3 direction_;
+  const DistanceItem* best_a_ = nullptr;  // those of the nearest points found by Newton's method
+  const DistanceItem* best_b_ = nullptr;
+  std::array<Vec2, 2> best_at_;
+  Vec3 direction_;  // from the nearest point of b to that of a
   double dropped_ = kInfinity;
   std::priority_queue<Pair> open_;
 };
@@ -394,15 +428,19 @@ MeasuredSet measured(const BezierSurface& surface) {
   return set;
 }
 
-PreparedSet::PreparedSet(MeasuredSet set) : items_(std::make_unique<Items>(std::move(set))) {}
+PreparedSet::PreparedSet(MeasuredSet set)
+    : parts_(std::make_unique<DistanceParts>(std::move(set))) {}
+PreparedSet::PreparedSet(MeasuredParts parts)
+    : parts_(std::make_unique<DistanceParts>(std::move(parts))) {}
 PreparedSet::~PreparedSet() = default;
 PreparedSet::PreparedSet(PreparedSet&&) noexcept = default;
 PreparedSet& PreparedSet::operator=(PreparedSet&&) noexcept = default;
-const MeasuredSet& PreparedSet::set() const { return items_->set; }
+const MeasuredSet& PreparedSet::set() const { return parts_->set(); }
+const MeasuredSet& PreparedSet::part(int number) const { return parts_->own_set(number); }
 
 DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                               const DistanceOptions& options) {
-  return Search<PreparedSet::Items>(*a.items_, *b.items_, options).run();
+  return Search(*a.parts_, *b.parts_, options).run();
 }
 
 DistanceResult least_distance(const MeasuredSet& a, const MeasuredSet& b,

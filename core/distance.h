@@ -35,6 +35,20 @@ struct MeasuredSet {
   TrimFilter trims{};  ///< empty: all of the surfaces counts
 };
 
+/// Points near whose convex hull all of a part lies.
+struct PartHull {
+  std::vector<Vec3> points;  ///< model units; at least one
+  double margin = 0;         ///< how far outside of it a coordinate may be
+};
+
+/// A set of which only hulls are there at first: a part is made when a question comes near it.
+struct MeasuredParts {
+  std::vector<Vec3> points;                   ///< need no making
+  std::vector<PartHull> hulls;                ///< one for each part
+  std::function<MeasuredSet(int part)> make;  ///< once at most for each, from any thread
+  TrimFilter trims{};  ///< takes the part for the surface; a part has one surface at most
+};
+
 /// A surface with its borders and corners.
 MeasuredSet measured(const BezierSurface& surface);
 /// A curve with its ends.
@@ -49,6 +63,7 @@ struct DistanceEnd {
   int index = 0;  ///< of the point, curve or surface
   Vec2 uv;        ///< the surface's own parameters; (t, 0) with t in [0, 1] of a curve
   Vec3 point;     ///< model units
+  int part = -1;  ///< that the index counts in; -1: in the set itself
 };
 
 struct DistanceResult {
@@ -56,14 +71,21 @@ struct DistanceResult {
   double upper = 0;  ///< and at most this, taken at `a` and `b`
   DistanceEnd a, b;
 
-  /// Complete: the bounds agree to kDistanceAccuracy, relative to the distance, or to rounding.
+  /// Complete: the bounds agree to kDistanceAccuracy or kDistanceResolution.
   /// Stopped: the budget or the limit of halving was spent before.
   Status status = Status::Complete;
   long pairs = 0;  ///< of cells looked at
 };
 
-/// Relative to the distance. Roundings of coordinates add some 1e-14 of the largest one.
+/// Relative to the distance.
 inline constexpr double kDistanceAccuracy = 1e-10;
+/// Relative to the sum of the largest coordinates of both sets: distances that are equal to this
+/// all over a surface, as from the middle of a ball, need not be told apart.
+inline constexpr double kDistanceResolution = 1e-10;
+/// The same for roundings, which is what counts where a limit is asked for. Bounds of a cell have
+/// some 20 units of them for each halving, in both sets and all directions some 2^14 at the
+/// deepest.
+inline constexpr double kDistanceRounding = 0x1p-39;
 
 struct DistanceOptions {
   /// Pairs of cells looked at before giving up.
@@ -73,22 +95,27 @@ struct DistanceOptions {
   double enough = -1;
 };
 
+class DistanceParts;
+
 /// A set made ready for many questions. Any number of threads may ask it.
 class PreparedSet {
  public:
   /// throws   InvalidInput if the set is empty or a form is not sound
   explicit PreparedSet(MeasuredSet set);
+  explicit PreparedSet(MeasuredParts parts);
   ~PreparedSet();
   PreparedSet(PreparedSet&&) noexcept;
   PreparedSet& operator=(PreparedSet&&) noexcept;
 
+  /// What is there from the beginning: everything, or the points of a set in parts.
   const MeasuredSet& set() const;
+  /// What a part is made of; made if it is not yet. Only of a set in parts.
+  const MeasuredSet& part(int number) const;
 
  private:
   friend DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                                        const DistanceOptions& options);
-  struct Items;
-  std::unique_ptr<Items> items_;
+  std::unique_ptr<DistanceParts> parts_;
 };
 
 /// The least distance of two sets.

@@ -76,13 +76,13 @@ ChartRegion::Place ChartRegion::place(const Vec2& point) const {
 ChartRegion::Place ChartRegion::place(const FaceTrims& trims, const PlanarBox& rectangle) const {
   if (natural_) return Place::Inside;
   const int i1 = column(rectangle.high[0]), j1 = row(rectangle.high[1]);
-  const Place first =
-      cells_[static_cast<std::size_t>(row(rectangle.low[1]) * kCells + column(rectangle.low[0]))];
-  bool same = first != Place::Near;
-  for (int j = row(rectangle.low[1]); same && j <= j1; ++j)
-    for (int i = column(rectangle.low[0]); same && i <= i1; ++i)
-      same = cells_[static_cast<std::size_t>(j * kCells + i)] == first;
-  if (same) return first;
+  bool seen[3] = {};  // by place
+  for (int j = row(rectangle.low[1]); j <= j1; ++j)
+    for (int i = column(rectangle.low[0]); i <= i1; ++i)
+      seen[static_cast<std::size_t>(cells_[static_cast<std::size_t>(j * kCells + i)])] = true;
+  const auto was = [&](Place place) { return seen[static_cast<std::size_t>(place)]; };
+  if (was(Place::Inside) && was(Place::Outside)) return Place::Near;
+  if (!was(Place::Near)) return was(Place::Inside) ? Place::Inside : Place::Outside;
   if (meets(trims, rectangle)) return Place::Near;
   return is_inside(trims, 0.5 * (rectangle.low + rectangle.high)) ? Place::Inside : Place::Outside;
 }

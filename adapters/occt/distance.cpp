@@ -2,9 +2,11 @@
 #include "adapters/occt/distance.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -16,136 +18,196 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/chart_region.h"
 #include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/hulls.h"
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/placed_shapes.h"
 #include "adapters/occt/surfaces.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {
 namespace {
 
-struct EdgeSpan {
-  TopoDS_Edge edge;
-  Interval place;
-  ParameterLaw law = ParameterLaw::Linear;
-};
-
-// A face; its trims are made when a question comes near it.
-struct MeasuredFace {
-  struct Trims {
-    FaceTrims trims;
-    ChartRegion region;
-
-    explicit Trims(const TopoDS_Face& face) : trims(face_trims(face)), region(trims) {}
-  };
-
-  TopoDS_Face face;
-  std::once_flag once{};
-  std::unique_ptr<Trims> made{};
-
-  explicit MeasuredFace(const TopoDS_Face& f) : face(f) {}
-
-  const Trims& trims() {
-    std::call_once(once, [&] { made = std::make_unique<Trims>(face); });
-    return *made;
-  }
-};
-
-}  // namespace
-
-struct MeasuredShape::Impl {
-  explicit Impl(const TopoDS_Shape& shape) {
-    if (shape.IsNull()) throw BadModel("there is no shape to measure");
-    map_parts(shape);
-    for (int i = 1; i <= maps[0].Extent(); ++i) add_face(TopoDS::Face(maps[0](i)));
-    for (int i = 1; i <= maps[1].Extent(); ++i) add_edge(TopoDS::Edge(maps[1](i)));
-    for (int i = 1; i <= maps[2].Extent(); ++i) {
-      const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(maps[2](i)));
-      set.points.push_back({p.X(), p.Y(), p.Z()});
-    }
-    if (set.points.empty() && set.curves.empty() && set.surfaces.empty())
-      throw BadModel("there is nothing in the shape to measure");
-    set.trims = [this](int face, const Vec2& low, const Vec2& high) {
-      return side(faces[static_cast<std::size_t>(face)], low, high);
-    };
-  }
-
-  // As TopExp::MapShapes for faces, edges and vertices, but what several parts share is entered
-  // once: placing parts takes most of the time.
-  void map_parts(const TopoDS_Shape& shape) {
-    const TopAbs_ShapeEnum kind = shape.ShapeType();
-    TopTools_IndexedMapOfShape* const map = kind == TopAbs_FACE     ? &maps[0]
-                                            : kind == TopAbs_EDGE   ? &maps[1]
-                                            : kind == TopAbs_VERTEX ? &maps[2]
-                                                                    : nullptr;
-    if (map != nullptr) {
-      const int known = map->Extent();
-      if (map->Add(shape) <= known) return;
-    }
-    for (TopoDS_Iterator part(shape); part.More(); part.Next()) map_parts(part.Value());
-  }
-
-  void add_face(const TopoDS_Face& face) {
-    faces.emplace_back(face);
-    set.surfaces.push_back(bezier_surface(face));
-    error = std::max(error, set.surfaces.back().error);
-  }
-
-  void add_edge(const TopoDS_Edge& edge) {
-    if (BRep_Tool::Degenerated(edge)) return;  // a point: its vertex is there
-    double first = 0, last = 0;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-    if (curve.IsNull()) throw BadModel("an edge has no curve in space");
-    CurveSpans found = bezier_spans(curve, {first, last});
-    error = std::max(error, found.error);
-    for (CurveSpan& span : found.spans) {
-      // Between spans the curve may have a kink, so ends of spans count as points.
-      if (&span != &found.spans.front()) add_joint(edge, span);
-      set.curves.push_back(std::move(span.curve));
-      spans.push_back({edge, span.place, span.law});
-    }
-  }
-
-  void add_joint(const TopoDS_Edge& edge, const CurveSpan& span) {
-    const Vec4& p = span.curve.points.front();
-    joints.push_back({edge, {span.place.from, 0}, Vec3{p[0], p[1], p[2]} * (1 / p[3])});
-  }
-
-  static TrimSide side(MeasuredFace& face, const Vec2& low, const Vec2& high) {
-    const MeasuredFace::Trims& made = face.trims();
+// The trims of a face, made when a question comes near it; and when there are many, a grid of what
+// is inside.
+class MeasuredFace {
+ public:
+  TrimSide side(const std::function<TopoDS_Face()>& face, const Vec2& low, const Vec2& high) {
+    std::call_once(once_, [&] { trims_ = std::make_unique<FaceTrims>(face_trims(face())); });
+    if (asked_.fetch_add(1) < kFewQuestions)
+      switch (part_side(*trims_, {low[0], high[0]}, {low[1], high[1]})) {
+        case PartSide::Inside: return TrimSide::Inside;
+        case PartSide::Outside: return TrimSide::Outside;
+        case PartSide::Mixed: return TrimSide::Mixed;
+      }
+    std::call_once(region_once_, [&] { region_ = std::make_unique<ChartRegion>(*trims_); });
     PlanarBox box;
     for (int k = 0; k < 2; ++k) {
-      box.low[k] = low[k] * made.trims.scale[k];
-      box.high[k] = high[k] * made.trims.scale[k];
+      box.low[k] = low[k] * trims_->scale[k];
+      box.high[k] = high[k] * trims_->scale[k];
     }
-    switch (made.region.place(made.trims, box)) {
+    switch (region_->place(*trims_, box)) {
       case ChartRegion::Place::Inside: return TrimSide::Inside;
       case ChartRegion::Place::Outside: return TrimSide::Outside;
-      case ChartRegion::Place::Near: return TrimSide::Mixed;
+      case ChartRegion::Place::Near: break;
     }
     return TrimSide::Mixed;
   }
 
-  MeasuredSet set;  // till it is prepared
-  std::optional<PreparedSet> prepared;
-  TopTools_IndexedMapOfShape maps[3];  // faces, edges, vertices
+ private:
+  static constexpr int kFewQuestions = 16;  // the grid costs about as much
+
+  std::once_flag once_, region_once_;
+  std::unique_ptr<FaceTrims> trims_;
+  std::unique_ptr<ChartRegion> region_;
+  std::atomic<int> asked_ = 0;
+};
+
+// Which spans of an edge its curves are.
+struct EdgeSpan {
+  Interval place;
+  ParameterLaw law = ParameterLaw::Linear;
+};
+
+// An edge; its spans are there once it is converted.
+struct MeasuredEdge {
+  int number = 0;  // among all edges
+  std::vector<EdgeSpan> spans{};
+};
+
+// Coordinates from here on mean that there is no end.
+constexpr double kEndless = 1e50;
+
+}  // namespace
+
+// Parts of the set are the faces, then the edges.
+struct MeasuredShape::Impl {
+  explicit Impl(const TopoDS_Shape& shape)
+      : shapes(shape), faces(shapes.faces().size()), converted(shapes.faces().size()) {
+    MeasuredParts parts;
+    for (const PlacedShape& vertex : shapes.vertices()) {
+      gp_XYZ p = BRep_Tool::Pnt(TopoDS::Vertex(vertex.shape)).XYZ();
+      shapes.place_of(vertex).Transforms(p);
+      parts.points.push_back({p.X(), p.Y(), p.Z()});
+    }
+    for (int i = 0; i < static_cast<int>(faces.size()); ++i) parts.hulls.push_back(face_hull(i));
+    for (int i = 0; i < static_cast<int>(shapes.edges().size()); ++i)
+      // A degenerated one is a point: its vertex is there.
+      if (!BRep_Tool::Degenerated(TopoDS::Edge(shapes.edges()[static_cast<std::size_t>(i)].shape)))
+        edges.push_back({i});
+    for (const MeasuredEdge& edge : edges) parts.hulls.push_back(edge_hull(edge));
+    if (parts.points.empty() && parts.hulls.empty())
+      throw BadModel("there is nothing in the shape to measure");
+    parts.make = [this](int part) { return make(part); };
+    parts.trims = [this](int face, const Vec2& low, const Vec2& high) {
+      return side(face, low, high);
+    };
+    prepared.emplace(std::move(parts));
+  }
+
+  TopoDS_Face face(int i) const {
+    return TopoDS::Face(shapes.placed(shapes.faces()[static_cast<std::size_t>(i)]));
+  }
+  TopoDS_Edge edge(const MeasuredEdge& of) const {
+    return TopoDS::Edge(shapes.placed(shapes.edges()[static_cast<std::size_t>(of.number)]));
+  }
+  bool is_face(int part) const { return part < static_cast<int>(faces.size()); }
+  MeasuredEdge& edge_of_part(int part) {
+    return edges[static_cast<std::size_t>(part) - faces.size()];
+  }
+
+  // Of control points where they do. Other forms are converted at once, so that the error of what
+  // is only approximated does not depend on the questions.
+  PartHull face_hull(int i) {
+    const PlacedShape& part = shapes.faces()[static_cast<std::size_t>(i)];
+    std::vector<Vec3> hull;
+    if (add_hull(TopoDS::Face(part.shape), hull) && has_end(hull))
+      return placed_hull(std::move(hull), shapes.place_of(part));
+    BezierSurface& surface =
+        converted[static_cast<std::size_t>(i)].emplace(bezier_surface(face(i)));
+    error = std::max(error, surface.error);
+    hull.clear();
+    for (const RationalBezierPatch& patch : surface.patches.values())
+      for (const Vec4& p : patch.points.values()) hull.push_back(point_of(p));
+    return {std::move(hull), surface.error};
+  }
+
+  PartHull edge_hull(const MeasuredEdge& of) {
+    const PlacedShape& part = shapes.edges()[static_cast<std::size_t>(of.number)];
+    std::vector<Vec3> hull;
+    if (add_hull(TopoDS::Edge(part.shape), hull) && has_end(hull))
+      return placed_hull(std::move(hull), shapes.place_of(part));
+    const CurveSpans found = spans_of(of);
+    error = std::max(error, found.error);
+    hull.clear();
+    for (const CurveSpan& span : found.spans)
+      for (const Vec4& p : span.curve.points) hull.push_back(point_of(p));
+    return {std::move(hull), found.error};
+  }
+
+  static Vec3 point_of(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
+  static bool has_end(const std::vector<Vec3>& hull) {
+    return !hull.empty() && std::all_of(hull.begin(), hull.end(),
+                                        [](const Vec3& p) { return max_norm(p) < kEndless; });
+  }
+
+  CurveSpans spans_of(const MeasuredEdge& of) const {
+    Interval range;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge(of), range.from, range.to);
+    if (curve.IsNull()) throw BadModel("an edge has no curve in space");
+    return bezier_spans(curve, range);
+  }
+
+  MeasuredSet make(int part) {
+    return guarded("converting a part to measure", [&] {
+      MeasuredSet set;
+      if (is_face(part)) {
+        auto& known = converted[static_cast<std::size_t>(part)];
+        set.surfaces.push_back(known ? std::move(*known) : bezier_surface(face(part)));
+        return set;
+      }
+      MeasuredEdge& of = edge_of_part(part);
+      for (CurveSpan& span : spans_of(of).spans) {
+        // Between spans the curve may have a kink, so ends of spans count as points.
+        if (!of.spans.empty()) set.points.push_back(point_of(span.curve.points.front()));
+        set.curves.push_back(std::move(span.curve));
+        of.spans.push_back({span.place, span.law});
+      }
+      return set;
+    });
+  }
+
+  TrimSide side(int i, const Vec2& low, const Vec2& high) {
+    return faces[static_cast<std::size_t>(i)].side([&] { return face(i); }, low, high);
+  }
+
+  ShapePoint named(const DistanceEnd& end) {
+    const auto index = static_cast<std::size_t>(end.index);
+    if (end.part < 0) return {shapes.placed(shapes.vertices()[index]), {}, end.point};
+    if (is_face(end.part)) return {face(end.part), end.uv, end.point};
+    const MeasuredEdge& of = edge_of_part(end.part);
+    if (end.kind == DistanceEnd::Kind::Point)  // where a span ends and the next one begins
+      return {edge(of), {of.spans[index].place.to, 0}, end.point};
+    const EdgeSpan& span = of.spans[index];
+    return {edge(of), {parameter_at(span.law, span.place, end.uv[0]), 0}, end.point};
+  }
+
+  PlacedShapes shapes;
   std::deque<MeasuredFace> faces;
-  std::vector<EdgeSpan> spans;
-  std::vector<ShapePoint> joints;  // where spans of an edge meet; points behind the vertices
+  std::vector<std::optional<BezierSurface>> converted;  // faces whose form had to be made for a box
+  std::vector<MeasuredEdge> edges;
+  std::optional<PreparedSet> prepared;
   double error = 0;
 };
 
 MeasuredShape::MeasuredShape(const TopoDS_Shape& shape)
     : impl_(guarded("preparing a shape to measure", [&] {
-        auto made = std::make_unique<Impl>(shape);
-        for (const ShapePoint& joint : made->joints) made->set.points.push_back(joint.point);
-        made->prepared.emplace(std::move(made->set));
-        return made;
+        if (shape.IsNull()) throw BadModel("there is no shape to measure");
+        return std::make_unique<Impl>(shape);
       })) {}
 MeasuredShape::~MeasuredShape() = default;
 MeasuredShape::MeasuredShape(MeasuredShape&&) noexcept = default;
@@ -153,26 +215,17 @@ MeasuredShape& MeasuredShape::operator=(MeasuredShape&&) noexcept = default;
 
 const PreparedSet& MeasuredShape::set() const { return *impl_->prepared; }
 double MeasuredShape::error() const { return impl_->error; }
+int MeasuredShape::parts() const {
+  return static_cast<int>(impl_->faces.size() + impl_->edges.size());
+}
+
 std::vector<TopoDS_Face> MeasuredShape::faces() const {
   std::vector<TopoDS_Face> all;
-  for (const MeasuredFace& face : impl_->faces) all.push_back(face.face);
+  for (int i = 0; i < static_cast<int>(impl_->faces.size()); ++i) all.push_back(impl_->face(i));
   return all;
 }
 
-ShapePoint MeasuredShape::named(const DistanceEnd& end) const {
-  const auto index = static_cast<std::size_t>(end.index);
-  const int vertices = impl_->maps[2].Extent();
-  switch (end.kind) {
-    case DistanceEnd::Kind::Surface: return {impl_->faces[index].face, end.uv, end.point};
-    case DistanceEnd::Kind::Curve: {
-      const EdgeSpan& span = impl_->spans[index];
-      return {span.edge, {parameter_at(span.law, span.place, end.uv[0]), 0}, end.point};
-    }
-    case DistanceEnd::Kind::Point: break;
-  }
-  if (end.index < vertices) return {impl_->maps[2](end.index + 1), {}, end.point};
-  return impl_->joints[index - static_cast<std::size_t>(vertices)];
-}
+ShapePoint MeasuredShape::named(const DistanceEnd& end) const { return impl_->named(end); }
 
 namespace {
 
@@ -230,15 +283,25 @@ ShapeDistance nearest_point(const MeasuredShape& shape, const Vec3& point,
 std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point,
                                    double tolerance) {
   std::vector<ShapeFoot> feet;
-  for (FootPoint& foot : blossom::foot_points(shape.set().set(), point, tolerance)) {
-    if (shape.error() > 0) foot.status = weaker(foot.status, Status::Tolerance);
-    const ShapePoint place = shape.named(foot.at);
-    // Two spans of an edge find the foot where they meet.
-    const bool known = std::any_of(feet.begin(), feet.end(), [&](const ShapeFoot& other) {
-      return other.at.on.IsSame(place.on) && distance(other.at.point, place.point) <= 2 * tolerance;
-    });
-    if (!known) feet.push_back({place, foot});
+  for (int part = 0; part < shape.parts(); ++part) {
+    MeasuredSet set = shape.set().part(part);
+    const TrimFilter& trims = shape.set().set().trims;
+    set.trims = [&](int, const Vec2& low, const Vec2& high) { return trims(part, low, high); };
+    for (FootPoint& foot : blossom::foot_points(set, point, tolerance)) {
+      foot.at.part = part;
+      if (shape.error() > 0) foot.status = weaker(foot.status, Status::Tolerance);
+      const ShapePoint place = shape.named(foot.at);
+      // Two spans of an edge find the foot where they meet.
+      const bool known = std::any_of(feet.begin(), feet.end(), [&](const ShapeFoot& other) {
+        return other.at.on.IsSame(place.on) &&
+               distance(other.at.point, place.point) <= 2 * tolerance;
+      });
+      if (!known) feet.push_back({place, foot});
+    }
   }
+  std::stable_sort(feet.begin(), feet.end(), [](const ShapeFoot& a, const ShapeFoot& b) {
+    return a.foot.distance < b.foot.distance;
+  });
   return feet;
 }
 

@@ -32,17 +32,20 @@ struct ShapeDistance {
 };
 
 /// A shape made ready for many questions, by any number of threads: its faces, all edges with the
-/// curves they have in space, all vertices. Solids are their boundaries.
+/// curves they have in space, all vertices. Solids are their boundaries. At first only boxes are
+/// made; faces and edges are converted when a question comes near them.
 class MeasuredShape {
  public:
   /// throws   BadModel if there is nothing in the shape, an edge has no curve in space, or a face
-  ///          cannot be used; that of the trims of a face may come with the first question near it
+  ///          cannot be used; that of a conversion may come with the first question near it
   explicit MeasuredShape(const TopoDS_Shape& shape);
   ~MeasuredShape();
   MeasuredShape(MeasuredShape&&) noexcept;
   MeasuredShape& operator=(MeasuredShape&&) noexcept;
 
+  /// In parts: the faces, then the edges. Vertices are its points.
   const PreparedSet& set() const;
+  int parts() const;
   std::vector<TopoDS_Face> faces() const;
   /// The face, edge or vertex with the parameters of its own.
   ShapePoint named(const DistanceEnd& end) const;

@@ -52,10 +52,7 @@ template <int kTerms>
   }
 }
 
-double largest(const Ranges& ranges) {
-  const Range range = ranges.joined();
-  return std::max(-range.low, range.high);
-}
+double largest(const Range& range) { return std::max(-range.low, range.high); }
 
 }  // namespace
 
@@ -71,16 +68,23 @@ BLOSSOM_HOT Range difference_range_v(const double* plane, int rows, int columns)
   return ranges.joined();
 }
 
-BLOSSOM_HOT SecondDifferences largest_second_differences(const double* plane, int rows,
-                                                         int columns) {
-  Ranges uu(0), uv(0), vv(0);
+BLOSSOM_HOT SecondRanges second_difference_ranges(const double* plane, int rows, int columns) {
+  const double* p = plane;
+  Ranges uu(rows > 2 ? p[0] - 2 * p[columns] + p[2 * columns] : 0);
+  Ranges uv(p[0] - p[1] - p[columns] + p[columns + 1]);
+  Ranges vv(columns > 2 ? p[0] - 2 * p[1] + p[2] : 0);
   include(plane, (rows - 2) * columns, {0, columns, 2 * columns}, {1, -2, 1}, uu);
   for (int i = 0; i < rows; ++i) {
     const double* row = plane + i * columns;
     include(row, columns - 2, {0, 1, 2}, {1, -2, 1}, vv);
     if (i + 1 < rows) include(row, columns - 1, {0, 1, columns, columns + 1}, {1, -1, -1, 1}, uv);
   }
-  return {largest(uu), largest(uv), largest(vv)};
+  return {uu.joined(), uv.joined(), vv.joined()};
+}
+
+SecondDifferences largest_second_differences(const double* plane, int rows, int columns) {
+  const SecondRanges ranges = second_difference_ranges(plane, rows, columns);
+  return {largest(ranges.uu), largest(ranges.uv), largest(ranges.vv)};
 }
 
 }  // namespace blossom

@@ -8,13 +8,19 @@
 namespace blossom {
 
 struct Range {
-  double low;
-  double high;
+  double low = 0;
+  double high = 0;
 };
 
 /// Of the differences between neighbours along u (in one column) or v (in one row).
 Range difference_range_u(const double* plane, int rows, int columns);
 Range difference_range_v(const double* plane, int rows, int columns);
+
+/// Of second differences, 0 where there are none.
+struct SecondRanges {
+  Range uu{}, uv{}, vv{};
+};
+SecondRanges second_difference_ranges(const double* plane, int rows, int columns);
 
 /// Largest absolute second differences, 0 where there are none.
 struct SecondDifferences {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/bounds/box_tree.h"
-#include "core/forms/evaluation.h"
+#include "core/intersection/net_ranges.h"
 #include "core/math/binomial.h"
 
 namespace blossom {
@@ -64,34 +64,6 @@ bool may_be_across(const Vec3& mid, const Vec3& rad, const VectorBounds& d) {
 using Vec4d = std::array<double, 4>;
 using Matrix4 = std::array<Vec4d, 4>;
 
-// Half the square of the distance, with derivatives by (u, v, s, t).
-struct Gap {
-  PatchJet a, b;
-  double value = 0;
-  Vec4d slope{};
-  Matrix4 curvature{};
-};
-
-Gap gap_at(const PatchOf& a, const PatchOf& b, const Vec4d& x) {
-  Gap gap;
-  gap.a = jet_at(*a.patch, x[0], x[1], 2);
-  gap.b = jet_at(*b.patch, x[2], x[3], 2);
-  const Vec3 r = gap.a.point - gap.b.point;
-  gap.value = 0.5 * dot(r, r);
-  const std::array<Vec3, 4> d{gap.a.u, gap.a.v, -gap.b.u, -gap.b.v};
-  for (std::size_t i = 0; i < 4; ++i) {
-    gap.slope[i] = dot(r, d[i]);
-    for (std::size_t j = 0; j < 4; ++j) gap.curvature[i][j] = dot(d[i], d[j]);
-  }
-  gap.curvature[0][0] += dot(r, gap.a.uu);
-  gap.curvature[1][1] += dot(r, gap.a.vv);
-  gap.curvature[0][1] = gap.curvature[1][0] = gap.curvature[0][1] + dot(r, gap.a.uv);
-  gap.curvature[2][2] -= dot(r, gap.b.uu);
-  gap.curvature[3][3] -= dot(r, gap.b.vv);
-  gap.curvature[2][3] = gap.curvature[3][2] = gap.curvature[2][3] - dot(r, gap.b.uv);
-  return gap;
-}
-
 // Solves h s = -g for the free variables by Cholesky's method; false if h is not positive definite.
 bool solve(Matrix4 h, const Vec4d& g, const std::array<bool, 4>& free, Vec4d& step) {
   step = {};
@@ -131,7 +103,7 @@ double distance_bound(const HullCell& a, const HullCell& b, const Vec3& directio
   return bound;
 }
 
-double distance_bound(const Cell& cell, const NetShape& shape, const Vec3& point) {
+PointBound distance_bound(const Cell& cell, const NetShape& shape, const Vec3& point) {
   const int rows = shape.rows, columns = shape.columns, size = shape.plane_size();
   const int n = rows - 1, m = columns - 1;
   const auto weight = [&](int i) {
@@ -145,6 +117,7 @@ double distance_bound(const Cell& cell, const NetShape& shape, const Vec3& point
            weight(i) * point;
     farthest = std::max(farthest, norm(x[k]) / weight(i));
   }
+  std::array<double, (2 * kMaxDegree + 1) * (2 * kMaxDegree + 1)> f;
   double least = std::numeric_limits<double>::infinity();
   for (int r = 0; r <= 2 * n; ++r)
     for (int c = 0; c <= 2 * m; ++c) {
@@ -157,13 +130,15 @@ double distance_bound(const Cell& cell, const NetShape& shape, const Vec3& point
           square += part * dot(x[static_cast<std::size_t>(a)], x[static_cast<std::size_t>(b)]);
           weights += part * weight(a) * weight(b);
         }
+      f[static_cast<std::size_t>(r * (2 * m + 1) + c)] = square / weights;
       least = std::min(least, square / weights);
     }
   // Each point is off by the margin and by roundings of the difference, 2 in a product; sums of
   // less than 2^10 terms round relative to what is positive.
   const double error =
       4 * farthest * (cell.margin + 0x1p-50 * max_norm(point)) + 0x1p-42 * farthest * farthest;
-  return std::sqrt(std::max(0.0, least - error));
+  const SecondDifferences bend = largest_second_differences(f.data(), 2 * n + 1, 2 * m + 1);
+  return {std::sqrt(std::max(0.0, least - error)), n * n * bend.uu, m * m * bend.vv};
 }
 
 bool may_be_normal(const Cell& a, const std::array<bool, 2>& across_a, const Cell& b,
@@ -180,16 +155,38 @@ bool may_be_normal(const Cell& a, const std::array<bool, 2>& across_a, const Cel
          (!across_b[1] || may_be_across(mid, rad, b.dv));
 }
 
+SquaredGap squared_gap(const PatchOf& a, const PatchOf& b, const std::array<double, 4>& x) {
+  SquaredGap gap;
+  gap.a = jet_at(*a.patch, x[0], x[1], 2);
+  gap.b = jet_at(*b.patch, x[2], x[3], 2);
+  const Vec3 r = gap.a.point - gap.b.point;
+  gap.value = 0.5 * dot(r, r);
+  const std::array<Vec3, 4> d{gap.a.u, gap.a.v, -gap.b.u, -gap.b.v};
+  for (std::size_t i = 0; i < 4; ++i) {
+    gap.slope[i] = dot(r, d[i]);
+    for (std::size_t j = 0; j < 4; ++j) gap.curvature[i][j] = dot(d[i], d[j]);
+  }
+  gap.curvature[0][0] += dot(r, gap.a.uu);
+  gap.curvature[1][1] += dot(r, gap.a.vv);
+  gap.curvature[0][1] = gap.curvature[1][0] = gap.curvature[0][1] + dot(r, gap.a.uv);
+  gap.curvature[2][2] -= dot(r, gap.b.uu);
+  gap.curvature[3][3] -= dot(r, gap.b.vv);
+  gap.curvature[2][3] = gap.curvature[3][2] = gap.curvature[2][3] - dot(r, gap.b.uv);
+  return gap;
+}
+
 NearPair near_pair(const PatchOf& a, const PatchOf& b, const Vec2& start_a, const Vec2& start_b) {
   const std::array<bool, 4> counts{a.dimension > 0, a.dimension > 1, b.dimension > 0,
                                    b.dimension > 1};
+  const std::array<Interval, 4> sides{a.u, a.v, b.u, b.v};
   Vec4d x{start_a[0], start_a[1], start_b[0], start_b[1]};
-  Gap gap = gap_at(a, b, x);
+  SquaredGap gap = squared_gap(a, b, x);
   double damping = 0;
   for (int k = 0; k < kSteps && damping < kMostDamping; ++k) {
     std::array<bool, 4> free = counts;
-    for (std::size_t i = 0; i < 4; ++i)  // not those that a side of the square holds
-      free[i] = free[i] && !(x[i] <= 0 && gap.slope[i] > 0) && !(x[i] >= 1 && gap.slope[i] < 0);
+    for (std::size_t i = 0; i < 4; ++i)  // not those that a side of the piece holds
+      free[i] = free[i] && !(x[i] <= sides[i].from && gap.slope[i] > 0) &&
+                !(x[i] >= sides[i].to && gap.slope[i] < 0);
     Matrix4 h = gap.curvature;
     for (std::size_t i = 0; i < 4; ++i) h[i][i] += damping * (std::abs(h[i][i]) + 1e-300);
     Vec4d step;
@@ -200,11 +197,11 @@ NearPair near_pair(const PatchOf& a, const PatchOf& b, const Vec2& start_a, cons
     Vec4d next = x;
     double moved = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-      next[i] = std::clamp(x[i] + step[i], 0.0, 1.0);
+      next[i] = std::clamp(x[i] + step[i], sides[i].from, sides[i].to);
       moved = std::max(moved, std::abs(next[i] - x[i]));
     }
     if (!(moved > kLastStep)) break;
-    const Gap there = gap_at(a, b, next);
+    const SquaredGap there = squared_gap(a, b, next);
     if (there.value < gap.value) {
       x = next;
       gap = there;

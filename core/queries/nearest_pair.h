@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "core/forms/evaluation.h"
 #include "core/intersection/cell_tree.h"
 
 namespace blossom {
@@ -21,8 +22,13 @@ double distance_bound(const HullCell& a, const HullCell& b, const Vec3& directio
 
 /// A bound below the distance of a point from the points of a cell: the square of the distance is a
 /// rational Bernstein form, |X - w p|^2 / w^2, and not below its least coefficient. So it is exact
-/// for circles and spheres about the point. Model units, roundings included.
-double distance_bound(const Cell& cell, const NetShape& shape, const Vec3& point);
+/// for circles and spheres about the point.
+struct PointBound {
+  double distance = 0;  ///< model units, roundings included
+  /// How much the coefficients bend in each direction, model units squared: what halving gains.
+  double bend_u = 0, bend_v = 0;
+};
+PointBound distance_bound(const Cell& cell, const NetShape& shape, const Vec3& point);
 
 /// False if no line from one cell to the other is normal to both in the directions asked for,
 /// that is, if r = A - B has r . S_u or r . S_v of one sign.
@@ -34,15 +40,25 @@ bool may_be_normal(const Cell& a, const std::array<bool, 2>& across_a, const Cel
 struct PatchOf {
   const RationalBezierPatch* patch = nullptr;
   int dimension = 2;
+  Interval u{0, 1}, v{0, 1};  ///< the piece of it that counts
 };
+
+/// Half the square of the distance, with derivatives by the parameters of both patches.
+struct SquaredGap {
+  PatchJet a, b;
+  double value = 0;
+  std::array<double, 4> slope{};  ///< by u, v of a, then of b
+  std::array<std::array<double, 4>, 4> curvature{};
+};
+SquaredGap squared_gap(const PatchOf& a, const PatchOf& b, const std::array<double, 4>& at);
 
 struct NearPair {
   Vec2 a, b;  ///< parameters of the patches
   Vec3 point_a, point_b;
 };
 
-/// A pair where the distance is locally least within the unit squares, as far as Newton's method
-/// with damping gets from a start. Never farther than the start.
+/// A pair where the distance is locally least within the pieces, as far as Newton's method with
+/// damping gets from a start in them. Never farther than the start.
 NearPair near_pair(const PatchOf& a, const PatchOf& b, const Vec2& start_a, const Vec2& start_b);
 
 }  // namespace blossom

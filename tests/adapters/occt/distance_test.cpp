@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -16,6 +17,15 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
@@ -47,7 +57,9 @@ void expect_distance(const ShapeDistance& found, double expected) {
   EXPECT_EQ(found.status, Status::Complete);
   EXPECT_LE(found.lower, expected * (1 + 1e-14) + 1e-13);
   EXPECT_GE(found.upper, expected * (1 - 1e-14) - 1e-13);
-  EXPECT_LE(found.upper - found.lower, kDistanceAccuracy * expected + 1e-12);
+  // All coordinates here sum to less than 10.
+  EXPECT_LE(found.upper - found.lower,
+            std::max(kDistanceAccuracy * expected, 10 * kDistanceResolution));
 }
 
 TEST(ShapeDistance, OfBoxesIsTakenAtFacesEdgesAndVertices) {
@@ -105,6 +117,47 @@ TEST(ShapeDistance, IsNoMoreThanThatOfOpenCascade) {
       EXPECT_LE(found.lower, turned.upper);
       EXPECT_LE(turned.lower, found.upper);
     }
+}
+
+TEST(ShapeDistance, TakesPartsWhereTheyArePlaced) {
+  // The same box twice in a compound that is turned and placed itself.
+  gp_Trsf turn, apart, away;
+  turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(1, 2, 3)), 1);
+  apart.SetTranslation(gp_Vec(5, 0, 0));
+  away.SetTranslation(gp_Vec(0, 7, 0));
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  BRep_Builder builder;
+  TopoDS_Compound inner, outer;
+  builder.MakeCompound(inner);
+  builder.Add(inner, box);
+  builder.Add(inner, box.Moved(apart));
+  builder.MakeCompound(outer);
+  builder.Add(outer, inner);
+  builder.Add(outer, inner.Moved(away));
+  const TopoDS_Shape turned = outer.Moved(turn);
+  const MeasuredShape measured(turned);
+  EXPECT_EQ(measured.faces().size(), 24u);
+  const gp_Pnt p = gp_Pnt(5.3, 8.9, 0.4).Transformed(turn);
+  const ShapeDistance found = nearest_point(measured, {p.X(), p.Y(), p.Z()});
+  expect_distance(found, 0.9);
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(turned, TopAbs_FACE, faces);
+  EXPECT_GT(faces.FindIndex(found.b.on), 0);
+}
+
+TEST(ShapeDistance, ConvertsFormsWithoutControlPointsAtOnce) {
+  // An offset surface is approximated; its bound is part of every answer.
+  const Handle(Geom_Surface) ball = new Geom_SphericalSurface(gp_Ax3(), 1);
+  const Handle(Geom_Surface) bezier = GeomConvert::SurfaceToBSplineSurface(
+      new Geom_RectangularTrimmedSurface(ball, 0.0, 1.0, 0.0, 1.0));
+  const Handle(Geom_Surface) offset = new Geom_OffsetSurface(bezier, 0.5);
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(offset, 1e-7).Face();
+  const MeasuredShape measured(face);
+  EXPECT_GT(measured.error(), 0);
+  const ShapeDistance found = nearest_point(measured, {2 * std::cos(0.5), 2 * std::sin(0.5), 0.5});
+  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_LE(found.lower, std::sqrt(4.25) - 1.5);
+  EXPECT_NEAR(found.upper, std::sqrt(4.25) - 1.5, 1e-6);
 }
 
 TEST(ShapeFeet, AreOnFacesWithinTrimsAndOnEdges) {

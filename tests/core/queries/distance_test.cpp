@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/base/errors.h"
 #include "tests/support/shapes.h"
@@ -36,7 +39,9 @@ void expect_distance(const DistanceResult& found, double expected) {
   EXPECT_EQ(found.status, Status::Complete);
   EXPECT_LE(found.lower, expected * (1 + 1e-15) + 1e-15);
   EXPECT_GE(found.upper, expected * (1 - 1e-14) - 1e-15);
-  EXPECT_LE(found.upper - found.lower, kDistanceAccuracy * expected + 1e-13);
+  // All coordinates here sum to less than 10.
+  EXPECT_LE(found.upper - found.lower,
+            std::max(kDistanceAccuracy * expected, 10 * kDistanceResolution));
   EXPECT_NEAR(distance(found.a.point, found.b.point), found.upper, 1e-15 * (1 + expected));
 }
 
@@ -181,6 +186,63 @@ TEST(LeastDistance, LeavesOutWhatIsTrimmedAway) {
   expect_distance(least_distance(measured(Vec3{0.2, 0.4, 0.4}), part), 0.5);
 }
 
+TEST(LeastDistance, EndsForPointsHardlyOffASurface) {
+  // Far from the origin, so that roundings of coordinates are larger than the distance.
+  const MeasuredSet sphere = measured(moved(testing::unit_sphere(), {20, 10, 5}));
+  const Vec3 normal = unit(Vec3{1, 2, 3});
+  for (const double off : {0.0, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3}) {
+    const Vec3 point = Vec3{20, 10, 5} + (1 + off) * normal;
+    const DistanceResult found = least_distance(measured(point), sphere);
+    EXPECT_EQ(found.status, Status::Complete) << off;
+    EXPECT_LE(found.lower, off + 1e-14);
+    EXPECT_NEAR(found.upper, off, 1e-13);
+    EXPECT_LE(found.pairs, 500) << off;
+  }
+}
+
+TEST(LeastDistance, EndsForPointsNearTheCentreOfASphere) {
+  const MeasuredSet sphere = measured(testing::unit_sphere());
+  for (const double off : {1e-14, 1e-11, 1e-8, 1e-5, 1e-3}) {
+    const DistanceResult found = least_distance(measured(off * unit(Vec3{1, 2, 3})), sphere);
+    EXPECT_EQ(found.status, Status::Complete) << off;
+    EXPECT_LE(found.lower, 1 - off + 1e-14);
+    EXPECT_NEAR(found.upper, 1 - off, 4e-10);
+    EXPECT_LE(found.pairs, 2000) << off;
+  }
+}
+
+TEST(LeastDistance, OfConvexPartsNeedsFewPairs) {
+  // Where the square of the distance is convex nothing is halved down to the accuracy.
+  const DistanceResult found = least_distance(
+      measured(testing::unit_sphere()), measured(moved(testing::unit_sphere(), {3, 0.1, -0.2})));
+  EXPECT_LE(found.upper - found.lower, 1e-12);
+  EXPECT_LE(found.pairs, 400);
+}
+
+TEST(LeastDistance, MakesOnlyPartsThatMatter) {
+  // Short segments in two rows, one behind the other.
+  const auto row = [](double x, std::vector<int>& made) {
+    MeasuredParts parts;
+    for (int i = 0; i < 12; ++i) {
+      const Vec3 start{x + i, 0, 0};
+      parts.hulls.push_back({{start, start + Vec3{0.01, 0, 0}}, 0});
+    }
+    parts.make = [x, &made](int part) {
+      made.push_back(part);
+      return measured(segment({x + part, 0, 0}, {x + part + 0.01, 0, 0}));
+    };
+    return PreparedSet(std::move(parts));
+  };
+  std::vector<int> made_a, made_b;
+  const PreparedSet a = row(0, made_a), b = row(20, made_b);
+  const DistanceResult found = least_distance(a, b);
+  EXPECT_NEAR(found.upper, 20 - 11.01, 1e-13);
+  EXPECT_EQ(found.a.part, 11);
+  EXPECT_EQ(found.b.part, 0);
+  EXPECT_EQ(made_a, std::vector<int>{11});
+  EXPECT_EQ(made_b, std::vector<int>{0});
+}
+
 TEST(LeastDistance, RefusesWhatIsNotThere) {
   const MeasuredSet point = measured(Vec3{0, 0, 0});
   EXPECT_THROW(least_distance({}, point), InvalidInput);
@@ -209,7 +271,8 @@ TEST_P(LeastDistanceProperty, IsNeverMoreThanThatOfSamples) {
   EXPECT_EQ(found.status, Status::Complete);
   EXPECT_LE(found.lower, turned.upper);
   EXPECT_LE(turned.lower, found.upper);
-  EXPECT_LE(found.upper - found.lower, kDistanceAccuracy * found.upper + 1e-12);
+  EXPECT_LE(found.upper - found.lower,
+            std::max(kDistanceAccuracy * found.upper, 10 * kDistanceResolution));
   double sampled = std::numeric_limits<double>::infinity();
   const auto point = [](const RationalBezierPatch& patch, double u, double v) {
     const Vec4 p = reference_point(patch, u, v);

@@ -85,7 +85,7 @@ TEST(NearestPair, BoundsDistancesBySlabsAndSquares) {
   const double bound = distance_bound({&square[0], 4}, {&roof[0], 4}, {0, 0, 1});
   EXPECT_LE(bound, 1);
   EXPECT_NEAR(bound, 1, 1e-12);
-  const double to_point = distance_bound(square[0], square.shape(), {0.5, 0.5, 3});
+  const double to_point = distance_bound(square[0], square.shape(), {0.5, 0.5, 3}).distance;
   EXPECT_LE(to_point, 3);
   EXPECT_GE(to_point, 2.9);
 }
