@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "adapters/occt/border_numbers.h"
 #include "plugin/cli/output.h"
 
 namespace blossom::cli {
@@ -15,7 +15,7 @@ namespace blossom::cli {
 /// Numbers of a model's edges and vertices, 1-based in the order of TopExp::MapShapes.
 class ShapeNumbers {
  public:
-  explicit ShapeNumbers(const TopoDS_Shape& shape);
+  explicit ShapeNumbers(const TopoDS_Shape& shape) : numbers_(shape) {}
 
   /// {"kind": "edge", "number": 3}; kind "face" with the given number where `on` is null.
   Json place(const TopoDS_Shape& on, int face) const;
@@ -23,8 +23,7 @@ class ShapeNumbers {
   std::string text(const TopoDS_Shape& on, int face) const;
 
  private:
-  TopTools_IndexedMapOfShape edges_;
-  TopTools_IndexedMapOfShape vertices_;
+  occt::BorderNumbers numbers_;
 };
 
 }  // namespace blossom::cli

@@ -63,14 +63,14 @@ IntersectionOptions options_from(double tolerance, const std::string& form, doub
   return options;
 }
 
-std::vector<TopoDS_Face> faces_from(const std::string& bytes, const std::string& name) {
-  std::vector<TopoDS_Face> faces = occt::faces_of(occt::shape_from_bytes(bytes, name));
+std::vector<TopoDS_Face> faces_from(const TopoDS_Shape& shape, const std::string& name) {
+  std::vector<TopoDS_Face> faces = occt::faces_of(shape);
   if (faces.empty()) throw occt::BadModel(name + ": there is no face in it");
   return faces;
 }
 
 TopoDS_Face one_face(const std::string& bytes, const std::string& name) {
-  const std::vector<TopoDS_Face> faces = faces_from(bytes, name);
+  const std::vector<TopoDS_Face> faces = faces_from(occt::shape_from_bytes(bytes, name), name);
   if (faces.size() > 1)
     throw occt::BadModel(name + ": one face is wanted, got " + std::to_string(faces.size()));
   return faces.front();
@@ -81,11 +81,14 @@ py::object intersect_bytes(const std::string& a, const std::string& b, double to
                            int threads) {
   IntersectionOptions options = options_from(tolerance, form, time_limit, budget, threads);
   return python_answer(interruptible([&](const std::atomic<bool>& cancelled) {
-    const std::vector<TopoDS_Face> faces_a = faces_from(a, "a");
-    const std::vector<TopoDS_Face> faces_b = faces_from(b, "b");
+    const TopoDS_Shape shape_a = occt::shape_from_bytes(a, "a");
+    const TopoDS_Shape shape_b = occt::shape_from_bytes(b, "b");
+    const std::vector<TopoDS_Face> faces_a = faces_from(shape_a, "a");
+    const std::vector<TopoDS_Face> faces_b = faces_from(shape_b, "b");
     options.cancelled = [&] { return cancelled.load(); };
     const auto start = std::chrono::steady_clock::now();
-    Answer answer{.found = occt::intersect(faces_a, faces_b, options)};
+    Answer answer{occt::intersect(faces_a, faces_b, options), occt::BorderNumbers(shape_a),
+                  occt::BorderNumbers(shape_b)};
     answer.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return answer;

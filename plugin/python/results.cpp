@@ -29,10 +29,19 @@ struct Curve {
   const IntersectionCurve& get() const { return pair->found.curves[number]; }
 };
 
+// Pieces between seams that are one curve.
+struct Chain {
+  SharedAnswer answer;
+  const occt::FaceIntersection* pair = nullptr;
+  const CurveChain* chain = nullptr;
+  std::size_t first = 0;  // place of the pair's first curve among all curves
+};
+
 struct Contact {
   SharedAnswer answer;
   const occt::FaceIntersection* pair = nullptr;
   const SurfacePoint* where = nullptr;
+  const occt::BorderPlace* border = nullptr;  // null for a node
 };
 
 struct OverlapOf {
@@ -126,13 +135,57 @@ py::list curves(const Intersection& self) {
   return list;
 }
 
-py::list contacts(const Intersection& self,
-                  std::vector<SurfacePoint> SurfaceIntersection::*member) {
+py::list chains(const Intersection& self) {
+  py::list list;
+  std::size_t first = 0;
+  for (const occt::FaceIntersection& pair : self.answer->found.pairs) {
+    for (const CurveChain& chain : pair.chains)
+      list.append(Chain{self.answer, &pair, &chain, first});
+    first += pair.found.curves.size();
+  }
+  return list;
+}
+
+py::list pieces(const Chain& self) {
+  py::list list;
+  for (const ChainUse& use : self.chain->uses)
+    list.append(py::make_tuple(self.first + static_cast<std::size_t>(use.curve), use.forward));
+  return list;
+}
+
+double length(const Chain& self) {
+  double sum = 0;
+  for (const ChainUse& use : self.chain->uses)
+    sum += self.pair->found.curves[static_cast<std::size_t>(use.curve)].length;
+  return sum;
+}
+
+py::list points(const Intersection& self) {
   py::list list;
   for (const occt::FaceIntersection& pair : self.answer->found.pairs)
-    for (const SurfacePoint& where : pair.found.*member)
+    for (std::size_t i = 0; i < pair.found.points.size(); ++i)
+      list.append(Contact{self.answer, &pair, &pair.found.points[i], &pair.borders[i]});
+  return list;
+}
+
+py::list nodes(const Intersection& self) {
+  py::list list;
+  for (const occt::FaceIntersection& pair : self.answer->found.pairs)
+    for (const SurfacePoint& where : pair.found.nodes)
       list.append(Contact{self.answer, &pair, &where});
   return list;
+}
+
+py::object on_a(const Contact& c) {
+  if (c.border == nullptr) return py::none();
+  const occt::BorderNumber found = c.answer->numbers_a.of(c.border->on_a, face_a(c));
+  return py::make_tuple(found.kind, found.number);
+}
+
+py::object on_b(const Contact& c) {
+  if (c.border == nullptr) return py::none();
+  const occt::BorderNumber found = c.answer->numbers_b.of(c.border->on_b, face_b(c));
+  return py::make_tuple(found.kind, found.number);
 }
 
 py::list overlaps(const Intersection& self) {
@@ -153,8 +206,8 @@ py::list places(const Intersection& self) {
 std::string summary(const Intersection& self) {
   const auto count = [](const py::list& list) { return std::to_string(list.size()); };
   return "<blossom.Intersection: " + std::string(to_string(self.answer->found.status)) + ", " +
-         count(curves(self)) + " curves, " + count(contacts(self, &SurfaceIntersection::points)) +
-         " points, " + count(places(self)) + " places>";
+         count(chains(self)) + " curves, " + count(points(self)) + " points, " +
+         count(places(self)) + " places>";
 }
 
 void add_curve(py::module_& module) {
@@ -179,12 +232,27 @@ void add_curve(py::module_& module) {
       .def_property_readonly("face_b", &face_b<Curve>);
 }
 
+void add_chain(py::module_& module) {
+  py::class_<Chain>(module, "Chain", "Curves that go on across the seams of a closed surface.")
+      .def_property_readonly("curves", &pieces,
+                             "In order, the place in Intersection.curves and whether it is walked "
+                             "from its first point to its last one.")
+      .def_property_readonly("closed", [](const Chain& c) { return c.chain->closed; })
+      .def_property_readonly("length", &length)
+      .def_property_readonly("face_a", &face_a<Chain>)
+      .def_property_readonly("face_b", &face_b<Chain>);
+}
+
 void add_contact(py::module_& module) {
   py::class_<Contact>(module, "Contact", "A point that both faces have in common.")
       .def_property_readonly("point",
                              [](const Contact& c) { return view(c.answer, c.where->point); })
       .def_property_readonly("uv_a", [](const Contact& c) { return view(c.answer, c.where->uv_a); })
       .def_property_readonly("uv_b", [](const Contact& c) { return view(c.answer, c.where->uv_b); })
+      .def_property_readonly("on_a", &on_a,
+                             "What of a the point is on, within tolerance: its kind (face, edge or "
+                             "vertex) and number. None for a node.")
+      .def_property_readonly("on_b", &on_b)
       .def_property_readonly("face_a", &face_a<Contact>)
       .def_property_readonly("face_b", &face_b<Contact>);
 }
@@ -224,6 +292,7 @@ void add_place(py::module_& module) {
 
 void add_results(py::module_& module) {
   add_curve(module);
+  add_chain(module);
   add_contact(module);
   add_overlap(module);
   add_place(module);
@@ -231,10 +300,9 @@ void add_results(py::module_& module) {
       .def_property_readonly(
           "status", [](const Intersection& s) { return to_string(s.answer->found.status); })
       .def_property_readonly("curves", &curves)
-      .def_property_readonly(
-          "points", [](const Intersection& s) { return contacts(s, &SurfaceIntersection::points); })
-      .def_property_readonly(
-          "nodes", [](const Intersection& s) { return contacts(s, &SurfaceIntersection::nodes); })
+      .def_property_readonly("chains", &chains)
+      .def_property_readonly("points", &points)
+      .def_property_readonly("nodes", &nodes)
       .def_property_readonly("overlaps", &overlaps)
       .def_property_readonly("places", &places)
       .def_property_readonly(

@@ -7,6 +7,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "adapters/occt/border_numbers.h"
 #include "adapters/occt/intersection.h"
 
 namespace blossom::python {
@@ -14,12 +15,13 @@ namespace blossom::python {
 /// Shared by the answer and all its parts, so that numpy views stay alive.
 struct Answer {
   occt::ShapeIntersection found;
+  occt::BorderNumbers numbers_a, numbers_b;
   double seconds = 0;  ///< from shapes in memory to the finished answer
 };
 
 using SharedAnswer = std::shared_ptr<const Answer>;
 
-/// Adds the classes Intersection, Curve, Contact and Place to the module.
+/// Adds the class Intersection and those of its parts to the module.
 void add_results(pybind11::module_& module);
 
 /// A Python object of the class Intersection.

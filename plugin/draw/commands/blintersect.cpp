@@ -2,6 +2,7 @@
 // blintersect result shapeA shapeB [tolerance]
 
 #include <cmath>
+#include <cstddef>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -10,6 +11,7 @@
 #include <DBRep.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "adapters/occt/border_numbers.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
@@ -18,10 +20,14 @@
 namespace blossom::draw {
 namespace {
 
-std::vector<TopoDS_Face> faces_named(const char* name) {
+TopoDS_Shape shape_named(const char* name) {
   const TopoDS_Shape shape = DBRep::Get(name);
   if (shape.IsNull()) throw occt::BadModel(std::string(name) + ": there is no such shape");
-  std::vector<TopoDS_Face> faces = occt::faces_of(shape);
+  return shape;
+}
+
+std::vector<TopoDS_Face> faces_named(const char* name) {
+  std::vector<TopoDS_Face> faces = occt::faces_of(shape_named(name));
   if (faces.empty()) throw occt::BadModel(std::string(name) + ": there is no face in it");
   return faces;
 }
@@ -36,6 +42,19 @@ double tolerance_from(const std::string& text) {
   throw occt::BadModel("'" + text + "' is no positive number");
 }
 
+// Each as {{x y z} {edge 3} {face 1}}: where it is and what of a and b it is on.
+void append_contacts(Draw_Interpretor& interpreter, const occt::ShapeIntersection& found,
+                     const occt::BorderNumbers& a, const occt::BorderNumbers& b) {
+  for (const occt::FaceIntersection& pair : found.pairs)
+    for (std::size_t i = 0; i < pair.found.points.size(); ++i) {
+      const Vec3& p = pair.found.points[i].point;
+      const occt::BorderNumber on_a = a.of(pair.borders[i].on_a, pair.face_a + 1);
+      const occt::BorderNumber on_b = b.of(pair.borders[i].on_b, pair.face_b + 1);
+      interpreter << " {{" << p[0] << " " << p[1] << " " << p[2] << "} {" << on_a.kind << " "
+                  << on_a.number << "} {" << on_b.kind << " " << on_b.number << "}}";
+    }
+}
+
 void intersect_named(Draw_Interpretor& interpreter, int count, const char** words) {
   IntersectionOptions options;
   if (count == 5) options.tolerances.point = tolerance_from(words[4]);
@@ -44,10 +63,12 @@ void intersect_named(Draw_Interpretor& interpreter, int count, const char** word
 
   const occt::ShapeIntersection found = occt::intersect(a, b, options);
 
-  std::size_t curves = 0;
-  for (const occt::FaceIntersection& pair : found.pairs) curves += pair.found.curves.size();
+  std::size_t curves = 0;  // one across seams counts once
+  for (const occt::FaceIntersection& pair : found.pairs) curves += pair.chains.size();
   DBRep::Set(words[1], occt::compound_of(found));
   interpreter << static_cast<int>(curves) << " " << to_string(found.status);
+  append_contacts(interpreter, found, occt::BorderNumbers(shape_named(words[2])),
+                  occt::BorderNumbers(shape_named(words[3])));
 }
 
 /// 0, or 1 for a Tcl error whose text is the message.
@@ -75,7 +96,9 @@ void add_blintersect(Draw_Interpretor& interpreter) {
                   "blintersect result shapeA shapeB [tolerance]"
                   "\n\t\t: all intersections of the faces of two shapes, as a compound of edges"
                   "\n\t\t: (and vertices at isolated contacts). The answer is the number of"
-                  "\n\t\t: curves and complete, tolerance or stopped.",
+                  "\n\t\t: curves, one across seams counted once, and complete, tolerance or"
+                  "\n\t\t: stopped; then for each isolated contact where it is and what of A and"
+                  "\n\t\t: B it is on: {{x y z} {edge 3} {face 1}}.",
                   __FILE__, blintersect, kGroup);
 }
 

@@ -5,6 +5,7 @@
     found = blossom.intersect(face_a, face_b)
     found.status            # "complete": nothing is missing
     found.curves[0].points  # (n, 3) array
+    found.chains[0].curves  # curves that go on across seams: places in found.curves
     Part.show(found.to_part())
 
 Shapes are FreeCAD Part shapes, BRep bytes or text (Open CASCADE's text and binary, FreeCAD's
@@ -17,9 +18,10 @@ import tempfile
 from dataclasses import dataclass
 
 from . import _core
-from ._core import Contact, Curve, Error, Intersection, Place, __version__
+from ._core import Chain, Contact, Curve, Error, Intersection, Place, __version__
 
 __all__ = [
+    "Chain",
     "Contact",
     "Curve",
     "Error",

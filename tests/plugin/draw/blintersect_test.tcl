@@ -43,6 +43,24 @@ if {[catch {
   claim "nothing is proven empty" [expr {[string trim $answer] eq "0 complete"}]
   claim "and the result is an empty compound" [expr {[count_of r EDGE] == 0}]
 
+  # A small circle that the sphere's seam cuts in two is one curve of two edges.
+  psphere s 1
+  plane q 0.8 0 0 1 0 0
+  mkface wall q -2 2 -2 2
+  set answer [blintersect r s wall]
+  claim "one across a seam counts once" [expr {[string trim $answer] eq "1 complete"}]
+  claim "and has two edges" [expr {[count_of r EDGE] == 2}]
+
+  # A face that stands on its corner: the contact says where it is and what it is on.
+  plane q 0 0 0 -2 -2 2 1 0 1
+  mkface corner q 0 3 0 3
+  set answer [blintersect r corner a]
+  set contact [lindex $answer 2]
+  claim "a contact is no curve" [expr {[lindex $answer 0] == 0 && [llength $answer] == 3}]
+  claim "it is told where it is" [expr {[llength [lindex $contact 0]] == 3}]
+  claim "and what it is on" \
+      [expr {[lindex $contact 1 0] eq "vertex" && [lindex $contact 2] eq "face 1"}]
+
   claim "a missing shape is named" \
       [string match "*nosuch: there is no such shape*" [message_of blintersect r a nosuch]]
   vertex v 1 2 3

@@ -117,6 +117,38 @@ class Answers(unittest.TestCase):
             self.assertTrue((low <= 1e-9).all() and (high >= -1e-9).all())
             self.assertLessEqual(*place.gap)
 
+    def test_contacts_tell_what_they_are_on(self):
+        touch = blossom.intersect(FLOOR, paraboloid(0)).points[0]
+        self.assertEqual((touch.on_a, touch.on_b), (("face", 1), ("face", 1)))
+
+        tip = plane((0, 0, 0), (0.5, 0, 1), (0, 0.5, 1))  # stands on a corner
+        found = blossom.intersect(tip, FLOOR)
+        self.assertEqual(len(found.points), 1)
+        kind, number = found.points[0].on_a
+        self.assertEqual(kind, "vertex")
+        self.assertIn(number, range(1, 5))
+        self.assertEqual(found.points[0].on_b, ("face", 1))
+
+    def test_a_curve_between_borders_is_a_chain_by_itself(self):
+        chain = blossom.intersect(FLOOR, WALL).chains[0]
+
+        self.assertEqual(chain.curves, [(0, True)])
+        self.assertFalse(chain.closed)
+        self.assertAlmostEqual(chain.length, 2, places=9)
+        self.assertEqual((chain.face_a, chain.face_b), (1, 1))
+
+    @unittest.skipIf(Part is None, "FreeCAD's Part cannot be imported")
+    def test_pieces_between_seams_are_one_chain(self):
+        # A small circle about the axis x, which the sphere's seam cuts in two places.
+        wall = plane((0.8, -2, -2), (0, 4, 0), (0, 0, 4))
+        found = blossom.intersect(Part.makeSphere(1), wall)
+
+        self.assertEqual(len(found.chains), 1)
+        chain = found.chains[0]
+        self.assertTrue(chain.closed)
+        self.assertEqual(sorted(place for place, _ in chain.curves), list(range(len(found.curves))))
+        self.assertAlmostEqual(chain.length, 1.2 * np.pi, places=9)
+
     def test_weights_make_a_cylinder(self):
         w = np.sqrt(0.5)
         arc = [(1, 0, 1), (1, 1, w), (0, 1, 1)]
