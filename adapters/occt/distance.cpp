@@ -187,6 +187,7 @@ struct MeasuredShape::Impl {
 
   ShapePoint named(const DistanceEnd& end) {
     const auto index = static_cast<std::size_t>(end.index);
+    if (end.part < 0 && index >= shapes.vertices().size()) return {{}, {}, end.point};  // not known
     if (end.part < 0) return {shapes.placed(shapes.vertices()[index]), {}, end.point};
     if (is_face(end.part)) return {face(end.part), end.uv, end.point};
     const MeasuredEdge& of = edge_of_part(end.part);

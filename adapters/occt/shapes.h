@@ -64,6 +64,10 @@ class Model {
   /// For each face, by number - 1, its name, or that of its part; empty when neither has one.
   std::vector<std::string> face_names() const;
 
+  /// For each face, by number - 1, where its part is used: the names of instances from the outside
+  /// in, as "machine:2/bolt:1"; the part's own name if it is in no assembly.
+  std::vector<std::string> part_paths() const;
+
   /// The name of the part that a face belongs to; empty if it has none.
   /// throws   BadModel if there is no such face
   std::string part_name(int number) const;

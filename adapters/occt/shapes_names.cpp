@@ -19,37 +19,48 @@ namespace {
 class FaceNames {
  public:
   explicit FaceNames(const TopTools_IndexedMapOfShape& faces)
-      : faces_(faces), names_(static_cast<std::size_t>(faces.Extent())) {}
+      : faces_(faces),
+        names_(static_cast<std::size_t>(faces.Extent())),
+        paths_(static_cast<std::size_t>(faces.Extent())) {}
 
-  void visit(const TDF_Label& label, const TopLoc_Location& place) {
+  // path   of the instances that lead here
+  void visit(const TDF_Label& label, const TopLoc_Location& place, const std::string& path) {
     TDF_Label part;
-    if (XCAFDoc_ShapeTool::GetReferredShape(label, part))
-      return visit(part, place * XCAFDoc_ShapeTool::GetLocation(label));
+    if (XCAFDoc_ShapeTool::GetReferredShape(label, part)) {
+      const std::string own = name_of(label).empty() ? name_of(part) : name_of(label);
+      const std::string between = path.empty() || own.empty() ? "" : "/";
+      return visit(part, place * XCAFDoc_ShapeTool::GetLocation(label), path + between + own);
+    }
     TDF_LabelSequence below;
     if (XCAFDoc_ShapeTool::IsAssembly(label)) {
       XCAFDoc_ShapeTool::GetComponents(label, below);
-      for (const TDF_Label& component : below) visit(component, place);
+      for (const TDF_Label& component : below) visit(component, place, path);
       return;
     }
-    name_all(XCAFDoc_ShapeTool::GetShape(label), place, name_of(label));
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    name_all(shape, place, name_of(label), names_);
+    name_all(shape, place, path.empty() ? name_of(label) : path, paths_);
     XCAFDoc_ShapeTool::GetSubShapes(label, below);
     for (const TDF_Label& face : below)
-      name_all(XCAFDoc_ShapeTool::GetShape(face), place, name_of(face));
+      name_all(XCAFDoc_ShapeTool::GetShape(face), place, name_of(face), names_);
   }
 
   const std::vector<std::string>& names() const { return names_; }
+  const std::vector<std::string>& paths() const { return paths_; }
 
  private:
-  void name_all(TopoDS_Shape shape, const TopLoc_Location& place, const std::string& name) {
+  void name_all(TopoDS_Shape shape, const TopLoc_Location& place, const std::string& name,
+                std::vector<std::string>& all) {
     if (shape.IsNull() || name.empty()) return;
     shape.Location(place * shape.Location(), false);
     for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
       if (const int number = faces_.FindIndex(it.Current()); number > 0)
-        names_[static_cast<std::size_t>(number - 1)] = name;
+        all[static_cast<std::size_t>(number - 1)] = name;
   }
 
   const TopTools_IndexedMapOfShape& faces_;
   std::vector<std::string> names_;
+  std::vector<std::string> paths_;
 };
 
 void add_usages(const TDF_Label& label, Usage usage, std::vector<Usage>& found) {
@@ -92,12 +103,24 @@ std::string name_of(const TDF_Label& label) {
   return TCollection_AsciiString(name->Get()).ToCString();
 }
 
-std::vector<std::string> Model::face_names() const {
-  FaceNames found(impl_->faces);
+namespace {
+
+FaceNames all_names(const Document& document, const TopTools_IndexedMapOfShape& faces) {
+  FaceNames found(faces);
   TDF_LabelSequence parts;
-  impl_->document.shapes()->GetFreeShapes(parts);
-  for (const TDF_Label& part : parts) found.visit(part, TopLoc_Location());
-  return found.names();
+  document.shapes()->GetFreeShapes(parts);
+  for (const TDF_Label& part : parts) found.visit(part, TopLoc_Location(), "");
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> Model::face_names() const {
+  return all_names(impl_->document, impl_->faces).names();
+}
+
+std::vector<std::string> Model::part_paths() const {
+  return all_names(impl_->document, impl_->faces).paths();
 }
 
 const std::string& Model::file_unit() const { return impl_->document.unit; }

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -135,6 +138,21 @@ void add_findings(const Input& a, const Input& b, const occt::ShapeIntersection&
   report["certificate"]["face_pairs"] = found.face_pairs;
 }
 
+// The parts of faces with anything to tell: {"machine:2/bolt:1": [7, 9]}.
+Json parts_json(const Input& input, const occt::ShapeIntersection& found,
+                int occt::FaceIntersection::*face) {
+  const std::vector<std::string> paths = input.model.part_paths();
+  std::map<std::string, std::set<int>> parts;
+  for (const occt::FaceIntersection& pair : found.pairs) {
+    const int number = input.numbers[static_cast<std::size_t>(pair.*face)];
+    if (const std::string& path = paths[static_cast<std::size_t>(number - 1)]; !path.empty())
+      parts[path].insert(number);
+  }
+  Json json = Json::object();
+  for (const auto& [path, numbers] : parts) json[path] = numbers;
+  return json;
+}
+
 }  // namespace
 
 ChainFacts facts_of(const std::vector<IntersectionCurve>& curves, const CurveChain& chain) {
@@ -198,6 +216,8 @@ Json intersection_report(const Input& a, const Input& b, const occt::ShapeInters
   Json report = {{"schema", "blossom.intersection/1"}, {"a", a.name}, {"b", b.name}};
   add_times(found, times, report);
   add_findings(a, b, found, report);
+  report["parts_a"] = parts_json(a, found, &occt::FaceIntersection::face_a);
+  report["parts_b"] = parts_json(b, found, &occt::FaceIntersection::face_b);
   return report;
 }
 

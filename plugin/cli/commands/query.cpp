@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
 
 #include "plugin/cli/commands/commands.h"
@@ -60,6 +61,15 @@ int face_number(const Input& input, const TopoDS_Shape& on) {
   return 0;
 }
 
+// The part that a face belongs to, or a face with the edge or vertex; empty if it has no name.
+std::string part_with(const Input& input, const TopoDS_Shape& on) {
+  for (std::size_t i = 0; i < input.faces.size() && !on.IsNull(); ++i)
+    for (TopExp_Explorer it(input.faces[i], on.ShapeType()); it.More(); it.Next())
+      if (it.Current().IsSame(on))
+        return input.model.part_paths()[static_cast<std::size_t>(input.numbers[i] - 1)];
+  return {};
+}
+
 }  // namespace
 
 Json place_json(const ShapeNumbers& numbers, const Input& input, const occt::ShapePoint& place) {
@@ -67,14 +77,17 @@ Json place_json(const ShapeNumbers& numbers, const Input& input, const occt::Sha
   Json json = {{"point", place.point.coordinates},
                {"on", numbers.place(face > 0 ? TopoDS_Shape() : place.on, face)}};
   if (face > 0) json["uv"] = place.uv.coordinates;
+  if (const std::string part = part_with(input, place.on); !part.empty()) json["part"] = part;
   return json;
 }
 
 std::string place_text(const ShapeNumbers& numbers, const Input& input,
                        const occt::ShapePoint& place) {
   const int face = face_number(input, place.on);
+  const std::string part = part_with(input, place.on);
   return vector_text(place.point) + " on " +
-         numbers.text(face > 0 ? TopoDS_Shape() : place.on, face);
+         numbers.text(face > 0 ? TopoDS_Shape() : place.on, face) +
+         (part.empty() ? "" : " of " + part);
 }
 
 TopoDS_Shape chosen_shape(const Input& input) {
@@ -93,7 +106,8 @@ void write_answer(const Json& report, const std::string& text, const QueryOption
 }
 
 void add_query(CLI::App& app, int& exit_code) {
-  CLI::App* const query = app.add_subcommand("query", "plane sections, what a ray hits, closest points, distances");
+  CLI::App* const query =
+      app.add_subcommand("query", "plane sections, what a ray hits, closest points, distances");
   query->require_subcommand(1);
   add_query_plane(*query, exit_code);
   add_query_ray(*query, exit_code);
