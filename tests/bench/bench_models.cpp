@@ -41,6 +41,7 @@ namespace blossom::bench {
 namespace {
 
 struct Settings {
+  std::string csv;    // for the table of growth
   double limit = 60;  // seconds of processor time
   std::set<std::string> parts;
   std::vector<std::string> files;
@@ -180,6 +181,8 @@ Settings settings_of(int argc, char** argv) {
     const std::string argument = argv[i];
     if (argument == "--limit" && i + 1 < argc)
       settings.limit = std::strtod(argv[++i], nullptr);
+    else if (argument == "--csv" && i + 1 < argc)
+      settings.csv = argv[++i];
     else if (argument.starts_with("--"))
       settings.parts.insert(argument.substr(2));
     else
@@ -202,7 +205,7 @@ int run(int argc, char** argv) {
   };
   for_all("sections", "Plane sections (seconds of processor time, one thread)", cut_by_planes);
   for_all("moved", "Model against a moved copy (likewise)", meet_copies);
-  if (settings.parts.contains("growth")) print_growth();
+  if (settings.parts.contains("growth")) print_growth(settings.csv);
   if (settings.parts.contains("threads")) print_threads();
   return 0;
 }

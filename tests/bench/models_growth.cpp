@@ -6,9 +6,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <fstream>
+#include <numbers>
+#include <string>
 #include <thread>
 #include <vector>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/intersection.h"
+#include "adapters/occt/surfaces.h"
 #include "core/base/parallel.h"
 #include "core/forms/surface.h"
 #include "core/surface_intersection.h"
@@ -60,48 +69,115 @@ double wave(double u, double v) {
 }
 double saddle(double u, double v) { return 0.1 * (u - 0.5) * (v - 0.4) + 0.03 * std::cos(6 * v); }
 
+// Bumps of both signs, m in each direction: they cross half of their height in m^2 / 2 loops.
+BezierSurface bumps(int spans, int m) {
+  BezierSurface surface = height_field(spans, wave);
+  for (RationalBezierPatch& patch : surface.patches.values())
+    for (Vec4& p : patch.points.values())
+      p[2] =
+          0.2 / m * std::sin(std::numbers::pi * m * p[0]) * std::sin(std::numbers::pi * m * p[1]);
+  return surface;
+}
+
+BezierSurface flat(double height) {
+  BezierSurface surface = height_field(1, wave);
+  for (Vec4& p : surface.patches(0, 0).points.values()) p[2] = height;
+  return surface;
+}
+
+// A family of pairs of one size: what there is, what of it the curves meet, and what comes out.
 struct Growth {
-  int spans = 0;
-  double seconds = 0;
+  const char* family = "";
+  int size = 0;
+  std::size_t all = 0;
+  std::size_t met = 0;
+  std::size_t output = 0;  // poles of curves
   std::size_t curves = 0;
-  std::size_t met = 0;  // patches of either surface that the curve runs through
-  std::size_t output = 0;
+  double seconds = 1e300;
   Status status = Status::Complete;
 };
 
-std::size_t patches_met(const SurfaceIntersection& found, int n) {
+std::size_t patches_met(const SurfaceIntersection& found, int n, int m) {
   constexpr int kSamples = 4000;
-  std::vector<char> a(static_cast<std::size_t>(n * n)), b(a);
-  const auto mark = [n](std::vector<char>& met, const Vec2& uv) {
-    const auto place = [n](double x) { return std::clamp(static_cast<int>(x * n), 0, n - 1); };
-    met[static_cast<std::size_t>(place(uv[0]) * n + place(uv[1]))] = 1;
+  std::vector<char> a(static_cast<std::size_t>(n * n)), b(static_cast<std::size_t>(m * m));
+  const auto mark = [](std::vector<char>& met, int count, const Vec2& uv) {
+    const auto place = [&](double x) {
+      return std::clamp(static_cast<int>(x * count), 0, count - 1);
+    };
+    met[static_cast<std::size_t>(place(uv[0]) * count + place(uv[1]))] = 1;
   };
   for (const IntersectionCurve& curve : found.curves)
     for (int i = 0; i <= kSamples; ++i) {
       const double t = at(curve.curve.domain(), static_cast<double>(i) / kSamples);
-      mark(a, point_at(curve.chart_a, t));
-      mark(b, point_at(curve.chart_b, t));
+      mark(a, n, point_at(curve.chart_a, t));
+      mark(b, m, point_at(curve.chart_b, t));
     }
   return static_cast<std::size_t>(std::count(a.begin(), a.end(), 1) +
                                   std::count(b.begin(), b.end(), 1));
 }
 
-Growth growth_of(int n) {
-  const BezierSurface a = height_field(n, wave), b = height_field(n, saddle);
+void add_output(const SurfaceIntersection& found, Growth& growth) {
+  growth.curves += found.curves.size();
+  for (const IntersectionCurve& curve : found.curves) growth.output += curve.curve.points.size();
+}
+
+Growth of_surfaces(const char* family, int size, const BezierSurface& a, const BezierSurface& b) {
   IntersectionOptions options;
   options.threads = 1;
-  Growth result{n, 1e300};
+  Growth growth{family, size};
+  growth.all = a.patches.values().size() + b.patches.values().size();
   for (int round = 0; round < kRounds; ++round) {
     const double start = processor_seconds();
     const SurfaceIntersection found = intersect(a, b, options);
-    result.seconds = std::min(result.seconds, processor_seconds() - start);
-    result.status = found.status;
-    result.curves = found.curves.size();
-    result.output = 0;
-    for (const IntersectionCurve& curve : found.curves) result.output += curve.curve.points.size();
-    if (round == 0) result.met = patches_met(found, n);
+    growth.seconds = std::min(growth.seconds, processor_seconds() - start);
+    if (round > 0) continue;
+    growth.status = found.status;
+    growth.met = patches_met(found, a.patches.rows(), b.patches.rows());
+    add_output(found, growth);
   }
-  return result;
+  return growth;
+}
+
+// A height field of 4 n x 4 n spans as n x n faces, wider by a part of itself: so borders of one
+// field do not lie over those of another.
+std::vector<TopoDS_Face> faces_of_field(int n, double (*height)(double, double), double wider) {
+  BezierSurface whole = height_field(4 * n, height);
+  for (RationalBezierPatch& patch : whole.patches.values())
+    for (Vec4& p : patch.points.values())
+      for (int k = 0; k < 2; ++k) p[k] += wider * (p[k] - 0.47);
+  std::vector<TopoDS_Face> faces;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      BezierSurface part;
+      part.patches = Grid<RationalBezierPatch>(4, 4);
+      for (int k = 0; k <= 4; ++k) {
+        part.u_knots.push_back(whole.u_knots[static_cast<std::size_t>(4 * i + k)]);
+        part.v_knots.push_back(whole.v_knots[static_cast<std::size_t>(4 * j + k)]);
+      }
+      for (int k = 0; k < 16; ++k)
+        part.patches(k / 4, k % 4) = whole.patches(4 * i + k / 4, 4 * j + k % 4);
+      faces.push_back(BRepBuilderAPI_MakeFace(occt::to_occt(part), 1e-7).Face());
+    }
+  return faces;
+}
+
+Growth of_faces(int n) {
+  const std::vector<TopoDS_Face> a = faces_of_field(n, wave, 0);
+  const std::vector<TopoDS_Face> b = faces_of_field(n, saddle, 0.037);
+  IntersectionOptions options;
+  options.threads = 1;
+  Growth growth{"faces", n};
+  growth.all = a.size() + b.size();
+  for (int round = 0; round < kRounds; ++round) {
+    const double start = processor_seconds();
+    const occt::ShapeIntersection found = occt::intersect(a, b, options);
+    growth.seconds = std::min(growth.seconds, processor_seconds() - start);
+    if (round > 0) continue;
+    growth.status = found.status;
+    growth.met = static_cast<std::size_t>(found.face_pairs);
+    for (const occt::FaceIntersection& pair : found.pairs) add_output(pair.found, growth);
+  }
+  return growth;
 }
 
 // Slope of log y against log x, by least squares.
@@ -147,21 +223,45 @@ double clock_seconds(const auto& work) {
 
 }  // namespace
 
-void print_growth() {
-  std::printf("\nGrowth (least processor time of %d, one thread)\n%-10s %10s %8s %8s %8s %s\n",
-              kRounds, "spans", "seconds", "curves", "met", "poles", "status");
-  std::vector<double> spans, matter, seconds;
-  for (const int n : {8, 16, 32, 64}) {
-    const Growth g = growth_of(n);
-    std::printf("%3d x %-4d %10.5f %8zu %8zu %8zu %s\n", n, n, g.seconds, g.curves, g.met, g.output,
-                to_string(g.status));
-    std::fflush(stdout);
-    spans.push_back(2.0 * n * n);
+namespace {
+
+// A line each, and the exponents against all there is and against what is met and comes out.
+void print_family(const std::vector<Growth>& rows, std::ofstream& table) {
+  std::vector<double> all, matter, seconds;
+  for (const Growth& g : rows) {
+    std::printf("%-9s %4d %8zu %8zu %8zu %8zu %10.5f %s\n", g.family, g.size, g.all, g.met,
+                g.output, g.curves, g.seconds, to_string(g.status));
+    table << g.family << "," << g.size << "," << g.all << "," << g.met << "," << g.output << ","
+          << g.curves << "," << g.seconds << "," << to_string(g.status) << "\n";
+    all.push_back(static_cast<double>(g.all));
     matter.push_back(static_cast<double>(g.met + g.output));
     seconds.push_back(g.seconds);
   }
-  std::printf("exponent against all spans %.3f, against spans met and poles %.3f\n",
-              exponent(spans, seconds), exponent(matter, seconds));
+  std::printf("%s: exponent against what is met and poles %.3f", rows[0].family,
+              exponent(matter, seconds));
+  if (all.front() < all.back()) std::printf(", against all %.3f", exponent(all, seconds));
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+void print_growth(const std::string& csv) {
+  std::ofstream table;
+  if (!csv.empty()) table.open(csv);
+  table << "family,size,all,met,poles,curves,seconds,status\n";
+  std::printf(
+      "\nGrowth (least processor time of %d, one thread)\n%-9s %4s %8s %8s %8s %8s %10s %s\n",
+      kRounds, "family", "size", "all", "met", "poles", "curves", "seconds", "status");
+  std::vector<Growth> spans, faces, branches;
+  for (const int n : {8, 16, 32, 64})
+    spans.push_back(of_surfaces("spans", n, height_field(n, wave), height_field(n, saddle)));
+  print_family(spans, table);
+  for (const int n : {2, 4, 8, 16}) faces.push_back(of_faces(n));
+  print_family(faces, table);
+  for (const int m : {2, 4, 8, 16})
+    branches.push_back(of_surfaces("branches", m, bumps(64, m), flat(0.1 / m)));
+  print_family(branches, table);
 }
 
 void print_threads() {
@@ -178,8 +278,10 @@ void print_threads() {
   std::printf("\nThreads (least time of the clock of %d)\n", kRounds);
   std::printf("intersection, 64 x 64 spans: 1 thread %.4f s, 2 threads %.4f s, %.2f times faster\n",
               one, two, one / two);
+  const double gain = 2 * base_one / base_two;
   std::printf("multiply-adds: 1 thread %.4f s, 2 threads with twice the work %.4f s, %.2f times\n",
-              base_one, base_two, 2 * base_one / base_two);
+              base_one, base_two, gain);
+  std::printf("the intersection gains %.2f of what they gain\n", one / two / gain);
 }
 
 }  // namespace blossom::bench

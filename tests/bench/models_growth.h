@@ -3,11 +3,15 @@
 
 #pragma once
 
+#include <string>
+
 namespace blossom::bench {
 
-/// Height fields of 8 x 8 to 64 x 64 spans that cross along one curve: a line each, and the
-/// exponent of processor time against spans and against spans that the curve runs through.
-void print_growth();
+/// Height fields of 8 x 8 to 64 x 64 spans that cross along one curve; of 2 x 2 to 16 x 16 faces;
+/// and of 2 to 128 loops on 64 x 64 spans: a line each, and the exponents of processor time against
+/// all there is and against what of it the curves run through and their poles.
+/// csv   a file for the same lines, for growth_plot.py; empty for none
+void print_growth(const std::string& csv = {});
 
 /// The largest of them with 1 and 2 threads, beside multiply-adds with 1 and 2 threads.
 void print_threads();
