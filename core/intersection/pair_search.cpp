@@ -197,7 +197,7 @@ class Search {
       return {Verdict::Known};
     if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b)))
       return {Verdict::Parallel};
-    if (!itself() && place.quadrics.touch_all_over(a, b))
+    if (!itself() && !place.shared.is_known() && place.quadrics.touch_all_over(a, b))
       return {place.quadrics.cover_each_other(a, b) ? Verdict::Over : Verdict::Beside};
     return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};
   }
@@ -271,7 +271,8 @@ class Search {
     }
     const bool over = finding.verdict == Verdict::Over, beside = finding.verdict == Verdict::Beside;
     if (over || beside || finding.verdict == Verdict::Parallel) {
-      const bool known = place.shared.look_near(a, b);
+      const bool flat = !(over || beside) || nearly_parallel(a, b);  // as at no pole
+      const bool known = flat ? place.shared.look_near(a, b) : place.shared.is_known();
       if (known)
         if (const auto part = place.shared.part(a, b)) return settle_shared(place, *part);
       if (over || beside) return over && !known ? keep(pair, true) : halve(pair);
