@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepCheck_Shell.hxx>
@@ -203,7 +204,7 @@ bool is_inside_out(const TopoDS_Solid& solid) try {
         return !*outwards;
   }
   return false;
-} catch (const BadModel&) {
+} catch (const std::runtime_error&) {
   return false;
 }
 
