@@ -36,6 +36,12 @@ bool read_all(int from, char* data, std::size_t size) {
   return true;
 }
 
+double seconds_of(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 // In the child: time that was spent before does not count.
 [[noreturn]] void work_and_report(int pipe, double limit, const std::function<void()>& work,
                                   const void* answer, std::size_t size) {
@@ -56,11 +62,9 @@ bool read_all(int from, char* data, std::size_t size) {
 
 }  // namespace
 
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+double processor_seconds() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
+
+double thread_seconds() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 Ending work_apart(double limit, const std::function<void()>& work, void* answer, std::size_t size) {
   int ends[2];

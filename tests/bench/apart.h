@@ -11,8 +11,12 @@ namespace blossom::bench {
 
 enum class Ending { Done, OutOfTime, Died };
 
-/// Processor time of this process so far, seconds.
+/// Processor time of this process so far, seconds. In a process with a limit the kernel counts it
+/// in ticks of some milliseconds.
 double processor_seconds();
+
+/// Processor time of this thread alone, to the nanosecond.
+double thread_seconds();
 
 /// Does work in a process of its own, no longer than `limit` seconds of processor time. What it
 /// leaves in `answer` comes back if it gets done.

@@ -12,7 +12,7 @@
 //   refused      a part of the intersection is left out, with the reason in the pair's line
 //
 // Both work in one thread, each in a process of its own with a limit of processor time; seconds
-// are processor time, the least of three runs where they are short: the first one also pays for the
+// are that thread's, the least of three runs where they are short: the first one also pays for the
 // binding of libraries and for pages that the process does not have yet. The exit code tells
 // whether a result of ours is invalid or its area wrong.
 // --keep writes the pairs with anything to look at as BREP files.
@@ -122,9 +122,9 @@ Split by_blossom(const FacePair& faces, const Settings& settings) {
   options.intersection.time_limit = settings.limit;
   options.intersection.threads = 1;
   Split split;
-  const double start = processor_seconds();
+  const double start = thread_seconds();
   const occt::TrimResult made = occt::trim({{1, faces.a}}, {{{faces.b}, {}}}, options);
-  split.seconds = processor_seconds() - start;
+  split.seconds = thread_seconds() - start;
   split.status = made.status;
   std::string refused;
   for (const std::string& note : made.notes)
@@ -141,13 +141,13 @@ Split by_occt(const FacePair& faces) {
   TopTools_ListOfShape parts, tools;
   parts.Append(faces.a);
   tools.Append(faces.b);
-  const double start = processor_seconds();
+  const double start = thread_seconds();
   BRepAlgoAPI_Splitter splitter;
   splitter.SetArguments(parts);
   splitter.SetTools(tools);
   splitter.SetRunParallel(false);
   splitter.Build();
-  split.seconds = processor_seconds() - start;
+  split.seconds = thread_seconds() - start;
   TopTools_IndexedMapOfShape pieces;
   TopExp::MapShapes(splitter.Shape(), TopAbs_FACE, pieces);
   std::vector<TopoDS_Face> faces_made;
