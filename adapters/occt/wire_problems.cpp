@@ -9,6 +9,7 @@
 
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_trims.h"
@@ -93,6 +94,12 @@ std::string meeting_text(const FaceTrims& trims, const PlacedCoedge& a, const Pl
 }
 
 }  // namespace
+
+bool has_open_wire(const TopoDS_Face& face) {
+  for (TopExp_Explorer it(face, TopAbs_WIRE); it.More(); it.Next())
+    if (!BRep_Tool::IsClosed(it.Current())) return true;
+  return false;
+}
 
 std::vector<std::string> wire_problems(const TopoDS_Face& face) {
   FaceTrims trims;

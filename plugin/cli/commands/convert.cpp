@@ -13,6 +13,8 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "adapters/occt/errors.h"
+#include "adapters/occt/soundness.h"
 #include "core/trimming/border_arcs.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
@@ -96,8 +98,17 @@ void convert_faces(const NetInput& input, Form form, double tolerance, Made& mad
   }
 }
 
+// Readers of other systems leave such faces out or fill them with all of their surface.
+void refuse_open_wires(const Input& input) {
+  for (std::size_t i = 0; i < input.faces.size(); ++i)
+    if (occt::has_open_wire(input.faces[i]))
+      throw occt::BadModel(input.name + ": a wire of face " + std::to_string(input.numbers[i]) +
+                           " is open and encloses nothing; `blossom check` lists what is wrong");
+}
+
 Made write_as_it_is(const Options& options) {
   Input input = read_input(options.input, Faces::Optional);
+  refuse_open_wires(input);
   Made made;
   made.faces = input.faces.size();
   drop_other_faces(input);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -13,12 +14,16 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Plane.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
 #include <gp.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/area.h"
@@ -72,6 +77,26 @@ TEST_F(Convert, KeepsNamesAndColoursBetweenModels) {
   EXPECT_EQ(occt::read_model(path("b.stp")).face_names(),
             (std::vector<std::string>{"bowl", "lid"}));
   EXPECT_NE(text_of(path("b.stp")).find("COLOUR_RGB"), std::string::npos);
+}
+
+TEST_F(Convert, RefusesAFaceWithAnOpenWire) {
+  BRep_Builder builder;
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp::XOY()), 1e-7);
+  const TopoDS_Wire wire =
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Edge(),
+                              BRepBuilderAPI_MakeEdge(gp_Pnt(1, 0, 0), gp_Pnt(1, 1, 0)).Edge());
+  builder.Add(face, wire);
+  write({BRepBuilderAPI_MakeFace(gp_Pln(), 0, 1, 0, 1).Face(), face}, path("open.brep"));
+
+  for (const char* to : {"open.step", "open.iges", "copy.brep"}) {
+    const Finished ran = blossom({"convert", path("open.brep"), "-o", path(to)});
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.err.find("a wire of face 2 is open"), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(path(to)));
+  }
+  const Finished other = blossom({"convert", path("open.brep#1"), "-o", path("one.step")});
+  EXPECT_EQ(other.code, 0) << other.err;
 }
 
 TEST_F(Convert, GoesThroughEveryModelFormat) {
