@@ -17,8 +17,8 @@ namespace blossom {
 /// Highest degree of a patch over a curved triangle that `composition` takes.
 inline constexpr int kMostComposed = 2 * kMaxDegree;
 
-/// Degree of arcs that is worth triangles above the highest degree: where only straight arcs were
-/// left, a long border took thousands of them, the square root of what the tolerance asks for.
+/// Degree of arcs that is worth triangles above the highest degree: the number of straight arcs
+/// grows with the root of the inverse of the tolerance, that of cubic ones with its fourth root.
 inline constexpr int kCommonArcs = 3;
 
 struct RegionOptions {

@@ -16,10 +16,9 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostRounds = 16;  // of halving; chords come nearer to arcs by 4 each time
-
+constexpr int kMostRounds = 16;   // of halving; chords come nearer to arcs by 4 each time
 constexpr double kFlat = -0.5;    // cosine of an angle beyond which a triangle is flat
-constexpr double kBetter = 0.01;  // of cosines that are worth a flip
+constexpr double kBetter = 0.01;  // gain of cosines that is worth a flip
 constexpr int kMostFlips = 8;     // rounds of flips, each of which may call for another
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
