@@ -264,8 +264,8 @@ class Assembly {
     return -1;
   }
 
-  // Short chains from a point of contact back to it, or to or along a border that it reaches, are
-  // parts of it that happened to be certified.
+  // Short chains from a point of contact back to it are parts of it that happened to be certified;
+  // at a pole those to or along a border that it reaches, too.
   void drop_scraps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
     for (const Chain& chain : chains_of(found_, cells_a, cells_b, contacts_, clumps_)) {
       const auto [least, most_of_ends] = std::minmax(chain.ends[0].contact, chain.ends[1].contact);
@@ -278,6 +278,7 @@ class Assembly {
       // A clump ends somewhere near its point, a valley's contact exactly.
       const double part = at.path.size() == 1 ? kClumpReach : 1;
       const double most = (both ? part * at.length : 0) + kShortest * options_.tolerances.point;
+      if (!both && !at.pole) continue;
       if (at.curve || diagonal(end_box(cells_a, found_, chain)) > most) continue;
       for (const ChainLink& link : chain.links)
         found_.arcs[static_cast<std::size_t>(link.arc)].dropped = true;

@@ -199,8 +199,10 @@ TEST_P(Metamorphic, ChangesNothing) {
     }
     const std::vector<double> after = lengths(found, change().scale);
     ASSERT_EQ(after.size(), before.size());
+    // In a place the surfaces stay within tolerance of each other: a curve is known less well there.
+    const double accuracy = row().regular() ? 1e-6 : 1e-5;
     for (std::size_t i = 0; i < after.size(); ++i)
-      EXPECT_NEAR(after[i], before[i], 1e-6 * before[i]);
+      EXPECT_NEAR(after[i], before[i], accuracy * before[i]);
   }
 }
 
