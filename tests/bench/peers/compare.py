@@ -44,16 +44,19 @@ def compare(tool, right, theirs, ours):
     return f"{tool:14} {len(both):5} {median:8.1f} {quarter:8.1f} {last:8.2f} {len(slow):5}  {listed}"
 
 
+def summary(row):
+    if row is None:
+        return "not run"
+    if row["status"] != "ok":
+        return row["status"]
+    return f"{1e3 * row['seconds']:.2f} ({len(row['curves'])})"
+
+
 def each(out):
     tools = {f.stem: {r["case"]: r for r in lines(f)} for f in sorted(out.glob("*.jsonl"))}
     print(f"{'ms (curves)':24}" + "".join(f"{tool:>20}" for tool in tools))
     for case in tools["blossom"]:
-        told = [
-            f"{1e3 * rows[case]['seconds']:.2f} ({len(rows[case]['curves'])})"
-            if rows[case]["status"] == "ok"
-            else rows[case]["status"]
-            for rows in tools.values()
-        ]
+        told = [summary(rows.get(case)) for rows in tools.values()]
         print(f"{case:24}" + "".join(f"{text:>20}" for text in told))
 
 
