@@ -11,6 +11,7 @@
 #include "core/bounds/box_tree.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/arc_chains.h"
+#include "core/intersection/chain_scraps.h"
 #include "core/intersection/contact_arms.h"
 #include "core/intersection/contact_chains.h"
 #include "core/intersection/contact_reach.h"
@@ -18,6 +19,7 @@
 #include "core/intersection/found_places.h"
 #include "core/intersection/overlaps.h"
 #include "core/intersection/pair_search.h"
+#include "core/intersection/result_places.h"
 #include "core/intersection/self_search.h"
 #include "core/intersection/work_limit.h"
 #include "core/tracing/fit.h"
@@ -28,9 +30,6 @@ namespace {
 
 // Cells are halved off their middle: singular points like dyadic lines.
 constexpr double kCut = 0.4865;
-
-// A chain this many times as long as the clump at both its ends belongs to the contact there.
-constexpr double kClumpReach = 4;
 
 constexpr double kPointClump = 1e-2;  // of the surfaces' size: a larger clump is more than a point
 constexpr double kShortest = 4;       // tolerances: the shortest branch between contacts
@@ -97,7 +96,7 @@ class Assembly {
     drop_beside_known(cells_a);
     attach(loose_ends(found_, cells_a, cells_b, contacts_), found_, cells_a, cells_b, contacts_,
            size_, options_.tolerances.point);
-    drop_scraps(cells_a, cells_b);
+    drop_scraps(found_, cells_a, cells_b, contacts_, clumps_, options_.tolerances.point);
     meet_in_centres(contacts_, cells_a, cells_b, found_, options_.tolerances.point);
     std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     straighten_at_poles(chains, found_, cells_a, cells_b, contacts_, size_,
@@ -105,12 +104,9 @@ class Assembly {
     if (found_.stopped) stop_at_limit();
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
     std::vector<std::optional<IntersectionCurve>> fits = fits_of(cells_a, cells_b, chains);
-    for (std::size_t i = 0; i < chains.size(); ++i) {
-      if (fits[i])
-        add_curve(cells_a, chains[i], std::move(*fits[i]));
-      else
-        add_short(cells_a, cells_b, chains[i]);
-    }
+    for (std::size_t i = 0; i < chains.size(); ++i)
+      fits[i] ? add_curve(cells_a, chains[i], std::move(*fits[i]))
+              : add_short(cells_a, cells_b, chains[i]);
     for (const FoundGraze& graze : lone_grazes(found_, cells_a, cells_b))
       add_corner_contact(cells_a, cells_b, graze);
     for (const ContactChain& contact : contacts_) add_contact(cells_a, cells_b, contact);
@@ -230,69 +226,12 @@ class Assembly {
     weaken(Status::Tolerance, "the surfaces touch along a common border");
   }
 
-  bool bounds_overlap(const SurfacePoint& end) const {
-    return std::any_of(result_.overlaps.begin(), result_.overlaps.end(), [&](const Overlap& o) {
-      return std::any_of(o.boundary.begin(), o.boundary.end(), [&](const SurfacePoint& p) {
-        return distance(p.point, end.point) <= contact_length();
-      });
-    });
-  }
-
-  // The contact that a closed chain passes, if that is the only one it is an arm of; or -1.
-  int contact_on(const Chain& chain) const {
-    const auto holds = [&](ArcEnd end) {
-      return std::any_of(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) {
-        return static_cast<std::size_t>(link.arc) == end / 2;
-      });
-    };
-    int found = -1;
-    for (std::size_t i = 0; i < contacts_.size(); ++i)
-      for (const auto& arms : contacts_[i].arms) {
-        if (std::none_of(arms.begin(), arms.end(), holds)) continue;
-        if (found >= 0 && found != static_cast<int>(i)) return -1;
-        found = static_cast<int>(i);
-      }
-    return found;
-  }
-
-  // The contact that is a point and that a box meets, or -1.
-  int contact_at(const Box& box) const {
-    const double r = options_.tolerances.point;
-    for (std::size_t i = 0; i < contacts_.size(); ++i)
-      if (!contacts_[i].curve && meet(widened(contacts_[i].box, r), box))
-        return static_cast<int>(i);
-    return -1;
-  }
-
-  // Short chains from a point of contact back to it are parts of it that happened to be certified;
-  // at a pole those to or along a border that it reaches, too.
-  void drop_scraps(SurfaceCells& cells_a, SurfaceCells& cells_b) {
-    for (const Chain& chain : chains_of(found_, cells_a, cells_b, contacts_, clumps_)) {
-      const auto [least, most_of_ends] = std::minmax(chain.ends[0].contact, chain.ends[1].contact);
-      const bool both = chain.closed || (least == most_of_ends && least >= 0);
-      const int contact = chain.closed        ? contact_on(chain)
-                          : most_of_ends >= 0 ? most_of_ends
-                                              : contact_at(end_box(cells_a, found_, chain));
-      if (contact < 0 || (!both && least >= 0)) continue;
-      const ContactChain& at = contacts_[static_cast<std::size_t>(contact)];
-      // A clump ends somewhere near its point, a valley's contact exactly.
-      const double part = at.path.size() == 1 ? kClumpReach : 1;
-      const double most = (both ? part * at.length : 0) + kShortest * options_.tolerances.point;
-      if (!both && !at.pole) continue;
-      if (at.curve || diagonal(end_box(cells_a, found_, chain)) > most) continue;
-      for (const ChainLink& link : chain.links)
-        found_.arcs[static_cast<std::size_t>(link.arc)].dropped = true;
-    }
-    for (ContactChain& contact : contacts_)
-      for (auto& arms : contact.arms)
-        std::erase_if(arms, [&](ArcEnd end) { return found_.arcs[end / 2].dropped; });
-  }
-
   void add_corner_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const FoundGraze& graze) {
     const SurfacePoint contact =
         surface_point(cells_a, cells_b, origin_, {graze.patch_a, graze.patch_b, graze.x});
-    if (known_contact(contact.point) || ends_curve(contact.point) || in_clump(contact.point) ||
-        in_contact(contact.point) || on_curve(contact.point))
+    const Vec3& x = contact.point;
+    if (is_known_contact(result_, x, contact_length()) ||
+        ends_curve(result_, x, contact_length()) || in_clump(x) || in_contact(x) || on_curve(x))
       return;
     result_.points.push_back(contact);
     Place place = place_at(contact, options_.tolerances.point);
@@ -329,8 +268,8 @@ class Assembly {
     const bool is_short = length <= kShortest * options_.tolerances.point;
     const bool is_point = length <= kPoint * size_;
     if (is_short && (belongs_to_contact(chain) || chain.closed || is_point)) return {};
-    if (slides(chain) && length <= contact_length()) return {};
-    const bool tangential = touches_along(chain);
+    if (any_arc(chain, &CellArc::slides) && length <= contact_length()) return {};
+    const bool tangential = any_arc(chain, &CellArc::tangential);
     const double gap = tangential ? largest_gap() : 0;
     const double tolerance = options_.tolerances.point;
     IntersectionCurve curve = fitted(tracer, a_, b_,
@@ -358,8 +297,8 @@ class Assembly {
     for (std::size_t side = 0; side < 2; ++side) {
       const SurfacePoint& end = side == 0 ? curve.samples.front() : curve.samples.back();
       if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0 &&
-          chain.ends[side].contact < 0 && !curve.tangential && !bounds_overlap(end) &&
-          !beside_known(end.point))
+          chain.ends[side].contact < 0 && !curve.tangential &&
+          !bounds_overlap(result_, end.point, contact_length()) && !beside_known(end.point))
         add_loose_end(end);
     }
     double& least = result_.certificate.least_angle;
@@ -369,16 +308,15 @@ class Assembly {
 
   // A branch as short as the tolerance at a listed contact is part of it.
   static bool belongs_to_contact(const Chain& chain) {
-    return chain.closed
-               ? false
-               : std::any_of(chain.ends.begin(), chain.ends.end(), [](const ChainEnd& end) {
-                   return end.contact >= 0 || end.clump >= 0;
-                 });
+    return !chain.closed && std::ranges::any_of(chain.ends, [](const ChainEnd& end) {
+      return end.contact >= 0 || end.clump >= 0;
+    });
   }
 
-  bool touches_along(const Chain& chain) const {
-    return std::any_of(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) {
-      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.tangential;
+  // True if some arc of the chain is marked so.
+  bool any_arc(const Chain& chain, bool CellArc::*mark) const {
+    return std::ranges::any_of(chain.links, [&](const ChainLink& link) {
+      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.*mark;
     });
   }
 
@@ -429,12 +367,6 @@ class Assembly {
     weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
   }
 
-  bool slides(const Chain& chain) const {
-    return std::any_of(chain.links.begin(), chain.links.end(), [&](const ChainLink& link) {
-      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.slides;
-    });
-  }
-
   // A curve that only touches the border stays within tolerance of it for about this long.
   double contact_length() const { return 0.1 * std::sqrt(options_.tolerances.point * size_); }
 
@@ -442,7 +374,8 @@ class Assembly {
     const CurvePoint middle = tracer.at(0.5 * tracer.stations().back(), true);
     if (in_contact(middle.point)) return;
     const SurfacePoint contact{middle.point, middle.a, middle.b};
-    if (!known_contact(contact.point)) result_.points.push_back(contact);
+    if (!is_known_contact(result_, contact.point, contact_length()))
+      result_.points.push_back(contact);
     const Box box = end_box(cells_a, found_, chain);
     Place place = place_at(contact, options_.tolerances.point);
     place.kind = PlaceKind::Touch;
@@ -452,33 +385,9 @@ class Assembly {
     weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
   }
 
-  bool known_contact(const Vec3& point) const {
-    return std::any_of(result_.points.begin(), result_.points.end(), [&](const SurfacePoint& p) {
-      return distance(p.point, point) <= contact_length();
-    });
-  }
-
   // A contact in the middle of a curve is no isolated point: so near is the chord of two samples.
   bool on_curve(const Vec3& point, bool tangential_only = false) const {
-    const auto near = [&](const IntersectionCurve& curve) {
-      if (tangential_only && !curve.tangential) return false;
-      for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
-        const Vec3 from = curve.samples[i].point, step = curve.samples[i + 1].point - from;
-        const double square = dot(step, step);
-        const double t = square > 0 ? std::clamp(dot(point - from, step) / square, 0.0, 1.0) : 0.0;
-        if (distance(point, from + step * t) <= kOnCurve * size_) return true;
-      }
-      return false;
-    };
-    return std::any_of(result_.curves.begin(), result_.curves.end(), near);
-  }
-
-  // At a seam a curve ends under other parameters of the same point.
-  bool ends_curve(const Vec3& point) const {
-    return std::any_of(result_.curves.begin(), result_.curves.end(), [&](const auto& curve) {
-      return distance(curve.samples.front().point, point) <= contact_length() ||
-             distance(curve.samples.back().point, point) <= contact_length();
-    });
+    return is_on_curve(result_, point, kOnCurve * size_, tangential_only);
   }
 
   bool in_clump(const Vec3& point) const {

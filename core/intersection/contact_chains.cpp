@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/forms/evaluation.h"
+#include "core/intersection/contact_extent.h"
 #include "core/intersection/contact_points.h"
 #include "core/intersection/contact_reach.h"
 
@@ -22,16 +22,7 @@ constexpr double kOnBorder = 1e-9;   // of a patch
 constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
 
-// A contact is a curve if it is longer than kShort and most of it is far closer than the
-// tolerance, or if it is longer than kLong and either hardly anything is or the gap of most of it
-// is the same within kEven: a strip of constant gap. A zero of order k shrinks by 64^(-1/k) when
-// the tolerance does by 64, so points up to order 8 are told from curves.
-constexpr double kShort = 1e-3;  // of the size
-constexpr double kLong = 0.05;
-constexpr double kCloser = 1.0 / 64;  // of the tolerance
-constexpr double kMostOfIt = 0.6;
-constexpr double kHardlyAny = 0.1;
-constexpr double kEven = 1.5;  // of the square of the distance to a zero it is a fifth
+constexpr double kLeastReach = 1e-3;  // of the size: how far off a contact's centre may be
 
 class Joiner {
  public:
@@ -57,7 +48,8 @@ class Joiner {
       if (partner_[e] < 0 && !used_[e / 2]) chains.push_back(walk(e));
     for (std::size_t e = 0; e < ends; e += 2)
       if (!used_[e / 2]) chains.push_back(walk(e));
-    for (ContactChain& chain : chains) measure(chain);
+    const ContactExtent extent(a_, size_, tolerance_);
+    for (ContactChain& chain : chains) extent.measure(chain);
     const std::size_t clumps_from = chains.size();
     std::erase_if(clumps, [&](const Clump& clump) {
       const double most = clump.thin ? kPointClump * size_ : tolerance_;
@@ -65,7 +57,7 @@ class Joiner {
       if (point) chains.push_back(contact_of(clump));
       return point;
     });
-    measure_across(chains, clumps_from);
+    extent.measure_across(chains, clumps_from);
     merge_points(chains);
     for (ContactChain& chain : chains) {
       if (chain.curve)
@@ -271,89 +263,6 @@ class Joiner {
     }
   }
 
-  // A step of a contact: its gap and its length.
-  using Steps = std::vector<std::pair<double, double>>;
-
-  static double length_between(const Steps& steps, double low, double high) {
-    double sum = 0;
-    for (const auto& [gap, step] : steps)
-      if (gap >= low && gap <= high) sum += step;
-    return sum;
-  }
-
-  // True if most of a contact has the same gap: that of its middle by size.
-  static bool has_even_gap(Steps steps, double length) {
-    std::sort(steps.begin(), steps.end());
-    double sum = 0;
-    for (const auto& [gap, step] : steps)
-      if ((sum += step) >= 0.5 * length)
-        return length_between(steps, gap / kEven, gap * kEven) > kMostOfIt * length;
-    return false;
-  }
-
-  Steps steps_of(const ContactChain& chain) const {
-    Steps steps;
-    for (std::size_t i = 1; i < chain.path.size(); ++i) {
-      const ContactPoint &p = chain.path[i - 1], &q = chain.path[i];
-      const double step = distance(point(p.patch_a, p.x), point(q.patch_a, q.x));
-      steps.push_back({std::max(p.gap, q.gap), step});
-    }
-    return steps;
-  }
-
-  bool is_strip(const Steps& steps, double length) const {
-    const double close = length_between(steps, 0, kCloser * tolerance_);
-    return length > kLong * size_ && (close < kHardlyAny * length || has_even_gap(steps, length));
-  }
-
-  void measure(ContactChain& chain) const {
-    for (const ContactPoint& p : chain.path) {
-      const Vec3 at_p = point(p.patch_a, p.x);
-      chain.box = joined(chain.box, {at_p, at_p});
-    }
-    const Steps steps = steps_of(chain);
-    for (const auto& [gap, step] : steps) chain.length += step;
-    const double close = length_between(steps, 0, kCloser * tolerance_);
-    chain.curve =
-        chain.length > kShort * size_ &&
-        (chain.closed || close > kMostOfIt * chain.length || is_strip(steps, chain.length));
-  }
-
-  // True if a contact begins or ends in a clump.
-  bool ends_in(const ContactChain& chain, const ContactChain& clump) const {
-    const double most = kJoinRadius * size_;
-    const ContactPoint &front = chain.path.front(), &back = chain.path.back();
-    return squared_distance(clump.box, point(front.patch_a, front.x)) <= most * most ||
-           squared_distance(clump.box, point(back.patch_a, back.x)) <= most * most;
-  }
-
-  // Contacts that clumps keep apart may be parts of one strip, each too short for one.
-  void measure_across(std::vector<ContactChain>& chains, std::size_t clumps_from) const {
-    std::vector<std::size_t> group(clumps_from);
-    std::iota(group.begin(), group.end(), std::size_t{0});
-    for (std::size_t c = clumps_from; c < chains.size(); ++c) {
-      std::size_t first = clumps_from;
-      for (std::size_t i = 0; i < clumps_from; ++i) {
-        if (!ends_in(chains[i], chains[c])) continue;
-        if (first == clumps_from) first = group[i];
-        std::replace(group.begin(), group.end(), std::size_t{group[i]}, first);
-      }
-    }
-    for (std::size_t g = 0; g < clumps_from; ++g) {
-      Steps steps;
-      double length = 0;
-      for (std::size_t i = 0; i < clumps_from; ++i) {
-        if (group[i] != g) continue;
-        const Steps more = steps_of(chains[i]);
-        steps.insert(steps.end(), more.begin(), more.end());
-        length += chains[i].length;
-      }
-      if (!is_strip(steps, length)) continue;
-      for (std::size_t i = 0; i < clumps_from; ++i)
-        if (group[i] == g) chains[i].curve = true;
-    }
-  }
-
   // A point of least distance near a pair of cells: a crossing, where the surfaces are not
   // parallel, or a point with common normal.
   ContactPoint closest_in(const CriticalPair& pair) const {
@@ -465,7 +374,7 @@ class Joiner {
     ContactPoint best = *std::min_element(
         chain.path.begin(), chain.path.end(),
         [](const ContactPoint& p, const ContactPoint& q) { return p.gap < q.gap; });
-    const double reach = std::max(chain.length, kShort * size_);
+    const double reach = std::max(chain.length, kLeastReach * size_);
     double least = best.gap + kRounding * size_;
     for (ContactPoint centre : {chain.path[chain.path.size() / 2], best}) {
       const auto &patch_a = a_.tree(centre.patch_a).patch(),
