@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "tests/adapters/occt/solid_contacts.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Trsf.hxx>
+
+namespace blossom::testing {
+namespace {
+
+using Maker = std::function<TopoDS_Shape()>;
+
+constexpr double kPi = std::numbers::pi;
+const gp_Pnt kOrigin(0, 0, 0);
+
+TopoDS_Shape whole_cube() {
+  static const TopoDS_Shape shape = box(kOrigin, {1, 1, 1});
+  return shape;
+}
+
+TopoDS_Shape whole_plate() {
+  static const TopoDS_Shape shape = box({-2, -2, 0}, {2, 2, 1});
+  return shape;
+}
+
+Maker boxed(const gp_Pnt& from, const gp_Pnt& to) {
+  return [=] { return box(from, to); };
+}
+
+Maker rod(const gp_Pnt& foot, double radius, double height, const gp_Dir& axis = gp::DZ(),
+          double angle = 2 * kPi) {
+  return
+      [=] { return BRepPrimAPI_MakeCylinder(gp_Ax2(foot, axis), radius, height, angle).Shape(); };
+}
+
+// A cylinder whose seam is somewhere else.
+Maker turned_rod(const gp_Pnt& foot, double radius, double height, double angle) {
+  const gp_Ax2 place(foot, gp::DZ(), gp_Dir(std::cos(angle), std::sin(angle), 0));
+  return [=] { return BRepPrimAPI_MakeCylinder(place, radius, height).Shape(); };
+}
+
+Maker ball(const gp_Pnt& centre, double radius) {
+  return [=] { return BRepPrimAPI_MakeSphere(centre, radius).Shape(); };
+}
+
+// The part of a ball above, or below, its equator.
+Maker half_ball(double from, double to) {
+  return [=] { return BRepPrimAPI_MakeSphere(gp_Ax2(), 1, from, to, 2 * kPi).Shape(); };
+}
+
+Maker cone(const gp_Pnt& foot, double low, double high, double height) {
+  return [=] { return BRepPrimAPI_MakeCone(gp_Ax2(foot, gp::DZ()), low, high, height).Shape(); };
+}
+
+// Of the cone with its tip at height 2.
+Maker frustum(double from, double to) { return cone({0, 0, from}, 2 - from, 2 - to, to - from); }
+
+Maker ring(const gp_Pnt& centre, double large, double small, double angle = 2 * kPi) {
+  return
+      [=] { return BRepPrimAPI_MakeTorus(gp_Ax2(centre, gp::DZ()), large, small, angle).Shape(); };
+}
+
+Maker prism(const std::vector<gp_Pnt>& corners, const gp_Vec& along) {
+  return [=] {
+    BRepBuilderAPI_MakePolygon polygon;
+    for (const gp_Pnt& corner : corners) polygon.Add(corner);
+    polygon.Close();
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon.Wire()).Shape(), along).Shape();
+  };
+}
+
+Maker turning(const Maker& make, const gp_Dir& axis, double angle) {
+  return [=] { return turned(make(), axis, angle); };
+}
+
+Maker lifted(const Maker& make, const gp_Vec& by) {
+  return [=] {
+    gp_Trsf lift;
+    lift.SetTranslation(by);
+    return BRepBuilderAPI_Transform(make(), lift).Shape();
+  };
+}
+
+Maker splines(const Maker& make) {
+  return [=] { return BRepBuilderAPI_NurbsConvert(make(), true).Shape(); };
+}
+
+TopoDS_Shape drilled_plate() {
+  return BRepAlgoAPI_Cut(whole_plate(), rod({0, 0, -1}, 0.5, 3)()).Shape();
+}
+
+TopoDS_Shape rounded_cube() {
+  constexpr double kRadius = 0.25, kFar = 1 - kRadius;
+  BRepBuilderAPI_MakeWire wire;
+  for (int i = 0; i < 4; ++i) {
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1({0.5, 0.5, 0}, gp::DZ()), i * kPi / 2);
+    const gp_Pnt from(kRadius, 0, 0), to(kFar, 0, 0), centre(kFar, kRadius, 0);
+    const gp_Circ arc(gp_Ax2(centre, gp::DZ(), gp_Dir(0, -1, 0)), kRadius);
+    wire.Add(BRepBuilderAPI_MakeEdge(from.Transformed(turn), to.Transformed(turn)));
+    wire.Add(BRepBuilderAPI_MakeEdge(arc.Transformed(turn), 0, kPi / 2));
+  }
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Shape(), gp_Vec(0, 0, 1))
+      .Shape();
+}
+
+TopoDS_Shape two_boxes() {
+  return BRepAlgoAPI_Fuse(box({3, 2, 0}, {4, 3, 2}), box({1, 0, 0}, {4, 2, 4})).Shape();
+}
+
+const gp_Dir kOblique(1, 2, 3);
+
+}  // namespace
+
+TopoDS_Shape box(const gp_Pnt& from, const gp_Pnt& to) {
+  return BRepPrimAPI_MakeBox(from, to).Shape();
+}
+
+TopoDS_Shape turned(const TopoDS_Shape& shape, const gp_Dir& axis, double angle) {
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp::Origin(), axis), angle);
+  return BRepBuilderAPI_Transform(shape, turn, true).Shape();
+}
+
+std::vector<SolidContact> box_contacts() {
+  return {
+      {"EqualFaces", whole_cube, boxed({1, 0, 0}, {2, 1, 1})},
+      {"PartOfAFace", whole_cube, boxed({1, 0.2, 0.3}, {2, 0.7, 0.8})},
+      {"FacesAcross", whole_cube, boxed({1, -1, 0.3}, {2, 2, 0.8})},
+      {"ShiftedFaces", whole_cube, boxed({1, 0.5, 0.5}, {2, 1.5, 1.5})},
+      {"FaceWithACommonEdge", whole_cube, boxed({1, 0, 0.3}, {2, 0.5, 0.8})},
+      {"FlushInOne", whole_cube, boxed({0.3, 0.3, 0.5}, {0.7, 0.7, 1}), 0.08},
+      {"FlushInOneAcross", whole_cube, boxed({0.5, 0.2, 0.5}, {1.5, 0.7, 1}), 0.125},
+      {"FlushInTwo", whole_cube, boxed({0.5, 0, 0.5}, {1.5, 0.5, 1}), 0.125},
+      {"FlushInThree", whole_cube, boxed({0.5, 0.5, 0.5}, {1, 1, 1}), 0.125},
+      {"FlushInFour", whole_cube, boxed({0.5, 0, 0}, {1.5, 1, 1}), 0.5},
+      {"FlushInFive", whole_cube, boxed(kOrigin, {1, 1, 0.5}), 0.5},
+      {"Equal", whole_cube, boxed(kOrigin, {1, 1, 1}), 1},
+      {"TheSame", whole_cube, whole_cube, 1},
+      {"EdgeToEdge", whole_cube, boxed({1, 1, 0}, {2, 2, 1})},
+      {"PartOfAnEdge", whole_cube, boxed({1, 1, 0.25}, {2, 2, 0.75})},
+      {"CornerToCorner", whole_cube, boxed({1, 1, 1}, {2, 2, 2})},
+      {"Slot", whole_plate, boxed({-0.5, -3, 0.5}, {0.5, 3, 1}), 2},
+      {"Pocket", whole_plate, boxed({-0.5, -0.5, 0.5}, {0.5, 0.5, 1}), 0.5},
+      {"PocketAtAnEdge", whole_plate, boxed({-0.5, 1, 0.5}, {0.5, 2, 1}), 0.5},
+      {"WindowThrough", whole_plate, boxed({-0.5, -0.5, 0}, {0.5, 0.5, 1}), 1},
+  };
+}
+
+std::vector<SolidContact> prism_contacts() {
+  const Maker triangle = prism({{0.3, 0.5, 2}, {0.5, 0.5, 1}, {0.7, 0.5, 2}}, {0, 0.3, 0.5});
+  const Maker on_its_edge = prism({{-0.5, 0, 1}, {-0.2, -0.5, 2}, {-0.2, 0.5, 2}}, {1, 0, 0});
+  const Maker on_a_face = prism({{0, 0, 1}, {1, 0, 1}, {0, 0, 2}}, {0, 1, 0});
+  const Maker along_an_edge = prism({{0, 0, 0.5}, {1, 0, 1}, {0, 0, 1.5}}, {0, 1, 0});
+  const Maker half = prism({{0, 0, 0}, {1, 0, 1}, {1, 0, 0}}, {0, 1, 0});
+  const Maker through_edges = prism({{-1, -1, -1}, {2, -1, 2}, {-1, -1, 2}}, {0, 3, 0});
+  const Maker through_corners =
+      turning(prism({{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}}, {0, 0, 3}), gp_Dir(-1, 1, 0),
+              std::acos(1 / std::sqrt(3.0)));
+  return {
+      {"CornerOnAFace", whole_cube, triangle},
+      {"WedgeOnItsEdge", whole_plate, on_its_edge},
+      {"WedgeOnAFace", whole_cube, on_a_face},
+      {"WedgeAlongAnEdge", whole_cube, along_an_edge, 0.25},
+      {"PlaneThroughEdges", whole_cube, half, 0.5},
+      {"CutThroughTwoEdges", whole_cube, through_edges, 0.5},
+      {"CutThroughThreeCorners", whole_cube, through_corners, 1},
+  };
+}
+
+std::vector<SolidContact> rod_contacts() {
+  const Maker whole = rod(kOrigin, 1, 1), half = rod(kOrigin, 1, 1, gp::DZ(), kPi),
+              quarter = rod(kOrigin, 1, 1, gp::DZ(), kPi / 2);
+  return {
+      {"RodOnAPlate", whole_plate, rod({0, 0, 1}, 0.5, 1)},
+      {"RodFlushWithThePlate", whole_plate, rod({0.3, 0.2, -1}, 0.5, 2), kPi / 4},
+      {"RodAsThickAsThePlate", whole_plate, rod({0.3, 0.2, 0}, 0.5, 1), kPi / 4},
+      {"RodOnTheBorder", whole_plate, rod({2, 0, 1}, 0.5, 1)},
+      {"RodInTheBorder", whole_plate, rod({2, 0, 0}, 0.5, 1), kPi / 8},
+      {"RodOnRod", whole, rod({0, 0, 1}, 1, 1)},
+      {"RodOnTurnedRod", whole, turned_rod({0, 0, 1}, 1, 1, 1)},
+      {"ThinRodOnRod", whole, rod({0, 0, 1}, 0.4, 1)},
+      {"RodInRod", whole, rod({0, 0, 0.5}, 1, 1), kPi / 2},
+      {"RodInTurnedRod", whole, turned_rod({0, 0, 0.5}, 1, 1, 1), kPi / 2},
+      {"EqualRods", whole, whole, kPi},
+      {"EqualTurnedRods", whole, turned_rod(kOrigin, 1, 1, 2), kPi},
+      {"HalfRods", half, turning(half, gp::DZ(), kPi)},
+      {"HalfRodInRod", whole, turning(half, gp::DZ(), 0.5), kPi / 2},
+      {"QuarterRods", quarter, turning(quarter, gp::DZ(), kPi / 4), kPi / 8},
+      {"RodLyingOnAPlate", whole_plate, rod({-1, 0, 1.5}, 0.5, 2, gp::DX())},
+      {"LongRodLyingOnAPlate", whole_plate, rod({-3, 0, 1.5}, 0.5, 6, gp::DX())},
+      {"RodBesideRod", whole, rod({2, 0, 0}, 1, 1)},
+      {"RodInABoxAtItsWall", whole_plate, rod({-1, 0, 0.6}, 0.4, 2, gp::DX()), 2 * kPi * 0.16},
+      {"RodInACorner", whole_cube, rod({0.5, 0.5, 0}, 0.5, 1), kPi / 4},
+  };
+}
+
+std::vector<SolidContact> ball_contacts() {
+  const Maker whole = ball(kOrigin, 1), above = half_ball(0, kPi / 2);
+  const Maker small = lifted(turning(ball(kOrigin, 0.5), kOblique, 0.7), {0.2, 0.1, 1.5});
+  const double volume = 4 * kPi / 3;
+  return {
+      {"HalfBalls", above, half_ball(-kPi / 2, 0)},
+      {"BallHalvedByABox", whole, boxed({-2, -2, 0}, {2, 2, 2}), volume / 2},
+      {"BallHalvedThroughItsPoles", whole, boxed({-2, 0, -2}, {2, 2, 2}), volume / 2},
+      {"BallHalvedAcrossItsSeam", whole, boxed({0, -2, -2}, {2, 2, 2}), volume / 2},
+      {"EqualTurnedBalls", whole, turning(whole, kOblique, 0.7), volume},
+      {"EqualBallsWithCommonPoles", whole, turning(whole, gp::DZ(), 0.7), volume},
+      {"HalfBallInATurnedBall", above, turning(whole, kOblique, 0.7), volume / 2},
+      {"BallOnAPlate", whole_plate, ball({0, 0, 1.5}, 0.5)},
+      {"TurnedBallOnAPlate", whole_plate, small},
+      {"BallToBall", whole, ball({2, 0, 0}, 1)},
+      {"BallInABoxAtItsWall", whole_plate, ball({0, 0, 0.6}, 0.4), volume * 0.064},
+      {"BallInACube", whole_cube, ball({0.5, 0.5, 0.5}, 0.5), kPi / 6},
+  };
+}
+
+std::vector<SolidContact> cone_and_ring_contacts() {
+  const Maker half_ring = ring(kOrigin, 2, 0.5, kPi);
+  return {
+      {"ConeOnAPlate", whole_plate, cone({0, 0, 1}, 0.5, 0.2, 1)},
+      {"ConeInAPlate", whole_plate, cone(kOrigin, 0.5, 0.2, 1), kPi / 3 * (0.25 + 0.1 + 0.04)},
+      {"ConeOnCone", frustum(0, 1), frustum(1, 1.5)},
+      {"ConeInCone", frustum(0, 1), frustum(0.5, 1.5), kPi / 3 * (2.25 + 1.5 + 1) * 0.5},
+      {"ConeOnItsTip", whole_plate, cone({0, 0, 1}, 0, 0.5, 1)},
+      {"ConeWithItsTipInACorner", whole_cube, cone({1, 1, 1}, 0, 0.5, 1)},
+      {"RingOnAPlate", whole_plate, ring({0, 0, 1.25}, 1, 0.25)},
+      {"HalfRings", half_ring, turning(half_ring, gp::DZ(), kPi)},
+  };
+}
+
+std::vector<SolidContact> hole_and_corner_contacts() {
+  return {
+      {"PegInAHole", drilled_plate, rod(kOrigin, 0.5, 1)},
+      {"TurnedPegInAHole", drilled_plate, turned_rod({0, 0, 0.5}, 0.5, 1, 1)},
+      {"LongPegInAHole", drilled_plate, rod({0, 0, -1}, 0.5, 3)},
+      {"HalfPegInAHole", drilled_plate, rod(kOrigin, 0.5, 1, gp::DZ(), kPi)},
+      {"ThickPegInAHole", drilled_plate, rod(kOrigin, 1, 1), 0.75 * kPi},
+      {"FlushAtAnInnerCorner", two_boxes, boxed({2, 0, 2}, {3, 2, 3}), 2},
+      {"RoundedCubeInCube", whole_cube, rounded_cube, 1 - 0.25 * 0.25 * (4 - kPi)},
+      {"CubeOnRoundedCube", rounded_cube, boxed({1, 0, 0}, {2, 1, 1})},
+  };
+}
+
+std::vector<SolidContact> spline_contacts() {
+  return {
+      {"SplineCubeOnCube", whole_cube, splines(boxed({1, 0, 0.5}, {2, 1, 1}))},
+      {"SplineCubeInCube", whole_cube, splines(boxed({0.5, 0, 0.5}, {2, 1, 1})), 0.25},
+      {"SplineRodOnAPlate", whole_plate, splines(rod({0, 0, 1}, 0.5, 1))},
+      {"SplineRodInRod", rod(kOrigin, 1, 1), splines(rod({0, 0, 0.5}, 1, 1)), kPi / 2, 1e-7},
+  };
+}
+
+}  // namespace blossom::testing
