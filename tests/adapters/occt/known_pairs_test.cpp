@@ -182,8 +182,8 @@ struct Case {
 const gp_Pnt O(0, 0, 0);
 const gp_Dir X(1, 0, 0), Y(0, 1, 0), Z(0, 0, 1);
 
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all{
+std::vector<Case> cylinder_pairs() {
+  return {
       {"bug23178",
        cylinder(frame({4.999999999813, 1.35836143386791, 0.20975890778078}, {-1, 0, 0}, {0, 0, 1}),
                 10, {-40, 40}),
@@ -237,6 +237,11 @@ const std::vector<Case>& cases() {
                new Geom_Ellipse(gp_Ax2(O, Z), 6.03031367203927, 3.11993062568844), Z),
            {kTurn, {-5, 5}})},
        cylinder(frame(O, X), 0.249128788767645, {-10, 10}), 2},
+  };
+}
+
+std::vector<Case> torus_and_cone_pairs() {
+  return {
       {"bug27227", torus(frame(O, Z), 100, 20), torus(frame(O, {0, -1, 0}), 100, 20), 2, 4, 0, 0,
        Status::Tolerance},
       {"bug29807_i5002",
@@ -261,6 +266,11 @@ const std::vector<Case>& cases() {
        sphere({82.5593917073, 4.52613090823, 76.3299967}, 3.5), 1},
       {"bug23177_1", torus(frame(O, Z), 100, 10), plane(frame(O, Y, X), {-150, 150}, {-50, 50}), 2,
        0, 0, 0, Status::Tolerance, 40 * kPi},
+  };
+}
+
+std::vector<Case> pairs_that_nearly_touch() {
+  return {
       {"thick_and_thin_cylinder", cylinder(frame(O, Z), 2, {-5, 5}),
        cylinder(frame({0, 2, 0}, X), 0.5, {0, 4}), 1, 0, 0, 0, Status::Tolerance, 0,
        [](const Vec3& p) { return p[0] > 0; }},
@@ -280,6 +290,11 @@ const std::vector<Case>& cases() {
       {"torus_and_plane", torus(frame(O, Z), 3, 1), plane(frame({0, 0, 0.5}, Z), {-5, 5}, {-5, 5}),
        2, 0, 0, 0, Status::Complete, 12 * kPi},
       {"spheres_inside_each_other", sphere(O, 2), sphere({0.999, 0, 0}, 1), 0},
+  };
+}
+
+std::vector<Case> pairs_over_seams_and_poles() {
+  return {
       {"sphere_and_plane_along_its_seam", sphere(O, 1), plane(frame(O, Y, X), {-2, 2}, {-2, 2}), 1,
        0, 0, 0, Status::Tolerance, 2 * kPi},
       {"sphere_and_plane_through_both_poles", sphere(O, 1),
@@ -301,6 +316,11 @@ const std::vector<Case>& cases() {
        plane(frame({3.48352775473762, 1.7282347013387, 0}, {0, 0, -1}, {-1, 0, 0}), {0, 4},
              {-3, 3}),
        1, 0, 0, 0, Status::Tolerance, 0.5 * kPi},
+  };
+}
+
+std::vector<Case> pairs_that_touch() {
+  return {
       {"viviani", sphere(O, 2), cylinder(frame({1, 0, 0}, Z), 1, {-3, 3}), 1, 1, 0, 0,
        Status::Tolerance, 2 * 7.6404},
       {"bug29972_3_a_tenth_as_large", torus(frame({-12.7, 8.4, 10}, {0, 0, -1}, X), 2.3, 1),
@@ -315,6 +335,16 @@ const std::vector<Case>& cases() {
       {"perpendicular_unit_cylinders", cylinder(frame(O, Z), 1, {-2, 2}),
        cylinder(frame(O, X), 1, {-2, 2}), 1, 2, 0, 0, Status::Tolerance, 2 * 7.6404},
   };
+}
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all = [] {
+    std::vector<Case> joined;
+    for (const auto& some : {cylinder_pairs(), torus_and_cone_pairs(), pairs_that_nearly_touch(),
+                             pairs_over_seams_and_poles(), pairs_that_touch()})
+      joined.insert(joined.end(), some.begin(), some.end());
+    return joined;
+  }();
   return all;
 }
 
