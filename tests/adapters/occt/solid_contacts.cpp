@@ -224,6 +224,7 @@ std::vector<SolidContact> ball_contacts() {
       {"BallHalvedAcrossItsSeam", whole, boxed({0, -2, -2}, {2, 2, 2}), volume / 2},
       {"EqualTurnedBalls", whole, turning(whole, kOblique, 0.7), volume},
       {"EqualBallsWithCommonPoles", whole, turning(whole, gp::DZ(), 0.7), volume},
+      {"EqualTurnedHalfBalls", above, turning(above, gp::DZ(), 0.7), volume / 2},
       {"HalfBallInATurnedBall", above, turning(whole, kOblique, 0.7), volume / 2},
       {"BallOnAPlate", whole_plate, ball({0, 0, 1.5}, 0.5)},
       {"TurnedBallOnAPlate", whole_plate, small},
