@@ -255,6 +255,9 @@ void CellTree::choose_direction(Cell& cell) const {
   for (int k = 0; k < 3; ++k) {
     const SecondDifferences largest =
         largest_second_differences(cell.hull + k * size, rows, columns);
+    cell.second[0][k] = largest.uu;
+    cell.second[1][k] = largest.uv;
+    cell.second[2][k] = largest.vv;
     along_u = std::max(along_u, largest.uu);
     along_v = std::max(along_v, largest.vv);
     twist = std::max(twist, largest.uv);

@@ -34,10 +34,10 @@ struct FatPlane {
 };
 
 struct Cell {
-  Interval u, v;        ///< place in the patch's [0, 1]^2
-  int depth = 0;        ///< halvings since the whole patch
-  int child = -1;       ///< index of the lower half, the upper one follows; -1: none
-  bool split_u = true;  ///< the direction of its halving
+  Interval u, v;                    ///< place in the patch's [0, 1]^2
+  int depth = 0;                    ///< halvings since the whole patch
+  int child = -1;                   ///< index of the lower half, the upper one follows; -1: none
+  bool split_u = true;              ///< the direction of its halving
   PartSide part = PartSide::Mixed;  ///< how it lies to the part of the patch that counts
   const double* homogeneous = nullptr;   ///< Bezier net, 3 or 4 planes
   const double* coefficients = nullptr;  ///< monomial form of the same, when that is the source
@@ -45,9 +45,10 @@ struct Cell {
   double margin = 0;                     ///< rounding of a hull coordinate, model units
   Vec3 low, high;                        ///< box of the hull, margin included
   FatPlane plane;
-  VectorBounds du, dv;  ///< derivatives by the cell's own [0, 1] parameters
-  double bend = 0;      ///< how far it is from flat and affine, model units
-  double extent = 0;    ///< diagonal of the box
+  VectorBounds du, dv;           ///< derivatives by the cell's own [0, 1] parameters
+  std::array<Vec3, 3> second{};  ///< largest differences uu, uv, vv of the hull, by coordinate
+  double bend = 0;               ///< how far it is from flat and affine, model units
+  double extent = 0;             ///< diagonal of the box
 };
 
 class CellTree {

@@ -59,9 +59,12 @@ std::optional<Point4> newton(const Point4& start, double reach, const Equations&
       if (!(std::abs(x[i] - start[i]) <= reach)) return std::nullopt;
       largest = std::max(largest, std::abs(m[i][4]));
     }
+    // Steps shrink by ever smaller factors, the next one by more than this one.
+    const double ratio = step == 0 ? 1 : std::min(largest / last, 1.0);
+    const bool settled = largest * ratio < kSettled;
     const bool stalled =
         (largest < kStalled && largest > 0.25 * last) || (largest < kSlow && step + 1 == kSteps);
-    if (largest < kSettled || (stalled && good(x))) return x;
+    if (settled || (stalled && good(x))) return x;
     last = largest;
   }
   return std::nullopt;

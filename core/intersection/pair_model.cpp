@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/forms/evaluation.h"
-#include "core/intersection/net_ranges.h"
 
 namespace blossom {
 namespace {
@@ -23,17 +22,10 @@ std::array<Vec3, 3> largest_second(const CellTree& tree, const Cell& cell) {
     const auto of = [](const VectorBounds& x) { return absolute(x.middle) + x.radius; };
     return {of(uu), of(uv), of(vv)};
   }
-  std::array<Vec3, 3> most;
   const int n = shape.rows - 1, m = shape.columns - 1;
-  const double rounding = 4 * cell.margin;  // of a second difference
-  for (int k = 0; k < 3; ++k) {
-    const SecondDifferences d =
-        largest_second_differences(cell.hull + k * shape.plane_size(), shape.rows, shape.columns);
-    most[0][k] = n * (n - 1) * (d.uu + rounding);
-    most[1][k] = n * m * (d.uv + rounding);
-    most[2][k] = m * (m - 1) * (d.vv + rounding);
-  }
-  return most;
+  const Vec3 rounding = same(4 * cell.margin);  // of a second difference
+  return {n * (n - 1) * (cell.second[0] + rounding), n * m * (cell.second[1] + rounding),
+          m * (m - 1) * (cell.second[2] + rounding)};
 }
 
 // Of a point: of sums over both directions, and the quotient by the weight.
