@@ -33,8 +33,6 @@ constexpr int kHalvingsPerStart = 12;
 // Trims take as long to be asked as several halvings.
 constexpr int kHalvingsPerTrim = 6;
 
-Vec3 projected(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
-
 // A cell of an item of a part; the part itself while there is no item.
 struct Place {
   int part = 0;

@@ -9,30 +9,53 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/math/vec.h"
 
 namespace blossom {
 namespace {
 
-Vec3 projected(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
 Vec4 homogeneous(const Vec3& p) { return {p[0], p[1], p[2], 1}; }
 
-// Whether two patches that share a border go on in different directions there. Parts of one
-// polynomial agree to rounding.
+// The legs of a net at its first or last row (along u) or column, about a point of the border: with
+// X' = X - w O the derivative across the border is that of X' / w. Weights count as the lengths by
+// which they move points as far as `reach` from O.
+std::vector<Vec4> legs(const Grid<Vec4>& net, bool along_u, bool at_end, const Vec3& origin,
+                       double reach) {
+  const int count = along_u ? net.columns() : net.rows();
+  const int last = (along_u ? net.rows() : net.columns()) - 1;
+  std::vector<Vec4> result;
+  for (int k = 0; k < count; ++k) {
+    const auto point = [&](int across) { return along_u ? net(across, k) : net(k, across); };
+    Vec4 leg = at_end ? point(last) - point(last - 1) : point(1) - point(0);
+    for (int i = 0; i < 3; ++i) leg[i] -= leg[3] * origin[i];
+    leg[3] *= reach;
+    result.push_back(leg);
+  }
+  return result;
+}
+
+// Whether two patches that share a border may go on in different directions there. They do not if
+// all legs behind it are those before it times one positive number; parts of one polynomial are so
+// to rounding. Legs that are parallel by different numbers do not sum to parallel derivatives.
 bool has_kink(const RationalBezierPatch& low, const RationalBezierPatch& high, bool along_u) {
   constexpr double kSmooth = 1e-10;
-  const Grid<Vec4>&p = low.points, &q = high.points;
-  const int count = along_u ? p.columns() : p.rows();
-  const auto point = [&](const Grid<Vec4>& net, int across, int along) {
-    return projected(along_u ? net(across, along) : net(along, across));
-  };
-  const int last = (along_u ? p.rows() : p.columns()) - 1;
-  for (int k = 0; k < count; ++k) {
-    const Vec3 before = point(p, last, k) - point(p, last - 1, k);
-    const Vec3 after = point(q, 1, k) - point(q, 0, k);
-    const double lengths = norm(before) * norm(after);
-    if (!(lengths > 0) || norm(cross(before, after)) > kSmooth * lengths || dot(before, after) < 0)
-      return true;
+  const Vec3 origin = projected(high.points(0, 0));
+  double reach = 0;
+  for (const Vec4& p : high.points.values())
+    reach = std::max(reach, distance(projected(p), origin));
+  const std::vector<Vec4> before = legs(low.points, along_u, true, origin, reach);
+  const std::vector<Vec4> after = legs(high.points, along_u, false, origin, reach);
+  if (before.size() != after.size()) return true;
+  double squares = 0, products = 0;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    squares += dot(before[k], before[k]);
+    products += dot(before[k], after[k]);
   }
+  if (!(products > 0)) return true;
+  const double ratio = products / squares;
+  for (std::size_t k = 0; k < before.size(); ++k)
+    if (!(max_norm(after[k] - ratio * before[k]) <= kSmooth * ratio * std::sqrt(squares)))
+      return true;
   return false;
 }
 

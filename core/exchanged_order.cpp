@@ -5,10 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "core/intersection/border_roots.h"
+
 namespace blossom {
 namespace {
 
-constexpr double kOnBorder = 2e-9;  // of a span, as where chains end
+constexpr double kOnBorder = 2 * kSamePoint;  // of a span, as where chains end
 
 bool is_on_border(const BezierSurface& surface, const Vec2& uv) {
   const auto at_end = [](const std::vector<double>& knots, double x) {

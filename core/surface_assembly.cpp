@@ -31,10 +31,8 @@ namespace {
 // Cells are halved off their middle: singular points like dyadic lines.
 constexpr double kCut = 0.4865;
 
-constexpr double kPointClump = 1e-2;  // of the surfaces' size: a larger clump is more than a point
-constexpr double kShortest = 4;       // tolerances: the shortest branch between contacts
-constexpr double kOnCurve = 1e-4;     // of the surfaces' size
-constexpr double kPoint = 1e-12;      // likewise: so long is what stays in the apex of a cone
+constexpr double kOnCurve = 1e-4;  // of the surfaces' size
+constexpr double kPoint = 1e-12;   // likewise: so long is what stays in the apex of a cone
 
 // A curve that leaves the surfaces by so many tolerances and so much of their size is none.
 constexpr double kWorst = 100;
@@ -265,7 +263,7 @@ class Assembly {
                                        const Chain& chain) const {
     const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
     const double length = tracer.stations().back();
-    const bool is_short = length <= kShortest * options_.tolerances.point;
+    const bool is_short = length <= kShortestBranch * options_.tolerances.point;
     const bool is_point = length <= kPoint * size_;
     if (is_short && (belongs_to_contact(chain) || chain.closed || is_point)) return {};
     if (any_arc(chain, &CellArc::slides) && length <= contact_length()) return {};
@@ -285,7 +283,7 @@ class Assembly {
 
   void add_short(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
     const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
-    const bool is_short = tracer.stations().back() <= kShortest * options_.tolerances.point;
+    const bool is_short = tracer.stations().back() <= kShortestBranch * options_.tolerances.point;
     if (!is_short || !belongs_to_contact(chain)) add_small_contact(cells_a, chain, tracer);
   }
 

@@ -13,7 +13,8 @@
 namespace blossom {
 namespace {
 
-// In the order asked for, and, if that leaves something open, in the other one.
+// In the order asked for, and, if that leaves something open, in the other one with what is left of
+// the limits.
 SurfaceIntersection in_better_order(const BezierSurface& a, const BezierSurface& b,
                                     const IntersectionOptions& options) {
   const auto started = std::chrono::steady_clock::now();
@@ -21,6 +22,9 @@ SurfaceIntersection in_better_order(const BezierSurface& a, const BezierSurface&
   if (&a == &b || !may_gain_by_exchange(found)) return found;
   IntersectionOptions other = options;
   std::swap(other.part_a, other.part_b);
+  const Certificate& first = found.certificate;
+  other.budget -= first.excluded + first.certified + first.critical;
+  if (other.budget <= 0) return found;
   if (options.time_limit > 0) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
     other.time_limit -= spent.count();

@@ -29,7 +29,7 @@ Box box_of(const CurveSpans& curve) {
   Box box;
   for (const CurveSpan& span : curve.spans)
     for (const Vec4& p : span.curve.points) {
-      const Vec3 point = Vec3{p[0], p[1], p[2]} * (1 / p[3]);
+      const Vec3 point = projected(p);
       box = joined(box, {point, point});
     }
   return box;

@@ -153,7 +153,7 @@ BorderPiece piece_of(const Border& border, const Interval& x, double snap) {
 SpaceJet jet_at(const Row& row, double t) {
   const HomogeneousJet jet = homogeneous_jet(row, t);
   const Vec4& p = jet.value;
-  return {Vec3{p[0], p[1], p[2]} * (1 / p[3]), in_space(jet.derivative, p)};
+  return {projected(p), in_space(jet.derivative, p)};
 }
 
 Vec3 across_at(const Row& edge, const Row& across, double t) {

@@ -231,7 +231,7 @@ class Graph {
         return points_[e][i] <= kJoin || points_[e][i] >= spans[i] - kJoin;
       };
       if (!at_end(end)) continue;
-      if (!closed[i] || !at_end(end ^ 1)) return false;
+      if (!closed[i] || std::abs(points_[end][i] - points_[end ^ 1][i]) > kJoin) return false;
       along = true;
     }
     return along;

@@ -132,8 +132,10 @@ class PairBorder {
         return face.axis != along_ && !all.bounds->minor(face.axis).regular;
       });
     for (const BoxFace& face : met) {
+      const std::size_t before = points.size();
       if (face.axis == along_ ? decide_end(face, points) : decide(face, 1, points)) continue;
       if (face.axis == along_ || !slides_along(face)) return false;
+      points.resize(before);
       sliding_[index(face.axis)][face.high] = true;
     }
     return std::all_of(points.begin(), points.end(),
@@ -289,7 +291,7 @@ class PairBorder {
     return x;
   }
 
-  // True if the box meets the arc, and only along the given face.
+  // True if the box meets the arc, and only along the given face, as far as points of it tell.
   bool slides_along(const BoxFace& face) {
     if (std::abs(stretch(undecided_).part.middle[index(face.axis)] - side_of(face)) > kSlidingSlack)
       return false;
@@ -301,7 +303,8 @@ class PairBorder {
       if (s.empty) continue;
       const auto x =
           newton(tree_a_.patch(), tree_b_.patch(), model_->parameters(s.part.middle), along_, box_);
-      if (!x || !inside(*x)) continue;
+      if (!x) return false;
+      if (!inside(*x)) continue;
       const double slack = std::max(kBorderSlack, noise_at(*x)[index(face.axis)]);
       if (std::abs((*x)[index(face.axis)] - place_of(face)) > slack || leaves(*x, face.axis))
         return false;
@@ -447,11 +450,6 @@ std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierP
     last_step = largest;
   }
   return std::nullopt;
-}
-
-Point4 tangent_at(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
-                  int along) {
-  return tangent_of(jacobian(jet_at(a, x[0], x[1], 1), jet_at(b, x[2], x[3], 1)), along);
 }
 
 std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const CellTree& tree_b,

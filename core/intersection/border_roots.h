@@ -67,11 +67,6 @@ inline constexpr double kSamePoint = 1e-9;
 std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierPatch& b,
                              const Point4& start, int fixed, const Box4& box);
 
-/// The tangent of the intersection at a solution, in the four parameters, not normalised: the
-/// kernel of J, with signs so that `along` grows.
-Point4 tangent_at(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
-                  int along);
-
 /// All arcs in a certified pair.
 ///
 /// bounds    of the pair's Jacobian; its minor `along` is regular

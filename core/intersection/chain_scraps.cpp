@@ -12,8 +12,6 @@ namespace {
 // A chain this many times as long as the clump at both its ends belongs to the contact there.
 constexpr double kClumpReach = 4;
 
-constexpr double kShortest = 4;  // tolerances: what is shorter is no branch
-
 // The contact that a closed chain passes, if that is the only one it is an arm of; or -1.
 int contact_on(const Chain& chain, const std::vector<ContactChain>& contacts) {
   const auto holds = [&](ArcEnd end) {
@@ -53,7 +51,7 @@ bool is_scrap(const Chain& chain, const Box& box, const std::vector<ContactChain
   if (at.curve || (!returns && !at.pole)) return false;
   // A clump ends somewhere near its point, a valley's contact exactly.
   const double part = !returns ? 0 : at.path.size() == 1 ? kClumpReach : 1;
-  return diagonal(box) <= part * at.length + kShortest * tolerance;
+  return diagonal(box) <= part * at.length + kShortestBranch * tolerance;
 }
 
 }  // namespace

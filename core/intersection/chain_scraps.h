@@ -12,6 +12,9 @@
 
 namespace blossom {
 
+/// What is shorter is no branch but a part of the contacts at its ends. Tolerances.
+inline constexpr double kShortestBranch = 4;
+
 /// Drops the arcs of chains that are as short as the contact they begin in, and takes them from its
 /// arms: chains from a point of contact back to it, which happened to be certified, and at a pole
 /// those to or along a border that it reaches.

@@ -12,10 +12,8 @@
 namespace blossom {
 namespace {
 
-constexpr double kJoinRadius = 1e-3;  // of the size: ends of contacts at a common border of cells
 constexpr double kOnePoint = 1e-8;    // of the size: ends of pieces this close are one point
 constexpr double kBesides = 1e-5;     // of the size: points of contact this close are one
-constexpr double kPointClump = 1e-2;  // of the size: a larger clump is more than a point
 constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest point
 constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
 constexpr double kOnBorder = 1e-9;   // of a patch
@@ -190,7 +188,7 @@ class Joiner {
     const BoxTree tree(boxes);
     const auto nearest = [&](std::size_t i) {
       auto best = leaving.size();
-      double least = kJoinRadius * size_;
+      double least = kContactJoinRadius * size_;
       tree.for_each_near(points[i], least * least, [&](int found) {
         const auto j = static_cast<std::size_t>(found);
         const double gap = distance(points[i], points[j]);

@@ -16,6 +16,9 @@ namespace blossom {
 /// An end of a found arc: 2 * arc for `from`, 2 * arc + 1 for `to`.
 using ArcEnd = std::size_t;
 
+/// A larger clump is more than a point. Of the size.
+inline constexpr double kPointClump = 1e-2;
+
 struct ContactPoint {
   int patch_a = 0;
   int patch_b = 0;

@@ -9,8 +9,6 @@
 namespace blossom {
 namespace {
 
-constexpr double kJoinRadius = 1e-3;  // of the size: contacts this close to a clump end in it
-
 // A contact is a curve if it is longer than kShort and most of it is far closer than the
 // tolerance, or if it is longer than kLong and either hardly anything is or the gap of most of it
 // is the same within kEven: a strip of constant gap. A zero of order k shrinks by 64^(-1/k) when
@@ -22,9 +20,7 @@ constexpr double kMostOfIt = 0.6;
 constexpr double kHardlyAny = 0.1;
 constexpr double kEven = 1.5;  // of the square of the distance to a zero it is a fifth
 
-using Steps = std::vector<std::pair<double, double>>;
-
-double length_between(const Steps& steps, double low, double high) {
+double length_between(const ContactSteps& steps, double low, double high) {
   double sum = 0;
   for (const auto& [gap, step] : steps)
     if (gap >= low && gap <= high) sum += step;
@@ -32,7 +28,7 @@ double length_between(const Steps& steps, double low, double high) {
 }
 
 // True if most of a contact has the same gap: that of its middle by size.
-bool has_even_gap(Steps steps, double length) {
+bool has_even_gap(ContactSteps steps, double length) {
   std::sort(steps.begin(), steps.end());
   double sum = 0;
   for (const auto& [gap, step] : steps)
@@ -47,8 +43,8 @@ Vec3 ContactExtent::point(const ContactPoint& p) const {
   return point_at(a_.tree(p.patch_a).patch(), p.x[0], p.x[1]);
 }
 
-ContactExtent::Steps ContactExtent::steps_of(const ContactChain& chain) const {
-  Steps steps;
+ContactSteps ContactExtent::steps_of(const ContactChain& chain) const {
+  ContactSteps steps;
   for (std::size_t i = 1; i < chain.path.size(); ++i) {
     const ContactPoint &p = chain.path[i - 1], &q = chain.path[i];
     steps.push_back({std::max(p.gap, q.gap), distance(point(p), point(q))});
@@ -56,7 +52,7 @@ ContactExtent::Steps ContactExtent::steps_of(const ContactChain& chain) const {
   return steps;
 }
 
-bool ContactExtent::is_strip(const Steps& steps, double length) const {
+bool ContactExtent::is_strip(const ContactSteps& steps, double length) const {
   const double close = length_between(steps, 0, kCloser * tolerance_);
   return length > kLong * size_ && (close < kHardlyAny * length || has_even_gap(steps, length));
 }
@@ -66,7 +62,7 @@ void ContactExtent::measure(ContactChain& chain) const {
     const Vec3 x = point(p);
     chain.box = joined(chain.box, {x, x});
   }
-  const Steps steps = steps_of(chain);
+  const ContactSteps steps = steps_of(chain);
   for (const auto& [gap, step] : steps) chain.length += step;
   const double close = length_between(steps, 0, kCloser * tolerance_);
   chain.curve = chain.length > kShort * size_ &&
@@ -74,7 +70,7 @@ void ContactExtent::measure(ContactChain& chain) const {
 }
 
 bool ContactExtent::ends_in(const ContactChain& chain, const ContactChain& clump) const {
-  const double most = kJoinRadius * size_;
+  const double most = kContactJoinRadius * size_;
   return squared_distance(clump.box, point(chain.path.front())) <= most * most ||
          squared_distance(clump.box, point(chain.path.back())) <= most * most;
 }
@@ -92,11 +88,11 @@ void ContactExtent::measure_across(std::vector<ContactChain>& chains,
     }
   }
   for (std::size_t g = 0; g < clumps_from; ++g) {
-    Steps steps;
+    ContactSteps steps;
     double length = 0;
     for (std::size_t i = 0; i < clumps_from; ++i) {
       if (group[i] != g) continue;
-      const Steps more = steps_of(chains[i]);
+      const ContactSteps more = steps_of(chains[i]);
       steps.insert(steps.end(), more.begin(), more.end());
       length += chains[i].length;
     }

@@ -10,6 +10,11 @@
 
 namespace blossom {
 
+/// Ends of contacts this close to each other or to a clump may be joined. Of the size.
+inline constexpr double kContactJoinRadius = 1e-3;
+
+using ContactSteps = std::vector<std::pair<double, double>>;  ///< gaps and lengths, model units
+
 class ContactExtent {
  public:
   /// size, tolerance   model units
@@ -24,11 +29,9 @@ class ContactExtent {
   void measure_across(std::vector<ContactChain>& chains, std::size_t clumps_from) const;
 
  private:
-  using Steps = std::vector<std::pair<double, double>>;  // gaps and lengths
-
   Vec3 point(const ContactPoint& p) const;
-  Steps steps_of(const ContactChain& chain) const;
-  bool is_strip(const Steps& steps, double length) const;
+  ContactSteps steps_of(const ContactChain& chain) const;
+  bool is_strip(const ContactSteps& steps, double length) const;
   bool ends_in(const ContactChain& chain, const ContactChain& clump) const;
 
   SurfaceCells& a_;

@@ -134,7 +134,6 @@ VectorBounds derivative_direction(const Range3& numerator, const Range3& quotien
   return result;
 }
 
-Vec3 in_space(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
 
 RationalBezierPatch differences(const RationalBezierPatch& patch, bool by_u) {
   const Grid<Vec4>& p = patch.points;
@@ -159,8 +158,8 @@ struct Offsets {
 Offsets offsets_of(const RationalBezierPatch& piece, const Axes& axes) {
   Offsets offsets;
   const auto points = piece.points.values();
-  offsets.origin = in_space(points[points.size() / 2]);
-  for (const Vec4& p : points) offsets.range.add(in_axes(axes, in_space(p) - offsets.origin));
+  offsets.origin = projected(points[points.size() / 2]);
+  for (const Vec4& p : points) offsets.range.add(in_axes(axes, projected(p) - offsets.origin));
   return offsets;
 }
 
@@ -278,7 +277,7 @@ Axes axes_of(const BezierSurface& surface) {
 SlopeNets slope_nets(const RationalBezierPatch& patch, bool rational) {
   SlopeNets nets{patch, differences(patch, true), differences(patch, false), rational};
   for (const Vec4& p : patch.points.values())
-    nets.scale = std::max({nets.scale, max_norm(p), max_norm(in_space(p))});
+    nets.scale = std::max({nets.scale, max_norm(p), max_norm(projected(p))});
   return nets;
 }
 

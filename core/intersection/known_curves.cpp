@@ -58,7 +58,6 @@ bool KnownCurves::any_round(const Vec3& p, Wanted wanted) const {
 // Most boxes that are not held have a corner that is not, which the halving of boxes finds late.
 bool KnownCurves::hold(const Box& box) const {
   const auto any = [](const Capsule&) { return true; };
-  if (!any_round(0.5 * (box.low + box.high), any)) return false;
   for (int corner = 0; corner < 8; ++corner)
     if (!any_round(corner_of(box, corner), any)) return false;
   return hold(box, kHalvings);

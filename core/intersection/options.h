@@ -28,7 +28,7 @@ struct KnownCurve {
 };
 
 /// How a rectangle of a surface's own parameters lies to the part of the surface that counts, a
-/// trimmed face, say.
+/// trimmed face, say. A test is asked by several threads at once.
 enum class PartSide : char {
   Mixed,    ///< not known, or on both sides
   Inside,   ///< all of it, its border too

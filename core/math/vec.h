@@ -52,6 +52,9 @@ using Vec3 = Vec<double, 3>;
 /// Homogeneous point (wx, wy, wz, w).
 using Vec4 = Vec<double, 4>;
 
+/// The point in space of a homogeneous one; its weight must not be 0.
+inline Vec3 projected(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
+
 template <class Scalar, int Dim>
 Scalar dot(const Vec<Scalar, Dim>& a, const Vec<Scalar, Dim>& b) {
   Scalar sum = a[0] * b[0];

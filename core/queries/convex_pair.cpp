@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/intersection/net_ranges.h"
+#include "core/intersection/cell_bend.h"
 
 namespace blossom {
 namespace {
@@ -16,7 +16,6 @@ constexpr double kSlack = 1e-13;
 // Derivatives by parameters are this much less exact than points: twice the degree, and what
 // quotients add.
 constexpr double kDerivativeGrowth = 64;
-constexpr std::size_t kMostPoints = (kMaxDegree + 1) * (kMaxDegree + 1);
 
 VectorBounds operator-(const VectorBounds& a, const VectorBounds& b) {
   return {a.middle - b.middle, a.radius + b.radius};
@@ -47,80 +46,6 @@ Known dot(const VectorBounds& a, const VectorBounds& b) {
   return sum;
 }
 
-Known of_range(const Range& range, double factor, double margin) {
-  return {0.5 * factor * (range.low + range.high),
-          factor * (0.5 * (range.high - range.low) * (1 + kSlack) + margin)};
-}
-
-// The second derivatives of a cell by its own [0, 1] parameters.
-struct Curvatures {
-  VectorBounds uu, uv, vv;
-};
-
-struct Seconds {
-  Known uu, uv, vv;
-};
-
-// Of one plane of a net, each value of which is off by at most `margin`.
-Seconds seconds_of(const double* plane, const NetShape& shape, double margin) {
-  const int n = shape.rows - 1, m = shape.columns - 1;
-  const SecondRanges ranges = second_difference_ranges(plane, shape.rows, shape.columns);
-  return {of_range(ranges.uu, n * (n - 1), 4 * margin), of_range(ranges.uv, n * m, 4 * margin),
-          of_range(ranges.vv, m * (m - 1), 4 * margin)};
-}
-
-Curvatures of_polynomial(const CellOf& of) {
-  Curvatures result;
-  for (int k = 0; k < 3; ++k) {
-    const Seconds s =
-        seconds_of(of.cell->hull + k * of.shape.plane_size(), of.shape, of.cell->margin);
-    result.uu.middle[k] = s.uu.middle, result.uu.radius[k] = s.uu.radius;
-    result.uv.middle[k] = s.uv.middle, result.uv.radius[k] = s.uv.radius;
-    result.vv.middle[k] = s.vv.middle, result.vv.radius[k] = s.vv.radius;
-  }
-  return result;
-}
-
-// With X' = X - w O for a point O in the middle of the cell's box, X' = w (S - O), so that
-//   S_uu = (X'_uu - 2 w_u S_u - w_uu (S - O)) / w
-//   S_uv = (X'_uv - w_u S_v - w_v S_u - w_uv (S - O)) / w
-Curvatures of_rational(const CellOf& of) {
-  const Cell& cell = *of.cell;
-  const int size = of.shape.plane_size(), n = of.shape.rows - 1, m = of.shape.columns - 1;
-  const double* weight = cell.homogeneous + 3 * size;
-  const auto [least, most] = std::minmax_element(weight, weight + size);
-  const Known inverse{0.5 * (1 / *least + 1 / *most),
-                      0.5 * (1 / *least - 1 / *most) + kSlack / *least};
-  const double slack = kSlack * *most;
-  const Seconds w = seconds_of(weight, of.shape, slack);
-  const Known wu = of_range(difference_range_u(weight, n + 1, m + 1), n, 2 * slack);
-  const Known wv = of_range(difference_range_v(weight, n + 1, m + 1), m, 2 * slack);
-  std::array<double, kMostPoints> moved;
-  Curvatures result;
-  for (int k = 0; k < 3; ++k) {
-    const double origin = 0.5 * (cell.low[k] + cell.high[k]);
-    const double* x = cell.homogeneous + k * size;
-    for (int i = 0; i < size; ++i) moved[static_cast<std::size_t>(i)] = x[i] - weight[i] * origin;
-    const Seconds s = seconds_of(moved.data(), of.shape, 2 * *most * cell.margin);
-    const Known offset{0, 0.5 * (cell.high[k] - cell.low[k]) * (1 + kSlack)};
-    const Known su{cell.du.middle[k], cell.du.radius[k]};
-    const Known sv{cell.dv.middle[k], cell.dv.radius[k]};
-    const Known two{2, 0};
-    const Known uu = (s.uu - two * wu * su - w.uu * offset) * inverse;
-    const Known uv = (s.uv - wu * sv - wv * su - w.uv * offset) * inverse;
-    const Known vv = (s.vv - two * wv * sv - w.vv * offset) * inverse;
-    result.uu.middle[k] = uu.middle, result.uu.radius[k] = uu.radius;
-    result.uv.middle[k] = uv.middle, result.uv.radius[k] = uv.radius;
-    result.vv.middle[k] = vv.middle, result.vv.radius[k] = vv.radius;
-  }
-  return result;
-}
-
-Curvatures curvatures(const CellOf& of) {
-  if (of.form.dimension == 0) return {};
-  return of.shape.planes == 4 ? of_rational(of) : of_polynomial(of);
-}
-
 using KnownMatrix = std::array<std::array<Known, 4>, 4>;
 
 // A bound below the second derivatives of f by the cells' own parameters, as quadratic forms:
@@ -128,7 +53,10 @@ using KnownMatrix = std::array<std::array<Known, 4>, 4>;
 // With J = J0 + E, |J v|^2 >= |J0 v|^2 / 2 - |E v|^2: so vectors with J0 v = 0, which move both
 // points alike and along which f hardly changes, lose the square of the derivatives' spread only.
 KnownMatrix hessian(const CellOf& a, const CellOf& b, const std::array<bool, 4>& counts) {
-  const Curvatures ca = curvatures(a), cb = curvatures(b);
+  const auto seconds = [](const CellOf& of) {
+    return of.form.dimension == 0 ? SecondDerivatives{} : second_derivatives(*of.cell, of.shape);
+  };
+  const SecondDerivatives ca = seconds(a), cb = seconds(b);
   const auto box = [](const Cell& cell) {
     VectorBounds bounds{0.5 * (cell.low + cell.high), (0.5 + kSlack) * (cell.high - cell.low)};
     for (int k = 0; k < 3; ++k) bounds.radius[k] += 0x1p-51 * std::abs(bounds.middle[k]);

@@ -202,7 +202,7 @@ std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, co
 
 ImageGaps::Slopes ImageGaps::slopes_of(const RationalBezierPatch& patch) {
   const Vec4& corner = patch.points(0, 0);
-  const Vec3 centre = Vec3{corner[0], corner[1], corner[2]} * (1 / corner[3]);
+  const Vec3 centre = projected(corner);
   double radius = 0, least = 1e300;
   Grid<Vec3> net(patch.points.rows(), patch.points.columns());
   for (int i = 0; i < net.rows(); ++i)

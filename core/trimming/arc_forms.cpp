@@ -238,11 +238,10 @@ ArcForm arc_form(const PlanarCurve& curve, const Interval& place, const PatchCha
 
 Vec2 derivative_bounds(const RationalBezierPatch& patch) {
   const Grid<Vec4>& net = patch.points;
-  const auto place = [](const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); };
-  const Vec3 middle = place(net(net.rows() / 2, net.columns() / 2));
+  const Vec3 middle = projected(net(net.rows() / 2, net.columns() / 2));
   double radius = 0, least = net(0, 0)[3];
   for (const Vec4& p : net.values()) {
-    radius = std::max(radius, distance(place(p), middle));
+    radius = std::max(radius, distance(projected(p), middle));
     least = std::min(least, p[3]);
   }
   const auto length_of = [&](const Vec4& a, const Vec4& b) {

@@ -23,8 +23,6 @@ constexpr int kMostParts = 64;   // of a span
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-Vec3 projected(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
-
 // Whether weights differ along u of some patch, or along v.
 bool weights_vary(const BezierSurface& surface, bool along_u) {
   return std::ranges::any_of(surface.patches.values(), [&](const RationalBezierPatch& patch) {

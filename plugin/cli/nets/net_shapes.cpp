@@ -29,8 +29,6 @@ TopoDS_Shape edge_on(const RationalBezierCurve& curve) {
   return maker.Shape();
 }
 
-Vec3 projected(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
-
 using Line = std::vector<Vec3>;
 
 void add_lines(const RationalBezierPatch& patch, std::vector<Line>& lines) {

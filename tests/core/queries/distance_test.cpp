@@ -145,6 +145,37 @@ TEST(LeastDistance, FindsTheHigherPeakOfAKinkedRidge) {
   }
 }
 
+TEST(LeastDistance, FindsTheKinkBetweenLegsThatAreParallelByDifferentNumbers) {
+  // The legs (1, 0, z) at the border are 1, 4 and 1 times as long behind it: in its middle, the
+  // highest point, the slope turns from 0.15 up to 0.15 / 3 down.
+  BezierSurface bump;
+  bump.u_knots = {0, 1, 2};
+  bump.v_knots = {0, 1};
+  bump.patches = Grid<RationalBezierPatch>(2, 1);
+  const std::array<double, 3> border{0, 4, 0}, slope{1, -0.2, 0}, length{1, 4, 1};
+  for (int j = 0; j < 3; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    for (int side = 0; side < 2; ++side) {
+      Grid<Vec4>& net = bump.patches(side, 0).points;
+      if (j == 0) net = Grid<Vec4>(2, 3);
+      const double across = side == 0 ? -1 : length[k];
+      net(1 - side, j) = {0, 0.5 * j, border[k], 1};
+      net(side, j) = {across, 0.5 * j, border[k] + across * slope[k], 1};
+    }
+  }
+  expect_distance(least_distance(measured(Vec3{0, 0.5, 9}), measured(bump)), 7);
+}
+
+TEST(LeastDistance, TakesPatchesOfDifferentDegreesForAKink) {
+  BezierSurface roof = roof_with_ridge({0, 0, 1, 0, 0});
+  Grid<Vec4>& left = roof.patches(0, 0).points;
+  const Grid<Vec4> linear = left;
+  left = Grid<Vec4>(2, 2);
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) left(i, j) = linear(4 * i, j);
+  expect_distance(least_distance(measured(Vec3{2, 0, 5}), {{}, {}, {roof}}), 5 - 0.375);
+}
+
 TEST(LeastDistance, OfSurfacesThatCrossIsZero) {
   const DistanceResult found = least_distance(
       measured(testing::unit_sphere()), measured(moved(testing::unit_sphere(), {0.9, 0.3, 0})));
