@@ -131,6 +131,16 @@ std::vector<Interval> united(std::vector<Interval> intervals) {
   return joined;
 }
 
+PlanarBox box_of_poles(const Spline2& chart, const Vec2& scale) {
+  PlanarBox box{{1e300, 1e300}, {-1e300, -1e300}};
+  for (const Vec2& p : chart.points)
+    for (int k = 0; k < 2; ++k) {
+      box.low[k] = std::min(box.low[k], p[k] * scale[k]);
+      box.high[k] = std::max(box.high[k], p[k] * scale[k]);
+    }
+  return box;
+}
+
 // Makes parts that are nowhere farther than tolerance from a wire intervals without length.
 void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
                     std::vector<Interval>& inside) {
@@ -191,6 +201,9 @@ std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& char
 }
 
 std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart) {
+  // Most curves on whole surfaces need not be made: all poles are in the box.
+  if (trims.natural && holds(trims.box, box_of_poles(chart, trims.scale)))
+    return {{chart.knots.front(), chart.knots.back()}};
   const PlanarCurve curve = chart_curve(trims, chart);
   if (trims.natural && holds(trims.box, box_of(curve))) return {curve.domain()};
   std::vector<Interval> inside;

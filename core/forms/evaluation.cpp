@@ -62,23 +62,19 @@ template <int kOrder>
   return bicubic ? jet<kOrder, 3, 3>(patch, u, v) : jet<kOrder>(patch, u, v);
 }
 
-__attribute__((target_clones("avx2", "default"))) Vec3 value(const RationalBezierPatch& patch,
-                                                             double u, double v) {
+BLOSSOM_HOT Vec3 value(const RationalBezierPatch& patch, double u, double v) {
   return jet_of<0>(patch, u, v).point;
 }
 
-__attribute__((target_clones("avx2", "default"))) PatchJet first_jet(
-    const RationalBezierPatch& patch, double u, double v) {
+BLOSSOM_HOT PatchJet first_jet(const RationalBezierPatch& patch, double u, double v) {
   return jet_of<1>(patch, u, v);
 }
 
-__attribute__((target_clones("avx2", "default"))) PatchJet second_jet(
-    const RationalBezierPatch& patch, double u, double v) {
+BLOSSOM_HOT PatchJet second_jet(const RationalBezierPatch& patch, double u, double v) {
   return jet_of<2>(patch, u, v);
 }
 
-__attribute__((target_clones("avx2", "default"))) CurveJet curve_jet(
-    const RationalBezierCurve& curve, double t) {
+BLOSSOM_HOT CurveJet curve_jet(const RationalBezierCurve& curve, double t) {
   const int n = curve.degree();
   Four b[kMaxDegree + 1];
   std::memcpy(b, curve.points.data(), curve.points.size() * sizeof(Vec4));

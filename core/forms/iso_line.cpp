@@ -13,10 +13,8 @@ using namespace detail;
 
 // The control points of an iso-line and of its derivative by the constant parameter. `count` of
 // them, `step` apart in the net; the sums are over points `stride` apart.
-__attribute__((target_clones("avx2", "default"))) void contract(const Vec4* net, int count,
-                                                                int step, int degree, int stride,
-                                                                double constant, Vec4* points,
-                                                                Vec4* rates) {
+BLOSSOM_HOT void contract(const Vec4* net, int count, int step, int degree, int stride,
+                          double constant, Vec4* points, Vec4* rates) {
   Weights b;
   make_weights<1>(degree, constant, b);
   for (int i = 0; i < count; ++i) {
@@ -33,8 +31,7 @@ __attribute__((target_clones("avx2", "default"))) void contract(const Vec4* net,
 }
 
 // Point, derivative along the line and across it.
-__attribute__((target_clones("avx2", "default"))) PatchJet line_jet(int degree, const Vec4* points,
-                                                                    const Vec4* rates, double t) {
+BLOSSOM_HOT PatchJet line_jet(int degree, const Vec4* points, const Vec4* rates, double t) {
   Weights b;
   make_weights<1>(degree, t, b);
   Four h00{}, h10{}, h01{};

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "core/math/four.h"
 
 namespace blossom {
 namespace {
@@ -25,9 +28,7 @@ struct Heights {
   double high;
 };
 
-__attribute__((target_clones("avx512f", "avx2", "default"))) Heights heights(const double* p,
-                                                                             int count, double nx,
-                                                                             double ny, double nz) {
+BLOSSOM_HOT Heights heights(const double* p, int count, double nx, double ny, double nz) {
   const double* y = p + count;
   const double* z = y + count;
   double low = nx * p[0] + ny * y[0] + nz * z[0];
@@ -76,6 +77,83 @@ bool spectral_radius_below_one(const Matrix3& e) {
   return false;
 }
 
+// What the four minors of J come to, each in the lane of the column that it leaves out.
+struct FourMinors {
+  std::array<double, 4> size;  // the square of the middle's determinant, for unit columns
+  std::array<bool, 4> regular;
+};
+
+using FourMatrix = std::array<std::array<Four, 3>, 3>;
+
+// Lanes in which the spectral radius is below 1, as spectral_radius_below_one finds them.
+[[gnu::always_inline]] inline std::array<bool, 4> spectral_radii_below_one(const FourMatrix& e) {
+  std::array<Four, 3> x, y;
+  x.fill(Four{1, 1, 1, 1});
+  std::array<bool, 4> below{};
+  for (int step = 0; step < kPowerSteps; ++step) {
+    for (std::size_t i = 0; i < 3; ++i) y[i] = e[i][0] * x[0] + e[i][1] * x[1] + e[i][2] * x[2];
+    const auto less = (y[0] / x[0] < 1) & (y[1] / x[1] < 1) & (y[2] / x[2] < 1);
+    for (int k = 0; k < 4; ++k) below[static_cast<std::size_t>(k)] |= less[k] != 0;
+    const Four more = y[0] > y[1] ? y[0] : y[1], largest = more > y[2] ? more : y[2];
+    for (std::size_t i = 0; i < 3; ++i) x[i] = y[i] / largest + 1e-3;
+  }
+  return below;
+}
+
+[[gnu::always_inline]] inline void dot(const std::array<Four, 3>& a, const std::array<Four, 3>& b,
+                                       Four& sum) {
+  sum = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+BLOSSOM_HOT FourMinors four_minors(const std::array<VectorBounds, 4>& columns) {
+  FourMatrix middle, radius, inverse, spread;  // [column][axis]; rows of the inverse
+  for (std::size_t i = 0; i < 3; ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      // The lanes up to i leave out an earlier column.
+      const std::array<double, 4> lanes{0, 1, 2, 3};
+      Four lane;
+      std::memcpy(&lane, lanes.data(), sizeof lane);
+      const auto later = lane <= static_cast<double>(i);
+      const VectorBounds &low = columns[i], &high = columns[i + 1];
+      const Four zero{};
+      middle[i][static_cast<std::size_t>(axis)] =
+          later ? zero + high.middle[axis] : zero + low.middle[axis];
+      radius[i][static_cast<std::size_t>(axis)] =
+          later ? zero + high.radius[axis] : zero + low.radius[axis];
+    }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto &p = middle[(i + 1) % 3], &q = middle[(i + 2) % 3];
+    inverse[i] = {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+  }
+  Four d, squares{1, 1, 1, 1};
+  dot(middle[0], inverse[0], d);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Four square;
+    dot(middle[i], middle[i], square);
+    squares *= square;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Four &x = inverse[i][axis], &m = middle[i][axis];
+      x *= 1 / d;
+      x = x < 0 ? -x : x;
+      radius[i][axis] += kInverseRoundoff * (m < 0 ? -m : m);
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) dot(inverse[i], radius[j], spread[i][j]);
+  FourMinors result{{}, spectral_radii_below_one(spread)};
+  const Four size = d * d / squares;
+  std::memcpy(result.size.data(), &size, sizeof size);
+  return result;
+}
+
+// Not a number where a column is zero.
+int largest_of(const std::array<double, 4>& sizes) {
+  std::size_t largest = 0;
+  for (std::size_t k = 1; k < 4; ++k)
+    if (sizes[k] > sizes[largest] || std::isnan(sizes[largest])) largest = k;
+  return static_cast<int>(largest);
+}
+
 }  // namespace
 
 bool separated(const Cell& a, const Cell& b, int points_a, int points_b) {
@@ -107,14 +185,6 @@ bool nearly_parallel(const Cell& a, const Cell& b) {
   return norm(cross(na, nb)) <= 2 * turns / std::min(skew(a), skew(b));
 }
 
-std::array<int, 3> kept_columns(int left_out) {
-  std::array<int, 3> kept{};
-  std::size_t next = 0;
-  for (int k = 0; k < 4; ++k)
-    if (k != left_out) kept[next++] = k;
-  return kept;
-}
-
 JacobianBounds::JacobianBounds(const Cell& a, const Cell& b)
     : columns_{a.du, a.dv, VectorBounds{-b.du.middle, b.du.radius},
                VectorBounds{-b.dv.middle, b.dv.radius}} {}
@@ -123,29 +193,14 @@ JacobianBounds::JacobianBounds(const VectorBounds& curve, const Cell& b)
     : columns_{curve, VectorBounds{}, VectorBounds{-b.du.middle, b.du.radius},
                VectorBounds{-b.dv.middle, b.dv.radius}} {}
 
-int JacobianBounds::best_column() const {
-  int best = 0;
-  double largest = -1;
-  for (int k = 0; k < 4; ++k) {
-    const auto kept = kept_columns(k);
-    std::array<Vec3, 3> c;
-    for (std::size_t i = 0; i < 3; ++i)
-      c[i] = unit(columns_[static_cast<std::size_t>(kept[i])].middle);
-    const double d = std::abs(determinant(c[0], c[1], c[2]));
-    if (d > largest) {
-      largest = d;
-      best = k;
-    }
-  }
-  return best;
-}
+int JacobianBounds::best_column() const { return largest_of(four_minors(columns_).size); }
 
 int JacobianBounds::certified_column() const {
-  const int best = best_column();
-  if (minor(best).regular) return best;
-  for (int k = 0; k < 4; ++k)
-    if (k != best && minor(k).regular) return k;
-  return -1;
+  const FourMinors minors = four_minors(columns_);
+  const int best = largest_of(minors.size);
+  if (minors.regular[static_cast<std::size_t>(best)]) return best;
+  const auto any = std::find(minors.regular.begin(), minors.regular.end(), true);
+  return any == minors.regular.end() ? -1 : static_cast<int>(any - minors.regular.begin());
 }
 
 Minor JacobianBounds::minor(int left_out) const {

@@ -66,6 +66,8 @@ class JacobianBounds {
 };
 
 /// The three columns that a minor keeps, in order.
-std::array<int, 3> kept_columns(int left_out);
+inline std::array<int, 3> kept_columns(int left_out) {
+  return {left_out > 0 ? 0 : 1, left_out > 1 ? 1 : 2, left_out > 2 ? 2 : 3};
+}
 
 }  // namespace blossom

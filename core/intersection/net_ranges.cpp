@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/math/four.h"
+
 namespace blossom {
 namespace {
-
-#define BLOSSOM_HOT __attribute__((target_clones("avx2", "default")))
-
-// Four doubles that the compiler keeps in one vector register where there is one.
-using Four = double __attribute__((vector_size(32)));
 
 struct Ranges {
   Four low, high;

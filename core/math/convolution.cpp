@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/math/four.h"
+
 namespace blossom {
 namespace {
-
-using Four = double __attribute__((vector_size(32)));
 
 constexpr int kBlock = 8;  // coefficients of the product made at a time
 constexpr int kChunk = 64;
@@ -40,9 +40,7 @@ constexpr int kChunk = 64;
   }
 }
 
-__attribute__((target_clones("avx2", "default"))) void add_chunks(const double* f, int length,
-                                                                  const double* g, int count,
-                                                                  double* sum) {
+BLOSSOM_HOT void add_chunks(const double* f, int length, const double* g, int count, double* sum) {
   double padded[kChunk + 2 * kBlock] = {};
   for (int first = 0; first < length; first += kChunk) {
     const int chunk = std::min(kChunk, length - first);

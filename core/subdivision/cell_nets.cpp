@@ -7,15 +7,8 @@
 
 #include "core/forms/curve.h"
 #include "core/math/binomial.h"
+#include "core/math/four.h"
 
-// One version for each vector width; 512 bits measured no faster. Sanitizers do not get on with the
-// loader's choice.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define BLOSSOM_HOT __attribute__((target_clones("avx2", "default")))
-#else
-#define BLOSSOM_HOT
-#endif
 // A kernel takes the instructions and, where they are constants, the sizes of its caller.
 #define BLOSSOM_KERNEL [[gnu::always_inline]] inline
 

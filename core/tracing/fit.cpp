@@ -16,7 +16,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kToleranceShare = 0.2;   // of the wanted tolerance, left to one fit
+constexpr double kToleranceShare = 0.4;   // of the wanted tolerance, left to one fit
 constexpr double kLengthShare = 1.5e-7;   // of a curve's length: small loops keep their shape
 constexpr double kGaps = 16;              // no fit is asked for less: half of a sampling's share
 constexpr double kRounding = 1e-12;       // of the size: no fit is asked for more

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/math/binomial.h"
+#include "core/math/four.h"
 
 namespace blossom {
 namespace {
@@ -16,11 +17,6 @@ constexpr int K = static_cast<int>(kSeriesDegree);
 constexpr int kChartDegree = kSeriesChartDegree;
 constexpr double kUnit = 0x1p-53;
 constexpr double kOutside = 1.06;  // (1 + 2e-3)^25: of the weights of a point 1e-3 off its patch
-
-#define BLOSSOM_HOT __attribute__((target_clones("avx2", "default")))
-
-// Four doubles that the compiler keeps in one vector register where there is one.
-using Four = double __attribute__((vector_size(32)));
 
 // The powers of x - x(0), of which K + 1 coefficients are kept.
 struct Step {

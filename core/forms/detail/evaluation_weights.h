@@ -6,11 +6,9 @@
 
 #include "core/forms/curve.h"
 #include "core/math/binomial.h"
+#include "core/math/four.h"
 
 namespace blossom::detail {
-
-// Four doubles that the compiler keeps in one vector register where there is one.
-using Four = double __attribute__((vector_size(32)));
 
 // Weights of the control points in the value and its derivatives.
 struct Weights {
