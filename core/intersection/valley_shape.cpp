@@ -8,23 +8,25 @@ namespace blossom {
 namespace {
 
 constexpr double kLeastBend = 0.1;  // of the largest bend across the valley
-constexpr int K = kTaylorDegree;
 
-// p(w(t), z(t)).
-Polynomial composed(const TaylorPolynomial& p, const Polynomial& w, const Polynomial& z) {
-  Polynomial result{0};
-  for (int i = K; i >= 0; --i) {
-    Polynomial row{0};
-    for (int j = K - i; j >= 0; --j) {
-      row = product(row, z);
-      row[0] += p[taylor_index(i, j)];
+// Where the valley is looked for on [-1, 1]: Chebyshev's nodes, and the coefficients of the cubics
+// that are 1 at one of them and 0 at the others.
+constexpr std::array kNodes{-0.9238795325112867, -0.3826834323650898, 0.3826834323650898,
+                            0.9238795325112867};
+constexpr auto kNodeCubics = [] {
+  std::array<std::array<double, 4>, 4> cubics{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::array<double, 4>& cubic = cubics[i];
+    cubic[0] = 1;
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (j == i) continue;
+      const double d = kNodes[i] - kNodes[j];
+      for (std::size_t k = 4; k-- > 0;)
+        cubic[k] = ((k > 0 ? cubic[k - 1] : 0) - kNodes[j] * cubic[k]) / d;
     }
-    result = product(result, w);
-    if (result.size() < row.size()) result.resize(row.size(), 0.0);
-    for (std::size_t k = 0; k < row.size(); ++k) result[k] += row[k];
   }
-  return result;
-}
+  return cubics;
+}();
 
 }  // namespace
 
@@ -69,39 +71,29 @@ std::optional<double> ValleyShape::valley_at(double w) const {
   return z;
 }
 
-// A cubic close to the valley over [from, to], in t on [-1, 1].
-std::optional<Polynomial> ValleyShape::cubic_over(double from, double to) const {
+// A cubic close to the valley over [from, to].
+std::optional<TaylorCurve> ValleyShape::cubic_over(double from, double to) const {
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  constexpr std::array kNodes{-0.9238795325112867, -0.3826834323650898, 0.3826834323650898,
-                              0.9238795325112867};
-  std::array<double, 4> z;
+  std::array<double, 4> cubic{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto found = valley_at(middle + half * kNodes[i]);
-    if (!found) return std::nullopt;
-    z[i] = *found;
+    const auto z = valley_at(middle + half * kNodes[i]);
+    if (!z) return std::nullopt;
+    for (std::size_t k = 0; k < 4; ++k) cubic[k] += *z * kNodeCubics[i][k];
   }
-  Polynomial cubic{0};
-  for (std::size_t i = 0; i < 4; ++i) {
-    Polynomial basis{z[i]};
-    for (std::size_t j = 0; j < 4; ++j)
-      if (j != i) {
-        const double d = kNodes[i] - kNodes[j];
-        basis = product(basis, {-kNodes[j] / d, 1 / d});
-      }
-    cubic.resize(basis.size(), 0.0);
-    for (std::size_t k = 0; k < basis.size(); ++k) cubic[k] += basis[k];
-  }
-  return cubic;
+  return TaylorCurve({middle, half}, cubic);
+}
+
+// How far the derivative across is from 0 along the cubic.
+double ValleyShape::rest_along(const TaylorCurve& cubic) const {
+  const PolynomialRange off = cubic.range(gap_z);
+  return std::max(std::abs(off.low), std::abs(off.high)) + error[1];
 }
 
 std::optional<ValleyBounds> ValleyShape::bounds_on(double from, double to) const {
   const auto cubic = cubic_over(from, to);
   if (!cubic) return std::nullopt;
-  const Polynomial w{0.5 * (from + to), 0.5 * (to - from)};
-  const PolynomialRange values = range(composed(gap, w, *cubic));
-  const PolynomialRange off = range(composed(gap_z, w, *cubic));
-  const PolynomialRange slope = range(composed(gap_w, w, *cubic));
-  const double rest = std::max(std::abs(off.low), std::abs(off.high)) + error[1];
+  const PolynomialRange values = cubic->range(gap), slope = cubic->range(gap_w);
+  const double rest = rest_along(*cubic);
   const double slack = twist * rest / bend_low + error[1];
   return ValleyBounds{values.low - rest * rest / (2 * bend_low) - error[0], values.high + error[0],
                       slope.low - slack, slope.high + slack};
@@ -111,10 +103,7 @@ std::optional<ValleyShape::Along> ValleyShape::along(const TaylorPolynomial& f, 
                                                      double to) const {
   const auto cubic = cubic_over(from, to);
   if (!cubic) return std::nullopt;
-  const Polynomial w{0.5 * (from + to), 0.5 * (to - from)};
-  const PolynomialRange off = range(composed(gap_z, w, *cubic));
-  const double rest = std::max(std::abs(off.low), std::abs(off.high)) + error[1];
-  return Along{range(composed(f, w, *cubic)), rest / bend_low};
+  return Along{cubic->range(f), rest_along(*cubic) / bend_low};
 }
 
 }  // namespace blossom

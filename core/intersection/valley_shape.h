@@ -12,6 +12,7 @@
 #include "core/intersection/gap_model.h"
 #include "core/intersection/turned_axes.h"
 #include "core/math/polynomial.h"
+#include "core/math/taylor_curve.h"
 
 namespace blossom {
 
@@ -44,7 +45,8 @@ struct ValleyShape : TurnedAxes {
   std::optional<Along> along(const TaylorPolynomial& f, double from, double to) const;
 
  private:
-  std::optional<Polynomial> cubic_over(double from, double to) const;
+  std::optional<TaylorCurve> cubic_over(double from, double to) const;
+  double rest_along(const TaylorCurve& cubic) const;
 };
 
 }  // namespace blossom

@@ -11,14 +11,6 @@ namespace {
 constexpr double kNarrowest = 1e-10;  // an interval with an undecided root this short gives up
 constexpr int kBisections = 60;
 
-double binomial_ratio(std::size_t j, std::size_t i, std::size_t n) {
-  // binom(j, i) / binom(n, i)
-  double ratio = 1;
-  for (std::size_t k = 0; k < i; ++k)
-    ratio *= static_cast<double>(j - k) / static_cast<double>(n - k);
-  return ratio;
-}
-
 class RootSearch {
  public:
   RootSearch(const Polynomial& p, double error, double slope_error)
@@ -76,13 +68,6 @@ Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial c(a.size() + b.size() - 1, 0.0);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
-  return c;
-}
-
 Polynomial shifted(const Polynomial& p, double m, double h) {
   Polynomial q(p);
   const std::size_t n = p.size();
@@ -93,18 +78,19 @@ Polynomial shifted(const Polynomial& p, double m, double h) {
   return q;
 }
 
+// The Bernstein coefficients of sum q_i x^i on [0, 1] are sum_i binom(j, i) q_i / binom(n, i).
 PolynomialRange range(const Polynomial& p) {
-  // To [0, 1] first: t = 2 x - 1.
-  const Polynomial q = shifted(p, -1, 2);
-  const std::size_t n = q.size() - 1;
-  PolynomialRange result{1e300, -1e300};
-  for (std::size_t j = 0; j <= n; ++j) {
-    double b = 0;
-    for (std::size_t i = 0; i <= j; ++i) b += binomial_ratio(j, i, n) * q[i];
-    result.low = std::min(result.low, b);
-    result.high = std::max(result.high, b);
+  Polynomial b = shifted(p, -1, 2);  // to [0, 1]: t = 2 x - 1
+  const std::size_t n = b.size() - 1;
+  double inverse = 1;  // of binom(n, i)
+  for (std::size_t i = 1; i <= n; ++i) {
+    inverse *= static_cast<double>(i) / static_cast<double>(n + 1 - i);
+    b[i] *= inverse;
   }
-  return result;
+  for (std::size_t k = 1; k <= n; ++k)
+    for (std::size_t j = n; j >= k; --j) b[j] += b[j - 1];
+  const auto [low, high] = std::minmax_element(b.begin(), b.end());
+  return {*low, *high};
 }
 
 std::optional<std::vector<IsolatedRoot>> isolated_roots(const Polynomial& p, double error,

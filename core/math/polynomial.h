@@ -13,7 +13,6 @@ using Polynomial = std::vector<double>;
 
 double value(const Polynomial& p, double t);
 Polynomial derivative(const Polynomial& p);
-Polynomial product(const Polynomial& a, const Polynomial& b);
 
 /// p(m + h t).
 Polynomial shifted(const Polynomial& p, double m, double h);
