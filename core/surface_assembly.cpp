@@ -2,6 +2,7 @@
 #include "core/surface_assembly.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -41,22 +42,21 @@ constexpr double kWorstOfSize = 1e-4;
 // Tolerances: two cells no larger than one, whose boxes meet, hold no points farther apart.
 constexpr double kThinGap = 2;
 
-constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to go on
+constexpr std::size_t kPatchesAlone = 1024;  // so few patches are bounded by one thread
+constexpr std::size_t kFitsAtOnce = 32;      // chains, until it is asked whether to go on
 
-Box hull_box(const BezierSurface& surface) {
-  Box box;
-  for (const RationalBezierPatch& patch : surface.patches.values())
-    for (const Vec4& p : patch.points.values()) {
-      const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
-      box = joined(box, {x, x});
-    }
-  return box;
+std::array<Box, 2> hull_boxes(const BezierSurface& a, const BezierSurface& b) {
+  std::array<Box, 2> boxes;
+  const std::size_t patches = a.patches.values().size() + b.patches.values().size();
+  parallel_for(2, patches > kPatchesAlone ? 1 : 2,
+               [&](std::size_t i) { boxes[i] = hull_box(i == 0 ? a : b); });
+  return boxes;
 }
 
 class Assembly {
  public:
   Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options)
-      : Assembly(a, b, options, hull_box(a), hull_box(b)) {}
+      : Assembly(a, b, options, hull_boxes(a, b)) {}
 
   SurfaceIntersection run() {
     SurfaceCells cells_a(a_, origin_, options_.form, kCut, options_.part_a);
@@ -74,13 +74,13 @@ class Assembly {
 
  private:
   Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options,
-           const Box& box_a, const Box& box_b)
+           const std::array<Box, 2>& boxes)
       : a_(a),
         b_(b),
         options_(options),
         limit_(options),
-        size_(std::max(diagonal(box_a), diagonal(box_b))),
-        origin_(0.5 * (box_a.low + box_a.high)),
+        size_(std::max(diagonal(boxes[0]), diagonal(boxes[1]))),
+        origin_(0.5 * (boxes[0].low + boxes[0].high)),
         known_(options.known, origin_) {}
 
   bool itself() const { return &a_ == &b_; }

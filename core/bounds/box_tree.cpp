@@ -2,25 +2,18 @@
 #include "core/bounds/box_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 
+#include "core/base/parallel.h"
+
 namespace blossom {
+namespace {
 
-bool meet(const Box& a, const Box& b) {
-  for (int k = 0; k < 3; ++k)
-    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
-  return true;
-}
+constexpr int kAlone = 1024;  // so few boxes are one thread's work
 
-Box joined(const Box& a, const Box& b) {
-  Box both;
-  for (int k = 0; k < 3; ++k) {
-    both.low[k] = std::min(a.low[k], b.low[k]);
-    both.high[k] = std::max(a.high[k], b.high[k]);
-  }
-  return both;
-}
+}  // namespace
 
 double diagonal(const Box& box) {
   return box.low[0] > box.high[0] ? 0 : distance(box.low, box.high);
@@ -44,36 +37,49 @@ double squared_distance(const Box& box, const Vec3& point) {
   return squared_distance(box, Box{point, point});
 }
 
+// The boxes in the order of the leaves, and their centres, doubled, by axis.
+struct BoxTree::Building {
+  const std::vector<Box>& boxes;
+  std::vector<int> order;
+  std::array<std::vector<double>, 3> centres;
+};
+
 BoxTree::BoxTree(const std::vector<Box>& boxes) {
-  std::vector<int> order(boxes.size());
-  std::iota(order.begin(), order.end(), 0);
-  if (!boxes.empty()) build(boxes, order, 0, static_cast<int>(boxes.size()));
+  if (boxes.empty()) return;
+  Building of{boxes, std::vector<int>(boxes.size()), {}};
+  std::iota(of.order.begin(), of.order.end(), 0);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int k = static_cast<int>(axis);
+    for (const Box& box : boxes) of.centres[axis].push_back(box.low[k] + box.high[k]);
+  }
+  nodes_.resize(2 * boxes.size() - 1);
+  build(of, 0, 0, static_cast<int>(boxes.size()));
 }
 
-int BoxTree::build(const std::vector<Box>& boxes, std::vector<int>& order, int first, int last) {
-  const int index = static_cast<int>(nodes_.size());
-  nodes_.push_back({});
-  Box box;
+// The halves of n leaves have 2 n - 1 nodes together with the node above them; the left ones follow
+// it, then the right ones.
+void BoxTree::build(Building& of, int index, int first, int last) {
+  Node& node = nodes_[static_cast<std::size_t>(index)];
   for (int i = first; i < last; ++i)
-    box = joined(box, boxes[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])]);
-  Node node{box, -1, -1, -1};
+    node.box =
+        joined(node.box, of.boxes[static_cast<std::size_t>(of.order[static_cast<std::size_t>(i)])]);
   if (last - first == 1) {
-    node.item = order[static_cast<std::size_t>(first)];
-  } else {
-    const Vec3 size = box.high - box.low;
-    const int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
-    const int middle = first + (last - first) / 2;
-    const auto centre = [&](int i) {
-      const Box& b = boxes[static_cast<std::size_t>(i)];
-      return b.low[axis] + b.high[axis];
-    };
-    std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
-                     [&](int i, int j) { return centre(i) < centre(j); });
-    node.left = build(boxes, order, first, middle);
-    node.right = build(boxes, order, middle, last);
+    node.item = of.order[static_cast<std::size_t>(first)];
+    return;
   }
-  nodes_[static_cast<std::size_t>(index)] = node;
-  return index;
+  const Vec3 size = node.box.high - node.box.low;
+  const std::size_t axis = size[0] >= size[1] && size[0] >= size[2] ? 0
+                           : size[1] >= size[2]                     ? 1
+                                                                    : 2;
+  const int middle = first + (last - first) / 2;
+  const double* const centre = of.centres[axis].data();
+  std::nth_element(of.order.begin() + first, of.order.begin() + middle, of.order.begin() + last,
+                   [centre](int i, int j) { return centre[i] < centre[j]; });
+  node.left = index + 1;
+  node.right = index + 2 * (middle - first);
+  parallel_for(2, last - first > kAlone ? 1 : 2, [&](std::size_t half) {
+    half == 0 ? build(of, node.left, first, middle) : build(of, node.right, middle, last);
+  });
 }
 
 void BoxTree::descend(const BoxTree& a, int i, const BoxTree& b, int j,

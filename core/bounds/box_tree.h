@@ -23,10 +23,10 @@ struct Box {
 };
 
 /// True if the boxes have a point in common; borders count.
-bool meet(const Box& a, const Box& b);
+inline bool meet(const Box& a, const Box& b);
 
 /// The smallest box that holds both.
-Box joined(const Box& a, const Box& b);
+inline Box joined(const Box& a, const Box& b);
 
 /// Length of the diagonal, model units.
 double diagonal(const Box& box);
@@ -89,7 +89,8 @@ class BoxTree {
   /// Nodes that wait: halves of the boxes, so the tree is no deeper than this.
   static constexpr int kDeepest = 40;
 
-  int build(const std::vector<Box>& boxes, std::vector<int>& order, int first, int last);
+  struct Building;
+  void build(Building& of, int index, int first, int last);
   static void descend(const BoxTree& a, int i, const BoxTree& b, int j,
                       const std::function<void(int, int)>& found);
 
@@ -99,6 +100,21 @@ class BoxTree {
 
   std::vector<Node> nodes_;
 };
+
+inline bool meet(const Box& a, const Box& b) {
+  for (int k = 0; k < 3; ++k)
+    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+  return true;
+}
+
+inline Box joined(const Box& a, const Box& b) {
+  Box both;
+  for (int k = 0; k < 3; ++k) {
+    both.low[k] = b.low[k] < a.low[k] ? b.low[k] : a.low[k];
+    both.high[k] = a.high[k] < b.high[k] ? b.high[k] : a.high[k];
+  }
+  return both;
+}
 
 inline double LineProbe::entry(const Box& box) const {
   double near = from, far = to;

@@ -7,6 +7,19 @@
 #include <utility>
 
 namespace blossom {
+namespace {
+
+Box hull_box(const RationalBezierPatch& patch) {
+  Box box;
+  for (const Vec4& p : patch.points.values()) {
+    const double inverse = 1 / p[3];
+    const Vec3 x{p[0] * inverse, p[1] * inverse, p[2] * inverse};
+    box = joined(box, {x, x});
+  }
+  return box;
+}
+
+}  // namespace
 
 SurfaceCells::SurfaceCells(const BezierSurface& surface, const Vec3& origin, CellForm form,
                            double cut, PartTest part)
@@ -62,20 +75,19 @@ bool SurfaceCells::monomial() const {
                      [](const auto& t) { return t && t->monomial(); });
 }
 
+Box hull_box(const BezierSurface& surface) {
+  Box box;
+  for (const RationalBezierPatch& patch : surface.patches.values())
+    box = joined(box, hull_box(patch));
+  return box;
+}
+
 std::vector<Box> patch_boxes(const BezierSurface& surface) {
   constexpr double kRounding = 16 * 0x1p-53;  // as much as cells allow for themselves
   std::vector<Box> boxes;
   boxes.reserve(surface.patches.values().size());
   for (const RationalBezierPatch& patch : surface.patches.values()) {
-    Box box;
-    for (const Vec4& p : patch.points.values()) {
-      const double inverse = 1 / p[3];
-      for (int k = 0; k < 3; ++k) {
-        const double x = p[k] * inverse;
-        box.low[k] = std::min(box.low[k], x);
-        box.high[k] = std::max(box.high[k], x);
-      }
-    }
+    const Box box = hull_box(patch);
     boxes.push_back(widened(box, kRounding * std::max(max_norm(box.low), max_norm(box.high))));
   }
   return boxes;

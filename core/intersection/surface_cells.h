@@ -49,6 +49,9 @@ class SurfaceCells {
   std::vector<std::unique_ptr<CellTree>> trees_;
 };
 
+/// Box of all control points, as they are.
+Box hull_box(const BezierSurface& surface);
+
 /// Boxes of the patches' control points, with rounding: cells are made of those patches only that
 /// meet another.
 std::vector<Box> patch_boxes(const BezierSurface& surface);
