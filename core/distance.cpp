@@ -16,7 +16,9 @@
 #include "core/distance_parts.h"
 #include "core/intersection/cell_tree.h"
 #include "core/queries/convex_pair.h"
+#include "core/queries/curvature_centre.h"
 #include "core/queries/nearest_pair.h"
+#include "core/queries/square_form.h"
 
 namespace blossom {
 namespace {
@@ -26,12 +28,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 64 * 0x1p-53;
 // Off the middle, so that cells of symmetric shapes have no stationary points on their borders.
 constexpr double kCut = 0.5 - 1.0 / 64;
-// The bound from squares costs the square of the number of control points.
-constexpr int kMostPoints = 121;
 // Newton's method starts at every so many halvings of a pair, even where it promises nothing.
 constexpr int kHalvingsPerStart = 12;
 // Trims take as long to be asked as several halvings.
 constexpr int kHalvingsPerTrim = 6;
+// Balls and cylinders between the sets are tried at every so many halvings of a pair.
+constexpr int kHalvingsPerCentre = 4;
 
 // A cell of an item of a part; the part itself while there is no item.
 struct Place {
@@ -308,25 +310,45 @@ class Search {
       open_.push(pair);
   }
 
+  // Infinite if the least distance is not taken inside of the cells.
   double bound_of(const Pair& pair, const Cell& cell_a, const Cell& cell_b) {
     const DistanceItem &item_a = a_.item(pair.a), &item_b = b_.item(pair.b);
     const NetShape& shape_a = a_.tree(pair.a).cells.shape();
     const NetShape& shape_b = b_.tree(pair.b).cells.shape();
     const int points_a = shape_a.plane_size(), points_b = shape_b.plane_size();
     const double bound = distance_bound({&cell_a, points_a}, {&cell_b, points_b}, direction_);
-    if (is_settled(bound) || std::min(item_a.dimension(), item_b.dimension()) > 0 ||
-        std::max(points_a, points_b) > kMostPoints)
-      return bound;
-    const bool point_a = item_a.dimension() == 0;
-    const Vec3 point = projected((point_a ? item_a : item_b).patch.points(0, 0));
-    const PointBound to_point =
-        point_a ? distance_bound(cell_b, shape_b, point) : distance_bound(cell_a, shape_a, point);
-    const double bend = std::max(to_point.bend_u, to_point.bend_v);
-    if (bend > 2 * result_.upper * gap()) {
-      ItemTree& tree = point_a ? b_.tree(pair.b) : a_.tree(pair.a);
-      tree.cells.prefer((point_a ? pair.b : pair.a).cell, to_point.bend_u == bend);
+    if (is_settled(bound) || std::max(points_a, points_b) > kMostSquarePoints) return bound;
+    if (item_a.dimension() == 0) return std::max(bound, bound_of(pair.a, a_, pair.b, b_));
+    if (item_b.dimension() == 0) return std::max(bound, bound_of(pair.b, b_, pair.a, a_));
+    if (pair.depth % kHalvingsPerCentre != kHalvingsPerCentre - 1) return bound;
+    double best = bound;
+    for (const Centre& centre : centres_) {
+      const SquareForm a = square_form(cell_a, shape_a, centre);
+      const SquareForm b = square_form(cell_b, shape_b, centre);
+      best = std::max({best, a.nearest - b.farthest, b.nearest - a.farthest});
+      prefer(pair.a, a_, a);
+      prefer(pair.b, b_, b);
     }
-    return std::max(bound, to_point.distance);
+    return best;
+  }
+
+  // The direction in which halving makes the bounds of a form better, if it still does.
+  void prefer(const Place& place, Side& side, const SquareForm& form) {
+    const double bend = std::max(form.bend_u, form.bend_v);
+    if (bend > 2 * result_.upper * gap())
+      side.tree(place).cells.prefer(place.cell, form.bend_u == bend);
+  }
+
+  // Of a point of one side from a cell of the other one.
+  double bound_of(const Place& at_point, Side& of_point, const Place& place, Side& side) {
+    const DistanceItem& item = side.item(place);
+    ItemTree& tree = side.tree(place);
+    const Cell& cell = tree.cells[place.cell];
+    const Vec3 point = projected(of_point.item(at_point).patch.points(0, 0));
+    const SquareForm form = square_form(cell, tree.cells.shape(), {point}, item.across(cell));
+    if (!form.may_be_stationary) return kInfinity;
+    prefer(place, side, form);
+    return form.nearest;
   }
 
   // Whether Newton's method may find something nearer from the middle of the cells.
@@ -347,8 +369,12 @@ class Search {
     if (is_promising(pair, a, b)) {
       const NearPair found =
           near_pair(form_a, form_b, {at(a.u, 0.5), at(a.v, 0.5)}, {at(b.u, 0.5), at(b.v, 0.5)});
-      take(pair, found);
       at_foot = {found.a, found.b};
+      // Where the trims leave the foot out, what they leave of the cells may be nearer, too.
+      if (!take(pair, found))
+        take(pair, near_pair({form_a.patch, form_a.dimension, a.u, a.v},
+                             {form_b.patch, form_b.dimension, b.u, b.v},
+                             {at(a.u, 0.5), at(a.v, 0.5)}, {at(b.u, 0.5), at(b.v, 0.5)}));
     } else if (best_a_ != &item_a || best_b_ != &item_b) {
       at_foot = {Vec2{at(a.u, 0.5), at(a.v, 0.5)}, Vec2{at(b.u, 0.5), at(b.v, 0.5)}};
     }
@@ -360,18 +386,28 @@ class Search {
     return true;
   }
 
-  // Keeps a pair of points if it is the nearest one so far.
-  void take(const Pair& pair, const NearPair& found) {
+  // Keeps a pair of points if it is the nearest one so far; false if the trims leave it out.
+  bool take(const Pair& pair, const NearPair& found) {
     const double far = distance(found.point_a, found.point_b);
-    if (!(far < result_.upper)) return;
-    if (a_.is_outside(pair.a, found.a) || b_.is_outside(pair.b, found.b)) return;
+    if (!(far < result_.upper)) return true;
+    if (a_.is_outside(pair.a, found.a) || b_.is_outside(pair.b, found.b)) return false;
     result_.upper = far;
     best_a_ = &a_.item(pair.a);
     best_b_ = &b_.item(pair.b);
     best_at_ = {found.a, found.b};
     direction_ = unit(found.point_a - found.point_b);
+    centres_.clear();
+    add_centre(*best_a_, found.a);
+    add_centre(*best_b_, found.b);
     result_.a = a_.end(pair.a, found.a, found.point_a);
     result_.b = b_.end(pair.b, found.b, found.point_b);
+    return true;
+  }
+
+  void add_centre(const DistanceItem& item, const Vec2& at) {
+    if (item.dimension() < 2) return;
+    if (const auto centre = centre_of_curvature(jet_at(item.patch, at[0], at[1], 2), direction_))
+      centres_.push_back(*centre);
   }
 
   static constexpr int kDeepest = 90;  // halvings of a patch: 45 in each direction
@@ -384,7 +420,8 @@ class Search {
   const DistanceItem* best_a_ = nullptr;  // those of the nearest points found by Newton's method
   const DistanceItem* best_b_ = nullptr;
   std::array<Vec2, 2> best_at_;
-  Vec3 direction_;  // from the nearest point of b to that of a
+  Vec3 direction_;               // from the nearest point of b to that of a
+  std::vector<Centre> centres_;  // that one of the sets may lie round there, the other one within
   double dropped_ = kInfinity;
   std::priority_queue<Pair> open_;
 };

@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "core/bounds/box_tree.h"
-#include "core/intersection/net_ranges.h"
-#include "core/math/binomial.h"
 
 namespace blossom {
 namespace {
@@ -101,44 +98,6 @@ double distance_bound(const HullCell& a, const HullCell& b, const Vec3& directio
   const Vec3 between = unit(middle(*a.cell) - middle(*b.cell));
   if (!(between == Vec3{})) bound = std::max(bound, gap_along(a, b, between));
   return bound;
-}
-
-PointBound distance_bound(const Cell& cell, const NetShape& shape, const Vec3& point) {
-  const int rows = shape.rows, columns = shape.columns, size = shape.plane_size();
-  const int n = rows - 1, m = columns - 1;
-  const auto weight = [&](int i) {
-    return shape.planes == 4 ? cell.homogeneous[3 * size + i] : 1.0;
-  };
-  std::array<Vec3, (kMaxDegree + 1) * (kMaxDegree + 1)> x;  // X - w p
-  double farthest = 0;
-  for (int i = 0; i < size; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    x[k] = Vec3{cell.homogeneous[i], cell.homogeneous[i + size], cell.homogeneous[i + 2 * size]} -
-           weight(i) * point;
-    farthest = std::max(farthest, norm(x[k]) / weight(i));
-  }
-  std::array<double, (2 * kMaxDegree + 1) * (2 * kMaxDegree + 1)> f;
-  double least = std::numeric_limits<double>::infinity();
-  for (int r = 0; r <= 2 * n; ++r)
-    for (int c = 0; c <= 2 * m; ++c) {
-      double square = 0, weights = 0;  // a common factor of both is left out
-      for (int i = std::max(0, r - n); i <= std::min(n, r); ++i)
-        for (int j = std::max(0, c - m); j <= std::min(m, c); ++j) {
-          const int a = i * columns + j, b = (r - i) * columns + (c - j);
-          const double part =
-              binomial(n, i) * binomial(n, r - i) * binomial(m, j) * binomial(m, c - j);
-          square += part * dot(x[static_cast<std::size_t>(a)], x[static_cast<std::size_t>(b)]);
-          weights += part * weight(a) * weight(b);
-        }
-      f[static_cast<std::size_t>(r * (2 * m + 1) + c)] = square / weights;
-      least = std::min(least, square / weights);
-    }
-  // Each point is off by the margin and by roundings of the difference, 2 in a product; sums of
-  // less than 2^10 terms round relative to what is positive.
-  const double error =
-      4 * farthest * (cell.margin + 0x1p-50 * max_norm(point)) + 0x1p-42 * farthest * farthest;
-  const SecondDifferences bend = largest_second_differences(f.data(), 2 * n + 1, 2 * m + 1);
-  return {std::sqrt(std::max(0.0, least - error)), n * n * bend.uu, m * m * bend.vv};
 }
 
 bool may_be_normal(const Cell& a, const std::array<bool, 2>& across_a, const Cell& b,

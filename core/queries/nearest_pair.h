@@ -20,16 +20,6 @@ struct HullCell {
 /// the given one, and that from one middle to the other. Model units, roundings included.
 double distance_bound(const HullCell& a, const HullCell& b, const Vec3& direction);
 
-/// A bound below the distance of a point from the points of a cell: the square of the distance is a
-/// rational Bernstein form, |X - w p|^2 / w^2, and not below its least coefficient. So it is exact
-/// for circles and spheres about the point.
-struct PointBound {
-  double distance = 0;  ///< model units, roundings included
-  /// How much the coefficients bend in each direction, model units squared: what halving gains.
-  double bend_u = 0, bend_v = 0;
-};
-PointBound distance_bound(const Cell& cell, const NetShape& shape, const Vec3& point);
-
 /// False if no line from one cell to the other is normal to both in the directions asked for,
 /// that is, if r = A - B has r . S_u or r . S_v of one sign.
 /// across_a, across_b   u and v: whether the line must be across this derivative

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/subdivision/patch_subdivision.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 
@@ -195,14 +196,87 @@ TEST(LeastDistance, StopsWhenItsSideOfALimitIsKnown) {
 }
 
 TEST(LeastDistance, KeepsItsBoundsWhenTheBudgetIsSpent) {
-  // Every point of a sphere is as near to one about the same centre as any other.
-  const DistanceResult found = least_distance(
-      measured(testing::unit_sphere()),
-      measured(testing::revolved_circle(0, 2, -std::numbers::pi / 2, 2)), {.budget = 20'000});
+  // Two tubes about the same circle are as far apart everywhere.
+  const DistanceResult found = least_distance(measured(testing::torus(3, 1)),
+                                              measured(testing::torus(3, 2)), {.budget = 20'000});
   EXPECT_EQ(found.status, Status::Stopped);
   EXPECT_LE(found.lower, 1);
-  EXPECT_GE(found.lower, 0.9);
+  EXPECT_GE(found.lower, 0.8);
   EXPECT_NEAR(found.upper, 1, 1e-14);
+}
+
+TEST(LeastDistance, OfBallsAboutOneCentreIsKnownAtOnce) {
+  const MeasuredSet inner = measured(testing::unit_sphere());
+  const MeasuredSet outer = measured(testing::revolved_circle(0, 2, -std::numbers::pi / 2, 2));
+  for (const bool turned : {false, true}) {
+    const DistanceResult found =
+        turned ? least_distance(outer, inner) : least_distance(inner, outer);
+    expect_distance(found, 1);
+    EXPECT_LE(found.pairs, 10'000);
+  }
+}
+
+// About the z axis, over a range of z.
+BezierSurface tube(double radius, double low, double high) {
+  BezierSurface surface = testing::revolved_circle(0, 1, -std::numbers::pi / 2, 2);
+  surface.v_knots = {0, 1};
+  surface.v_law = ParameterLaw::Linear;
+  const Grid<RationalBezierPatch> quarters = surface.patches;
+  surface.patches = Grid<RationalBezierPatch>(quarters.rows(), 1);
+  for (int i = 0; i < quarters.rows(); ++i) {
+    const Grid<Vec4>& ball = quarters(i, 0).points;
+    Grid<Vec4> net(ball.rows(), 2);
+    for (int k = 0; k < ball.rows(); ++k)
+      for (int end = 0; end < 2; ++end) {
+        const Vec4& rim = ball(k, ball.columns() - 1);  // the equator
+        net(k, end) = {radius * rim[0], radius * rim[1], rim[3] * (end == 0 ? low : high), rim[3]};
+      }
+    surface.patches(i, 0).points = net;
+  }
+  return surface;
+}
+
+TEST(LeastDistance, OfTubesAboutOneAxisIsKnownAtOnce) {
+  const MeasuredSet shaft = measured(tube(1, -1, 2)), bore = measured(tube(1.25, 0, 3));
+  const DistanceResult found = least_distance(shaft, bore);
+  expect_distance(found, 0.25);
+  EXPECT_LE(found.pairs, 10'000);
+  const DistanceResult ball = least_distance(measured(testing::unit_sphere()), bore);
+  expect_distance(ball, 0.25);
+  EXPECT_LE(ball.pairs, 20'000);
+}
+
+TEST(LeastDistance, EndsWhereTheSurfaceGoesOnAlmostAsNearBeyondItsTrims) {
+  // About the origin, of a radius that grows with the cube of a parameter, by less than 1e-4. It is
+  // trimmed a little behind the circle where that is stationary.
+  const double at = 0.4, cut = 0.45, growth = 1e-4;
+  BezierSurface ball = testing::revolved_circle(0, 1, -std::numbers::pi / 2, 2);
+  RationalBezierPatch quarter = ball.patches(0, 0), whole{Grid<Vec4>(3, 6)};
+  const auto cube = [&](double t) { return 1 + growth * std::pow(t - at, 3); };
+  // Bezier points of 1 + growth (t - at)^3.
+  const std::array<double, 4> c{cube(0), 1 + growth * at * at * (1 - at),
+                                1 - growth * at * (1 - at) * (1 - at), cube(1)};
+  const std::array<double, 3> two{1, 2, 1};
+  const std::array<double, 4> three{1, 3, 3, 1};
+  const std::array<double, 6> five{1, 5, 10, 10, 5, 1};
+  for (int i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t k = 0; k < 4; ++k) {
+        const Vec4& p = quarter.points(i, static_cast<int>(j));
+        const double part = two[j] * three[k] / five[j + k];
+        Vec4& q = whole.points(i, static_cast<int>(j + k));
+        for (int x = 0; x < 3; ++x) q[x] += part * c[k] * p[x];
+        q[3] += part * p[3];
+      }
+  MeasuredSet part{{}, {}, {one_patch(whole)}};
+  const Grid<Vec4> rest = sub_patch(whole, {0, 1}, {cut, 1}).points;
+  part.curves = {RationalBezierCurve{{rest(0, 0), rest(1, 0), rest(2, 0)}}};
+  part.trims = [cut](int, const Vec2& low, const Vec2& high) {
+    return high[1] < cut ? TrimSide::Outside : low[1] > cut ? TrimSide::Inside : TrimSide::Mixed;
+  };
+  const DistanceResult found = least_distance(measured(Vec3{0, 0, 0}), part);
+  expect_distance(found, cube(cut));
+  EXPECT_LE(found.pairs, 20'000);
 }
 
 TEST(LeastDistance, LeavesOutWhatIsTrimmedAway) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The square of the distance of a cell's points from a point or an axis, as a rational Bernstein
+// form:
+//
+//   f = |P (X - w p)|^2 / w^2,   P = 1 for a point p, 1 - d d^T for an axis along d
+//
+// It lies between its coefficients, so it is known exactly where it is constant: of spheres about
+// the point, of circles, cylinders and cones' circles about the axis.
+
+#pragma once
+
+#include <array>
+
+#include "core/intersection/cell_tree.h"
+#include "core/queries/curvature_centre.h"
+
+namespace blossom {
+
+struct SquareForm {
+  double nearest = 0;   ///< no point of the cell is nearer, model units, roundings included
+  double farthest = 0;  ///< nor farther
+  /// How much the coefficients bend in each direction, model units squared: what halving gains.
+  double bend_u = 0, bend_v = 0;
+  /// False if f is proven to be stationary nowhere in the cell: neither f_u, f_v nor what is left
+  /// of one of them when the other one is taken off vanishes, in the directions asked for.
+  bool may_be_stationary = true;
+};
+
+/// The largest nets that this is made of.
+inline constexpr int kMostSquarePoints = 121;
+
+/// cell     of no more than kMostSquarePoints control points
+/// across   u and v: whether f has to be stationary along it, to be of interest
+SquareForm square_form(const Cell& cell, const NetShape& shape, const Centre& centre,
+                       const std::array<bool, 2>& across = {false, false});
+
+}  // namespace blossom
