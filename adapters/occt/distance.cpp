@@ -79,9 +79,6 @@ struct MeasuredEdge {
   std::vector<EdgeSpan> spans{};
 };
 
-// Coordinates from here on mean that there is no end.
-constexpr double kEndless = 1e50;
-
 }  // namespace
 
 // Parts of the set are the faces, then the edges.
@@ -150,10 +147,6 @@ struct MeasuredShape::Impl {
   }
 
   static Vec3 point_of(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
-  static bool has_end(const std::vector<Vec3>& hull) {
-    return !hull.empty() && std::all_of(hull.begin(), hull.end(),
-                                        [](const Vec3& p) { return max_norm(p) < kEndless; });
-  }
 
   CurveSpans spans_of(const MeasuredEdge& of) const {
     Interval range;

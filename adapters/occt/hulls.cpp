@@ -46,6 +46,8 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 // Of a hull's diagonal: snapping moves borders of parameters by 1e-9 of their range or of a turn.
 constexpr double kSnapping = 1e-7;
+// Coordinates from here on mean that there is no end.
+constexpr double kEndless = 1e50;
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 template <class Point>
@@ -360,6 +362,11 @@ bool add_hull(const TopoDS_Face& face, std::vector<Vec3>& hull) {
   if (!add_unplaced(unplaced, surface, location, hull)) return false;
   if (!location.IsIdentity()) move_points(location.Transformation(), first, hull);
   return true;
+}
+
+bool has_end(const std::vector<Vec3>& hull) {
+  return !hull.empty() && std::all_of(hull.begin(), hull.end(),
+                                      [](const Vec3& p) { return max_norm(p) < kEndless; });
 }
 
 PartHull placed_hull(std::vector<Vec3> hull, const gp_Trsf& place) {

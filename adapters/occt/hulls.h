@@ -31,6 +31,9 @@ bool add_hull(const TopoDS_Edge& edge, std::vector<Vec3>& hull);
 /// throws   BadModel if the face has no surface
 bool add_hull(const TopoDS_Face& face, std::vector<Vec3>& hull);
 
+/// Whether there are points, none of them so far away that it stands for no end at all.
+bool has_end(const std::vector<Vec3>& hull);
+
 /// The points where they are placed, with a margin for what snapping parameters to seams may add.
 PartHull placed_hull(std::vector<Vec3> hull, const gp_Trsf& place);
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <string>
 #include <utility>
 
 #include "adapters/occt/edge_contacts.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
+#include "adapters/occt/face_list.h"
 #include "adapters/occt/shared_edges.h"
 #include "adapters/occt/shared_limit.h"
 #include "adapters/occt/trimmed_overlaps.h"
@@ -24,26 +24,6 @@ constexpr double kExact = 1e-9;        // of the size: borders as near as this a
 constexpr double kEdgeReach = 4;       // of a shared edge's tolerance: what is so near is the edge
 constexpr double kEdgeStrip = 2e-3;    // of the faces' size: so near, smooth faces are one
 constexpr double kEdgeSag = 1e-4;      // of a shared edge's length, for the chords of its samples
-
-std::vector<FaceData> data_of(const std::vector<TopoDS_Face>& faces, const char* list,
-                              double tolerance, Extent extent) {
-  std::vector<FaceData> data;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const std::string place = std::string("face ") + std::to_string(i + 1) + " of " + list;
-    try {
-      data.push_back(face_data(faces[i], tolerance, extent));
-    } catch (const BadModel& error) {
-      throw BadModel(place + ": " + error.what());
-    }
-  }
-  return data;
-}
-
-BoxTree tree_of(const std::vector<FaceData>& faces) {
-  std::vector<Box> boxes;
-  for (const FaceData& face : faces) boxes.push_back(face.box);
-  return BoxTree(boxes);
-}
 
 // --- edges that two faces share
 
@@ -93,21 +73,15 @@ enum class Shared { Listed, LeftOut };
 // asked for at the same time.
 class PairIntersector {
  public:
-  PairIntersector(const std::vector<TopoDS_Face>& shapes_a,
-                  const std::vector<TopoDS_Face>& shapes_b, const std::vector<FaceData>& faces_a,
-                  const std::vector<FaceData>& faces_b, Shared shared,
+  PairIntersector(const FaceList& faces_a, const FaceList& faces_b, Shared shared,
                   const IntersectionOptions& options)
-      : shapes_a_(shapes_a),
-        shapes_b_(shapes_b),
-        faces_a_(faces_a),
-        faces_b_(faces_b),
-        shared_(shared),
-        options_(options) {}
+      : faces_a_(faces_a), faces_b_(faces_b), shared_(shared), options_(options) {}
 
   FaceIntersection of(const std::pair<int, int>& pair) const {
     const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
-    const FaceData &a = faces_a_[i], &b = faces_b_[j];
-    const std::vector<SharedEdge> edges = shared_edges(shapes_a_[i], shapes_b_[j]);
+    const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
+    const TopoDS_Face &shape_a = faces_a_.face(i), &shape_b = faces_b_.face(j);
+    const std::vector<SharedEdge> edges = shared_edges(shape_a, shape_b);
     const IntersectionOptions options = options_for(a, b, edges);
     FaceIntersection result;
     result.face_a = pair.first;
@@ -117,12 +91,12 @@ class PairIntersector {
     const std::vector<Overlap> whole = result.found.overlaps;
     std::vector<SurfacePoint> touches = clip(result.found, a.trims, &b.trims);
     if (result.found.overlaps.size() < whole.size())
-      add_overlaps(shapes_a_[i], shapes_b_[j], whole, result.found);
+      add_overlaps(shape_a, shape_b, whole, result.found);
     drop_along_edges(result.found, touches, edges, options_.tolerances.point);
     weaken_along_trims(a.trims, b.trims, result.found);
     result.chains =
         chains_over_seams(result.found.curves, a.surface, b.surface, options_.tolerances.point);
-    if (edges.empty()) add_edge_contacts(shapes_a_[i], shapes_b_[j], result.found, touches);
+    if (edges.empty()) add_edge_contacts(shape_a, shape_b, result.found, touches);
     if (shared_ == Shared::Listed)
       add_edges(edges, result);
     else if (&a != &b)
@@ -209,10 +183,8 @@ class PairIntersector {
                                    : "the trims divide a common region in an unknown way");
   }
 
-  const std::vector<TopoDS_Face>& shapes_a_;
-  const std::vector<TopoDS_Face>& shapes_b_;
-  const std::vector<FaceData>& faces_a_;
-  const std::vector<FaceData>& faces_b_;
+  const FaceList& faces_a_;
+  const FaceList& faces_b_;
   Shared shared_;
   const IntersectionOptions& options_;
   const SharedLimit limit_{options_};
@@ -220,12 +192,9 @@ class PairIntersector {
 
 using FacePairs = std::vector<std::pair<int, int>>;
 
-ShapeIntersection intersected(const PairIntersector& intersector, const FacePairs& pairs,
-                              int threads) {
+ShapeIntersection intersected(const PairIntersector& intersector, const FacePairs& pairs) {
   std::vector<FaceIntersection> found(pairs.size());
-  with_threads(threads, [&] {
-    parallel_for(pairs.size(), 1, [&](std::size_t k) { found[k] = intersector.of(pairs[k]); });
-  });
+  parallel_for(pairs.size(), 1, [&](std::size_t k) { found[k] = intersector.of(pairs[k]); });
   ShapeIntersection result;
   result.face_pairs = static_cast<long>(pairs.size());
   for (FaceIntersection& pair : found) {
@@ -238,11 +207,27 @@ ShapeIntersection intersected(const PairIntersector& intersector, const FacePair
   return result;
 }
 
-FacePairs meeting_pairs(const std::vector<FaceData>& a, const std::vector<FaceData>& b) {
+// Pairs of faces whose hulls have boxes that meet.
+FacePairs meeting_pairs(const FaceList& a, const FaceList& b) {
   FacePairs pairs;
-  tree_of(a).for_each_meeting(tree_of(b), [&](int i, int j) { pairs.emplace_back(i, j); });
+  BoxTree(a.boxes()).for_each_meeting(BoxTree(b.boxes()),
+                                      [&](int i, int j) { pairs.emplace_back(i, j); });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+// Converts the faces of the pairs, and leaves those whose surfaces have boxes that meet. The lists
+// may be one.
+void convert(FaceList& a, FaceList& b, FacePairs& pairs) {
+  std::vector<char> in_a(a.size()), in_b(b.size());
+  for (const auto& [i, j] : pairs)
+    in_a[static_cast<std::size_t>(i)] = in_b[static_cast<std::size_t>(j)] = 1;
+  a.convert(in_a);
+  b.convert(in_b);
+  std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
+    return !meet(a.data(static_cast<std::size_t>(pair.first)).box,
+                 b.data(static_cast<std::size_t>(pair.second)).box);
+  });
 }
 
 }  // namespace
@@ -250,22 +235,30 @@ FacePairs meeting_pairs(const std::vector<FaceData>& a, const std::vector<FaceDa
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
                             const IntersectionOptions& options, Extent extent) {
   const double tolerance = options.tolerances.point;
-  const std::vector<FaceData> faces_a = data_of(a, "the first shape", tolerance, extent);
-  const std::vector<FaceData> faces_b = data_of(b, "the second shape", tolerance, extent);
-  const PairIntersector intersector(a, b, faces_a, faces_b, Shared::Listed, options);
-  return intersected(intersector, meeting_pairs(faces_a, faces_b), options.threads);
+  ShapeIntersection result;
+  with_threads(options.threads, [&] {
+    FaceList faces_a(a, "the first shape", tolerance, extent);
+    FaceList faces_b(b, "the second shape", tolerance, extent);
+    FacePairs pairs = meeting_pairs(faces_a, faces_b);
+    convert(faces_a, faces_b, pairs);
+    result = intersected({faces_a, faces_b, Shared::Listed, options}, pairs);
+  });
+  return result;
 }
 
 ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScope scope,
                                  const IntersectionOptions& options) {
-  const std::vector<FaceData> data =
-      data_of(faces, "the shape", options.tolerances.point, Extent::Trims);
-  FacePairs pairs = meeting_pairs(data, data);
-  std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
-    return scope == SelfScope::EachFace ? pair.first != pair.second : pair.first > pair.second;
+  ShapeIntersection result;
+  with_threads(options.threads, [&] {
+    FaceList list(faces, "the shape", options.tolerances.point, Extent::Trims);
+    FacePairs pairs = meeting_pairs(list, list);
+    std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
+      return scope == SelfScope::EachFace ? pair.first != pair.second : pair.first > pair.second;
+    });
+    convert(list, list, pairs);
+    result = intersected({list, list, Shared::LeftOut, options}, pairs);
   });
-  const PairIntersector intersector(faces, faces, data, data, Shared::LeftOut, options);
-  return intersected(intersector, pairs, options.threads);
+  return result;
 }
 
 }  // namespace blossom::occt

@@ -56,7 +56,8 @@ struct ShapeIntersection {
   long face_pairs = 0;                  ///< pairs whose boxes met
 };
 
-/// Intersects every face of one list with every face of the other.
+/// Intersects every face of one list with every face of the other. Faces are converted where the
+/// hulls of others come near them.
 /// throws   BadModel if a face cannot be converted; the message has the face's place in its list
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
                             const IntersectionOptions& options = {}, Extent extent = Extent::Trims);

@@ -2,12 +2,11 @@
 #include "adapters/occt/plane_section.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "adapters/occt/curves.h"
-#include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
+#include "adapters/occt/face_list.h"
 #include "adapters/occt/section_frame.h"
 #include "adapters/occt/section_nodes.h"
 #include "adapters/occt/section_wires.h"
@@ -24,18 +23,19 @@ class FaceSections {
  public:
   FaceSections(const std::vector<TopoDS_Face>& faces, const Plane& plane,
                const IntersectionOptions& options)
-      : faces_(faces), frame_(plane), options_(options), tolerance_(options.tolerances.point) {}
+      : frame_(plane),
+        options_(options),
+        tolerance_(options.tolerances.point),
+        faces_(faces, "", tolerance_, Extent::Trims) {}
 
   PlaneSection run() {
     prepare();
     SectionNodes nodes(frame_, options_, faces_.size(), section_);
     for (std::size_t i = 0; i < faces_.size(); ++i)
-      if (asked_[i]) nodes.add_edges(i, faces_[i]);
+      if (asked_[i]) nodes.add_edges(i, faces_.face(i));
     std::vector<SurfaceIntersection> found(faces_.size());
-    with_threads(options_.threads, [&] {
-      parallel_for(faces_.size(), 1, [&](std::size_t i) {
-        if (searched_[i]) found[i] = search(i);
-      });
+    parallel_for(faces_.size(), 1, [&](std::size_t i) {
+      if (searched_[i]) found[i] = search(i);
     });
     for (std::size_t i = 0; i < faces_.size(); ++i)
       if (searched_[i]) add_face(i, found[i], nodes);
@@ -47,16 +47,15 @@ class FaceSections {
 
  private:
   void prepare() {
-    data_.resize(faces_.size());
     asked_.assign(faces_.size(), 0);
     searched_.assign(faces_.size(), 0);
+    std::vector<char> near(faces_.size());
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      near[i] = !heights_of(faces_.hull(i), frame_).apart(tolerance_);
+    faces_.convert(near);
     for (std::size_t i = 0; i < faces_.size(); ++i) {
-      try {
-        data_[i] = face_data(faces_[i], tolerance_);
-      } catch (const BadModel& error) {
-        throw BadModel("face " + std::to_string(i + 1) + ": " + error.what());
-      }
-      const Heights heights = heights_of(data_[i].surface, frame_);
+      if (!near[i]) continue;
+      const Heights heights = heights_of(faces_.data(i).surface, frame_);
       if (heights.apart(tolerance_)) continue;
       asked_[i] = 1;
       searched_[i] = !heights.within(tolerance_);
@@ -68,11 +67,12 @@ class FaceSections {
   }
 
   SurfaceIntersection search(std::size_t i) const {
+    const FaceData& face = faces_.data(i);
     IntersectionOptions options = limit_.remaining();
-    options.part_a = part_test(data_[i].trims);
-    SurfaceIntersection found = intersect(data_[i].surface, frame_.over(data_[i].box), options);
+    options.part_a = part_test(face.trims);
+    SurfaceIntersection found = intersect(face.surface, frame_.over(face.box), options);
     // What is proven at edges and vertices follows from those, so touches weaken nothing.
-    const std::vector<SurfacePoint> touches = clip(found, data_[i].trims, nullptr);
+    const std::vector<SurfacePoint> touches = clip(found, face.trims, nullptr);
     found.points.insert(found.points.end(), touches.begin(), touches.end());
     return found;
   }
@@ -111,12 +111,11 @@ class FaceSections {
     section_.curves.push_back(std::move(curve));
   }
 
-  const std::vector<TopoDS_Face>& faces_;
   SectionFrame frame_;
   const IntersectionOptions& options_;
   const SharedLimit limit_{options_};
   double tolerance_;
-  std::vector<FaceData> data_;
+  FaceList faces_;
   std::vector<char> asked_;     // faces that may have a point in the plane
   std::vector<char> searched_;  // but for those that lie in it
   PlaneSection section_;
@@ -126,7 +125,9 @@ class FaceSections {
 
 PlaneSection plane_section(const std::vector<TopoDS_Face>& faces, const Plane& plane,
                            const IntersectionOptions& options) {
-  return FaceSections(faces, plane, options).run();
+  PlaneSection section;
+  with_threads(options.threads, [&] { section = FaceSections(faces, plane, options).run(); });
+  return section;
 }
 
 }  // namespace blossom::occt

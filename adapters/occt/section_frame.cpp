@@ -13,13 +13,16 @@ namespace {
 constexpr double kRounding = 16 * 0x1p-53;  // of a height, relative to the coordinates
 constexpr double kMargin = 0.05;  // of a box's diagonal: so far the rectangle goes beyond it
 
-void add(const Vec4& point, const SectionFrame& frame, Heights& heights) {
-  const Vec3 p = head(point) * (1 / point[3]);
+void add(const Vec3& p, const SectionFrame& frame, Heights& heights) {
   const double height = frame.height(p);
   heights.low = std::min(heights.low, height);
   heights.high = std::max(heights.high, height);
   heights.margin = std::max(heights.margin, frame.rounding(p));
   heights.box = joined(heights.box, {p, p});
+}
+
+void add(const Vec4& point, const SectionFrame& frame, Heights& heights) {
+  add(head(point) * (1 / point[3]), frame, heights);
 }
 
 }  // namespace
@@ -75,6 +78,13 @@ Heights heights_of(const CurveSpans& curve, const SectionFrame& frame) {
   for (const CurveSpan& span : curve.spans)
     for (const Vec4& p : span.curve.points) add(p, frame, heights);
   heights.margin += curve.error;
+  return heights;
+}
+
+Heights heights_of(const PartHull& hull, const SectionFrame& frame) {
+  Heights heights;
+  for (const Vec3& p : hull.points) add(p, frame, heights);
+  heights.margin += 2 * hull.margin;  // of each coordinate; a height has at most sqrt(3) of it
   return heights;
 }
 

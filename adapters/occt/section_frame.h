@@ -7,6 +7,7 @@
 
 #include "adapters/occt/plane_section.h"
 #include "core/bounds/box_tree.h"
+#include "core/distance.h"
 #include "core/forms/curve_spans.h"
 #include "core/forms/surface.h"
 
@@ -50,5 +51,6 @@ struct Heights {
 
 Heights heights_of(const BezierSurface& surface, const SectionFrame& frame);
 Heights heights_of(const CurveSpans& curve, const SectionFrame& frame);
+Heights heights_of(const PartHull& hull, const SectionFrame& frame);
 
 }  // namespace blossom::occt
