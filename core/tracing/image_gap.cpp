@@ -128,10 +128,7 @@ std::pair<double, double> divide(PowerSeries<Vec3>& gap, const PowerSeries<doubl
 
 }  // namespace
 
-ImageGaps::ImageGaps(const BezierSurface& surface, int chart)
-    : surface_(surface),
-      first_(chart),
-      slopes_(surface.patches.rows(), surface.patches.columns()) {}
+ImageGaps::ImageGaps(const BezierSurface& surface, int chart) : surface_(surface), first_(chart) {}
 
 void ImageGaps::add_cuts(const QuinticPoints& points, std::vector<double>& cuts) const {
   for (const auto& [coordinate, all] :
@@ -230,9 +227,9 @@ ImageGaps::Slopes ImageGaps::slopes_of(const RationalBezierPatch& patch) {
 }
 
 const ImageGaps::Slopes& ImageGaps::slopes(int i, int j) {
-  Slopes& found = slopes_(i, j);
-  if (found.u < 0) found = slopes_of(surface_.patches(i, j));
-  return found;
+  const auto [known, added] = slopes_.try_emplace({i, j});
+  if (added) known->second = slopes_of(surface_.patches(i, j));
+  return known->second;
 }
 
 // The largest of the patch and its neighbours, that a piece strays into if by little; by the
@@ -240,8 +237,8 @@ const ImageGaps::Slopes& ImageGaps::slopes(int i, int j) {
 ImageGaps::Slopes ImageGaps::slopes_beside(int i, int j) {
   const auto width = [](const std::vector<double>& all, int k) { return length(knots(all, k)); };
   Slopes largest;
-  for (int k = std::max(i - 1, 0); k <= std::min(i + 1, slopes_.rows() - 1); ++k)
-    for (int l = std::max(j - 1, 0); l <= std::min(j + 1, slopes_.columns() - 1); ++l) {
+  for (int k = std::max(i - 1, 0); k <= std::min(i + 1, surface_.patches.rows() - 1); ++k)
+    for (int l = std::max(j - 1, 0); l <= std::min(j + 1, surface_.patches.columns() - 1); ++l) {
       const double u = width(surface_.u_knots, i) / width(surface_.u_knots, k);
       const double v = width(surface_.v_knots, j) / width(surface_.v_knots, l);
       largest.u = std::max(largest.u, u * slopes(k, l).u);

@@ -8,6 +8,8 @@
 
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -41,9 +43,9 @@ class ImageGaps {
   std::optional<ImageGap> on(const QuinticPoints& piece, int halvings);
 
  private:
-  /// Bounds on |S_u| and |S_v| over a patch, by its local parameters; negative: not known yet.
+  /// Bounds on |S_u| and |S_v| over a patch, by its local parameters.
   struct Slopes {
-    double u = -1, v = -1;
+    double u = 0, v = 0;
   };
 
   static Slopes slopes_of(const RationalBezierPatch& patch);
@@ -55,7 +57,7 @@ class ImageGaps {
 
   const BezierSurface& surface_;
   const int first_;
-  Grid<Slopes> slopes_;
+  std::map<std::array<int, 2>, Slopes> slopes_;  // of the patches that pieces came to
 };
 
 }  // namespace blossom
