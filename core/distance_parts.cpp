@@ -16,41 +16,62 @@ namespace {
 
 Vec4 homogeneous(const Vec3& p) { return {p[0], p[1], p[2], 1}; }
 
-// The legs of a net at its first or last row (along u) or column, about a point of the border: with
-// X' = X - w O the derivative across the border is that of X' / w. Weights count as the lengths by
-// which they move points as far as `reach` from O.
-std::vector<Vec4> legs(const Grid<Vec4>& net, bool along_u, bool at_end, const Vec3& origin,
+// The border of a net at its first or last row (along u) or column, and the legs across it, about
+// one of its points: with X' = X - w O the derivative across the border is that of X' / w. Weights
+// count as the lengths by which they move points as far as `reach` from O.
+struct BorderLegs {
+  std::vector<Vec4> border;
+  std::vector<Vec4> legs;
+};
+
+BorderLegs border_legs(const Grid<Vec4>& net, bool along_u, bool at_end, const Vec3& origin,
                        double reach) {
   const int count = along_u ? net.columns() : net.rows();
   const int last = (along_u ? net.rows() : net.columns()) - 1;
-  std::vector<Vec4> result;
+  const auto about = [&](Vec4 x) {
+    for (int i = 0; i < 3; ++i) x[i] -= x[3] * origin[i];
+    x[3] *= reach;
+    return x;
+  };
+  BorderLegs result;
   for (int k = 0; k < count; ++k) {
     const auto point = [&](int across) { return along_u ? net(across, k) : net(k, across); };
-    Vec4 leg = at_end ? point(last) - point(last - 1) : point(1) - point(0);
-    for (int i = 0; i < 3; ++i) leg[i] -= leg[3] * origin[i];
-    leg[3] *= reach;
-    result.push_back(leg);
+    result.border.push_back(about(point(at_end ? last : 0)));
+    result.legs.push_back(about(at_end ? point(last) - point(last - 1) : point(1) - point(0)));
   }
   return result;
 }
 
+double product(const std::vector<Vec4>& a, const std::vector<Vec4>& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += dot(a[k], b[k]);
+  return sum;
+}
+
+// Less the multiple of the border that is nearest to them: adding one to all of X_u leaves the
+// derivative of X / w as it is.
+std::vector<Vec4> reduced(std::vector<Vec4> legs, const std::vector<Vec4>& border) {
+  const double part = product(legs, border) / product(border, border);
+  for (std::size_t k = 0; k < legs.size(); ++k) legs[k] -= part * border[k];
+  return legs;
+}
+
 // Whether two patches that share a border may go on in different directions there. They do not if
-// all legs behind it are those before it times one positive number; parts of one polynomial are so
-// to rounding. Legs that are parallel by different numbers do not sum to parallel derivatives.
+// all legs behind it are those before it times one positive number, but for a multiple of the
+// border; parts of one polynomial or of one arc are so to rounding. Legs that are parallel by
+// different numbers do not sum to parallel derivatives.
 bool has_kink(const RationalBezierPatch& low, const RationalBezierPatch& high, bool along_u) {
   constexpr double kSmooth = 1e-10;
   const Vec3 origin = projected(high.points(0, 0));
   double reach = 0;
   for (const Vec4& p : high.points.values())
     reach = std::max(reach, distance(projected(p), origin));
-  const std::vector<Vec4> before = legs(low.points, along_u, true, origin, reach);
-  const std::vector<Vec4> after = legs(high.points, along_u, false, origin, reach);
-  if (before.size() != after.size()) return true;
-  double squares = 0, products = 0;
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    squares += dot(before[k], before[k]);
-    products += dot(before[k], after[k]);
-  }
+  const BorderLegs there = border_legs(low.points, along_u, true, origin, reach);
+  const BorderLegs here = border_legs(high.points, along_u, false, origin, reach);
+  if (there.legs.size() != here.legs.size()) return true;
+  const std::vector<Vec4> before = reduced(there.legs, here.border);
+  const std::vector<Vec4> after = reduced(here.legs, here.border);
+  const double squares = product(before, before), products = product(before, after);
   if (!(products > 0)) return true;
   const double ratio = products / squares;
   for (std::size_t k = 0; k < before.size(); ++k)

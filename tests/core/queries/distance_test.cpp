@@ -167,6 +167,29 @@ TEST(LeastDistance, FindsTheKinkBetweenLegsThatAreParallelByDifferentNumbers) {
   expect_distance(least_distance(measured(Vec3{0, 0.5, 9}), measured(bump)), 7);
 }
 
+TEST(LeastDistance, TakesLinesBetweenPartsOfOneBallForSmooth) {
+  // Only what is higher than 1/2 is there. Below, cells on the meridians between quarters are
+  // nearer.
+  MeasuredSet cap{{}, {}, {testing::unit_sphere()}};
+  const double latitude = std::numbers::pi / 6;
+  for (int i = 0; i < 4; ++i) {
+    const RationalBezierPatch& quarter = cap.surfaces[0].patches(i, 1);
+    const double t = local_parameter(ParameterLaw::Angle, {0, std::numbers::pi / 2}, latitude);
+    const Grid<Vec4> rest = sub_patch(quarter, {0, 1}, {t, 1}).points;
+    cap.curves.push_back({{rest(0, 0), rest(1, 0), rest(2, 0)}});
+  }
+  cap.trims = [latitude](int, const Vec2& low, const Vec2& high) {
+    return high[1] < latitude  ? TrimSide::Outside
+           : low[1] > latitude ? TrimSide::Inside
+                               : TrimSide::Mixed;
+  };
+  const Vec3 point{0.3, 0.1, -0.4};
+  const double across = std::cos(latitude) - std::hypot(0.3, 0.1);
+  const DistanceResult found = least_distance(measured(point), cap);
+  expect_distance(found, std::hypot(across, 0.9));
+  EXPECT_LE(found.pairs, 50);
+}
+
 TEST(LeastDistance, TakesPatchesOfDifferentDegreesForAKink) {
   BezierSurface roof = roof_with_ridge({0, 0, 1, 0, 0});
   Grid<Vec4>& left = roof.patches(0, 0).points;
