@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/bounds/box_tree.h"
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_search.h"
 #include "core/intersection/gap_model.h"
@@ -24,13 +23,12 @@ namespace {
 // A slab this part of the tolerance thick ends the search: below it, splitting would only tell
 // contacts apart that differ by less than the tolerance.
 constexpr double kSlabPart = 1.0 / 1024;
-constexpr int kDeepest = 60;                 // halvings of a patch: 2^-30 in each direction
-constexpr long kMostStored = 30'000'000;     // control points kept, some 1 GB
-constexpr std::size_t kBatch = 128;          // pairs examined at the same time
-constexpr std::size_t kPairGrain = 16;       // pairs, and
-constexpr std::size_t kArcsGrain = 4;        // certified pairs that one thread examines in a row
-constexpr std::size_t kPatchesAlone = 1024;  // boxes of so few are one thread's work
-constexpr double kExtentWeight = 0.02;       // of a cell's size beside its bend
+constexpr int kDeepest = 60;              // halvings of a patch: 2^-30 in each direction
+constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
+constexpr std::size_t kBatch = 128;       // pairs examined at the same time
+constexpr std::size_t kPairGrain = 16;    // pairs, and
+constexpr std::size_t kArcsGrain = 4;     // certified pairs that one thread examines in a row
+constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
 
 // Cells of one surface no farther apart than this many of their widths are near each other in it.
 constexpr double kNearDiagonal = 16;
@@ -469,11 +467,7 @@ PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
                               const KnownCurves& known, const IntersectionOptions& options) {
   PairSearchResult result;
   Search search(a, b, size, known, options, result);
-  std::array<BoxTree, 2> boxes{BoxTree({}), BoxTree({})};
-  const std::size_t patches = static_cast<std::size_t>(a.patches() + b.patches());
-  parallel_for(2, patches > kPatchesAlone ? 1 : 2,
-               [&](std::size_t i) { boxes[i] = BoxTree(patch_boxes((i == 0 ? a : b).surface())); });
-  boxes[0].for_each_meeting(boxes[1], [&](int i, int j) { search.add({i, 0, j, 0}); });
+  for (const auto& [i, j] : meeting_patches(a, b)) search.add({i, 0, j, 0});
   search.run();
   (a.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += a.cells();
   (b.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += b.cells();

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -52,8 +53,8 @@ class SurfaceCells {
 /// Box of all control points, as they are.
 Box hull_box(const BezierSurface& surface);
 
-/// Boxes of the patches' control points, with rounding: cells are made of those patches only that
-/// meet another.
-std::vector<Box> patch_boxes(const BezierSurface& surface);
+/// Pairs of patches of two different surfaces whose boxes of control points, with rounding, meet.
+/// Their cell trees are made, by all threads.
+std::vector<std::array<int, 2>> meeting_patches(SurfaceCells& a, SurfaceCells& b);
 
 }  // namespace blossom
