@@ -141,15 +141,20 @@ void SpanForm::bezier_points(const Vec4* poles, Vec4* points) const {
   }
 }
 
-std::vector<ArcSpan> arc_spans(const Interval& angles) {
+std::vector<ArcSpan> arc_spans(const Interval& angles, ArcCuts cuts) {
+  constexpr double kOffEven = 0.113;  // of a span
   const double turn = 2 * std::numbers::pi;
   const double size = length(angles);
   const int count = std::max(1, static_cast<int>(std::ceil(size / (turn / 4) - 1e-9)));
   const bool whole = std::abs(size - turn) <= 1e-12 * turn;
   std::vector<ArcSpan> spans;
+  const double off = cuts == ArcCuts::Uneven ? kOffEven * (size / count) : 0;
+  const auto start = [&](int i) {
+    return i == 0 ? angles.from : angles.from + i * (size / count) + off;
+  };
   for (int i = 0; i < count; ++i) {
-    const double from = angles.from + i * (size / count);
-    const double to = i + 1 == count ? angles.to : angles.from + (i + 1) * (size / count);
+    const double from = start(i);
+    const double to = i + 1 == count ? angles.to : start(i + 1);
     const double end = whole && i + 1 == count ? angles.from : to;
     const double middle = (from + to) / 2;
     spans.push_back({{from, to},

@@ -14,6 +14,7 @@
 #include <gp_Pnt.hxx>
 #include <gp_XYZ.hxx>
 
+#include "adapters/occt/arc_cuts.h"
 #include "core/forms/curve.h"
 #include "core/math/grid.h"
 #include "core/math/interval.h"
@@ -83,14 +84,15 @@ class SpanForm {
 
 /// Bezier points of w(t) (cos, sin, 1) over one span of an arc of the unit circle.
 struct ArcSpan {
-  Interval place;  ///< radians, at most a quarter of a turn
+  Interval place;  ///< radians, less than half a turn
   double cosine[3];
   double sine[3];
   double weight[3];
 };
 
-/// The arc in equal spans; a whole turn ends in the bits it began with.
-std::vector<ArcSpan> arc_spans(const Interval& angles);
+/// The arc in as many spans as are at most quarters of a turn, if they are equal; a whole turn ends
+/// in the bits it began with.
+std::vector<ArcSpan> arc_spans(const Interval& angles, ArcCuts cuts = ArcCuts::Even);
 
 /// A curve's span fitted by interpolation in Chebyshev-Lobatto nodes, ends included.
 inline constexpr int kFitDegree = 5;

@@ -48,7 +48,7 @@ bool goes_on(const GeomAdaptor_Surface& surface) {
 
 // Trims that are no rectangle touch their box, and what runs along them would touch the border of
 // the surface. So it goes on beyond it, as may those that are one; then they have to be clipped.
-BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double tolerance,
+BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double tolerance, ArcCuts cuts,
                          FaceTrims& trims) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   ParameterBox box = parameter_box(face);
@@ -63,7 +63,7 @@ BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double toleranc
     trims.natural =
         trims.natural && length(box.u) == length(own.u) && length(box.v) == length(own.v);
   }
-  return bezier_surface(surface, box, tolerance);
+  return bezier_surface(surface, box, tolerance, cuts);
 }
 
 double edge_tolerance(const Deviation& d) {
@@ -260,10 +260,10 @@ Box box_of(const BezierSurface& surface, double margin) {
   return {box.low - r, box.high + r};
 }
 
-FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent) {
+FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent, ArcCuts cuts) {
   FaceData data;
   data.trims = face_trims(face);
-  data.surface = surface_of(face, extent, tolerance, data.trims);
+  data.surface = surface_of(face, extent, tolerance, cuts, data.trims);
   data.box = box_of(data.surface, data.surface.error + tolerance);
   return data;
 }

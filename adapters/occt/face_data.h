@@ -9,6 +9,7 @@
 
 #include "adapters/occt/face_trims.h"
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/surfaces.h"
 #include "core/bounds/box_tree.h"
 #include "core/forms/surface.h"
 #include "core/intersection/options.h"
@@ -26,7 +27,8 @@ struct FaceData {
 Box box_of(const BezierSurface& surface, double margin);
 
 /// throws   BadModel if the face cannot be converted
-FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent = Extent::Trims);
+FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent = Extent::Trims,
+                   ArcCuts cuts = ArcCuts::Even);
 
 /// Which part of the face's surface counts; empty for a naturally bounded one. Keeps a reference.
 PartTest part_test(const FaceTrims& trims);

@@ -78,6 +78,10 @@ FaceList::FaceList(const std::vector<TopoDS_Face>& faces, std::string name, doub
   }
 }
 
+BezierSurface FaceList::unevenly_cut(std::size_t i) const {
+  return face_data(faces_[i], tolerance_, extent_, ArcCuts::Uneven).surface;
+}
+
 void FaceList::convert(const std::vector<char>& wanted) {
   std::vector<std::string> failures(size());
   parallel_for(size(), 1, [&](std::size_t i) {

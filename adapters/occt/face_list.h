@@ -37,6 +37,8 @@ class FaceList {
   /// wanted   one mark for each face
   /// throws   BadModel likewise
   void convert(const std::vector<char>& wanted);
+  /// The surface of a converted face, its arcs cut elsewhere.
+  BezierSurface unevenly_cut(std::size_t i) const;
   /// Empty of a face that is not converted.
   const FaceData& data(std::size_t i) const { return data_[i]; }
 

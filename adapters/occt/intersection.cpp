@@ -82,12 +82,11 @@ class PairIntersector {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     const TopoDS_Face &shape_a = faces_a_.face(i), &shape_b = faces_b_.face(j);
     const std::vector<SharedEdge> edges = shared_edges(shape_a, shape_b);
-    const IntersectionOptions options = options_for(a, b, edges);
     FaceIntersection result;
     result.face_a = pair.first;
     result.face_b = pair.second;
     result.found =
-        &a == &b ? self_intersect(a.surface, options) : intersect(a.surface, b.surface, options);
+        &a == &b ? self_intersect(a.surface, options_for(a, b, edges)) : found_between(i, j, edges);
     const std::vector<Overlap> whole = result.found.overlaps;
     std::vector<SurfacePoint> touches = clip(result.found, a.trims, &b.trims);
     if (result.found.overlaps.size() < whole.size())
@@ -110,6 +109,25 @@ class PairIntersector {
   }
 
  private:
+  // A curve that touches the line between two spans of an arc may stay open; the line is our own
+  // choice, so it is put elsewhere then.
+  SurfaceIntersection found_between(std::size_t i, std::size_t j,
+                                    const std::vector<SharedEdge>& edges) const {
+    const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
+    SurfaceIntersection found = intersect(a.surface, b.surface, options_for(a, b, edges));
+    if (found.status != Status::Stopped || found.certificate.limited ||
+        !(has_inner_arcs(a.surface) || has_inner_arcs(b.surface)))
+      return found;
+    SurfaceIntersection again =
+        intersect(faces_a_.unevenly_cut(i), faces_b_.unevenly_cut(j), options_for(a, b, edges));
+    return again.status == Status::Stopped ? found : again;
+  }
+
+  static bool has_inner_arcs(const BezierSurface& surface) {
+    return (surface.u_law == ParameterLaw::Angle && surface.patches.rows() > 1) ||
+           (surface.v_law == ParameterLaw::Angle && surface.patches.columns() > 1);
+  }
+
   IntersectionOptions options_for(const FaceData& a, const FaceData& b,
                                   const std::vector<SharedEdge>& edges) const {
     IntersectionOptions options = limit_.remaining();

@@ -57,12 +57,12 @@ void note_properties(BezierSurface& surface) {
 }
 
 BezierSurface patches_of(const Handle(Geom_Surface) & surface, const ParameterBox& box,
-                         double tolerance) {
+                         double tolerance, ArcCuts cuts) {
   if (const auto bezier = Handle(Geom_BezierSurface)::DownCast(surface); !bezier.IsNull())
     return spline_patches(*bezier, box);
   if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface); !spline.IsNull())
     return spline_patches(*spline, box);
-  BezierSurface swept = swept_patches(surface, box, tolerance);
+  BezierSurface swept = swept_patches(surface, box, tolerance, cuts);
   return swept.patches.empty() ? fitted_patches(surface, box, tolerance) : swept;
 }
 
@@ -126,7 +126,7 @@ void check_numbers(const Geom_Surface& surface) {
 }
 
 BezierSurface bezier_surface(const Handle(Geom_Surface) & surface, const ParameterBox& box,
-                             double tolerance) {
+                             double tolerance, ArcCuts cuts) {
   if (surface.IsNull()) throw BadModel("there is no surface");
   return guarded("converting a surface", [&] {
     const Handle(Geom_Surface) basis = basis_of(surface);
@@ -134,7 +134,7 @@ BezierSurface bezier_surface(const Handle(Geom_Surface) & surface, const Paramet
     const ParameterBox natural = natural_bounds(*basis);
     const ParameterBox inside{checked_range(box.u, natural.u, "the parameter box in u"),
                               checked_range(box.v, natural.v, "the parameter box in v")};
-    BezierSurface result = patches_of(basis, inside, tolerance);
+    BezierSurface result = patches_of(basis, inside, tolerance, cuts);
     note_properties(result);
     return result;
   });

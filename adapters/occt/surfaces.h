@@ -8,6 +8,7 @@
 #include <Geom_Surface.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/arc_cuts.h"
 #include "core/forms/patch.h"
 #include "core/forms/surface.h"
 #include "core/math/interval.h"
@@ -47,7 +48,7 @@ Handle(Geom_BezierSurface) to_occt(const RationalBezierPatch& patch);
 /// throws   BadModel if the box is not finite, empty or outside, a number is not finite or a
 ///          weight not positive
 BezierSurface bezier_surface(const Handle(Geom_Surface) & surface, const ParameterBox& box,
-                             double tolerance = 1e-7);
+                             double tolerance = 1e-7, ArcCuts cuts = ArcCuts::Even);
 
 /// The surface under a face over the box of the face's trims, in model space (the face's
 /// location applied).

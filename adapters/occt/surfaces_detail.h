@@ -24,7 +24,7 @@ BezierSurface spline_patches(const Geom_BezierSurface& surface, const ParameterB
 BezierSurface spline_patches(const Geom_BSplineSurface& surface, const ParameterBox& box);
 /// Planes, quadrics, tori, extrusions and revolutions; no patches for another type.
 BezierSurface swept_patches(const Handle(Geom_Surface) & surface, const ParameterBox& box,
-                            double tolerance);
+                            double tolerance, ArcCuts cuts = ArcCuts::Even);
 BezierSurface fitted_patches(const Handle(Geom_Surface) & surface, const ParameterBox& box,
                              double tolerance);
 

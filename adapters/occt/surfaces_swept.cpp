@@ -47,8 +47,8 @@ struct Meridian {
   double error = 0;
 };
 
-BezierSurface turned(const Meridian& meridian, const Interval& angles) {
-  const std::vector<ArcSpan> arcs = arc_spans(angles);
+BezierSurface turned(const Meridian& meridian, const Interval& angles, ArcCuts cuts) {
+  const std::vector<ArcSpan> arcs = arc_spans(angles, cuts);
   BezierSurface result;
   result.u_law = ParameterLaw::Angle;
   result.v_law = meridian.law;
@@ -101,10 +101,10 @@ Meridian straight(const Frame& frame, double radius, double d_radius, double d_h
 }
 
 /// A circle of radius `minor` about (`major`, 0).
-Meridian circular(const Frame& frame, double major, double minor, const Interval& v) {
+Meridian circular(const Frame& frame, double major, double minor, const Interval& v, ArcCuts cuts) {
   Meridian meridian;
   meridian.law = ParameterLaw::Angle;
-  for (const ArcSpan& arc : arc_spans(v)) {
+  for (const ArcSpan& arc : arc_spans(v, cuts)) {
     TurnedSpan span{{}, arc.place};
     for (int k = 0; k < 3; ++k)
       span.points.push_back(frame.point(arc.weight[k] * major + minor * arc.cosine[k],
@@ -188,31 +188,33 @@ Handle(Geom_Surface) elementary_offset(const Geom_OffsetSurface& offset, const P
 }  // namespace
 
 BezierSurface swept_patches(const Handle(Geom_Surface) & surface, const ParameterBox& box,
-                            double tolerance) {
+                            double tolerance, ArcCuts cuts) {
   if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull())
     return flat(*plane, box);
   if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface); !cylinder.IsNull())
-    return turned(straight(Frame(cylinder->Position()), cylinder->Radius(), 0, 1, box.v), box.u);
+    return turned(straight(Frame(cylinder->Position()), cylinder->Radius(), 0, 1, box.v), box.u,
+                  cuts);
   if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(surface); !cone.IsNull()) {
     const double angle = cone->SemiAngle();
     return turned(straight(Frame(cone->Position()), cone->RefRadius(), std::sin(angle),
                            std::cos(angle), box.v),
-                  box.u);
+                  box.u, cuts);
   }
   if (const auto sphere = Handle(Geom_SphericalSurface)::DownCast(surface); !sphere.IsNull())
-    return turned(circular(Frame(sphere->Position()), 0, sphere->Radius(), box.v), box.u);
+    return turned(circular(Frame(sphere->Position()), 0, sphere->Radius(), box.v, cuts), box.u,
+                  cuts);
   if (const auto torus = Handle(Geom_ToroidalSurface)::DownCast(surface); !torus.IsNull())
     return turned(
-        circular(Frame(torus->Position()), torus->MajorRadius(), torus->MinorRadius(), box.v),
-        box.u);
+        circular(Frame(torus->Position()), torus->MajorRadius(), torus->MinorRadius(), box.v, cuts),
+        box.u, cuts);
   if (const auto moved = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface); !moved.IsNull())
     return extruded(bezier_spans(moved->BasisCurve(), box.u, tolerance),
                     to_vec(moved->Direction().XYZ()), box.v);
   if (const auto revolved = Handle(Geom_SurfaceOfRevolution)::DownCast(surface); !revolved.IsNull())
-    return turned(meridian_of(*revolved, box.v, tolerance), box.u);
+    return turned(meridian_of(*revolved, box.v, tolerance), box.u, cuts);
   if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface); !offset.IsNull())
     if (const auto simple = elementary_offset(*offset, box); !simple.IsNull())
-      return swept_patches(simple, box, tolerance);
+      return swept_patches(simple, box, tolerance, cuts);
   return {};
 }
 

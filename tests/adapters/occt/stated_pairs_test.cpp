@@ -18,8 +18,11 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
+#include <gp_Ax1.hxx>
 #include <gp_Ax3.hxx>
+#include <gp_Trsf.hxx>
 
 #include "adapters/occt/intersection.h"
 
@@ -32,6 +35,12 @@ const gp_Pnt O(0, 0, 0);
 
 TopoDS_Face face(const Handle(Geom_Surface) & surface, const Interval& u, const Interval& v) {
   return BRepBuilderAPI_MakeFace(surface, u.from, u.to, v.from, v.to, 1e-7);
+}
+
+TopoDS_Face turned(const TopoDS_Face& whole, const gp_Ax1& axis, double degrees) {
+  gp_Trsf turn;
+  turn.SetRotation(axis, degrees * kPi / 180);
+  return TopoDS::Face(whole.Moved(turn));
 }
 
 TopoDS_Face torus(double major, double minor, double to_u = kTurn) {
@@ -117,6 +126,19 @@ TEST(StatedPairs, HaveTheBranchesAndLengthsOfGeometry) {
     expect_answer(row, intersect({row.a}, {row.b}));
     expect_answer(row, intersect({row.b}, {row.a}));
   }
+}
+
+// Two tubes of radius 65 and 50 that cross in one curve. It touches two generatrices of the wider
+// one, a quarter of a turn from its seam.
+TEST(StatedPairs, CurveMayTouchTheLineBetweenTwoSpansOfAnArc) {
+  const gp_Ax1 upright(O, gp::DZ()), tilt(gp_Pnt(0, 500, 0), gp::DX());
+  const TopoDS_Face wide =
+      turned(turned(cylinder(gp_Ax3(O, gp::DY()), 65, {0, 1000}), upright, 180),
+             gp_Ax1(O, gp_Dir(0, -1, 0)), -90);
+  const TopoDS_Face narrow =
+      turned(turned(cylinder(gp_Ax3(gp_Pnt(50, 500, -2000), gp::DZ()), 50, {0, 4000}), tilt, -77),
+             upright, 180);
+  expect_answer({"bug26509_2", wide, narrow, 1, 1881.92, 0.005}, intersect({wide}, {narrow}));
 }
 
 }  // namespace
