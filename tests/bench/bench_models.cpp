@@ -9,7 +9,8 @@
 // moved      each model against a copy turned by 23 degrees and moved by 6 % of its size, and by
 //            2 degrees and 0.4 %
 // growth     height fields of n x n spans that cross along one curve: time against n
-// threads    the largest of these with 1 and 2 threads, beside a loop of multiply-adds
+// threads    the largest of these, and each model against its first copy, with 1 and 2 threads,
+//            beside a loop of multiply-adds
 //
 // Both work in one thread, each in a process of its own with a limit of processor time; seconds
 // are processor time, which other programs of the machine disturb least (`threads`: of the clock,
@@ -161,6 +162,24 @@ void meet_copies(const Settings& settings, const std::string& file) {
   }
 }
 
+// --- threads
+
+std::vector<ThreadJob> copies_by_threads(const Settings& settings) {
+  std::vector<ThreadJob> jobs;
+  for (const std::string& file : settings.files) {
+    const TopoDS_Shape shape = occt::read_model(file).shape();
+    const double size = sized_by_box(shape).size;
+    jobs.push_back({std::filesystem::path(file).filename().string(),
+                    [size, a = occt::faces_of(shape),
+                     b = occt::faces_of(moved_copy(shape, 23, 0.06))](int threads) {
+                      IntersectionOptions options = options_for(size);
+                      options.threads = threads;
+                      occt::intersect(a, b, options);
+                    }});
+  }
+  return jobs;
+}
+
 // --- all of it
 
 std::vector<std::string> models_of_test_data() {
@@ -206,7 +225,7 @@ int run(int argc, char** argv) {
   for_all("sections", "Plane sections (seconds of processor time, one thread)", cut_by_planes);
   for_all("moved", "Model against a moved copy (likewise)", meet_copies);
   if (settings.parts.contains("growth")) print_growth(settings.csv);
-  if (settings.parts.contains("threads")) print_threads();
+  if (settings.parts.contains("threads")) print_threads(copies_by_threads(settings));
   return 0;
 }
 

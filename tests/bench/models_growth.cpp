@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <thread>
@@ -27,6 +28,7 @@ namespace blossom::bench {
 namespace {
 
 constexpr int kRounds = 5;
+constexpr int kThreadRounds = 15;
 
 // Bezier points of one cubic span of the uniform B-spline with coefficients f(i), i = 0..3.
 void to_bezier(const double (&f)[4], double (&b)[4]) {
@@ -197,7 +199,7 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y) {
 
 // What a core does at best: dependent multiply-adds, a fixed number by each thread.
 void multiply_add(int threads) {
-  constexpr long kSteps = 60'000'000;
+  constexpr long kSteps = 5'000'000;
   std::vector<std::thread> all;
   for (int k = 0; k < threads; ++k)
     all.emplace_back([k] {
@@ -210,15 +212,34 @@ void multiply_add(int threads) {
   for (std::thread& thread : all) thread.join();
 }
 
-double clock_seconds(const auto& work) {
-  double best = 1e300;
-  for (int round = 0; round < kRounds; ++round) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    best = std::min(
-        best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  return best;
+double clock_seconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+IntersectionOptions with(int threads) {
+  IntersectionOptions options;
+  options.threads = threads;
+  return options;
+}
+
+ThreadJob of_spans(int n) {
+  return {std::to_string(n) + " x " + std::to_string(n) + " spans",
+          [a = height_field(n, wave), b = height_field(n, saddle)](int threads) {
+            intersect(a, b, with(threads));
+          }};
+}
+
+std::vector<ThreadJob> large_fields() {
+  std::vector<ThreadJob> jobs{of_spans(64), of_spans(256)};
+  jobs.push_back({"64 x 64 spans, 128 loops", [a = bumps(64, 16), b = flat(0.1 / 16)](int threads) {
+                    intersect(a, b, with(threads));
+                  }});
+  jobs.push_back({"1024 faces with as many",
+                  [a = faces_of_field(32, wave, 0), b = faces_of_field(32, saddle, 0.037)](
+                      int threads) { occt::intersect(a, b, with(threads)); }});
+  return jobs;
 }
 
 }  // namespace
@@ -264,24 +285,27 @@ void print_growth(const std::string& csv) {
   print_family(branches, table);
 }
 
-void print_threads() {
-  const BezierSurface a = height_field(64, wave), b = height_field(64, saddle);
-  const auto ours = [&](int threads) {
-    IntersectionOptions options;
-    options.threads = threads;
-    start_threads(threads);
-    return clock_seconds([&] { intersect(a, b, options); });
-  };
-  const double one = ours(1), two = ours(2);
-  const double base_one = clock_seconds([] { multiply_add(1); });
-  const double base_two = clock_seconds([] { multiply_add(2); });
-  std::printf("\nThreads (least time of the clock of %d)\n", kRounds);
-  std::printf("intersection, 64 x 64 spans: 1 thread %.4f s, 2 threads %.4f s, %.2f times faster\n",
-              one, two, one / two);
-  const double gain = 2 * base_one / base_two;
-  std::printf("multiply-adds: 1 thread %.4f s, 2 threads with twice the work %.4f s, %.2f times\n",
-              base_one, base_two, gain);
-  std::printf("the intersection gains %.2f of what they gain\n", one / two / gain);
+void print_threads(const std::vector<ThreadJob>& more) {
+  std::vector<ThreadJob> jobs = large_fields();
+  jobs.insert(jobs.end(), more.begin(), more.end());
+  start_threads(2);
+  std::printf(
+      "\nThreads (least seconds of the clock of %d rounds; multiply-adds: twice the work)\n"
+      "%-28s %9s %9s %6s %14s %6s\n",
+      kThreadRounds, "input", "1 thread", "2", "gain", "multiply-adds", "part");
+  for (const ThreadJob& job : jobs) {
+    double ours[2] = {1e300, 1e300}, base[2] = {1e300, 1e300};
+    for (int round = 0; round < kThreadRounds; ++round)
+      for (const int threads : {1, 2}) {
+        double &own = ours[threads - 1], &plain = base[threads - 1];
+        own = std::min(own, clock_seconds([&] { job.work(threads); }));
+        plain = std::min(plain, clock_seconds([&] { multiply_add(threads); }));
+      }
+    const double gain = ours[0] / ours[1], most = 2 * base[0] / base[1];
+    std::printf("%-28s %9.4f %9.4f %6.2f %14.2f %6.2f\n", job.name.c_str(), ours[0], ours[1], gain,
+                most, gain / most);
+    std::fflush(stdout);
+  }
 }
 
 }  // namespace blossom::bench

@@ -3,7 +3,9 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace blossom::bench {
 
@@ -13,7 +15,14 @@ namespace blossom::bench {
 /// csv   a file for the same lines, for growth_plot.py; empty for none
 void print_growth(const std::string& csv = {});
 
-/// The largest of them with 1 and 2 threads, beside multiply-adds with 1 and 2 threads.
-void print_threads();
+/// Work that takes a number of threads.
+struct ThreadJob {
+  std::string name;
+  std::function<void(int threads)> work;
+};
+
+/// The largest fields, and these jobs, with 1 and 2 threads, beside multiply-adds in the same
+/// rounds: the least times of the clock, and what part of their gain each job gains.
+void print_threads(const std::vector<ThreadJob>& more);
 
 }  // namespace blossom::bench
