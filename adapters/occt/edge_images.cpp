@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 #include <BRep_Tool.hxx>
@@ -11,6 +13,7 @@
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomProjLib.hxx>
+#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
@@ -70,6 +73,17 @@ Handle(Geom2d_Curve) projected(const Handle(Geom_Curve) & curve, const Interval&
   return {};
 }
 
+// The point that a border of a surface is; none if it has a length, or lies at infinity.
+std::optional<Vec3> one_point(const std::function<gp_Pnt(double)>& border, const Interval& along,
+                              double value) {
+  for (const double end : {along.from, along.to, value})
+    if (Precision::IsInfinite(end)) return std::nullopt;
+  const gp_Pnt first = border(along.from);
+  for (const double part : {0.2, 0.4, 0.6, 0.8})
+    if (first.Distance(border(at(along, part))) > Precision::Confusion()) return std::nullopt;
+  return vec(first);
+}
+
 }  // namespace
 
 SurfaceFrame frame_at(const Handle(Geom_Surface) & surface, const Vec2& uv) {
@@ -77,6 +91,31 @@ SurfaceFrame frame_at(const Handle(Geom_Surface) & surface, const Vec2& uv) {
   gp_Vec du, dv;
   surface->D1(uv[0], uv[1], p, du, dv);
   return {vec(p), vec(du), vec(dv)};
+}
+
+SurfaceBend bend_at(const Handle(Geom_Surface) & surface, const Vec2& uv) {
+  gp_Pnt p;
+  gp_Vec du, dv, uu, vv, both;
+  surface->D2(uv[0], uv[1], p, du, dv, uu, vv, both);
+  return {vec(uu), vec(both), vec(vv)};
+}
+
+std::vector<SurfacePole> poles_of(const Handle(Geom_Surface) & surface) {
+  const GeomAdaptor_Surface adaptor(surface);
+  if (adaptor.GetType() == GeomAbs_Cone) {
+    const gp_Cone cone = adaptor.Cone();
+    return {{vec(cone.Apex()), 1, -cone.RefRadius() / std::sin(cone.SemiAngle())}};
+  }
+  Interval u, v;
+  surface->Bounds(u.from, u.to, v.from, v.to);
+  std::vector<SurfacePole> poles;
+  for (const double value : {v.from, v.to})
+    if (const auto point = one_point([&](double t) { return surface->Value(t, value); }, u, value))
+      poles.push_back({*point, 1, value});
+  for (const double value : {u.from, u.to})
+    if (const auto point = one_point([&](double t) { return surface->Value(value, t); }, v, value))
+      poles.push_back({*point, 0, value});
+  return poles;
 }
 
 SurfaceFeet::SurfaceFeet(const TopoDS_Face& face, double tolerance, PolledLimit* limit)
@@ -89,6 +128,7 @@ SurfaceFeet::SurfaceFeet(const TopoDS_Face& face, double tolerance, PolledLimit*
   surface_->Bounds(low_[0], high_[0], low_[1], high_[1]);
   if (period_[0] == 0 && surface_->IsUClosed()) closed_[0] = high_[0] - low_[0];
   if (period_[1] == 0 && surface_->IsVClosed()) closed_[1] = high_[1] - low_[1];
+  poles_ = poles_of(surface_);
 }
 
 Vec2 SurfaceFeet::foot(const Vec3& point, const std::optional<Vec2>& near) const {
@@ -118,6 +158,12 @@ double SurfaceFeet::gap(const Vec3& point, const Vec2& uv) const {
   return distance(point, frame_at(surface_, uv).point);
 }
 
+const SurfacePole* SurfaceFeet::pole_at(const Vec3& point) const {
+  for (const SurfacePole& pole : poles_)
+    if (distance(pole.point, point) <= tolerance_) return &pole;
+  return nullptr;
+}
+
 double SurfaceFeet::height(const Vec3& point) const {
   const SurfaceFrame at = frame_at(surface_, foot(point, {}));
   return std::copysign(distance(point, at.point), dot(point - at.point, cross(at.du, at.dv)));
@@ -138,23 +184,103 @@ CurveBeside::CurveBeside(const TopoDS_Edge& edge, const TopoDS_Face& face, const
 CurveBeside::CurveBeside(Handle(Geom_Curve) curve, const Interval& range, const SurfaceFeet& feet)
     : feet_(feet), curve_(std::move(curve)), range_(range) {}
 
-CurveJet CurveBeside::jet(double t, const std::optional<Vec2>& near) const {
-  CurveJet jet;
+CurveJet CurveBeside::in_space(double t) const {
   if (!curve_.IsNull()) {
     gp_Pnt point;
     gp_Vec rate;
     curve_->D1(t, point, rate);
-    jet = {vec(point), vec(rate), {}, {}};
-  } else {
-    gp_Pnt2d c;
-    gp_Vec2d dc;
-    chart_->D1(t, c, dc);
-    const SurfaceFrame own = frame_at(surface_, {c.X(), c.Y()});
-    jet = {own.point, dc.X() * own.du + dc.Y() * own.dv, {}, {}};
+    return {vec(point), vec(rate), {}, {}};
   }
+  gp_Pnt2d c;
+  gp_Vec2d d;
+  chart_->D1(t, c, d);
+  const SurfaceFrame own = frame_at(surface_, {c.X(), c.Y()});
+  return {own.point, d.X() * own.du + d.Y() * own.dv, {}, {}};
+}
+
+Vec3 CurveBeside::bend(double t) const {
+  if (!curve_.IsNull()) return vec(curve_->DN(t, 2));
+  gp_Pnt2d c;
+  gp_Vec2d d, dd;
+  chart_->D2(t, c, d, dd);
+  const Vec2 uv{c.X(), c.Y()};
+  const SurfaceFrame own = frame_at(surface_, uv);
+  const SurfaceBend of = bend_at(surface_, uv);
+  return dd.X() * own.du + dd.Y() * own.dv + d.X() * d.X() * of.uu + 2 * d.X() * d.Y() * of.uv +
+         d.Y() * d.Y() * of.vv;
+}
+
+CurveJet CurveBeside::jet(double t, const std::optional<Vec2>& near) const {
+  CurveJet jet = in_space(t);
   jet.uv = feet_.foot(jet.point, near);
   jet.uv_rate = chart_step(frame_at(feet_.surface(), jet.uv), jet.rate);
   return jet;
+}
+
+CurveJet CurveBeside::end_jet(double end, double inner, const std::optional<Vec2>& near) const {
+  const CurveJet found = jet(end, near);
+  const SurfacePole* pole = feet_.pole_at(found.point);
+  if (pole == nullptr) return found;
+  return pole_jet(*pole, end, jet(at({end, inner}, kStart), near).uv);
+}
+
+// In a pole S does not depend on its free parameter f, and a curve that comes to it with the rate T
+// and the second derivative K has
+//   T = S_g g'    K = S_gg g'^2 + 2 S_fg f' g' + S_g g''
+// with g the other parameter: f is where S_g is along T, and f' follows from K without its share
+// along S_g.
+CurveJet CurveBeside::pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const {
+  const int g = pole.fixed, f = 1 - g;
+  CurveJet jet = in_space(t);
+  jet.uv = beside;
+  jet.uv[g] = pole.value;
+  const auto along = [&] {
+    const SurfaceFrame frame = frame_at(feet_.surface(), jet.uv);
+    return g == 0 ? frame.du : frame.dv;
+  };
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const Vec3 s_g = along(), s_fg = bend_at(feet_.surface(), jet.uv).uv;
+    const Vec3 normal = cross(s_g, s_fg);
+    const double slope = dot(cross(jet.rate, s_fg), normal);
+    if (slope == 0) return jet;  // a curve that stops there has no direction
+    jet.uv[f] -= dot(cross(jet.rate, s_g), normal) / slope;
+  }
+  const Vec3 s_g = along();
+  const SurfaceBend of = bend_at(feet_.surface(), jet.uv);
+  const Vec3 aside = of.uv - (dot(of.uv, s_g) / dot(s_g, s_g)) * s_g;
+  jet.uv_rate[g] = dot(jet.rate, s_g) / dot(s_g, s_g);
+  const Vec3 rest = bend(t) - jet.uv_rate[g] * jet.uv_rate[g] * (g == 0 ? of.uu : of.vv);
+  jet.uv_rate[f] = dot(rest, aside) / (2 * jet.uv_rate[g] * dot(aside, aside));
+  return jet;
+}
+
+std::vector<Interval> CurveBeside::between_poles(const Interval& run) const {
+  std::vector<Interval> parts{run};
+  for (const SurfacePole& pole : feet_.poles()) {
+    const auto approach = [&](double t) {
+      const CurveJet at = in_space(t);
+      return dot(at.point - pole.point, at.rate);
+    };
+    for (int i = 0; i < kEdgeSamples; ++i) {
+      Interval around{at(run, static_cast<double>(i) / kEdgeSamples),
+                      at(run, (i + 1.0) / kEdgeSamples)};
+      if (approach(around.from) > 0 || approach(around.to) <= 0) continue;
+      for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = at(around, 0.5);
+        (approach(middle) > 0 ? around.to : around.from) = middle;
+      }
+      const double least = kSamePlace * length(run);
+      if (feet_.pole_at(in_space(around.to).point) != &pole || around.to < run.from + least ||
+          around.to > run.to - least)
+        continue;
+      const auto part = std::find_if(parts.begin(), parts.end(),
+                                     [&](const Interval& each) { return around.to < each.to; });
+      const double end = part->to;
+      part->to = around.to;
+      parts.insert(std::next(part), {around.to, end});
+    }
+  }
+  return parts;
 }
 
 bool CurveBeside::lies_on(double t, double reach) const {
@@ -198,7 +324,9 @@ void CurveBeside::add_knot_lines(const Interval& run, std::vector<double>& joint
   surface.VIntervals(knots[1], GeomAbs_CN);
   std::vector<Vec2> samples{jet(at(run, kStart), {}).uv};
   for (int i = 1; i <= kEdgeSamples; ++i)
-    samples.push_back(jet(at(run, static_cast<double>(i) / kEdgeSamples), samples.back()).uv);
+    samples.push_back(i < kEdgeSamples
+                          ? jet(at(run, static_cast<double>(i) / kEdgeSamples), samples.back()).uv
+                          : end_jet(run.to, run.from, samples.back()).uv);
   for (int k = 0; k < 2; ++k)
     for (const double knot : knots[static_cast<std::size_t>(k)])
       for (int i = 0; i < kEdgeSamples; ++i) {
@@ -244,9 +372,11 @@ FaceCut CurveBeside::hermite_cut(const std::vector<double>& ends, double toleran
   // A start on a seam has two places.
   std::optional<Vec2> near = jet(at({ends.front(), ends.back()}, kStart), {}).uv;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const CurveJet here = jet(ends[i], near);
-    near = here.uv;
     const bool first = i == 0, last = i + 1 == ends.size();
+    const CurveJet here = first  ? end_jet(ends[i], ends[1], near)
+                          : last ? end_jet(ends[i], ends[i - 1], near)
+                                 : jet(ends[i], near);
+    near = here.uv;
     const auto add = [&](double step) {
       cut.curve.points.push_back(here.point + step * here.rate);
       cut.chart.points.push_back(here.uv + step * here.uv_rate);
@@ -295,7 +425,8 @@ std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet,
     const CurveBeside beside(edge, face, feet);
     const double allowed = std::max(tolerance, BRep_Tool::Tolerance(edge));
     for (const Interval& run : beside.runs(reach))
-      cuts.push_back(beside.fitted_cut(run, kFitShare * allowed, allowed));
+      for (const Interval& part : beside.between_poles(run))
+        cuts.push_back(beside.fitted_cut(part, kFitShare * allowed, allowed));
   }
   return cuts;
 }

@@ -27,6 +27,23 @@ struct SurfaceFrame {
 
 SurfaceFrame frame_at(const Handle(Geom_Surface) & surface, const Vec2& uv);
 
+/// The second derivatives at a point of a surface.
+struct SurfaceBend {
+  Vec3 uu, uv, vv;
+};
+
+SurfaceBend bend_at(const Handle(Geom_Surface) & surface, const Vec2& uv);
+
+/// A line of the chart that is one point of the surface: a pole of a sphere, the tip of a cone.
+struct SurfacePole {
+  Vec3 point;
+  int fixed = 1;     ///< the parameter that is the same all along it: 0 u, 1 v
+  double value = 0;  ///< of that parameter
+};
+
+/// The poles of a surface: its borders without length, and tips of cones wherever they are.
+std::vector<SurfacePole> poles_of(const Handle(Geom_Surface) & surface);
+
 /// Thrown by SurfaceFeet when its limit is reached.
 struct LimitReached {};
 
@@ -46,6 +63,10 @@ class SurfaceFeet {
   /// The distance of a point from that at some parameters.
   double gap(const Vec3& point, const Vec2& uv) const;
 
+  /// The pole within tolerance of a point; null if there is none.
+  const SurfacePole* pole_at(const Vec3& point) const;
+  const std::vector<SurfacePole>& poles() const { return poles_; }
+
   /// Distance from the nearest point, positive on the side of du x dv.
   double height(const Vec3& point) const;
 
@@ -59,6 +80,7 @@ class SurfaceFeet {
   Vec2 period_;
   Vec2 low_, high_;  // bounds of the parameters
   Vec2 closed_;      // where they meet without a period: the distance between them
+  std::vector<SurfacePole> poles_;
 };
 
 /// A curve with its images in the chart of a surface.
@@ -80,6 +102,14 @@ class CurveBeside {
   const Interval& range() const { return range_; }
   CurveJet jet(double t, const std::optional<Vec2>& near) const;
 
+  /// The same at an end of a run. In a pole of the surface, where one parameter is free, it is that
+  /// which the curve has on its way there.
+  /// inner   a parameter inside of the run
+  CurveJet end_jet(double end, double inner, const std::optional<Vec2>& near) const;
+
+  /// The parts of a run between the poles of the surface that it goes through.
+  std::vector<Interval> between_poles(const Interval& run) const;
+
   /// The parameters between which it is within reach of the surface: found from samples, ends
   /// by halving.
   std::vector<Interval> runs(double reach) const;
@@ -90,6 +120,9 @@ class CurveBeside {
   FaceCut fitted_cut(const Interval& run, double wanted, double tolerance) const;
 
  private:
+  CurveJet in_space(double t) const;  // without its images
+  Vec3 bend(double t) const;          // the second derivative
+  CurveJet pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const;
   bool lies_on(double t, double reach) const;
   std::vector<double> joints(const Interval& run) const;
   void add_knot_lines(const Interval& run, std::vector<double>& joints) const;
@@ -102,7 +135,8 @@ class CurveBeside {
   Interval range_;
 };
 
-/// The edges of a face as cuts of another one, as far as they lie on its surface. Seams are none.
+/// The edges of a face as cuts of another one, as far as they lie on its surface, divided at its
+/// poles. Seams are none.
 /// feet      of the face to be cut
 /// reach     how near counts as on the surface, model units
 std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet, double reach,
@@ -116,7 +150,8 @@ struct ChartImage {
 
 /// Exact where Open CASCADE knows a line, a conic or a spline that is the image, else fitted.
 /// near      parameters of the middle, as far as periods leave a choice
-/// throws    Failure if the curve is not on the surface within the tolerance
+/// throws    Failure if the curve is not on the surface within the tolerance, or goes through a
+/// pole
 ChartImage image_of(const Handle(Geom_Curve) & curve, const Interval& range,
                     const SurfaceFeet& feet, const std::optional<Vec2>& near, double tolerance);
 

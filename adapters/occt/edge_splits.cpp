@@ -168,9 +168,11 @@ TopoDS_Vertex EdgeSplits::vertex(const TopoDS_Edge& edge, int split) const {
 }
 
 double EdgeSplits::parameter(const TopoDS_Edge& edge, int split) const {
-  const Record* of = find(edge);
-  assert(of != nullptr);
-  return of->splits[static_cast<std::size_t>(split)].parameter;
+  if (const Record* of = find(edge)) return of->splits[static_cast<std::size_t>(split)].parameter;
+  assert(split == kFirst || split == kLast);
+  double first = 0, last = 0;
+  BRep_Tool::Range(edge, first, last);
+  return split == kFirst ? first : last;
 }
 
 int EdgeSplits::count(const TopoDS_Edge& edge) const {

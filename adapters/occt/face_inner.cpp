@@ -21,7 +21,8 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kMargin = 1.1;
-constexpr double kReach = 10;  // tolerances: what is so near a surface or a wire lies on it
+constexpr double kReach = 10;    // tolerances: what is so near a surface or a wire lies on it
+constexpr double kOnEnd = 1e-9;  // of an edge: a place so near its end is it
 
 }  // namespace
 
@@ -106,26 +107,35 @@ bool FaceSplitter::lies_on_wire(const PlanarCurve& curve) const {
   return false;
 }
 
-// A pole is one vertex but a whole side of the chart: it is split where the edge ends in it.
+// A pole is one vertex but a whole side of the chart: it is split where the edge comes to it.
 void FaceSplitter::lay(const TopoDS_Edge& edge) {
   laid_.push_back(edge);
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i)
       if (trims_.loops[loop][i].degenerated)
-        for (const bool last : {false, true})
-          lay_in_pole(edge, last, static_cast<int>(loop), static_cast<int>(i));
+        lay_in_pole(edge, static_cast<int>(loop), static_cast<int>(i));
 }
 
-void FaceSplitter::lay_in_pole(const TopoDS_Edge& edge, bool last, int loop, int index) {
+void FaceSplitter::lay_in_pole(const TopoDS_Edge& edge, int loop, int index) {
   const Coedge& pole = coedge(loop, index);
-  const TopoDS_Vertex end = last ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
-  if (!splits_.are_one(end, TopExp::FirstVertex(pole.edge))) return;
-  const LaidCurve of = laid_curve(edge, SurfaceFeet(trims_.face, tolerance_));
-  const Interval range = of.chart.domain();
-  for (const Vec2& shift : period_shifts(trims_, of.chart)) {
-    const Vec2 point = point_at(of.chart, last ? range.to : range.from) + shift;
-    const PlanarFoot foot = nearest(pole.curve, point);
-    if (foot.distance <= kReach * tolerance_) splits_.add(pole.edge, foot.parameter, trims_.face);
+  const SurfaceFeet feet(trims_.face, tolerance_);
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  const CurveBeside beside(curve, range, feet);
+  const auto come = [&](double there, double from) {
+    if (!(std::abs(there - from) > kOnEnd * length(range))) return;
+    const Vec2 uv = beside.end_jet(there, from, {}).uv;
+    const Vec2 at{uv[0] * trims_.scale[0], uv[1] * trims_.scale[1]};
+    for (int turn = -2; turn <= 2; ++turn) {
+      const PlanarFoot foot = nearest(pole.curve, at + static_cast<double>(turn) * trims_.period);
+      if (foot.distance <= kReach * tolerance_) splits_.add(pole.edge, foot.parameter, trims_.face);
+    }
+  };
+  const TopoDS_Vertex there = TopExp::FirstVertex(pole.edge);
+  for (int i = splits_.count(edge) - 1; i >= 0; --i) {
+    if (!splits_.are_one(splits_.vertex(edge, i), there)) continue;
+    come(splits_.parameter(edge, i), range.from);
+    come(splits_.parameter(edge, i), range.to);
   }
 }
 

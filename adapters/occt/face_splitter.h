@@ -179,7 +179,7 @@ class FaceSplitter {
   bool add_inner_arcs();
   bool add_laid_arcs();
   void add_laid_arc(const EdgePiece& piece, const SurfaceFeet& feet);
-  void lay_in_pole(const TopoDS_Edge& edge, bool last, int loop, int index);
+  void lay_in_pole(const TopoDS_Edge& edge, int loop, int index);
   LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceFeet& feet) const;
   TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift) const;
   bool lies_in_surface(const EdgePiece& piece, const SurfaceFeet& feet) const;

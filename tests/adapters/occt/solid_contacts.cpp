@@ -66,8 +66,16 @@ Maker half_ball(double from, double to) {
   return [=] { return BRepPrimAPI_MakeSphere(gp_Ax2(), 1, from, to, 2 * kPi).Shape(); };
 }
 
-Maker cone(const gp_Pnt& foot, double low, double high, double height) {
-  return [=] { return BRepPrimAPI_MakeCone(gp_Ax2(foot, gp::DZ()), low, high, height).Shape(); };
+// The part of a ball between two half planes through its poles, the first one at y = 0 < x, and
+// perhaps only above its equator.
+Maker wedge(double angle, double from = -kPi / 2) {
+  return [=] { return BRepPrimAPI_MakeSphere(gp_Ax2(), 1, from, kPi / 2, angle).Shape(); };
+}
+
+Maker cone(const gp_Pnt& foot, double low, double high, double height, double angle = 2 * kPi) {
+  return [=] {
+    return BRepPrimAPI_MakeCone(gp_Ax2(foot, gp::DZ()), low, high, height, angle).Shape();
+  };
 }
 
 // Of the cone with its tip at height 2.
@@ -231,6 +239,29 @@ std::vector<SolidContact> ball_contacts() {
       {"BallToBall", whole, ball({2, 0, 0}, 1)},
       {"BallInABoxAtItsWall", whole_plate, ball({0, 0, 0.6}, 0.4), volume * 0.064},
       {"BallInACube", whole_cube, ball({0.5, 0.5, 0.5}, 0.5), kPi / 6},
+  };
+}
+
+std::vector<SolidContact> wedge_contacts() {
+  const Maker half = wedge(kPi), quarter = wedge(kPi / 2), dome = wedge(kPi, 0),
+              half_cone = cone(kOrigin, 1, 0, 1, kPi);
+  return {
+      {"WedgesTurnedRoundTheirPoles", half, turning(half, gp::DZ(), 0.7), 2 * (kPi - 0.7) / 3},
+      {"WedgesSquareToEachOther", half, turning(half, gp::DZ(), kPi / 2), kPi / 3},
+      {"WedgesBackToBack", half, turning(half, gp::DZ(), kPi)},
+      {"WedgesWithTheirPolesInBorders", half, turning(half, gp::DY(), 0.7), 2 * kPi / 3},
+      {"WedgesWithPolesOnPoles", half, turning(half, gp::DX(), kPi)},
+      {"WedgesWithTheirAxesAcross", half, turning(half, gp::DX(), 0.7), 2 * (kPi - 0.7) / 3},
+      {"QuartersRoundTheirPoles", quarter, turning(quarter, gp::DZ(), 0.7),
+       2 * (kPi / 2 - 0.7) / 3},
+      {"QuartersAcross", quarter, turning(quarter, gp::DX(), 0.7), (kPi - 0.7) / 3},
+      {"QuartersFaceToFace", quarter, turning(quarter, gp::DX(), kPi)},
+      {"DomesRoundTheirPole", dome, turning(dome, gp::DZ(), 0.7), (kPi - 0.7) / 3},
+      {"DomesWithTheirPoleInABorder", dome, turning(dome, gp::DY(), kPi / 2), kPi / 6},
+      {"HalfConesRoundTheirTip", half_cone, turning(half_cone, gp::DZ(), 0.7), (kPi - 0.7) / 6},
+      {"HalfConesBackToBack", half_cone, turning(half_cone, gp::DZ(), kPi)},
+      {"WedgeInABall", ball(kOrigin, 1), half, 2 * kPi / 3},
+      {"WedgeInATurnedBall", turning(ball(kOrigin, 1), kOblique, 0.7), half, 2 * kPi / 3},
   };
 }
 

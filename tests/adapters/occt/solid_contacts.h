@@ -29,6 +29,7 @@ std::vector<SolidContact> box_contacts();
 std::vector<SolidContact> prism_contacts();
 std::vector<SolidContact> rod_contacts();
 std::vector<SolidContact> ball_contacts();
+std::vector<SolidContact> wedge_contacts();
 std::vector<SolidContact> cone_and_ring_contacts();
 std::vector<SolidContact> hole_and_corner_contacts();
 std::vector<SolidContact> spline_contacts();

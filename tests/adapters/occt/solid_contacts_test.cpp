@@ -130,7 +130,7 @@ bool is_quick(const std::string& name) {
       "EdgeToEdge",       "WedgeOnAFace",     "CutThroughTwoEdges",   "Slot",
       "PocketAtAnEdge",   "RodOnAPlate",      "RodInTheBorder",       "RodInTurnedRod",
       "HalfBalls",        "BallOnAPlate",     "LongRodLyingOnAPlate", "PegInAHole",
-      "SplineCubeInCube", "EqualTurnedBalls", "ConeInAPlate"};
+      "SplineCubeInCube", "EqualTurnedBalls", "ConeInAPlate",         "DomesRoundTheirPole"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -157,6 +157,8 @@ INSTANTIATE_TEST_SUITE_P(Rods, TrimSolidsInContact,
                          ::testing::ValuesIn(cases(testing::rod_contacts())), name_of);
 INSTANTIATE_TEST_SUITE_P(Balls, TrimSolidsInContact,
                          ::testing::ValuesIn(cases(testing::ball_contacts())), name_of);
+INSTANTIATE_TEST_SUITE_P(Wedges, TrimSolidsInContact,
+                         ::testing::ValuesIn(cases(testing::wedge_contacts())), name_of);
 INSTANTIATE_TEST_SUITE_P(ConesAndRings, TrimSolidsInContact,
                          ::testing::ValuesIn(cases(testing::cone_and_ring_contacts())), name_of);
 INSTANTIATE_TEST_SUITE_P(HolesAndCorners, TrimSolidsInContact,
