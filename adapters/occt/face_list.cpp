@@ -57,11 +57,12 @@ Box box_of(const PartHull& hull) {
 }  // namespace
 
 FaceList::FaceList(const std::vector<TopoDS_Face>& faces, std::string name, double tolerance,
-                   Extent extent)
+                   Extent extent, ArcCuts cuts)
     : faces_(faces),
       name_(std::move(name)),
       tolerance_(tolerance),
       extent_(extent),
+      cuts_(cuts),
       hulls_(faces.size()),
       boxes_(faces.size()),
       data_(faces.size()),
@@ -87,7 +88,7 @@ void FaceList::convert(const std::vector<char>& wanted) {
   parallel_for(size(), 1, [&](std::size_t i) {
     if (!wanted[i] || converted_[i]) return;
     try {
-      data_[i] = face_data(faces_[i], tolerance_, extent_);
+      data_[i] = face_data(faces_[i], tolerance_, extent_, cuts_);
       converted_[i] = 1;
     } catch (const BadModel& error) {
       failures[i] = error.what();

@@ -22,8 +22,8 @@ class FaceList {
   /// name     of the list in messages, "the first shape"; may be empty
   /// throws   BadModel if a face has no surface or, being converted, cannot be used; the message
   ///          has the face's place in the list
-  FaceList(const std::vector<TopoDS_Face>& faces, std::string name, double tolerance,
-           Extent extent);
+  FaceList(const std::vector<TopoDS_Face>& faces, std::string name, double tolerance, Extent extent,
+           ArcCuts cuts = ArcCuts::Even);
 
   std::size_t size() const { return faces_.size(); }
   const TopoDS_Face& face(std::size_t i) const { return faces_[i]; }
@@ -47,6 +47,7 @@ class FaceList {
   std::string name_;
   double tolerance_;
   Extent extent_;
+  ArcCuts cuts_;
   std::vector<PartHull> hulls_;
   std::vector<Box> boxes_;
   std::vector<FaceData> data_;

@@ -251,12 +251,12 @@ void convert(FaceList& a, FaceList& b, FacePairs& pairs) {
 }  // namespace
 
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-                            const IntersectionOptions& options, Extent extent) {
+                            const IntersectionOptions& options, Extent extent, ArcCuts cuts) {
   const double tolerance = options.tolerances.point;
   ShapeIntersection result;
   with_threads(options.threads, [&] {
-    FaceList faces_a(a, "the first shape", tolerance, extent);
-    FaceList faces_b(b, "the second shape", tolerance, extent);
+    FaceList faces_a(a, "the first shape", tolerance, extent, cuts);
+    FaceList faces_b(b, "the second shape", tolerance, extent, cuts);
     FacePairs pairs = meeting_pairs(faces_a, faces_b);
     convert(faces_a, faces_b, pairs);
     result = intersected({faces_a, faces_b, Shared::Listed, options}, pairs);

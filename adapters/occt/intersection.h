@@ -10,6 +10,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "adapters/occt/arc_cuts.h"
 #include "core/intersection/seam_chains.h"
 #include "core/self_intersection.h"
 #include "core/surface_intersection.h"
@@ -60,7 +61,8 @@ struct ShapeIntersection {
 /// hulls of others come near them.
 /// throws   BadModel if a face cannot be converted; the message has the face's place in its list
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-                            const IntersectionOptions& options = {}, Extent extent = Extent::Trims);
+                            const IntersectionOptions& options = {}, Extent extent = Extent::Trims,
+                            ArcCuts cuts = ArcCuts::Even);
 
 /// What of a shape is compared with itself.
 enum class SelfScope {

@@ -357,12 +357,12 @@ std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const ShapeIntersec
 }
 
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options,
-                      Extent extent) {
+                      Extent extent, ArcCuts cuts) {
   SolidPieces result;
   Side side_a("part", a), side_b("tool", b);
   std::vector<CurveUse> uses;
   const double tolerance = options.tolerances.point;
-  const ShapeIntersection found = intersect(a.faces, b.faces, options, extent);
+  const ShapeIntersection found = intersect(a.faces, b.faces, options, extent, cuts);
   result.status = found.status;
   result.certificate = found.certificate;
   if (result.status == Status::Stopped)
@@ -400,12 +400,18 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
 }  // namespace
 
 SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
-  SolidPieces found = pieces_of(a, b, options, Extent::Beyond);
+  SolidPieces found = pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even);
   if (found.obstacles.empty() || options.time_limit > 0) return found;
   // Borders of surfaces that do not go on are easier to tell from those of others where these end
-  // in the same place.
-  SolidPieces other = pieces_of(a, b, options, Extent::Trims);
-  return other.obstacles.empty() ? other : found;
+  // in the same place, and curves are easier to follow where they do not go along borders of
+  // patches or through their corners.
+  for (const auto& [extent, cuts] : {std::pair{Extent::Trims, ArcCuts::Even},
+                                     {Extent::Beyond, ArcCuts::Uneven},
+                                     {Extent::Trims, ArcCuts::Uneven}}) {
+    SolidPieces other = pieces_of(a, b, options, extent, cuts);
+    if (other.obstacles.empty()) return other;
+  }
+  return found;
 }
 
 }  // namespace blossom::occt

@@ -111,6 +111,16 @@ Maker splines(const Maker& make) {
   return [=] { return BRepBuilderAPI_NurbsConvert(make(), true).Shape(); };
 }
 
+// Of two balls whose surfaces are square to each other.
+double lens(double a, double b) {
+  const double apart = std::hypot(a, b);
+  const auto cap = [&](double radius) {
+    const double height = radius - radius * radius / apart;
+    return kPi * height * height * (3 * radius - height) / 3;
+  };
+  return cap(a) + cap(b);
+}
+
 TopoDS_Shape drilled_plate() {
   return BRepAlgoAPI_Cut(whole_plate(), rod({0, 0, -1}, 0.5, 3)()).Shape();
 }
@@ -238,6 +248,9 @@ std::vector<SolidContact> ball_contacts() {
       {"TurnedBallOnAPlate", whole_plate, small},
       {"BallToBall", whole, ball({2, 0, 0}, 1)},
       {"BallInABoxAtItsWall", whole_plate, ball({0, 0, 0.6}, 0.4), volume * 0.064},
+      {"BallsWithACommonCornerOfPatches",
+       lifted(turning(whole, gp_Dir(1, 1, 1), 2 * kPi / 3), {-0.5, 0, 0.5}),
+       ball({0, 0, -0.5}, 0.5), lens(1, 0.5), 1e-7},
       {"BallInACube", whole_cube, ball({0.5, 0.5, 0.5}, 0.5), kPi / 6},
   };
 }
