@@ -45,8 +45,9 @@ struct Sample {
 // What is integrated over the chart: by point and normal S_u x S_v.
 using Integrand = std::function<Sample(const Vec3&, const Vec3&)>;
 
-// The surface of a face. Splines, and what is swept from them, are taken in Bezier form, since to
-// look up spans and expand them anew for every point takes many times longer.
+// The surface of a face, no farther than it goes. Splines, and what is swept from them, are taken
+// in Bezier form, since to look up spans and expand them anew for every point takes many times
+// longer.
 class AreaSurface {
  public:
   AreaSurface(const TopoDS_Face& face, const ParameterBox& box);
@@ -65,14 +66,16 @@ class AreaSurface {
 
 AreaSurface::AreaSurface(const TopoDS_Face& face, const ParameterBox& box) : box_(box) {
   const Handle(Geom_Surface) surface = basis_of(BRep_Tool::Surface(face));
-  adaptor_.Load(surface, box.u.from, box.u.to, box.v.from, box.v.to);
   const ParameterBox natural = natural_bounds(*surface);
   const auto common = [](const Interval& a, const Interval& b) {
     return Interval{std::max(a.from, b.from), std::min(a.to, b.to)};
   };
   const ParameterBox inside{common(box.u, natural.u), common(box.v, natural.v)};
-  if (inside.u.from < inside.u.to && inside.v.from < inside.v.to)
+  if (inside.u.from < inside.u.to && inside.v.from < inside.v.to) {
+    box_ = inside;
     spans_ = spans_of(surface, inside);
+  }
+  adaptor_.Load(surface, box_.u.from, box_.u.to, box_.v.from, box_.v.to);
 }
 
 BezierSurface AreaSurface::spans_of(const Handle(Geom_Surface) & surface, const ParameterBox& box) {
@@ -195,10 +198,13 @@ class Density {
 
   // F: the integral along x from the left end to `x`, at y. One of the strips that are added up
   // over `height` in y: the lower that is, the less exact it has to be. Where a surface has a span
-  // of rounding's width its normals are noise, of which no accuracy can be had.
+  // of rounding's width its normals are noise, of which no accuracy can be had. Trims may stray
+  // over its border, beyond which there is nothing.
   double strip(double x, double y, double height, int cells) const {
     const double tolerance = tolerance_ / std::max(height, 1e-300);
     double sum = 0;
+    if (y < y_knots_.front() || y > y_knots_.back()) return sum;
+    x = std::clamp(x, x_knots_.front(), x_knots_.back());
     if (x == x_knots_.front()) return sum;
     for (std::size_t i = 0; i + 1 < x_knots_.size(); ++i) {
       const double to = i + 2 == x_knots_.size() ? x : std::min(x_knots_[i + 1], x);

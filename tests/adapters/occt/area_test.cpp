@@ -3,13 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRep_Tool.hxx>
+#include <GCE2d_MakeSegment.hxx>
+#include <Geom2d_BezierCurve.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
@@ -18,6 +22,7 @@
 #include <Geom_ToroidalSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
@@ -69,6 +74,37 @@ TEST(Area, ChangesByLessThan1e10WhenCellsAreDivided) {
   const TopoDS_Face face = wave();
   const double found = area(face);
   for (const int cells : {2, 3, 5}) EXPECT_NEAR(area(face, cells), found, 1e-10 * found);
+}
+
+// A square that begins with a span as short as rounding, which would take its points far away if it
+// went on. Between its sides its border in the chart is a parabola that leaves the surface.
+TopoDS_Face strayed_square(double dip) {
+  TColgp_Array2OfPnt poles(1, 2, 1, 7);
+  const std::array along{0.0, 0.0, 0.0, 0.0, 0.3, 0.7, 1.0},
+      above{0.0, 1e-3, -1e-3, 0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 7; ++j)
+      poles(i + 1, j + 1) =
+          gp_Pnt(i, along[static_cast<std::size_t>(j)], above[static_cast<std::size_t>(j)]);
+  TColStd_Array1OfReal u(1, 2), v(1, 3);
+  TColStd_Array1OfInteger mu(1, 2), mv(1, 3);
+  u(1) = 0, u(2) = 1, mu(1) = mu(2) = 2;
+  v(1) = -1e-8, v(2) = 0, v(3) = 1, mv(1) = mv(3) = 4, mv(2) = 3;
+  const Handle(Geom_BSplineSurface) surface = new Geom_BSplineSurface(poles, u, v, mu, mv, 1, 3);
+  TColgp_Array1OfPnt2d border(1, 3);
+  border(1) = gp_Pnt2d(0, -1e-8), border(2) = gp_Pnt2d(0.5, -1e-8 - dip),
+  border(3) = gp_Pnt2d(1, -1e-8);
+  BRepBuilderAPI_MakeWire wire(
+      BRepBuilderAPI_MakeEdge(new Geom2d_BezierCurve(border), surface).Edge());
+  const std::array corners{gp_Pnt2d(1, -1e-8), gp_Pnt2d(1, 1), gp_Pnt2d(0, 1), gp_Pnt2d(0, -1e-8)};
+  for (std::size_t i = 0; i < 3; ++i)
+    wire.Add(
+        BRepBuilderAPI_MakeEdge(GCE2d_MakeSegment(corners[i], corners[i + 1]).Value(), surface));
+  return BRepBuilderAPI_MakeFace(surface, wire.Wire());
+}
+
+TEST(Area, IsNoneBeyondTheBorderOfTheSurface) {
+  EXPECT_NEAR(area(strayed_square(4e-7)), area(strayed_square(0)), 1e-9);
 }
 
 // The integral over the cells between knots, taken with Open CASCADE's derivatives.
