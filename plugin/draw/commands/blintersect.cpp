@@ -26,8 +26,8 @@ TopoDS_Shape shape_named(const char* name) {
   return shape;
 }
 
-std::vector<TopoDS_Face> faces_named(const char* name) {
-  std::vector<TopoDS_Face> faces = occt::faces_of(shape_named(name));
+std::vector<TopoDS_Face> faces_in(const TopoDS_Shape& shape, const char* name) {
+  std::vector<TopoDS_Face> faces = occt::faces_of(shape);
   if (faces.empty()) throw occt::BadModel(std::string(name) + ": there is no face in it");
   return faces;
 }
@@ -58,17 +58,17 @@ void append_contacts(Draw_Interpretor& interpreter, const occt::ShapeIntersectio
 void intersect_named(Draw_Interpretor& interpreter, int count, const char** words) {
   IntersectionOptions options;
   if (count == 5) options.tolerances.point = tolerance_from(words[4]);
-  const std::vector<TopoDS_Face> a = faces_named(words[2]);
-  const std::vector<TopoDS_Face> b = faces_named(words[3]);
+  // The result may take the name of a or b: both are fetched before it is set.
+  const TopoDS_Shape a = shape_named(words[2]), b = shape_named(words[3]);
 
-  const occt::ShapeIntersection found = occt::intersect(a, b, options);
+  const occt::ShapeIntersection found =
+      occt::intersect(faces_in(a, words[2]), faces_in(b, words[3]), options);
 
   std::size_t curves = 0;  // one across seams counts once
   for (const occt::FaceIntersection& pair : found.pairs) curves += pair.chains.size();
   DBRep::Set(words[1], occt::compound_of(found));
   interpreter << static_cast<int>(curves) << " " << to_string(found.status);
-  append_contacts(interpreter, found, occt::BorderNumbers(shape_named(words[2])),
-                  occt::BorderNumbers(shape_named(words[3])));
+  append_contacts(interpreter, found, occt::BorderNumbers(a), occt::BorderNumbers(b));
 }
 
 /// 0, or 1 for a Tcl error whose text is the message.

@@ -60,6 +60,8 @@ if {[catch {
   claim "it is told where it is" [expr {[llength [lindex $contact 0]] == 3}]
   claim "and what it is on" \
       [expr {[lindex $contact 1 0] eq "vertex" && [lindex $contact 2] eq "face 1"}]
+  claim "also where the result takes the place of a shape" \
+      [expr {[lindex [blintersect corner corner a] 2 1] eq [lindex $contact 1]}]
 
   claim "a missing shape is named" \
       [string match "*nosuch: there is no such shape*" [message_of blintersect r a nosuch]]
