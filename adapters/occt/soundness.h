@@ -21,7 +21,8 @@ std::vector<std::string> face_problems(const TopoDS_Face& face);
 /// cover) or meet themselves or each other but at the corner that joins two edges. In words.
 std::vector<std::string> wire_problems(const TopoDS_Face& face);
 
-/// Whether a wire of the face ends somewhere, so that it encloses nothing.
+/// Whether a wire that bounds the face ends somewhere, so that it encloses nothing. Edges inside of
+/// the face may end.
 bool has_open_wire(const TopoDS_Face& face);
 
 /// Lengths in model units; gaps as in `EdgeGaps`, the largest over all uses of the edge.

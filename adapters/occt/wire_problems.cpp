@@ -9,7 +9,8 @@
 
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
-#include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_trims.h"
@@ -93,11 +94,31 @@ std::string meeting_text(const FaceTrims& trims, const PlacedCoedge& a, const Pl
   return text.str();
 }
 
+bool bounds(const TopoDS_Shape& shape) {
+  return shape.Orientation() == TopAbs_FORWARD || shape.Orientation() == TopAbs_REVERSED;
+}
+
+// Edges inside of the face may end; those that bound it come to each vertex as often as they leave.
+bool is_open(const TopoDS_Shape& wire) {
+  TopTools_MapOfShape ends;
+  for (TopoDS_Iterator edge(wire); edge.More(); edge.Next()) {
+    if (!bounds(edge.Value())) continue;
+    bool has_ends = false;
+    for (TopoDS_Iterator vertex(edge.Value()); vertex.More(); vertex.Next()) {
+      if (!bounds(vertex.Value())) continue;
+      has_ends = true;
+      if (!ends.Add(vertex.Value())) ends.Remove(vertex.Value());
+    }
+    if (!has_ends) return true;
+  }
+  return !ends.IsEmpty();
+}
+
 }  // namespace
 
 bool has_open_wire(const TopoDS_Face& face) {
-  for (TopExp_Explorer it(face, TopAbs_WIRE); it.More(); it.Next())
-    if (!BRep_Tool::IsClosed(it.Current())) return true;
+  for (TopoDS_Iterator it(face); it.More(); it.Next())
+    if (it.Value().ShapeType() == TopAbs_WIRE && is_open(it.Value())) return true;
   return false;
 }
 

@@ -23,11 +23,13 @@
 #include <BRep_Tool.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Plane.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <gp_Pln.hxx>
@@ -228,6 +230,44 @@ TEST(WireProblems, FindAWireThatEnclosesNothing) {
   EXPECT_TRUE(
       says(wire_problems(polygon({{0, 0, 0}, {2, 0, 0}, {1, 1e-9, 0}})), "encloses no more"));
   EXPECT_TRUE(wire_problems(polygon({{0, 0, 0}, {2, 0, 0}, {1, 1e-3, 0}})).empty());
+}
+
+TopoDS_Wire wire_along(const std::vector<gp_Pnt>& corners, TopAbs_Orientation orientation) {
+  BRepBuilderAPI_MakeWire wire;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+    wire.Add(BRepBuilderAPI_MakeEdge(corners[i], corners[i + 1]));
+  TopoDS_Wire oriented;
+  BRep_Builder().MakeWire(oriented);
+  for (TopoDS_Iterator it(wire.Wire()); it.More(); it.Next())
+    BRep_Builder().Add(oriented, it.Value().Oriented(orientation));
+  return oriented;
+}
+
+TEST(OpenWires, AreNotThoseOfInnerEdges) {
+  const std::vector<gp_Pnt> cut{{1, 1, 0}, {2, 1, 0}, {2, 2, 0}};
+  TopoDS_Face face = polygon({{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}});
+  EXPECT_FALSE(has_open_wire(face));
+  BRep_Builder().Add(face, wire_along(cut, TopAbs_INTERNAL));
+  EXPECT_FALSE(has_open_wire(face));
+  EXPECT_FALSE(has_open_wire(TopoDS::Face(face.Reversed())));
+  BRep_Builder().Add(face, wire_along(cut, TopAbs_FORWARD));
+  EXPECT_TRUE(has_open_wire(face));
+}
+
+TEST(OpenWires, MayHaveInnerEdgesToo) {
+  TopoDS_Wire closed = wire_along({{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {0, 0, 0}}, TopAbs_FORWARD);
+  TopoDS_Wire open = wire_along({{0, 0, 0}, {4, 0, 0}, {0, 3, 0}}, TopAbs_FORWARD);
+  for (TopoDS_Wire* const wire : {&closed, &open}) {
+    const TopoDS_Vertex corner = TopExp::FirstVertex(
+        TopoDS::Edge(TopExp_Explorer(*wire, TopAbs_EDGE).Current()), Standard_True);
+    const TopoDS_Edge inner =
+        BRepBuilderAPI_MakeEdge(corner, BRepBuilderAPI_MakeVertex(gp_Pnt(1, 1, 0)).Vertex());
+    BRep_Builder().Add(*wire, inner.Oriented(TopAbs_INTERNAL));
+    TopoDS_Face face;
+    BRep_Builder().MakeFace(face, new Geom_Plane(gp_Pln(gp::XOY())), 1e-7);
+    BRep_Builder().Add(face, *wire);
+    EXPECT_EQ(has_open_wire(face), wire == &open);
+  }
 }
 
 }  // namespace

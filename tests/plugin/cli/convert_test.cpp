@@ -19,6 +19,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp.hxx>
@@ -97,6 +98,27 @@ TEST_F(Convert, RefusesAFaceWithAnOpenWire) {
   }
   const Finished other = blossom({"convert", path("open.brep#1"), "-o", path("one.step")});
   EXPECT_EQ(other.code, 0) << other.err;
+}
+
+TEST_F(Convert, KeepsAFaceWithAWireOfInnerEdges) {
+  BRep_Builder builder;
+  TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), 0, 1, 0, 1).Face();
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(gp_Pnt(0.2, 0.5, 0), gp_Pnt(0.8, 0.5, 0)).Edge();
+  builder.Add(wire, edge.Oriented(TopAbs_INTERNAL));
+  builder.Add(face, wire);
+  write({face}, path("inner.brep"));
+
+  convert("inner.brep", "copy.brep");
+  const TopoDS_Face kept = occt::read_model(path("copy.brep")).face(1);
+  int inner = 0;
+  for (TopExp_Explorer it(kept, TopAbs_EDGE); it.More(); it.Next())
+    inner += it.Current().Orientation() == TopAbs_INTERNAL;
+  EXPECT_EQ(inner, 1);
+
+  convert("inner.brep", "copy.step");
+  EXPECT_NEAR(occt::area(occt::read_model(path("copy.step")).face(1)), 1, 1e-12);
 }
 
 TEST_F(Convert, GoesThroughEveryModelFormat) {
