@@ -101,7 +101,7 @@ struct MeasuredShape::Impl {
       throw BadModel("there is nothing in the shape to measure");
     parts.make = [this](int part) { return make(part); };
     parts.trims = [this](int face, const Vec2& low, const Vec2& high) {
-      return side(face, low, high);
+      return guarded("following the trims of a face", [&] { return side(face, low, high); });
     };
     prepared.emplace(std::move(parts));
   }

@@ -37,7 +37,8 @@ struct ShapeDistance {
 class MeasuredShape {
  public:
   /// throws   BadModel if there is nothing in the shape, an edge has no curve in space, or a face
-  ///          cannot be used; that of a conversion may come with the first question near it
+  ///          cannot be used; Failure where Open CASCADE fails at one. Those of a conversion or of
+  ///          trims may come with the first question near it, and with every later one
   explicit MeasuredShape(const TopoDS_Shape& shape);
   ~MeasuredShape();
   MeasuredShape(MeasuredShape&&) noexcept;

@@ -39,8 +39,11 @@ namespace {
 // Below this cosine between the way into the piece and the tool's normal, a side is not decided.
 constexpr double kLeastCosine = 1e-4;
 // Of cells, for a nearest point. More are needed only where many points are all but equally near,
-// as from the middle of a sphere, or hardly off the face; then any of them will do.
+// as from about the middle of a sphere.
 constexpr long kMostPairs = 500;
+// Of the distance. When the pairs are spent and its bounds are nearer than this to each other, the
+// point is one of those that are all but equally near, and any of them will do.
+constexpr double kEquallyNear = 1e-3;
 // Places on a cut, as fractions, where the side is looked at.
 constexpr std::array kLooks{0.5, 0.23, 0.77};
 
@@ -133,31 +136,42 @@ std::optional<ShapeDistance> nearest_on(const TopoDS_Face& face, const gp_Pnt& p
   try {
     return nearest_point(MeasuredShape(face), {point.X(), point.Y(), point.Z()},
                          {.budget = kMostPairs});
-  } catch (const BadModel&) {
+  } catch (const std::runtime_error&) {
     return std::nullopt;  // such a face decides nothing
   }
 }
 
+bool is_settled(const ShapeDistance& found) {
+  return found.status != Status::Stopped || found.upper - found.lower <= kEquallyNear * found.upper;
+}
+
+// Between the way from the nearest point and the face's normal there.
+double cosine_at(const TopoDS_Face& face, const ShapePoint& nearest, const gp_Pnt& point) {
+  const gp_Pnt foot(nearest.point[0], nearest.point[1], nearest.point[2]);
+  Vec2 uv = nearest.uv;
+  if (nearest.on.IsNull() || nearest.on.ShapeType() != TopAbs_FACE) {
+    const gp_Pnt2d on_face =
+        ShapeAnalysis_Surface(BRep_Tool::Surface(face)).ValueOfUV(foot, Precision::Confusion());
+    uv = {on_face.X(), on_face.Y()};
+  }
+  return cosine(gp_Vec(foot, point), oriented_normal(face, uv));
+}
+
 // By the nearest point; where faces are equally near (at their common edge) by the one whose
-// normal is the most decided.
+// normal is the most decided. Unknown if a face whose distance is not settled may be nearer.
 ToolSide side_of_faces(const std::vector<TopoDS_Face>& faces, const gp_Pnt& point) {
-  double least = std::numeric_limits<double>::infinity(), decided = 0;
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  double least = kEndless, decided = 0, least_open = kEndless;
   for (const TopoDS_Face& face : faces) {
     const auto found = nearest_on(face, point);
-    if (!found || found->upper > least + Precision::Confusion()) continue;
-    const gp_Pnt foot(found->b.point[0], found->b.point[1], found->b.point[2]);
-    Vec2 uv = found->b.uv;
-    if (found->b.on.IsNull() || found->b.on.ShapeType() != TopAbs_FACE) {
-      const gp_Pnt2d on_face =
-          ShapeAnalysis_Surface(BRep_Tool::Surface(face)).ValueOfUV(foot, Precision::Confusion());
-      uv = {on_face.X(), on_face.Y()};
-    }
-    const double side = cosine(gp_Vec(foot, point), oriented_normal(face, uv));
+    if (found && !is_settled(*found)) least_open = std::min(least_open, found->lower);
+    if (!found || !is_settled(*found) || found->upper > least + Precision::Confusion()) continue;
+    const double side = cosine_at(face, found->b, point);
     const bool nearer = found->upper < least - Precision::Confusion();
     if (nearer || std::abs(side) > std::abs(decided)) decided = side;
     least = std::min(least, found->upper);
   }
-  return side_from(decided);
+  return least_open > least + Precision::Confusion() ? side_from(decided) : ToolSide::Unknown;
 }
 
 ToolSide side_by_point(const TopoDS_Face& piece, const TrimTool& tool) {
