@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include <BRep_Tool.hxx>
@@ -21,7 +19,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/chart_region.h"
-#include "adapters/occt/curves.h"
+#include "adapters/occt/curve_queries.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/hulls.h"
 #include "adapters/occt/intersection.h"
@@ -138,7 +136,7 @@ struct MeasuredShape::Impl {
     std::vector<Vec3> hull;
     if (add_hull(TopoDS::Edge(part.shape), hull) && has_end(hull))
       return placed_hull(std::move(hull), shapes.place_of(part));
-    const CurveSpans found = spans_of(of);
+    const CurveSpans found = bezier_spans(edge(of));
     error = std::max(error, found.error);
     hull.clear();
     for (const CurveSpan& span : found.spans)
@@ -148,28 +146,24 @@ struct MeasuredShape::Impl {
 
   static Vec3 point_of(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
 
-  CurveSpans spans_of(const MeasuredEdge& of) const {
-    Interval range;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge(of), range.from, range.to);
-    if (curve.IsNull()) throw BadModel("an edge has no curve in space");
-    return bezier_spans(curve, range);
-  }
-
+  // What failed may be asked for again, so nothing is moved out of here.
   MeasuredSet make(int part) {
     return guarded("converting a part to measure", [&] {
       MeasuredSet set;
       if (is_face(part)) {
-        auto& known = converted[static_cast<std::size_t>(part)];
-        set.surfaces.push_back(known ? std::move(*known) : bezier_surface(face(part)));
+        const auto& known = converted[static_cast<std::size_t>(part)];
+        set.surfaces.push_back(known ? *known : bezier_surface(face(part)));
         return set;
       }
       MeasuredEdge& of = edge_of_part(part);
-      for (CurveSpan& span : spans_of(of).spans) {
+      std::vector<EdgeSpan> spans;
+      for (CurveSpan& span : bezier_spans(edge(of)).spans) {
         // Between spans the curve may have a kink, so ends of spans count as points.
-        if (!of.spans.empty()) set.points.push_back(point_of(span.curve.points.front()));
+        if (!spans.empty()) set.points.push_back(point_of(span.curve.points.front()));
         set.curves.push_back(std::move(span.curve));
-        of.spans.push_back({span.place, span.law});
+        spans.push_back({span.place, span.law});
       }
+      of.spans = std::move(spans);
       return set;
     });
   }
