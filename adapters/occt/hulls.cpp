@@ -12,12 +12,8 @@
 #include <BRep_ListIteratorOfListOfCurveRepresentation.hxx>
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_BSplineCurve.hxx>
-#include <Geom2d_BezierCurve.hxx>
-#include <Geom2d_Circle.hxx>
-#include <Geom2d_Ellipse.hxx>
-#include <Geom2d_Line.hxx>
-#include <Geom2d_TrimmedCurve.hxx>
+#include <Geom2d_Curve.hxx>
+#include <GeomAPI.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
@@ -32,10 +28,13 @@
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <gp_Pln.hxx>
 
 #include "adapters/occt/curves.h"
+#include "adapters/occt/curves_detail.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/surfaces_detail.h"
 #include "core/bounds/box_tree.h"
@@ -44,26 +43,37 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-// Of a hull's diagonal: snapping moves borders of parameters by 1e-9 of their range or of a turn.
-constexpr double kSnapping = 1e-7;
+// Of a period, or of the range where there is none: twice what `parameter_box` moves borders by.
+constexpr double kSnapping = 4e-9;
 // Coordinates from here on mean that there is no end.
 constexpr double kEndless = 1e50;
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-template <class Point>
-Vec3 vec(const Point& p) {
-  return vec(p.XYZ());
-}
 
 void move_points(const gp_Trsf& move, std::size_t first, std::vector<Vec3>& points) {
   for (std::size_t i = first; i < points.size(); ++i) {
     gp_XYZ at(points[i][0], points[i][1], points[i][2]);
     move.Transforms(at);
-    points[i] = vec(at);
+    points[i] = to_vec(at);
   }
 }
 
 // --- curves
+
+// Of an arc c + x cos t + y sin t: its ends and where tangents meet, one for each sixth of a turn.
+void add_arc_hull(const Vec3& c, const Vec3& x, const Vec3& y, const Interval& turn,
+                  std::vector<Vec3>& hull) {
+  const double angle = std::min(length(turn), kTurn);
+  const int pieces = 1 + static_cast<int>(6 * angle / kTurn);
+  const auto at_angle = [&](double t, double far) {
+    return c + (far * std::cos(t)) * x + (far * std::sin(t)) * y;
+  };
+  const double step = angle / pieces;
+  for (int i = 0; i < pieces; ++i) {
+    const double from = turn.from + i * step;
+    hull.push_back(at_angle(from, 1));
+    hull.push_back(at_angle(from + 0.5 * step, 1 / std::cos(0.5 * step)));
+  }
+  hull.push_back(at_angle(turn.from + angle, 1));
+}
 
 bool weights_are_positive(const TColStd_Array1OfReal* weights) {
   return weights == nullptr ||
@@ -73,7 +83,7 @@ bool weights_are_positive(const TColStd_Array1OfReal* weights) {
 template <class Curve>
 bool add_poles(const Curve& curve, std::vector<Vec3>& hull) {
   if (!weights_are_positive(curve.Weights())) return false;
-  for (const gp_Pnt& p : curve.Poles()) hull.push_back(vec(p));
+  for (const gp_Pnt& p : curve.Poles()) hull.push_back(to_vec(p));
   return true;
 }
 
@@ -81,8 +91,8 @@ template <class Curve>
 void add_conic(const Curve& conic, double along_x, double along_y, const Interval& range,
                std::vector<Vec3>& hull) {
   const gp_Ax2& axes = conic.Position();
-  add_arc_hull(vec(axes.Location()), along_x * vec(axes.XDirection()),
-               along_y * vec(axes.YDirection()), range, hull);
+  add_arc_hull(to_vec(axes.Location()), along_x * to_vec(axes.XDirection().XYZ()),
+               along_y * to_vec(axes.YDirection().XYZ()), range, hull);
 }
 
 bool add_curve_hull(const Handle(Geom_Curve) & curve, const Interval& range,
@@ -90,8 +100,8 @@ bool add_curve_hull(const Handle(Geom_Curve) & curve, const Interval& range,
   const Handle(Geom_Curve) basis = basis_of(curve);
   const Geom_Curve* c = basis.get();
   if (const auto* line = dynamic_cast<const Geom_Line*>(c)) {
-    hull.push_back(vec(line->Value(range.from)));
-    hull.push_back(vec(line->Value(range.to)));
+    hull.push_back(to_vec(line->Value(range.from)));
+    hull.push_back(to_vec(line->Value(range.to)));
     return true;
   }
   if (const auto* spline = dynamic_cast<const Geom_BSplineCurve*>(c))
@@ -109,48 +119,11 @@ bool add_curve_hull(const Handle(Geom_Curve) & curve, const Interval& range,
   return false;
 }
 
-// --- pcurves
+// --- pcurves, in the plane z = 0
 
-template <class Curve>
-bool add_poles2(const Curve& curve, std::vector<Vec2>& chart) {
-  if (!weights_are_positive(curve.Weights())) return false;
-  for (const gp_Pnt2d& p : curve.Poles()) chart.push_back({p.X(), p.Y()});
-  return true;
-}
-
-void add_conic2(const gp_Ax22d& axes, double along_x, double along_y, const Interval& range,
-                std::vector<Vec2>& chart) {
-  const auto flat = [](const gp_XY& p) { return Vec3{p.X(), p.Y(), 0}; };
-  std::vector<Vec3> hull;
-  add_arc_hull(flat(axes.Location().XY()), along_x * flat(axes.XDirection().XY()),
-               along_y * flat(axes.YDirection().XY()), range, hull);
-  for (const Vec3& p : hull) chart.push_back({p[0], p[1]});
-}
-
-bool add_pcurve_hull(Handle(Geom2d_Curve) curve, const Interval& range, std::vector<Vec2>& chart) {
-  while (const auto* trimmed = dynamic_cast<const Geom2d_TrimmedCurve*>(curve.get()))
-    curve = trimmed->BasisCurve();
-  const Geom2d_Curve* c = curve.get();
-  if (const auto* line = dynamic_cast<const Geom2d_Line*>(c)) {
-    for (const double t : {range.from, range.to}) {
-      const gp_Pnt2d p = line->Value(t);
-      chart.push_back({p.X(), p.Y()});
-    }
-    return true;
-  }
-  if (const auto* spline = dynamic_cast<const Geom2d_BSplineCurve*>(c))
-    return add_poles2(*spline, chart);
-  if (const auto* bezier = dynamic_cast<const Geom2d_BezierCurve*>(c))
-    return add_poles2(*bezier, chart);
-  if (const auto* circle = dynamic_cast<const Geom2d_Circle*>(c)) {
-    add_conic2(circle->Position(), circle->Radius(), circle->Radius(), range, chart);
-    return true;
-  }
-  if (const auto* ellipse = dynamic_cast<const Geom2d_Ellipse*>(c)) {
-    add_conic2(ellipse->Position(), ellipse->MajorRadius(), ellipse->MinorRadius(), range, chart);
-    return true;
-  }
-  return false;
+bool add_pcurve_hull(const Handle(Geom2d_Curve) & curve, const Interval& range,
+                     std::vector<Vec3>& chart) {
+  return add_curve_hull(GeomAPI::To3d(curve, gp_Pln()), range, chart);
 }
 
 // A surface and its location in a face, as edges of the face refer to it. Those of one face mostly
@@ -161,7 +134,7 @@ class SurfaceOfFace {
       : surface_(surface), location_(location), from_edge_(location) {}
 
   // Adds the pcurves that an edge keeps on the surface; false if there is none.
-  bool add_kept_pcurves(const TopoDS_Edge& edge, std::vector<Vec2>& chart) {
+  bool add_kept_pcurves(const TopoDS_Edge& edge, std::vector<Vec3>& chart) {
     if (edge.Location() != edge_) {
       edge_ = edge.Location();
       from_edge_ = location_.Predivided(edge_);
@@ -196,7 +169,7 @@ bool add_surface_poles(const Surface& surface, std::vector<Vec3>& hull) {
   for (int i = poles.LowerRow(); i <= poles.UpperRow(); ++i)
     for (int j = poles.LowerCol(); j <= poles.UpperCol(); ++j) {
       if (weights != nullptr && !(weights->Value(i, j) > 0)) return false;
-      hull.push_back(vec(poles(i, j)));
+      hull.push_back(to_vec(poles(i, j)));
     }
   return true;
 }
@@ -204,7 +177,7 @@ bool add_surface_poles(const Surface& surface, std::vector<Vec3>& hull) {
 // Every point of a profile turned about an axis.
 void add_turned(const std::vector<Vec3>& profile, const gp_Ax1& axis, const Interval& turn,
                 std::vector<Vec3>& hull) {
-  const Vec3 origin = vec(axis.Location()), direction = vec(axis.Direction());
+  const Vec3 origin = to_vec(axis.Location()), direction = to_vec(axis.Direction().XYZ());
   for (const Vec3& p : profile) {
     const Vec3 foot = origin + dot(p - origin, direction) * direction;
     add_arc_hull(foot, p - foot, cross(direction, p - foot), turn, hull);
@@ -215,19 +188,29 @@ struct ChartBox {
   Interval u, v;
 };
 
-ChartBox box_of(const std::vector<Vec2>& chart) {
+ChartBox box_of(const std::vector<Vec3>& chart) {
   ChartBox box{{chart[0][0], chart[0][0]}, {chart[0][1], chart[0][1]}};
-  for (const Vec2& p : chart) {
+  for (const Vec3& p : chart) {
     box.u = {std::min(box.u.from, p[0]), std::max(box.u.to, p[0])};
     box.v = {std::min(box.v.from, p[1]), std::max(box.v.to, p[1])};
   }
   return box;
 }
 
+// With what snapping parameters to seams may add.
+ChartBox snapped(const ChartBox& box, const Geom_Surface& surface) {
+  const auto wider = [](const Interval& range, double size) {
+    return Interval{range.from - kSnapping * size, range.to + kSnapping * size};
+  };
+  return {wider(box.u, surface.IsUPeriodic() ? surface.UPeriod() : length(box.u)),
+          wider(box.v, surface.IsVPeriodic() ? surface.VPeriod() : length(box.v))};
+}
+
 // What turns at u = 0 about the axis of an elementary surface; empty of others.
 std::vector<Vec3> profile_of(const Geom_ElementarySurface& surface, const Interval& v) {
   const gp_Ax3& axes = surface.Position();
-  const Vec3 o = vec(axes.Location()), x = vec(axes.XDirection()), z = vec(axes.Direction());
+  const Vec3 o = to_vec(axes.Location()), x = to_vec(axes.XDirection().XYZ()),
+             z = to_vec(axes.Direction().XYZ());
   std::vector<Vec3> profile;
   if (const auto* cylinder = dynamic_cast<const Geom_CylindricalSurface*>(&surface)) {
     for (const double t : {v.from, v.to}) profile.push_back(o + cylinder->Radius() * x + t * z);
@@ -264,7 +247,7 @@ bool add_swept(const Geom_Surface& surface, const ChartBox& box, std::vector<Vec
     if (!add_curve_hull(extruded->BasisCurve(), box.u, profile)) return false;
     for (const Vec3& p : profile)
       for (const double t : {box.v.from, box.v.to})
-        hull.push_back(p + t * vec(extruded->Direction()));
+        hull.push_back(p + t * to_vec(extruded->Direction().XYZ()));
     return true;
   }
   return false;
@@ -274,17 +257,17 @@ bool add_swept(const Geom_Surface& surface, const ChartBox& box, std::vector<Vec
 bool add_plane(const TopoDS_Face& face, const Handle(Geom_Surface) & surface,
                const Geom_Plane& plane, const TopLoc_Location& location, std::vector<Vec3>& hull) {
   const gp_Ax3& axes = plane.Position();
-  const Vec3 o = vec(axes.Location()), n = vec(axes.Direction());
-  const Vec3 x = vec(axes.XDirection()), y = vec(axes.YDirection());
+  const Vec3 o = to_vec(axes.Location()), n = to_vec(axes.Direction().XYZ());
+  const Vec3 x = to_vec(axes.XDirection().XYZ()), y = to_vec(axes.YDirection().XYZ());
   SurfaceOfFace known(surface, location);
-  std::vector<Vec2> chart;
+  std::vector<Vec3> chart;
   for (TopoDS_Iterator wire(face, false, false); wire.More(); wire.Next()) {
     if (wire.Value().ShapeType() != TopAbs_WIRE) continue;
     for (TopoDS_Iterator it(wire.Value(), false, true); it.More(); it.Next()) {
       const TopoDS_Edge& edge = TopoDS::Edge(it.Value());
       chart.clear();
       if (known.add_kept_pcurves(edge, chart)) {
-        for (const Vec2& p : chart) hull.push_back(o + p[0] * x + p[1] * y);
+        for (const Vec3& p : chart) hull.push_back(o + p[0] * x + p[1] * y);
         continue;
       }
       std::vector<Vec3> points;
@@ -301,13 +284,13 @@ bool add_trimmed(const TopoDS_Face& face, const Handle(Geom_Surface) & surface,
                  const Geom_Surface& basis, const TopLoc_Location& location,
                  std::vector<Vec3>& hull) {
   SurfaceOfFace known(surface, location);
-  std::vector<Vec2> chart;
+  std::vector<Vec3> chart;
   for (TopoDS_Iterator wire(face, false, false); wire.More(); wire.Next()) {
     if (wire.Value().ShapeType() != TopAbs_WIRE) continue;
     for (TopoDS_Iterator it(wire.Value(), false, true); it.More(); it.Next())
       if (!known.add_kept_pcurves(TopoDS::Edge(it.Value()), chart)) return false;
   }
-  return !chart.empty() && add_swept(basis, box_of(chart), hull);
+  return !chart.empty() && add_swept(basis, snapped(box_of(chart), basis), hull);
 }
 
 // Without the location of the surface in the face.
@@ -318,28 +301,12 @@ bool add_unplaced(const TopoDS_Face& face, const Handle(Geom_Surface) & surface,
     return add_surface_poles(*spline, hull);
   if (const auto* bezier = dynamic_cast<const Geom_BezierSurface*>(basis.get()))
     return add_surface_poles(*bezier, hull);
-  if (const auto* plane = dynamic_cast<const Geom_Plane*>(surface.get()))
+  if (const auto* plane = dynamic_cast<const Geom_Plane*>(basis.get()))
     return add_plane(face, surface, *plane, location, hull);
   return add_trimmed(face, surface, *basis, location, hull);
 }
 
 }  // namespace
-
-void add_arc_hull(const Vec3& c, const Vec3& x, const Vec3& y, const Interval& turn,
-                  std::vector<Vec3>& hull) {
-  const double angle = std::min(length(turn), kTurn);
-  const int pieces = 1 + static_cast<int>(6 * angle / kTurn);
-  const auto at_angle = [&](double t, double far) {
-    return c + (far * std::cos(t)) * x + (far * std::sin(t)) * y;
-  };
-  const double step = angle / pieces;
-  for (int i = 0; i < pieces; ++i) {
-    const double from = turn.from + i * step;
-    hull.push_back(at_angle(from, 1));
-    hull.push_back(at_angle(from + 0.5 * step, 1 / std::cos(0.5 * step)));
-  }
-  hull.push_back(at_angle(turn.from + angle, 1));
-}
 
 bool add_hull(const TopoDS_Edge& edge, std::vector<Vec3>& hull) {
   TopLoc_Location location;
@@ -373,9 +340,7 @@ PartHull placed_hull(std::vector<Vec3> hull, const gp_Trsf& place) {
   if (place.Form() != gp_Identity) move_points(place, 0, hull);
   Box box;
   for (const Vec3& p : hull) box = joined(box, {p, p});
-  const double margin =
-      kSnapping * diagonal(box) + 0x1p-48 * (max_norm(box.low) + max_norm(box.high));
-  return {std::move(hull), margin};
+  return {std::move(hull), 0x1p-48 * (max_norm(box.low) + max_norm(box.high))};
 }
 
 }  // namespace blossom::occt

@@ -5,20 +5,14 @@
 
 #include <vector>
 
-#include <TopLoc_Location.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Trsf.hxx>
 
 #include "core/distance.h"
-#include "core/math/interval.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {
-
-/// Of an arc c + x cos t + y sin t: its ends and where tangents meet, one for each sixth of a turn.
-void add_arc_hull(const Vec3& c, const Vec3& x, const Vec3& y, const Interval& turn,
-                  std::vector<Vec3>& hull);
 
 /// Where the edge's curve runs, without the edge's own location. False if its type has no control
 /// points (offset curves and the like); then nothing is added that means anything.
@@ -26,15 +20,16 @@ void add_arc_hull(const Vec3& c, const Vec3& x, const Vec3& y, const Interval& t
 bool add_hull(const TopoDS_Edge& edge, std::vector<Vec3>& hull);
 
 /// The same of what the trims leave of a face's surface: of its control points, or of its pcurves'
-/// put on planes, and turned about the axis of surfaces of revolution. False if the type of the
-/// surface or of a pcurve has none, or the face has no pcurve.
+/// put on planes, and turned about the axis of surfaces of revolution. With what snapping
+/// parameters to seams may add. False if the type of the surface or of a pcurve has none, or the
+/// face has no pcurve.
 /// throws   BadModel if the face has no surface
 bool add_hull(const TopoDS_Face& face, std::vector<Vec3>& hull);
 
 /// Whether there are points, none of them so far away that it stands for no end at all.
 bool has_end(const std::vector<Vec3>& hull);
 
-/// The points where they are placed, with a margin for what snapping parameters to seams may add.
+/// The points where they are placed, with a margin for roundings.
 PartHull placed_hull(std::vector<Vec3> hull, const gp_Trsf& place);
 
 }  // namespace blossom::occt

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -25,8 +26,10 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Cylinder.hxx>
 #include <gp_Elips.hxx>
 
+#include "adapters/occt/surfaces.h"
 #include "core/bounds/box_tree.h"
 #include "tests/support/shapes.h"
 
@@ -110,6 +113,21 @@ TEST(Hulls, TurnBackwardsAboutLeftHandedAxes) {
   mirror.SetMirror(gp_Ax2(gp_Pnt(1, 2, 3), gp_Dir(0.2, 0.3, 1)));
   expect_hulls(
       BRepBuilderAPI_Transform(BRepPrimAPI_MakeCylinder(2, 3, 1.0).Shape(), mirror).Shape(), 1.2);
+}
+
+// A face 1 x 1 on a cylinder of radius 1000, which begins so near to the seam that its surface is
+// taken from there: 6e-6 more than the face.
+TEST(Hulls, HoldWhatSnappingToTheSeamAdds) {
+  const double radius = 1000, from = 6e-9;
+  const gp_Cylinder cylinder(gp_Ax3(), radius);
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(cylinder, from, from + 1 / radius, 0, 1).Face();
+  const BezierSurface surface = bezier_surface(face);
+  ASSERT_EQ(surface.u_knots.front(), 0);
+  std::vector<Vec3> points;
+  ASSERT_TRUE(add_hull(face, points));
+  const Box box = box_of(placed_hull(points, gp_Trsf()));
+  for (const double v : {0.0, 1.0}) EXPECT_TRUE(holds(box, gp_Pnt(radius, 0, v)));
+  EXPECT_LE(diagonal(box), 1.01 * std::sqrt(2.0));
 }
 
 }  // namespace
