@@ -10,7 +10,9 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
+#include "adapters/occt/hulls.h"
 #include "adapters/occt/surfaces.h"
 
 namespace blossom::occt {
@@ -25,13 +27,26 @@ double largest_edge_tolerance(const TopoDS_Face& face) {
   return largest;
 }
 
+Box face_box(const TopoDS_Face& face, double tolerance) {
+  Box box;
+  double margin = std::max(tolerance, largest_edge_tolerance(face));
+  std::vector<Vec3> points;
+  if (add_hull(face, points)) {
+    const PartHull hull = placed_hull(std::move(points), face.Location().Transformation());
+    for (const Vec3& p : hull.points) box = joined(box, {p, p});
+    margin += hull.margin;
+  } else {
+    const BezierSurface surface = bezier_surface(face, tolerance);
+    box = box_of(surface, surface.error);
+  }
+  return widened(box, margin);
+}
+
 BoxTree tree_of(const std::vector<TopoDS_Face>& faces, double tolerance) {
   std::vector<Box> boxes;
-  for (const TopoDS_Face& face : faces) {
-    const BezierSurface surface = bezier_surface(face, tolerance);
-    boxes.push_back(
-        box_of(surface, surface.error + std::max(tolerance, largest_edge_tolerance(face))));
-  }
+  guarded("bounding faces", [&] {
+    for (const TopoDS_Face& face : faces) boxes.push_back(face_box(face, tolerance));
+  });
   return BoxTree(boxes);
 }
 
@@ -66,7 +81,13 @@ bool SolidRays::for_each_hit(const Ray& ray, Found found) {
 
 std::optional<bool> SolidRays::is_inside(const Vec3& point, const Vec3& direction) {
   std::size_t count = 0;
-  if (!for_each_hit({point, direction}, [&](const RayHit&) { ++count; })) return std::nullopt;
+  bool starts_on_a_face = false;
+  const double reach = tolerance_ / norm(direction);
+  const bool certain = for_each_hit({point, direction, -reach}, [&](const RayHit& hit) {
+    starts_on_a_face = starts_on_a_face || hit.parameter <= reach;
+    ++count;
+  });
+  if (!certain || starts_on_a_face) return std::nullopt;
   return count % 2 == 1;
 }
 

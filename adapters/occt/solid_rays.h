@@ -32,11 +32,12 @@ class SolidRays {
  public:
   /// faces      all of the solid's
   /// tolerance  model units
-  /// throws     BadModel if a face cannot be converted
+  /// throws     BadModel if a face has no surface; the questions, if one that a ray may meet cannot
+  ///            be converted
   SolidRays(std::vector<TopoDS_Face> faces, double tolerance);
 
   /// Whether the ray leaves the solid as often as it has to from inside; nothing if it comes within
-  /// tolerance of an edge or is tangent, or a hit is not proven.
+  /// tolerance of an edge, is tangent or starts on a face, or a hit is not proven.
   std::optional<bool> is_inside(const Vec3& point, const Vec3& direction);
 
   /// Whether the faces are turned outwards where the line leaves the solid for good; nothing as

@@ -39,6 +39,15 @@ TEST(SolidRays, SayNothingAtEdgesAndWhereTheyAreTangent) {
   EXPECT_EQ(ball.is_inside({-3, 1, 0.3}, {1, 0, -0.1}), std::nullopt);  // touches in (0, 1, 0)
 }
 
+TEST(SolidRays, SayNothingOfPointsOnFaces) {
+  SolidRays box(faces_of(BRepPrimAPI_MakeBox(1, 2, 3).Shape()), 1e-7);
+  for (const Vec3& direction : kRayDirections)
+    for (const double z : {3 - 1e-8, 3.0, 3 + 1e-8})
+      EXPECT_EQ(box.is_inside({0.3, 0.4, z}, direction), std::nullopt);
+  EXPECT_EQ(box.is_inside({0.3, 0.4, 3 - 1e-6}, kRayDirections[0]), true);
+  EXPECT_EQ(box.is_inside({0.3, 0.4, 3 + 1e-6}, kRayDirections[0]), false);
+}
+
 TEST(SolidRays, TellWhichWayFacesAreTurned) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
   const Vec3 inside{0.3, 0.4, 0.5};
