@@ -3,7 +3,7 @@
 
 #include "adapters/occt/shapes_rebuild.h"
 
-#include <numeric>
+#include <cstddef>
 #include <utility>
 
 #include <BRep_Builder.hxx>
@@ -15,6 +15,8 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+
+#include "adapters/occt/face_groups.h"
 
 namespace blossom::occt {
 namespace {
@@ -42,41 +44,15 @@ TopoDS_Shape joined(const std::vector<TopoDS_Shape>& parts) {
   return all.size() == 1 ? all.front() : compound_of(all);
 }
 
-/// Numbers of the connected groups of faces; faces with a common edge are connected.
-std::vector<std::size_t> groups_of(const std::vector<TopoDS_Shape>& faces) {
-  std::vector<std::size_t> group(faces.size());
-  std::iota(group.begin(), group.end(), std::size_t{0});
-  const auto root = [&](std::size_t i) {
-    while (group[i] != i) i = group[i] = group[group[i]];
-    return i;
-  };
-  NCollection_DataMap<TopoDS_Shape, std::size_t, TopTools_ShapeMapHasher> first_at;
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    for (TopExp_Explorer edge(faces[i], TopAbs_EDGE); edge.More(); edge.Next()) {
-      if (const std::size_t* other = first_at.Seek(edge.Current()))
-        group[root(i)] = root(*other);
-      else
-        first_at.Bind(edge.Current(), i);
-    }
-  for (std::size_t i = 0; i < faces.size(); ++i) group[i] = root(i);
-  return group;
-}
-
 /// A shell for every connected group of faces, in the order of their first faces.
 TopoDS_Shape shells_of(const std::vector<TopoDS_Shape>& faces) {
-  const std::vector<std::size_t> group = groups_of(faces);
   const BRep_Builder builder;
   std::vector<TopoDS_Shape> shells;
-  std::vector<bool> taken(faces.size(), false);
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (taken[i]) continue;
+  for (const FaceGroup& group :
+       groups_over_edges(faces, [](const TopoDS_Shape&) { return false; })) {
     TopoDS_Shell shell;
     builder.MakeShell(shell);
-    for (std::size_t j = i; j < faces.size(); ++j)
-      if (group[j] == group[i]) {
-        builder.Add(shell, faces[j]);
-        taken[j] = true;
-      }
+    for (const std::size_t i : group) builder.Add(shell, faces[i]);
     shell.Closed(BRep_Tool::IsClosed(shell));
     shells.push_back(shell);
   }

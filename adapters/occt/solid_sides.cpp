@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <optional>
 
 #include <BRep_Tool.hxx>
@@ -15,6 +14,7 @@
 
 #include "adapters/occt/common_edges.h"
 #include "adapters/occt/edge_images.h"
+#include "adapters/occt/face_groups.h"
 #include "adapters/occt/solid_rays.h"
 
 namespace blossom::occt {
@@ -102,39 +102,19 @@ void check_unmatched(const SplitSolid& of, const std::vector<std::vector<std::si
 
 // --- all others
 
-using Region = std::vector<std::size_t>;  // places of pieces
-
 // The pieces that hang together over edges that the other solid does not cross.
-std::vector<Region> regions_of(const SplitSolid& of, const SplitSolid& other) {
-  TopTools_IndexedMapOfShape shared, edges;
+std::vector<FaceGroup> regions_of(const SplitSolid& of, const SplitSolid& other) {
+  TopTools_IndexedMapOfShape shared;
   for (const SolidPiece& piece : other.pieces) TopExp::MapShapes(piece.face, TopAbs_EDGE, shared);
-  const auto divides = [&](const TopoDS_Shape& edge) {
-    return shared.Contains(edge) || of.crossed.Contains(edge);
-  };
-  std::vector<std::size_t> next(of.pieces.size());  // towards the first piece of the region
-  std::iota(next.begin(), next.end(), std::size_t{0});
-  const auto first_of = [&](std::size_t piece) {
-    while (next[piece] != piece) piece = next[piece] = next[next[piece]];
-    return piece;
-  };
-  std::vector<std::size_t> user;  // a piece with each of the edges
-  for (std::size_t i = 0; i < of.pieces.size(); ++i)
-    for (TopExp_Explorer it(of.pieces[i].face, TopAbs_EDGE); it.More(); it.Next()) {
-      if (!bounds(it.Current()) || divides(it.Current())) continue;
-      const auto edge = static_cast<std::size_t>(edges.Add(it.Current())) - 1;
-      if (edge == user.size()) user.push_back(i);
-      const std::size_t a = first_of(i), b = first_of(user[edge]);
-      next[std::max(a, b)] = std::min(a, b);
-    }
-  std::map<std::size_t, Region> regions;
-  for (std::size_t i = 0; i < of.pieces.size(); ++i) regions[first_of(i)].push_back(i);
-  std::vector<Region> all;
-  for (auto& [first, region] : regions) all.push_back(std::move(region));
-  return all;
+  std::vector<TopoDS_Shape> faces;
+  for (const SolidPiece& piece : of.pieces) faces.push_back(piece.face);
+  return groups_over_edges(faces, [&](const TopoDS_Shape& edge) {
+    return !bounds(edge) || shared.Contains(edge) || of.crossed.Contains(edge);
+  });
 }
 
 // The side that all known ones of a region agree on; nothing if they do not.
-std::optional<SolidSide> known_side(const SplitSolid& of, const Region& region) {
+std::optional<SolidSide> known_side(const SplitSolid& of, const FaceGroup& region) {
   SolidSide known = SolidSide::Unknown;
   for (const std::size_t i : region) {
     const SolidSide side = of.pieces[i].side;
@@ -146,7 +126,7 @@ std::optional<SolidSide> known_side(const SplitSolid& of, const Region& region) 
 }
 
 // Pieces at both ends and in the middle of the region first.
-Region spread(Region region) {
+FaceGroup spread(FaceGroup region) {
   if (region.size() > 2) {
     std::swap(region[1], region.back());
     std::swap(region[2], region[region.size() / 2]);
@@ -154,39 +134,61 @@ Region spread(Region region) {
   return region;
 }
 
-// Sets the side that is known of a region and that rays from up to three of its pieces agree with.
-// Returns why none can be trusted; empty if one can.
-std::string settle(SplitSolid& of, const Region& region, SolidRays& rays) {
-  const std::string name = piece_name(of, of.pieces[region.front()]);
-  std::optional<SolidSide> known = known_side(of, region);
-  if (!known) return name + ": its side is not certain";
-  const std::size_t pieces = std::min<std::size_t>(region.size(), kAgreeing);
-  const int of_each = (kAgreeing + static_cast<int>(pieces) - 1) / static_cast<int>(pieces);
-  int agreeing = 0;
-  for (const std::size_t i : spread(region)) {
-    const std::optional<gp_Pnt> point = point_inside(of.pieces[i].face);
-    int from_here = 0;
-    for (const Vec3& direction : kRayDirections) {
-      if (!point || from_here == of_each || agreeing == kAgreeing) break;
-      const std::optional<bool> inside = rays.is_inside(vec(*point), direction);
-      if (!inside) continue;
-      const SolidSide side = *inside ? SolidSide::Inside : SolidSide::Outside;
-      if (*known == SolidSide::Unknown) known = side;
-      if (side != *known) return name + ": its side is not certain";
-      ++from_here;
-      ++agreeing;
-    }
-    if (agreeing == kAgreeing) break;
+// A point inside of a piece, and which direction is the next one for a ray from there.
+struct Lookout {
+  std::optional<gp_Pnt> point;
+  std::size_t next = 0;
+};
+
+// Rays about a region, and what they agree on with what was known before.
+struct Agreement {
+  SolidSide side = SolidSide::Unknown;
+  int rays = 0;
+  bool broken = false;
+
+  bool is_open() const { return !broken && rays < kAgreeing; }
+};
+
+// Adds up to `most` rays that are certain.
+void look(Lookout& from, int most, SolidRays& rays, Agreement& all) {
+  if (!from.point) return;
+  for (int found = 0; all.is_open() && found < most && from.next < kRayDirections.size();) {
+    const std::optional<bool> inside =
+        rays.is_inside(vec(*from.point), kRayDirections[from.next++]);
+    if (!inside) continue;
+    const SolidSide side = *inside ? SolidSide::Inside : SolidSide::Outside;
+    if (all.side == SolidSide::Unknown) all.side = side;
+    all.broken = side != all.side;
+    ++all.rays;
+    ++found;
   }
-  if (agreeing < kAgreeing) return name + ": rays cannot tell its side";
-  for (const std::size_t k : region) of.pieces[k].side = *known;
+}
+
+// Sets the side that is known of a region and that rays agree with, from up to three of its pieces
+// where those can tell, else from any. Returns why none can be trusted; empty if one can.
+std::string settle(SplitSolid& of, const FaceGroup& region, SolidRays& rays) {
+  const std::string name = piece_name(of, of.pieces[region.front()]);
+  const std::optional<SolidSide> known = known_side(of, region);
+  if (!known) return name + ": its side is not certain";
+  const int pieces = static_cast<int>(std::min<std::size_t>(region.size(), kAgreeing));
+  Agreement all{*known};
+  std::vector<Lookout> lookouts;
+  for (const std::size_t i : spread(region)) {
+    if (!all.is_open()) break;
+    lookouts.push_back({point_inside(of.pieces[i].face)});
+    look(lookouts.back(), (kAgreeing + pieces - 1) / pieces, rays, all);
+  }
+  for (Lookout& from : lookouts) look(from, kAgreeing, rays, all);
+  if (all.broken) return name + ": its side is not certain";
+  if (all.rays < kAgreeing) return name + ": rays cannot tell its side";
+  for (const std::size_t k : region) of.pieces[k].side = all.side;
   return {};
 }
 
 void check_sides(SplitSolid& of, const SplitSolid& other, double tolerance,
                  std::vector<std::string>& obstacles) {
   SolidRays rays(other.solid->faces, tolerance);
-  for (const Region& region : regions_of(of, other)) {
+  for (const FaceGroup& region : regions_of(of, other)) {
     if (is_on(of.pieces[region.front()].side)) continue;
     if (const std::string cause = settle(of, region, rays); !cause.empty())
       obstacles.push_back(cause);

@@ -60,7 +60,8 @@ std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const Trim
   std::vector<Measured> all;
   for (const SolidPiece& piece : pieces) {
     const auto from = static_cast<std::size_t>(piece.from);
-    const bool whole = piece.face.IsSame(solid.faces[from]);
+    // Turned round, the face has a cone of the other sign.
+    const bool whole = piece.face.IsEqual(solid.faces[from]);
     all.push_back({piece, whole ? cones[from] : cone_volume(piece.face, apex)});
   }
   return all;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
@@ -30,6 +29,7 @@
 #include "adapters/occt/distance.h"
 #include "adapters/occt/edge_images.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/face_groups.h"
 #include "adapters/occt/face_trims.h"
 #include "adapters/occt/solid_rays.h"
 
@@ -65,40 +65,17 @@ ToolSide side_from(double cosine) {
   return cosine > 0 ? ToolSide::Above : ToolSide::Below;
 }
 
-// Every piece as a node; the pieces that hang together have one root.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-Groups joined(const std::vector<SidedPiece>& pieces, int tool) {
+// The pieces that hang together over edges that the tool does not cut.
+std::vector<FaceGroup> groups_of(const std::vector<SidedPiece>& pieces, int tool) {
   TopTools_MapOfShape cut_edges;
-  for (const SidedPiece& piece : pieces)
+  std::vector<TopoDS_Shape> faces;
+  for (const SidedPiece& piece : pieces) {
+    faces.push_back(piece.piece->face);
     for (const CutUse& use : piece.piece->cuts)
       if ((*piece.sources)[static_cast<std::size_t>(use.cut)].tool == tool) cut_edges.Add(use.edge);
-  TopTools_IndexedMapOfShape edges;
-  std::vector<std::size_t> first_user;
-  Groups groups(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    for (TopExp_Explorer it(pieces[i].piece->face, TopAbs_EDGE); it.More(); it.Next()) {
-      if (cut_edges.Contains(it.Current())) continue;
-      const auto number = static_cast<std::size_t>(edges.Add(it.Current()));
-      if (number > first_user.size())
-        first_user.push_back(i);
-      else
-        groups.join(i, first_user[number - 1]);
-    }
-  return groups;
+  }
+  return groups_over_edges(faces,
+                           [&](const TopoDS_Shape& edge) { return cut_edges.Contains(edge); });
 }
 
 // What the cuts on a piece's border say, all together.
@@ -279,27 +256,20 @@ ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {
 
 std::vector<ToolSide> sides_of(const std::vector<SidedPiece>& pieces, const TrimTool& tool,
                                int number) {
-  Groups groups = joined(pieces, number);
-  std::vector<Votes> own(pieces.size()), common(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    own[i] = votes_of(pieces[i], number);
-    Votes& group = common[groups.root(i)];
-    group.above = group.above || own[i].above;
-    group.below = group.below || own[i].below;
-  }
   std::vector<ToolSide> sides(pieces.size(), ToolSide::Unknown);
-  std::vector<std::optional<ToolSide>> by_point(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::size_t root = groups.root(i);
-    const Votes& group = common[root];
-    if (group.above && group.below) {
-      sides[i] = own[i].side();
-    } else if (group.above || group.below) {
-      sides[i] = group.side();
-    } else {
-      if (!by_point[root]) by_point[root] = side_by_point(pieces[i].piece->face, tool);
-      sides[i] = *by_point[root];
+  for (const FaceGroup& group : groups_of(pieces, number)) {
+    std::vector<Votes> own;
+    Votes common;
+    for (const std::size_t i : group) {
+      own.push_back(votes_of(pieces[i], number));
+      common.above = common.above || own.back().above;
+      common.below = common.below || own.back().below;
     }
+    const bool torn = common.above && common.below;
+    const ToolSide side = common.above || common.below
+                              ? common.side()
+                              : side_by_point(pieces[group.front()].piece->face, tool);
+    for (std::size_t k = 0; k < group.size(); ++k) sides[group[k]] = torn ? own[k].side() : side;
   }
   return sides;
 }
