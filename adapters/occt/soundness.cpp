@@ -81,10 +81,10 @@ void mark_uses(const Uses& uses, bool closed, std::vector<EdgeSoundness>& edges)
     EdgeSoundness& edge = edges[static_cast<std::size_t>(number) - 1];
     if (count == 1) {
       edge.free = true;
-      if (closed) edge.problems.emplace_back("is free, the solid is open there");
+      if (closed) edge.problems.push_back({"is free, the solid is open there"});
     } else if (count > 2) {
       edge.crowded = true;
-      edge.problems.push_back("is used " + std::to_string(count) + " times in one shell");
+      edge.problems.push_back({"is used " + std::to_string(count) + " times in one shell"});
     }
   }
 }
@@ -108,9 +108,10 @@ void add_gaps(const EdgeGaps& found, EdgeSoundness& edge) {
     edge.vertex_gap = found.vertex_gap;
     edge.vertex_tolerance = found.vertex_tolerance;
   }
-  const auto add = [&](const std::string& problem) {
-    if (std::find(edge.problems.begin(), edge.problems.end(), problem) == edge.problems.end())
-      edge.problems.push_back(problem);
+  const auto add = [&](const std::string& what) {
+    if (std::none_of(edge.problems.begin(), edge.problems.end(),
+                     [&](const Problem& known) { return known.what == what; }))
+      edge.problems.push_back({what});
   };
   if (!found.has_curve) add("has no curve in space");
   if (!found.has_pcurve) add("has no parametric curve on a face");
@@ -118,10 +119,7 @@ void add_gaps(const EdgeGaps& found, EdgeSoundness& edge) {
 
 void judge(EdgeSoundness& edge) {
   const auto compare = [&](const std::string& what, double gap, double tolerance) {
-    if (!exceeds(gap, tolerance)) return;
-    std::ostringstream text;
-    text << what << " by " << gap << ", more than the tolerance " << tolerance;
-    edge.problems.push_back(text.str());
+    if (exceeds(gap, tolerance)) edge.problems.push_back({what, std::nullopt, gap, tolerance});
   };
   compare("its curves are apart", edge.gap, edge.tolerance);
   if (BRep_Tool::SameParameter(edge.edge) && !exceeds(edge.gap, edge.tolerance))
@@ -157,7 +155,8 @@ std::vector<std::string> body_problems(const TopoDS_Shape& shape) {
 
 FaceSoundness looked_at(int number, const Numbers& numbers, std::vector<EdgeSoundness>& edges) {
   const TopoDS_Face face = TopoDS::Face(numbers.faces(number));
-  FaceSoundness found{number, {}, face_problems(face)};
+  FaceSoundness found{number, {}, {}};
+  for (const std::string& what : face_problems(face)) found.problems.push_back({what});
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const int edge = numbers.edges.FindIndex(it.Current());
     EdgeSoundness& of = edges[static_cast<std::size_t>(edge) - 1];
@@ -196,6 +195,13 @@ Soundness looked_at(const TopoDS_Shape& shape, const std::vector<int>& faces) {
 }
 
 }  // namespace
+
+std::string Problem::figure() const {
+  std::ostringstream text;
+  if (place) text << " at (" << (*place)[0] << ", " << (*place)[1] << ", " << (*place)[2] << ")";
+  if (gap > 0) text << " by " << gap << ", more than the tolerance " << tolerance;
+  return text.str();
+}
 
 std::vector<std::string> face_problems(const TopoDS_Face& face) {
   // Open CASCADE's checker does not look for numbers that are none, and can loop on them.

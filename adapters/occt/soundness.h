@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,14 +13,28 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "core/math/vec.h"
+
 namespace blossom::occt {
+
+/// Something that is wrong.
+struct Problem {
+  std::string what;             ///< the same words for all of a kind
+  std::optional<Vec3> place{};  ///< model units
+  double gap = 0;               ///< model units; 0: it is no gap
+  double tolerance = 0;         ///< that the gap exceeds
+
+  /// Where it is, or how large; empty if there is nothing to say.
+  std::string figure() const;
+  std::string text() const { return what + figure(); }
+};
 
 /// What a face's geometry and Open CASCADE's BRepCheck say against it, in words; none if valid.
 std::vector<std::string> face_problems(const TopoDS_Face& face);
 
 /// Where the wires of a face are degenerate (they enclose nothing but what their edges' tolerances
-/// cover) or meet themselves or each other but at the corner that joins two edges. In words.
-std::vector<std::string> wire_problems(const TopoDS_Face& face);
+/// cover) or meet themselves or each other but at the corner that joins two edges.
+std::vector<Problem> wire_problems(const TopoDS_Face& face);
 
 /// Whether a wire that bounds the face ends somewhere, so that it encloses nothing. Edges inside of
 /// the face may end.
@@ -37,13 +52,13 @@ struct EdgeSoundness {
   double vertex_tolerance = 0;
   bool free = false;     ///< used once in its shell
   bool crowded = false;  ///< used more than twice in its shell
-  std::vector<std::string> problems;
+  std::vector<Problem> problems;
 };
 
 struct FaceSoundness {
   int number = 0;  ///< 1-based, in the order of TopExp::MapShapes
   std::vector<int> edges;
-  std::vector<std::string> problems;
+  std::vector<Problem> problems;
 };
 
 struct Soundness {

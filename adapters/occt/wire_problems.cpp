@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Iterator.hxx>
 
+#include "adapters/occt/curves_detail.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_trims.h"
 #include "adapters/occt/soundness.h"
@@ -84,14 +84,11 @@ std::optional<Vec2> meeting_place(const FaceTrims& trims, const Coedge& a, const
   return std::nullopt;
 }
 
-std::string meeting_text(const FaceTrims& trims, const PlacedCoedge& a, const PlacedCoedge& b,
-                         const Vec2& place) {
+Problem meeting_problem(const FaceTrims& trims, const PlacedCoedge& a, const PlacedCoedge& b,
+                        const Vec2& place) {
   const gp_Pnt point =
       BRep_Tool::Surface(trims.face)->Value(place[0] / trims.scale[0], place[1] / trims.scale[1]);
-  std::ostringstream text;
-  text << (a.loop == b.loop ? "a wire meets itself" : "two wires meet") << " at (" << point.X()
-       << ", " << point.Y() << ", " << point.Z() << ")";
-  return text.str();
+  return {a.loop == b.loop ? "a wire meets itself" : "two wires meet", to_vec(point)};
 }
 
 bool bounds(const TopoDS_Shape& shape) {
@@ -122,18 +119,18 @@ bool has_open_wire(const TopoDS_Face& face) {
   return false;
 }
 
-std::vector<std::string> wire_problems(const TopoDS_Face& face) {
+std::vector<Problem> wire_problems(const TopoDS_Face& face) {
   FaceTrims trims;
   try {
     trims = face_trims(face);
   } catch (const BadModel& error) {
-    return {error.what()};
+    return {{error.what()}};
   }
-  std::vector<std::string> problems;
+  std::vector<Problem> problems;
   std::vector<PlacedCoedge> all;
   for (std::size_t i = 0; i < trims.loops.size(); ++i) {
     if (is_degenerate(trims, trims.loops[i]))
-      problems.emplace_back("a wire encloses no more than its edges' tolerances cover");
+      problems.push_back({"a wire encloses no more than its edges' tolerances cover"});
     for (const Coedge& coedge : trims.loops[i])
       all.push_back({&coedge, box_of(coedge.curve), static_cast<int>(i)});
   }
@@ -141,7 +138,7 @@ std::vector<std::string> wire_problems(const TopoDS_Face& face) {
     for (std::size_t k = i + 1; k < all.size(); ++k) {
       if (apart(all[i].box, all[k].box, Precision::Confusion())) continue;
       if (const auto place = meeting_place(trims, *all[i].coedge, *all[k].coedge))
-        problems.push_back(meeting_text(trims, all[i], all[k], *place));
+        problems.push_back(meeting_problem(trims, all[i], all[k], *place));
     }
   return problems;
 }

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "adapters/occt/soundness.h"
 #include "plugin/cli/commands/commands.h"
@@ -60,6 +64,12 @@ std::size_t problem_count(const occt::Soundness& found) {
   return count;
 }
 
+Json to_json(const std::vector<occt::Problem>& problems) {
+  Json list = Json::array();
+  for (const occt::Problem& problem : problems) list.push_back(problem.text());
+  return list;
+}
+
 Json to_json(const Largest& all) {
   return {{"tolerance", all.tolerance},
           {"gap", all.gap},
@@ -79,7 +89,7 @@ Json edge_json(const occt::EdgeSoundness& edge) {
           {"vertex_tolerance", edge.vertex_tolerance},
           {"free", edge.free},
           {"crowded", edge.crowded},
-          {"problems", edge.problems}};
+          {"problems", to_json(edge.problems)}};
 }
 
 Json check_json(const Input& input, const occt::Soundness& found) {
@@ -87,7 +97,7 @@ Json check_json(const Input& input, const occt::Soundness& found) {
   for (const occt::FaceSoundness& face : found.faces) {
     Json json = {{"number", face.number}, {"edges", face.edges}};
     json.update(to_json(largest_of(found, face)));
-    json["problems"] = face.problems;
+    json["problems"] = to_json(face.problems);
     faces.push_back(std::move(json));
   }
   for (const occt::EdgeSoundness& edge : found.edges) edges.push_back(edge_json(edge));
@@ -102,6 +112,61 @@ Json check_json(const Input& input, const occt::Soundness& found) {
           {"edges", std::move(edges)}};
 }
 
+// What is wrong in one way with faces or edges.
+struct Kind {
+  const char* noun = "";  // face or edge
+  std::size_t problems = 0;
+  std::set<int> members{}, faces{};
+  occt::Problem worst{};
+  std::string at{};  // that the worst one is
+};
+
+void add(const char* noun, int number, const std::vector<int>& faces,
+         const std::vector<occt::Problem>& problems, std::vector<Kind>& kinds) {
+  std::string name = noun + (' ' + std::to_string(number));
+  if (std::string_view(noun) == "edge") {
+    name += " (face";
+    for (const int face : faces) name += ' ' + std::to_string(face);
+    name += ')';
+  }
+  for (const occt::Problem& problem : problems) {
+    auto kind = std::ranges::find_if(kinds, [&](const Kind& known) {
+      return known.noun == std::string_view(noun) && known.worst.what == problem.what;
+    });
+    if (kind == kinds.end()) kind = kinds.insert(kind, {noun});
+    if (kind->problems++ == 0 || problem.gap > kind->worst.gap) {
+      kind->worst = problem;
+      kind->at = name;
+    }
+    kind->members.insert(number);
+    kind->faces.insert(faces.begin(), faces.end());
+  }
+}
+
+// "2-4 7 9-12"
+std::string ranges_text(const std::set<int>& numbers) {
+  std::string text;
+  for (auto it = numbers.begin(); it != numbers.end();) {
+    const int first = *it;
+    int last = first;
+    while (++it != numbers.end() && *it == last + 1) ++last;
+    text += (text.empty() ? "" : " ") + std::to_string(first);
+    if (last > first) text += '-' + std::to_string(last);
+  }
+  return text;
+}
+
+// One line: the problem, or how many there are and the worst of them.
+std::string kind_text(const Kind& kind) {
+  const occt::Problem& worst = kind.worst;
+  if (kind.problems == 1) return kind.at + ": " + worst.text();
+  std::string text = counted(kind.members.size(), kind.noun) +
+                     (kind.faces.size() == 1 ? " (face " : " (faces ") + ranges_text(kind.faces) +
+                     "): " + worst.what;
+  if (worst.figure().empty()) return text;
+  return text + (worst.gap > 0 ? ", at worst " : ", one of them ") + kind.at + worst.figure();
+}
+
 std::string check_text(const Input& input, const occt::Soundness& found) {
   const Largest all = largest_of(found);
   const std::size_t count = problem_count(found);
@@ -114,15 +179,14 @@ std::string check_text(const Input& input, const occt::Soundness& found) {
        << ", " << counted(static_cast<std::size_t>(all.crowded), "edge")
        << " used more than twice\n";
   for (const std::string& problem : found.problems) text << "  " << problem << "\n";
+  std::vector<Kind> kinds;
   for (const occt::FaceSoundness& face : found.faces)
-    for (const std::string& problem : face.problems)
-      text << "  face " << face.number << ": " << problem << "\n";
+    add("face", face.number, {face.number}, face.problems, kinds);
   for (const occt::EdgeSoundness& edge : found.edges)
-    for (const std::string& problem : edge.problems) {
-      text << "  edge " << edge.number << " (face";
-      for (const int face : edge.faces) text << ' ' << face;
-      text << "): " << problem << "\n";
-    }
+    add("edge", edge.number, edge.faces, edge.problems, kinds);
+  for (const Kind& kind : kinds) text << "  " << kind_text(kind) << "\n";
+  if (found.problems.size() + kinds.size() < count)
+    text << "  --json lists each of them, with its figures\n";
   return text.str();
 }
 

@@ -39,6 +39,12 @@
 namespace blossom::occt {
 namespace {
 
+bool says(const std::vector<Problem>& problems, const std::string& word) {
+  return std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+    return problem.text().find(word) != std::string::npos;
+  });
+}
+
 bool says(const std::vector<std::string>& problems, const std::string& word) {
   return std::any_of(problems.begin(), problems.end(), [&](const std::string& problem) {
     return problem.find(word) != std::string::npos;
@@ -49,9 +55,9 @@ std::string all_problems(const Soundness& found) {
   std::string text;
   for (const std::string& problem : found.problems) text += problem + "; ";
   for (const FaceSoundness& face : found.faces)
-    for (const std::string& problem : face.problems) text += problem + "; ";
+    for (const Problem& problem : face.problems) text += problem.text() + "; ";
   for (const EdgeSoundness& edge : found.edges)
-    for (const std::string& problem : edge.problems) text += problem + "; ";
+    for (const Problem& problem : edge.problems) text += problem.text() + "; ";
   return text;
 }
 
@@ -215,13 +221,13 @@ TopoDS_Face polygon(const std::vector<gp_Pnt>& corners) {
 }
 
 TEST(WireProblems, FindTheCornerThatLiesOnAnEdge) {
-  const std::vector<std::string> problems =
+  const std::vector<Problem> problems =
       wire_problems(polygon({{0, 0, 0}, {3, 0, 0}, {3, 2, 0}, {1, 0, 0}, {0, 2, 0}}));
   EXPECT_TRUE(says(problems, "meets itself at (1, 0, 0)"));
 }
 
 TEST(WireProblems, FindTheCrossingOfAnEight) {
-  const std::vector<std::string> problems =
+  const std::vector<Problem> problems =
       wire_problems(polygon({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 1, 0}}));
   EXPECT_TRUE(says(problems, "meets itself")) << problems.size();
 }

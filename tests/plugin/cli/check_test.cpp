@@ -5,7 +5,9 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Solid.hxx>
@@ -89,6 +91,31 @@ TEST(CheckCommand, WritesTheReportBesideTheText) {
   EXPECT_NE(run.out.find("4 free edges"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("the solid is open there"), std::string::npos) << run.out;
   EXPECT_EQ(json::parse(testing::text_of(folder / "check.json"))["sound"], false);
+}
+
+TEST(CheckCommand, SaysOnceWhatIsWrongWithManyEdges) {
+  const testing::TestFolder folder;
+  // Two corners of a box with loose ends, 3e-3 and 5e-3 from their vertices; six edges.
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  for (TopExp_Explorer it(box, TopAbs_VERTEX); it.More(); it.Next()) {
+    const TopoDS_Vertex vertex = TopoDS::Vertex(it.Current());
+    const gp_Pnt p = BRep_Tool::Pnt(vertex);
+    const double off = p.Distance({0, 0, 0}) == 0 ? 3e-3 : p.Distance({1, 1, 1}) == 0 ? 5e-3 : 0;
+    if (off > 0) BRep_Builder().UpdateVertex(vertex, p.Translated({off, 0, 0}), 1e-7);
+  }
+  BRepTools::Write(box, (folder / "loose.brep").c_str());
+
+  const Finished run = blossom({"check", folder / "loose.brep", "--json", folder / "loose.json"});
+
+  EXPECT_EQ(run.code, 3);
+  const json report = json::parse(testing::text_of(folder / "loose.json"));
+  std::size_t edges = 0;
+  for (const json& edge : report["edges"]) edges += edge["problems"].size();
+  EXPECT_EQ(edges, 6u);
+  const auto line = run.out.find("  6 edges (faces 1-6): it misses a vertex, at worst edge ");
+  ASSERT_NE(line, std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("by 0.005, more than the tolerance 1e-07\n", line), std::string::npos);
+  EXPECT_EQ(run.out.find("misses", line + 40), std::string::npos) << run.out;
 }
 
 TEST(CheckCommand, RefusesWhatIsNoModel) {
