@@ -66,10 +66,20 @@ struct Usage {
   std::vector<int> components;
   TDF_Label part;
   TopLoc_Location location;
+  std::string
+      path;  ///< names of instances from the outside in, "machine:2/bolt:1"; empty of a root
 };
 
 /// All uses of all parts.
 std::vector<Usage> all_usages(const Document& document);
+
+/// The path of a usage, or the name of a part that is in no assembly.
+std::string part_path(const Usage& usage);
+
+/// Adds every instance of a part to another document as a part of its own at its place, named by
+/// its path (beginning with the root's name if there are several), with the looks that it has
+/// there: for files without assemblies.
+void add_instances(const Document& from, const Document& to);
 
 struct Model::Impl {
   Document document;

@@ -15,58 +15,19 @@
 namespace blossom::occt {
 namespace {
 
-// Names go to the faces below a label, which stands at a place in the model.
-class FaceNames {
- public:
-  explicit FaceNames(const TopTools_IndexedMapOfShape& faces)
-      : faces_(faces),
-        names_(static_cast<std::size_t>(faces.Extent())),
-        paths_(static_cast<std::size_t>(faces.Extent())) {}
-
-  // path   of the instances that lead here
-  void visit(const TDF_Label& label, const TopLoc_Location& place, const std::string& path) {
-    TDF_Label part;
-    if (XCAFDoc_ShapeTool::GetReferredShape(label, part)) {
-      const std::string own = name_of(label).empty() ? name_of(part) : name_of(label);
-      const std::string between = path.empty() || own.empty() ? "" : "/";
-      return visit(part, place * XCAFDoc_ShapeTool::GetLocation(label), path + between + own);
-    }
-    TDF_LabelSequence below;
-    if (XCAFDoc_ShapeTool::IsAssembly(label)) {
-      XCAFDoc_ShapeTool::GetComponents(label, below);
-      for (const TDF_Label& component : below) visit(component, place, path);
-      return;
-    }
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    name_all(shape, place, name_of(label), names_);
-    name_all(shape, place, path.empty() ? name_of(label) : path, paths_);
-    XCAFDoc_ShapeTool::GetSubShapes(label, below);
-    for (const TDF_Label& face : below)
-      name_all(XCAFDoc_ShapeTool::GetShape(face), place, name_of(face), names_);
-  }
-
-  const std::vector<std::string>& names() const { return names_; }
-  const std::vector<std::string>& paths() const { return paths_; }
-
- private:
-  void name_all(TopoDS_Shape shape, const TopLoc_Location& place, const std::string& name,
-                std::vector<std::string>& all) {
-    if (shape.IsNull() || name.empty()) return;
-    shape.Location(place * shape.Location(), false);
-    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-      if (const int number = faces_.FindIndex(it.Current()); number > 0)
-        all[static_cast<std::size_t>(number - 1)] = name;
-  }
-
-  const TopTools_IndexedMapOfShape& faces_;
-  std::vector<std::string> names_;
-  std::vector<std::string> paths_;
-};
+// What an instance is called, or the part that it is one of. Open CASCADE calls those without a
+// name "=>[0:1:1:2]", after the label of the part.
+std::string instance_name(const TDF_Label& label, const TDF_Label& referred) {
+  const std::string own = name_of(label);
+  return own.empty() || own.starts_with("=>[") ? name_of(referred) : own;
+}
 
 void add_usages(const TDF_Label& label, Usage usage, std::vector<Usage>& found) {
   TDF_Label referred;
   if (XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
     usage.location = usage.location * XCAFDoc_ShapeTool::GetLocation(label);
+    const std::string own = instance_name(label, referred);
+    usage.path += (usage.path.empty() || own.empty() ? "" : "/") + own;
     return add_usages(referred, std::move(usage), found);
   }
   if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
@@ -89,7 +50,7 @@ std::vector<Usage> all_usages(const Document& document) {
   TDF_LabelSequence roots;
   document.shapes()->GetFreeShapes(roots);
   std::vector<Usage> found;
-  for (const TDF_Label& root : roots) add_usages(root, {root, {}, {}, {}}, found);
+  for (const TDF_Label& root : roots) add_usages(root, {root, {}, {}, {}, {}}, found);
   return found;
 }
 
@@ -103,24 +64,44 @@ std::string name_of(const TDF_Label& label) {
   return TCollection_AsciiString(name->Get()).ToCString();
 }
 
+std::string part_path(const Usage& usage) {
+  return usage.path.empty() ? name_of(usage.part) : usage.path;
+}
+
 namespace {
 
-FaceNames all_names(const Document& document, const TopTools_IndexedMapOfShape& faces) {
-  FaceNames found(faces);
-  TDF_LabelSequence parts;
-  document.shapes()->GetFreeShapes(parts);
-  for (const TDF_Label& part : parts) found.visit(part, TopLoc_Location(), "");
-  return found;
+// Gives the faces of a shape, at its place, a name.
+void name_faces(TopoDS_Shape shape, const TopLoc_Location& place, const std::string& name,
+                const TopTools_IndexedMapOfShape& faces, std::vector<std::string>& names) {
+  if (shape.IsNull() || name.empty()) return;
+  shape.Location(place * shape.Location(), false);
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    if (const int number = faces.FindIndex(it.Current()); number > 0)
+      names[static_cast<std::size_t>(number - 1)] = name;
 }
 
 }  // namespace
 
 std::vector<std::string> Model::face_names() const {
-  return all_names(impl_->document, impl_->faces).names();
+  std::vector<std::string> names(static_cast<std::size_t>(face_count()));
+  const auto name_all = [&](const TDF_Label& label, const TopLoc_Location& place) {
+    name_faces(XCAFDoc_ShapeTool::GetShape(label), place, name_of(label), impl_->faces, names);
+  };
+  for (const Usage& usage : all_usages(impl_->document)) {
+    name_all(usage.part, usage.location);
+    TDF_LabelSequence subs;
+    XCAFDoc_ShapeTool::GetSubShapes(usage.part, subs);
+    for (const TDF_Label& sub : subs) name_all(sub, usage.location);
+  }
+  return names;
 }
 
 std::vector<std::string> Model::part_paths() const {
-  return all_names(impl_->document, impl_->faces).paths();
+  std::vector<std::string> paths(static_cast<std::size_t>(face_count()));
+  for (const Usage& usage : all_usages(impl_->document))
+    name_faces(XCAFDoc_ShapeTool::GetShape(usage.part), usage.location, part_path(usage),
+               impl_->faces, paths);
+  return paths;
 }
 
 const std::string& Model::file_unit() const { return impl_->document.unit; }

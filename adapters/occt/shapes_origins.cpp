@@ -19,9 +19,6 @@
 #include "adapters/occt/shapes_parts.h"
 
 namespace blossom::occt {
-namespace {
-
-using Colours = decltype(Looks::colours);
 
 Colours colours_of(const Document& document, const TDF_Label& label) {
   const Handle(XCAFDoc_ColorTool) tool = XCAFDoc_DocumentTool::ColorTool(document.main());
@@ -31,8 +28,6 @@ Colours colours_of(const Document& document, const TDF_Label& label) {
       found[i] = colour;
   return found;
 }
-
-}  // namespace
 
 std::vector<Looks> all_looks(const Document& document, const TopTools_IndexedMapOfShape& faces) {
   std::vector<Looks> looks(static_cast<std::size_t>(faces.Extent()));

@@ -23,16 +23,21 @@ void copy_looks(const TDF_Label& from, const TDF_Label& to);
 
 inline constexpr std::array kColourTypes{XCAFDoc_ColorGen, XCAFDoc_ColorSurf};
 
+using Colours = std::array<std::optional<Quantity_ColorRGBA>, kColourTypes.size()>;
+
 /// What a face looks like in its model.
 struct Looks {
   std::string name;
-  std::array<std::optional<Quantity_ColorRGBA>, kColourTypes.size()> colours;
+  Colours colours;
 
   bool any() const { return !name.empty() || colours[0] || colours[1]; }
 };
 
 /// All faces of a model, by number - 1. Colours of faces go before those of shells, solids, parts.
 std::vector<Looks> all_looks(const Document& document, const TopTools_IndexedMapOfShape& faces);
+
+/// The colours that a label has itself.
+Colours colours_of(const Document& document, const TDF_Label& label);
 
 /// Gives a label the colours.
 void paint(const Document& document, const TDF_Label& label, const Looks& looks);

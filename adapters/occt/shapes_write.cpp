@@ -72,7 +72,11 @@ std::string step_text(const Document& document) {
   return std::move(out).str();
 }
 
+/// Every instance becomes a part: of an assembly Open CASCADE makes one part without the names of
+/// those in it.
 std::string iges_text(const Document& document) {
+  const Document parts;
+  add_instances(document, parts);
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.iges.unit", document.unit.c_str());
@@ -81,7 +85,7 @@ std::string iges_text(const Document& document) {
   writer.SetColorMode(true);
   writer.SetNameMode(true);
   writer.SetLayerMode(true);
-  if (!writer.Transfer(document.handle()))
+  if (!writer.Transfer(parts.handle()))
     throw Failure("Open CASCADE cannot turn the model into IGES");
   writer.ComputeModel();
   IGESData_IGESWriter text(writer.Model());

@@ -114,26 +114,71 @@ TEST(StepFiles, KeepTheSizesOfAWingWithoutItsTurnedCopy) {
 
 INSTANTIATE_TEST_SUITE_P(Files, RoundTrip, ::testing::Values(".step", ".iges", ".brep"));
 
-// One part for all, without an assembly; solids are called as their instances.
-TEST(IgesFiles, KeepColoursOfSolidsAndFaces) {
+// A part of six faces in one colour but for the named one.
+std::string told(const std::string& name, const std::string& size, const std::string& colour,
+                 const std::string& face, const std::string& of_face) {
+  std::string text = name + " " + colour + " " + size + " valid\n";
+  for (int i = 0; i < 5; ++i) text += "  * - " + colour + "\n";
+  return text + "  * " + face + " " + of_face + "\n";
+}
+
+// IGES has no assemblies: each instance is a part of its own, called by the way to it.
+TEST(IgesFiles, HaveAPartForEachInstance) {
+  const Folder folder;
+  testing::write_works(folder / "in.step");
+  const Model works = read_model(folder / "in.step");
+  write_model(works, folder / "out.iges");
+  const Model back = read_model(folder / "out.iges");
+  EXPECT_EQ(back.part_paths(), works.part_paths());
+  EXPECT_EQ(back.face_count(), 42);
+  EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid());
+  write_model(back, folder / "back.step");
+  const std::string blue = "#0000FF", red = "#FF0000", yellow = "#FFFF00", violet = "#FF00FF";
+  const std::string parts =
+      told("machine:1/plate:1", "0.000..40.000 0.000..30.000 0.000..10.000", blue, "Top", red) +
+      told("machine:1/bolt:1", "5.000..13.000 5.000..13.000 10.000..30.000", yellow, "Head",
+           yellow) +
+      told("machine:1/bolt:2", "25.000..33.000 5.000..13.000 10.000..30.000", blue, "Head", blue) +
+      told("machine:2/plate:1", "-30.000..0.000 100.000..140.000 0.000..10.000", blue, "Top", red) +
+      told("machine:2/bolt:1", "-13.000..-5.000 105.000..113.000 10.000..30.000", violet, "Head",
+           violet) +
+      told("machine:2/bolt:2", "-13.000..-5.000 125.000..133.000 10.000..30.000", blue, "Head",
+           blue) +
+      told("bolt:9", "200.000..208.000 0.000..8.000 0.000..20.000", yellow, "Head", yellow);
+  EXPECT_EQ(testing::story(folder / "back.step").substr(0, 14 + 1 + parts.size()),
+            "in millimetre\n" + parts + "l");  // layers have numbers only
+}
+
+TEST(IgesFiles, NamePartsByTheirRootsWhereThereAreSeveral) {
+  const Folder folder;
+  testing::write_roots(folder / "in.step");
+  const Model roots = read_model(folder / "in.step");
+  EXPECT_EQ(roots.part_paths(), std::vector<std::string>(12, "Block"));  // not "=>[0:1:1:2]"
+  write_model(roots, folder / "out.iges");
+  std::vector<std::string> names(6, "Left/Block");
+  names.insert(names.end(), 6, "Right/Block");
+  EXPECT_EQ(read_model(folder / "out.iges").part_paths(), names);
+}
+
+TEST(IgesFiles, KeepColoursOfFaces) {
   const Folder folder;
   testing::write_machine(folder / "in.step");
   write_model(read_model(folder / "in.step"), folder / "out.iges");
-  write_model(read_model(folder / "out.iges"), folder / "back.step");
-  const std::string told = testing::story(folder / "back.step");
+  const Model back = read_model(folder / "out.iges");
+  write_model(back, folder / "back.step");
+  const std::string story = testing::story(folder / "back.step");
   const auto count = [&](const std::string& line) {
     int found = 0;
-    for (std::size_t at = told.find(line); at != std::string::npos; at = told.find(line, at + 1))
+    for (std::size_t at = story.find(line); at != std::string::npos; at = story.find(line, at + 1))
       ++found;
     return found;
   };
-  EXPECT_EQ(count("Machine 0.000..40.000 0.000..30.000 0.000..30.000 valid\n"), 1) << told;
-  EXPECT_EQ(count("* plate:1 #3366CC\n"), 1) << told;
-  EXPECT_EQ(count("* pin:1 #CCCC00\n"), 1) << told;
-  EXPECT_EQ(count("* pin:2 #CCCC00\n"), 1) << told;
-  EXPECT_EQ(count("#FF0000\n"), 1) << told;  // the top
-  EXPECT_EQ(count("#00FF00\n"), 1) << told;  // a side
-  EXPECT_EQ(count("#FF00FF\n"), 2) << told;  // of both pins
+  EXPECT_EQ(count("plate:1 #3366CC 0"), 1) << story;
+  EXPECT_EQ(count("pin:1 #CCCC00 "), 1) << story;
+  EXPECT_EQ(count("pin:2 #CCCC00 "), 1) << story;
+  EXPECT_EQ(count("* TopFace #FF0000\n"), 1) << story;
+  EXPECT_EQ(count("* SideFace #00FF00\n"), 1) << story;
+  EXPECT_EQ(count("* Right #FF00FF\n"), 2) << story;
 }
 
 // A part from an IGES file, cut, to IGES again.

@@ -237,6 +237,20 @@ void write_machine(const fs::path& file, const std::string& unit) {
   write(document, file, unit);
 }
 
+void write_roots(const fs::path& file) {
+  const PartsFile parts;
+  const TDF_Label block = parts.add(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "Block", colour(1, 0, 0));
+  double step = 0;
+  for (const char* name : {"Left", "Right"}) {
+    const TDF_Label root = parts.shapes->NewShape();
+    TDataStd_Name::Set(root, name);
+    gp_Trsf move;
+    move.SetTranslation(gp_Vec(step += 10, 0, 0));
+    parts.shapes->AddComponent(root, block, TopLoc_Location(move));
+  }
+  write(parts.document, file, "MM");
+}
+
 void write_pairs(const fs::path& file) {
   const Handle(TDocStd_Document) document = new_document();
   const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());

@@ -35,6 +35,9 @@ void write_content(const std::filesystem::path& file, const std::string& text);
 /// plate's, 7 to 12 and 13 to 18 the pins'. unit    as `write.step.unit` takes it
 void write_machine(const std::filesystem::path& file, const std::string& unit = "MM");
 
+/// Two assemblies "Left" and "Right" of one instance each, without a name, of a red "Block".
+void write_roots(const std::filesystem::path& file);
+
 /// Two instances "pair:1", "pair:2" of an assembly of two instances "box:1", "box:2" of a "Box",
 /// whose face 1 is called "Fläche". Faces 1 to 6 are box:1 in pair:1, 7 to 12 box:2, and so on.
 void write_pairs(const std::filesystem::path& file);
