@@ -131,10 +131,10 @@ Model read_model(const std::filesystem::path& file);
 /// Writes by the file's ending, beside the target, and renames when all is on the disk: an
 /// interrupted or failed write leaves what was there before, and nothing else if the file system
 /// has files without names (most on Linux have). `stop` is asked between steps and before the
-/// target is touched; it ends the writing by an exception. Numbers keep 16 digits. Names,
-/// colours, layers and the assembly go into STEP. IGES has no assemblies: each instance becomes a
-/// part, called by the names of instances that lead to it; layers have numbers. BREP has shapes.
-/// A link stays a link, and a device is written to directly.
+/// target is touched; it ends the writing by an exception. Numbers keep 16 digits. Names, colours,
+/// layers, dimensions and the assembly go into STEP. IGES has no assemblies: each instance becomes
+/// a part, called by the names of instances that lead to it; layers have numbers. BREP has shapes
+/// only. A link stays a link, and a device is written to directly.
 /// throws   Failure if the file cannot be written, or is not BREP and an edge has no curve in the
 ///          parameters of its face; BadModel if the ending is not known
 void write_model(const Model& model, const std::filesystem::path& file,

@@ -29,6 +29,9 @@
 #include <StepData_Protocol.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <XCAFDoc_DimTolTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include "adapters/occt/errors.h"
@@ -47,11 +50,23 @@ void set_precision(Interface_FloatWriter& numbers) {
   numbers.SetZeroSuppress(false);
 }
 
+/// AP214 is what most programs read, but only AP242 has dimensions and tolerances of faces.
+const char* schema_for(const Document& document) {
+  const auto tolerances = XCAFDoc_DocumentTool::DimTolTool(document.main());
+  TDF_LabelSequence dimensions, deviations, datums;
+  tolerances->GetDimensionLabels(dimensions);
+  tolerances->GetGeomToleranceLabels(deviations);
+  tolerances->GetDatumLabels(datums);
+  const bool none = dimensions.IsEmpty() && deviations.IsEmpty() && datums.IsEmpty();
+  return none ? "AP214IS" : "AP242DIS";
+}
+
 std::string step_text(const Document& document) {
   STEPControl_Controller::Init();
   // The writer's constructor reads the unit: set later, it gives a wrong size without a word.
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.step.unit", document.unit.c_str());
+  Interface_Static::SetCVal("write.step.schema", schema_for(document));
   STEPCAFControl_Writer writer;
   Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
   writer.SetColorMode(true);

@@ -26,7 +26,10 @@
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <XCAFApp_Application.hxx>
+#include <XCAFDimTolObjects_DimensionObject.hxx>
 #include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DimTolTool.hxx>
+#include <XCAFDoc_Dimension.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_GraphNode.hxx>
 #include <XCAFDoc_LayerTool.hxx>
@@ -87,6 +90,7 @@ class Teller {
       for (const TDF_Label& member : members) out_ << " " << name_of(member);
       out_ << "\n";
     }
+    tell_dimensions(XCAFDoc_DocumentTool::DimTolTool(document->Main()));
   }
 
   std::string text() const { return out_.str(); }
@@ -132,6 +136,23 @@ class Teller {
     for (int i = 1; i <= 3; ++i)
       text << " " << rounded(low.Coord(i)) << ".." << rounded(high.Coord(i));
     return text.str();
+  }
+
+  void tell_dimensions(const Handle(XCAFDoc_DimTolTool) & tolerances) {
+    TDF_LabelSequence dimensions;
+    tolerances->GetDimensionLabels(dimensions);
+    for (const TDF_Label& label : dimensions) {
+      Handle(XCAFDoc_Dimension) attribute;
+      label.FindAttribute(XCAFDoc_Dimension::GetID(), attribute);
+      const Handle(XCAFDimTolObjects_DimensionObject) found = attribute->GetObject();
+      TDF_LabelSequence first, second;
+      tolerances->GetRefShapeLabel(label, first, second);
+      out_ << "dimension " << found->GetValue() << " +" << found->GetUpperTolValue() << " -"
+           << found->GetLowerTolValue();
+      for (const TDF_LabelSequence* side : {&first, &second})
+        for (const TDF_Label& face : *side) out_ << " " << name_of(face);
+      out_ << "\n";
+    }
   }
 
   void tell(const TDF_Label& label, int depth) {
@@ -251,6 +272,27 @@ void write_roots(const fs::path& file) {
   write(parts.document, file, "MM");
 }
 
+void write_gauge(const fs::path& file) {
+  const PartsFile parts;
+  const TDF_Label gauge =
+      parts.add(BRepPrimAPI_MakeBox(40, 30, 10).Shape(), "Gauge", colour(1, 0, 0));
+  const auto tolerances = XCAFDoc_DocumentTool::DimTolTool(parts.document->Main());
+  const TDF_Label dimension = tolerances->AddDimension();
+  const Handle(XCAFDimTolObjects_DimensionObject) width = new XCAFDimTolObjects_DimensionObject;
+  width->SetType(XCAFDimTolObjects_DimensionType_Location_LinearDistance);
+  width->SetValue(40);
+  width->SetUpperTolValue(0.1);
+  width->SetLowerTolValue(0.2);
+  Handle(XCAFDoc_Dimension) attribute;
+  dimension.FindAttribute(XCAFDoc_Dimension::GetID(), attribute);
+  attribute->SetObject(width);
+  tolerances->SetDimension(parts.name_face(gauge, 1, "Left"), parts.name_face(gauge, 2, "Right"),
+                           dimension);
+  Interface_Static::SetCVal("write.step.schema", "AP242DIS");
+  write(parts.document, file, "MM");
+  Interface_Static::SetCVal("write.step.schema", "AP214IS");
+}
+
 void write_pairs(const fs::path& file) {
   const Handle(TDocStd_Document) document = new_document();
   const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
@@ -322,6 +364,7 @@ std::string story(const fs::path& file) {
   reader.SetNameMode(true);
   reader.SetLayerMode(true);
   reader.SetSHUOMode(true);
+  reader.SetGDTMode(true);
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return "unreadable";
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.ChangeReader().FileUnits(lengths, angles, solid_angles);

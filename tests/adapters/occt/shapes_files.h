@@ -38,6 +38,9 @@ void write_machine(const std::filesystem::path& file, const std::string& unit = 
 /// Two assemblies "Left" and "Right" of one instance each, without a name, of a red "Block".
 void write_roots(const std::filesystem::path& file);
 
+/// A box "Gauge" with the dimension 40 +0.1 -0.2 between its faces "Left" and "Right".
+void write_gauge(const std::filesystem::path& file);
+
 /// Two instances "pair:1", "pair:2" of an assembly of two instances "box:1", "box:2" of a "Box",
 /// whose face 1 is called "Fläche". Faces 1 to 6 are box:1 in pair:1, 7 to 12 box:2, and so on.
 void write_pairs(const std::filesystem::path& file);
@@ -50,7 +53,8 @@ void write_pairs(const std::filesystem::path& file);
 /// order: machine:1 plate:1, bolt:1, bolt:2, machine:2 likewise, bolt:9.
 void write_works(const std::filesystem::path& file, const std::string& unit = "MM");
 
-/// What a STEP file holds, a line for each label: names, colours, layers, sizes, validity.
+/// What a STEP file holds, a line for each label: names, colours, layers, sizes, validity;
+/// and its dimensions.
 std::string story(const std::filesystem::path& file);
 
 }  // namespace blossom::testing

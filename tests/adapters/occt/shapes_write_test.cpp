@@ -109,6 +109,28 @@ TEST(StepFiles, AreReadAndWrittenByThreadsOneAfterTheOther) {
   EXPECT_EQ(good, 12);
 }
 
+TEST(StepFiles, KeepDimensionsOfFacesThatStay) {
+  const Folder folder;
+  testing::write_gauge(folder / "in.step");
+  Model gauge = read_model(folder / "in.step");
+  write_model(gauge, folder / "out.step");
+  const std::string told = testing::story(folder / "out.step");
+  EXPECT_EQ(told, testing::story(folder / "in.step"));
+  const std::string dimension = "dimension 40 +0.1 -0.2 Left Right\n";
+  EXPECT_NE(told.find(dimension), std::string::npos) << told;
+  // The file of another model has the schema that most programs read.
+  testing::write_machine(folder / "machine.step");
+  write_model(read_model(folder / "machine.step"), folder / "other.step");
+  EXPECT_NE(testing::content(folder / "other.step").find("AUTOMOTIVE_DESIGN"), std::string::npos);
+  // Without another of its faces it still has it.
+  gauge.replace_faces({{6, {}}});
+  write_model(gauge, folder / "open.step");
+  EXPECT_NE(testing::story(folder / "open.step").find(dimension), std::string::npos);
+  gauge.replace_faces({{1, {}}});
+  write_model(gauge, folder / "open.step");
+  EXPECT_EQ(testing::story(folder / "open.step").find("dimension 40"), std::string::npos);
+}
+
 TEST(NewModels, KeepNamesColoursPlacesAndNumbersThroughStep) {
   const Folder folder;
   gp_Trsf move;
