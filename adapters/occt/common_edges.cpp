@@ -2,6 +2,7 @@
 #include "adapters/occt/common_edges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -12,9 +13,11 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <Geom_Plane.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <gp_Pln.hxx>
 
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/curves.h"
@@ -26,6 +29,7 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kMargin = 1.1;
+constexpr int kEvenPoints = 8;  // of a curve that may keep to edges
 
 struct EdgeCurve {
   Handle(Geom_Curve) curve;
@@ -118,8 +122,13 @@ bool is_near(const Vec3& point, const std::vector<BoxedEdge>& edges, double reac
   });
 }
 
-// Whether every sample of a curve is near one of the edges.
+// Whether a curve is near one of the edges all along: at its samples, of which a straight one has
+// hardly more than its ends, and at points between them.
 bool keeps_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges, double reach) {
+  for (int i = 1; i < kEvenPoints; ++i) {
+    const double t = at(curve.curve.domain(), static_cast<double>(i) / kEvenPoints);
+    if (!is_near(point_at(curve.curve, t), edges, reach)) return false;
+  }
   return std::all_of(curve.samples.begin(), curve.samples.end(),
                      [&](const SurfacePoint& x) { return is_near(x.point, edges, reach); });
 }
@@ -131,6 +140,35 @@ bool may_keep_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& e
   return is_near(curve.samples[last / 2].point, edges, reach) ||
          is_near(curve.samples[last / 4].point, edges, reach) ||
          is_near(curve.samples[3 * last / 4].point, edges, reach);
+}
+
+// Whether some point of an edge, not its ends alone, is as near as that to what `height` measures.
+template <class Height>
+bool comes_near(const TopoDS_Edge& edge, double reach, const Height& height) {
+  const EdgeCurve of = curve_of(edge);
+  return std::ranges::any_of(std::array{0.5, 0.25, 0.75}, [&](double part) {
+    return std::abs(height(of.curve->Value(at(of.range, part)))) <= reach;
+  });
+}
+
+// Whether an edge in which the surface of its face ends may lie on another one. The two surfaces
+// may miss each other there by rounding, and leave no curve. On other surfaces than planes only
+// seams are tried, since it takes time and most edges lie on none.
+bool may_lie_on(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
+                const TopoDS_Face& other, double tolerance, double reach) {
+  const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(other));
+  if (!plane.IsNull())
+    return std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) {
+      return comes_near(edge, reach, [&](const gp_Pnt& p) { return plane->Pln().Distance(p); });
+    });
+  std::optional<SurfaceFeet> feet;
+  return std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) {
+    if (!BRep_Tool::IsClosed(edge, of)) return false;
+    if (!feet) feet.emplace(other, tolerance);
+    return comes_near(edge, reach, [&](const gp_Pnt& p) {
+      return feet->height({p.X(), p.Y(), p.Z()});
+    });
+  });
 }
 
 }  // namespace
@@ -152,16 +190,18 @@ void CommonEdges::add(const FaceIntersection& pair) {
   const auto face_b = static_cast<std::size_t>(pair.face_b);
   const std::vector<TopoDS_Edge> of_a = edges_of(a_[face_a]), of_b = edges_of(b_[face_b]);
   const auto& curves = pair.found.curves;
-  const auto any_along = [&](const std::vector<TopoDS_Edge>& edges) {
-    if (curves.empty()) return false;
+  const auto any_along = [&](const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
+                             const TopoDS_Face& other) {
+    if (curves.empty()) return may_lie_on(edges, of, other, options_.tolerances.point, reach_);
     const std::vector<BoxedEdge> near = boxed(edges, reach_);
-    return std::any_of(curves.begin(), curves.end(), [&](const IntersectionCurve& curve) {
-      return may_keep_to(curve, near, reach_);
-    });
+    return std::any_of(
+               curves.begin(), curves.end(),
+               [&](const IntersectionCurve& curve) { return may_keep_to(curve, near, reach_); }) ||
+           may_lie_on(edges, of, other, options_.tolerances.point, reach_);
   };
   const bool overlap = has_overlap(pair);
-  if (overlap || any_along(of_b)) lay(of_b, Of::B, face_a);
-  if (overlap || any_along(of_a)) lay(of_a, Of::A, face_b);
+  if (overlap || any_along(of_b, b_[face_b], a_[face_a])) lay(of_b, Of::B, face_a);
+  if (overlap || any_along(of_a, a_[face_a], b_[face_b])) lay(of_a, Of::A, face_b);
 }
 
 // Which of the edges lie in a face of the other shape, and where they meet its edges.

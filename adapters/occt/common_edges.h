@@ -44,8 +44,8 @@ class CommonEdges {
   CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
               const IntersectionOptions& options);
 
-  /// Looks at the edges of two faces that meet: at all where the faces coincide, else at those that
-  /// intersection curves run along.
+  /// Looks at the edges of two faces that meet: at all where the faces coincide, where intersection
+  /// curves run along some, or some seem to lie in the other face.
   void add(const FaceIntersection& pair);
 
   /// The curves of the pair that run along an edge which lies in the other face; their place among

@@ -18,6 +18,7 @@
 #include "adapters/occt/edge_union.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/solid_loose_ends.h"
 
 namespace blossom::occt {
 namespace {
@@ -356,6 +357,21 @@ std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const ShapeIntersec
   return overlaps;
 }
 
+// Where curves break off comes first: what it leaves undivided is told of many faces then.
+void tell_loose_ends(const ShapeIntersection& found, const TrimTool& a, const TrimTool& b,
+                     const CommonEdges& common, SolidPieces& result) {
+  std::vector<CrossingCurve> curves;
+  for (const FaceIntersection& pair : found.pairs)
+    for (const IntersectionCurve& curve : pair.found.curves)
+      curves.push_back(
+          {{curve.samples.front().point, curve.samples.back().point},
+           {static_cast<std::size_t>(pair.face_a), static_cast<std::size_t>(pair.face_b)}});
+  const std::vector<std::string> loose =
+      loose_ends(curves, {CrossedSolid{"part", &a.faces, &common.in_a()},
+                          CrossedSolid{"tool", &b.faces, &common.in_b()}});
+  result.obstacles.insert(result.obstacles.begin(), loose.begin(), loose.end());
+}
+
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options,
                       Extent extent, ArcCuts cuts) {
   SolidPieces result;
@@ -385,7 +401,10 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
     result.obstacles.push_back(cause);
   for (const Side* side : {&side_a, &side_b}) join_laid(*side, joined, result);
   join_edges(side_a, side_b, uses, joined, result);
-  if (!result.obstacles.empty()) return result;
+  if (!result.obstacles.empty()) {
+    tell_loose_ends(found, a, b, common, result);
+    return result;
+  }
   SplitSolid split_a = split_solid(side_a, common.in_b(), splits, joined);
   SplitSolid split_b = split_solid(side_b, common.in_a(), splits, joined);
   if (joined.collapsed() > 0)

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Solids cut along edges that they have already.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <numbers>
+#include <string>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+
+#include "adapters/occt/shapes.h"
+#include "adapters/occt/solid_trim.h"
+
+namespace blossom::occt {
+namespace {
+
+// All of a box beyond a plane y = const.
+TrimTool box_beyond(double y, const gp_Pnt& low, const gp_Pnt& high) {
+  return trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(low.X(), y, low.Z()), high));
+}
+
+// The plane goes through the seam of each face. That of a spline surface is 2e-12 away, without
+// crossing the plane, and at both ends of the line on the far side of a cylinder are circles that
+// lie in the plane as far as tolerances go.
+TEST(SolidSeams, HalveAModelThatIsItsOwnMirrorImage) {
+  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const Model model = read_model(std::filesystem::path(folder) / "models/elliptiplane.brep");
+  for (const double y : {0.0, 1e-8}) {
+    const SolidTrimResult made = trim_solids(
+        trim_tool(model.shape()), {box_beyond(y, {-5, 0, -2}, {2.5, 6, 9})}, SolidOperation::Split);
+    ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
+    ASSERT_EQ(made.solids.size(), 2u);
+    const SolidVolumes& volumes = made.volumes.back();
+    EXPECT_NEAR(volumes.cut, 0.5 * volumes.part, 2e-7 * volumes.part);
+    EXPECT_NEAR(volumes.common, 0.5 * volumes.part, 2e-7 * volumes.part);
+    for (const TopoDS_Solid& solid : made.solids) EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
+  }
+}
+
+TEST(SolidSeams, HalveAThinDisc) {
+  const TopoDS_Shape disc = BRepPrimAPI_MakeCylinder(1.5, 0.05);
+  const SolidTrimResult made =
+      trim_solids(trim_tool(disc), {box_beyond(0, {-2, 0, -1}, {2, 2, 1})}, SolidOperation::Cut);
+  ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
+  EXPECT_NEAR(made.volumes.back().cut, 0.5 * std::numbers::pi * 1.5 * 1.5 * 0.05, 1e-9);
+}
+
+// The plane stays within the tolerance of edges that are 2e-3 off their faces.
+TEST(SolidSeams, TellWhereACutAlongALooseEdgeBreaksOff) {
+  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const Model model = read_model(std::filesystem::path(folder) / "models/s1_mainbody_back.stp");
+  const SolidTrimResult made =
+      trim_solids(trim_tool(model.shape()), {box_beyond(-5e-4, {-200, 0, -100}, {200, 100, 100})},
+                  SolidOperation::Cut);
+  ASSERT_FALSE(made.obstacles.empty());
+  EXPECT_TRUE(made.solids.empty());
+  const std::string& first = made.obstacles.front();
+  EXPECT_NE(first.find("face 13 of the part"), std::string::npos) << first;
+  EXPECT_NE(first.find("edge of tolerance 0.0022"), std::string::npos) << first;
+  EXPECT_NE(first.find("goes on in no other face"), std::string::npos) << first;
+}
+
+}  // namespace
+}  // namespace blossom::occt
