@@ -23,20 +23,13 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/watertight.h"
-#include "core/forms/de_casteljau.h"
+#include "tests/support/watertight_mesh.h"
 
 namespace blossom {
 namespace {
 
-class Mesh {
- public:
-  std::vector<Vec3> points;
-  std::vector<std::array<int, 3>> triangles;
-
-  void add(int a, int b, int c) {
-    if (a != b && b != c && c != a) triangles.push_back({a, b, c});
-  }
-};
+using testing::Mesh;
+using testing::WatertightSampler;
 
 // Nodes are one if their coordinates are equal bit for bit.
 Mesh meshed(const TopoDS_Shape& shape, double deflection) {
@@ -69,87 +62,12 @@ Mesh meshed(const TopoDS_Shape& shape, double deflection) {
   return mesh;
 }
 
-// Each side is sampled once, by its curve, and each piece inside.
-class Sampler {
- public:
-  Sampler(const occt::WatertightShape& shape, int parts) : made_(shape.pieces), parts_(parts) {
-    mesh_.points = made_.vertices;
-    for (const WatertightSide& side : made_.sides) {
-      first_of_side_.push_back(static_cast<int>(mesh_.points.size()));
-      for (int k = 1; k < parts_ && !side.curve.points.empty(); ++k)
-        mesh_.points.push_back(point_at(side.curve, static_cast<double>(k) / parts_));
-    }
-    for (const WatertightPiece& piece : made_.pieces) {
-      const auto face = shape.faces[static_cast<std::size_t>(piece.face)].front();
-      reversed_ = face.Orientation() == TopAbs_REVERSED;
-      if (const auto* triangle = std::get_if<BezierTriangle>(&piece.form))
-        add(piece, *triangle);
-      else
-        add(piece, std::get<BezierPatch>(piece.form));
-    }
-  }
-
-  const Mesh& mesh() const { return mesh_; }
-
- private:
-  // Sample k of a side as the piece walks it.
-  int on_side(const WatertightPiece& piece, std::size_t side, int k) const {
-    const std::size_t next = (side + 1) % piece.vertices.size();
-    if (k == 0) return piece.vertices[side];
-    if (k == parts_) return piece.vertices[next];
-    const auto number = static_cast<std::size_t>(piece.sides[side]);
-    if (made_.sides[number].curve.points.empty()) return piece.vertices[side];
-    return first_of_side_[number] + (piece.along[side] ? k : parts_ - k) - 1;
-  }
-
-  void add(int a, int b, int c) { reversed_ ? mesh_.add(a, c, b) : mesh_.add(a, b, c); }
-
-  int inside(const Vec3& p) {
-    mesh_.points.push_back(p);
-    return static_cast<int>(mesh_.points.size()) - 1;
-  }
-
-  void add(const WatertightPiece& piece, const BezierTriangle& triangle) {
-    std::map<std::pair<int, int>, int> at;  // by the shares of a and b
-    for (int i = 0; i <= parts_; ++i)
-      for (int j = 0; i + j <= parts_; ++j) {
-        const int k = parts_ - i - j;
-        at[{i, j}] = k == 0   ? on_side(piece, 0, j)
-                     : i == 0 ? on_side(piece, 1, k)
-                     : j == 0 ? on_side(piece, 2, i)
-                              : inside(point_at(triangle, static_cast<double>(i) / parts_,
-                                                static_cast<double>(j) / parts_));
-      }
-    for (int i = 0; i < parts_; ++i)
-      for (int j = 0; i + j < parts_; ++j) {
-        add(at[{i, j}], at[{i + 1, j}], at[{i, j + 1}]);
-        if (i + j + 1 < parts_) add(at[{i + 1, j}], at[{i + 1, j + 1}], at[{i, j + 1}]);
-      }
-  }
-
-  void add(const WatertightPiece& piece, const BezierPatch& patch) {
-    Grid<int> at(parts_ + 1, parts_ + 1);
-    for (int i = 0; i <= parts_; ++i)
-      for (int j = 0; j <= parts_; ++j)
-        at(i, j) = j == 0        ? on_side(piece, 0, i)
-                   : i == parts_ ? on_side(piece, 1, j)
-                   : j == parts_ ? on_side(piece, 2, parts_ - i)
-                   : i == 0      ? on_side(piece, 3, parts_ - j)
-                                 : inside(point_at(patch, static_cast<double>(i) / parts_,
-                                                   static_cast<double>(j) / parts_));
-    for (int i = 0; i < parts_; ++i)
-      for (int j = 0; j < parts_; ++j) {
-        add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
-        add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
-      }
-  }
-
-  const WatertightPieces& made_;
-  int parts_;
-  bool reversed_ = false;
-  std::vector<int> first_of_side_;
-  Mesh mesh_;
-};
+Mesh sampled(const occt::WatertightShape& shape) {
+  std::vector<bool> reversed;
+  for (const auto& pieces : shape.faces)
+    reversed.push_back(pieces.front().Orientation() == TopAbs_REVERSED);
+  return WatertightSampler(shape.pieces, reversed, 4).mesh();
+}
 
 // Three nodes of Open CASCADE's mesh on one ray from the collapsed corner of a flat piece lie on a
 // line, so there its mesh may have triangles of no area, turned over by rounding.
@@ -178,7 +96,7 @@ void expect_watertight(const TopoDS_Shape& a, const TopoDS_Shape& b, Faces faces
     expect_closed(meshed(made.shape, 1e-2), fused.volumes.back().fuse, 0.05, faces);
   }
   SCOPED_TRACE("meshed by samples");
-  expect_closed(Sampler(made, 4).mesh(), fused.volumes.back().fuse, 0.01);
+  expect_closed(sampled(made), fused.volumes.back().fuse, 0.01);
 }
 
 TEST(WatertightMesh, OfTwoSpheresIsClosed) {
@@ -205,7 +123,7 @@ TEST(WatertightMesh, OfACrankArmDoesNotCrossItself) {
   const occt::Model model = occt::read_model(std::string(folder) + "/models/crankarm.brep");
   const occt::WatertightShape made = occt::watertight(model.shape());
   ASSERT_EQ(made.pieces.obstacle, "");
-  expect_closed(Sampler(made, 4).mesh(), 54074, 1e-3);
+  expect_closed(sampled(made), 54074, 1e-3);
 }
 
 }  // namespace

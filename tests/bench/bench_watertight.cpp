@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whole models and cut ones as patches and triangles without gaps, checked.
+//
+//   bench_watertight [--limit SECONDS] [--tolerance T] [--parts N] [--copies] [--keep FOLDER]
+//   FILE...
+//
+// Jobs of a model: the whole of it ("whole"), and without what lies in a box over one half of its
+// own box, halved across the longest way ("half"); with --copies also cut, common and fuse with the
+// copies c1 and c2 of bench_solids. A model that is no closed solid is cut face by face.
+//
+// A line for each job, as a row of a table. "Free" are sides with one piece where the model has
+// none, "many" those with more than two. CGAL looks at a mesh of N parts a side that
+// neighbours share: manifold, closed, pairs of triangles that cross. Seconds are processor time of
+// the cut, and of the pieces with their checks. --keep writes the shapes as .brep.
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <BRepBndLib.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include "adapters/cgal/gpl/mesh_check.h"
+#include "adapters/occt/errors.h"
+#include "adapters/occt/shapes.h"
+#include "adapters/occt/solid_trim.h"
+#include "adapters/occt/trim.h"
+#include "adapters/occt/watertight.h"
+#include "core/base/errors.h"
+#include "tests/bench/apart.h"
+#include "tests/bench/moved_copy.h"
+#include "tests/support/watertight_mesh.h"
+
+namespace blossom::bench {
+namespace {
+
+struct Settings {
+  double limit = 60;
+  double tolerance = 1e-6;
+  int parts = 4;
+  bool copies = false;
+  std::string folder;
+  std::vector<std::string> files;
+};
+
+struct Job {
+  std::string name;
+  TopoDS_Shape tool;  // null: the whole model
+  occt::SolidOperation operation = occt::SolidOperation::Cut;
+};
+
+// What comes of a job; plain values, so that it can be passed between processes.
+struct Outcome {
+  Ending ending = Ending::Died;
+  std::array<char, 400> obstacle{};
+  double cut_seconds = 0, seconds = 0, deviation = 0;
+  int faces = 0, given_free = 0, patches = 0, triangles = 0, free = 0, many = 0;
+  cgal::MeshCheck mesh;
+};
+
+void tell(Outcome& outcome, const std::string& obstacle) {
+  obstacle.copy(outcome.obstacle.data(), outcome.obstacle.size() - 1);
+}
+
+TopoDS_Shape half_box(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(shape, box, false, false);
+  std::array<double, 3> low{}, high{};
+  box.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
+  std::size_t longest = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (high[k] - low[k] > high[longest] - low[longest]) longest = k;
+  const double beyond = 0.1 * (high[longest] - low[longest]);
+  const double middle = 0.5 * (low[longest] + high[longest]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    low[k] = k == longest ? middle : low[k] - beyond;
+    high[k] += beyond;
+  }
+  return BRepPrimAPI_MakeBox(gp_Pnt(low[0], low[1], low[2]), gp_Pnt(high[0], high[1], high[2]));
+}
+
+std::vector<Job> jobs_of(const TopoDS_Shape& shape, const Settings& settings) {
+  std::vector<Job> jobs{{"whole", {}}, {"half", half_box(shape)}};
+  if (!settings.copies) return jobs;
+  const std::array operations{std::pair{"cut", occt::SolidOperation::Cut},
+                              std::pair{"common", occt::SolidOperation::Common},
+                              std::pair{"fuse", occt::SolidOperation::Fuse}};
+  for (const auto& [kind, degrees, part] :
+       {std::tuple{"c1", 23.0, 0.06}, std::tuple{"c2", 2.0, 0.004}})
+    for (const auto& [name, operation] : operations)
+      jobs.push_back({std::string(kind) + " " + name, moved_copy(shape, degrees, part), operation});
+  return jobs;
+}
+
+TopoDS_Shape together(const std::vector<TopoDS_Solid>& solids) {
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Solid& solid : solids) builder.Add(all, solid);
+  return all;
+}
+
+// The faces of a model that is no closed solid, without what lies in the tool.
+TopoDS_Shape faces_outside(occt::Model& model, const occt::TrimTool& tool,
+                           const IntersectionOptions& engine) {
+  std::vector<occt::PartFace> faces;
+  for (int number = 1; number <= model.face_count(); ++number)
+    faces.push_back({number, model.face(number), true});
+  occt::TrimOptions options;
+  options.keep = occt::Keep::Outside;
+  options.intersection = engine;
+  const occt::TrimResult made = occt::trim(faces, {tool}, options);
+  if (made.status == Status::Stopped) throw occt::BadModel("the intersection is not complete");
+  model.replace_faces(made.replacements);
+  return model.shape();
+}
+
+TopoDS_Shape cut_shape(occt::Model& model, const Job& job) {
+  if (job.tool.IsNull()) return model.shape();
+  IntersectionOptions engine;
+  engine.threads = 1;
+  const occt::TrimTool part = occt::trim_tool(model.shape()), tool = occt::trim_tool(job.tool);
+  try {
+    const occt::SolidTrimResult made = occt::trim_solids(part, {tool}, job.operation, engine);
+    if (!made.obstacles.empty()) throw occt::BadModel("no solid: " + made.obstacles.front());
+    return together(made.solids);
+  } catch (const InvalidInput&) {
+    if (job.name != "half") throw;
+    return faces_outside(model, tool, engine);
+  }
+}
+
+int free_edges(const TopoDS_Shape& shape) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  int count = 0;
+  for (int k = 1; k <= faces.Extent(); ++k)
+    count += faces(k).Extent() == 1 && !BRep_Tool::Degenerated(TopoDS::Edge(faces.FindKey(k)));
+  return count;
+}
+
+void count(const WatertightPieces& pieces, Outcome& outcome) {
+  std::vector<int> uses(pieces.sides.size(), 0);
+  for (const WatertightPiece& piece : pieces.pieces) {
+    ++(std::holds_alternative<BezierTriangle>(piece.form) ? outcome.triangles : outcome.patches);
+    for (const int side : piece.sides) ++uses[static_cast<std::size_t>(side)];
+  }
+  for (std::size_t k = 0; k < uses.size(); ++k) {
+    outcome.free += uses[k] == 1 && !pieces.sides[k].curve.points.empty();
+    outcome.many += uses[k] > 2 && !pieces.sides[k].curve.points.empty();
+  }
+}
+
+Outcome outcome_of(const std::string& file, const Job& job, const Settings& settings) {
+  Outcome outcome;
+  occt::Model model = occt::read_model(file);
+  double start = processor_seconds();
+  const TopoDS_Shape shape = cut_shape(model, job);
+  outcome.cut_seconds = processor_seconds() - start;
+  outcome.given_free = free_edges(shape);
+  WatertightOptions options;
+  options.tolerance = settings.tolerance;
+  start = processor_seconds();
+  const occt::WatertightShape made = occt::watertight(shape, options);
+  outcome.seconds = processor_seconds() - start;
+  tell(outcome, made.pieces.obstacle);
+  if (!made.pieces.obstacle.empty()) return outcome;
+  outcome.deviation = made.pieces.deviation;
+  outcome.faces = static_cast<int>(made.faces.size());
+  count(made.pieces, outcome);
+  std::vector<bool> reversed;
+  for (const auto& pieces : made.faces)
+    reversed.push_back(!pieces.empty() && pieces.front().Orientation() == TopAbs_REVERSED);
+  const testing::WatertightSampler sampler(made.pieces, reversed, settings.parts);
+  outcome.mesh = cgal::check_mesh(sampler.mesh().points, sampler.mesh().triangles);
+  if (settings.folder.empty()) return outcome;
+  occt::Model kept;
+  kept.add(made.shape, job.name);
+  const std::string stem = std::filesystem::path(file).stem().string();
+  occt::write_model(kept,
+                    std::filesystem::path(settings.folder) / (stem + " " + job.name + ".brep"));
+  return outcome;
+}
+
+// What does not end or breaks a rule is an outcome like others here.
+Outcome measured(const std::string& file, const Job& job, const Settings& settings) {
+  Outcome result;
+  const Ending ending = apart<Outcome>(settings.limit, result, [&] {
+    try {
+      return outcome_of(file, job, settings);
+    } catch (const InvalidInput& error) {
+      Outcome refused;
+      tell(refused, error.what());
+      return refused;
+    } catch (const occt::BadModel& error) {
+      Outcome refused;
+      tell(refused, error.what());
+      return refused;
+    }
+  });
+  if (ending != Ending::Done) result = {};
+  result.ending = ending;
+  return result;
+}
+
+// Closed where the model is, and nothing crosses.
+bool is_sound(const Outcome& outcome) {
+  return outcome.ending == Ending::Done && outcome.obstacle[0] == 0 && outcome.many == 0 &&
+         (outcome.free > 0) == (outcome.given_free > 0) && outcome.mesh.manifold &&
+         outcome.mesh.closed == (outcome.free == 0) && outcome.mesh.self_intersections == 0;
+}
+
+void print(const std::string& name, const Outcome& outcome) {
+  std::printf("| %s | ", name.c_str());
+  if (outcome.ending != Ending::Done)
+    std::printf("%s |\n", outcome.ending == Ending::OutOfTime ? "out of time" : "died");
+  else if (outcome.obstacle[0] != 0)
+    std::printf("refused: %s | %.2f + %.2f |\n", outcome.obstacle.data(), outcome.cut_seconds,
+                outcome.seconds);
+  else
+    std::printf("%s | %s%s, %d crossings | %d, %d | %.1e | %d, %d, %d | %.2f + %.2f |\n",
+                is_sound(outcome) ? "sound" : "NOT SOUND",
+                outcome.mesh.manifold ? "manifold" : "no manifold",
+                outcome.mesh.closed ? ", closed" : "", outcome.mesh.self_intersections,
+                outcome.free, outcome.many, outcome.deviation, outcome.faces, outcome.patches,
+                outcome.triangles, outcome.cut_seconds, outcome.seconds);
+  std::fflush(stdout);
+}
+
+std::optional<Settings> settings_from(int argc, char** argv) {
+  Settings settings;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto value = [&] { return i + 1 < argc ? argv[++i] : "0"; };
+    if (word == "--limit")
+      settings.limit = std::atof(value());
+    else if (word == "--tolerance")
+      settings.tolerance = std::atof(value());
+    else if (word == "--parts")
+      settings.parts = std::atoi(value());
+    else if (word == "--copies")
+      settings.copies = true;
+    else if (word == "--keep")
+      settings.folder = value();
+    else
+      settings.files.push_back(word);
+  }
+  if (settings.files.empty() || !(settings.tolerance > 0) || settings.parts < 1)
+    return std::nullopt;
+  return settings;
+}
+
+int run_all(const Settings& settings) {
+  std::printf(
+      "| job | result | mesh | free, many | within | faces, patches, triangles | s |\n"
+      "|---|---|---|---|---:|---|---|\n");
+  int unsound = 0;
+  for (const std::string& file : settings.files) {
+    const occt::Model model = occt::read_model(file);
+    for (const Job& job : jobs_of(model.shape(), settings)) {
+      const Outcome outcome = measured(file, job, settings);
+      print(std::filesystem::path(file).stem().string() + " " + job.name, outcome);
+      unsound += outcome.obstacle[0] == 0 && !is_sound(outcome);
+    }
+  }
+  return unsound > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace blossom::bench
+
+int main(int argc, char** argv) {
+  const auto settings = blossom::bench::settings_from(argc, argv);
+  if (!settings) {
+    std::fprintf(stderr,
+                 "bench_watertight [--limit SECONDS] [--tolerance T] [--parts N] [--copies] "
+                 "[--keep FOLDER] FILE...\n");
+    return 2;
+  }
+  blossom::occt::quiet_messages();
+  return blossom::bench::run_all(*settings);
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Triangle meshes of watertight pieces: each side is sampled once, by its curve, for all its
+// pieces.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/forms/de_casteljau.h"
+#include "core/trimming/watertight.h"
+
+namespace blossom::testing {
+
+struct Mesh {
+  std::vector<Vec3> points;
+  std::vector<std::array<int, 3>> triangles;
+
+  void add(int a, int b, int c) {
+    if (a != b && b != c && c != a) triangles.push_back({a, b, c});
+  }
+};
+
+/// Samples pieces at `parts` + 1 points along each side and likewise inside.
+class WatertightSampler {
+ public:
+  /// reversed   for each face of the model, whether its pieces face the other way
+  WatertightSampler(const WatertightPieces& pieces, const std::vector<bool>& reversed, int parts)
+      : made_(pieces), parts_(parts) {
+    mesh_.points = made_.vertices;
+    for (const WatertightSide& side : made_.sides) {
+      first_of_side_.push_back(static_cast<int>(mesh_.points.size()));
+      for (int k = 1; k < parts_ && !side.curve.points.empty(); ++k)
+        mesh_.points.push_back(point_at(side.curve, static_cast<double>(k) / parts_));
+    }
+    for (const WatertightPiece& piece : made_.pieces) {
+      reversed_ = reversed[static_cast<std::size_t>(piece.face)];
+      if (const auto* triangle = std::get_if<BezierTriangle>(&piece.form))
+        add(piece, *triangle);
+      else
+        add(piece, std::get<BezierPatch>(piece.form));
+    }
+  }
+
+  const Mesh& mesh() const { return mesh_; }
+
+ private:
+  // Sample k of a side as the piece walks it.
+  int on_side(const WatertightPiece& piece, std::size_t side, int k) const {
+    const std::size_t next = (side + 1) % piece.vertices.size();
+    if (k == 0) return piece.vertices[side];
+    if (k == parts_) return piece.vertices[next];
+    const auto number = static_cast<std::size_t>(piece.sides[side]);
+    if (made_.sides[number].curve.points.empty()) return piece.vertices[side];
+    return first_of_side_[number] + (piece.along[side] ? k : parts_ - k) - 1;
+  }
+
+  void add(int a, int b, int c) { reversed_ ? mesh_.add(a, c, b) : mesh_.add(a, b, c); }
+
+  int inside(const Vec3& p) {
+    mesh_.points.push_back(p);
+    return static_cast<int>(mesh_.points.size()) - 1;
+  }
+
+  void add(const WatertightPiece& piece, const BezierTriangle& triangle) {
+    std::map<std::pair<int, int>, int> at;  // by the shares of a and b
+    for (int i = 0; i <= parts_; ++i)
+      for (int j = 0; i + j <= parts_; ++j) {
+        const int k = parts_ - i - j;
+        at[{i, j}] = k == 0   ? on_side(piece, 0, j)
+                     : i == 0 ? on_side(piece, 1, k)
+                     : j == 0 ? on_side(piece, 2, i)
+                              : inside(point_at(triangle, static_cast<double>(i) / parts_,
+                                                static_cast<double>(j) / parts_));
+      }
+    for (int i = 0; i < parts_; ++i)
+      for (int j = 0; i + j < parts_; ++j) {
+        add(at[{i, j}], at[{i + 1, j}], at[{i, j + 1}]);
+        if (i + j + 1 < parts_) add(at[{i + 1, j}], at[{i + 1, j + 1}], at[{i, j + 1}]);
+      }
+  }
+
+  void add(const WatertightPiece& piece, const BezierPatch& patch) {
+    Grid<int> at(parts_ + 1, parts_ + 1);
+    for (int i = 0; i <= parts_; ++i)
+      for (int j = 0; j <= parts_; ++j)
+        at(i, j) = j == 0        ? on_side(piece, 0, i)
+                   : i == parts_ ? on_side(piece, 1, j)
+                   : j == parts_ ? on_side(piece, 2, parts_ - i)
+                   : i == 0      ? on_side(piece, 3, parts_ - j)
+                                 : inside(point_at(patch, static_cast<double>(i) / parts_,
+                                                   static_cast<double>(j) / parts_));
+    for (int i = 0; i < parts_; ++i)
+      for (int j = 0; j < parts_; ++j) {
+        add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+        add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+  }
+
+  const WatertightPieces& made_;
+  int parts_;
+  bool reversed_ = false;
+  std::vector<int> first_of_side_;
+  Mesh mesh_;
+};
+
+}  // namespace blossom::testing
