@@ -21,6 +21,7 @@ namespace {
 constexpr int kTouchHalvings = 5;  // of an arc, to see which cells it meets
 // Of areas in grid coordinates: the quadrature along rational arcs.
 constexpr double kAreaError = 1e-8;
+constexpr double kBesideCell = 1.0 / 16;  // of a cell: no trim is nearer to one that stays whole
 constexpr int kFewSpans = 3;  // up to here spans are cut into cells, or none would lie inside
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -171,14 +172,17 @@ class Builder {
     return touched;
   }
 
-  // Marks all cells, borders included, that the boxes of the curve's pieces meet.
+  // Marks all cells, borders included, that the boxes of the curve's pieces meet or pass so near
+  // that triangles between them and the curve would be slivers.
   void touch(Grid<char>& touched, const PlanarBezier& curve, int halvings) const {
     const PlanarBox box = box_of(curve.points);
     std::array<int, 2> first, last;
     for (int k = 0; k < 2; ++k) {
       const int count = k == 0 ? touched.rows() : touched.columns();
-      first[index(k)] = std::max(static_cast<int>(std::ceil(box.low[k] * cells_)) - 1, 0);
-      last[index(k)] = std::min(static_cast<int>(std::floor(box.high[k] * cells_)), count - 1);
+      const double low = box.low[k] * cells_ - kBesideCell,
+                   high = box.high[k] * cells_ + kBesideCell;
+      first[index(k)] = std::max(static_cast<int>(std::ceil(low)) - 1, 0);
+      last[index(k)] = std::min(static_cast<int>(std::floor(high)), count - 1);
     }
     if (halvings > 0 && (first[0] < last[0] || first[1] < last[1])) {
       touch(touched, bezier_piece(curve, {0, 0.5}), halvings - 1);
