@@ -16,6 +16,7 @@
 #include "core/forms/degree.h"
 #include "core/forms/interpolation.h"
 #include "core/trimming/border_arcs.h"
+#include "core/trimming/closed_tips.h"
 #include "core/trimming/lower_degrees.h"
 #include "core/trimming/polynomial_surface.h"
 #include "core/trimming/triangulated_region.h"
@@ -154,6 +155,7 @@ class Builder {
     for (std::size_t f = 0; f < model_.faces.size(); ++f) add_face(static_cast<int>(f));
     lowering_.lower(result_, surfaces_, options_.highest_degree,
                     kTrianglePart * options_.tolerance);
+    divide_closed_tips(result_);
     find_coarse_sides();
     raise_degrees();
     move_sides();
