@@ -19,6 +19,8 @@ constexpr double kLoweringPart = 0.25;  // of the tolerance, for a lower degree
 constexpr double kLeastCosine = 0.5;    // of the angle that an arc's control polygon may turn
 constexpr double kLongest = 1.5;        // of an arc, in cells
 constexpr double kLeastSlope = 1e-3;    // of a crossing, across the line, that is improved
+constexpr double kCrossing = 1e-4;      // of a border: as near to a line at so far from where it
+                                        // crosses it, it runs along it but for rounding
 constexpr int kNewtonSteps = 3;         // from a crossing within kOnLine to one within rounding
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -168,8 +170,8 @@ void BorderArcs::add_line_stops(const RegionBorder& border, int direction, std::
   }
 }
 
-// The vertex at a stop. Of several stops that are as near as kOnLine to a line the nearest to the
-// crossing is on it, since other faces tell them apart; the others stay where they are.
+// The vertex at a stop. Of several stops that are as near as kOnLine to a line about a crossing the
+// nearest to it is on the line, since other faces tell them apart; the others stay where they are.
 int BorderArcs::vertex_at_stop(const RegionBorder& border, const std::vector<double>& at,
                                std::size_t stop, const std::vector<LineStop>& lines) {
   const Vec2 uv = point_at(border.curve, at[stop]);
@@ -182,7 +184,8 @@ int BorderArcs::vertex_at_stop(const RegionBorder& border, const std::vector<dou
       const bool nearest =
           std::ranges::none_of(at, [&](double other) { return std::abs(other - line.at) < way; });
       on = on || (nearest && way <= kShortestArc * length(border.curve.domain()));
-      beside = beside || (!nearest && grid[k] == line.line);
+      const bool along = way > kCrossing * length(border.curve.domain());
+      beside = beside || (!nearest && !along && grid[k] == line.line);
       if (on) grid[k] = line.line;
     }
     if (beside && !on)

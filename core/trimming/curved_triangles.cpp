@@ -122,7 +122,8 @@ class Region {
         scale_(borders.metric(patch_u, patch_v)) {}
 
   CurvedTriangles triangles() {
-    for (int round = 0; round < kMostRounds; ++round) {
+    const std::size_t most = arcs_.size() + BorderArcs::kMostArcs;
+    for (int round = 0; round < kMostRounds && arcs_.size() <= most; ++round) {
       CurvedTriangles made;
       const std::set<int> to_halve = attempt(made);
       if (to_halve.empty()) return made;

@@ -12,6 +12,7 @@
 
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
@@ -115,6 +116,53 @@ TEST(WatertightMesh, OfABoxAndACylinderIsClosed) {
                     Faces::Flat);
 }
 
+// A solid with poles without a box, which leaves this volume.
+void expect_cut_closed(const TopoDS_Shape& part, const gp_Pnt& low, const gp_Pnt& high,
+                       double volume) {
+  const occt::SolidTrimResult cut =
+      occt::trim_solids(occt::trim_tool(part), {occt::trim_tool(BRepPrimAPI_MakeBox(low, high))},
+                        occt::SolidOperation::Cut);
+  ASSERT_TRUE(cut.obstacles.empty()) << cut.obstacles.front();
+  ASSERT_EQ(cut.solids.size(), 1u);
+  const occt::WatertightShape made = occt::watertight(cut.solids.front());
+  ASSERT_EQ(made.pieces.obstacle, "");
+  EXPECT_LE(made.pieces.deviation, 1e-6);
+  expect_closed(sampled(made), volume, 2e-3);
+}
+
+constexpr double kPi = 3.14159265358979323846;
+
+TEST(WatertightMesh, OfBallsCutAtTheirPolesIsClosed) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(1);
+  const double beyond = kPi * 0.95 * 0.95 * 2.05 / 3;  // the cap of a plane at -0.05
+  {
+    SCOPED_TRACE("a plane beside the pole");
+    expect_cut_closed(ball, {0.05, -2, -2}, {2, 2, 2}, 4 * kPi / 3 - beyond);
+  }
+  {
+    SCOPED_TRACE("a plane through the pole");
+    expect_cut_closed(ball, {0, -2, -2}, {2, 2, 2}, 2 * kPi / 3);
+  }
+  {
+    // Its cut along a meridian winds round a line between patches, by rounding.
+    SCOPED_TRACE("a corner at the pole");
+    const double quarter_of_cap = kPi * 0.7 * 0.7 * 2.3 / 12;
+    expect_cut_closed(ball, {0, 0, 0.3}, {2, 2, 2}, 4 * kPi / 3 - quarter_of_cap);
+  }
+}
+
+TEST(WatertightMesh, OfConesCutAtTheirApexIsClosed) {
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(1, 0, 1);
+  {
+    SCOPED_TRACE("a plane through the apex");
+    expect_cut_closed(cone, {0, -2, -2}, {2, 2, 2}, kPi / 6);
+  }
+  {
+    SCOPED_TRACE("a corner at the apex");
+    expect_cut_closed(cone, {0, 0, -2}, {2, 2, 2}, kPi / 4);
+  }
+}
+
 void expect_closed_model(const std::string& name, double volume, double error) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
@@ -126,7 +174,9 @@ void expect_closed_model(const std::string& name, double volume, double error) {
 
 // Its blends join their neighbours smoothly along edges of many short pieces: a facet of three
 // points of such an edge may lie on the other side of it.
-TEST(WatertightMesh, OfACrankArmDoesNotCrossItself) { expect_closed_model("crankarm.brep", 54074, 1e-3); }
+TEST(WatertightMesh, OfACrankArmDoesNotCrossItself) {
+  expect_closed_model("crankarm.brep", 54074, 1e-3);
+}
 
 // Trims pass the outermost line of a surface within 5e-5 of its range, on edges that are 2e-3 off.
 // Facets of both sides of its thin walls add to the volume.
