@@ -18,7 +18,7 @@ constexpr double kMargin = 1.1;
 // A cut that stops short of a wire would have met it at most so many times farther along the wire.
 constexpr double kObliqueness = 8;
 // Neighbours that see a crossing farther apart, in tolerances of the edge, see two.
-constexpr double kMostDisagreement = 64;
+constexpr double kMostDisagreement = 256;
 
 bool boxes_meet(const PlanarBox& a, const PlanarBox& b, double margin) {
   for (int k = 0; k < 2; ++k)

@@ -217,6 +217,22 @@ TEST(TrimSolids, CutsThroughEdgesWithLooseTolerances) {
   }
 }
 
+// Where the top's own place for a crossing is 400 gaps from that of the sides.
+TEST(TrimSolids, CutsThroughEdgesWithLooseTolerancesAtAFlatAngle) {
+  constexpr double kGap = 1e-5, kSlope = 2.5e-3;
+  const TrimTool part = trim_tool(loose_box(kGap));
+  const TrimTool tool = trim_tool(turned(box({-1, -1, 2 + kSlope}, {4, 3, 4}), gp::DY(), kSlope));
+  for (const SolidOperation operation :
+       {SolidOperation::Cut, SolidOperation::Common, SolidOperation::Fuse}) {
+    const SolidTrimResult result = trim_solids(part, {tool}, operation);
+    ASSERT_EQ(words(result), "");
+    EXPECT_EQ(result.solids.size(), 1u);
+    EXPECT_NEAR(result.volumes.back().common, kSlope, 4 * kGap);
+    EXPECT_LE(result.volumes.back().cut_error(), kVolumeError);
+    EXPECT_LE(result.volumes.back().fuse_error(), kVolumeError);
+  }
+}
+
 TopoDS_Shape turned_copy(const TopoDS_Shape& shape, double degrees, double part) {
   Bnd_Box around;
   BRepBndLib::Add(shape, around);
