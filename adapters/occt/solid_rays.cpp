@@ -1,61 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/solid_rays.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <utility>
 
-#include <BRep_Tool.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-
-#include "adapters/occt/errors.h"
-#include "adapters/occt/face_data.h"
-#include "adapters/occt/hulls.h"
-#include "adapters/occt/surfaces.h"
+#include "adapters/occt/face_list.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-double largest_edge_tolerance(const TopoDS_Face& face) {
-  double largest = 0;
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
-  return largest;
-}
-
-Box face_box(const TopoDS_Face& face, double tolerance) {
-  Box box;
-  double margin = std::max(tolerance, largest_edge_tolerance(face));
-  std::vector<Vec3> points;
-  if (add_hull(face, points)) {
-    const PartHull hull = placed_hull(std::move(points), face.Location().Transformation());
-    for (const Vec3& p : hull.points) box = joined(box, {p, p});
-    margin += hull.margin;
-  } else {
-    const BezierSurface surface = bezier_surface(face, tolerance);
-    box = box_of(surface, surface.error);
-  }
-  return widened(box, margin);
-}
-
-BoxTree tree_of(const std::vector<TopoDS_Face>& faces, double tolerance) {
-  std::vector<Box> boxes;
-  guarded("bounding faces", [&] {
-    for (const TopoDS_Face& face : faces) boxes.push_back(face_box(face, tolerance));
-  });
-  return BoxTree(boxes);
-}
-
 }  // namespace
 
 SolidRays::SolidRays(std::vector<TopoDS_Face> faces, double tolerance)
     : faces_(std::move(faces)),
       tolerance_(tolerance),
-      tree_(tree_of(faces_, tolerance)),
+      tree_(FaceList(faces_, "", tolerance, Extent::Trims).boxes()),
       rays_(faces_.size()) {}
 
 const ShapeRays& SolidRays::rays_of(std::size_t face) {
