@@ -16,7 +16,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kToleranceShare = 0.4;   // of the wanted tolerance, left to one fit
+constexpr double kToleranceShare = 0.3;   // of the wanted tolerance, left to one fit
 constexpr double kLengthShare = 1.5e-7;   // of a curve's length: small loops keep their shape
 constexpr double kGaps = 16;              // no fit is asked for less: half of a sampling's share
 constexpr double kRounding = 1e-12;       // of the size: no fit is asked for more
@@ -252,7 +252,7 @@ class Fitter {
   std::vector<double> span_errors(const SmoothRun& run, const RunSpline& spline) const {
     std::vector<double> errors(spline.knots.size() - 1, 0.0);
     std::size_t site = 0;
-    for (std::size_t i = 0; i < spline.values.size(); ++i) {
+    for (std::size_t i = 0; i < spline.values.size(); i += i % kFitChecks.size() == 4 ? 1 : 2) {
       const std::size_t span = i / kFitChecks.size();
       while (site + 2 < run.sites.size() && run.sites[site + 1].parameter < spline.knots[span])
         ++site;
