@@ -16,6 +16,9 @@ namespace {
 // curve has its direction about this well.
 constexpr double kSameDirection = 1e-7;
 
+// Of the longest piece of a path: so near its end nothing tells where it goes.
+constexpr double kNoise = 1e-5;
+
 // A half-edge as a number: arc * 2, plus 1 when reversed.
 using Walk = std::size_t;
 
@@ -31,9 +34,25 @@ struct Arm {
   double secant = 0;     ///< turn from the direction to a point farther on, to the left positive
 };
 
+// The first piece that leads away from an end of a path: what shorter ones do there is noise, as
+// where a span of a surface has the width of rounding.
+const PlanarBezier& leading_piece(const PlanarPath& path, bool reversed) {
+  const Vec2 end = reversed ? end_of(path) : start_of(path);
+  double size = 0;
+  for (const PlanarBezier& curve : path)
+    size =
+        std::max(size, distance(projected(curve.points.back()), projected(curve.points.front())));
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const PlanarBezier& curve = path[reversed ? path.size() - 1 - i : i];
+    const Vec2 far = projected(reversed ? curve.points.front() : curve.points.back());
+    if (distance(far, end) > kNoise * size) return curve;
+  }
+  return reversed ? path.back() : path.front();
+}
+
 Arm arm_of(const ChartArc& arc, Walk walk) {
   const bool reversed = walk % 2 == 1;
-  const PlanarBezier& curve = reversed ? arc.path.back() : arc.path.front();
+  const PlanarBezier& curve = leading_piece(arc.path, reversed);
   const double sign = reversed ? -1 : 1;
   const double start = reversed ? 1 : 0;
   const PlanarJet jet = jet_at(curve, start);

@@ -180,6 +180,18 @@ TEST(Pieces, ArmsWithOneDirectionAreOrderedByCurvature) {
   expect_areas(square, {8 - 16.0 / 3, 8.0 / 3, 8.0 / 3});
 }
 
+// As over a span of a surface that has the width of rounding: it leaves the square at first.
+TEST(Pieces, FirstStepsAsShortAsRoundingDoNotTellWhereACutGoes) {
+  Square square({{2}, {2}, {}, {}});
+  const Vec2 out{2 - 1e-8, -1e-7};
+  const double more = 9e-8;  // of the larger piece
+  square.cut(4, 5, {line({2, 0}, out), line(out, {4, 2})});
+  expect_areas(square, {2 - more, 14 + more});
+  square.arcs.pop_back();
+  square.cut(5, 4, {line({4, 2}, out), line(out, {2, 0})});
+  expect_areas(square, {2 - more, 14 + more});
+}
+
 TEST(Pieces, CutThatTouchesTheRimInAVertexDividesThere) {
   Square square({{2}, {}, {}, {}});
   square.cut(4, 4, arc({2, 1}, 1, -kPi / 2, 1.5 * kPi));
