@@ -237,9 +237,9 @@ std::vector<SolidContact> ball_contacts() {
   const double volume = 4 * kPi / 3;
   return {
       {"HalfBalls", above, half_ball(-kPi / 2, 0)},
-      {"BallHalvedByABox", whole, boxed({-2, -2, 0}, {2, 2, 2}), volume / 2},
+      {"BallHalvedByABox", whole, boxed({-2, -2, 0}, {2, 2, 2}), volume / 2, 1e-8},
       {"BallHalvedThroughItsPoles", whole, boxed({-2, 0, -2}, {2, 2, 2}), volume / 2},
-      {"BallHalvedAcrossItsSeam", whole, boxed({0, -2, -2}, {2, 2, 2}), volume / 2},
+      {"BallHalvedAcrossItsSeam", whole, boxed({0, -2, -2}, {2, 2, 2}), volume / 2, 1e-8},
       {"EqualTurnedBalls", whole, turning(whole, kOblique, 0.7), volume},
       {"EqualBallsWithCommonPoles", whole, turning(whole, gp::DZ(), 0.7), volume},
       {"EqualTurnedHalfBalls", above, turning(above, gp::DZ(), 0.7), volume / 2},
