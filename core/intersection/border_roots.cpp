@@ -133,7 +133,10 @@ class PairBorder {
       });
     for (const BoxFace& face : met) {
       const std::size_t before = points.size();
-      if (face.axis == along_ ? decide_end(face, points) : decide(face, 1, points)) continue;
+      if (face.axis == along_ ? decide_end(face, points) : decide(face, 1, points)) {
+        met_[index(face.axis)][face.high] = points.size() > before;
+        continue;
+      }
       if (face.axis == along_ || !slides_along(face)) return false;
       points.resize(before);
       sliding_[index(face.axis)][face.high] = true;
@@ -157,11 +160,14 @@ class PairBorder {
                        [](const auto& s) { return s[0] || s[1]; });
   }
 
-  // An arc along an upper border belongs to the neighbour, if there is one.
-  bool belongs_elsewhere(const SurfaceBorders& borders) const {
+  // The border that the arcs run along and a neighbour has, too: an upper one if there is.
+  void set_shared_border(const SurfaceBorders& borders, CellArc& arc) const {
     for (std::size_t i = 0; i < 4; ++i)
-      if (sliding_[i][1] && !borders.high[i]) return true;
-    return false;
+      if (sliding_[i][0] || (sliding_[i][1] && !borders.high[i])) {
+        arc.shared_border = static_cast<int>(i);
+        arc.upper = sliding_[i][1];
+        if (arc.upper) return;
+      }
   }
 
   // True if the arc runs along a border that is one point in space: the pole of a sphere.
@@ -326,6 +332,8 @@ class PairBorder {
   bool at_face(const Root& root, std::size_t i, bool high) const {
     const double off = std::abs(root.x[i] - (high ? box_[i].to : box_[i].from));
     if (sliding_[i][high] || off > kSamePoint) return false;
+    // An arc that hardly moves across a face and is proven not to meet it runs beside it.
+    if (!met_[i][high] && std::abs(root.tangent[i]) < kTangentToFace) return false;
     return off <= root.noise[i] || off * speed(root) <= kSamePoint * rate(root, i);
   }
 
@@ -416,6 +424,7 @@ class PairBorder {
   std::array<std::optional<Stretch>, kStretches> stretches_;
   std::size_t undecided_ = 0;                     // the last stretch that was
   std::array<std::array<bool, 2>, 4> sliding_{};  // by parameter, low and high face
+  std::array<std::array<bool, 2>, 4> met_{};      // likewise: the arc may cross the face
 };
 
 }  // namespace
@@ -480,7 +489,7 @@ std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const Cel
     open = starts;
   }
   if (open) return std::nullopt;
-  if (border.belongs_elsewhere(borders)) found.arcs.clear();
+  for (CellArc& arc : found.arcs) border.set_shared_border(borders, arc);
   // What meets the other surface in nothing but its pole still meets it.
   std::erase_if(found.arcs, [&](const CellArc& arc) {
     const bool point = border.stays_at_pole(arc);

@@ -34,6 +34,9 @@ struct CellArc {
   bool tangential = false;  ///< the surfaces touch along it
   bool crosses = false;     ///< likewise, and they cross there: contact of odd order
   bool iso = false;  ///< it runs along an iso-line of a: one of u, v is the same at both ends
+  /// The parameter along whose border of the pair it runs, if a neighbour may hold it, too; or -1.
+  int shared_border = -1;
+  bool upper = false;  ///< that border is the upper one
 };
 
 /// Which borders of a pair are borders of the whole surfaces, by parameter; not the second one
@@ -47,8 +50,7 @@ struct PairArcs {
   std::vector<CellArc> arcs;
 
   /// Some of the arcs run along the border of the pair, as where a plane holds the seam of a
-  /// cylinder. That is seen at points of the arc, not proven. Where two pairs share the border,
-  /// the arc belongs to the one above it.
+  /// cylinder. That is seen at points of the arc, not proven.
   bool along_border = false;
 
   /// Points at corners of the box that the curve passes without entering. Inside the surfaces

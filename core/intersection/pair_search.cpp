@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/intersection/arcs_along_borders.h"
 #include "core/intersection/cell_pair.h"
 #include "core/intersection/contact_search.h"
 #include "core/intersection/gap_model.h"
@@ -469,6 +470,7 @@ PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
   Search search(a, b, size, known, options, result);
   for (const auto& [i, j] : meeting_patches(a, b)) search.add({i, 0, j, 0});
   search.run();
+  drop_repeated_arcs(result, a, b, size, options.tolerances.point);
   (a.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += a.cells();
   (b.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += b.cells();
   return result;
@@ -481,6 +483,7 @@ PairSearchResult search_within(SurfaceCells& cells, const std::vector<StartPair>
   Search search(cells, cells, size, known, options, result);
   for (const StartPair& pair : pairs) search.add(pair);
   search.run();
+  drop_repeated_arcs(result, cells, cells, size, options.tolerances.point);
   Certificate& certificate = result.certificate;
   (cells.monomial() ? certificate.cells_monomial : certificate.cells_bezier) += cells.cells();
   return result;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Arcs along a border that two pairs of cells share.
+
+#pragma once
+
+#include "core/intersection/pair_search.h"
+
+namespace blossom {
+
+/// Leaves one of the arcs along a border that pairs on both sides of it have. Rounding may put the
+/// curve beyond the border for both sides, for one or for none: so neither of them answers alone.
+///
+/// size       of the surfaces, model units
+/// shortest   arcs along upper borders no longer than this are left to the neighbours, which may
+/// have
+///            a contact there, as at a pole; model units
+void drop_repeated_arcs(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
+                        double size, double shortest);
+
+}  // namespace blossom
