@@ -51,10 +51,11 @@ CurveSpans parabola_spans(const Geom_Parabola& parabola, const Interval& range) 
 }
 
 /// P(t) = O + cos(t) a + sin(t) b.
-CurveSpans ellipse_spans(const Vec3& origin, const Vec3& a, const Vec3& b, const Interval& range) {
+CurveSpans ellipse_spans(const Vec3& origin, const Vec3& a, const Vec3& b, const Interval& range,
+                         ArcCuts cuts) {
   CurveSpans result;
   result.rational = true;
-  for (const ArcSpan& arc : arc_spans(range)) {
+  for (const ArcSpan& arc : arc_spans(range, cuts)) {
     RationalBezierCurve curve;
     for (int k = 0; k < 3; ++k)
       curve.points.push_back(
@@ -64,9 +65,10 @@ CurveSpans ellipse_spans(const Vec3& origin, const Vec3& a, const Vec3& b, const
   return result;
 }
 
-CurveSpans conic_spans(const gp_Ax2& axes, double a, double b, const Interval& range) {
+CurveSpans conic_spans(const gp_Ax2& axes, double a, double b, const Interval& range,
+                       ArcCuts cuts) {
   return ellipse_spans(to_vec(axes.Location()), a * to_vec(axes.XDirection().XYZ()),
-                       b * to_vec(axes.YDirection().XYZ()), range);
+                       b * to_vec(axes.YDirection().XYZ()), range, cuts);
 }
 
 CurveSpans spline_spans(const FlatKnots& knots, const std::vector<Vec4>& poles,
@@ -159,13 +161,15 @@ CurveSpans fitted_spans(const Handle(Geom_Curve) & curve, const Interval& range,
   return std::move(fit.result);
 }
 
-CurveSpans spans_of(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance) {
+CurveSpans spans_of(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance,
+                    ArcCuts cuts) {
   if (const auto line = Handle(Geom_Line)::DownCast(curve); !line.IsNull())
     return line_spans(*line, range);
   if (const auto circle = Handle(Geom_Circle)::DownCast(curve); !circle.IsNull())
-    return conic_spans(circle->Position(), circle->Radius(), circle->Radius(), range);
+    return conic_spans(circle->Position(), circle->Radius(), circle->Radius(), range, cuts);
   if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(curve); !ellipse.IsNull())
-    return conic_spans(ellipse->Position(), ellipse->MajorRadius(), ellipse->MinorRadius(), range);
+    return conic_spans(ellipse->Position(), ellipse->MajorRadius(), ellipse->MinorRadius(), range,
+                       cuts);
   if (const auto parabola = Handle(Geom_Parabola)::DownCast(curve); !parabola.IsNull())
     return parabola_spans(*parabola, range);
   if (const auto bezier = Handle(Geom_BezierCurve)::DownCast(curve); !bezier.IsNull()) {
@@ -210,14 +214,15 @@ void check_numbers(const Geom_Curve& curve) {
   }
 }
 
-CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance) {
+CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance,
+                        ArcCuts cuts) {
   if (curve.IsNull()) throw BadModel("there is no curve");
   return guarded("converting a curve", [&] {
     const Handle(Geom_Curve) basis = basis_of(curve);
     check_numbers(*basis);
     Interval natural{basis->FirstParameter(), basis->LastParameter()};
     if (basis->IsPeriodic()) natural = {-Precision::Infinite(), Precision::Infinite()};
-    return spans_of(basis, checked_range(range, natural, "the curve's range"), tolerance);
+    return spans_of(basis, checked_range(range, natural, "the curve's range"), tolerance, cuts);
   });
 }
 

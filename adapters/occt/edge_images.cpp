@@ -73,15 +73,20 @@ Handle(Geom2d_Curve) projected(const Handle(Geom_Curve) & curve, const Interval&
   return {};
 }
 
-// The point that a border of a surface is; none if it has a length, or lies at infinity.
+// The point that a border of a surface is; none if it has a length, lies at infinity, or has no
+// points at all, as some offsets.
 std::optional<Vec3> one_point(const std::function<gp_Pnt(double)>& border, const Interval& along,
                               double value) {
   for (const double end : {along.from, along.to, value})
     if (Precision::IsInfinite(end)) return std::nullopt;
-  const gp_Pnt first = border(along.from);
-  for (const double part : {0.2, 0.4, 0.6, 0.8})
-    if (first.Distance(border(at(along, part))) > Precision::Confusion()) return std::nullopt;
-  return vec(first);
+  try {
+    const gp_Pnt first = border(along.from);
+    for (const double part : {0.2, 0.4, 0.6, 0.8})
+      if (first.Distance(border(at(along, part))) > Precision::Confusion()) return std::nullopt;
+    return vec(first);
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace

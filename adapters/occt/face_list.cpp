@@ -2,6 +2,7 @@
 #include "adapters/occt/face_list.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include <BRep_Tool.hxx>
@@ -33,8 +34,10 @@ double largest_edge_tolerance(const TopoDS_Face& face) {
 // False too of a face that is not sound: what is wrong with it, its conversion tells.
 bool has_hull(const TopoDS_Face& face, std::vector<Vec3>& points) {
   try {
-    return add_hull(TopoDS::Face(face.Located(TopLoc_Location())), points) && has_end(points);
-  } catch (const BadModel&) {
+    return guarded("bounding a face", [&] {
+      return add_hull(TopoDS::Face(face.Located(TopLoc_Location())), points) && has_end(points);
+    });
+  } catch (const std::runtime_error&) {
     return false;
   }
 }
@@ -54,6 +57,14 @@ Box box_of(const PartHull& hull) {
   return widened(box, hull.margin);
 }
 
+std::vector<Vec3> corners(const Box& box) {
+  std::vector<Vec3> points;
+  for (const double x : {box.low[0], box.high[0]})
+    for (const double y : {box.low[1], box.high[1]})
+      for (const double z : {box.low[2], box.high[2]}) points.push_back({x, y, z});
+  return points;
+}
+
 }  // namespace
 
 FaceList::FaceList(const std::vector<TopoDS_Face>& faces, std::string name, double tolerance,
@@ -69,12 +80,12 @@ FaceList::FaceList(const std::vector<TopoDS_Face>& faces, std::string name, doub
       converted_(faces.size()) {
   std::vector<char> wanted(size());
   parallel_for(size(), kGrain, [&](std::size_t i) {
-    hulls_[i] = guarded("bounding a face", [&] { return hull_of(faces_[i], tolerance); });
+    hulls_[i] = hull_of(faces_[i], tolerance);
     wanted[i] = hulls_[i].points.empty();
   });
   convert(wanted);
   for (std::size_t i = 0; i < size(); ++i) {
-    if (wanted[i]) hulls_[i].points = {data_[i].box.low, data_[i].box.high};
+    if (wanted[i]) hulls_[i].points = corners(data_[i].box);
     boxes_[i] = box_of(hulls_[i]);
   }
 }
@@ -90,7 +101,7 @@ void FaceList::convert(const std::vector<char>& wanted) {
     try {
       data_[i] = face_data(faces_[i], tolerance_, extent_, cuts_);
       converted_[i] = 1;
-    } catch (const BadModel& error) {
+    } catch (const std::runtime_error& error) {
       failures[i] = error.what();
     }
   });

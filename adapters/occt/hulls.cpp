@@ -333,7 +333,7 @@ bool add_hull(const TopoDS_Face& face, std::vector<Vec3>& hull) {
 
 bool has_end(const std::vector<Vec3>& hull) {
   return !hull.empty() && std::all_of(hull.begin(), hull.end(),
-                                      [](const Vec3& p) { return max_norm(p) < kEndless; });
+                                      [](const Vec3& p) { return norm(p) < kEndless; });
 }
 
 PartHull placed_hull(std::vector<Vec3> hull, const gp_Trsf& place) {

@@ -22,6 +22,7 @@
 #include "adapters/occt/solid_pieces.h"
 #include "adapters/occt/solid_shells.h"
 #include "core/base/errors.h"
+#include "core/base/parallel.h"
 
 namespace blossom::occt {
 namespace {
@@ -226,9 +227,12 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
       throw InvalidInput(
           "trim: " + (tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1)) +
           " is no closed solid");
-  SolidTrimResult result = operation == SolidOperation::Split
-                               ? split(part, tools, options)
-                               : folded(stage_of(part, -1), tools, 0, operation, options);
+  SolidTrimResult result;
+  with_threads(options.threads, [&] {
+    result = operation == SolidOperation::Split
+                 ? split(part, tools, options)
+                 : folded(stage_of(part, -1), tools, 0, operation, options);
+  });
   if (!result.obstacles.empty()) {
     result.solids.clear();
     result.faces.clear();

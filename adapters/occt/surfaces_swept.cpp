@@ -114,10 +114,11 @@ Meridian circular(const Frame& frame, double major, double minor, const Interval
   return meridian;
 }
 
-Meridian meridian_of(const Geom_SurfaceOfRevolution& surface, const Interval& v, double tolerance) {
+Meridian meridian_of(const Geom_SurfaceOfRevolution& surface, const Interval& v, double tolerance,
+                     ArcCuts cuts) {
   const Vec3 origin = to_vec(surface.Location());
   const Vec3 axis = to_vec(surface.Direction().XYZ());
-  const CurveSpans curve = bezier_spans(surface.BasisCurve(), v, tolerance);
+  const CurveSpans curve = bezier_spans(surface.BasisCurve(), v, tolerance, cuts);
   Meridian meridian;
   meridian.law = curve.spans.front().law;
   meridian.error = curve.error;
@@ -208,10 +209,10 @@ BezierSurface swept_patches(const Handle(Geom_Surface) & surface, const Paramete
         circular(Frame(torus->Position()), torus->MajorRadius(), torus->MinorRadius(), box.v, cuts),
         box.u, cuts);
   if (const auto moved = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface); !moved.IsNull())
-    return extruded(bezier_spans(moved->BasisCurve(), box.u, tolerance),
+    return extruded(bezier_spans(moved->BasisCurve(), box.u, tolerance, cuts),
                     to_vec(moved->Direction().XYZ()), box.v);
   if (const auto revolved = Handle(Geom_SurfaceOfRevolution)::DownCast(surface); !revolved.IsNull())
-    return turned(meridian_of(*revolved, box.v, tolerance), box.u, cuts);
+    return turned(meridian_of(*revolved, box.v, tolerance, cuts), box.u, cuts);
   if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface); !offset.IsNull())
     if (const auto simple = elementary_offset(*offset, box); !simple.IsNull())
       return swept_patches(simple, box, tolerance, cuts);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -19,6 +20,9 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
@@ -221,6 +225,19 @@ TEST(PlaneSection, TakesAllPartsOfAnAssembly) {
   const PlaneSection section = section_of(both, {0, 0, 0.25}, {0, 0, 1});
   EXPECT_EQ(section.status, Status::Complete);
   expect_wires(section, 2, 8);
+}
+
+// An offset surface has no hull of control points.
+TEST(PlaneSection, OfAnOffsetSurfaceIsFoundByObliquePlanes) {
+  TColgp_Array2OfPnt poles(1, 2, 1, 2);
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) poles(i + 1, j + 1) = gp_Pnt(i, j, 0);
+  const Handle(Geom_Surface) flat = new Geom_BezierSurface(poles);
+  const Handle(Geom_Surface) offset = new Geom_OffsetSurface(flat, 0.5, true);
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(offset, 1e-7);
+  const PlaneSection found = section_of(face, {0.2, 0, 0}, {1, -1, 0});
+  ASSERT_EQ(found.wires.size(), 1u);
+  EXPECT_NEAR(total_length(found), 0.8 * std::numbers::sqrt2, 1e-6);
 }
 
 TEST(PlaneSection, BesideAShapeIsEmptyWithoutASearch) {
