@@ -55,8 +55,8 @@ long count(const Lines& lines, const std::string& word) {
 std::vector<std::filesystem::path> step_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (const auto ending = entry.path().extension(); ending == ".stp" || ending == ".step")
-      files.push_back(entry.path());
+    for (const char* const ending : {".stp", ".step", ".STP", ".STEP"})
+      if (entry.path().extension() == ending) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -69,7 +69,9 @@ TEST(ForeignAssemblies, StayAsTheyAreButForWhatIsCut) {
   std::printf(
       "| file | labels | instances | coloured | layers | dimensions | changed | by a cut |\n"
       "|---|---:|---:|---:|---:|---:|---:|---:|\n");
-  for (const std::filesystem::path& file : step_files(folder)) {
+  const std::vector<std::filesystem::path> files = step_files(folder);
+  ASSERT_FALSE(files.empty()) << folder;
+  for (const std::filesystem::path& file : files) {
     const Folder own;
     const Lines before = lines_of(file);
     Model model = read_model(file);
