@@ -141,8 +141,7 @@ class PairBorder {
       points.resize(before);
       sliding_[index(face.axis)][face.high] = true;
     }
-    return std::all_of(points.begin(), points.end(),
-                       [&](const Point4& x) { return add(roots, x); });
+    return std::ranges::all_of(points, [&](const Point4& x) { return add(roots, x); });
   }
 
   // Does the arc run on inside the box in the direction `sign` of its tangent?
@@ -429,8 +428,6 @@ class PairBorder {
 
 }  // namespace
 
-Box4 box_of(const Cell& a, const Cell& b) { return {a.u, a.v, b.u, b.v}; }
-
 std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierPatch& b,
                              const Point4& start, int fixed, const Box4& box) {
   const auto kept = kept_columns(fixed);
@@ -468,8 +465,7 @@ std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const Cel
   std::vector<Root> roots;
   if (!border.find(roots)) return std::nullopt;
   const auto k = static_cast<std::size_t>(along);
-  std::sort(roots.begin(), roots.end(),
-            [k](const Root& p, const Root& q) { return p.x[k] < q.x[k]; });
+  std::ranges::sort(roots, {}, [k](const Root& root) { return root.x[k]; });
   PairArcs found;
   bool open = false;
   for (const Root& root : roots) {

@@ -22,7 +22,7 @@ using Point4 = std::array<double, 4>;
 /// The place of a cell pair in the four parameters.
 using Box4 = std::array<Interval, 4>;
 
-Box4 box_of(const Cell& a, const Cell& b);
+inline Box4 box_of(const Cell& a, const Cell& b) { return {a.u, a.v, b.u, b.v}; }
 
 /// An arc from `from` to `to`, along which direction . x grows; both ends on the border. For
 /// each value of direction . x there is one point.

@@ -248,17 +248,17 @@ class Fitter {
     return best;
   }
 
-  // The largest gap in every span as a part of the wanted accuracy.
+  // The largest gap at the checks of every span as a part of the wanted accuracy.
   std::vector<double> span_errors(const SmoothRun& run, const RunSpline& spline) const {
     std::vector<double> errors(spline.knots.size() - 1, 0.0);
     std::size_t site = 0;
-    for (std::size_t i = 0; i < spline.values.size(); i += i % kFitChecks.size() == 4 ? 1 : 2) {
-      const std::size_t span = i / kFitChecks.size();
+    for (std::size_t i = 0; i < spline.values.size(); ++i) {
+      const std::size_t span = i / kJudgedChecks.size();
       while (site + 2 < run.sites.size() && run.sites[site + 1].parameter < spline.knots[span])
         ++site;
       const double sine = std::min(run.sites[site].point.sine, run.sites[site + 1].point.sine);
       const double t = at(Interval{spline.knots[span], spline.knots[span + 1]},
-                          kFitChecks[i % kFitChecks.size()]);
+                          kFitChecks[kJudgedChecks[i % kJudgedChecks.size()]]);
       const Gaps gaps = gaps_at(a_, b_, spline.values[i], conic(), t);
       errors[span] = std::max(errors[span], relative_gap(gaps, wanted_, sine));
     }

@@ -12,7 +12,8 @@ namespace blossom {
 namespace {
 
 constexpr int kDeepest = 12;               // halvings of a link
-constexpr std::size_t kMostPieces = 5000;  // where sampling ends whatever the accuracy
+constexpr std::size_t kMostPieces = 5000;  // where sampling ends whatever the accuracy: this, and
+constexpr std::size_t kPiecesOfLink = 32;  // so many more for each link
 constexpr double kShortest = 0.1;          // of the wanted accuracy: no piece needs to be shorter
 constexpr double kNoLength = 1e-4;         // likewise: a piece shorter than this is a point
 constexpr double kLongestTurn = 1.0;       // radians of the tangent in one piece
@@ -241,7 +242,7 @@ class Sampler {
     const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
     const bool short_enough = !(step.length > kShortest * wanted_);
     if ((error <= limit_ && turn <= kLongestTurn) || short_enough || depth >= kDeepest ||
-        count_ >= kMostPieces || late())
+        count_ >= most_pieces_ || late())
       return append(step, error, stop);
     const double station = 0.5 * (start.station + stop.station);
     const Site middle{station, 0, 0, tracer_.at(station, true)};
@@ -306,6 +307,7 @@ class Sampler {
   const Conic* conic_;
   const WorkLimit* work_;
   std::size_t count_ = 0;
+  const std::size_t most_pieces_ = kMostPieces + kPiecesOfLink * tracer_.stations().size();
   bool stands_still_ = false;  // the parameter, somewhere along the chain
   std::vector<SmoothRun> runs_;
 };

@@ -171,8 +171,10 @@ RunSpline least_squares_spline(const std::vector<QuinticPiece>& pieces,
   for (std::size_t i = kFixed; i + kFixed < spline.poles.size(); ++i)
     spline.poles[i] = samples.values[(i - 2) * kFitChecks.size()];
   if (spline.poles.size() > 2 * kFixed) improve(samples, spline);
-  for (std::size_t s = 0; s < samples.basis.size(); ++s)
-    spline.values.push_back(sum_at(spline.poles, s / kFitChecks.size(), samples.basis[s]));
+  for (std::size_t span = 0; span + 1 < knots.size(); ++span)
+    for (const std::size_t check : kJudgedChecks)
+      spline.values.push_back(
+          sum_at(spline.poles, span, samples.basis[span * kFitChecks.size() + check]));
   return spline;
 }
 

@@ -52,11 +52,13 @@ Vec7 value_at(const QuinticPoints& points, double t);
 struct RunSpline {
   std::vector<double> knots;  ///< spans + 1 of them, increasing
   std::vector<Vec7> poles;    ///< spans + 5
-  std::vector<Vec7> values;   ///< at kFitChecks of every span, in order
+  std::vector<Vec7> values;   ///< at kJudgedChecks of every span, in order
 };
 
 /// Where in a span the pieces are sampled, and the spline with them.
 inline constexpr std::array kFitChecks{0.1, 0.3, 0.5, 0.7, 0.9};
+/// Those of them by which a spline is judged: all five told hardly more of its largest errors.
+inline constexpr std::array<std::size_t, 3> kJudgedChecks{0, 2, 4};
 
 /// The least-squares spline with given simple knots. Position and two derivatives at both ends
 /// are those of the pieces, exactly; the rest minimises the sum of squares of the distances to the

@@ -234,8 +234,8 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
   };
   const Point4 x0 = beside(-kBesideValley), x1 = beside(kBesideValley);
   const Rates r0 = rates_at(x0), r1 = rates_at(x1);
-  const double width = (forward ? 1 : -1) * (distance(point_at(patch_a, x0[0], x0[1]),
-                                                      point_at(patch_a, x1[0], x1[1])));
+  const double width = (forward ? 1 : -1) *
+                       (distance(point_at(patch_a, x0[0], x0[1]), point_at(patch_a, x1[0], x1[1])));
   CurvePoint result;
   result.point = point_at(patch_a, x[0], x[1]) + origin_;
   result.first = here.tangent;

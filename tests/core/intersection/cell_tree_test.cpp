@@ -106,6 +106,36 @@ TEST_P(RandomPatches, SeparatedCellsHaveNoPointInCommon) {
   EXPECT_EQ(met, 200);
 }
 
+// The certified column is looked for in four minors at once.
+TEST_P(RandomPatches, TheCertifiedColumnIsThatOfARegularMinor) {
+  CellTree a(patch(), rational(), {}, CellForm::Auto, 0.4865);
+  CellTree b(patch(0.3), rational(), {}, CellForm::Auto, 0.4865);
+  int certified = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const int i = descend(a, trial % 12), j = descend(b, trial % 12);
+    const JacobianBounds bounds(a[i], b[j]);
+    const int column = bounds.certified_column();
+    if (column >= 0) {
+      EXPECT_TRUE(bounds.minor(column).regular);
+    } else {
+      for (int k = 0; k < 4; ++k) EXPECT_FALSE(bounds.minor(k).regular) << k;
+    }
+    if (bounds.minor(bounds.best_column()).regular) {
+      EXPECT_EQ(column, bounds.best_column());
+    }
+    certified += column >= 0;
+  }
+  EXPECT_GT(certified, 0);
+}
+
+TEST(CertifiedColumn, OfColumnsThatAreZeroIsNone) {
+  const VectorBounds zero{}, x{{1, 0, 0}, {0.01, 0.01, 0.01}}, y{{0, 1, 0}, {0.01, 0.01, 0.01}},
+      z{{0, 0, 1}, {0.01, 0.01, 0.01}};
+  EXPECT_EQ(JacobianBounds(std::array{zero, zero, x, y}).certified_column(), -1);
+  EXPECT_EQ(JacobianBounds(std::array{zero, x, y, z}).certified_column(), 0);
+  EXPECT_EQ(JacobianBounds(std::array{x, y, zero, z}).certified_column(), 2);
+}
+
 TEST_P(RandomPatches, ARegularMinorIsRegularAllOverThePair) {
   CellTree a(patch(), rational(), {}, CellForm::Auto, 0.4865);
   CellTree b(patch(0.3), rational(), {}, CellForm::Auto, 0.4865);
