@@ -34,7 +34,9 @@ struct PlanarCrossings {
 inline constexpr long kPlanarBudget = 400'000;
 
 /// The common points of two curves. An end of one curve that lies within tolerance of the other
-/// counts as common; a crossing within tolerance of an end is moved to that end.
+/// counts as common; a crossing within tolerance of an end is moved to that end. Spans that follow
+/// each other within a sixteenth of the tolerance are taken for their chord: parameters in them are
+/// as good as that.
 ///
 /// tolerance  distance, in the unit of the plane; positive
 /// throws     InvalidInput if the tolerance is not positive or a curve has no span

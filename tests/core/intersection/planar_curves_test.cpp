@@ -165,6 +165,41 @@ TEST(PlanarCrossings, RejectAToleranceThatIsNotPositive) {
   EXPECT_THROW(crossings(parabola(), parabola(), 0), InvalidInput);
 }
 
+// A leg of a corner at the origin, in spans of a few thousandths of the tolerance near it, as fits
+// have them whose other chart bends sharply there.
+PlanarCurve finely_fitted_leg(double direction) {
+  PlanarCurve leg;
+  double from = 0, step = 2e-10;
+  for (int k = 0; k < 3000; ++k) {
+    const double to = from + step;
+    leg.spans.push_back({{{{from, direction * from, 1}, {to, direction * to, 1}}}, {from, to}});
+    from = to;
+    if (k > 2000) step *= 1.02;
+  }
+  return leg;
+}
+
+TEST(PlanarCrossings, LegsOfACornerInSpansFarBelowTheToleranceMeetOnceWithinTheBudget) {
+  const PlanarCurve up = finely_fitted_leg(1), down = finely_fitted_leg(-1);
+  const PlanarCrossings found = crossings(up, down, 1e-6, 20'000);
+  EXPECT_TRUE(found.complete);
+  EXPECT_TRUE(found.overlaps.empty());
+  ASSERT_EQ(found.points.size(), 1u);
+  EXPECT_EQ(found.points[0].a, 0);
+  EXPECT_EQ(found.points[0].b, 0);
+}
+
+TEST(PlanarCrossings, SpansFarBelowTheToleranceAreCrossedWhereTheirCurveIs) {
+  const PlanarCurve leg = finely_fitted_leg(1);
+  const double at = leg.spans[1000].place.from;
+  const PlanarCrossings found =
+      crossings(leg, planar_line({at - 1, at + 1}, {at + 1, at - 1}, {0, 2}), 1e-9);
+  EXPECT_TRUE(found.complete);
+  ASSERT_EQ(found.points.size(), 1u);
+  EXPECT_NEAR(found.points[0].a, at, 1e-10);
+  EXPECT_NEAR(found.points[0].b, 1, 1e-10);
+}
+
 // A fitted curve that passes a span of rounding's width has such spans itself.
 TEST(PlanarCrossings, TinySpansAtTheEndAreNoRunAlongTheOtherCurve) {
   constexpr double kLow = -1.2e-8, kStep = 6e-10;
