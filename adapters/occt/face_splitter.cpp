@@ -11,6 +11,8 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include "adapters/occt/errors.h"
+
 namespace blossom::occt {
 namespace {
 
@@ -69,12 +71,13 @@ void join_corners(FaceTrims& trims, double tolerance) {
 }  // namespace
 
 FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, EdgeSplits& splits,
-                           double tolerance)
+                           double tolerance, const WorkLimit* limit)
     : given_(face),
       trims_(face_trims(face)),
       cuts_(std::move(cuts)),
       splits_(splits),
-      tolerance_(tolerance) {
+      tolerance_(tolerance),
+      limit_(limit) {
   join_corners(trims_, tolerance_);
   for (const Vec2& corner : trims_.corners) vertices_.push_back({corner, -1, -1, -1});
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
@@ -106,6 +109,11 @@ const Coedge& FaceSplitter::coedge(int loop, int index) const {
 
 double FaceSplitter::reach(const Strand& strand) const {
   return std::max(tolerance_, cuts_[static_cast<std::size_t>(strand.cut)].tolerance);
+}
+
+void FaceSplitter::check_limit() const {
+  const char* reason = limit_ == nullptr ? nullptr : limit_->reached_after_search();
+  if (reason != nullptr) throw Failure(std::string("dividing faces: ") + reason);
 }
 
 void FaceSplitter::note(int cut, const std::string& what) {
@@ -157,6 +165,7 @@ double FaceSplitter::obliqueness(const Strand& strand, const TrimMeeting& meetin
 }
 
 void FaceSplitter::add_wire_stops(Strand& strand) {
+  check_limit();
   ClippedCurve found = clipped(trims_, strand.curve, reach(strand));
   for (const TrimMeeting& meeting : found.meetings)
     strand.stops.emplace_back(meeting.at, vertex_of(meeting, 0, obliqueness(strand, meeting)));
@@ -215,6 +224,7 @@ void FaceSplitter::add_crossings() {
     for (std::size_t k = i + 1; k < strands_.size(); ++k) {
       Strand &a = strands_[i], &b = strands_[k];
       if (!boxes_meet(box_of(a.curve), box_of(b.curve), tolerance_)) continue;
+      check_limit();
       const PlanarCrossings common = crossings(a.curve, b.curve, std::max(reach(a), reach(b)));
       for (const PlanarCrossing& crossing : common.points) {
         const int node = node_near(crossing.point);

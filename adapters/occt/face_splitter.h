@@ -16,6 +16,7 @@
 #include "adapters/occt/face_trims.h"
 #include "core/forms/conic.h"
 #include "core/forms/spline.h"
+#include "core/intersection/work_limit.h"
 #include "core/trimming/pieces.h"
 
 namespace blossom::occt {
@@ -85,9 +86,10 @@ struct CutStop {
 class FaceSplitter {
  public:
   /// tolerance   points of cuts and edges closer than this are one; model units
-  /// throws      BadModel as `face_trims`
+  /// limit       asked between searches for crossings here and in `settle`; null: none. Kept.
+  /// throws      BadModel as `face_trims`; Failure when the limit is reached, `settle` too
   FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, EdgeSplits& splits,
-               double tolerance);
+               double tolerance, const WorkLimit* limit = nullptr);
 
   /// Takes ends that stop just short of a wire to it, preferably where a neighbour splits the same
   /// edge already, and finds where cuts cross each other.
@@ -153,6 +155,7 @@ class FaceSplitter {
     TopoDS_Edge piece = {};    // of laid edges: what the edge stands for
   };
 
+  void check_limit() const;
   void add_strands();
   void add_wire_stops(Strand& strand);
   void add_end_stop(Strand& strand, double end);
@@ -207,6 +210,7 @@ class FaceSplitter {
   std::vector<FaceCut> cuts_;
   EdgeSplits& splits_;
   double tolerance_;
+  const WorkLimit* limit_;
   std::vector<Vertex> vertices_;                     // the corners of the wires first
   std::vector<std::pair<TopoDS_Vertex, int>> ties_;  // of the other sides of cuts, and ours
   std::vector<Strand> strands_;

@@ -21,7 +21,12 @@ class SharedLimit {
   /// function is asked by one of them at a time.
   IntersectionOptions remaining() const;
 
+  /// Whether no time is left, or the caller wants an end.
+  bool is_reached() const;
+
  private:
+  double seconds() const;  // since the clock started
+
   const IntersectionOptions& options_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   mutable std::mutex asking_;

@@ -18,7 +18,9 @@
 #include "adapters/occt/edge_union.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/shared_limit.h"
 #include "adapters/occt/solid_loose_ends.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom::occt {
 namespace {
@@ -33,13 +35,15 @@ constexpr double kBeside = 1e-2;
 struct Side {
   const char* name = "";
   const TrimTool* solid = nullptr;
+  const WorkLimit* limit = nullptr;
   std::vector<std::vector<FaceCut>> cuts;
   std::vector<std::vector<CutSource>> sources;
   std::vector<std::vector<int>> curves;  // number of the intersection curve of each cut
   std::vector<std::unique_ptr<FaceSplitter>> splitters;
   std::vector<FaceSplit> splits;
 
-  Side(const char* word, const TrimTool& of) : name(word), solid(&of) {
+  Side(const char* word, const TrimTool& of, const WorkLimit& until)
+      : name(word), solid(&of), limit(&until) {
     const std::size_t count = of.faces.size();
     cuts.resize(count);
     sources.resize(count);
@@ -105,6 +109,11 @@ void add_curve(const FaceIntersection& pair, std::size_t place, Side& a, Side& b
   b.curves[face_b].push_back(number);
 }
 
+void add_once(const std::string& obstacle, SolidPieces& result) {
+  std::vector<std::string>& known = result.obstacles;
+  if (std::find(known.begin(), known.end(), obstacle) == known.end()) known.push_back(obstacle);
+}
+
 void add_curves(const FaceIntersection& pair, const CommonEdges& common, double tolerance, Side& a,
                 Side& b, std::vector<CurveUse>& uses, SolidPieces& result) {
   const auto face_a = static_cast<std::size_t>(pair.face_a);
@@ -112,8 +121,8 @@ void add_curves(const FaceIntersection& pair, const CommonEdges& common, double 
   const std::string both = a.face_name(face_a) + " and " + b.face_name(face_b);
   for (const Place& place : pair.found.places)
     if (place.kind == PlaceKind::Open || place.kind == PlaceKind::Cusp)
-      result.obstacles.push_back(both + ": " + to_string(place.kind) +
-                                 ", where it is not known how they meet");
+      add_once(both + ": " + to_string(place.kind) + ", where it is not known how they meet",
+               result);
   const std::vector<std::size_t> along = common.curves_along(pair);
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i) {
     if (std::find(along.begin(), along.end(), i) != along.end()) continue;
@@ -126,8 +135,8 @@ void add_curves(const FaceIntersection& pair, const CommonEdges& common, double 
 }
 
 void begin(Side& side, std::size_t face, EdgeSplits& splits, double tolerance) {
-  side.splitters[face] =
-      std::make_unique<FaceSplitter>(side.solid->faces[face], side.cuts[face], splits, tolerance);
+  side.splitters[face] = std::make_unique<FaceSplitter>(side.solid->faces[face], side.cuts[face],
+                                                        splits, tolerance, side.limit);
 }
 
 bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
@@ -375,18 +384,19 @@ void tell_loose_ends(const ShapeIntersection& found, const TrimTool& a, const Tr
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options,
                       Extent extent, ArcCuts cuts) {
   SolidPieces result;
-  Side side_a("part", a), side_b("tool", b);
+  const WorkLimit limit(options);
+  Side side_a("part", a, limit), side_b("tool", b, limit);
   std::vector<CurveUse> uses;
   const double tolerance = options.tolerances.point;
   const ShapeIntersection found = intersect(a.faces, b.faces, options, extent, cuts);
   result.status = found.status;
   result.certificate = found.certificate;
-  if (result.status == Status::Stopped)
-    result.obstacles.emplace_back("the intersection is not complete");
   CommonEdges common(a.faces, b.faces, options);
   for (const FaceIntersection& pair : found.pairs) common.add(pair);
   for (const FaceIntersection& pair : found.pairs)
     add_curves(pair, common, tolerance, side_a, side_b, uses, result);
+  if (result.status == Status::Stopped && result.obstacles.empty())
+    result.obstacles.emplace_back("the intersection is not complete");
   if (!result.obstacles.empty()) return result;
   EdgeSplits splits(tolerance);
   try {
@@ -394,6 +404,7 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
             [&] { split_both(side_a, side_b, uses, common, splits, tolerance); });
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
+    if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
     return result;
   }
   EdgeUnion joined;
@@ -419,15 +430,19 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
 }  // namespace
 
 SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+  const SharedLimit limit(options);
   SolidPieces found = pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even);
-  if (found.obstacles.empty() || options.time_limit > 0) return found;
+  if (found.obstacles.empty()) return found;
   // Borders of surfaces that do not go on are easier to tell from those of others where these end
   // in the same place, and curves are easier to follow where they do not go along borders of
   // patches or through their corners.
   for (const auto& [extent, cuts] : {std::pair{Extent::Trims, ArcCuts::Even},
                                      {Extent::Beyond, ArcCuts::Uneven},
                                      {Extent::Trims, ArcCuts::Uneven}}) {
-    SolidPieces other = pieces_of(a, b, options, extent, cuts);
+    if (limit.is_reached()) break;
+    IntersectionOptions left = limit.remaining();
+    left.threads = options.threads;
+    SolidPieces other = pieces_of(a, b, left, extent, cuts);
     if (other.obstacles.empty()) return other;
   }
   return found;

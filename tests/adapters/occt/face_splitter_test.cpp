@@ -196,6 +196,19 @@ TEST(FaceSplitter, CutThatStopsJustShortOfACornerStopsAtItsVertex) {
   EXPECT_TRUE(stops[1].vertex.IsNull());
 }
 
+TEST(FaceSplitter, EndsItsSearchesWhenTheLimitIsReached) {
+  const TopoDS_Face face = square();
+  bool over = false;
+  const IntersectionOptions options{.cancelled = [&] { return over; }};
+  const WorkLimit limit(options);
+  EdgeSplits splits(1e-7);
+  const std::vector<FaceCut> cuts{line_cut(face, {1, 0}, {1, 2}), line_cut(face, {0, 1}, {2, 1})};
+  FaceSplitter splitter(face, cuts, splits, 1e-7, &limit);
+  over = true;
+  EXPECT_THROW(splitter.settle(), Failure);
+  EXPECT_THROW(FaceSplitter(face, cuts, splits, 1e-7, &limit), Failure);
+}
+
 // Two cuts that end at one loose vertex of the other side, and reach a little beyond each other.
 TEST(FaceSplitter, CutsThatMeetOneVertexOfTheOtherSideEndInOneNode) {
   constexpr double kBeyond = 5e-6;

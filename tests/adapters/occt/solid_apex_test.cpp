@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Cones and balls cut close by their apex and poles, where charts bend sharply.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+
+#include "adapters/occt/solid_trim.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+TrimTool cone(double low, double high) {
+  return trim_tool(BRepPrimAPI_MakeCone(low, high, 1).Shape());
+}
+
+TrimTool box_beyond(double x) {
+  return trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(x, -2, -2), gp_Pnt(2, 2, 2)).Shape());
+}
+
+SolidTrimResult cut_beyond(double x, const TrimTool& part) {
+  return trim_solids(part, {box_beyond(x)}, SolidOperation::Cut);
+}
+
+// A plane beside the axis of a cone of radius and height 1 leaves half of it and, to first order,
+// its distance times the triangle in between, of area 1.
+void expect_half_cone(const SolidTrimResult& made, double x) {
+  ASSERT_TRUE(made.obstacles.empty()) << x << ": " << made.obstacles.front();
+  ASSERT_EQ(made.solids.size(), 1u);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front()).IsValid());
+  EXPECT_NEAR(made.volumes.back().cut, kPi / 6 + x, 2e-9 + 10 * x * x);
+}
+
+// The hyperbolas bend within x of the corner that a plane through the axis would cut, and their
+// fits have some thousand spans there.
+TEST(SolidApex, PlanesBesideTheApexOfAConeHalveIt) {
+  for (const double x : {1e-3, 1e-5, 1e-6}) {
+    expect_half_cone(cut_beyond(x, cone(1, 0)), x);
+    expect_half_cone(cut_beyond(x, cone(0, 1)), x);
+  }
+}
+
+// So near that the hyperbola cannot be told from the lines through the apex: right, or refused in
+// words that name the faces.
+TEST(SolidApex, PlanesAsNearAsTheToleranceHalveItOrAreRefusedByName) {
+  for (const double x : {1e-7, 1e-8, 1e-9}) {
+    const SolidTrimResult made = cut_beyond(x, cone(1, 0));
+    if (made.obstacles.empty()) {
+      expect_half_cone(made, x);
+      continue;
+    }
+    EXPECT_TRUE(made.solids.empty());
+    std::vector<std::string> causes = made.obstacles;
+    for (const std::string& cause : causes) EXPECT_EQ(cause.rfind("face 1 of the part", 0), 0u);
+    std::sort(causes.begin(), causes.end());
+    EXPECT_EQ(std::adjacent_find(causes.begin(), causes.end()), causes.end());
+  }
+}
+
+TEST(SolidApex, PlanesCloseByThePoleOfABallCutItsCap) {
+  const TrimTool ball = trim_tool(BRepPrimAPI_MakeSphere(1).Shape());
+  for (const double height : {1e-3, 1e-5}) {
+    const TrimTool above =
+        trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, 1 - height), gp_Pnt(2, 2, 4)).Shape());
+    const SolidTrimResult made = trim_solids(ball, {above}, SolidOperation::Cut);
+    ASSERT_TRUE(made.obstacles.empty()) << height << ": " << made.obstacles.front();
+    EXPECT_NEAR(made.volumes.back().common, kPi * height * height * (1 - height / 3), 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace blossom::occt
