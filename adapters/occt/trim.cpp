@@ -141,13 +141,22 @@ bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
   return false;
 }
 
-void split_all(std::vector<Job>& jobs, const TrimOptions& options, TrimResult& result) {
+// What the limit leaves undone is not a face that merely stays whole.
+void tell_limit(const std::vector<Job>& jobs, const WorkLimit& limit, TrimResult& result) {
+  const bool failed =
+      std::any_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.failed; });
+  if (failed && limit.reached_after_search() != nullptr) result.status = Status::Stopped;
+}
+
+void split_all(std::vector<Job>& jobs, const TrimOptions& options, const WorkLimit& limit,
+               TrimResult& result) {
   const double tolerance = options.intersection.tolerances.point;
   const OpenCuts open = options.keep == Keep::All ? options.open_cuts : OpenCuts::LeaveOut;
   EdgeSplits splits(tolerance);
   const auto begin = [&](Job& job) {
     attempt(job, result, [&] {
-      job.splitter = std::make_unique<FaceSplitter>(job.of->face, job.cuts, splits, tolerance);
+      job.splitter =
+          std::make_unique<FaceSplitter>(job.of->face, job.cuts, splits, tolerance, &limit);
     });
   };
   for (Job& job : jobs)
@@ -295,8 +304,10 @@ TrimResult trim(const std::vector<PartFace>& part, const std::vector<TrimTool>& 
                 const TrimOptions& options) {
   check_options(tools, options);
   TrimResult result;
+  const WorkLimit limit(options.intersection);
   std::vector<Job> jobs = jobs_of(part, tools, options, result);
-  split_all(jobs, options, result);
+  split_all(jobs, options, limit, result);
+  tell_limit(jobs, limit, result);
   const std::vector<Judged> sides = judged(jobs, tools, options.intersection.tolerances.point);
   collect(jobs, sides, options, result);
   const int count = static_cast<int>(result.pieces.size());

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -319,6 +320,20 @@ TEST(TrimSolids, TakesSeveralTools) {
   const SolidTrimResult common = trim_solids(plate, tools, SolidOperation::Common);
   EXPECT_EQ(words(common), "");
   EXPECT_TRUE(common.solids.empty());
+}
+
+TEST(TrimSolids, AreWholeOrStoppedWheneverTheyAreCancelled) {
+  const TrimTool part = trim_tool(box({0, 0, 0}, {2, 2, 2})), tool = trim_tool(ball({2, 2, 2}, 1));
+  bool whole = false;
+  for (int allowed = 0; !whole && allowed < 4096; ++allowed) {
+    std::atomic<int> asked = 0;
+    const IntersectionOptions options{.cancelled = [&] { return asked++ >= allowed; }};
+    const SolidTrimResult made = trim_solids(part, {tool}, SolidOperation::Cut, options);
+    whole = made.obstacles.empty();
+    EXPECT_EQ(made.status == Status::Stopped, !whole) << allowed << ": " << words(made);
+    EXPECT_EQ(made.solids.size(), whole ? 1u : 0u);
+  }
+  EXPECT_TRUE(whole);
 }
 
 TEST(TrimSolids, RefusesWhatIsNotClosed) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -291,6 +292,22 @@ TEST(Trim, FacesInOnePlaneCutEachOtherAlongTheirBorders) {
   const double half_disc = std::round(1e6 * kPi / 2) / 1e6;
   EXPECT_NEAR(sum_of_areas(result), 16, 1e-9);
   EXPECT_EQ(sides_and_areas(result).back(), (std::pair{PieceSide::On, half_disc}));
+}
+
+TEST(Trim, FacesAreWhollyCutOrStoppedWheneverTheyAreCancelled) {
+  const std::vector<PartFace> part = part_of(BRepPrimAPI_MakeBox(2, 2, 2));
+  const TrimTool ball = trim_tool(BRepPrimAPI_MakeSphere(gp_Pnt(2, 2, 2), 1));
+  const std::size_t pieces = trim(part, {ball}).pieces.size();
+  bool whole = false;
+  for (int allowed = 0; !whole && allowed < 4096; ++allowed) {
+    std::atomic<int> asked = 0;
+    TrimOptions options;
+    options.intersection.cancelled = [&] { return asked++ >= allowed; };
+    const TrimResult result = trim(part, {ball}, options);
+    whole = result.status != Status::Stopped;
+    EXPECT_TRUE(!whole || result.pieces.size() == pieces) << allowed;
+  }
+  EXPECT_TRUE(whole);
 }
 
 TEST(Trim, CylindersInEachOtherCutBands) {
