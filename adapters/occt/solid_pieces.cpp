@@ -413,7 +413,12 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
   for (const Side* side : {&side_a, &side_b}) join_laid(*side, joined, result);
   join_edges(side_a, side_b, uses, joined, result);
   if (!result.obstacles.empty()) {
-    tell_loose_ends(found, a, b, common, result);
+    try {
+      guarded("telling where cuts break off",
+              [&] { tell_loose_ends(found, a, b, common, result); });
+    } catch (const Failure&) {
+      // What is told without it stands.
+    }
     return result;
   }
   SplitSolid split_a = split_solid(side_a, common.in_b(), splits, joined);
