@@ -13,8 +13,8 @@
 namespace blossom {
 namespace {
 
-// In the order asked for, and, if that leaves something open, in the other one with what is left of
-// the limits.
+// In the order asked for, and, if that leaves something open, in the other one with the rest of the
+// time, and of the budget what the pairs decided have left of it.
 SurfaceIntersection in_better_order(const BezierSurface& a, const BezierSurface& b,
                                     const IntersectionOptions& options) {
   const auto started = std::chrono::steady_clock::now();

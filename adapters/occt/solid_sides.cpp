@@ -65,7 +65,12 @@ std::optional<SolidSide> side_on(const SolidPiece& piece, const gp_Pnt& point,
   return cosine > 0 ? SolidSide::Same : SolidSide::Opposite;
 }
 
-void match_pieces(SplitSolid& a, SplitSolid& b, double tolerance) {
+constexpr double kWithin = 2;  // tolerances of points: what is no farther apart is one surface
+
+// Where the intersection says nothing of an overlap, only what lies within the tolerance coincides:
+// a thin cap has the border of the disc below it, too.
+void match_pieces(SplitSolid& a, SplitSolid& b, const std::vector<std::vector<std::size_t>>& over_a,
+                  double tolerance) {
   TopTools_IndexedMapOfShape edges;
   std::multimap<Border, std::size_t> of_b;
   for (std::size_t i = 0; i < b.pieces.size(); ++i)
@@ -76,8 +81,11 @@ void match_pieces(SplitSolid& a, SplitSolid& b, double tolerance) {
     const std::optional<gp_Pnt> point = point_inside(piece.face);
     for (auto it = first; point && it != last; ++it) {
       SolidPiece& other = b.pieces[it->second];
+      const auto& over = over_a[static_cast<std::size_t>(piece.from)];
+      const bool overlaps =
+          std::ranges::find(over, static_cast<std::size_t>(other.from)) != over.end();
       // A circle bounds both parts of a sphere.
-      if (!lies_on(piece.face, other.face, kLiesReach * tolerance)) continue;
+      if (!lies_on(piece.face, other.face, (overlaps ? kLiesReach : kWithin) * tolerance)) continue;
       const std::optional<SolidSide> side = side_on(piece, *point, other, tolerance);
       if (side) piece.side = other.side = *side;
     }
@@ -206,7 +214,7 @@ void find_sides(SplitSolid& a, SplitSolid& b,
     over_a[face_a].push_back(face_b);
     over_b[face_b].push_back(face_a);
   }
-  match_pieces(a, b, tolerance);
+  match_pieces(a, b, over_a, tolerance);
   check_unmatched(a, over_a, b, tolerance, obstacles);
   check_unmatched(b, over_b, a, tolerance, obstacles);
   if (!obstacles.empty()) return;

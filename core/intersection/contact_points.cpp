@@ -59,7 +59,7 @@ std::optional<Point4> newton(const Point4& start, double reach, const Equations&
       if (!(std::abs(x[i] - start[i]) <= reach)) return std::nullopt;
       largest = std::max(largest, std::abs(m[i][4]));
     }
-    // Steps shrink by ever smaller factors, the next one by more than this one.
+    // The next step is this one times the ratio, or less where they shrink ever faster.
     const double ratio = step == 0 ? 1 : std::min(largest / last, 1.0);
     const bool settled = largest * ratio < kSettled;
     const bool stalled =

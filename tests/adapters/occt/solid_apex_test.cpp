@@ -78,5 +78,18 @@ TEST(SolidApex, PlanesCloseByThePoleOfABallCutItsCap) {
   }
 }
 
+// The cap lies within a few tolerances of the disc that closes it, and is no part of it.
+TEST(SolidApex, ThinCapsAreCutOff) {
+  const TrimTool ball = trim_tool(BRepPrimAPI_MakeSphere(1).Shape());
+  for (const double height : {1e-6, 5e-7, 3e-7}) {
+    const TrimTool above =
+        trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, 1 - height), gp_Pnt(2, 2, 2)).Shape());
+    const SolidTrimResult made = trim_solids(ball, {above}, SolidOperation::Common);
+    ASSERT_TRUE(made.obstacles.empty()) << height << ": " << made.obstacles.front();
+    ASSERT_EQ(made.solids.size(), 1u) << height;
+    EXPECT_NEAR(made.volumes.back().common, kPi * height * height, 0.01 * kPi * height * height);
+  }
+}
+
 }  // namespace
 }  // namespace blossom::occt
