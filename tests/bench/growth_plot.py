@@ -6,7 +6,7 @@
     growth_plot.py growth.csv growth.svg
 
 Both axes are logarithmic. A line is the least squares fit of log time against the log of what the
-curves meet (spans, pairs of faces) and the poles and points that come out.
+curves meet (spans, pairs of faces) and the poles that come out.
 """
 
 import csv
@@ -62,7 +62,7 @@ def plot(families):
             f'<text x="{EDGE + 12}" y="{40 + 18 * row}" fill="{colour}">{name}: exponent {slope:.2f}</text>'
         )
     parts.append(
-        f'<text x="{WIDTH / 2}" y="{HEIGHT - 24}" text-anchor="middle">what is met and comes out</text>'
+        f'<text x="{WIDTH / 2}" y="{HEIGHT - 24}" text-anchor="middle">what is met, and poles</text>'
         f'<text x="18" y="{HEIGHT / 2}" text-anchor="middle" '
         f'transform="rotate(-90 18 {HEIGHT / 2})">seconds</text></svg>'
     )
@@ -73,7 +73,7 @@ def main(table, picture):
     families = {}
     with open(table, newline="") as lines:
         for row in csv.DictReader(lines):
-            point = (float(row["met"]) + float(row["output"]), float(row["seconds"]))
+            point = (float(row["met"]) + float(row["poles"]), float(row["seconds"]))
             families.setdefault(row["family"], []).append(point)
     with open(picture, "w") as out:
         out.write(plot(families))

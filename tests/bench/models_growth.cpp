@@ -93,7 +93,7 @@ struct Growth {
   int size = 0;
   std::size_t all = 0;
   std::size_t met = 0;
-  std::size_t output = 0;  // poles and points of curves
+  std::size_t output = 0;  // poles of curves
   std::size_t curves = 0;
   double seconds = 1e300;
   Status status = Status::Complete;
@@ -120,8 +120,7 @@ std::size_t patches_met(const SurfaceIntersection& found, int n, int m) {
 
 void add_output(const SurfaceIntersection& found, Growth& growth) {
   growth.curves += found.curves.size();
-  for (const IntersectionCurve& curve : found.curves)
-    growth.output += curve.curve.points.size() + curve.samples.size();
+  for (const IntersectionCurve& curve : found.curves) growth.output += curve.curve.points.size();
 }
 
 Growth of_surfaces(const char* family, int size, const BezierSurface& a, const BezierSurface& b) {
@@ -259,7 +258,7 @@ void print_family(const std::vector<Growth>& rows, std::ofstream& table) {
     matter.push_back(static_cast<double>(g.met + g.output));
     seconds.push_back(g.seconds);
   }
-  std::printf("%s: exponent against what is met and comes out %.3f", rows[0].family,
+  std::printf("%s: exponent against what is met and poles %.3f", rows[0].family,
               exponent(matter, seconds));
   if (all.front() < all.back()) std::printf(", against all %.3f", exponent(all, seconds));
   std::printf("\n");
@@ -271,10 +270,10 @@ void print_family(const std::vector<Growth>& rows, std::ofstream& table) {
 void print_growth(const std::string& csv) {
   std::ofstream table;
   if (!csv.empty()) table.open(csv);
-  table << "family,size,all,met,output,curves,seconds,status\n";
+  table << "family,size,all,met,poles,curves,seconds,status\n";
   std::printf(
       "\nGrowth (least processor time of %d, one thread)\n%-9s %4s %8s %8s %8s %8s %10s %s\n",
-      kRounds, "family", "size", "all", "met", "output", "curves", "seconds", "status");
+      kRounds, "family", "size", "all", "met", "poles", "curves", "seconds", "status");
   std::vector<Growth> spans, faces, branches;
   for (const int n : {8, 16, 32, 64})
     spans.push_back(of_surfaces("spans", n, height_field(n, wave), height_field(n, saddle)));

@@ -11,7 +11,7 @@ namespace blossom::bench {
 
 /// Height fields of 8 x 8 to 64 x 64 spans that cross along one curve; of 2 x 2 to 16 x 16 faces;
 /// and of 2 to 128 loops on 64 x 64 spans: a line each, and the exponents of processor time against
-/// all there is and against what of it the curves run through, their poles and their points.
+/// all there is and against what of it the curves run through and their poles.
 /// csv   a file for the same lines, for growth_plot.py; empty for none
 void print_growth(const std::string& csv = {});
 
