@@ -17,8 +17,7 @@ constexpr std::size_t kTreeGrain = 16;  // trees that one thread makes in a row
 Box hull_box(const RationalBezierPatch& patch) {
   Box box;
   for (const Vec4& p : patch.points.values()) {
-    const double inverse = 1 / p[3];
-    const Vec3 x{p[0] * inverse, p[1] * inverse, p[2] * inverse};
+    const Vec3 x = projected(p);
     box = joined(box, {x, x});
   }
   return box;

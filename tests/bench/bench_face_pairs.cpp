@@ -33,15 +33,16 @@
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
+#include "tests/bench/command_line.h"
 #include "tests/bench/face_pairs_draw.h"
 #include "tests/bench/face_pairs_oracle.h"
 
 namespace blossom::bench {
 namespace {
 
-constexpr double kNear = 2e-3;        // of the size: a point so near a curve is on it
+constexpr double kNear = 2e-3;         // of the size: a point so near a curve is on it
 constexpr double kTransversal = 0.02;  // sine of the least angle at which a point counts
-constexpr int kGapSamples = 51;       // of a curve
+constexpr int kGapSamples = 51;        // of a curve
 
 struct Settings {
   std::uint64_t seed = 1;
@@ -103,8 +104,8 @@ void measure_gaps(const occt::ShapeIntersection& found, const FacePair& faces, O
         const double t = from + (to - from) * i / (kGapSamples - 1);
         const gp_Pnt p = edge.curve->Value(t);
         const gp_Pnt2d x = edge.pcurve_a->Value(t), y = edge.pcurve_b->Value(t);
-        const double gap = std::max(p.Distance(a.Value(x.X(), x.Y())),
-                                    p.Distance(b.Value(y.X(), y.Y())));
+        const double gap =
+            std::max(p.Distance(a.Value(x.X(), x.Y())), p.Distance(b.Value(y.X(), y.Y())));
         outcome.gap = std::max(outcome.gap, gap);
         outcome.gap_over = std::max(outcome.gap_over, gap / edge.tolerance);
       }
@@ -124,9 +125,8 @@ void time_peers(const FacePair& faces, double tolerance, Outcome& outcome) {
     section.ComputePCurveOn2(true);
     section.Build();
   });
-  outcome.intss = seconds_of([&] {
-    const GeomAPI_IntSS intss(cut_surface(faces.a), cut_surface(faces.b), tolerance);
-  });
+  outcome.intss = seconds_of(
+      [&] { const GeomAPI_IntSS intss(cut_surface(faces.a), cut_surface(faces.b), tolerance); });
 }
 
 Outcome run(const FacePair& faces, const Settings& settings) {
@@ -167,10 +167,11 @@ double median(std::vector<double> values) {
 }
 
 void print(const std::string& name, const FacePair& faces, std::size_t number, const Outcome& o) {
-  std::printf("%-22s %s %2zu  %-9s %3zu curves %2zu points %3zu places  oracle %4zu missed %4zu  "
-              "gap %.1e (%.2f of stated)  %8.4f s",
-              name.c_str(), faces.kind.c_str(), number, to_string(o.status), o.curves, o.points,
-              o.places, o.wanted, o.missed, o.gap, o.gap_over, o.seconds);
+  std::printf(
+      "%-22s %s %2zu  %-9s %3zu curves %2zu points %3zu places  oracle %4zu missed %4zu  "
+      "gap %.1e (%.2f of stated)  %8.4f s",
+      name.c_str(), faces.kind.c_str(), number, to_string(o.status), o.curves, o.points, o.places,
+      o.wanted, o.missed, o.gap, o.gap_over, o.seconds);
   if (o.section > 0) std::printf("  Section %.4f s  IntSS %.4f s", o.section, o.intss);
   std::printf("%s%s\n", o.missed > 0 ? "  MISSED" : "", o.gap_over > 1 ? "  GAP" : "");
   std::fflush(stdout);
@@ -256,10 +257,10 @@ int run_all(const Settings& settings) {
     most = std::max(most, t);
     total += t;
   }
-  std::printf("%zu pairs: %zu complete, %zu stopped, %zu with missed points, %zu with gaps above "
-              "the stated ones, %zu refused; median %.4f s, most %.3f s, all %.2f s\n",
-              s.pairs, s.complete, s.stopped, s.missed, s.gaps, s.refused, median(s.seconds), most,
-              total);
+  std::printf(
+      "%zu pairs: %zu complete, %zu stopped, %zu with missed points, %zu with gaps above "
+      "the stated ones, %zu refused; median %.4f s, most %.3f s, all %.2f s\n",
+      s.pairs, s.complete, s.stopped, s.missed, s.gaps, s.refused, median(s.seconds), most, total);
   if (settings.peers)
     std::printf("median of Section %.4f s, of IntSS %.4f s\n", median(s.section), median(s.intss));
   return s.missed + s.gaps + s.refused > 0 ? 1 : 0;
@@ -269,13 +270,9 @@ int run_all(const Settings& settings) {
 }  // namespace blossom::bench
 
 int main(int argc, char** argv) {
-  const auto settings = blossom::bench::settings_from(argc, argv);
-  if (!settings) {
-    std::fprintf(stderr,
-                 "bench_face_pairs [--seed N] [--pairs N] [--limit SECONDS] [--peers] "
-                 "[--keep FOLDER] FILE...\n");
-    return 2;
-  }
-  blossom::occt::quiet_messages();
-  return blossom::bench::run_all(*settings);
+  using namespace blossom::bench;
+  return run_command(settings_from(argc, argv),
+                     "bench_face_pairs [--seed N] [--pairs N] [--limit SECONDS] [--peers] "
+                     "[--keep FOLDER] FILE...",
+                     run_all);
 }

@@ -41,6 +41,7 @@
 #include "adapters/occt/solid_trim.h"
 #include "core/base/errors.h"
 #include "tests/bench/apart.h"
+#include "tests/bench/command_line.h"
 #include "tests/bench/moved_copy.h"
 
 namespace blossom::bench {
@@ -278,13 +279,9 @@ int run_all(const Settings& settings) {
 }  // namespace blossom::bench
 
 int main(int argc, char** argv) {
-  const auto settings = blossom::bench::settings_from(argc, argv);
-  if (!settings) {
-    std::fprintf(stderr,
-                 "bench_solids [--limit SECONDS] [--no-peer] [--axis X,Y,Z] [--copy c1|c2] "
-                 "FILE...\n");
-    return 2;
-  }
-  blossom::occt::quiet_messages();
-  return blossom::bench::run_all(*settings);
+  using namespace blossom::bench;
+  return run_command(settings_from(argc, argv),
+                     "bench_solids [--limit SECONDS] [--no-peer] [--axis X,Y,Z] [--copy c1|c2] "
+                     "FILE...",
+                     run_all);
 }

@@ -48,6 +48,7 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/trim.h"
 #include "tests/bench/apart.h"
+#include "tests/bench/command_line.h"
 #include "tests/bench/face_pairs_draw.h"
 #include "tests/bench/face_pairs_oracle.h"
 
@@ -332,13 +333,9 @@ int run_all(const Settings& settings) {
 }  // namespace blossom::bench
 
 int main(int argc, char** argv) {
-  const auto settings = blossom::bench::settings_from(argc, argv);
-  if (!settings) {
-    std::fprintf(stderr,
-                 "bench_splits [--seed N] [--pairs N] [--limit SECONDS] [--no-peer] "
-                 "[--keep FOLDER] FILE...\n");
-    return 2;
-  }
-  blossom::occt::quiet_messages();
-  return blossom::bench::run_all(*settings);
+  using namespace blossom::bench;
+  return run_command(settings_from(argc, argv),
+                     "bench_splits [--seed N] [--pairs N] [--limit SECONDS] [--no-peer] "
+                     "[--keep FOLDER] FILE...",
+                     run_all);
 }

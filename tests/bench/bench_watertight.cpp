@@ -42,6 +42,7 @@
 #include "adapters/occt/watertight.h"
 #include "core/base/errors.h"
 #include "tests/bench/apart.h"
+#include "tests/bench/command_line.h"
 #include "tests/bench/moved_copy.h"
 #include "tests/support/watertight_mesh.h"
 
@@ -284,13 +285,9 @@ int run_all(const Settings& settings) {
 }  // namespace blossom::bench
 
 int main(int argc, char** argv) {
-  const auto settings = blossom::bench::settings_from(argc, argv);
-  if (!settings) {
-    std::fprintf(stderr,
-                 "bench_watertight [--limit SECONDS] [--tolerance T] [--parts N] [--copies] "
-                 "[--keep FOLDER] FILE...\n");
-    return 2;
-  }
-  blossom::occt::quiet_messages();
-  return blossom::bench::run_all(*settings);
+  using namespace blossom::bench;
+  return run_command(settings_from(argc, argv),
+                     "bench_watertight [--limit SECONDS] [--tolerance T] [--parts N] [--copies] "
+                     "[--keep FOLDER] FILE...",
+                     run_all);
 }
