@@ -168,6 +168,13 @@ bool separated_along(const Vec3& normal, const Cell& a, const Cell& b, int point
   return ha.low > hb.high || ha.high < hb.low;
 }
 
+bool separated_across(const Cell& a, const Cell& b, int points_a, int points_b) {
+  for (const Vec3& p : {a.du.middle, a.dv.middle})
+    for (const Vec3& q : {b.du.middle, b.dv.middle})
+      if (separated_along(cross(p, q), a, b, points_a, points_b)) return true;
+  return false;
+}
+
 bool within_slab(const Cell& a, const Cell& b, int points_a, int points_b, double thickness) {
   return slab_holds(a.plane, b, points_b, thickness) || slab_holds(b.plane, a, points_a, thickness);
 }

@@ -191,7 +191,11 @@ class Search {
       return {place.quadrics.cover_each_other(a, b) ? Verdict::Over : Verdict::Beside};
     if (pair.along >= 0) return {Verdict::Regular, pair.along};
     const int along = JacobianBounds(a, b).certified_column();
-    if (along >= 0) return {Verdict::Regular, along};
+    if (along >= 0) {
+      // Cheaper than to look for the ends of arcs on all borders.
+      if (separated_across(a, b, points_a, points_b)) return {Verdict::Apart};
+      return {Verdict::Regular, along};
+    }
     if (place.quadrics.apart(a, b)) return {Verdict::Apart};
     if (itself() && beside_each_other(place, a, b)) return {Verdict::Apart};
     if (known_.compare_with(std::min(a.extent, b.extent)) &&
