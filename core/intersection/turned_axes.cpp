@@ -12,7 +12,7 @@ TurnedAxes::TurnedAxes(const Vec2& direction)
 }
 
 TaylorPolynomial TurnedAxes::turned(const TaylorPolynomial& p) const {
-  return substitute(p, 0, w_axis[0], z_axis[0], 0, w_axis[1], z_axis[1]);
+  return blossom::turned(p, w_axis, z_axis);
 }
 
 Vec2 TurnedAxes::on_edge(int edge, double t) const {
@@ -23,11 +23,7 @@ Vec2 TurnedAxes::on_edge(int edge, double t) const {
 
 Polynomial TurnedAxes::along_edge(const TaylorPolynomial& p, int edge) const {
   const Vec2 middle = on_edge(edge, 0), end = on_edge(edge, 1);
-  const TaylorPolynomial line =
-      substitute(p, middle[0], end[0] - middle[0], 0, middle[1], end[1] - middle[1], 0);
-  Polynomial result;
-  for (int i = 0; i <= kTaylorDegree; ++i) result.push_back(line[taylor_index(i, 0)]);
-  return result;
+  return along_line(p, middle, end - middle);
 }
 
 double TurnedAxes::chord_end(double w, int side) const {

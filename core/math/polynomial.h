@@ -3,19 +3,18 @@
 
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace blossom {
 
-/// sum c_i t^i; at least one coefficient.
-using Polynomial = std::vector<double>;
+inline constexpr int kPolynomialDegree = 6;
+
+/// sum c_i t^i.
+using Polynomial = std::array<double, kPolynomialDegree + 1>;
 
 double value(const Polynomial& p, double t);
-Polynomial derivative(const Polynomial& p);
-
-/// p(m + h t).
-Polynomial shifted(const Polynomial& p, double m, double h);
 
 /// Bounds on [-1, 1] by Bernstein coefficients.
 struct PolynomialRange {

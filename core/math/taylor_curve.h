@@ -5,7 +5,6 @@
 
 #include <array>
 
-#include "core/math/polynomial.h"
 #include "core/math/taylor_series.h"
 
 namespace blossom {

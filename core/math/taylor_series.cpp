@@ -270,28 +270,46 @@ TaylorPolynomial derivative_y(const TaylorPolynomial& p) {
   return d;
 }
 
-TaylorPolynomial substitute(const TaylorPolynomial& p, double x0, double a, double b, double y0,
-                            double c, double d) {
-  // r (k0 + kx x + ky y) for r of degree n, in place: from the highest term down.
-  const auto multiply = [](TaylorPolynomial& r, int n, double k0, double kx, double ky) {
-    for (int k = n + 1; k >= 0; --k)
-      for (int j = 0; j <= k; ++j) {
-        double sum = k <= n ? k0 * r[taylor_index(k - j, j)] : 0;
-        if (j < k) sum += kx * r[taylor_index(k - j - 1, j)];
-        if (j > 0) sum += ky * r[taylor_index(k - j, j - 1)];
-        r[taylor_index(k - j, j)] = sum;
-      }
-  };
-  TaylorPolynomial result{};
-  for (int i = K; i >= 0; --i) {
-    if (i < K) multiply(result, K - i - 1, x0, a, b);
-    TaylorPolynomial row{};
-    for (int j = K - i; j >= 0; --j) {
-      if (j < K - i) multiply(row, K - i - j - 1, y0, c, d);
-      row[0] += p[taylor_index(i, j)];
-    }
-    for (std::size_t k = 0; k < start(K - i + 1); ++k) result[k] += row[k];
+namespace {
+
+using Form = std::array<double, K + 1>;  // sum c_i s^(n - i) t^i, of degree n
+
+// f (a s + b t) for f of the given degree.
+void multiply(Form& f, std::size_t degree, double a, double b) {
+  f[degree + 1] = b * f[degree];
+  for (std::size_t i = degree; i > 0; --i) f[i] = a * f[i] + b * f[i - 1];
+  f[0] *= a;
+}
+
+}  // namespace
+
+// The terms of each total degree n among themselves: those of x^(n - j) y^j by Horner's scheme.
+TaylorPolynomial turned(const TaylorPolynomial& p, const Vec2& s_axis, const Vec2& t_axis) {
+  std::array<Form, K + 1> y_powers{};
+  y_powers[0][0] = 1;
+  for (std::size_t j = 0; j < K; ++j) {
+    y_powers[j + 1] = y_powers[j];
+    multiply(y_powers[j + 1], j, s_axis[1], t_axis[1]);
   }
+  TaylorPolynomial result;
+  for (int n = 0; n <= K; ++n) {
+    Form form{p[start(n)]};
+    for (std::size_t j = 1; j <= static_cast<std::size_t>(n); ++j) {
+      multiply(form, j - 1, s_axis[0], t_axis[0]);
+      for (std::size_t i = 0; i <= j; ++i) form[i] += p[start(n) + j] * y_powers[j][i];
+    }
+    std::copy_n(form.begin(), n + 1, result.begin() + static_cast<std::ptrdiff_t>(start(n)));
+  }
+  return result;
+}
+
+// With s = 1 the terms of all total degrees fall together.
+Polynomial along_line(const TaylorPolynomial& p, const Vec2& begin, const Vec2& step) {
+  static_assert(kPolynomialDegree == K);
+  const TaylorPolynomial forms = turned(p, begin, step);
+  Polynomial result{};
+  for (std::size_t n = 0; n <= K; ++n)
+    for (std::size_t i = 0; i <= n; ++i) result[i] += forms[start(static_cast<int>(n)) + i];
   return result;
 }
 

@@ -12,6 +12,9 @@
 
 #include <array>
 
+#include "core/math/polynomial.h"
+#include "core/math/vec.h"
+
 namespace blossom {
 
 inline constexpr int kTaylorDegree = 6;
@@ -69,9 +72,11 @@ double value(const TaylorPolynomial& p, double x, double y);
 TaylorPolynomial derivative_x(const TaylorPolynomial& p);
 TaylorPolynomial derivative_y(const TaylorPolynomial& p);
 
-/// The polynomial p(x0 + a x + b y, y0 + c x + d y) in x, y.
-TaylorPolynomial substitute(const TaylorPolynomial& p, double x0, double a, double b, double y0,
-                            double c, double d);
+/// p(x, y) with (x, y) = s s_axis + t t_axis, as a polynomial in s, t.
+TaylorPolynomial turned(const TaylorPolynomial& p, const Vec2& s_axis, const Vec2& t_axis);
+
+/// p(x, y) with (x, y) = begin + t step, as a polynomial in t.
+Polynomial along_line(const TaylorPolynomial& p, const Vec2& begin, const Vec2& step);
 
 /// Range of p over |x| <= rx, |y| <= ry, by its Bernstein coefficients.
 struct TaylorRange {

@@ -65,23 +65,24 @@ TEST_P(TaylorSeriesProperty, BoundsWhatAReciprocalLeavesOut) {
   }
 }
 
-TEST_P(TaylorSeriesProperty, ComposesWithLinearFunctionsExactly) {
+TEST_P(TaylorSeriesProperty, IsTurnedAndTakenAlongLinesExactly) {
   Random random = seeded(GetParam());
   const TaylorPolynomial p = random_polynomial(random, kTaylorDegree, 1);
-  std::vector<double> c;
-  for (int i = 0; i < 6; ++i) c.push_back(uniform(random, -1, 1));
-  const TaylorPolynomial turned = substitute(p, c[0], c[1], c[2], c[3], c[4], c[5]);
+  const auto random_vector = [&] { return Vec2{uniform(random, -1, 1), uniform(random, -1, 1)}; };
+  const Vec2 a = random_vector(), b = random_vector(), at = random_vector();
+  const TaylorPolynomial turned_p = turned(p, a, b);
+  const Polynomial line = along_line(p, a, b);
 
-  const double x = uniform(random, -1, 1), y = uniform(random, -1, 1);
-  EXPECT_NEAR(value(turned, x, y), value(p, c[0] + c[1] * x + c[2] * y, c[3] + c[4] * x + c[5] * y),
-              1e-11);
-  TaylorPolynomial inner_x{}, inner_y{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    inner_x[i] = c[i];
-    inner_y[i] = c[3 + i];
-  }
-  const TaylorPolynomial composed = compose_truncated(p, inner_x, inner_y);
-  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(turned[i], composed[i], 1e-12);
+  const Vec2 place = at[0] * a + at[1] * b, on_line = a + at[1] * b;
+  EXPECT_NEAR(value(turned_p, at[0], at[1]), value(p, place[0], place[1]), 1e-11);
+  EXPECT_NEAR(value(line, at[1]), value(p, on_line[0], on_line[1]), 1e-11);
+  TaylorPolynomial x{}, y{};
+  x[taylor_index(1, 0)] = a[0];
+  x[taylor_index(0, 1)] = b[0];
+  y[taylor_index(1, 0)] = a[1];
+  y[taylor_index(0, 1)] = b[1];
+  const TaylorPolynomial composed = compose_truncated(p, x, y);
+  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(turned_p[i], composed[i], 1e-12);
 }
 
 // Each truncation keeps the terms that a longer one has.
