@@ -189,8 +189,7 @@ class Search {
       return {place.quadrics.coincide(a, b) ? Verdict::Thin : Verdict::Mixed};
     if (place.quadrics.is_common() && !place.shared.is_known() && place.quadrics.coincide(a, b))
       return {place.quadrics.cover_each_other(a, b) ? Verdict::Over : Verdict::Beside};
-    if (pair.along >= 0) return {Verdict::Regular, pair.along};
-    const int along = JacobianBounds(a, b).certified_column();
+    const int along = pair.along >= 0 ? pair.along : JacobianBounds(a, b).certified_column();
     if (along >= 0) {
       // Cheaper than to look for the ends of arcs on all borders.
       if (separated_across(a, b, points_a, points_b)) return {Verdict::Apart};
