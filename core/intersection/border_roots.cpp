@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/forms/evaluation.h"
+#include "core/intersection/arc_stretches.h"
 #include "core/intersection/pair_model.h"
 
 namespace blossom {
@@ -16,7 +17,6 @@ constexpr double kStalled = 1e-10;  // so is one below this that no longer shrin
 constexpr double kBorderSlack = 4e-11;  // a root this close to a face is on it; fraction of a patch
 constexpr int kKrawczykSteps = 16;
 constexpr int kFirstSteps = 3;           // of them before Newton's method
-constexpr std::size_t kStretches = 16;   // of an arc: twice as many as the shortest ones
 constexpr double kSlidingSlack = 0.02;   // of a cell, from the face that an arc may run along
 constexpr double kPartSlack = 1e-9;      // a root this close to a part is in it; of a cell
 constexpr double kSumSlack = 1e-12;      // covers the rounding of places in a cell
@@ -125,9 +125,10 @@ class PairBorder {
         if (!apart({axis, high})) met.push_back({axis, high});
     if (met.empty()) return true;
     model_.emplace(tree_a_, a_, tree_b_, b_);
+    arc_.emplace(*model_, bounds_, graph_, along_);
     std::vector<Point4> points;
     // What fails most comes first: faces that may hold more than one root.
-    if (const Stretch& all = stretch(1); !all.empty)
+    if (const ArcStretch& all = arc_->stretch(1); !all.empty)
       std::stable_partition(met.begin(), met.end(), [&](const BoxFace& face) {
         return face.axis != along_ && !all.bounds->minor(face.axis).regular;
       });
@@ -180,13 +181,6 @@ class PairBorder {
   }
 
  private:
-  // A part of the parameter `along`, and all that may be of the arc over it.
-  struct Stretch {
-    bool empty = false;
-    PairPart part;
-    std::optional<JacobianBounds> bounds;  // of J over the part; nothing if it is empty
-  };
-
   static double side_of(const BoxFace& face) { return face.high ? 0.5 : -0.5; }
 
   double place_of(const BoxFace& face) const {
@@ -202,40 +196,6 @@ class PairBorder {
                                         b_.margin, a_);
   }
 
-  // Stretch 1 is all of the arc, and that of number i has the halves 2 i and 2 i + 1. Each is made
-  // when first asked for.
-  const Stretch& stretch(std::size_t number) {
-    auto& made = stretches_[number];
-    if (made) return *made;
-    Stretch next;
-    if (number > 1) {
-      next = stretch(number / 2);
-      if (!next.empty) {
-        next.part.radius[index(along_)] *= 0.5;
-        next.part.middle[index(along_)] +=
-            (number % 2 == 0 ? -1 : 1) * next.part.radius[index(along_)];
-      }
-    }
-    if (!next.empty) narrow_stretch(next, number == 1);
-    made = next;
-    return *made;
-  }
-
-  // Over a stretch J is known better than over the whole pair.
-  void narrow_stretch(Stretch& s, bool whole) const {
-    if (whole)
-      s.empty = !narrow(s.part, graph_, along_, bounds_.column(along_), s.part.middle,
-                        model_->gap(s.part.middle));
-    if (s.empty) return;
-    const PairJet jet = model_->jet(s.part.middle);
-    s.bounds = model_->jacobian(jet, s.part);
-    const Minor minor = s.bounds->minor(along_);
-    if (!minor.regular) return;
-    s.empty = !narrow(s.part, minor, along_, s.bounds->column(along_), jet.place,
-                      {jet.gap, model_->rounding()});
-    if (!s.empty) s.bounds = model_->jacobian(jet, s.part);
-  }
-
   static bool off(const PairPart& part, const BoxFace& face) {
     return std::abs(part.middle[index(face.axis)] - side_of(face)) >
            part.radius[index(face.axis)] + kSumSlack;
@@ -243,7 +203,7 @@ class PairBorder {
 
   // A face across the arc's parameter: at most one root.
   bool decide_end(const BoxFace& face, std::vector<Point4>& points) {
-    const Stretch& all = stretch(1);
+    const ArcStretch& all = arc_->stretch(1);
     if (all.empty) return true;
     const Minor minor = all.bounds->minor(along_);
     return decide_in(all.part, minor.regular ? minor : graph_, face, points);
@@ -252,15 +212,15 @@ class PairBorder {
   // Where the arc crosses another face: stretch by stretch, until it keeps off the face or crosses
   // it one way only. False if some stretch stays undecided.
   bool decide(const BoxFace& face, std::size_t number, std::vector<Point4>& points) {
-    const Stretch& s = stretch(number);
+    const ArcStretch& s = arc_->stretch(number);
     if (s.empty || off(s.part, face)) return true;
     const Minor across = s.bounds->minor(face.axis);
     if (across.regular && decide_in(s.part, across, face, points)) return true;
-    if (2 * number >= kStretches) {
-      undecided_ = number;
-      return false;
-    }
-    return decide(face, 2 * number, points) && decide(face, 2 * number + 1, points);
+    if (2 * number < ArcStretches::kCount)
+      return decide(face, 2 * number, points) && decide(face, 2 * number + 1, points);
+    if (arc_->narrow_again(number)) return decide(face, number, points);
+    undecided_ = number;
+    return false;
   }
 
   // The minor is regular in the part, so it holds at most one root on the face: found means done.
@@ -298,13 +258,13 @@ class PairBorder {
 
   // True if the box meets the arc, and only along the given face, as far as points of it tell.
   bool slides_along(const BoxFace& face) {
-    if (std::abs(stretch(undecided_).part.middle[index(face.axis)] - side_of(face)) > kSlidingSlack)
-      return false;
-    for (std::size_t number = kStretches / 2; number < kStretches; ++number)
-      if (const Stretch& s = stretch(number); !s.empty && off(s.part, face)) return false;
+    const PairPart& last = arc_->stretch(undecided_).part;
+    if (std::abs(last.middle[index(face.axis)] - side_of(face)) > kSlidingSlack) return false;
+    for (std::size_t number = ArcStretches::kCount / 2; number < ArcStretches::kCount; ++number)
+      if (const ArcStretch& s = arc_->stretch(number); !s.empty && off(s.part, face)) return false;
     int on_face = 0;
-    for (std::size_t number = kStretches / 2; number < kStretches; ++number) {
-      const Stretch& s = stretch(number);
+    for (std::size_t number = ArcStretches::kCount / 2; number < ArcStretches::kCount; ++number) {
+      const ArcStretch& s = arc_->stretch(number);
       if (s.empty) continue;
       const auto x =
           newton(tree_a_.patch(), tree_b_.patch(), model_->parameters(s.part.middle), along_, box_);
@@ -420,7 +380,7 @@ class PairBorder {
   const Minor graph_;  // the minor that leaves `along` out
   const Box4 box_;
   std::optional<PairModel> model_;
-  std::array<std::optional<Stretch>, kStretches> stretches_;
+  std::optional<ArcStretches> arc_;
   std::size_t undecided_ = 0;                     // the last stretch that was
   std::array<std::array<bool, 2>, 4> sliding_{};  // by parameter, low and high face
   std::array<std::array<bool, 2>, 4> met_{};      // likewise: the arc may cross the face

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
+#include "core/intersection/arc_stretches.h"
 #include "core/intersection/border_roots.h"
 #include "tests/support/cubic_family.h"
 #include "tests/support/quadric_patches.h"
@@ -39,6 +41,17 @@ class PairModels : public ::testing::TestWithParam<int> {
   int descend(CellTree& tree, int halvings) {
     int cell = 0;
     for (int i = 0; i < halvings; ++i) cell = tree.split(cell) + int(random_() % 2);
+    return cell;
+  }
+
+  // The cell that holds a point, after so many halvings.
+  static int cell_at(CellTree& tree, double u, double v, int halvings) {
+    int cell = 0;
+    const auto has = [](const Interval& x, double t) { return x.from <= t && t <= x.to; };
+    for (int i = 0; i < halvings; ++i) {
+      const int child = tree.split(cell);
+      cell = has(tree[child].u, u) && has(tree[child].v, v) ? child : child + 1;
+    }
     return cell;
   }
 
@@ -137,6 +150,44 @@ TEST_P(PairModels, TellWhereNoRootIs) {
         narrow(part, minor, along, bounds.column(along), jet.place, {1e3 * far, model.rounding()}));
   }
   EXPECT_GT(told, 0);
+}
+
+// Points of the arc found by Newton's method lie in each stretch that has their parameter, however
+// often it is narrowed.
+TEST_P(PairModels, KeepTheArcInItsStretches) {
+  const PatchesRow row = patches();
+  CellTree tree_a(row.a, row.rational, {}, CellForm::Bezier, kCut);
+  CellTree tree_b(row.b, row.rational, {}, CellForm::Bezier, kCut);
+  int held = 0;
+  for (int draw = 0; draw < 60; ++draw) {
+    const Point4 start{uniform(0, 1), uniform(0, 1), uniform(0, 1), uniform(0, 1)};
+    const auto root = newton(row.a, row.b, start, draw % 4, Box4{{{0, 1}, {0, 1}, {0, 1}, {0, 1}}});
+    if (!root || !std::ranges::all_of(*root, [](double x) { return 0 <= x && x <= 1; })) continue;
+    const int i = cell_at(tree_a, (*root)[0], (*root)[1], 8);
+    const int j = cell_at(tree_b, (*root)[2], (*root)[3], 8);
+    const Cell a = tree_a[i], b = tree_b[j];
+    const JacobianBounds bounds(a, b);
+    const int along = bounds.certified_column();
+    if (along < 0) continue;
+    const Minor graph = bounds.minor(along);
+    const PairModel model(tree_a, a, tree_b, b);
+    ArcStretches arc(model, bounds, graph, along);
+    const Box4 box = box_of(a, b);
+    const auto off = [&](const PairPart& part, std::size_t k) {
+      const double z = ((*root)[k] - at(box[k], 0.5)) / length(box[k]);
+      return std::abs(z - part.middle[k]) - part.radius[k];
+    };
+    for (std::size_t number = 1; number < ArcStretches::kCount; ++number) {
+      arc.stretch(number);
+      arc.narrow_again(number);
+      const ArcStretch& s = arc.stretch(number);
+      if (s.empty || off(s.part, static_cast<std::size_t>(along)) > 0) continue;
+      for (std::size_t k = 0; k < 4; ++k) EXPECT_LE(off(s.part, k), 1e-10);
+      ++held;
+    }
+    EXPECT_FALSE(arc.stretch(1).empty);
+  }
+  EXPECT_GT(held, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Draws, PairModels, ::testing::Range(0, 30));
