@@ -17,17 +17,6 @@ constexpr double kSamePoint3 = 4;        // tolerances: points this close in spa
 constexpr double kOtherMeridian = 1e-3;  // of a patch: arms of a pole this far apart stay two
 constexpr double kStraightOn = 0.9;      // cosine: curves that meet within 25 degrees go on
 
-// A contact's arm in the parameters of the contact's patches.
-ContactArm arm_of(const ContactChain& contact, ArcEnd end, const SurfaceCells& a,
-                  const SurfaceCells& b, const PairSearchResult& found) {
-  const FoundArc& arc = found.arcs[end / 2];
-  const auto here = [&](const Point4& x) {
-    return in_patches(a, b, arc.patch_a, arc.patch_b, x, contact.centre);
-  };
-  return end % 2 == 0 ? ContactArm{here(arc.arc.to), here(arc.arc.from)}
-                      : ContactArm{here(arc.arc.from), here(arc.arc.to)};
-}
-
 // In a pole each arm keeps its own value of the free parameter, and at a seam its own side. Two
 // arms go on into each other only if they have the same one.
 void meet_apart(ContactChain& contact, const Pole& pole, SurfaceCells& a, SurfaceCells& b,
@@ -108,7 +97,7 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
                &patch_b = b.tree(contact.centre.patch_b).patch();
     std::vector<ContactArm> arms;
     for (const auto& side : contact.arms)
-      for (const ArcEnd end : side) arms.push_back(arm_of(contact, end, a, b, found));
+      for (const ArcEnd end : side) arms.push_back(arm_of(found, a, b, end, contact.centre));
     const bool joins = arms.size() == 2;
     if (joins && jumps(arms[0].end, arms[1].end, a, b)) {
       meet_apart(contact, {contact.centre, {}}, a, b, found);

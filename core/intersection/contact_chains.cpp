@@ -353,7 +353,11 @@ class Joiner {
     for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
       if (!chain.arms[side].empty()) {
         const ContactPoint& end = side == 0 ? chain.path.front() : chain.path.back();
-        for (ArcEnd& arm : chain.arms[side]) arm = reach_contact(found_, a_, b_, arm, end);
+        const auto &patch_a = a_.tree(end.patch_a).patch(), &patch_b = b_.tree(end.patch_b).patch();
+        // One that runs beside the contact ends there.
+        for (ArcEnd& arm : chain.arms[side])
+          if (leads_to(patch_a, patch_b, arm_of(found_, a_, b_, arm, end), end.x))
+            arm = reach_contact(found_, a_, b_, arm, end);
         chain.arms[side].push_back(side == 0 ? from : to);
       }
   }

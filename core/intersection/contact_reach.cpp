@@ -150,6 +150,16 @@ bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const C
   return true;
 }
 
+ContactArm arm_of(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
+                  ArcEnd end, const ContactPoint& contact) {
+  const FoundArc& arc = found.arcs[end / 2];
+  const auto here = [&](const Point4& x) {
+    return in_patches(a, b, arc.patch_a, arc.patch_b, x, contact);
+  };
+  return end % 2 == 0 ? ContactArm{here(arc.arc.to), here(arc.arc.from)}
+                      : ContactArm{here(arc.arc.from), here(arc.arc.to)};
+}
+
 ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
                      ArcEnd end, const ContactPoint& to) {
   FoundArc& arc = found.arcs[end / 2];

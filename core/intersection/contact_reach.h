@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/intersection/contact_chains.h"
+#include "core/intersection/contact_points.h"
 #include "core/intersection/pair_search.h"
 
 namespace blossom {
@@ -26,6 +27,10 @@ bool jumps(const Point4& p, const Point4& q, const SurfaceCells& a, const Surfac
 /// as far as points in between tell.
 bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const ContactPoint& q,
                 double tolerance);
+
+/// The arc that ends at a contact, in the parameters of the contact's patches.
+ContactArm arm_of(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
+                  ArcEnd end, const ContactPoint& contact);
 
 /// Lengthens an arc to a contact: moves its end, or adds an arc in the contact's patches if its
 /// end lies on their border. Returns the end that is at the contact then.
