@@ -20,6 +20,8 @@ constexpr double kWeightError = 1e-3;    // of the inverse of a piece's weight, 
 constexpr double kRestShare = 1.0 / 64;  // of a gap, that its series may leave out
 constexpr double kStray = 1e-3;          // a piece's way out of its patch, in local parameters
 constexpr double kFormError = 2e-11;     // model units, of a polynomial for another function
+constexpr double kFalseStray = 2;        // of a form's values: farther out only its points are
+constexpr int kStrayHalvings = 6;        // then a stray is taken for a true one
 constexpr int kBits = 48;                // of a parameter where the chart curve is cut
 // Making the points of a span, or of its half, rounds 30 times.
 constexpr double kConvexSums = 32 * kUnit;
@@ -90,9 +92,18 @@ LocalForm local(const QuinticPoints& piece, int coordinate, ParameterLaw law, co
   return result;
 }
 
-double stray(const BezierFunction& form) {
-  const auto [low, high] = std::minmax_element(form.points.begin(), form.points.end());
+// How far numbers leave [0, 1].
+double stray(std::span<const double> numbers) {
+  const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
   return std::max({0.0, -*low, *high - 1});
+}
+
+// Ends and middle of a form.
+std::array<double, 3> values_of(const BezierFunction& form) {
+  std::vector<double> p = form.points;
+  for (std::size_t level = p.size() - 1; level > 0; --level)
+    for (std::size_t i = 0; i < level; ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
+  return {form.points.front(), p.front(), form.points.back()};
 }
 
 Vec3 in_space(const Vec4& p) { return {p[0], p[1], p[2]}; }
@@ -114,13 +125,14 @@ PowerSeries<Vec3> difference(const PowerSeries<Vec4>& image, const PowerSeries<V
 }
 
 // With r near 1 / w and w r = 1 + e the gap (X - w C) / w is (X - w C) r, but for |e| of itself.
-// Returns how large r is, and |e|: 1 or more where there is no such r.
-std::pair<double, double> divide(PowerSeries<Vec3>& gap, const PowerSeries<double>& weight) {
+// Returns how large r is, and |e|: 1 or more where there is no such r. `rounded`: the weight.
+std::pair<double, double> divide(PowerSeries<Vec3>& gap, const PowerSeries<double>& weight,
+                                 double rounded) {
   const PowerSeries<double> inverse = reciprocal(weight);
   PowerSeries<double> one = product(weight, inverse);
   one.terms[0] -= 1;
   const double size = absolute_sum(inverse);
-  const double rounding = (2 * kSeriesDegree + 8) * kUnit * absolute_sum(weight) * size;
+  const double rounding = ((2 * kSeriesDegree + 8) * kUnit * absolute_sum(weight) + rounded) * size;
   const double off = absolute_sum(one) + one.rest + rounding;
   if (off < kWeightError) gap = product(inverse, gap);
   return {size, off};
@@ -145,7 +157,7 @@ std::optional<ImageGap> ImageGaps::on(const QuinticPoints& piece, int halvings) 
   const LocalForm u = local(piece, first_, surface_.u_law, knots(surface_.u_knots, i), rounding);
   const LocalForm v =
       local(piece, first_ + 1, surface_.v_law, knots(surface_.v_knots, j), rounding);
-  const double stray_u = stray(u.form), stray_v = stray(v.form);
+  const double stray_u = stray(u.form.points), stray_v = stray(v.form.points);
   if (!(std::max(stray_u, stray_v) <= kStray)) return {};
   std::optional<ImageGap> result = composed(patch, u, v, piece, rounding);
   if (!result) return {};
@@ -153,7 +165,13 @@ std::optional<ImageGap> ImageGaps::on(const QuinticPoints& piece, int halvings) 
     // Beyond its border the patch is continued where the surface goes on in the next one, or
     // ends: both leave the border no faster than by their slopes.
     const Slopes around = slopes_beside(i, j);
-    result->margin += 3.3 * (stray_u * around.u + stray_v * around.v);
+    const double margin = 3.3 * (stray_u * around.u + stray_v * around.v);
+    // Beside a line that the curve touches the control points alone stray: halving ends that.
+    if (halvings < kStrayHalvings &&
+        margin > std::max(kFormError, kRestShare * largest_norm(result->form.points)) &&
+        stray_u + stray_v > kFalseStray * (stray(values_of(u.form)) + stray(values_of(v.form))))
+      return {};
+    result->margin += margin;
   }
   return result;
 }
@@ -174,7 +192,7 @@ std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, co
   if (surface_.rational) {
     const PowerSeries<double> weight = weight_of(series.image);
     gap = difference(series.image, product(weight, curve, kFitDegree));
-    std::tie(inverse, result.relative) = divide(gap, weight);
+    std::tie(inverse, result.relative) = divide(gap, weight, series.rounding[3]);
     if (!(result.relative < kWeightError)) return {};
   } else {
     gap = difference(series.image, curve);
@@ -189,10 +207,12 @@ std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, co
   const double slope_u = slope(series.slope_u), slope_v = slope(series.slope_v);
   const double rest = norm(gap.rest) + u.error * slope_u + v.error * slope_v;
   if (!(rest <= std::max(kFormError, kRestShare * seen))) return {};
+  const double weight = surface_.rational ? series.size[3] : 1;
   const double rounded =
-      series.rounding +
-      (rounding + 4 * kUnit) * (series.size + series.weight * (max_norm(origin) + reach)) +
-      series.weight * (power_rounding(kFitDegree) * largest_norm(points) + 64 * kUnit * reach);
+      max_norm(in_space(series.rounding)) + (surface_.rational ? series.rounding[3] * reach : 0) +
+      (rounding + 4 * kUnit) *
+          (max_norm(in_space(series.size)) + weight * (max_norm(origin) + reach)) +
+      weight * (power_rounding(kFitDegree) * largest_norm(points) + 64 * kUnit * reach);
   result.margin = 2 * rounded * inverse + rest + u.rounding * slope_u + v.rounding * slope_v;
   return result;
 }

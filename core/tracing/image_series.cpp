@@ -124,6 +124,25 @@ BLOSSOM_HOT void make_coefficients(const Net& net, const double* in_u, int rows,
   }
 }
 
+// B_k^n at t with every sign turned to plus, anywhere within `reach` of t: bounds the sum of the
+// absolute terms that a control point has in Taylor's polynomial round t.
+void make_absolute_weights(int n, double t, double reach, double* row) {
+  const double up = std::abs(t) + reach, down = std::abs(1 - t) + reach;
+  double power = 1;
+  for (int k = 0; k <= n; ++k, power *= up) row[k] = binomial(n, k) * power;
+  power = down;
+  for (int k = n; k-- > 0; power *= down) row[k] *= power;
+}
+
+// The control points' absolute values times such weights: far from large weights and heights of
+// the net it is far less than its largest point.
+BLOSSOM_HOT void make_local_size(const Net& net, const double* in_u, const double* in_v,
+                                 Four& size) {
+  for (int k = 0; k <= net.n; ++k)
+    for (int l = 0; l <= net.m; ++l)
+      add_absolute(in_u[k] * in_v[l], net.points[k * (net.m + 1) + l], size);
+}
+
 // Powers of a step; rest[j] bounds what is cut off the j-th.
 struct Powers {
   double term[kMaxDegree + 1][K + 1] = {};
@@ -249,13 +268,18 @@ ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
   add_slopes(a, kept_u.highest, kept_v.highest, width, 1, in_u.reach, in_v.reach, slope_u);
   add_slopes(a, kept_v.highest, kept_u.highest, 1, width, in_v.reach, in_u.reach, slope_v);
 
-  const auto plain = [](const Four& f) { return Vec4{f[0], f[1], f[2], f[3]}; };
-  ImageSeries result{{}, plain(slope_u), plain(slope_v), 0, size, net.size[3]};
-  for (std::size_t k = 0; k <= K; ++k) result.image.terms[k] = plain(sum[k]);
-  result.image.rest = plain(rest);
+  double absolute_u[kMaxDegree + 1], absolute_v[kMaxDegree + 1];
+  make_absolute_weights(net.n, u.terms[0], in_u.reach, absolute_u);
+  make_absolute_weights(net.m, v.terms[0], in_v.reach, absolute_v);
+  Four local{};
+  make_local_size(net, absolute_u, absolute_v, local);
+
   // Longest chain of roundings: weights 4 (n + m), sums n + m, powers of v and Horner 9 (n + m).
   const double chain = (16 * (net.n + net.m) + 64) * kUnit;
-  result.rounding = chain * kOutside * all_u * all_v * size;
+  const auto plain = [](const Four& f) { return Vec4{f[0], f[1], f[2], f[3]}; };
+  ImageSeries result{{}, plain(slope_u), plain(slope_v), plain(chain * local), plain(local)};
+  for (std::size_t k = 0; k <= K; ++k) result.image.terms[k] = plain(sum[k]);
+  result.image.rest = plain(rest);
   return result;
 }
 

@@ -34,9 +34,8 @@ std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series);
 struct ImageSeries {
   PowerSeries<Vec4> image;
   Vec4 slope_u, slope_v;  ///< bounds on its derivatives by u and v, for each coordinate
-  double rounding = 0;    ///< bound on what rounding adds to a coordinate, all terms together
-  double size = 0;        ///< largest coordinate of a control point, relative to the origin
-  double weight = 0;      ///< largest weight of a control point
+  Vec4 rounding;          ///< bounds on what rounding adds to each coordinate, all terms together
+  Vec4 size;  ///< sums of the control points' absolute coordinates, by what they count for there
 };
 
 /// S(u(x), v(x)); where the curve is long the rest is large.

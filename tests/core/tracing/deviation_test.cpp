@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "core/base/errors.h"
 #include "core/surface_intersection.h"
@@ -146,6 +148,51 @@ TEST(ProvenDeviation, CountsTheWayToTheBorderOfTheSurface) {
   EXPECT_TRUE(found.proven);
   EXPECT_GE(found.a, 5e-4);
   EXPECT_LE(found.a, 2e-3);
+}
+
+// Two patches: where a curve touches the line between them its control points alone cross it.
+TEST(ProvenDeviation, OfACurveThatTouchesAKnotLineIsNoMore) {
+  const BezierSurface left = plane({0, -0.5, 0}, {0.5, 0, 0}, {0, 1, 0}),
+                      right = plane({0.5, -0.5, 0}, {0.5, 0, 0}, {0, 1, 0});
+  BezierSurface floor = left;
+  floor.u_knots = {0, 0.5, 1};
+  floor.patches = Grid<RationalBezierPatch>(2, 1);
+  floor.patches(0, 0) = left.patches(0, 0);
+  floor.patches(1, 0) = right.patches(0, 0);
+  for (const double touch : {0.5, 0.5 + 1e-7, 0.5 - 1e-7}) {
+    IntersectionCurve curve = segment();
+    constexpr std::array kSquare{1.0, 0.2, -0.2, -0.2, 0.2, 1.0};  // (2t - 1)^2
+    for (std::size_t i = 0; i <= 5; ++i) {
+      const double x = touch + 1e-3 * kSquare[i], y = static_cast<double>(i) / 10;
+      curve.curve.points[i] = {x, y, 0};
+      curve.chart_a.points[i] = {x, 0.5 + y};
+      curve.chart_b.points[i] = {x, 0.5};
+    }
+    const Deviation found = proven_deviation(curve, floor, kWall);
+
+    EXPECT_TRUE(found.proven);
+    EXPECT_LE(found.a, 1e-10);
+  }
+}
+
+// What rounding adds where weights are small is measured by those, not by the largest ones.
+TEST(ProvenDeviation, OfWeightsThatFallOffIsThatOfTheirPart) {
+  constexpr int kDegree = 8;
+  BezierSurface floor = kFloor;
+  floor.rational = true;
+  floor.patches(0, 0) = {Grid<Vec4>(kDegree + 1, 2)};
+  for (int i = 0; i <= kDegree; ++i)
+    for (int j = 0; j <= 1; ++j) {
+      const double w = std::ldexp(1.0, -4 * i);
+      floor.patches(0, 0).points(i, j) = {w * i / kDegree, w * (j - 0.5), 0, w};
+    }
+  IntersectionCurve curve = segment();
+  const Vec3 start = point_at(floor, {0.99, 0.5});
+  for (std::size_t i = 0; i <= 5; ++i) {
+    curve.curve.points[i] = {start[0], static_cast<double>(i) / 10, 0};
+    curve.chart_a.points[i] = {0.99, 0.5 + static_cast<double>(i) / 10};
+  }
+  EXPECT_LE(proven_deviation(curve, floor, kWall).a, 1e-10);
 }
 
 // Where a chart curve leaves the surface, its image stays on the border: that is only sampled.

@@ -101,7 +101,7 @@ TEST(ImageSeries, HoldsTheImageWithinItsRest) {
           for (int k = 0; k < 3; ++k)
             EXPECT_LE(std::abs(h[k] - w * exact[k]), found.image.rest[k] +
                                                          found.image.rest[3] * std::abs(exact[k]) +
-                                                         2 * found.rounding + 1e-13)
+                                                         2 * max_norm(found.rounding) + 1e-13)
                 << n << " " << m << " " << reach;
         }
         if (reach < 0.05 && n + m < 10) {
