@@ -96,6 +96,7 @@ class Assembly {
            size_, options_.tolerances.point);
     drop_scraps(found_, cells_a, cells_b, contacts_, clumps_, options_.tolerances.point);
     meet_in_centres(contacts_, cells_a, cells_b, found_, options_.tolerances.point);
+    drop_regular(contacts_, found_);
     std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     straighten_at_poles(chains, found_, cells_a, cells_b, contacts_, size_,
                         options_.tolerances.point);
@@ -331,7 +332,7 @@ class Assembly {
     const std::size_t arms = point.arm_count();
     if (arms == 0) return PlaceKind::Touch;
     if (arms > 2) return PlaceKind::Node;
-    if (point.passed) return PlaceKind::Tangential;
+    if (point.straight) return PlaceKind::Tangential;
     return point.pole ? PlaceKind::Pole : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
   }
 

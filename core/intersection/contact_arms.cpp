@@ -35,18 +35,26 @@ void meet_apart(ContactChain& contact, const Pole& pole, SurfaceCells& a, Surfac
     contact.parted = contact.parted || std::abs(ends[0][k] - ends[1][k]) > kOtherMeridian;
 }
 
-// True if both arms are tangential curves and face each other. Along a strip of contact some cells
+// Over a, from a contact's end of an arm into the arm.
+Vec2 direction_of(const ContactArm& arm) {
+  return unit(Vec2{arm.end[0] - arm.start[0], arm.end[1] - arm.start[1]});
+}
+
+// True if the arms face each other: unlike those of a cusp or a fold, where a branch turns round.
+bool face_each_other(const std::vector<ContactArm>& arms) {
+  return dot(direction_of(arms[0]), direction_of(arms[1])) < -kStraightOn;
+}
+
+// True if arms that face each other are tangential curves. Along a strip of contact some cells
 // are within tolerance all over, and the closest point in them need not lie between the arms.
 bool passes(const ContactChain& contact, const std::vector<ContactArm>& arms,
             const PairSearchResult& found) {
   for (const auto& side : contact.arms)
     for (const ArcEnd end : side)
       if (!found.arcs[end / 2].arc.tangential) return false;
-  const auto over_a = [](const Point4& x) { return Vec2{x[0], x[1]}; };
-  const Vec2 out = unit(over_a(arms[0].end) - over_a(arms[0].start));
-  const Vec2 back = unit(over_a(arms[1].end) - over_a(arms[1].start));
-  const Vec2 step = over_a(arms[1].end) - over_a(arms[0].end);
-  return dot(out, back) < -kStraightOn && dot(out, step) >= 0 && dot(back, step) <= 0;
+  const Vec2 out = direction_of(arms[0]), back = direction_of(arms[1]);
+  const Vec2 step{arms[1].end[0] - arms[0].end[0], arms[1].end[1] - arms[0].end[1]};
+  return dot(out, step) >= 0 && dot(back, step) <= 0;
 }
 
 }  // namespace
@@ -103,7 +111,8 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
       meet_apart(contact, {contact.centre, {}}, a, b, found);
       continue;
     }
-    contact.passed = joins && passes(contact, arms, found);
+    contact.straight = joins && face_each_other(arms);
+    contact.passed = contact.straight && passes(contact, arms, found);
     if (contact.passed)
       contact.centre.x = arms[0].end;
     else if (joins)
@@ -116,6 +125,18 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
             joins || leads_to(patch_a, patch_b, arm, contact.centre.x))
           end = reach_contact(found, a, b, end, contact.centre);
   }
+}
+
+void drop_regular(std::vector<ContactChain>& contacts, PairSearchResult& found) {
+  std::erase_if(contacts, [&](const ContactChain& contact) {
+    const std::size_t arms = contact.arm_count();
+    if (!contact.regular || contact.pole || contact.parted || (arms != 0 && arms != 2))
+      return false;
+    std::vector<ArcEnd> ends(contact.arms[0]);
+    ends.insert(ends.end(), contact.arms[1].begin(), contact.arms[1].end());
+    if (arms == 2) found.joins.push_back({ends[0], ends[1]});
+    return true;
+  });
 }
 
 }  // namespace blossom

@@ -20,4 +20,8 @@ void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, Surf
 void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, SurfaceCells& b,
                      PairSearchResult& found, double tolerance);
 
+/// Takes out the points in which the surfaces cross regularly, where nothing but one branch passes,
+/// whose arms it joins, or nothing at all.
+void drop_regular(std::vector<ContactChain>& contacts, PairSearchResult& found);
+
 }  // namespace blossom

@@ -8,12 +8,13 @@
 #include "core/intersection/contact_extent.h"
 #include "core/intersection/contact_points.h"
 #include "core/intersection/contact_reach.h"
+#include "core/intersection/regular_contact.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kOnePoint = 1e-8;    // of the size: ends of pieces this close are one point
-constexpr double kBesides = 1e-5;     // of the size: points of contact this close are one
+constexpr double kOnePoint = 1e-8;          // of the size: ends of pieces this close are one point
+constexpr double kBesides = 1e-5;           // of the size: points of contact this close are one
 constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest point
 constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
 constexpr double kOnBorder = 1e-9;   // of a patch
@@ -295,6 +296,7 @@ class Joiner {
     ContactChain chain;
     chain.box = clump.box;
     chain.length = diagonal(clump.box);
+    chain.regular = crosses_regularly(found_, clump.pairs, a_, b_);
     ContactPoint best;
     best.gap = 1e300;
     const std::size_t step = clump.pairs.size() / kClosestStarts + 1;
@@ -319,6 +321,7 @@ class Joiner {
         p.path.insert(p.path.end(), q.path.begin(), q.path.end());
         for (std::size_t side = 0; side < 2; ++side)
           p.arms[side].insert(p.arms[side].end(), q.arms[side].begin(), q.arms[side].end());
+        p.regular = p.regular && q.regular;
         p.length = std::max({p.length, q.length, diagonal(joined(p.box, q.box))});
         p.box = joined(p.box, q.box);
         chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(j));

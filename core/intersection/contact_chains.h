@@ -32,13 +32,15 @@ struct ContactChain {
   std::vector<ContactPoint> path;
   std::array<std::vector<ArcEnd>, 2> arms;  ///< branches that begin at either end of it
   bool closed = false;
-  bool curve = false;   ///< a tangential curve; else a point: a touch, a node, a fold or a cusp
-  bool pole = false;    ///< a point that one of the surfaces has under many parameters
-  bool parted = false;  ///< its two arms come to a pole under different parameters
-  bool passed = false;  ///< its two arms are tangential curves that go straight on into each other
-  ContactPoint centre;  ///< of a point
-  double length = 0;    ///< model units
-  Box box;              ///< of the path, relative to the origin
+  bool curve = false;     ///< a tangential curve; else a point: a touch, a node, a fold or a cusp
+  bool pole = false;      ///< a point that one of the surfaces has under many parameters
+  bool parted = false;    ///< its two arms come to a pole under different parameters
+  bool straight = false;  ///< its two arms go straight on into each other
+  bool passed = false;    ///< likewise, and they are tangential curves
+  bool regular = false;   ///< a point in which the surfaces cross, see crosses_regularly
+  ContactPoint centre;    ///< of a point
+  double length = 0;      ///< model units
+  Box box;                ///< of the path, relative to the origin
 
   std::size_t arm_count() const { return arms[0].size() + arms[1].size(); }
 };

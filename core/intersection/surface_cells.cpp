@@ -65,6 +65,10 @@ bool SurfaceCells::outside(int patch, double u, double v) const {
   return part_ && part_of(patch, {u, u}, {v, v}) == PartSide::Outside;
 }
 
+bool SurfaceCells::inside(int patch, const Interval& u, const Interval& v) const {
+  return !part_ || part_of(patch, u, v) == PartSide::Inside;
+}
+
 Interval SurfaceCells::knots_u(int patch) const {
   const auto i = static_cast<std::size_t>(span_u(patch));
   return {surface_.u_knots[i], surface_.u_knots[i + 1]};

@@ -34,6 +34,9 @@ class SurfaceCells {
   /// True if a point of a patch, in its own [0, 1]^2, lies outside of what counts of the surface.
   bool outside(int patch, double u, double v) const;
 
+  /// True if a rectangle of it lies inside of what counts, as far as the caller's test knows.
+  bool inside(int patch, const Interval& u, const Interval& v) const;
+
   /// Cells made so far, and their control points in memory.
   long cells() const;
   long stored_points() const;
