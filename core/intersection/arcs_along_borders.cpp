@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/forms/evaluation.h"
+#include "core/intersection/exact_borders.h"
 
 namespace blossom {
 namespace {
@@ -172,6 +173,11 @@ class ArcsOnLines {
 
 void drop_repeated_arcs(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
                         double size, double shortest) {
+  if (found.along_border) {
+    ExactBorders exact(a.surface(), b.surface());
+    found.along_border = std::ranges::any_of(
+        found.arcs, [&](const FoundArc& arc) { return arc.arc.slides && !exact.hold(arc); });
+  }
   const auto shares = [](const FoundArc& arc) { return arc.arc.shared_border >= 0; };
   if (std::none_of(found.arcs.begin(), found.arcs.end(), shares)) return;
   ArcsOnLines kept(a, b, size);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Arcs along a border that two pairs of cells share.
+// Arcs along a border that two pairs of cells share, and whether they are proven.
 
 #pragma once
 
@@ -9,6 +9,7 @@ namespace blossom {
 
 /// Leaves one of the arcs along a border that pairs on both sides of it have. Rounding may put the
 /// curve beyond the border for both sides, for one or for none: so neither of them answers alone.
+/// `found.along_border` is left only if some arc along a border is not exactly that border.
 ///
 /// size       of the surfaces, model units
 /// shortest   arcs along upper borders no longer than this are left to the neighbours, which may

@@ -80,7 +80,7 @@ struct PairSearchResult {
   std::vector<CriticalPair> critical;
   Certificate certificate;
   bool cut_by_samples = false;  ///< branches were cut at a border by points, not by proof
-  bool along_border = false;    ///< an arc runs along a border; see PairArcs
+  bool along_border = false;    ///< an arc runs along a border, not proven; see PairArcs
   bool beside_known = false;    ///< something near a known curve was not searched
   bool stopped = false;
 };

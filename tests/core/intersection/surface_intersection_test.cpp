@@ -378,7 +378,7 @@ TEST(SurfaceIntersection, OfARationalSurfaceKeepsTheSurfacesOwnAngle) {
 }
 
 // A half cylinder of two spans about the z axis, and the plane x = 0 that holds its knot line.
-TEST(SurfaceIntersection, AlongAKnotLineIsFoundButNotCalledProven) {
+TEST(SurfaceIntersection, AlongAKnotLineIsFoundAndProvenOnlyIfExact) {
   BezierSurface cylinder{{0, kPi / 2, kPi}, {0, 3}};
   cylinder.u_law = ParameterLaw::Angle;
   cylinder.rational = true;
@@ -403,11 +403,16 @@ TEST(SurfaceIntersection, AlongAKnotLineIsFoundButNotCalledProven) {
 
   const SurfaceIntersection found = intersect(cylinder, plane);
 
-  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_EQ(found.status, Status::Complete);
   ASSERT_EQ(found.curves.size(), 1u);
   EXPECT_NEAR(found.curves[0].length, 3, 1e-12);
   for (const SurfacePoint& sample : found.curves[0].samples)
     EXPECT_NEAR(sample.uv_a[0], kPi / 2, 1e-9);
+
+  plane.patches(0, 0).points(1, 1)[0] = 1e-18;
+  const SurfaceIntersection turned = intersect(cylinder, plane);
+  EXPECT_EQ(turned.status, Status::Tolerance);
+  EXPECT_EQ(turned.curves.size(), 1u);
 }
 
 TEST(SurfaceIntersection, TangentToAKnotLineEndsSoonAndLosesNothing) {
