@@ -32,7 +32,7 @@ constexpr double kCut = 0.5 - 1.0 / 64;
 constexpr int kHalvingsPerStart = 12;
 // Trims take as long to be asked as several halvings.
 constexpr int kHalvingsPerTrim = 6;
-// Balls and cylinders between the sets are tried at every so many halvings of a pair.
+// Balls, cylinders and tori between the sets are tried at every so many halvings of a pair.
 constexpr int kHalvingsPerCentre = 4;
 
 // A cell of an item of a part; the part itself while there is no item.
@@ -323,6 +323,12 @@ class Search {
     if (pair.depth % kHalvingsPerCentre != kHalvingsPerCentre - 1) return bound;
     double best = bound;
     for (const Centre& centre : centres_) {
+      if (centre.radius > 0) {
+        const DistanceRange a = circle_distance(cell_a, shape_a, centre);
+        const DistanceRange b = circle_distance(cell_b, shape_b, centre);
+        best = std::max({best, a.nearest - b.farthest, b.nearest - a.farthest});
+        continue;
+      }
       const SquareForm a = square_form(cell_a, shape_a, centre);
       const SquareForm b = square_form(cell_b, shape_b, centre);
       best = std::max({best, a.nearest - b.farthest, b.nearest - a.farthest});
@@ -406,8 +412,9 @@ class Search {
 
   void add_centre(const DistanceItem& item, const Vec2& at) {
     if (item.dimension() < 2) return;
-    if (const auto centre = centre_of_curvature(jet_at(item.patch, at[0], at[1], 2), direction_))
-      centres_.push_back(*centre);
+    auto centre = centre_of_curvature(jet_at(item.patch, at[0], at[1], 2), direction_);
+    if (!centre) centre = centre_circle(item.patch, at);
+    if (centre) centres_.push_back(*centre);
   }
 
   static constexpr int kDeepest = 90;  // halvings of a patch: 45 in each direction

@@ -144,6 +144,62 @@ class SlopeTest {
   double error_;
 };
 
+// Coefficients of degrees n and m as they enter products: times their binomials.
+struct Scaled {
+  int n, m;
+  std::array<double, kMost> values;
+};
+
+Scaled scaled(const Squares& of, const std::array<double, kMost>& form) {
+  Scaled result{of.n, of.m, {}};
+  for (int i = 0; i <= of.n; ++i)
+    for (int j = 0; j <= of.m; ++j)
+      result.values[of.index(i, j)] = form[of.index(i, j)] * binomial(of.n, i) * binomial(of.m, j);
+  return result;
+}
+
+// Coefficient (r, c) of a product, times its binomials.
+double product_at(const Scaled& a, const Scaled& b, int r, int c) {
+  double sum = 0;
+  for (int i = std::max(0, r - a.n); i <= std::min(a.n, r); ++i)
+    for (int j = std::max(0, c - a.m); j <= std::min(a.m, c); ++j)
+      sum += a.values[static_cast<std::size_t>(i * (a.m + 1) + j)] *
+             b.values[static_cast<std::size_t>((r - i) * (a.m + 1) + c - j)];
+  return sum;
+}
+
+// Least and largest quotient of coefficients, widened.
+Interval quotients(const Squares& of, const std::array<double, kMost>& form, double error) {
+  Interval range{kInfinity, -kInfinity};
+  for (std::size_t i = 0; i <= of.index(of.n, of.m); ++i) {
+    range.from = std::min(range.from, form[i] / of.weight[i]);
+    range.to = std::max(range.to, form[i] / of.weight[i]);
+  }
+  return {range.from - error, range.to + error};
+}
+
+// Least and largest value of (Q^2 - 4 R^2 P W) / W^2.
+Interval torus_values(const Squares& q, const Squares& p, double radius) {
+  const Scaled square = scaled(q, q.numerator), axial = scaled(p, p.numerator);
+  const Scaled weight = scaled(p, p.weight);
+  Interval range{kInfinity, -kInfinity};
+  for (int r = 0; r <= 2 * q.n; ++r)
+    for (int c = 0; c <= 2 * q.m; ++c) {
+      const double g =
+          product_at(square, square, r, c) - 4 * radius * radius * product_at(axial, weight, r, c);
+      const double value = g / product_at(weight, weight, r, c);
+      range.from = std::min(range.from, value);
+      range.to = std::max(range.to, value);
+    }
+  return range;
+}
+
+double distance_from(const Vec3& point, const Centre& circle) {
+  const Vec3 x = point - circle.point;
+  const double height = dot(x, circle.axis);
+  return std::hypot(norm(x - height * circle.axis) - circle.radius, height);
+}
+
 }  // namespace
 
 SquareForm square_form(const Cell& cell, const NetShape& shape, const Centre& centre,
@@ -167,6 +223,35 @@ SquareForm square_form(const Cell& cell, const NetShape& shape, const Centre& ce
   if (across[0] || across[1])
     result.may_be_stationary = SlopeTest(f, low - error, high + error).may_vanish(across);
   return result;
+}
+
+// Of |X|^2 + R^2 - r^2, rho^2 and g by their coefficients.
+DistanceRange circle_distance(const Cell& cell, const NetShape& shape, const Centre& centre) {
+  if (std::max(shape.rows, shape.columns) > kMostCircleDegree + 1) return {0, kInfinity};
+  const int size = shape.plane_size();
+  const double radius = centre.radius;
+  const double r = distance_from({cell.hull[0], cell.hull[size], cell.hull[2 * size]}, centre);
+  double farthest = 0, most_weight = 0;
+  Squares q = squares_of(cell, shape, {centre.point}, farthest, most_weight);
+  const Squares p = squares_of(cell, shape, {centre.point, centre.axis}, farthest, most_weight);
+  for (std::size_t i = 0; i <= q.index(q.n, q.m); ++i)
+    q.numerator[i] += (radius * radius - r * r) * q.weight[i];
+  const double most = farthest * farthest + radius * radius + r * r;
+  const double error =
+      error_of_square(farthest, cell.margin, max_norm(centre.point)) + 0x1p-50 * most;
+  const Interval sum = quotients(q, q.numerator, error);
+  const Interval rho = quotients(p, p.numerator, error);
+  const double low = sum.from + 2 * radius * std::sqrt(std::max(0.0, rho.from));
+  const double high = sum.to + 2 * radius * std::sqrt(std::max(0.0, rho.to));
+  if (!(low > 0)) return {0, kInfinity};
+  // Both squares are off by the error, of at most `most`; sums of 121 products.
+  const double off = 6 * most * error + 0x1p-41 * most * most;
+  Interval g = torus_values(q, p, radius);
+  g = {g.from - off, g.to + off};
+  const double nearest = r * r + g.from / (g.from < 0 ? low : high);
+  const double outmost = r * r + g.to / (g.to > 0 ? low : high);
+  return {std::sqrt(std::max(0.0, nearest)) * (1 - 0x1p-50),
+          std::sqrt(std::max(0.0, outmost)) * (1 + 0x1p-50)};
 }
 
 }  // namespace blossom

@@ -50,6 +50,20 @@ TEST(SquareForm, TellsWhetherTheFootIsInASquare) {
   EXPECT_FALSE(may_be({0.3, -0.1, 2}));
 }
 
+TEST(CircleDistance, IsExactOnATorus) {
+  const RationalBezierPatch patch = testing::torus_quarter(2, 0.5);
+  const CellTree tree = tree_of(patch, true);
+  const auto circle = centre_circle(patch, {0.3, 0.6});
+  ASSERT_TRUE(circle);
+  EXPECT_LE(norm(circle->point), 1e-12);
+  EXPECT_NEAR(std::abs(circle->axis[2]), 1, 1e-12);
+  EXPECT_NEAR(circle->radius, 2, 1e-12);
+  const DistanceRange range = circle_distance(tree[0], tree.shape(), *circle);
+  EXPECT_NEAR(range.nearest, 0.5, 1e-10);
+  EXPECT_NEAR(range.farthest, 0.5, 1e-10);
+  EXPECT_FALSE(centre_circle(testing::sphere_octant({1, 2, 3}, 2), {0.3, 0.6}));
+}
+
 class SquareFormProperty : public ::testing::TestWithParam<int> {};
 
 TEST_P(SquareFormProperty, HoldsSamplesAndNeverDeniesAFoot) {
@@ -71,6 +85,29 @@ TEST_P(SquareFormProperty, HoldsSamplesAndNeverDeniesAFoot) {
       const double far = distance(point_at(patch, i / 20.0, j / 20.0), centre);
       EXPECT_LE(form.nearest, far);
       EXPECT_GE(form.farthest, far);
+    }
+}
+
+// Small patches, since nothing is known of cells that reach from the circle to its axis.
+TEST_P(SquareFormProperty, HoldsSamplesOfTheDistanceFromACircle) {
+  auto random = seeded(GetParam());
+  const bool rational = GetParam() % 2 == 1;
+  RationalBezierPatch patch{Grid<Vec4>(3, 4)};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j)
+      patch.points(i, j) = testing::weighted(Vec3{i / 2.0, j / 3.0, 0} + 0.2 * random_point(random),
+                                             rational ? uniform(random, 0.5, 2) : 1.0);
+  const CellTree tree = tree_of(patch, rational);
+  const Centre circle{2.0 * random_point(random), unit(random_point(random)),
+                      uniform(random, 0.3, 3)};
+  const DistanceRange range = circle_distance(tree[0], tree.shape(), circle);
+  for (int i = 0; i <= 20; ++i)
+    for (int j = 0; j <= 20; ++j) {
+      const Vec3 x = point_at(patch, i / 20.0, j / 20.0) - circle.point;
+      const double height = dot(x, circle.axis);
+      const double far = std::hypot(norm(x - height * circle.axis) - circle.radius, height);
+      EXPECT_LE(range.nearest, far);
+      EXPECT_GE(range.farthest, far);
     }
 }
 
