@@ -4,38 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "core/intersection/contact_length.h"
 
 namespace blossom {
 namespace {
 
-constexpr int kSamples = 33;
-constexpr int kFootSteps = 8;
-constexpr int kThirds = 60;
 constexpr double kSmooth = 1e-6;         // sine of the angle between spans that make no kink
 constexpr double kTransversal = 1e-9;    // sine above which a point between spans is a crossing
 constexpr int kBetween = 4;              // samples between two contacts that may be one
 constexpr double kSameParameter = 1e-9;  // of the domain, between runs that follow each other
-
-// The foot of a point near a place, followed over the joins of spans.
-SpanPoint foot_along(const CurveTree& tree, const Vec3& point, double parameter) {
-  SpanPoint at = tree.place(parameter);
-  for (int k = 0; k < kFootSteps; ++k) {
-    const CurveJet jet = tree.jet(at);
-    const double square = dot(jet.first, jet.first);
-    if (!(square > 0)) break;
-    const double next = at.t + dot(jet.first, point - jet.point) / square;
-    if (next > 1 && at.t == 1 && at.span + 1 < tree.spans())
-      at = {at.span + 1, 0};
-    else if (next < 0 && at.t == 0 && at.span > 0)
-      at = {at.span - 1, 1};
-    else
-      at.t = std::clamp(next, 0.0, 1.0);
-  }
-  return at;
-}
 
 // A parameter on the shorter way between two, perhaps over the seam of a closed curve.
 double between(const CurveTree& tree, double from, double to, double part) {
@@ -46,10 +24,6 @@ double between(const CurveTree& tree, double from, double to, double part) {
   if (result > domain.to && tree.closed()) return result - period;
   return result < domain.from && tree.closed() ? result + period : result;
 }
-
-Interval increasing(const Interval& x) { return {std::min(x.from, x.to), std::max(x.from, x.to)}; }
-
-bool overlap(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
 
 }  // namespace
 
@@ -198,16 +172,19 @@ bool CurveAssembly::connected(const Candidate& p, double at_a, double at_b) cons
   return true;
 }
 
-// The same point once. Two proven points closer than the tolerance are one contact.
+// The same point once. Two proven points closer than the tolerance are one contact, and so are two
+// others between which the curves stay within it.
 void CurveAssembly::add(Candidate point) {
   for (Candidate& known : points_) {
-    if (!same(known, point)) continue;
+    const bool contact = !known.proven && !point.proven;
+    if (!same(known, point) && !(contact && connected(known, point.at_a, point.at_b))) continue;
     const bool distinct = known.proven && point.proven &&
                           !(overlap(known.box_a, point.box_a) && overlap(known.box_b, point.box_b));
     if (distinct && !(a_.closed() || b_.closed())) {
       known.proven = false;
       known.touch = true;
-    } else if (point.proven && !known.proven && !known.touch) {
+    } else if ((point.proven && !known.proven && !known.touch) ||
+               (contact && point.gap.high < known.gap.high)) {
       known = point;
     }
     return;
@@ -262,134 +239,6 @@ void CurveAssembly::add_overlaps(const std::vector<SharedSpans>& shared) {
     before->gap_high = std::max(before->gap_high, run.gap_high);
   }
   overlaps_ = std::move(joined);
-}
-
-// Pieces that follow each other on both curves, as runs.
-void CurveAssembly::add_contacts(std::vector<CurveContact> contacts) {
-  std::sort(contacts.begin(), contacts.end(),
-            [](const CurveContact& x, const CurveContact& y) { return x.a.from < y.a.from; });
-  std::vector<std::size_t> root(contacts.size());
-  std::iota(root.begin(), root.end(), 0U);
-  const auto find = [&](std::size_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  std::vector<std::size_t> active;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    std::erase_if(active, [&](std::size_t k) { return contacts[k].a.to < contacts[i].a.from; });
-    for (const std::size_t k : active)
-      if (overlap(contacts[k].b, contacts[i].b)) root[find(i)] = find(k);
-    active.push_back(i);
-  }
-  std::vector<CurveContact> runs(contacts.size());
-  std::vector<bool> used(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const std::size_t r = find(i);
-    CurveContact& run = runs[r];
-    if (!used[r]) {
-      run = contacts[i];
-      used[r] = true;
-      continue;
-    }
-    run.a = {std::min(run.a.from, contacts[i].a.from), std::max(run.a.to, contacts[i].a.to)};
-    run.b = {std::min(run.b.from, contacts[i].b.from), std::max(run.b.to, contacts[i].b.to)};
-    run.neighbours = run.neighbours || contacts[i].neighbours;
-  }
-  for (std::size_t r = 0; r < runs.size(); ++r)
-    if (used[r]) runs[r].neighbours ? add_cusp(runs[r]) : add_run(runs[r]);
-}
-
-// The ends of a run: where one of the curves ends, its foot on the other. A cell of b may reach to
-// an end that is far from a.
-CurveOverlap CurveAssembly::trimmed(const CurveContact& run) const {
-  CurveOverlap result{run.a, run.reversed ? Interval{run.b.to, run.b.from} : run.b, 0, false};
-  const Interval on_a = a_.curve().domain(), on_b = b_.curve().domain();
-  const auto settle = [&](double& at_a, double& at_b) {
-    if ((at_b == on_b.from || at_b == on_b.to) && at_a != on_a.from && at_a != on_a.to) {
-      const Vec3 end = b_.jet(b_.place(at_b)).point;
-      const SpanPoint foot = foot_along(a_, end, at_a);
-      if (distance(a_.jet(foot).point, end) <= 2 * tolerance_) {
-        at_a = a_.parameter(foot);
-        return;
-      }
-    }
-    at_b = b_.parameter(foot_along(b_, a_.jet(a_.place(at_a)).point, at_b));
-  };
-  settle(result.a.from, result.b.from);
-  settle(result.a.to, result.b.to);
-  return result;
-}
-
-void CurveAssembly::add_run(const CurveContact& contact) {
-  CurveOverlap run = trimmed(contact);
-  std::array<double, kSamples> gaps{};
-  const auto foot_of = [&](double part) {
-    const SpanPoint on_a = a_.place(at(run.a, part));
-    const SpanPoint on_b = foot_along(b_, a_.jet(on_a).point, at(run.b, part));
-    return candidate(on_a, on_b);
-  };
-  const auto gap_at = [&](double part) { return norm(foot_of(part).foot.gap()); };
-  double run_length = 0;
-  std::size_t best = 0;
-  Vec3 last = a_.jet(a_.place(run.a.from)).point;
-  for (std::size_t i = 0; i < kSamples; ++i) {
-    const double part = static_cast<double>(i) / (kSamples - 1);
-    gaps[i] = gap_at(part);
-    if (gaps[i] < gaps[best]) best = i;
-    const Vec3 point = a_.jet(a_.place(at(run.a, part))).point;
-    run_length += distance(last, point);
-    last = point;
-    run.gap_high = std::max(run.gap_high, gaps[i] + margin_);
-  }
-  // Pieces of one line that follow each other keep to one strip, but meet in an end at most.
-  const bool strays = run.gap_high > 2 * (tolerance_ + margin_);
-  if (!strays && run_length > touch_length_ && is_common_run(gaps, tolerance_, margin_)) {
-    overlaps_.push_back(run);
-    std::erase_if(points_, [&](const Candidate& point) { return on_overlap(point); });
-    return;
-  }
-  double low = std::max(0.0, (static_cast<double>(best) - 1) / (kSamples - 1));
-  double high = std::min(1.0, (static_cast<double>(best) + 1) / (kSamples - 1));
-  for (int k = 0; k < kThirds; ++k) {
-    const double third = (high - low) / 3;
-    (gap_at(low + third) < gap_at(high - third) ? high -= third : low += third);
-  }
-  Candidate touch = foot_of(0.5 * (low + high));
-  if (itself_ && a_.stays_near(touch.at_a, touch.at_b, tolerance_)) return add_cusp(contact);
-  if (touch.gap.low > tolerance_ || on_overlap(touch)) return;
-  touch.touch = true;
-  if (!strays) {
-    touch.half_length = 0.5 * run_length;
-    touch.box_a = run.a;
-    touch.box_b = increasing(run.b);
-  }
-  touch.crosses = a_.dimension() == 2 && dot(foot_of(0).foot.gap(), foot_of(1).foot.gap()) < 0;
-  for (const Candidate& known : points_) {
-    if (!same(known, touch) && !connected(known, touch.at_a, touch.at_b)) continue;
-    // A proven point says nothing about the rest of a run that goes on beyond it.
-    const bool all = a_.stays_near(known.at_a, run.a.from, tolerance_) &&
-                     a_.stays_near(known.at_a, run.a.to, tolerance_);
-    if (known.proven && !all) places_.push_back(place_of(touch));
-    return;
-  }
-  points_.push_back(touch);
-}
-
-void CurveAssembly::add_cusp(const CurveContact& run) {
-  const double parameter = 0.5 * (std::max(run.a.from, run.b.from) + std::min(run.a.to, run.b.to));
-  const Vec3 point = a_.jet(a_.place(parameter)).point;
-  CurvePlace place{PlaceKind::Cusp, point, point, 0, 0, run.a, run.b};
-  for (const Interval& side : {run.a, run.b})
-    for (int i = 0; i < kSamples; ++i) {
-      const double part = static_cast<double>(i) / (kSamples - 1);
-      const Vec3 p = a_.jet(a_.place(at(side, part))).point;
-      for (int k = 0; k < a_.dimension(); ++k) {
-        place.box_low[k] = std::min(place.box_low[k], p[k] - tolerance_);
-        place.box_high[k] = std::max(place.box_high[k], p[k] + tolerance_);
-      }
-    }
-  place.gap_high = 2 * tolerance_;
-  places_.push_back(place);
 }
 
 CurvePlace CurveAssembly::place_of(const Candidate& point) const {

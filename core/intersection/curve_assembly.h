@@ -4,12 +4,21 @@
 
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/intersection/curve_result.h"
 #include "core/intersection/curve_search.h"
 
 namespace blossom {
+
+inline Interval increasing(const Interval& x) {
+  return {std::min(x.from, x.to), std::max(x.from, x.to)};
+}
+
+inline bool overlap(const Interval& a, const Interval& b) {
+  return a.from <= b.to && b.from <= a.to;
+}
 
 class CurveAssembly {
  public:
@@ -50,6 +59,10 @@ class CurveAssembly {
   bool on_overlap(const Candidate& point) const;
   void add_contacts(std::vector<CurveContact> contacts);
   void add_run(const CurveContact& run);
+  CurveFoot foot_of(const CurveOverlap& run, double part) const;
+  Interval reach_of(const CurveOverlap& run) const;
+  bool is_common(const CurveOverlap& run) const;
+  Candidate nearest_in(const CurveOverlap& run, double sample) const;
   void add_cusp(const CurveContact& run);
   CurveOverlap trimmed(const CurveContact& run) const;
   void write(CurveIntersection& result) const;

@@ -13,9 +13,12 @@ constexpr long kAskEvery = 256;  // pairs between two looks at the clock
 // Contacts longer than this part of the curves are not looked for as valleys.
 constexpr double kLongestValley = 0.03;
 constexpr double kParameterSlack = 1e-14;
-constexpr double kNarrow = 0.9;  // cosine of a cone in which one place has a given component
+constexpr double kStraight = 1e-3;  // a sine below which a cell's length alone counts
+constexpr double kNarrow = 0.9;     // cosine of a cone in which one place has a given component
 constexpr int kAxisSteps = 60;
 constexpr int kFootSteps = 3;
+constexpr int kAlongSteps = 8;
+constexpr double kSettled = 0x1p-51;  // a step of a parameter that is rounding
 
 double box_distance(const CurveCell& cell, const Vec3& point, int dimension) {
   double farthest = 0;
@@ -39,6 +42,16 @@ bool off_axis(const CurveTree& tree, const CurveCell& cell, const Vec3& point, d
     widest = std::max(widest, across(p));
   }
   return across(point) > widest + tolerance + 4 * cell.margin;
+}
+
+// The cell whose points and directions spread more; a straight one need not be halved to be told
+// from a bent one.
+bool first_is_larger(const CurvePair& pair) {
+  const auto spread = [](const CurveCell& cell) {
+    return cell.extent * (kStraight + std::sqrt(std::max(0.0, 1 - cell.cosine * cell.cosine)));
+  };
+  if (!(pair.a.cosine > 0 && pair.b.cosine > 0)) return pair.a.extent >= pair.b.extent;
+  return spread(pair.a) >= spread(pair.b);
 }
 
 bool meet(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
@@ -143,19 +156,21 @@ void CurveSearch::examine(int index_a, int index_b) {
       ++found_.certified;
       return;
     }
-    if (const auto valley =
-            sine ? std::nullopt : valley_points(pair, tolerance_, longest_valley_)) {
+    const auto valley = sine ? std::nullopt : valley_points(pair, tolerance_, longest_valley_);
+    if (valley && !valley->contact) {
       found_.points.insert(found_.points.end(), valley->points.begin(),
                            valley->points.begin() + valley->count);
       ++found_.certified;
       return;
     }
+    // Of one curve the contact may be the beginning of a cusp, which is told as a whole.
+    if (valley && !itself_) return add_contact(pair, valley->a, valley->b, found_.contacts);
   }
   // Boxes and strips are no smaller than the rounding they contain.
   const double least = tolerance_ + 8 * (pair.a.margin + pair.b.margin);
   const bool small = std::max(pair.a.extent, pair.b.extent) <= least;
   if (small || (!joined && within_strip(pair, least))) return add_contact(pair, found_.contacts);
-  halve(index_a, index_b, pair.a.extent >= pair.b.extent);
+  halve(index_a, index_b, first_is_larger(pair));
 }
 
 void CurveSearch::halve(int index_a, int index_b, bool first) {
@@ -195,11 +210,15 @@ bool CurveSearch::are_neighbours(const CurveCell& a, const CurveCell& b) const {
 }
 
 void CurveSearch::add_contact(const CurvePair& pair, std::vector<CurveContact>& list) {
-  const auto range = [](const CurveTree& tree, const CurveCell& cell) {
-    return Interval{tree.parameter({cell.span, cell.local.from}),
-                    tree.parameter({cell.span, cell.local.to})};
+  add_contact(pair, pair.a.local, pair.b.local, list);
+}
+
+void CurveSearch::add_contact(const CurvePair& pair, const Interval& a, const Interval& b,
+                              std::vector<CurveContact>& list) {
+  const auto range = [](const CurveTree& tree, const CurveCell& cell, const Interval& part) {
+    return Interval{tree.parameter({cell.span, part.from}), tree.parameter({cell.span, part.to})};
   };
-  list.push_back({range(a_, pair.a), range(b_, pair.b), dot(pair.a.axis, pair.b.axis) < 0,
+  list.push_back({range(a_, pair.a, a), range(b_, pair.b, b), dot(pair.a.axis, pair.b.axis) < 0,
                   itself_ && are_neighbours(pair.a, pair.b)});
 }
 
@@ -265,19 +284,38 @@ std::vector<SpanPoint> feet_near(CurveTree& tree, const Vec3& point, double tole
     cells.pop_back();
     tree.direct(index);
     const CurveCell& cell = tree[index];
-    if (box_distance(cell, point, tree.dimension()) > tolerance) continue;
+    if (box_distance(cell, point, tree.dimension()) > tolerance ||
+        off_axis(tree, cell, point, tolerance))
+      continue;
     if (cell.cosine < kNarrow && cell.extent > tolerance + 8 * cell.margin) {
       const int child = tree.split(index);
       cells.push_back(child);
       cells.push_back(child + 1);
       continue;
     }
-    if (off_axis(tree, cell, point, tolerance)) continue;
     const SpanPoint foot = foot_in(tree, cell, point);
     if (distance(tree.jet(foot).point, point) <= tolerance + tree.evaluation_margin())
       feet.push_back(foot);
   }
   return feet;
+}
+
+SpanPoint foot_along(const CurveTree& tree, const Vec3& point, double parameter) {
+  SpanPoint at = tree.place(parameter);
+  for (int k = 0; k < kAlongSteps; ++k) {
+    const CurveJet jet = tree.jet(at);
+    const double square = dot(jet.first, jet.first);
+    if (!(square > 0)) break;
+    const double next = at.t + dot(jet.first, point - jet.point) / square;
+    if (std::abs(next - at.t) <= kSettled) break;
+    if (next > 1 && at.t == 1 && at.span + 1 < tree.spans())
+      at = {at.span + 1, 0};
+    else if (next < 0 && at.t == 0 && at.span > 0)
+      at = {at.span - 1, 1};
+    else
+      at.t = std::clamp(next, 0.0, 1.0);
+  }
+  return at;
 }
 
 }  // namespace blossom

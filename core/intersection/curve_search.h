@@ -57,6 +57,8 @@ class CurveSearch {
   bool settle(const CurvePair& pair, double sine);
   bool settle_outside(const CurvePair& pair, CurveFoot foot);
   void add_contact(const CurvePair& pair, std::vector<CurveContact>& list);
+  void add_contact(const CurvePair& pair, const Interval& a, const Interval& b,
+                   std::vector<CurveContact>& list);
   void halve(int index_a, int index_b, bool first);
 
   CurveTree& a_;
@@ -75,5 +77,8 @@ class CurveSearch {
 /// Cells are followed down to where their directions lie in a narrow cone; there the component
 /// along its axis leaves one candidate.
 std::vector<SpanPoint> feet_near(CurveTree& tree, const Vec3& point, double tolerance);
+
+/// The foot of a point near a parameter of the curve, followed over the joins of spans.
+SpanPoint foot_along(const CurveTree& tree, const Vec3& point, double parameter);
 
 }  // namespace blossom

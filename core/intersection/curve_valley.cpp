@@ -14,7 +14,10 @@ constexpr double kNearlyOne = 0.97;  // least cosine between the axes
 constexpr int kSolveSteps = 12;      // of Newton's method for the place with a given x
 constexpr double kNearX = 1e-8;      // of a cell; of what is left third powers do not matter
 constexpr double kNoise = 1e-3;      // a gap this part of the bound on its error is 0
-constexpr double kBorder = 1e-9;     // fraction of the range; minima this far outside count, too
+constexpr double kBorder = 1e-9;     // fraction of the range; what is this far outside counts, too
+// Graphs are steeper than e by an angle of which this is the secant at most, and distances shorter
+// than gaps by that: cones of kNarrow round axes that are kNearlyOne from each other.
+constexpr double kSteep = 1.2;
 
 // One graph's value, slope and curvature over x.
 struct GraphPoint {
@@ -32,7 +35,8 @@ class Valley {
   std::optional<ValleyPoints> points() {
     if (!make_frame() || !make_range()) return std::nullopt;
     if (!(low_ < high_)) return ValleyPoints{};
-    if (!prove_convex()) return std::nullopt;
+    if (!bound_bend()) return std::nullopt;
+    if (!is_convex()) return side_of_tolerance();
     if (!decide()) return std::nullopt;
     return result_;
   }
@@ -96,7 +100,8 @@ class Valley {
                       high * (high < 0 ? over_most : over_least)};
   }
 
-  bool prove_convex() {
+  // Of h, seen so that it bends up where it bends one way only.
+  bool bound_bend() {
     const auto bounds = [&](const CurveTree& tree, const CurveCell& cell) {
       return bend_range(tree.derivative_ranges(cell, e_), tree.derivative_ranges(cell, m_));
     };
@@ -108,7 +113,34 @@ class Valley {
     if (sign_ < 0) bend = {-bend.high, -bend.low};
     least_bend_ = bend.low;
     most_bend_ = bend.high;
-    return least_bend_ * longest_ * longest_ >= 8 * tolerance_;
+    return true;
+  }
+
+  bool is_convex() const {
+    return least_bend_ > 0 && least_bend_ * longest_ * longest_ >= 8 * tolerance_;
+  }
+
+  // |h(x) - h(c)| <= |h'(c)| w + most |h''| w^2 / 2 within w of the middle c of the range.
+  std::optional<ValleyPoints> side_of_tolerance() const {
+    const Side middle = side_at(0.5 * (low_ + high_));
+    const double w = 0.5 * (high_ - low_), gap = std::abs(middle.gap);
+    const double bend = std::max(std::abs(least_bend_), std::abs(most_bend_));
+    const double change = std::abs(middle.slope) * w + 0.5 * bend * w * w;
+    if (gap - change > kSteep * tolerance_ + error_) return ValleyPoints{};
+    if (pair_.dimension() != 2 || gap + change > tolerance_ - error_) return std::nullopt;
+    const Side low = side_at(low_), high = side_at(high_);
+    ValleyPoints result;
+    result.contact = true;
+    result.a = stretch(low.a.t, high.a.t, pair_.a.local);
+    result.b = stretch(low.b.t, high.b.t, pair_.b.local);
+    return result;
+  }
+
+  // Between two parameters and a little beyond, so that stretches of neighbours meet.
+  static Interval stretch(double from, double to, const Interval& cell) {
+    const double slack = kBorder * length(cell);
+    return {std::max(cell.from, std::min(from, to) - slack),
+            std::min(cell.to, std::max(from, to) + slack)};
   }
 
   GraphPoint graph(const CurveTree& tree, int span, double t) const {

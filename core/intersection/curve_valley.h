@@ -5,7 +5,9 @@
 // their curvatures differ. Where the gap h(x) = y_A(x) - y_B(x) is proven strictly convex (or
 // concave), it has at most two zeros and one least value; so its signs at three places tell all:
 // two crossings, one, a touch, or none. That decides tangential and nearly tangential contacts at
-// the scale of the curvature, long before the cells are as small as the tolerance.
+// the scale of the curvature, long before the cells are as small as the tolerance. Where the gap
+// may be both, its value, slope and bend still tell that it is above the tolerance or within it all
+// over, for cells that are far longer than fat lines would allow.
 
 #pragma once
 
@@ -27,15 +29,17 @@ struct ValleyPoint {
 struct ValleyPoints {
   std::array<ValleyPoint, 2> points;
   int count = 0;
+  bool contact = false;  ///< within tolerance all along these parts of the spans; in the plane only
+  Interval a, b;
 };
 
 /// The zeros and the touch of a pair of cells.
 ///
 /// tolerance  least values up to this count as touches, model units
 /// longest    contacts longer than this are left to others, model units
-/// returns    nothing if the pair is not decided: the gap is not proven convex, the contact would
-///            be too long, or, in space, the curves part in the third direction by more than
-///            rounding
+/// returns    nothing if the pair is not decided: the gap is not proven convex nor to one side of
+///            the tolerance, the contact would be too long, or, in space, the curves part in the
+///            third direction by more than rounding
 std::optional<ValleyPoints> valley_points(const CurvePair& pair, double tolerance, double longest);
 
 }  // namespace blossom

@@ -117,5 +117,31 @@ TEST_P(RandomGraphs, HaveAsManyCrossingsAsTheirDifferenceHasRoots) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomGraphs, ::testing::Range(0, 100));
 
+// y = f(x) and y = f(x) + s (x - c)^order, with small dyadic numbers: one common point, however
+// long the curves stay within tolerance of each other.
+TEST(CurveIntersection, ContactsOfHigherOrderArePoints) {
+  auto random = seeded(5);
+  for (int trial = 0; trial < 600; ++trial) {
+    const int order = 2 + trial % 3;
+    const double c = testing::pick(random, 3, 13) / 16.0, s = testing::pick(random, 1, 64) / 4.0;
+    std::vector<double> f, g;
+    for (int i = 0; i <= order; ++i) {
+      f.push_back(testing::pick(random, -64, 64) / 32.0);
+      g.push_back(f.back() + s * std::pow(1 - c, i) * std::pow(-c, order - i));
+    }
+    CurveSpans p = curve_spans(graph(f, 0)), q = curve_spans(graph(g, 0));
+    if (trial % 2 == 1) {
+      p = in_space(p);
+      q = in_space(q);
+    }
+    const CurveIntersection found = intersect(p, q);
+    SCOPED_TRACE(trial);
+    EXPECT_EQ(found.status, Status::Tolerance);
+    EXPECT_TRUE(found.overlaps.empty());
+    ASSERT_EQ(found.points.size(), 1U);
+    EXPECT_NEAR(found.points[0].a, c, std::pow(1e-7 / s, 1.0 / order));
+  }
+}
+
 }  // namespace
 }  // namespace blossom
