@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Curve/curve and curve/surface intersection beside Open CASCADE's, on families whose number of
-// common points is known exactly.
+// common points and runs is known exactly.
 //
-//   bench_curves [--write FILE] [Google Benchmark's options]
+//   bench_curves [--cases N] [--write FILE] [Google Benchmark's options]
 //
-// `--write` only writes the families to a file, for other programs.
+// `--cases` says how many cases a family has, 200 unless given; `--write` only writes the families
+// to a file, for other programs.
 //
 // Every iteration takes each case of a family once in both, from Open CASCADE's curves in memory to
 // points with parameters; conversion counts. Counters: median microseconds of a case in both, the
-// median of their ratios, and in how many cases each found too few or too many points.
+// median of their ratios, and in how many cases each found too few or too many points or runs.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <span>
@@ -48,14 +50,19 @@ using bench::CurveFamily;
 constexpr double kTolerance = 1e-7;
 constexpr Interval kWhole{0, 1};
 
-// Ours and theirs for one case: number of points found.
-struct Case {
-  std::function<int()> ours;
-  std::function<int()> theirs;
-  int truth = 0;
+struct Answer {
+  int points = 0;
+  int runs = 0;
 };
 
-double microseconds_of(const std::function<int()>& work, int& found) {
+// Ours and theirs for one case.
+struct Case {
+  std::function<Answer()> ours;
+  std::function<Answer()> theirs;
+  Answer truth;
+};
+
+double microseconds_of(const std::function<Answer()>& work, Answer& found) {
   const auto start = std::chrono::steady_clock::now();
   found = work();
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
@@ -70,9 +77,10 @@ double median(std::vector<double> values) {
 struct Tally {
   int missed = 0, extra = 0;
 
-  void add(int found, int truth) {
-    missed += found < truth;
-    extra += found > truth;
+  void add(const Answer& found, const Answer& truth) {
+    const bool few = found.points < truth.points || found.runs < truth.runs;
+    missed += few;
+    extra += !few && (found.points > truth.points || found.runs > truth.runs);
   }
 };
 
@@ -82,7 +90,7 @@ void compare(benchmark::State& state, const std::vector<Case>& cases) {
   for (auto _ : state) {
     our_tally = their_tally = {};
     for (const Case& c : cases) {
-      int found = 0;
+      Answer found;
       ours.push_back(microseconds_of(c.ours, found));
       our_tally.add(found, c.truth);
       theirs.push_back(microseconds_of(c.theirs, found));
@@ -113,48 +121,57 @@ Handle(Geom2d_Curve) in_plane(const BezierCurve& curve) {
   return new Geom2d_BezierCurve(poles);
 }
 
-Case plane_case(const BezierCurve& a, const BezierCurve& b, int truth) {
-  const Handle(Geom2d_Curve) p = in_plane(a), q = in_plane(b);
-  return {[=] {
-            const auto found =
-                intersect(occt::bezier_spans(p, kWhole), occt::bezier_spans(q, kWhole));
-            return static_cast<int>(found.points.size());
-          },
-          [=] { return Geom2dAPI_InterCurveCurve(p, q, kTolerance).NbPoints(); }, truth};
+Answer counted(const CurveIntersection& found) {
+  return {static_cast<int>(found.points.size()), static_cast<int>(found.overlaps.size())};
 }
 
-Case space_case(const BezierCurve& a, const BezierCurve& b, int truth) {
-  const Handle(Geom_Curve) p = in_space(a), q = in_space(b);
+Case plane_case(const CurveCase& c) {
+  const Handle(Geom2d_Curve) p = in_plane(c.a), q = in_plane(c.b);
   return {[=] {
-            const auto found =
-                intersect(occt::bezier_spans(p, kWhole), occt::bezier_spans(q, kWhole));
-            return static_cast<int>(found.points.size());
+            return counted(intersect(occt::bezier_spans(p, kWhole), occt::bezier_spans(q, kWhole)));
+          },
+          [=] {
+            const Geom2dAPI_InterCurveCurve found(p, q, kTolerance);
+            return Answer{found.NbPoints(), found.NbSegments()};
+          },
+          {c.truth, c.runs}};
+}
+
+Case space_case(const CurveCase& c) {
+  const Handle(Geom_Curve) p = in_space(c.a), q = in_space(c.b);
+  return {[=] {
+            return counted(intersect(occt::bezier_spans(p, kWhole), occt::bezier_spans(q, kWhole)));
           },
           [=] {
             const GeomAPI_ExtremaCurveCurve extrema(p, q);
-            int count = 0;
+            if (extrema.IsParallel()) return Answer{0, extrema.Distance(1) <= kTolerance};
+            Answer found;
             for (int i = 1; i <= extrema.NbExtrema(); ++i)
-              count += extrema.Distance(i) <= kTolerance;
-            return count;
+              found.points += extrema.Distance(i) <= kTolerance;
+            return found;
           },
-          truth};
+          {c.truth, c.runs}};
 }
 
-Case surface_case(const BezierCurve& curve, const Grid<Vec3>& points, int truth) {
+Case surface_case(const CurveCase& test) {
+  const Grid<Vec3>& points = test.surface;
   RationalBezierPatch patch{Grid<Vec4>(points.rows(), points.columns())};
   for (int i = 0; i < points.rows(); ++i)
     for (int j = 0; j < points.columns(); ++j) {
       const Vec3& p = points(i, j);
       patch.points(i, j) = {p[0], p[1], p[2], 1};
     }
-  const Handle(Geom_Curve) c = occt::to_occt(curve_spans(curve).spans[0].curve);
+  const Handle(Geom_Curve) c = occt::to_occt(curve_spans(test.a).spans[0].curve);
   const Handle(Geom_Surface) s = occt::to_occt(patch);
   return {[=] {
             const auto found =
                 intersect(occt::bezier_spans(c, kWhole), occt::bezier_surface(s, {kWhole, kWhole}));
-            return static_cast<int>(found.points.size());
+            return Answer{static_cast<int>(found.points.size()), 0};
           },
-          [=] { return GeomAPI_IntCS(c, s).NbPoints(); }, truth};
+          [=] {
+            return Answer{GeomAPI_IntCS(c, s).NbPoints(), 0};
+          },
+          {test.truth, 0}};
 }
 
 void register_family(const CurveFamily& family) {
@@ -164,10 +181,9 @@ void register_family(const CurveFamily& family) {
     const std::string name = std::string("curves/") + where + "/" + family.name;
     benchmark::RegisterBenchmark(name.c_str(), compare, cases);
   };
-  if (family.with_surface)
-    return add("surface", [](const CurveCase& c) { return surface_case(c.a, c.surface, c.truth); });
-  add("plane", [](const CurveCase& c) { return plane_case(c.a, c.b, c.truth); });
-  add("space", [](const CurveCase& c) { return space_case(c.a, c.b, c.truth); });
+  if (family.with_surface) return add("surface", surface_case);
+  add("plane", plane_case);
+  add("space", space_case);
 }
 
 nlohmann::json points_of(std::span<const Vec3> list) {
@@ -176,18 +192,19 @@ nlohmann::json points_of(std::span<const Vec3> list) {
   return points;
 }
 
-// One family a line: {name, with_surface, cases: [{a, b, surface, rows, truth}]}; the points of a
-// surface row by row.
-void write_families(const std::string& file) {
+// One family a line: {name, with_surface, cases: [{a, b, surface, rows, truth, runs}]}; the points
+// of a surface row by row.
+void write_families(const std::string& file, int cases) {
   std::ofstream out(file);
-  for (const CurveFamily& family : bench::curve_families()) {
+  for (const CurveFamily& family : bench::curve_families(cases)) {
     nlohmann::json line = {{"name", family.name}, {"with_surface", family.with_surface}};
     for (const CurveCase& c : family.cases)
       line["cases"].push_back({{"a", points_of(c.a.points)},
                                {"b", points_of(c.b.points)},
                                {"surface", points_of(c.surface.values())},
                                {"rows", c.surface.rows()},
-                               {"truth", c.truth}});
+                               {"truth", c.truth},
+                               {"runs", c.runs}});
     out << line << "\n";
   }
 }
@@ -195,11 +212,18 @@ void write_families(const std::string& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  int cases = 200;
+  if (argc >= 3 && std::string(argv[1]) == "--cases") {
+    cases = std::max(1, std::atoi(argv[2]));
+    argv[2] = argv[0];
+    argv += 2;
+    argc -= 2;
+  }
   if (argc == 3 && std::string(argv[1]) == "--write") {
-    write_families(argv[2]);
+    write_families(argv[2], cases);
     return 0;
   }
-  for (const CurveFamily& family : bench::curve_families()) register_family(family);
+  for (const CurveFamily& family : bench::curve_families(cases)) register_family(family);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "tests/support/random.h"
 #include "tests/support/sturm.h"
@@ -14,21 +15,12 @@ using testing::ExactPolynomial;
 using testing::Random;
 using testing::Rational;
 
-constexpr int kCases = 200;
 constexpr std::array kGaps{0.0, -1e-4, -1e-6, -1e-8};
 
-// y over x = 0..1 by its Bernstein coefficients.
-BezierCurve graph(const std::vector<double>& y) {
-  BezierCurve curve;
-  for (std::size_t i = 0; i < y.size(); ++i)
-    curve.points.push_back({static_cast<double>(i) / static_cast<double>(y.size() - 1), y[i], 0});
-  return curve;
-}
-
-std::vector<CurveCase> random_graphs(int degree) {
+std::vector<CurveCase> random_graphs(int degree, int cases) {
   Random random = testing::seeded(degree);
   std::vector<CurveCase> result;
-  while (result.size() < kCases) {
+  while (static_cast<int>(result.size()) < cases) {
     std::vector<double> f, g;
     std::vector<Rational> difference;
     for (int i = 0; i <= degree; ++i) {
@@ -45,10 +37,10 @@ std::vector<CurveCase> random_graphs(int degree) {
 
 // A parabola whose least value over a line at a random place is `gap`: 0 for a touch, below it they
 // cross twice.
-std::vector<CurveCase> parabolas(double gap) {
+std::vector<CurveCase> parabolas(double gap, int cases) {
   Random random = testing::seeded(7);
   std::vector<CurveCase> result;
-  for (int i = 0; i < kCases; ++i) {
+  for (int i = 0; i < cases; ++i) {
     // y = (x - c)^2 + gap over [0, 1]
     const double c = testing::uniform(random, 0.2, 0.8);
     result.push_back({graph({c * c + gap, c * c - c + gap, (1 - c) * (1 - c) + gap}),
@@ -60,10 +52,10 @@ std::vector<CurveCase> parabolas(double gap) {
 }
 
 // Cubics with nine crossings, T3(T3(x)) = x, of random size.
-std::vector<CurveCase> nine_crossings() {
+std::vector<CurveCase> nine_crossings(int cases) {
   Random random = testing::seeded(9);
   std::vector<CurveCase> result;
-  for (int i = 0; i < kCases; ++i) {
+  for (int i = 0; i < cases; ++i) {
     const double r = testing::uniform(random, 1.01, 1.15);
     const double t = 4 * r * r * r - 3 * r, s = 12 * r * r - 3;
     const std::vector<double> x{-r, -r / 3, r / 3, r};
@@ -137,28 +129,38 @@ CurveCase graze_case(Random& random, double gap) {
 }
 
 template <class Make>
-std::vector<CurveCase> cases_of(int seed, const Make& make) {
+std::vector<CurveCase> cases_of(int seed, int cases, const Make& make) {
   Random random = testing::seeded(seed);
-  std::vector<CurveCase> cases;
-  for (int i = 0; i < kCases; ++i) cases.push_back(make(random));
-  return cases;
+  std::vector<CurveCase> result;
+  for (int i = 0; i < cases; ++i) result.push_back(make(random));
+  return result;
 }
 
 }  // namespace
 
-std::vector<CurveFamily> curve_families() {
+BezierCurve graph(const std::vector<double>& y) {
+  BezierCurve curve;
+  for (std::size_t i = 0; i < y.size(); ++i)
+    curve.points.push_back({static_cast<double>(i) / static_cast<double>(y.size() - 1), y[i], 0});
+  return curve;
+}
+
+std::vector<CurveFamily> curve_families(int cases) {
   std::vector<CurveFamily> families;
   for (const int degree : {3, 5, 9})
-    families.push_back({"random_graphs/" + std::to_string(degree), false, random_graphs(degree)});
-  families.push_back({"nine_crossings", false, nine_crossings()});
+    families.push_back(
+        {"random_graphs/" + std::to_string(degree), false, random_graphs(degree, cases)});
+  families.push_back({"nine_crossings", false, nine_crossings(cases)});
   for (const double gap : kGaps)
-    families.push_back({"parabolas/" + std::to_string(gap * 1e8), false, parabolas(gap)});
+    families.push_back({"parabolas/" + std::to_string(gap * 1e8), false, parabolas(gap, cases)});
+  for (CurveFamily& family : contact_families(cases)) families.push_back(std::move(family));
   for (const int degree : {1, 2, 3})
-    families.push_back({"random/" + std::to_string(degree), true,
-                        cases_of(degree, [&](Random& r) { return pierce_case(r, degree); })});
+    families.push_back(
+        {"random/" + std::to_string(degree), true,
+         cases_of(degree, cases, [&](Random& r) { return pierce_case(r, degree); })});
   for (const double gap : kGaps)
     families.push_back({"parabolas/" + std::to_string(gap * 1e8), true,
-                        cases_of(5, [&](Random& r) { return graze_case(r, gap); })});
+                        cases_of(5, cases, [&](Random& r) { return graze_case(r, gap); })});
   return families;
 }
 

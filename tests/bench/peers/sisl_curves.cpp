@@ -6,7 +6,7 @@
 //   sisl_curves families.jsonl ours.json
 //
 // Prints, for each family, the median microseconds of both, how many times faster Blossom is, and
-// in how many cases SISL found too few and too many points. The resolution is 1e-7, that of
+// in how many cases SISL found too few and too many points or runs. The resolution is 1e-7, that of
 // Blossom.
 
 #include <algorithm>
@@ -64,7 +64,7 @@ Surface surface_of(const Json& points, std::size_t rows) {
 
 struct Answer {
   double microseconds = 0;
-  int points = 0;
+  int points = 0, runs = 0;
 };
 
 template <class Intersect>
@@ -78,8 +78,8 @@ Answer timed(const Intersect& intersect) {
   free(at_a);
   free(at_b);
   if (found) freeIntcrvlist(found, curves);
-  return {std::chrono::duration<double, std::micro>(stop - start).count(),
-          status < 0 ? 0 : points + curves};
+  return {std::chrono::duration<double, std::micro>(stop - start).count(), status < 0 ? 0 : points,
+          status < 0 ? 0 : curves};
 }
 
 Answer solved(const Json& entry, int dimension) {
@@ -106,8 +106,10 @@ void print_family(const Json& family, const std::string& where, int dimension,
   for (const Json& entry : family["cases"]) {
     const Answer answer = solved(entry, dimension);
     microseconds.push_back(answer.microseconds);
-    few += answer.points < entry["truth"].get<int>();
-    many += answer.points > entry["truth"].get<int>();
+    const int points = entry["truth"], runs = entry["runs"];
+    const bool too_few = answer.points < points || answer.runs < runs;
+    few += too_few;
+    many += !too_few && (answer.points > points || answer.runs > runs);
   }
   const double theirs = median(microseconds), us = ours.count(name) ? ours.at(name) : 0;
   std::printf("%-40s %9.1f %9.1f %8.1f %6d %6d\n", name.c_str(), us, theirs, theirs / us, few,
