@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -11,10 +13,15 @@
 #include <vector>
 
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -118,6 +125,53 @@ TEST_F(Assemblies, AreNamedWherePartsMeetAndWhereTheyAreNearest) {
   EXPECT_NEAR(nearest["distance"][1], 9 - 1.5, 1e-9);
   EXPECT_EQ(nearest["nearest_a"]["part"], "frame/far");
   EXPECT_EQ(nearest["nearest_b"]["part"], "cart/left");
+}
+
+gp_Trsf askew(double x, double y, double z, double angle) {
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp_Pnt(0.1, 0.2, 0.3), gp_Dir(1, 2, 3)), angle);
+  return moved(x, y, z) * turn;
+}
+
+// The same instances as one flat compound.
+void write_flat(const std::filesystem::path& file, const TopoDS_Shape& part,
+                const std::vector<Instance>& instances, const Instance& outer) {
+  const BRep_Builder builder;
+  TopoDS_Compound flat;
+  builder.MakeCompound(flat);
+  for (const Instance& instance : instances)
+    builder.Add(flat, part.Moved(outer.second * instance.second));
+  BRepTools::Write(flat, file.c_str());
+}
+
+// Of each curve its length, in order.
+std::vector<double> lengths_in(const json& report) {
+  std::vector<double> lengths;
+  for (const json& curve : report["curves"]) lengths.push_back(curve["length"]);
+  std::sort(lengths.begin(), lengths.end());
+  return lengths;
+}
+
+TEST_F(Assemblies, AnswerAsTheirPartsDoPlacedOneByOne) {
+  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(2, 0.7), rod = BRepPrimAPI_MakeCone(0.6, 0.3, 9);
+  const std::vector<Instance> rings{{"one", askew(0, 0, 0, 0.4)}, {"two", askew(1.5, 0.4, 1, 1.7)}};
+  const std::vector<Instance> rods{{"one", askew(-1, 0.5, -3, 0.9)},
+                                   {"two", askew(2, -1, -2, -0.5)}};
+  const Instance chain{"chain", askew(5, 6, 7, 0.8)}, rack{"rack", askew(5.5, 6.2, 6, 0.6)};
+  write_assembly(folder / "chain.step", ring, rings, chain);
+  write_assembly(folder / "rack.step", rod, rods, rack);
+  write_flat(folder / "chain.brep", ring, rings, chain);
+  write_flat(folder / "rack.brep", rod, rods, rack);
+  const json nested = report_of({"intersect", folder / "chain.step", folder / "rack.step"});
+  const json flat = report_of({"intersect", folder / "chain.brep", folder / "rack.brep"});
+  EXPECT_EQ(nested["status"], flat["status"]);
+  const std::vector<double> lengths = lengths_in(nested), wanted = lengths_in(flat);
+  EXPECT_GE(wanted.size(), 4u);
+  ASSERT_EQ(lengths.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(lengths[i], wanted[i], 1e-6);
+  const json far = report_of({"query", "distance", folder / "chain.step", folder / "rig.step"});
+  const json away = report_of({"query", "distance", folder / "chain.brep", folder / "rig.step"});
+  EXPECT_NEAR(far["distance"][1], away["distance"][1], 1e-9);
 }
 
 }  // namespace
