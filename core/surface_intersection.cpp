@@ -3,35 +3,64 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 #include "core/exchanged_order.h"
+#include "core/finer_tolerance.h"
 #include "core/surface_assembly.h"
 
 namespace blossom {
 namespace {
 
-// In the order asked for, and, if that leaves something open, in the other one with the rest of the
-// time, and of the budget what the pairs decided have left of it.
+using Clock = std::chrono::steady_clock;
+
+// What an attempt has left of the limits: of the time, and of the budget what the pairs decided
+// have not taken. Nothing if there is none.
+std::optional<IntersectionOptions> rest_of(IntersectionOptions options, Clock::time_point started,
+                                           const Certificate& spent) {
+  options.budget -= spent.excluded + spent.certified + spent.critical;
+  if (options.time_limit > 0) {
+    options.time_limit -= std::chrono::duration<double>(Clock::now() - started).count();
+    if (!(options.time_limit > 0)) return std::nullopt;
+  }
+  if (options.budget <= 0) return std::nullopt;
+  return options;
+}
+
+// What stayed open, settled at the first finer tolerance that does so; else what was found.
+SurfaceIntersection at_finer_tolerance(const BezierSurface& a, const BezierSurface& b,
+                                       SurfaceIntersection found,
+                                       std::optional<IntersectionOptions> rest) {
+  const double tolerance = rest ? rest->tolerances.point : 0;
+  for (const double part : kFinerTolerances) {
+    if (!rest) break;
+    const Clock::time_point started = Clock::now();
+    rest->tolerances.point = part * tolerance;
+    SurfaceIntersection finer = assembled(a, b, *rest);
+    if (is_settled(found, finer, tolerance, part * tolerance)) return settled(std::move(finer));
+    rest = rest_of(*rest, started, finer.certificate);
+  }
+  return found;
+}
+
+// In the order asked for; if that leaves something open, in the other one; and if that does not
+// help, at finer tolerances.
 SurfaceIntersection in_better_order(const BezierSurface& a, const BezierSurface& b,
                                     const IntersectionOptions& options) {
-  const auto started = std::chrono::steady_clock::now();
+  Clock::time_point started = Clock::now();
   SurfaceIntersection found = assembled(a, b, options);
   if (&a == &b || !may_gain_by_exchange(found)) return found;
-  IntersectionOptions other = options;
-  std::swap(other.part_a, other.part_b);
-  const Certificate& first = found.certificate;
-  other.budget -= first.excluded + first.certified + first.critical;
-  if (other.budget <= 0) return found;
-  if (options.time_limit > 0) {
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
-    other.time_limit -= spent.count();
-    if (!(other.time_limit > 0)) return found;
-  }
-  SurfaceIntersection back = assembled(b, a, other);
-  return is_gain(found, back) ? exchanged(std::move(back), a) : found;
+  auto rest = rest_of(options, started, found.certificate);
+  if (!rest) return found;
+  started = Clock::now();
+  std::swap(rest->part_a, rest->part_b);
+  SurfaceIntersection back = assembled(b, a, *rest);
+  if (is_gain(found, back)) return exchanged(std::move(back), a);
+  std::swap(rest->part_a, rest->part_b);
+  return at_finer_tolerance(a, b, std::move(found), rest_of(*rest, started, back.certificate));
 }
 
 }  // namespace

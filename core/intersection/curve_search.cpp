@@ -85,7 +85,7 @@ SpanPoint foot_in(const CurveTree& tree, const CurveCell& cell, const Vec3& poin
     (rest > 0 ? bracket.from : bracket.to) = t;
     double next = t + rest / dot(cell.axis, jet.first);
     if (!(next >= bracket.from && next <= bracket.to)) next = at(bracket, 0.5);
-    if (std::abs(next - t) <= 1e-16) break;
+    if (std::abs(next - t) <= kSettled) break;
     t = next;
   }
   for (int k = 0; k < kFootSteps; ++k) {

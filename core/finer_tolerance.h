@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Places that stay open at one tolerance and are regular at a finer one.
+//
+// Where surfaces cross at a small angle they stay within tolerance of each other along a strip, and
+// what is in it is sought as a contact. At a finer tolerance the strip is thinner, and the same
+// curve may be a regular one, with a proof.
+
+#pragma once
+
+#include <array>
+
+#include "core/intersection/result.h"
+
+namespace blossom {
+
+/// The tolerances of further attempts, as parts of the first one.
+inline constexpr std::array kFinerTolerances{0.1, 0.01};
+
+/// True if what a search left open is told by the answer at a finer tolerance: that answer is
+/// complete, one of its curves or points is in each open place, and of the other places none holds
+/// a near miss, surfaces apart by more than the finer tolerance, which the finer search leaves out.
+///
+/// tolerance, finer_tolerance   of both, model units
+bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& finer,
+                double tolerance, double finer_tolerance);
+
+/// The finer answer as one at the coarser tolerance: `tolerance`, with the reason, since near
+/// misses between the two in the places that were open are not told.
+SurfaceIntersection settled(SurfaceIntersection finer);
+
+}  // namespace blossom
