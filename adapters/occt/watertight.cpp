@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/watertight.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -14,6 +16,8 @@
 #include <Geom_Curve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -23,6 +27,7 @@
 #include <TopoDS_Wire.hxx>
 
 #include "adapters/occt/curves.h"
+#include "adapters/occt/edge_joins.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/surfaces.h"
@@ -35,58 +40,157 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kSameRange = 1e-9;  // of parameters, relative to their range
+constexpr double kMuchNearer = 0.5;  // as near are borders that are worth parameters of their own
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // ---- to the core
 
+// Vertices of joined edges are one.
+class UnitedVertices {
+ public:
+  int number_of(const TopoDS_Vertex& vertex) {
+    const int number = numbers_.Add(vertex) - 1;
+    if (index(number) == first_.size()) first_.push_back(number);
+    return number;
+  }
+
+  /// The number that stands for all that a number has been united with.
+  int root(int number) const {
+    while (first_[index(number)] != number) number = first_[index(number)];
+    return number;
+  }
+
+  void unite(const TopoDS_Vertex& a, const TopoDS_Vertex& b) {
+    const int root_a = root(number_of(a)), root_b = root(number_of(b));
+    first_[index(std::max(root_a, root_b))] = std::min(root_a, root_b);
+  }
+
+  std::vector<Vec3> points() const {
+    std::vector<Vec3> points;
+    for (int k = 1; k <= numbers_.Extent(); ++k) {
+      const gp_Pnt p = BRep_Tool::Pnt(TopoDS::Vertex(numbers_(k)));
+      points.push_back({p.X(), p.Y(), p.Z()});
+    }
+    return points;
+  }
+
+ private:
+  TopTools_IndexedMapOfShape numbers_;
+  std::vector<int> first_;
+};
+
+// What two borders have in common: a curve between them.
+struct Middle {
+  BorderImage first;
+  std::optional<BorderRelation> relation;  // none: the parameters are the same
+  BorderImage second;
+
+  Vec3 at(double s) const {
+    return 0.5 * (first.at(s) + second.at(relation ? relation->second_at(s) : s));
+  }
+};
+
+// An edge of one face has the image of its border, one of two faces whose images are apart the
+// middle between these, and others have their curve in space.
 class Reader {
  public:
-  CommonModel read(const TopoDS_Shape& shape) {
-    for (const TopoDS_Face& face : faces_of(shape)) add(face);
+  Reader(const TopoDS_Shape& shape, double tolerance) : tolerance_(tolerance) {
+    TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_);
+    for (const EdgeJoin& join : edge_joins(faces_, tolerance)) add(join);
+  }
+
+  CommonModel read(const std::vector<TopoDS_Face>& faces) {
+    for (const TopoDS_Face& face : faces) add(face);
+    model_.vertices = vertices_.points();
+    for (CommonEdge& edge : model_.edges) {
+      edge.from = vertices_.root(edge.from);
+      edge.to = vertices_.root(edge.to);
+    }
     return std::move(model_);
   }
 
  private:
+  static std::pair<TopoDS_Vertex, TopoDS_Vertex> ends_of(const TopoDS_Edge& edge) {
+    const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
+    return {TopExp::FirstVertex(forward), TopExp::LastVertex(forward)};
+  }
+
+  static BorderParameters parameters(const BorderRelation& relation) {
+    return {[relation](double t) { return relation.first_at(t); },
+            [relation](double s) { return relation.second_at(s); }};
+  }
+
+  TopoDS_Face face_of(const TopoDS_Edge& edge) const {
+    return TopoDS::Face(faces_.FindFromKey(edge).First());
+  }
+
+  void add(const EdgeJoin& join) {
+    const auto [from, to] = ends_of(join.given_up);
+    vertices_.unite(ends_of(join.kept).first, join.reversed ? to : from);
+    vertices_.unite(ends_of(join.kept).second, join.reversed ? from : to);
+    CommonEdge edge = with_ends(join.kept);
+    const Middle middle{join.relation.first(), join.relation, join.relation.second()};
+    edge.domain = middle.first.domain();
+    edge.point = [middle](double s) { return middle.at(s); };
+    edge.apart = join.relation.apart();
+    const int number = edges_.Add(join.kept) - 1;
+    model_.edges.push_back(std::move(edge));
+    joined_.Bind(join.given_up, number);
+    parameters_[{number, faces_.FindIndex(join.given_up)}] = parameters(join.relation);
+  }
+
   void add(const TopoDS_Face& face) {
     const FaceTrims trims = face_trims(face);
-    CommonFace made{bezier_surface(face), trimmed_chart(trims), {}};
+    CommonFace made{bezier_surface(face), trimmed_chart(trims), {}, {}};
     for (const auto& loop : trims.loops)
-      for (const Coedge& coedge : loop) made.edges.push_back(edge_of(coedge));
+      for (const Coedge& coedge : loop) {
+        made.edges.push_back(edge_of(coedge));
+        made.parameters.push_back(parameters(made.edges.back(), coedge.edge, face));
+      }
     model_.faces.push_back(std::move(made));
   }
 
-  int vertex_of(const TopoDS_Vertex& vertex) {
-    const int count = vertices_.Extent();
-    const int number = vertices_.Add(vertex) - 1;
-    if (number == count) {
-      const gp_Pnt p = BRep_Tool::Pnt(vertex);
-      model_.vertices.push_back({p.X(), p.Y(), p.Z()});
-    }
-    return number;
+  BorderParameters parameters(int edge, const TopoDS_Edge& of, const TopoDS_Face& face) const {
+    const bool first = !joined_.IsBound(of) && face.IsSame(face_of(of));
+    const auto found = parameters_.find({edge, faces_.FindIndex(of)});
+    return first || found == parameters_.end() ? BorderParameters{} : found->second;
   }
 
   int edge_of(const Coedge& coedge) {
-    const int count = edges_.Extent();
-    const int number = edges_.Add(coedge.edge) - 1;
-    if (number == count) model_.edges.push_back(made(coedge));
-    const Interval known = model_.edges[index(number)].domain, own = coedge.curve.domain();
-    const double same = kSameRange * std::abs(length(known));
-    if (std::abs(known.from - own.from) > same || std::abs(known.to - own.to) > same)
+    if (joined_.IsBound(coedge.edge)) return joined_(coedge.edge);
+    const int known = edges_.FindIndex(coedge.edge) - 1;
+    const int number = known >= 0 ? known : edges_.Add(coedge.edge) - 1;
+    if (known < 0) model_.edges.push_back(made(coedge, number));
+    if (parameters_.contains({number, faces_.FindIndex(coedge.edge)})) return number;
+    const Interval domain = model_.edges[index(number)].domain, own = coedge.curve.domain();
+    const double same = kSameRange * std::abs(length(domain));
+    if (std::abs(domain.from - own.from) > same || std::abs(domain.to - own.to) > same)
       throw BadModel("an edge has different ranges of parameters on its faces");
     return number;
   }
 
-  CommonEdge made(const Coedge& coedge) {
-    CommonEdge edge;
+  CommonEdge with_ends(const TopoDS_Edge& edge) {
+    const auto [from, to] = ends_of(edge);
+    CommonEdge made;
+    made.from = vertices_.number_of(from);
+    made.to = vertices_.number_of(to);
+    return made;
+  }
+
+  CommonEdge made(const Coedge& coedge, int number) {
+    CommonEdge edge = with_ends(coedge.edge);
     edge.domain = coedge.curve.domain();
-    const TopoDS_Edge forward = TopoDS::Edge(coedge.edge.Oriented(TopAbs_FORWARD));
-    edge.from = vertex_of(TopExp::FirstVertex(forward));
-    edge.to = vertex_of(TopExp::LastVertex(forward));
     edge.is_point = coedge.degenerated;
     if (edge.is_point) return edge;
+    const TopTools_ListOfShape& faces = faces_.FindFromKey(coedge.edge);
+    if (faces.Extent() == 1) {
+      const BorderImage image(coedge.edge, face_of(coedge.edge));
+      edge.point = [image](double t) { return image.at(t); };
+      return edge;
+    }
     double first = 0, last = 0;
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(forward, first, last);
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(coedge.edge, first, last);
     if (curve.IsNull()) throw BadModel("an edge has no curve in space");
     if (std::abs(first - edge.domain.from) + std::abs(last - edge.domain.to) >
         kSameRange * std::abs(last - first))
@@ -95,11 +199,37 @@ class Reader {
       const gp_Pnt p = curve->Value(t);
       return Vec3{p.X(), p.Y(), p.Z()};
     };
+    if (faces.Extent() == 2 && !faces.First().IsSame(faces.Last()))
+      take_middle(edge, TopoDS::Edge(coedge.edge.Oriented(TopAbs_FORWARD)), number);
     return edge;
   }
 
+  // Where the images of the borders are apart at equal parameters, they may be nearer at others.
+  void take_middle(CommonEdge& edge, const TopoDS_Edge& of, int number) {
+    const TopTools_ListOfShape& faces = faces_.FindFromKey(of);
+    const BorderImage first(of, TopoDS::Face(faces.First()));
+    const BorderImage second(of, TopoDS::Face(faces.Last()));
+    edge.apart = apart(first, second);
+    if (edge.apart <= tolerance_) return;
+    const BorderRelation relation(first, second, false);
+    Middle middle{first, {}, second};
+    if (relation.apart() < kMuchNearer * edge.apart) {
+      middle.relation = relation;
+      edge.apart = relation.apart();
+      parameters_[{number, faces_.FindIndex(of)}] = parameters(relation);
+    }
+    edge.point = [middle](double s) { return middle.at(s); };
+  }
+
+  double tolerance_;
   CommonModel model_;
-  TopTools_IndexedMapOfShape vertices_, edges_;
+  TopTools_IndexedDataMapOfShapeListOfShape faces_;  // of each edge
+  TopTools_DataMapOfShapeInteger joined_;            // edges given up: the model's edge
+  // Of a border on the edge's second face, or of an edge given up: by the model's and the shape's
+  // number of the edge.
+  std::map<std::pair<int, int>, BorderParameters> parameters_;
+  UnitedVertices vertices_;
+  TopTools_IndexedMapOfShape edges_;
 };
 
 // ---- and back
@@ -283,9 +413,9 @@ std::string watertight_fault(const TopoDS_Shape& given, const TopoDS_Shape& made
 
 WatertightShape watertight(const TopoDS_Shape& shape, const WatertightOptions& options) {
   WatertightShape result;
-  result.pieces = watertight_pieces(Reader().read(shape), options);
-  if (!result.pieces.obstacle.empty()) return result;
   const std::vector<TopoDS_Face> given = faces_of(shape);
+  result.pieces = watertight_pieces(Reader(shape, options.tolerance).read(given), options);
+  if (!result.pieces.obstacle.empty()) return result;
   result.faces.resize(given.size());
   Writer writer(result.pieces);
   for (const WatertightPiece& piece : result.pieces.pieces)

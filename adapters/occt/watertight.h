@@ -29,9 +29,11 @@ std::string watertight_fault(const TopoDS_Shape& given, const TopoDS_Shape& made
 
 /// All faces of a shape as patches and triangles with common sides.
 ///
-/// Faces meet where they have an edge in common; its curve in space gives the common sides. If
-/// there is an obstacle, only that is set. Closed shells stay closed and the shape is valid by
-/// BRepCheck; if it were not, `watertight_fault` is the obstacle.
+/// Faces meet where they have an edge in common, or free edges that run along each other
+/// (edge_joins.h). The common sides are those of the edge's curve in space; where the images of its
+/// two borders are apart by more than the tolerance, of the curve in the middle between them; where
+/// it has one border, of its image. If there is an obstacle, only that is set. Closed shells stay
+/// closed and the shape is valid by BRepCheck; if it were not, `watertight_fault` is the obstacle.
 ///
 /// throws   BadModel if a face cannot be converted, an edge has no curve in space or another range
 ///          of parameters on a face; InvalidInput as watertight_pieces

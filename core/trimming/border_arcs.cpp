@@ -115,6 +115,10 @@ int BorderArcs::arc_degree(int patch_u, int patch_v) const {
                                  : exact;
 }
 
+double BorderArcs::tolerance_of(int border) const {
+  return std::max(options_.tolerance, chart_.borders[index(border)].tolerance);
+}
+
 bool BorderArcs::takes_cells(int border) const {
   return !options_.common_borders || chart_.borders[index(border)].is_point;
 }
@@ -247,7 +251,7 @@ void BorderArcs::add(int number, const Interval& place, int from, int to, std::s
   const bool shortest = std::abs(length(place)) <= 2 * kShortestArc * length(border.curve.domain());
   if (from == to && shortest) return;
   const RegionArc arc = made(number, place, from, to);
-  if (shortest || (from != to && arc.fit_error <= options_.tolerance && !is_too_long(arc))) {
+  if (shortest || (from != to && arc.fit_error <= tolerance_of(number) && !is_too_long(arc))) {
     arcs_.push_back(arc);
     return;
   }
@@ -308,7 +312,7 @@ RegionArc BorderArcs::made(int number, const Interval& place, int from, int to) 
   // Common borders are moved anyway, so a low degree is worth a part of the tolerance.
   const double steep = std::max(max_norm(steepest_(arc.patch_u, arc.patch_v)), kArcRounding);
   const double lower_within =
-      options_.common_borders ? kLoweringPart * options_.tolerance / steep : kArcRounding;
+      options_.common_borders ? kLoweringPart * tolerance_of(number) / steep : kArcRounding;
   const ArcForm form =
       arc_form(curve, place, chart_of(surface_, arc.patch_u, arc.patch_v),
                {arc_degree(arc.patch_u, arc.patch_v), options_.common_borders, lower_within});

@@ -90,6 +90,7 @@ class BorderArcs {
 
  private:
   void divide(int border);
+  double tolerance_of(int border) const;
   /// Where a border crosses a line between patches.
   struct LineStop {
     double at;      ///< parameter

@@ -21,6 +21,7 @@ struct RegionBorder {
   int to = 0;
   std::vector<double> stops;  ///< parameters where it has to be divided, in any order
   bool is_point = false;      ///< in space, as at the pole of a sphere
+  double tolerance = 0;       ///< of its arcs, where it is above the region's; model units
 };
 
 struct TrimmedChart {

@@ -18,6 +18,8 @@
 #include "core/trimming/border_arcs.h"
 #include "core/trimming/closed_tips.h"
 #include "core/trimming/lower_degrees.h"
+#include "core/trimming/paired_parameters.h"
+#include "core/trimming/piece_sides.h"
 #include "core/trimming/polynomial_surface.h"
 #include "core/trimming/triangulated_region.h"
 
@@ -25,12 +27,13 @@ namespace blossom {
 namespace {
 
 constexpr int kSideDegree = 5;         // of the curves that take the place of edges
-constexpr double kRounding = 1e-15;    // of control points, relative to the largest
 constexpr int kMostRounds = 12;        // of dividing edges until all faces agree
 constexpr double kSurfacePart = 0.1;   // of the tolerance, for polynomials in place of surfaces
 constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees of sides
 constexpr double kTrianglePart = 0.1;  // of the tolerance, for lower degrees of triangles
 constexpr double kArcPart = 0.3;       // of the tolerance, for arcs in charts
+constexpr double kApartPart = 0.1;     // of how far an edge is from its surfaces, likewise
+constexpr double kStep = 1e-3;         // of a side's parameter, for its direction
 // Moves up to so many times the edge's own distance from the surfaces cannot be helped.
 constexpr double kEdgePart = 4;
 
@@ -42,6 +45,11 @@ BezierCurve reversed(BezierCurve curve) {
 }
 
 Vec3 space(const Vec4& p) { return {p[0], p[1], p[2]}; }
+
+Vec3 across_of(const Vec3& way, const Vec3& along) {
+  const double square = dot(along, along);
+  return square > 0 ? way - dot(way, along) / square * along : way;
+}
 
 double largest_gap(const BezierCurve& a, const BezierCurve& b) {
   double most = 0;
@@ -58,6 +66,8 @@ void check(const CommonModel& model, const WatertightOptions& options) {
   for (const CommonFace& face : model.faces) {
     if (face.edges.size() != face.chart.borders.size())
       throw InvalidInput("watertight: a face needs one edge for each border");
+    if (!face.parameters.empty() && face.parameters.size() != face.edges.size())
+      throw InvalidInput("watertight: parameters of all borders of a face or of none");
     for (const int edge : face.edges)
       if (!in(edge, model.edges.size())) throw InvalidInput("watertight: there is no such edge");
   }
@@ -67,7 +77,15 @@ void check(const CommonModel& model, const WatertightOptions& options) {
 class Builder {
  public:
   Builder(const CommonModel& model, const WatertightOptions& options)
-      : model_(model), options_(options), stops_(model.edges.size()), regions_(model.faces.size()) {
+      : model_(model),
+        options_(options),
+        parameters_(model),
+        stops_(model.edges.size()),
+        regions_(model.faces.size()),
+        uneven_(model.edges.size(), false) {
+    for (const CommonFace& face : model.faces)
+      for (std::size_t b = 0; b < face.parameters.size(); ++b)
+        if (face.parameters[b].to_edge) uneven_[index(face.edges[b])] = true;
     for (const CommonFace& face : model.faces) {
       surfaces_.push_back(polynomial_surface(face.surface, kSurfacePart * options.tolerance));
       surface_error_ = std::max(surface_error_, surfaces_.back().error);
@@ -98,21 +116,49 @@ class Builder {
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       if (!stale[f]) continue;
       TrimmedChart chart = model_.faces[f].chart;
-      for (std::size_t b = 0; b < chart.borders.size(); ++b)
-        settle(chart.borders[b], model_.faces[f].edges[b]);
+      for (std::size_t b = 0; b < chart.borders.size(); ++b) settle(chart.borders[b], f, b);
       regions_[f] = triangulated_region(surfaces_[f], chart, region_options);
-      if (regions_[f].obstacle.empty()) continue;
-      result_ = {};
-      result_.obstacle = "face " + std::to_string(f + 1) + ": " + regions_[f].obstacle;
-      return false;
+      if (!regions_[f].obstacle.empty()) {
+        result_ = {};
+        result_.obstacle = "face " + std::to_string(f + 1) + ": " + regions_[f].obstacle;
+        return false;
+      }
+      add_stops_of(f);
     }
     return true;
   }
 
+  // At once, so that the next faces divide an edge where this one has, and no more than it takes.
+  void add_stops_of(std::size_t face) {
+    for (std::size_t b = 0; b < regions_[face].stops.size(); ++b) {
+      const auto edge = index(model_.faces[face].edges[b]);
+      std::ranges::copy(stops_on_edge(face, b), std::back_inserter(stops_[edge]));
+      tidy(stops_[edge], model_.edges[edge].domain);
+    }
+  }
+
   // A point is divided by each face as it likes.
-  void settle(RegionBorder& border, int edge) const {
-    border.is_point = model_.edges[index(edge)].is_point;
-    if (!border.is_point) border.stops = stops_[index(edge)];
+  void settle(RegionBorder& border, std::size_t face, std::size_t number) {
+    const auto edge = index(model_.faces[face].edges[number]);
+    border.is_point = model_.edges[edge].is_point;
+    if (border.is_point) return;
+    border.tolerance = kApartPart * model_.edges[edge].apart;
+    for (const double stop : stops_[edge])
+      border.stops.push_back(parameters_.on_border(face, number, stop));
+  }
+
+  // The edge's parameters at the stops of a border of a region, increasing.
+  std::vector<double> stops_on_edge(std::size_t face, std::size_t border) {
+    std::vector<double> stops;
+    for (const double stop : regions_[face].stops[border])
+      stops.push_back(parameters_.on_edge(face, border, stop));
+    std::ranges::sort(stops);
+    return stops;
+  }
+
+  Interval place_on_edge(std::size_t face, const RegionArc& arc) {
+    return {parameters_.on_edge(face, index(arc.border), arc.place.from),
+            parameters_.on_edge(face, index(arc.border), arc.place.to)};
   }
 
   // Increasing, from end to end of the edge; near ones are one.
@@ -128,17 +174,11 @@ class Builder {
 
   // Marks the faces whose borders have to be divided further.
   bool agree_on_stops(std::vector<bool>& stale) {
-    for (std::size_t f = 0; f < model_.faces.size(); ++f)
-      for (std::size_t b = 0; b < regions_[f].stops.size(); ++b) {
-        std::vector<double>& stops = stops_[index(model_.faces[f].edges[b])];
-        stops.insert(stops.end(), regions_[f].stops[b].begin(), regions_[f].stops[b].end());
-      }
-    for (std::size_t e = 0; e < stops_.size(); ++e) tidy(stops_[e], model_.edges[e].domain);
     stale.assign(model_.faces.size(), false);
     for (std::size_t f = 0; f < model_.faces.size(); ++f)
       for (std::size_t b = 0; b < regions_[f].stops.size(); ++b) {
         const int edge = model_.faces[f].edges[b];
-        if (!model_.edges[index(edge)].is_point && regions_[f].stops[b] != stops_[index(edge)])
+        if (!model_.edges[index(edge)].is_point && stops_on_edge(f, b) != stops_[index(edge)])
           stale[f] = true;
       }
     return std::ranges::find(stale, true) != stale.end();
@@ -226,8 +266,9 @@ class Builder {
     std::vector<int> names(region.vertices.size(), -1);
     for (const RegionArc& arc : region.arcs) {
       const int edge = model_.faces[index(face)].edges[index(arc.border)];
-      names[index(arc.from)] = vertex_on(edge, arc.place.from);
-      names[index(arc.to)] = vertex_on(edge, arc.place.to);
+      const Interval place = place_on_edge(index(face), arc);
+      names[index(arc.from)] = vertex_on(edge, place.from);
+      names[index(arc.to)] = vertex_on(edge, place.to);
     }
     return names;
   }
@@ -259,21 +300,8 @@ class Builder {
   }
 
   int side_under(int face, const RegionArc& arc) {
-    return side_on(model_.faces[index(face)].edges[index(arc.border)], arc.place);
-  }
-
-  // A straight triangle in a plane has degree 1, whatever the patch says.
-  static BezierTriangle flat_if_it_is(const BezierTriangle& triangle) {
-    double size = 0;
-    for (const Vec3& p : triangle.points) size = std::max(size, max_norm(p));
-    const int n = triangle.degree;
-    for (int nu = 0; nu <= n; ++nu)
-      for (int mu = 0; nu + mu <= n; ++mu) {
-        const Vec3 flat = (1.0 / n) * (nu * triangle(n, 0) + mu * triangle(0, n) +
-                                       (n - nu - mu) * triangle(0, 0));
-        if (distance(flat, triangle(nu, mu)) > kRounding * size) return triangle;
-      }
-    return {1, {triangle(0, 0), triangle(0, n), triangle(n, 0)}};
+    return side_on(model_.faces[index(face)].edges[index(arc.border)],
+                   place_on_edge(index(face), arc));
   }
 
   static std::variant<BezierPatch, BezierTriangle> polynomial_form(const BezierSurface& surface,
@@ -291,32 +319,6 @@ class Builder {
   }
 
   // ---- corners and sides of one piece
-
-  static BezierCurve side_curve(const WatertightPiece& piece, int k) {
-    if (const auto* triangle = std::get_if<BezierTriangle>(&piece.form))
-      return side_of(*triangle, k, (k + 1) % 3);
-    const Grid<Vec3>& net = std::get<BezierPatch>(piece.form).points;
-    const int n = net.rows() - 1, m = net.columns() - 1;
-    BezierCurve curve;
-    for (int i = 0; i <= (k % 2 == 0 ? n : m); ++i)
-      curve.points.push_back(k == 0   ? net(i, 0)
-                             : k == 1 ? net(n, i)
-                             : k == 2 ? net(n - i, m)
-                                      : net(0, m - i));
-    return curve;
-  }
-
-  static void set_side_curve(WatertightPiece& piece, int k, const BezierCurve& curve) {
-    if (auto* triangle = std::get_if<BezierTriangle>(&piece.form))
-      return set_side(*triangle, k, (k + 1) % 3, curve);
-    Grid<Vec3>& net = std::get<BezierPatch>(piece.form).points;
-    const int n = net.rows() - 1, m = net.columns() - 1;
-    for (int i = 0; i <= curve.degree(); ++i)
-      (k == 0   ? net(i, 0)
-       : k == 1 ? net(n, i)
-       : k == 2 ? net(n - i, m)
-                : net(0, m - i)) = curve.points[index(i)];
-  }
 
   // Corners of a piece that are not on an edge get the next numbers, at the piece's own points.
   void name_corners(WatertightPiece& piece, const std::vector<int>& corners,
@@ -419,9 +421,12 @@ class Builder {
     wanted.points.front() = result_.vertices[index(piece.vertices[k])];
     wanted.points.back() = result_.vertices[index(piece.vertices[(k + 1) % piece.vertices.size()])];
     const double gap = largest_gap(own, wanted);
-    for (const double t : extreme_points(kSideDegree))
-      edge_gap_[index(number)] =
-          std::max(edge_gap_[index(number)], distance(point_at(own, t), point_at(wanted, t)));
+    const bool across = side.edge >= 0 && uneven_[index(side.edge)];
+    for (const double t : extreme_points(kSideDegree)) {
+      Vec3 way = point_at(own, t) - point_at(wanted, t);
+      if (across) way = across_of(way, point_at(wanted, t + kStep) - point_at(wanted, t - kStep));
+      edge_gap_[index(number)] = std::max(edge_gap_[index(number)], norm(way));
+    }
     moved_[index(number)] = std::max(moved_[index(number)], gap);
     set_side_curve(piece, static_cast<int>(k), wanted);
     return gap;
@@ -445,8 +450,8 @@ class Builder {
       if (side.curve.points.empty()) continue;
       const double moved = moved_[index(number)];
       const bool coarse = coarse_.contains(number);
-      if (!coarse && moved <= std::max(options_.tolerance, kEdgePart * edge_gap_[index(number)]))
-        continue;
+      const double apart = std::max(edge_gap_[index(number)], model_.edges[index(side.edge)].apart);
+      if (!coarse && moved <= std::max(options_.tolerance, kEdgePart * apart)) continue;
       stops_[index(side.edge)].push_back(at(place, 0.5));
       divided[index(side.edge)] = true;
     }
@@ -458,10 +463,14 @@ class Builder {
 
   const CommonModel& model_;
   WatertightOptions options_;
+  PairedParameters parameters_;
   std::vector<std::vector<double>> stops_;  // of each edge
   std::vector<BezierSurface> surfaces_;
   double surface_error_ = 0;
   std::vector<TriangulatedRegion> regions_;
+  // Edges with borders that run otherwise than they do. How far they are apart along the edge is a
+  // matter of parameters, and passes when it is divided.
+  std::vector<bool> uneven_;
   std::map<std::pair<int, double>, int> stop_vertex_;
   std::map<std::tuple<int, double, double>, int> arc_side_;
   std::map<int, Interval> side_place_;

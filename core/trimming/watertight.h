@@ -23,19 +23,30 @@
 
 namespace blossom {
 
-/// An edge as all faces that have it for a border see it; their borders have its parameters.
+/// An edge as all faces that have it for a border see it.
 struct CommonEdge {
   std::function<Vec3(double)> point;  ///< in space, at a parameter; not called if it is a point
   Interval domain;
   int from = 0;  ///< vertices at the ends of the domain
   int to = 0;
   bool is_point = false;  ///< as at the pole of a sphere
+  /// About how far the surfaces are from it. Triangles much narrower than that would fold over when
+  /// they are moved, so arcs of its borders need be no nearer to the trims. Model units.
+  double apart = 0;
+};
+
+/// How the parameters of a border go with those of its edge. Both functions grow or both fall, they
+/// undo each other but for rounding, and take ends of domains to ends.
+struct BorderParameters {
+  std::function<double(double)> to_edge;  ///< from the border's; empty: they are the same
+  std::function<double(double)> from_edge;
 };
 
 struct CommonFace {
   BezierSurface surface;
   TrimmedChart chart;
-  std::vector<int> edges;  ///< of each border
+  std::vector<int> edges;                         ///< of each border
+  std::vector<BorderParameters> parameters = {};  ///< of each border, or none: all are their edges'
 };
 
 struct CommonModel {

@@ -178,6 +178,20 @@ TEST(WatertightMesh, OfACrankArmDoesNotCrossItself) {
   expect_closed_model("crankarm.brep", 54074, 1e-3);
 }
 
+// 213 faces of an IGES file without common edges, whose curves in space are up to 2e-3 off.
+TEST(WatertightMesh, OfLooseFacesDoesNotCrossItself) {
+  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const occt::Model model = occt::read_model(std::string(folder) + "/models/bearing.iges");
+  const occt::WatertightShape made = occt::watertight(model.shape());
+  ASSERT_EQ(made.pieces.obstacle, "");
+  EXPECT_LE(made.pieces.deviation, 3e-4);
+  const Mesh mesh = sampled(made);
+  const cgal::MeshCheck check = cgal::check_mesh(mesh.points, mesh.triangles);
+  EXPECT_TRUE(check.manifold);
+  EXPECT_EQ(check.self_intersections, 0);
+}
+
 // Trims pass the outermost line of a surface within 5e-5 of its range, on edges that are 2e-3 off.
 // Facets of both sides of its thin walls add to the volume.
 TEST(WatertightMesh, OfABodyWithLooseEdgesDoesNotCrossItself) {

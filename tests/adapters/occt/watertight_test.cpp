@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -19,6 +21,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 
 #include "adapters/occt/shapes.h"
@@ -136,6 +139,45 @@ TEST(Watertight, KeepsSharedEdgesInBrepFiles) {
   TopExp::MapShapes(back.shape(), TopAbs_EDGE, edges);
   EXPECT_EQ(edges.Extent(), given.Extent());
   EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid());
+}
+
+// Faces that share no edge: each is a copy of its own.
+TopoDS_Shape loose_faces(const TopoDS_Shape& shape) {
+  BRep_Builder builder;
+  TopoDS_Compound loose;
+  builder.MakeCompound(loose);
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    builder.Add(loose, BRepBuilderAPI_Copy(it.Current()).Shape());
+  return loose;
+}
+
+TEST(Watertight, JoinsFacesWhoseEdgesRunAlongEachOther) {
+  const WatertightShape made = watertight(loose_faces(two_spheres()));
+  ASSERT_EQ(made.pieces.obstacle, "");
+  EXPECT_GT(expect_common_points(made.pieces), 8);  // and every side has two pieces
+  EXPECT_LE(made.pieces.deviation, 2e-6);
+}
+
+// Nothing says which of the two sides of a face that is turned against its neighbours is inside.
+TEST(Watertight, DoesNotJoinFacesThatAreTurnedAgainstEachOther) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3);
+  BRep_Builder builder;
+  TopoDS_Compound loose;
+  builder.MakeCompound(loose);
+  bool first = true;
+  for (TopExp_Explorer it(loose_faces(box), TopAbs_FACE); it.More(); it.Next(), first = false)
+    builder.Add(loose, first ? it.Current().Reversed() : it.Current());
+  const WatertightShape made = watertight(loose);
+  ASSERT_EQ(made.pieces.obstacle, "");
+  std::map<int, int> uses;
+  for (const WatertightPiece& piece : made.pieces.pieces)
+    for (const int side : piece.sides) ++uses[side];
+  std::set<int> of_one, of_two;
+  for (const auto& [side, count] : uses)
+    (count == 1 ? of_one : of_two).insert(made.pieces.sides[static_cast<std::size_t>(side)].edge);
+  of_two.erase(-1);              // inside of faces
+  EXPECT_EQ(of_one.size(), 8u);  // four edges, twice
+  EXPECT_EQ(of_two.size(), 8u);
 }
 
 // A face of a real model that takes several rounds of dividing its edges.

@@ -15,6 +15,7 @@
 #include "core/forms/de_casteljau.h"
 #include "core/forms/degree.h"
 #include "core/forms/evaluation.h"
+#include "core/forms/interpolation.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/trimming/polynomial_surface.h"
 #include "tests/support/solids.h"
@@ -222,6 +223,57 @@ TEST(WatertightPieces, MoveHardlyFartherThanVerticesAreFromTheirEdges) {
   ASSERT_EQ(made.obstacle, "");
   EXPECT_GE(made.deviation, 1e-3);
   EXPECT_LE(made.deviation, 1.1e-3);
+}
+
+// The wall's border as another edge gives it that runs the other way and unevenly.
+TEST(WatertightPieces, TakeBordersWithParametersOfTheirOwn) {
+  CommonModel model = roof_and_wall(1e-5);
+  const auto to_edge = [](double t) { return 1 - 0.5 * (t - 3) * (t - 2); };
+  const auto from_edge = [](double s) { return 2.5 + 0.5 * std::sqrt(9 - 8 * s); };
+  CommonFace& wall = model.faces[1];
+  PlanarCurve& border = wall.chart.borders[0].curve;
+  std::vector<Vec2> points;
+  for (const double x : extreme_points(6)) points.push_back(point_at(border, to_edge(3 + x)));
+  PlanarBezier curve;
+  for (const Vec2& p : bezier_through(points).points) curve.points.push_back({p[0], p[1], 1});
+  border = {{{curve, {3, 4}}}};
+  wall.chart.borders[0].reversed = false;
+  wall.parameters.resize(4);
+  wall.parameters[0] = {to_edge, from_edge};
+
+  const WatertightPieces made = watertight_pieces(model);
+
+  ASSERT_EQ(made.obstacle, "");
+  EXPECT_LE(made.deviation, 4e-5);  // four times the gap is not worth more pieces
+  int common = 0;
+  for (const auto& [number, curves] : curves_on_edges(made)) {
+    const WatertightSide& side = made.sides[static_cast<std::size_t>(number)];
+    ASSERT_EQ(curves.size(), side.edge == 0 ? 2u : 1u);
+    for (const BezierCurve& c : curves) EXPECT_EQ(c.points, side.curve.points);
+    common += side.edge == 0 ? 1 : 0;
+  }
+  EXPECT_GE(common, 2);
+}
+
+// The lower border of the wall is a piece of an ellipse, which takes many arcs.
+TEST(WatertightPieces, AreNoFinerThanTheirEdgesAreNear) {
+  CommonModel model = roof_and_wall(0);
+  const PlanarCurve arc{{{{{{0, 0, 1}, {0.4, 0.6, 0.8}, {1, 0, 1}}}, {0, 1}}}};
+  model.faces[1].chart.borders[2].curve = arc;
+  model.edges[5].point = [arc](double t) {
+    const Vec2 p = point_at(arc, t);
+    return Vec3{p[0], 0, p[1]};
+  };
+  WatertightOptions options;
+  options.tolerance = 1e-9;
+  const std::size_t fine = watertight_pieces(model, options).pieces.size();
+  model.edges[5].apart = 0.03;
+
+  const WatertightPieces made = watertight_pieces(model, options);
+
+  ASSERT_EQ(made.obstacle, "");
+  EXPECT_LT(made.pieces.size(), 0.75 * static_cast<double>(fine));
+  EXPECT_LE(made.deviation, 0.03);
 }
 
 // Each side is used twice inside and on the common edge, once on free edges.
