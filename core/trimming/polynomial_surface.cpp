@@ -13,6 +13,7 @@
 #include "core/forms/interpolation.h"
 #include "core/forms/products.h"
 #include "core/subdivision/patch_subdivision.h"
+#include "core/trimming/narrow_spans.h"
 
 namespace blossom {
 namespace {
@@ -252,10 +253,10 @@ BezierSurface in_parts(const BezierSurface& surface, const Parts& parts) {
 BezierSurface polynomial_surface(const BezierSurface& surface, double tolerance) {
   validate(surface, "polynomial_surface");
   if (!(tolerance > 0)) throw InvalidInput("polynomial_surface: the tolerance must be positive");
-  if (!surface.rational) return surface;
+  if (!surface.rational) return without_narrow_spans(surface);
   BezierSurface result = in_parts(surface, parts_within(surface, tolerance));
   result.error += surface.error;
-  return result;
+  return without_narrow_spans(std::move(result));
 }
 
 }  // namespace blossom

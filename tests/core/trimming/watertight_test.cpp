@@ -462,6 +462,47 @@ TEST(PolynomialSurface, LeavesNarrowSpansWhole) {
   EXPECT_EQ(made.v_knots.size(), 2u);
 }
 
+// A cubic height in three spans along u, of which one is far below what trims can tell; at either
+// end or inside. Its neighbours take its place, within the bound.
+TEST(PolynomialSurface, LosesSpansThatTrimsCannotTell) {
+  const auto height = [](double u) { return u * u * (3 - u); };
+  for (const double narrow : {0.0, 0.4, 1 - 1e-9}) {
+    BezierSurface surface{{0, 1}, {0, 1}};
+    if (narrow > 0) surface.u_knots.insert(surface.u_knots.end() - 1, narrow);
+    if (narrow + 1e-9 < 1) surface.u_knots.insert(surface.u_knots.end() - 1, narrow + 1e-9);
+    const int spans = static_cast<int>(surface.u_knots.size()) - 1;
+    surface.patches = Grid<RationalBezierPatch>(spans, 1);
+    for (int i = 0; i < spans; ++i) {
+      const Interval span{surface.u_knots[static_cast<std::size_t>(i)],
+                          surface.u_knots[static_cast<std::size_t>(i) + 1]};
+      std::vector<Vec3> points;
+      for (const double t : extreme_points(3))
+        points.push_back({at(span, t), height(at(span, t)), 0});
+      points = bezier_through(points).points;
+      Grid<Vec4> net(4, 2);
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 2; ++b) {
+          const Vec3& p = points[static_cast<std::size_t>(a)];
+          net(a, b) = {p[0], p[1], static_cast<double>(b), 1};
+        }
+      surface.patches(i, 0) = {net};
+    }
+
+    const BezierSurface made = polynomial_surface(surface, 1e-6);
+
+    EXPECT_EQ(made.patches.rows(), spans - 1);
+    EXPECT_EQ(made.u_knots.front(), 0);
+    EXPECT_EQ(made.u_knots.back(), 1);
+    EXPECT_GT(made.error, 0);
+    EXPECT_LE(made.error, 3e-8);
+    for (double u = 0; u <= 1; u += 1.0 / 64) {
+      const Vec3 p = point_at(made, {u, 0.5});
+      EXPECT_LE(distance(p, {u, height(u), 0.5}), made.error);
+    }
+    EXPECT_LE(distance(point_at(made, {1, 0.5}), {1, height(1), 0.5}), 1e-15);
+  }
+}
+
 TEST(PolynomialSurface, OfAPolynomialIsItself) {
   EXPECT_EQ(polynomial_surface(roof(), 1e-9).patches, roof().patches);
   EXPECT_THROW(polynomial_surface(roof(), 0), InvalidInput);
