@@ -9,9 +9,11 @@
 // copies c1 and c2 of bench_solids. A model that is no closed solid is cut face by face.
 //
 // A line for each job, as a row of a table. "Free" are sides with one piece where the model has
-// none, "many" those with more than two. CGAL looks at a mesh of N parts a side that
-// neighbours share: manifold, closed, pairs of triangles that cross. Seconds are processor time of
-// the cut, and of the pieces with their checks. --keep writes the shapes as .brep.
+// none, "many" those with more than two. CGAL looks at meshes: of N parts a side that neighbours
+// share; of more where triangles cross, and which of these crossings are the model's own
+// (watertight_meshes.h); and Open CASCADE's. It says whether they are manifold, closed, and counts
+// pairs of triangles that cross. Seconds are processor time of the cut, and of the pieces with
+// their checks. --keep writes the shapes as .brep.
 
 #include <algorithm>
 #include <array>
@@ -34,8 +36,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 
-#include "adapters/cgal/gpl/mesh_check.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/trim.h"
@@ -44,7 +46,7 @@
 #include "tests/bench/apart.h"
 #include "tests/bench/command_line.h"
 #include "tests/bench/moved_copy.h"
-#include "tests/support/watertight_mesh.h"
+#include "tests/bench/watertight_meshes.h"
 
 namespace blossom::bench {
 namespace {
@@ -70,7 +72,7 @@ struct Outcome {
   std::array<char, 400> obstacle{};
   double cut_seconds = 0, seconds = 0, deviation = 0;
   int faces = 0, given_free = 0, patches = 0, triangles = 0, free = 0, many = 0;
-  cgal::MeshCheck mesh;
+  WatertightMeshes meshes;
 };
 
 void tell(Outcome& outcome, const std::string& obstacle) {
@@ -183,11 +185,7 @@ Outcome outcome_of(const std::string& file, const Job& job, const Settings& sett
   outcome.deviation = made.pieces.deviation;
   outcome.faces = static_cast<int>(made.faces.size());
   count(made.pieces, outcome);
-  std::vector<bool> reversed;
-  for (const auto& pieces : made.faces)
-    reversed.push_back(!pieces.empty() && pieces.front().Orientation() == TopAbs_REVERSED);
-  const testing::WatertightSampler sampler(made.pieces, reversed, settings.parts);
-  outcome.mesh = cgal::check_mesh(sampler.mesh().points, sampler.mesh().triangles);
+  outcome.meshes = watertight_meshes(made, occt::faces_of(shape), settings.parts);
   if (settings.folder.empty()) return outcome;
   occt::Model kept;
   kept.add(made.shape, job.name);
@@ -218,11 +216,29 @@ Outcome measured(const std::string& file, const Job& job, const Settings& settin
   return result;
 }
 
-// Closed where the model is, and nothing crosses.
+// Closed where the model is, and nothing crosses but what the model's own faces do.
 bool is_sound(const Outcome& outcome) {
+  const WatertightMeshes& meshes = outcome.meshes;
   return outcome.ending == Ending::Done && outcome.obstacle[0] == 0 && outcome.many == 0 &&
-         (outcome.free > 0) == (outcome.given_free > 0) && outcome.mesh.manifold &&
-         outcome.mesh.closed == (outcome.free == 0) && outcome.mesh.self_intersections == 0;
+         (outcome.free > 0) == (outcome.given_free > 0) && meshes.refined.manifold &&
+         meshes.refined.closed == (outcome.free == 0) &&
+         meshes.refined.self_intersections == meshes.of_model;
+}
+
+std::string told(const cgal::MeshCheck& mesh) {
+  return (mesh.manifold ? mesh.closed ? "closed" : "manifold" : "no manifold") + std::string(", ") +
+         std::to_string(mesh.self_intersections);
+}
+
+std::string told(const WatertightMeshes& meshes) {
+  std::string text = told(meshes.even) + " | ";
+  if (meshes.even.self_intersections > 0)
+    text += told(meshes.refined) + " at " + std::to_string(meshes.finest) + " parts";
+  if (meshes.refined.self_intersections > 0)
+    text += ": " + std::to_string(meshes.of_model) + " of the model, " +
+            std::to_string(meshes.at_edges) + " at edges, " + std::to_string(meshes.others) +
+            " others";
+  return text + " | " + (meshes.meshed ? told(meshes.occt) : "not meshed");
 }
 
 void print(const std::string& name, const Outcome& outcome) {
@@ -233,10 +249,8 @@ void print(const std::string& name, const Outcome& outcome) {
     std::printf("refused: %s | %.2f + %.2f |\n", outcome.obstacle.data(), outcome.cut_seconds,
                 outcome.seconds);
   else
-    std::printf("%s | %s%s, %d crossings | %d, %d | %.1e | %d, %d, %d | %.2f + %.2f |\n",
-                is_sound(outcome) ? "sound" : "NOT SOUND",
-                outcome.mesh.manifold ? "manifold" : "no manifold",
-                outcome.mesh.closed ? ", closed" : "", outcome.mesh.self_intersections,
+    std::printf("%s | %s | %d, %d | %.1e | %d, %d, %d | %.2f + %.2f |\n",
+                is_sound(outcome) ? "sound" : "NOT SOUND", told(outcome.meshes).c_str(),
                 outcome.free, outcome.many, outcome.deviation, outcome.faces, outcome.patches,
                 outcome.triangles, outcome.cut_seconds, outcome.seconds);
   std::fflush(stdout);
@@ -267,8 +281,8 @@ std::optional<Settings> settings_from(int argc, char** argv) {
 
 int run_all(const Settings& settings) {
   std::printf(
-      "| job | result | mesh | free, many | within | faces, patches, triangles | s |\n"
-      "|---|---|---|---|---:|---|---|\n");
+      "| job | result | samples | refined | BRepMesh | free, many | within | "
+      "faces, patches, triangles | s |\n|---|---|---|---|---|---|---:|---|---|\n");
   int unsound = 0;
   for (const std::string& file : settings.files) {
     const occt::Model model = occt::read_model(file);

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -19,32 +20,50 @@ namespace blossom::testing {
 struct Mesh {
   std::vector<Vec3> points;
   std::vector<std::array<int, 3>> triangles;
+  std::vector<int> piece;  // of each triangle, where they come from pieces
 
   void add(int a, int b, int c) {
     if (a != b && b != c && c != a) triangles.push_back({a, b, c});
   }
 };
 
-/// Samples pieces at `parts` + 1 points along each side and likewise inside.
+/// Samples pieces at some points along each side, and inside as at the finest of their sides. Where
+/// another side has fewer, points along it fall together.
 class WatertightSampler {
  public:
   /// reversed   for each face of the model, whether its pieces face the other way
-  WatertightSampler(const WatertightPieces& pieces, const std::vector<bool>& reversed, int parts)
-      : made_(pieces), parts_(parts) {
+  /// parts      of the sides of each piece at least; powers of two times one number
+  WatertightSampler(const WatertightPieces& pieces, const std::vector<bool>& reversed,
+                    const std::vector<int>& parts)
+      : made_(pieces), parts_of_side_(pieces.sides.size(), 1) {
+    for (std::size_t p = 0; p < made_.pieces.size(); ++p)
+      for (const int side : made_.pieces[p].sides) {
+        int& own = parts_of_side_[static_cast<std::size_t>(side)];
+        own = std::max(own, parts[p]);
+      }
     mesh_.points = made_.vertices;
-    for (const WatertightSide& side : made_.sides) {
+    for (std::size_t s = 0; s < made_.sides.size(); ++s) {
+      const WatertightSide& side = made_.sides[s];
       first_of_side_.push_back(static_cast<int>(mesh_.points.size()));
-      for (int k = 1; k < parts_ && !side.curve.points.empty(); ++k)
-        mesh_.points.push_back(point_at(side.curve, static_cast<double>(k) / parts_));
+      for (int k = 1; k < parts_of_side_[s] && !side.curve.points.empty(); ++k)
+        mesh_.points.push_back(point_at(side.curve, static_cast<double>(k) / parts_of_side_[s]));
     }
     for (const WatertightPiece& piece : made_.pieces) {
       reversed_ = reversed[static_cast<std::size_t>(piece.face)];
+      parts_ = 1;
+      for (const int side : piece.sides)
+        parts_ = std::max(parts_, parts_of_side_[static_cast<std::size_t>(side)]);
       if (const auto* triangle = std::get_if<BezierTriangle>(&piece.form))
         add(piece, *triangle);
       else
         add(piece, std::get<BezierPatch>(piece.form));
+      mesh_.piece.resize(mesh_.triangles.size(), static_cast<int>(&piece - made_.pieces.data()));
     }
   }
+
+  /// The same number of parts everywhere.
+  WatertightSampler(const WatertightPieces& pieces, const std::vector<bool>& reversed, int parts)
+      : WatertightSampler(pieces, reversed, std::vector<int>(pieces.pieces.size(), parts)) {}
 
   const Mesh& mesh() const { return mesh_; }
 
@@ -56,7 +75,10 @@ class WatertightSampler {
     if (k == parts_) return piece.vertices[next];
     const auto number = static_cast<std::size_t>(piece.sides[side]);
     if (made_.sides[number].curve.points.empty()) return piece.vertices[side];
-    return first_of_side_[number] + (piece.along[side] ? k : parts_ - k) - 1;
+    const int own = parts_of_side_[number], step = parts_ / own;
+    const int along = (piece.along[side] ? k : parts_ - k) / step;
+    if (along == 0) return piece.vertices[piece.along[side] ? side : next];
+    return first_of_side_[number] + along - 1;
   }
 
   void add(int a, int b, int c) { reversed_ ? mesh_.add(a, c, b) : mesh_.add(a, b, c); }
@@ -102,7 +124,8 @@ class WatertightSampler {
   }
 
   const WatertightPieces& made_;
-  int parts_;
+  std::vector<int> parts_of_side_;
+  int parts_ = 1;  // of the piece at hand
   bool reversed_ = false;
   std::vector<int> first_of_side_;
   Mesh mesh_;

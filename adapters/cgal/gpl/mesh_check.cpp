@@ -52,6 +52,12 @@ std::vector<std::vector<std::size_t>> from_core(std::span<const std::array<int, 
   return result;
 }
 
+std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossings(const Mesh& mesh) {
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
+  mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
+  return pairs;
+}
+
 }  // namespace
 
 MeshCheck check_mesh(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles) {
@@ -67,10 +73,20 @@ MeshCheck check_mesh(std::span<const Vec3> points, std::span<const std::array<in
   if (check.closed) check.volume = CGAL::to_double(mesh_processing::volume(mesh));
   for (const auto face : faces(mesh))
     if (mesh_processing::is_degenerate_triangle_face(face, mesh)) ++check.degenerate_triangles;
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> pairs;
-  mesh_processing::self_intersections(mesh, std::back_inserter(pairs));
-  check.self_intersections = static_cast<int>(pairs.size());
+  check.self_intersections = static_cast<int>(crossings(mesh).size());
   return check;
+}
+
+std::vector<std::array<int, 2>> crossing_triangles(std::span<const Vec3> points,
+                                                   std::span<const std::array<int, 3>> triangles) {
+  const auto soup = from_core(triangles, points.size());
+  std::vector<std::array<int, 2>> result;
+  if (!mesh_processing::is_polygon_soup_a_polygon_mesh(soup)) return result;
+  Mesh mesh;  // its faces are numbered as the triangles
+  mesh_processing::polygon_soup_to_polygon_mesh(from_core(points), soup, mesh);
+  for (const auto& [a, b] : crossings(mesh))
+    result.push_back({static_cast<int>(a.idx()), static_cast<int>(b.idx())});
+  return result;
 }
 
 }  // namespace blossom::cgal

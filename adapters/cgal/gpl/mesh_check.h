@@ -6,6 +6,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "core/math/vec.h"
 
@@ -28,5 +29,10 @@ struct MeshCheck {
 ///             coordinate is not finite
 /// cost        O(n log n) for n triangles that meet few others
 MeshCheck check_mesh(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles);
+
+/// The pairs of triangles that `check_mesh` counts, by their places; none unless the mesh is a
+/// manifold.
+std::vector<std::array<int, 2>> crossing_triangles(std::span<const Vec3> points,
+                                                   std::span<const std::array<int, 3>> triangles);
 
 }  // namespace blossom::cgal

@@ -66,6 +66,9 @@ TEST(MeshCheck, CountsTrianglesThatPierceEachOther) {
 
   EXPECT_TRUE(check.manifold);
   EXPECT_EQ(check.self_intersections, 1);
+  const auto pairs = cgal::crossing_triangles(points, Triangles{{0, 1, 2}, {3, 4, 5}});
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs.front()[0] + pairs.front()[1], 1);
 }
 
 TEST(MeshCheck, CountsTrianglesOfNoArea) {

@@ -3,27 +3,20 @@
 // CASCADE, and by samples that neighbours share.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstdlib>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <BRep_Tool.hxx>
-#include <Poly_Triangulation.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 
 #include "adapters/cgal/gpl/mesh_check.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/watertight.h"
+#include "tests/support/incremental_mesh.h"
 #include "tests/support/watertight_mesh.h"
 
 namespace blossom {
@@ -31,37 +24,6 @@ namespace {
 
 using testing::Mesh;
 using testing::WatertightSampler;
-
-// Nodes are one if their coordinates are equal bit for bit.
-Mesh meshed(const TopoDS_Shape& shape, double deflection) {
-  const BRepMesh_IncrementalMesh mesher(shape, deflection);
-  EXPECT_TRUE(mesher.IsDone());
-  Mesh mesh;
-  std::map<std::array<double, 3>, int> known;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
-    TopLoc_Location location;
-    const Handle(Poly_Triangulation) own =
-        BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
-    if (own.IsNull()) {
-      ADD_FAILURE() << "a face has no triangles";
-      continue;
-    }
-    const auto node = [&](int i) {
-      const gp_Pnt p = own->Node(i);
-      const auto [found, is_new] =
-          known.try_emplace({p.X(), p.Y(), p.Z()}, static_cast<int>(mesh.points.size()));
-      if (is_new) mesh.points.push_back({p.X(), p.Y(), p.Z()});
-      return found->second;
-    };
-    for (int k = 1; k <= own->NbTriangles(); ++k) {
-      int a = 0, b = 0, c = 0;
-      own->Triangle(k).Get(a, b, c);
-      if (it.Current().Orientation() == TopAbs_REVERSED) std::swap(b, c);
-      mesh.add(node(a), node(b), node(c));
-    }
-  }
-  return mesh;
-}
 
 Mesh sampled(const occt::WatertightShape& shape) {
   std::vector<bool> reversed;
@@ -94,7 +56,8 @@ void expect_watertight(const TopoDS_Shape& a, const TopoDS_Shape& b, Faces faces
 
   {
     SCOPED_TRACE("meshed by Open CASCADE");
-    expect_closed(meshed(made.shape, 1e-2), fused.volumes.back().fuse, 0.05, faces);
+    expect_closed(testing::IncrementalMesh(made.shape, 1e-2).mesh(), fused.volumes.back().fuse,
+                  0.05, faces);
   }
   SCOPED_TRACE("meshed by samples");
   expect_closed(sampled(made), fused.volumes.back().fuse, 0.01);

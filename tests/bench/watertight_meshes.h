@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes of watertight shapes as CGAL sees them: of samples, refined where facets cross, and of
+// Open CASCADE's mesher.
+
+#pragma once
+
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+
+#include "adapters/cgal/gpl/mesh_check.h"
+#include "adapters/occt/watertight.h"
+
+namespace blossom::bench {
+
+/// Plain values, so that they can be passed between processes.
+struct WatertightMeshes {
+  cgal::MeshCheck even;     ///< as many samples along each side
+  cgal::MeshCheck refined;  ///< twice as many round crossings, again and again
+  int finest = 0;           ///< parts of a side
+  /// Of the crossings that stay: between faces that share nothing and meet, by `intersect`; between
+  /// faces with a common edge or vertex, or of a face with itself; others.
+  int of_model = 0, at_edges = 0, others = 0;
+  bool meshed = false;  ///< by BRepMesh_IncrementalMesh, which gave each face triangles
+  cgal::MeshCheck occt;
+};
+
+/// given   the faces that the shape was made of, in their order
+/// parts   of a side at first
+WatertightMeshes watertight_meshes(const occt::WatertightShape& made,
+                                   const std::vector<TopoDS_Face>& given, int parts);
+
+}  // namespace blossom::bench
