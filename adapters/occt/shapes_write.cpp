@@ -34,6 +34,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XSControl_WorkSession.hxx>
 
+#include "adapters/occt/closed_corners.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shapes_detail.h"
 
@@ -274,7 +275,10 @@ void write_model(const Model& model, const std::filesystem::path& file,
     const std::lock_guard guard(exchange_lock());
     text = guarded("writing", [&] {
       switch (format) {
-        case Format::Step: return step_text(model.impl_->document);
+        case Format::Step: {
+          const ClosedCorners closed(model.shape());
+          return step_text(model.impl_->document);
+        }
         case Format::Iges: return iges_text(model.impl_->document);
         case Format::Brep: break;
       }
