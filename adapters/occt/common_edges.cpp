@@ -107,7 +107,7 @@ std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, double reach
     Box box;
     for (const auto& span : spans.spans)
       for (const Vec4& p : span.curve.points) {
-        const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+        const Vec3 x = projected(p);
         box = joined(box, {x, x});
       }
     all.push_back({edge, widened(box, spans.error + kMargin * reach)});

@@ -127,7 +127,7 @@ struct MeasuredShape::Impl {
     error = std::max(error, surface.error);
     hull.clear();
     for (const RationalBezierPatch& patch : surface.patches.values())
-      for (const Vec4& p : patch.points.values()) hull.push_back(point_of(p));
+      for (const Vec4& p : patch.points.values()) hull.push_back(projected(p));
     return {std::move(hull), surface.error};
   }
 
@@ -140,26 +140,25 @@ struct MeasuredShape::Impl {
     error = std::max(error, found.error);
     hull.clear();
     for (const CurveSpan& span : found.spans)
-      for (const Vec4& p : span.curve.points) hull.push_back(point_of(p));
+      for (const Vec4& p : span.curve.points) hull.push_back(projected(p));
     return {std::move(hull), found.error};
   }
 
-  static Vec3 point_of(const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); }
-
-  // What failed may be asked for again, so nothing is moved out of here.
+  // What was converted for its box is handed over; should that fail, it is converted again.
   MeasuredSet make(int part) {
     return guarded("converting a part to measure", [&] {
       MeasuredSet set;
       if (is_face(part)) {
-        const auto& known = converted[static_cast<std::size_t>(part)];
-        set.surfaces.push_back(known ? *known : bezier_surface(face(part)));
+        auto& known = converted[static_cast<std::size_t>(part)];
+        set.surfaces.push_back(known ? std::move(*known) : bezier_surface(face(part)));
+        known.reset();
         return set;
       }
       MeasuredEdge& of = edge_of_part(part);
       std::vector<EdgeSpan> spans;
       for (CurveSpan& span : bezier_spans(edge(of)).spans) {
         // Between spans the curve may have a kink, so ends of spans count as points.
-        if (!spans.empty()) set.points.push_back(point_of(span.curve.points.front()));
+        if (!spans.empty()) set.points.push_back(projected(span.curve.points.front()));
         set.curves.push_back(std::move(span.curve));
         spans.push_back({span.place, span.law});
       }

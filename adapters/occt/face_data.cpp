@@ -253,7 +253,7 @@ Box box_of(const BezierSurface& surface, double margin) {
   Box box;
   for (const RationalBezierPatch& patch : surface.patches.values())
     for (const Vec4& p : patch.points.values()) {
-      const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+      const Vec3 x = projected(p);
       box = joined(box, {x, x});
     }
   const Vec3 r{margin, margin, margin};

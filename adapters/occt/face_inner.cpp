@@ -16,6 +16,7 @@
 #include "adapters/occt/edge_images.h"
 #include "adapters/occt/face_splitter.h"
 #include "adapters/occt/pcurves.h"
+#include "adapters/occt/shared_limit.h"
 
 namespace blossom::occt {
 namespace {
@@ -29,7 +30,7 @@ constexpr double kOnEnd = 1e-9;  // of an edge: a place so near its end is it
 void FaceSplitter::add_inner_stops(Strand& strand) {
   for (std::size_t i = 0; i < trims_.inner.size(); ++i) {
     const int index = static_cast<int>(i);
-    check_limit();
+    check_limit(limit_, "dividing faces");
     const PlanarCrossings common = crossings(strand.curve, trims_.inner[i].curve, reach(strand));
     for (const PlanarCrossing& crossing : common.points) {
       const TrimMeeting meeting{crossing.a, inner_loop(), index, crossing.b};

@@ -11,11 +11,12 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/shared_limit.h"
 
 namespace blossom::occt {
 namespace {
 
+constexpr const char* kDividing = "dividing faces";
 constexpr double kMargin = 1.1;
 // A cut that stops short of a wire would have met it at most so many times farther along the wire.
 constexpr double kObliqueness = 8;
@@ -111,11 +112,6 @@ double FaceSplitter::reach(const Strand& strand) const {
   return std::max(tolerance_, cuts_[static_cast<std::size_t>(strand.cut)].tolerance);
 }
 
-void FaceSplitter::check_limit() const {
-  const char* reason = limit_ == nullptr ? nullptr : limit_->reached_after_search();
-  if (reason != nullptr) throw Failure(std::string("dividing faces: ") + reason);
-}
-
 void FaceSplitter::note(int cut, const std::string& what) {
   const std::string text = "cut " + std::to_string(cut + 1) + " " + what;
   if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
@@ -165,7 +161,7 @@ double FaceSplitter::obliqueness(const Strand& strand, const TrimMeeting& meetin
 }
 
 void FaceSplitter::add_wire_stops(Strand& strand) {
-  check_limit();
+  check_limit(limit_, kDividing);
   ClippedCurve found = clipped(trims_, strand.curve, reach(strand));
   for (const TrimMeeting& meeting : found.meetings)
     strand.stops.emplace_back(meeting.at, vertex_of(meeting, 0, obliqueness(strand, meeting)));
@@ -224,7 +220,7 @@ void FaceSplitter::add_crossings() {
     for (std::size_t k = i + 1; k < strands_.size(); ++k) {
       Strand &a = strands_[i], &b = strands_[k];
       if (!boxes_meet(box_of(a.curve), box_of(b.curve), tolerance_)) continue;
-      check_limit();
+      check_limit(limit_, kDividing);
       const PlanarCrossings common = crossings(a.curve, b.curve, std::max(reach(a), reach(b)));
       for (const PlanarCrossing& crossing : common.points) {
         const int node = node_near(crossing.point);

@@ -155,7 +155,6 @@ class FaceSplitter {
     TopoDS_Edge piece = {};    // of laid edges: what the edge stands for
   };
 
-  void check_limit() const;
   void add_strands();
   void add_wire_stops(Strand& strand);
   void add_end_stop(Strand& strand, double end);

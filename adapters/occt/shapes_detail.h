@@ -66,6 +66,7 @@ struct Usage {
   std::vector<int> components;
   TDF_Label part;
   TopLoc_Location location;
+  std::vector<TDF_Label> instances;  ///< on the way from the root to the part
   std::string
       path;  ///< names of instances from the outside in, "machine:2/bolt:1"; empty of a root
 };

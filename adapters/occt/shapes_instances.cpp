@@ -13,30 +13,11 @@
 namespace blossom::occt {
 namespace {
 
-// The instances on the way from the root to the part.
-std::vector<TDF_Label> instances_of(const Usage& usage) {
-  std::vector<TDF_Label> instances;
-  TDF_Label label = usage.root;
-  auto component = usage.components.begin();
-  while (label != usage.part) {
-    TDF_Label referred;
-    if (XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
-      instances.push_back(label);
-      label = referred;
-    } else {
-      TDF_LabelSequence components;
-      XCAFDoc_ShapeTool::GetComponents(label, components);
-      label = components(*component++);
-    }
-  }
-  return instances;
-}
-
 // Colours that instances have, or that they give to one of those within: what is said farther
 // outside goes before, and among that what names more of the way.
 void paint_as_instance(const Document& from, const Usage& usage, const Document& to,
                        const TDF_Label& label) {
-  const std::vector<TDF_Label> way = instances_of(usage);
+  const std::vector<TDF_Label>& way = usage.instances;
   for (std::size_t first = way.size(); first-- > 0;) {
     TDF_LabelSequence part_of_way;
     for (std::size_t last = first; last < way.size(); ++last) {

@@ -27,6 +27,7 @@ void add_usages(const TDF_Label& label, Usage usage, std::vector<Usage>& found) 
   if (XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
     usage.location = usage.location * XCAFDoc_ShapeTool::GetLocation(label);
     const std::string own = instance_name(label, referred);
+    usage.instances.push_back(label);
     usage.path += (usage.path.empty() || own.empty() ? "" : "/") + own;
     return add_usages(referred, std::move(usage), found);
   }
@@ -50,7 +51,7 @@ std::vector<Usage> all_usages(const Document& document) {
   TDF_LabelSequence roots;
   document.shapes()->GetFreeShapes(roots);
   std::vector<Usage> found;
-  for (const TDF_Label& root : roots) add_usages(root, {root, {}, {}, {}, {}}, found);
+  for (const TDF_Label& root : roots) add_usages(root, {root, {}, {}, {}, {}, {}}, found);
   return found;
 }
 

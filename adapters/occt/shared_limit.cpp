@@ -2,6 +2,9 @@
 #include "adapters/occt/shared_limit.h"
 
 #include <algorithm>
+#include <string>
+
+#include "adapters/occt/errors.h"
 
 namespace blossom::occt {
 
@@ -28,6 +31,11 @@ bool SharedLimit::is_reached() const {
 double SharedLimit::seconds() const {
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started_;
   return spent.count();
+}
+
+void check_limit(const WorkLimit* limit, const char* work) {
+  const char* reason = limit == nullptr ? nullptr : limit->reached_after_search();
+  if (reason != nullptr) throw Failure(std::string(work) + ": " + reason);
 }
 
 }  // namespace blossom::occt

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "core/intersection/options.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom::occt {
 
@@ -31,5 +32,12 @@ class SharedLimit {
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   mutable std::mutex asking_;
 };
+
+/// Ends work that follows a search when its limit is reached.
+///
+/// limit    null: none
+/// work     what is being done, in the message
+/// throws   Failure
+void check_limit(const WorkLimit* limit, const char* work);
 
 }  // namespace blossom::occt

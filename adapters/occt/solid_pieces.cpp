@@ -366,23 +366,49 @@ std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const ShapeIntersec
   return overlaps;
 }
 
-// Where curves break off comes first: what it leaves undivided is told of many faces then.
-void tell_loose_ends(const ShapeIntersection& found, const TrimTool& a, const TrimTool& b,
-                     const CommonEdges& common, SolidPieces& result) {
+// What is left to tell of faces that are not divided alike.
+struct Undivided {
   std::vector<CrossingCurve> curves;
+  std::array<std::vector<std::vector<TopoDS_Edge>>, 2> lying;
+};
+
+Undivided undivided(const ShapeIntersection& found, const CommonEdges& common) {
+  Undivided all{{}, {common.in_a(), common.in_b()}};
   for (const FaceIntersection& pair : found.pairs)
     for (const IntersectionCurve& curve : pair.found.curves)
-      curves.push_back(
+      all.curves.push_back(
           {{curve.samples.front().point, curve.samples.back().point},
            {static_cast<std::size_t>(pair.face_a), static_cast<std::size_t>(pair.face_b)}});
-  const std::vector<std::string> loose =
-      loose_ends(curves, {CrossedSolid{"part", &a.faces, &common.in_a()},
-                          CrossedSolid{"tool", &b.faces, &common.in_b()}});
+  return all;
+}
+
+// Where curves break off comes first: what it leaves undivided is told of many faces then.
+void tell_loose_ends(const Undivided& all, const TrimTool& a, const TrimTool& b,
+                     SolidPieces& result) try {
+  const std::vector<std::string> loose = guarded("telling where cuts break off", [&] {
+    return loose_ends(all.curves, {CrossedSolid{"part", &a.faces, &all.lying[0]},
+                                   CrossedSolid{"tool", &b.faces, &all.lying[1]}});
+  });
   result.obstacles.insert(result.obstacles.begin(), loose.begin(), loose.end());
+} catch (const Failure&) {
+  // What is told without it stands.
+}
+
+// Runs a step of the work; false, with the obstacle, if it fails.
+template <class Step>
+bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, const Step& step) {
+  try {
+    guarded(what, step);
+    return true;
+  } catch (const Failure& error) {
+    result.obstacles.emplace_back(error.what());
+    if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
+    return false;
+  }
 }
 
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options,
-                      Extent extent, ArcCuts cuts) {
+                      Extent extent, ArcCuts cuts, Undivided& rest) {
   SolidPieces result;
   const WorkLimit limit(options);
   Side side_a("part", a, limit), side_b("tool", b, limit);
@@ -399,26 +425,16 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
     result.obstacles.emplace_back("the intersection is not complete");
   if (!result.obstacles.empty()) return result;
   EdgeSplits splits(tolerance);
-  try {
-    guarded("splitting the solids",
-            [&] { split_both(side_a, side_b, uses, common, splits, tolerance); });
-  } catch (const Failure& error) {
-    result.obstacles.emplace_back(error.what());
-    if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
+  if (!attempt("splitting the solids", limit, result,
+               [&] { split_both(side_a, side_b, uses, common, splits, tolerance); }))
     return result;
-  }
   EdgeUnion joined;
   if (const std::string cause = common.join(splits, joined); !cause.empty())
     result.obstacles.push_back(cause);
   for (const Side* side : {&side_a, &side_b}) join_laid(*side, joined, result);
   join_edges(side_a, side_b, uses, joined, result);
   if (!result.obstacles.empty()) {
-    try {
-      guarded("telling where cuts break off",
-              [&] { tell_loose_ends(found, a, b, common, result); });
-    } catch (const Failure&) {
-      // What is told without it stands.
-    }
+    rest = undivided(found, common);
     return result;
   }
   SplitSolid split_a = split_solid(side_a, common.in_b(), splits, joined);
@@ -426,7 +442,12 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
   if (joined.collapsed() > 0)
     result.obstacles.push_back(std::to_string(joined.collapsed()) +
                                " edges are shorter than the tolerance of their ends");
-  find_sides(split_a, split_b, overlaps_of(found), tolerance, result.obstacles);
+  attempt("finding sides", limit, result, [&] {
+    SidesTold told = find_sides(split_a, split_b, overlaps_of(found), tolerance, &limit);
+    result.obstacles.insert(result.obstacles.end(), told.obstacles.begin(), told.obstacles.end());
+    result.thin = std::move(told.thin);
+  });
+  if (!result.thin.empty()) result.status = weaker(result.status, Status::Tolerance);
   result.a = std::move(split_a.pieces);
   result.b = std::move(split_b.pieces);
   return result;
@@ -436,7 +457,8 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
 
 SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
   const SharedLimit limit(options);
-  SolidPieces found = pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even);
+  Undivided rest, other_rest;
+  SolidPieces found = pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even, rest);
   if (found.obstacles.empty()) return found;
   // Borders of surfaces that do not go on are easier to tell from those of others where these end
   // in the same place, and curves are easier to follow where they do not go along borders of
@@ -447,9 +469,10 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
     if (limit.is_reached()) break;
     IntersectionOptions left = limit.remaining();
     left.threads = options.threads;
-    SolidPieces other = pieces_of(a, b, left, extent, cuts);
+    SolidPieces other = pieces_of(a, b, left, extent, cuts, other_rest);
     if (other.obstacles.empty()) return other;
   }
+  if (!rest.curves.empty()) tell_loose_ends(rest, a, b, found);
   return found;
 }
 

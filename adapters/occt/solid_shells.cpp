@@ -23,6 +23,7 @@
 #include <TopoDS_Shell.hxx>
 
 #include "adapters/occt/edge_images.h"
+#include "adapters/occt/shared_limit.h"
 #include "adapters/occt/trim_sides.h"
 
 namespace blossom::occt {
@@ -30,6 +31,7 @@ namespace {
 
 // Faces that leave an edge in directions closer than this are not told apart. Radians.
 constexpr double kLeastAngle = 1e-6;
+constexpr const char* kMakingSolids = "making solids";
 constexpr double kStep = 1e-3;  // of an edge's length: how far into a face is looked
 
 struct Shell {
@@ -103,7 +105,8 @@ std::string join_corners(std::vector<EdgeUse>& uses, const std::vector<BoundingF
 }
 
 // Faces that hang together have one number.
-std::vector<std::size_t> connected(const std::vector<BoundingFace>& faces, std::string& obstacle) {
+std::vector<std::size_t> connected(const std::vector<BoundingFace>& faces, std::string& obstacle,
+                                   const WorkLimit* limit) {
   std::vector<std::size_t> parent(faces.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&](std::size_t i) {
@@ -123,6 +126,7 @@ std::vector<std::size_t> connected(const std::vector<BoundingFace>& faces, std::
     }
   int open = 0;
   for (auto& of : uses) {
+    if (of.size() > 2) check_limit(limit, kMakingSolids);
     const auto forward =
         std::count_if(of.begin(), of.end(), [](const EdgeUse& u) { return u.forward; });
     if (2 * static_cast<std::size_t>(forward) != of.size())
@@ -138,9 +142,10 @@ std::vector<std::size_t> connected(const std::vector<BoundingFace>& faces, std::
   return groups;
 }
 
-std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string& obstacle) {
+std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
+                             const WorkLimit* limit) {
   std::string cause;
-  const std::vector<std::size_t> groups = connected(faces, cause);
+  const std::vector<std::size_t> groups = connected(faces, cause, limit);
   if (!cause.empty()) {
     obstacle = cause;
     return {};
@@ -182,8 +187,9 @@ std::size_t around(const Shell& hollow, const std::vector<Shell>& shells) {
 
 }  // namespace
 
-std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle) {
-  const std::vector<Shell> shells = shells_of(faces, obstacle);
+std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
+                                    const WorkLimit* limit) {
+  const std::vector<Shell> shells = shells_of(faces, obstacle, limit);
   const BRep_Builder builder;
   std::vector<TopoDS_Solid> by_shell(shells.size());
   for (std::size_t i = 0; i < shells.size(); ++i)
@@ -193,6 +199,7 @@ std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std:
     }
   for (const Shell& shell : shells) {
     if (shell.volume > 0) continue;
+    check_limit(limit, kMakingSolids);
     const std::size_t outer = around(shell, shells);
     if (outer == shells.size()) {
       obstacle = "a shell is turned inwards, but no solid is round it";
@@ -203,6 +210,7 @@ std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std:
   std::vector<TopoDS_Solid> solids;
   for (const TopoDS_Solid& solid : by_shell) {
     if (solid.IsNull()) continue;
+    check_limit(limit, kMakingSolids);
     if (!BRepCheck_Analyzer(solid).IsValid()) obstacle = "a solid is not valid by BRepCheck";
     solids.push_back(solid);
   }

@@ -9,6 +9,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include "core/intersection/work_limit.h"
+
 namespace blossom::occt {
 
 /// A face with the body behind it, and the volume of its cone over a common apex.
@@ -25,6 +27,9 @@ struct BoundingFace {
 /// around it.
 ///
 /// obstacle   why there are none, or why they cannot be used; else as it was
-std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle);
+/// limit      asked at each edge that many faces use, void and solid; null: none
+/// throws     Failure when the limit is reached
+std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
+                                    const WorkLimit* limit = nullptr);
 
 }  // namespace blossom::occt

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <sstream>
 
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -15,12 +16,14 @@
 #include "adapters/occt/common_edges.h"
 #include "adapters/occt/edge_images.h"
 #include "adapters/occt/face_groups.h"
+#include "adapters/occt/shared_limit.h"
 #include "adapters/occt/solid_rays.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr int kAgreeing = 3;  // rays that have to agree about a region
+constexpr const char* kFindingSides = "finding sides";
 
 Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
@@ -53,24 +56,40 @@ Vec3 oriented_normal(const TopoDS_Face& face, const SurfaceFrame& at) {
   return face.Orientation() == TopAbs_REVERSED ? -1.0 * normal : normal;
 }
 
+struct Lying {
+  SolidSide side = SolidSide::Unknown;
+  double gap = 0;  // model units
+};
+
 // How the second piece lies under a point of the first one; nothing if it does not.
-std::optional<SolidSide> side_on(const SolidPiece& piece, const gp_Pnt& point,
-                                 const SolidPiece& other, double tolerance) {
+std::optional<Lying> lying_on(const SolidPiece& piece, const gp_Pnt& point, const SolidPiece& other,
+                              double tolerance) {
   const SurfaceFeet own(piece.face, tolerance), feet(other.face, tolerance);
   const Vec3 p = vec(point);
   const SurfaceFrame at = frame_at(own.surface(), own.foot(p, {}));
   const SurfaceFrame under = frame_at(feet.surface(), feet.foot(p, {}));
-  if (distance(p, under.point) > kLiesReach * tolerance) return std::nullopt;
+  const double gap = distance(p, under.point);
+  if (gap > kLiesReach * tolerance) return std::nullopt;
   const double cosine = dot(oriented_normal(piece.face, at), oriented_normal(other.face, under));
-  return cosine > 0 ? SolidSide::Same : SolidSide::Opposite;
+  return Lying{cosine > 0 ? SolidSide::Same : SolidSide::Opposite, gap};
 }
 
-constexpr double kWithin = 2;  // tolerances of points: what is no farther apart is one surface
+constexpr double kWithin = 2;    // tolerances of points: what is no farther apart is one surface
+constexpr double kApart = 1e-3;  // likewise: what is nearer is one but for rounding
+
+// What vanishes between two pieces that count as one.
+std::string thin_text(const SplitSolid& a, const SolidPiece& piece, const SplitSolid& b,
+                      const SolidPiece& other, double gap) {
+  std::ostringstream text;
+  text << piece_name(a, piece) << " and " << piece_name(b, other) << " are " << gap
+       << " apart and count as one";
+  return text.str();
+}
 
 // Where the intersection says nothing of an overlap, only what lies within the tolerance coincides:
 // a thin cap has the border of the disc below it, too.
 void match_pieces(SplitSolid& a, SplitSolid& b, const std::vector<std::vector<std::size_t>>& over_a,
-                  double tolerance) {
+                  double tolerance, const WorkLimit* limit, std::vector<std::string>& thin) {
   TopTools_IndexedMapOfShape edges;
   std::multimap<Border, std::size_t> of_b;
   for (std::size_t i = 0; i < b.pieces.size(); ++i)
@@ -78,6 +97,7 @@ void match_pieces(SplitSolid& a, SplitSolid& b, const std::vector<std::vector<st
   for (SolidPiece& piece : a.pieces) {
     const auto [first, last] = of_b.equal_range(border_of(piece.face, edges));
     if (first == last) continue;
+    check_limit(limit, kFindingSides);
     const std::optional<gp_Pnt> point = point_inside(piece.face);
     for (auto it = first; point && it != last; ++it) {
       SolidPiece& other = b.pieces[it->second];
@@ -86,8 +106,11 @@ void match_pieces(SplitSolid& a, SplitSolid& b, const std::vector<std::vector<st
           std::ranges::find(over, static_cast<std::size_t>(other.from)) != over.end();
       // A circle bounds both parts of a sphere.
       if (!lies_on(piece.face, other.face, (overlaps ? kLiesReach : kWithin) * tolerance)) continue;
-      const std::optional<SolidSide> side = side_on(piece, *point, other, tolerance);
-      if (side) piece.side = other.side = *side;
+      const std::optional<Lying> lying = lying_on(piece, *point, other, tolerance);
+      if (!lying) continue;
+      piece.side = other.side = lying->side;
+      if (!overlaps && lying->gap > kApart * tolerance)
+        thin.push_back(thin_text(a, piece, b, other, lying->gap));
     }
   }
 }
@@ -96,10 +119,11 @@ bool is_on(SolidSide side) { return side == SolidSide::Same || side == SolidSide
 
 // Pieces of faces that coincide somewhere have to coincide as a whole or not at all.
 void check_unmatched(const SplitSolid& of, const std::vector<std::vector<std::size_t>>& over,
-                     const SplitSolid& other, double tolerance,
+                     const SplitSolid& other, double tolerance, const WorkLimit* limit,
                      std::vector<std::string>& obstacles) {
   for (const SolidPiece& piece : of.pieces) {
     if (is_on(piece.side)) continue;
+    check_limit(limit, kFindingSides);
     const auto& faces = over[static_cast<std::size_t>(piece.from)];
     for (const std::size_t face : faces)
       if (lies_on(piece.face, other.solid->faces[face], kLiesReach * tolerance))
@@ -193,11 +217,12 @@ std::string settle(SplitSolid& of, const FaceGroup& region, SolidRays& rays) {
   return {};
 }
 
-void check_sides(SplitSolid& of, const SplitSolid& other, double tolerance,
+void check_sides(SplitSolid& of, const SplitSolid& other, double tolerance, const WorkLimit* limit,
                  std::vector<std::string>& obstacles) {
   SolidRays rays(other.solid->faces, tolerance);
   for (const FaceGroup& region : regions_of(of, other)) {
     if (is_on(of.pieces[region.front()].side)) continue;
+    check_limit(limit, kFindingSides);
     if (const std::string cause = settle(of, region, rays); !cause.empty())
       obstacles.push_back(cause);
   }
@@ -205,21 +230,23 @@ void check_sides(SplitSolid& of, const SplitSolid& other, double tolerance,
 
 }  // namespace
 
-void find_sides(SplitSolid& a, SplitSolid& b,
-                const std::vector<std::pair<std::size_t, std::size_t>>& overlaps, double tolerance,
-                std::vector<std::string>& obstacles) {
+SidesTold find_sides(SplitSolid& a, SplitSolid& b,
+                     const std::vector<std::pair<std::size_t, std::size_t>>& overlaps,
+                     double tolerance, const WorkLimit* limit) {
+  SidesTold told;
   std::vector<std::vector<std::size_t>> over_a(a.solid->faces.size()),
       over_b(b.solid->faces.size());
   for (const auto& [face_a, face_b] : overlaps) {
     over_a[face_a].push_back(face_b);
     over_b[face_b].push_back(face_a);
   }
-  match_pieces(a, b, over_a, tolerance);
-  check_unmatched(a, over_a, b, tolerance, obstacles);
-  check_unmatched(b, over_b, a, tolerance, obstacles);
-  if (!obstacles.empty()) return;
-  check_sides(a, b, tolerance, obstacles);
-  check_sides(b, a, tolerance, obstacles);
+  match_pieces(a, b, over_a, tolerance, limit, told.thin);
+  check_unmatched(a, over_a, b, tolerance, limit, told.obstacles);
+  check_unmatched(b, over_b, a, tolerance, limit, told.obstacles);
+  if (!told.obstacles.empty()) return told;
+  check_sides(a, b, tolerance, limit, told.obstacles);
+  check_sides(b, a, tolerance, limit, told.obstacles);
+  return told;
 }
 
 }  // namespace blossom::occt

@@ -12,6 +12,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/trim_sides.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom::occt {
 
@@ -39,6 +40,12 @@ struct SplitSolid {
   TopTools_MapOfShape crossed;
 };
 
+/// What `find_sides` has to tell.
+struct SidesTold {
+  std::vector<std::string> obstacles;  ///< what is not decided
+  std::vector<std::string> thin;       ///< what counts as one although it is apart
+};
+
 /// Finds the sides of all pieces.
 ///
 /// Pieces with the same edges and the same surface between them coincide. All others that hang
@@ -46,10 +53,12 @@ struct SplitSolid {
 /// already has to agree, and rays from points inside of them with that and each other.
 ///
 /// overlaps    pairs of faces of a and b that coincide somewhere
-/// obstacles   what is not decided is added
-/// tolerance   model units; ten times as near to the other surface is on it
-void find_sides(SplitSolid& a, SplitSolid& b,
-                const std::vector<std::pair<std::size_t, std::size_t>>& overlaps, double tolerance,
-                std::vector<std::string>& obstacles);
+/// tolerance   model units; ten times as near to the other surface is on it where faces coincide,
+///             twice elsewhere
+/// limit       asked at each piece; null: none
+/// throws      Failure when the limit is reached
+SidesTold find_sides(SplitSolid& a, SplitSolid& b,
+                     const std::vector<std::pair<std::size_t, std::size_t>>& overlaps,
+                     double tolerance, const WorkLimit* limit = nullptr);
 
 }  // namespace blossom::occt

@@ -19,6 +19,7 @@
 #include "adapters/occt/area.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
+#include "adapters/occt/shared_limit.h"
 #include "adapters/occt/solid_pieces.h"
 #include "adapters/occt/solid_shells.h"
 #include "core/base/errors.h"
@@ -26,6 +27,8 @@
 
 namespace blossom::occt {
 namespace {
+
+constexpr const char* kMeasuring = "measuring volumes";
 
 // One piece of a solid and what its cone adds.
 struct Measured {
@@ -46,9 +49,12 @@ struct Chosen {
 };
 
 // The cones under a solid's faces.
-std::vector<double> cones_of(const TrimTool& solid, const Vec3& apex) {
+std::vector<double> cones_of(const TrimTool& solid, const Vec3& apex, const WorkLimit& limit) {
   std::vector<double> cones;
-  for (const TopoDS_Face& face : solid.faces) cones.push_back(cone_volume(face, apex));
+  for (const TopoDS_Face& face : solid.faces) {
+    check_limit(&limit, kMeasuring);
+    cones.push_back(cone_volume(face, apex));
+  }
   return cones;
 }
 
@@ -57,9 +63,11 @@ double sum(const std::vector<double>& values) {
 }
 
 std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const TrimTool& solid,
-                               const std::vector<double>& cones, const Vec3& apex) {
+                               const std::vector<double>& cones, const Vec3& apex,
+                               const WorkLimit& limit) {
   std::vector<Measured> all;
   for (const SolidPiece& piece : pieces) {
+    check_limit(&limit, kMeasuring);
     const auto from = static_cast<std::size_t>(piece.from);
     // Turned round, the face has a cone of the other sign.
     const bool whole = piece.face.IsEqual(solid.faces[from]);
@@ -101,10 +109,10 @@ Results results_of(const std::vector<Measured>& part, const std::vector<Measured
   return made;
 }
 
-void add_solids(const Chosen& chosen, SolidTrimResult& result) {
+void add_solids(const Chosen& chosen, const WorkLimit& limit, SolidTrimResult& result) {
   std::string obstacle;
   const std::vector<TopoDS_Solid> solids =
-      guarded("making solids", [&] { return solids_of(chosen.faces, obstacle); });
+      guarded("making solids", [&] { return solids_of(chosen.faces, obstacle, &limit); });
   if (!obstacle.empty()) result.obstacles.push_back(obstacle);
   result.solids.insert(result.solids.end(), solids.begin(), solids.end());
   result.faces.insert(result.faces.end(), chosen.origins.begin(), chosen.origins.end());
@@ -118,26 +126,41 @@ Vec3 apex_of(const TrimTool& part) {
   return {point.X(), point.Y(), point.Z()};
 }
 
-// Two solids.
-SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                         const IntersectionOptions& options) {
-  const SolidPieces pieces = solid_pieces(part, tool, options);
-  SolidTrimResult result{pieces.status, pieces.certificate, {}, {}, {}, pieces.obstacles};
-  if (!result.obstacles.empty()) return result;
+// Measures the results of pieces and makes the solids that are asked for.
+void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimTool& tool,
+                  SolidOperation operation, const WorkLimit& limit, SolidTrimResult& result) {
   const Vec3 apex = apex_of(part);
-  const std::vector<double> of_part = cones_of(part, apex), of_tool = cones_of(tool, apex);
-  const Results made =
-      results_of(measured(pieces.a, part, of_part, apex), measured(pieces.b, tool, of_tool, apex));
+  const std::vector<double> of_part = cones_of(part, apex, limit);
+  const std::vector<double> of_tool = cones_of(tool, apex, limit);
+  const Results made = results_of(measured(pieces.a, part, of_part, apex, limit),
+                                  measured(pieces.b, tool, of_tool, apex, limit));
   const SolidVolumes volumes{sum(of_part), sum(of_tool), made.cut.volume(), made.common.volume(),
                              made.fuse.volume()};
   result.volumes.push_back(volumes);
   if (operation == SolidOperation::Cut || operation == SolidOperation::Split)
-    add_solids(made.cut, result);
+    add_solids(made.cut, limit, result);
   if (operation == SolidOperation::Common || operation == SolidOperation::Split)
-    add_solids(made.common, result);
-  if (operation == SolidOperation::Fuse) add_solids(made.fuse, result);
+    add_solids(made.common, limit, result);
+  if (operation == SolidOperation::Fuse) add_solids(made.fuse, limit, result);
   if (!(std::max(volumes.cut_error(), volumes.fuse_error()) <= kVolumeError))
     result.obstacles.emplace_back("the volumes do not add up");
+}
+
+// Two solids.
+SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
+                         const IntersectionOptions& options) {
+  const WorkLimit limit(options);
+  const SolidPieces pieces = solid_pieces(part, tool, options);
+  SolidTrimResult result{pieces.status,    pieces.certificate, {}, {}, {},
+                         pieces.obstacles, pieces.thin};
+  if (!result.obstacles.empty()) return result;
+  try {
+    put_together(pieces, part, tool, operation, limit, result);
+  } catch (const Failure& error) {
+    if (limit.reached_after_search() == nullptr) throw;
+    result.obstacles.emplace_back(error.what());
+    result.status = Status::Stopped;
+  }
   return result;
 }
 
@@ -181,16 +204,17 @@ void combine(const Stage& first, const Stage& second, SolidOperation operation,
   add(result.certificate, made.certificate);
   result.volumes.insert(result.volumes.end(), made.volumes.begin(), made.volumes.end());
   result.obstacles = std::move(made.obstacles);
+  result.thin.insert(result.thin.end(), made.thin.begin(), made.thin.end());
   result.solids = std::move(made.solids);
   result.faces = std::move(made.faces);
 }
 
 // One tool after the other, until there is an obstacle or nothing left.
 SolidTrimResult folded(Stage stage, const std::vector<TrimTool>& tools, std::size_t from,
-                       SolidOperation operation, const IntersectionOptions& options) {
+                       SolidOperation operation, const SharedLimit& limit) {
   SolidTrimResult result;
   for (std::size_t i = from; i < tools.size(); ++i) {
-    combine(stage, stage_of(tools[i], static_cast<int>(i)), operation, options, result);
+    combine(stage, stage_of(tools[i], static_cast<int>(i)), operation, limit.remaining(), result);
     if (!result.obstacles.empty() || result.solids.empty()) break;
     if (i + 1 < tools.size()) stage = stage_of(result);
   }
@@ -198,15 +222,15 @@ SolidTrimResult folded(Stage stage, const std::vector<TrimTool>& tools, std::siz
 }
 
 SolidTrimResult split(const TrimTool& part, const std::vector<TrimTool>& tools,
-                      const IntersectionOptions& options) {
+                      const SharedLimit& limit) {
   Stage tool = stage_of(tools.front(), 0);
   SolidTrimResult result;
   if (tools.size() > 1) {
-    result = folded(tool, tools, 1, SolidOperation::Fuse, options);
+    result = folded(tool, tools, 1, SolidOperation::Fuse, limit);
     if (!result.obstacles.empty()) return result;
     tool = stage_of(result);
   }
-  combine(stage_of(part, -1), tool, SolidOperation::Split, options, result);
+  combine(stage_of(part, -1), tool, SolidOperation::Split, limit.remaining(), result);
   return result;
 }
 
@@ -227,11 +251,12 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
       throw InvalidInput(
           "trim: " + (tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1)) +
           " is no closed solid");
+  const SharedLimit limit(options);
   SolidTrimResult result;
   with_threads(options.threads, [&] {
     result = operation == SolidOperation::Split
-                 ? split(part, tools, options)
-                 : folded(stage_of(part, -1), tools, 0, operation, options);
+                 ? split(part, tools, limit)
+                 : folded(stage_of(part, -1), tools, 0, operation, limit);
   });
   if (!result.obstacles.empty()) {
     result.solids.clear();

@@ -51,6 +51,7 @@ struct SolidTrimResult {
   std::vector<SolidFace> faces;        ///< of all solids
   std::vector<SolidVolumes> volumes;   ///< one for each tool, of the two that were combined then
   std::vector<std::string> obstacles;  ///< why there is no result; none if it can be used
+  std::vector<std::string> thin;       ///< pieces of two that are apart and count as one
 };
 
 /// Combines closed solids.
@@ -63,6 +64,11 @@ struct SolidTrimResult {
 /// Tools are taken one after the other: the part, and then the result so far, is combined with the
 /// next one, until the result is empty. To split, the tools are fused first.
 ///
+/// Pieces of two solids that have the same border and are less than two tolerances apart count as
+/// one, and what is between them is in no result; they are told, with the status Tolerance.
+///
+/// options       its time limit is that of the whole work; when it is reached, volumes and solids
+///               too are left with the obstacle and the status Stopped
 /// part, tools   each one or several solids that do not overlap; at least one tool
 /// throws        InvalidInput if an input is no closed solid, or there is no tool; BadModel if a
 ///               face cannot be converted

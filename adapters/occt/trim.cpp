@@ -141,11 +141,26 @@ bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
   return false;
 }
 
+struct Judged {
+  PieceSide side = PieceSide::Unknown;
+  bool above = false;  ///< of all tools
+  bool below = false;
+};
+
 // What the limit leaves undone is not a face that merely stays whole.
 void tell_limit(const std::vector<Job>& jobs, const WorkLimit& limit, TrimResult& result) {
   const bool failed =
       std::any_of(jobs.begin(), jobs.end(), [](const Job& job) { return job.failed; });
   if (failed && limit.reached_after_search() != nullptr) result.status = Status::Stopped;
+}
+
+void tell_limit(const std::vector<Judged>& sides, const WorkLimit& limit, TrimResult& result) {
+  const char* reason = limit.reached_after_search();
+  const bool open = std::ranges::any_of(
+      sides, [](const Judged& each) { return each.side == PieceSide::Unknown; });
+  if (reason == nullptr || !open) return;
+  result.notes.push_back(std::string("the sides of some pieces were not looked for: ") + reason);
+  result.status = Status::Stopped;
 }
 
 void split_all(std::vector<Job>& jobs, const TrimOptions& options, const WorkLimit& limit,
@@ -190,14 +205,8 @@ PieceSide combined(const std::vector<ToolSide>& sides, bool solids) {
   return all(ToolSide::Below) ? PieceSide::Below : PieceSide::Mixed;
 }
 
-struct Judged {
-  PieceSide side = PieceSide::Unknown;
-  bool above = false;  ///< of all tools
-  bool below = false;
-};
-
 std::vector<Judged> judged(const std::vector<Job>& jobs, const std::vector<TrimTool>& tools,
-                           double tolerance) {
+                           double tolerance, const WorkLimit& limit) {
   std::vector<SidedPiece> pieces;
   std::vector<const Job*> job_of;
   for (const Job& job : jobs)
@@ -208,7 +217,7 @@ std::vector<Judged> judged(const std::vector<Job>& jobs, const std::vector<TrimT
       }
   std::vector<std::vector<ToolSide>> sides(pieces.size());
   for (std::size_t k = 0; k < tools.size(); ++k) {
-    const std::vector<ToolSide> found = sides_of(pieces, tools[k], static_cast<int>(k));
+    const std::vector<ToolSide> found = sides_of(pieces, tools[k], static_cast<int>(k), &limit);
     for (std::size_t i = 0; i < pieces.size(); ++i) sides[i].push_back(found[i]);
   }
   for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -308,7 +317,9 @@ TrimResult trim(const std::vector<PartFace>& part, const std::vector<TrimTool>& 
   std::vector<Job> jobs = jobs_of(part, tools, options, result);
   split_all(jobs, options, limit, result);
   tell_limit(jobs, limit, result);
-  const std::vector<Judged> sides = judged(jobs, tools, options.intersection.tolerances.point);
+  const std::vector<Judged> sides =
+      judged(jobs, tools, options.intersection.tolerances.point, limit);
+  tell_limit(sides, limit, result);
   collect(jobs, sides, options, result);
   const int count = static_cast<int>(result.pieces.size());
   if (options.keep == Keep::Number && (options.piece < 1 || options.piece > count))

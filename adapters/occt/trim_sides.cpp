@@ -255,9 +255,10 @@ ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {
 }
 
 std::vector<ToolSide> sides_of(const std::vector<SidedPiece>& pieces, const TrimTool& tool,
-                               int number) {
+                               int number, const WorkLimit* limit) {
   std::vector<ToolSide> sides(pieces.size(), ToolSide::Unknown);
   for (const FaceGroup& group : groups_of(pieces, number)) {
+    if (limit != nullptr && limit->reached_after_search() != nullptr) break;
     std::vector<Votes> own;
     Votes common;
     for (const std::size_t i : group) {

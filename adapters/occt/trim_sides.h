@@ -62,7 +62,8 @@ std::optional<gp_Pnt> point_inside(const TopoDS_Face& face);
 /// when that is ambiguous, or where the tool ends inside of the part so that its sides join.
 ///
 /// number   the tool's index in the sources
+/// limit    asked before each group; what it leaves is Unknown; null: none
 std::vector<ToolSide> sides_of(const std::vector<SidedPiece>& pieces, const TrimTool& tool,
-                               int number);
+                               int number, const WorkLimit* limit = nullptr);
 
 }  // namespace blossom::occt

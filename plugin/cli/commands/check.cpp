@@ -163,6 +163,7 @@ std::string kind_text(const Kind& kind) {
   std::string text = counted(kind.members.size(), kind.noun) +
                      (kind.faces.size() == 1 ? " (face " : " (faces ") + ranges_text(kind.faces) +
                      "): " + worst.what;
+  if (kind.problems > kind.members.size()) text += ", " + std::to_string(kind.problems) + " times";
   if (worst.figure().empty()) return text;
   return text + (worst.gap > 0 ? ", at worst " : ", one of them ") + kind.at + worst.figure();
 }

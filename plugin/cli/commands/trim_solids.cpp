@@ -130,6 +130,7 @@ Json report_of(const SolidTrim& options, const Timed& timed, bool written) {
           {"volumes", steps.empty() ? Json(nullptr) : steps.back()},
           {"steps", steps},
           {"obstacles", timed.made.obstacles},
+          {"thin", timed.made.thin},
           {"watertight", timed.watertight ? to_json(*timed.watertight) : Json(nullptr)},
           {"certificate", to_json(timed.made.certificate)}};
 }
@@ -144,6 +145,7 @@ std::string summary(const SolidTrim& options, const Timed& timed) {
          << "\n  they add up within " << volumes.cut_error() << " (cut) and "
          << volumes.fuse_error() << " (fuse)\n";
   if (timed.watertight) text << summary_of(*timed.watertight);
+  for (const std::string& thin : timed.made.thin) text << "  " << thin << "\n";
   for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
   return text.str();
 }

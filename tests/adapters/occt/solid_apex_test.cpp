@@ -91,5 +91,20 @@ TEST(SolidApex, ThinCapsAreCutOff) {
   }
 }
 
+// What is less than two tolerances high counts as the disc, and that is told.
+TEST(SolidApex, CapsThatVanishAreTold) {
+  constexpr double kHeight = 1.5e-7;
+  const TrimTool ball = trim_tool(BRepPrimAPI_MakeSphere(1).Shape());
+  const TrimTool above =
+      trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, 1 - kHeight), gp_Pnt(2, 2, 2)).Shape());
+  const SolidTrimResult made = trim_solids(ball, {above}, SolidOperation::Cut);
+  ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
+  ASSERT_EQ(made.thin.size(), 1u);
+  EXPECT_EQ(made.thin.front().rfind("a piece of face 1 of the part and a piece of face ", 0), 0u)
+      << made.thin.front();
+  EXPECT_NE(made.status, Status::Complete);
+  EXPECT_TRUE(trim_solids(ball, {box_beyond(0.5)}, SolidOperation::Cut).thin.empty());
+}
+
 }  // namespace
 }  // namespace blossom::occt

@@ -34,14 +34,12 @@ TEST(SolidSides, AreThoseThatRaysFromOnePieceAgreeOnWhereTheOtherHasNone) {
   SplitSolid b = faces_as_pieces("tool", large, {});
   for (const std::vector<int>& faces : {std::vector{4}, std::vector{4, 0}, std::vector{0, 4}}) {
     SplitSolid a = faces_as_pieces("part", small, faces);
-    std::vector<std::string> obstacles;
-    find_sides(a, b, {}, 1e-7, obstacles);
+    const std::vector<std::string> obstacles = find_sides(a, b, {}, 1e-7).obstacles;
     EXPECT_TRUE(obstacles.empty()) << obstacles.front();
     for (const SolidPiece& piece : a.pieces) EXPECT_EQ(piece.side, SolidSide::Inside);
   }
   SplitSolid walls = faces_as_pieces("part", small, {0, 2});
-  std::vector<std::string> obstacles;
-  find_sides(walls, b, {}, 1e-7, obstacles);
+  const std::vector<std::string> obstacles = find_sides(walls, b, {}, 1e-7).obstacles;
   ASSERT_EQ(obstacles.size(), 1u);
   EXPECT_NE(obstacles.front().find("rays cannot tell"), std::string::npos) << obstacles.front();
 }
