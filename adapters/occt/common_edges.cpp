@@ -286,7 +286,6 @@ void CommonEdges::match(EdgeSplits& splits) const {
   }
 }
 
-// The chart curves of the second edge's faces for the first one, which runs along it.
 TopoDS_Edge CommonEdges::image(const TopoDS_Edge& first, const TopoDS_Edge& second) const {
   const EdgeCurve of = curve_of(first), other = curve_of(second);
   const Foot middle = foot_on(other, of.curve->Value(at(of.range, 0.5)));

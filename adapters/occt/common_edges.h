@@ -67,12 +67,14 @@ class CommonEdges {
   /// returns   why some could not be joined; empty if all were
   std::string join(EdgeSplits& splits, EdgeUnion& joined) const;
 
+  /// The chart curves of the second edge's faces for the first one, which runs along it.
+  /// throws   Failure if it does not within the tolerances of both
+  TopoDS_Edge image(const TopoDS_Edge& first, const TopoDS_Edge& second) const;
+
  private:
   enum class Of { A, B };
   void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
-  TopoDS_Edge image(const TopoDS_Edge& first, const TopoDS_Edge& second) const;
-
   const std::vector<TopoDS_Face>& a_;
   const std::vector<TopoDS_Face>& b_;
   IntersectionOptions options_;

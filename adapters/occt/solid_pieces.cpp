@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/common_edges.h"
+#include "adapters/occt/curve_edges.h"
 #include "adapters/occt/edge_images.h"
 #include "adapters/occt/edge_union.h"
 #include "adapters/occt/errors.h"
@@ -27,7 +28,6 @@ namespace {
 
 // In tolerances of the faces' edges: how long a piece of an intersection may be left out.
 constexpr double kMostRest = 10;
-constexpr int kChords = 16;
 // Of a contact's length: how far beside it the surfaces are looked at.
 constexpr double kBeside = 1e-2;
 
@@ -109,20 +109,35 @@ void add_curve(const FaceIntersection& pair, std::size_t place, Side& a, Side& b
   b.curves[face_b].push_back(number);
 }
 
-void add_once(const std::string& obstacle, SolidPieces& result) {
-  std::vector<std::string>& known = result.obstacles;
-  if (std::find(known.begin(), known.end(), obstacle) == known.end()) known.push_back(obstacle);
+void add_once(const std::string& text, std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), text) == known.end()) known.push_back(text);
+}
+
+// What is told beside an obstacle.
+struct Untold {
+  std::vector<std::string> cusps;
+  std::vector<CrossingCurve> curves;  // none but where faces are not divided alike
+  std::array<std::vector<std::vector<TopoDS_Edge>>, 2> lying{};
+};
+
+// Where it is not known how faces meet nothing can be divided; but round a cusp, that is a point,
+// all curves are known, and whether pieces fit together there is seen when they are put together.
+void tell_places(const FaceIntersection& pair, const std::string& both, SolidPieces& result,
+                 Untold& untold) {
+  for (const Place& place : pair.found.places) {
+    const std::string text =
+        both + ": " + to_string(place.kind) + ", where it is not known how they meet";
+    if (place.kind == PlaceKind::Open) add_once(text, result.obstacles);
+    if (place.kind == PlaceKind::Cusp) add_once(text, untold.cusps);
+  }
 }
 
 void add_curves(const FaceIntersection& pair, const CommonEdges& common, double tolerance, Side& a,
-                Side& b, std::vector<CurveUse>& uses, SolidPieces& result) {
+                Side& b, std::vector<CurveUse>& uses, SolidPieces& result, Untold& untold) {
   const auto face_a = static_cast<std::size_t>(pair.face_a);
   const auto face_b = static_cast<std::size_t>(pair.face_b);
   const std::string both = a.face_name(face_a) + " and " + b.face_name(face_b);
-  for (const Place& place : pair.found.places)
-    if (place.kind == PlaceKind::Open || place.kind == PlaceKind::Cusp)
-      add_once(both + ": " + to_string(place.kind) + ", where it is not known how they meet",
-               result);
+  tell_places(pair, both, result, untold);
   const std::vector<std::size_t> along = common.curves_along(pair);
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i) {
     if (std::find(along.begin(), along.end(), i) != along.end()) continue;
@@ -206,82 +221,14 @@ void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, const Commo
   for (Side* side : {&a, &b}) split(*side, splits, tolerance);
 }
 
-// What an intersection curve becomes on one side.
-struct CurveEdge {
-  Interval at;  // increasing
-  TopoDS_Edge edge;
-};
-
-struct CurveEdges {
-  std::vector<CurveEdge> made;  // by increasing parameter
-  std::vector<Interval> along;  // where it runs along edges that are there already
-};
-
-Interval increasing(const Interval& of) {
-  return {std::min(of.from, of.to), std::max(of.from, of.to)};
-}
-
-// Uses along an edge have the middle half of their range.
-Interval whole_range(const Interval& middle) {
-  const double half = length(middle);
-  return {at(middle, 0.5) - half, at(middle, 0.5) + half};
-}
-
+// What the curves become on one side.
 std::vector<CurveEdges> curve_edges(const Side& side, std::size_t count) {
   std::vector<CurveEdges> found(count);
   for (std::size_t i = 0; i < side.splits.size(); ++i)
     for (const FacePiece& piece : side.splits[i].pieces)
-      for (const CutUse& use : piece.cuts) {
-        CurveEdges& of =
-            found[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])];
-        const auto is_same = [&](const CurveEdge& known) { return known.edge.IsSame(use.edge); };
-        if (use.along)
-          of.along.push_back(whole_range(increasing(use.at)));
-        else if (std::none_of(of.made.begin(), of.made.end(), is_same))
-          of.made.push_back({increasing(use.at), use.edge});
-      }
-  for (CurveEdges& of : found)
-    std::sort(of.made.begin(), of.made.end(),
-              [](const CurveEdge& x, const CurveEdge& y) { return x.at.from < y.at.from; });
+      for (const CutUse& use : piece.cuts)
+        found[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])].add(use);
   return found;
-}
-
-// Whether each edge of one side has its counterpart on the other.
-bool match(const std::vector<CurveEdge>& a, const std::vector<CurveEdge>& b) {
-  if (a.size() != b.size()) return false;
-  const auto holds_middle = [](const Interval& of, const Interval& other) {
-    const double middle = at(other, 0.5);
-    return of.from < middle && middle < of.to;
-  };
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (!holds_middle(a[i].at, b[i].at) || !holds_middle(b[i].at, a[i].at)) return false;
-  return true;
-}
-
-// The length of a curve between two parameters, by chords.
-double length_of(const Spline& curve, const Interval& range) {
-  double length = 0;
-  for (int i = 0; i < kChords; ++i)
-    length += distance(point_at(curve, at(range, static_cast<double>(i) / kChords)),
-                       point_at(curve, at(range, (i + 1.0) / kChords)));
-  return length;
-}
-
-// The longest piece of a curve that became no edge and runs along none. Ends that stick out over
-// the border of a face by its edges' tolerances are left out; more would be an intersection that is
-// lost.
-double longest_rest(const Spline& curve, const CurveEdges& a, const CurveEdges& b) {
-  std::vector<Interval> covered = a.along;
-  covered.insert(covered.end(), b.along.begin(), b.along.end());
-  for (const CurveEdge& edge : a.made) covered.push_back(edge.at);
-  std::sort(covered.begin(), covered.end(),
-            [](const Interval& x, const Interval& y) { return x.from < y.from; });
-  double longest = 0, from = curve.knots.front();
-  for (const Interval& each : covered) {
-    longest = std::max(longest, length_of(curve, {from, std::max(from, each.from)}));
-    from = std::max(from, each.to);
-  }
-  return std::max(longest, length_of(curve, {from, std::max(from, curve.knots.back())}));
 }
 
 double largest_tolerance(const TopoDS_Face& face) {
@@ -296,16 +243,18 @@ void add_notes(const Side& side, std::size_t face, SolidPieces& result) {
     result.obstacles.push_back(side.face_name(face) + ": " + note);
 }
 
-void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses, EdgeUnion& joined,
-                SolidPieces& result) {
+void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
+                const CommonEdges& common, EdgeUnion& joined, SolidPieces& result) {
   const auto on_a = curve_edges(a, uses.size());
   const auto on_b = curve_edges(b, uses.size());
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const CurveUse& use = uses[i];
     const Spline& curve = a.cuts[use.face_a][use.cut_a].curve;
+    // Ends that stick out over the border of a face by its edges' tolerances are left out; more
+    // would be an intersection that is lost.
     const double allowed = kMostRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
                                                 largest_tolerance(b.solid->faces[use.face_b]));
-    const bool alike = match(on_a[i].made, on_b[i].made);
+    const bool alike = match(on_a[i], on_b[i]);
     if (use.touch && !alike) continue;  // what only touches may divide one face alone
     if (!alike || (!use.touch && longest_rest(curve, on_a[i], on_b[i]) > allowed)) {
       result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
@@ -314,8 +263,9 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
       add_notes(b, use.face_b, result);
       continue;
     }
-    for (std::size_t k = 0; k < on_a[i].made.size(); ++k)
-      joined.join(on_a[i].made[k].edge, on_b[i].made[k].edge);
+    if (!join_matching(on_a[i], on_b[i], common, joined))
+      result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
+                                 " meet along an edge together with others");
   }
 }
 
@@ -366,32 +316,31 @@ std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const ShapeIntersec
   return overlaps;
 }
 
-// What is left to tell of faces that are not divided alike.
-struct Undivided {
-  std::vector<CrossingCurve> curves;
-  std::array<std::vector<std::vector<TopoDS_Edge>>, 2> lying;
-};
-
-Undivided undivided(const ShapeIntersection& found, const CommonEdges& common) {
-  Undivided all{{}, {common.in_a(), common.in_b()}};
+void keep_curves(const ShapeIntersection& found, const CommonEdges& common, Untold& untold) {
+  untold.lying = {common.in_a(), common.in_b()};
   for (const FaceIntersection& pair : found.pairs)
     for (const IntersectionCurve& curve : pair.found.curves)
-      all.curves.push_back(
+      untold.curves.push_back(
           {{curve.samples.front().point, curve.samples.back().point},
            {static_cast<std::size_t>(pair.face_a), static_cast<std::size_t>(pair.face_b)}});
-  return all;
 }
 
-// Where curves break off comes first: what it leaves undivided is told of many faces then.
-void tell_loose_ends(const Undivided& all, const TrimTool& a, const TrimTool& b,
-                     SolidPieces& result) try {
-  const std::vector<std::string> loose = guarded("telling where cuts break off", [&] {
-    return loose_ends(all.curves, {CrossedSolid{"part", &a.faces, &all.lying[0]},
-                                   CrossedSolid{"tool", &b.faces, &all.lying[1]}});
+// Where curves break off, which comes first: what it leaves undivided is told of many faces then.
+std::vector<std::string> told_loose_ends(const Untold& untold, const TrimTool& a,
+                                         const TrimTool& b) try {
+  if (untold.curves.empty()) return {};
+  return guarded("telling where cuts break off", [&] {
+    return loose_ends(untold.curves, {CrossedSolid{"part", &a.faces, &untold.lying[0]},
+                                      CrossedSolid{"tool", &b.faces, &untold.lying[1]}});
   });
-  result.obstacles.insert(result.obstacles.begin(), loose.begin(), loose.end());
 } catch (const Failure&) {
-  // What is told without it stands.
+  return {};  // what is told without it stands
+}
+
+void tell(const Untold& untold, const TrimTool& a, const TrimTool& b, SolidPieces& result) {
+  std::vector<std::string> all = told_loose_ends(untold, a, b);
+  all.insert(all.end(), untold.cusps.begin(), untold.cusps.end());
+  result.obstacles.insert(result.obstacles.begin(), all.begin(), all.end());
 }
 
 // Runs a step of the work; false, with the obstacle, if it fails.
@@ -408,7 +357,7 @@ bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, cons
 }
 
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options,
-                      Extent extent, ArcCuts cuts, Undivided& rest) {
+                      Extent extent, ArcCuts cuts, Untold& untold) {
   SolidPieces result;
   const WorkLimit limit(options);
   Side side_a("part", a, limit), side_b("tool", b, limit);
@@ -420,7 +369,7 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
   CommonEdges common(a.faces, b.faces, options);
   for (const FaceIntersection& pair : found.pairs) common.add(pair);
   for (const FaceIntersection& pair : found.pairs)
-    add_curves(pair, common, tolerance, side_a, side_b, uses, result);
+    add_curves(pair, common, tolerance, side_a, side_b, uses, result, untold);
   if (result.status == Status::Stopped && result.obstacles.empty())
     result.obstacles.emplace_back("the intersection is not complete");
   if (!result.obstacles.empty()) return result;
@@ -432,9 +381,10 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
   if (const std::string cause = common.join(splits, joined); !cause.empty())
     result.obstacles.push_back(cause);
   for (const Side* side : {&side_a, &side_b}) join_laid(*side, joined, result);
-  join_edges(side_a, side_b, uses, joined, result);
+  attempt("joining the solids", limit, result,
+          [&] { join_edges(side_a, side_b, uses, common, joined, result); });
   if (!result.obstacles.empty()) {
-    rest = undivided(found, common);
+    keep_curves(found, common, untold);
     return result;
   }
   SplitSolid split_a = split_solid(side_a, common.in_b(), splits, joined);
@@ -457,8 +407,8 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
 
 SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
   const SharedLimit limit(options);
-  Undivided rest, other_rest;
-  SolidPieces found = pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even, rest);
+  Untold untold;
+  SolidPieces found = pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even, untold);
   if (found.obstacles.empty()) return found;
   // Borders of surfaces that do not go on are easier to tell from those of others where these end
   // in the same place, and curves are easier to follow where they do not go along borders of
@@ -469,10 +419,11 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
     if (limit.is_reached()) break;
     IntersectionOptions left = limit.remaining();
     left.threads = options.threads;
-    SolidPieces other = pieces_of(a, b, left, extent, cuts, other_rest);
+    Untold again;
+    SolidPieces other = pieces_of(a, b, left, extent, cuts, again);
     if (other.obstacles.empty()) return other;
   }
-  if (!rest.curves.empty()) tell_loose_ends(rest, a, b, found);
+  tell(untold, a, b, found);
   return found;
 }
 

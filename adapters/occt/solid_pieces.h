@@ -31,7 +31,9 @@ struct SolidPieces {
 /// the cuts do not tell.
 ///
 /// Surfaces that touch in a point divide nothing, and along a curve what it goes across; where they
-/// may cross there as well, or the intersection stayed open, there is an obstacle.
+/// may cross there as well, or the intersection stayed open, there is an obstacle. A cusp is none
+/// while the pieces round it fit together. An edge that one side has already along a curve, as a
+/// seam that it touches, takes the place of the other side's.
 ///
 /// throws   BadModel if a face cannot be converted
 SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options);

@@ -10,6 +10,9 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <gp_Ax2.hxx>
 
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
@@ -63,6 +66,38 @@ TEST(SolidSeams, TellWhereACutAlongALooseEdgeBreaksOff) {
   EXPECT_NE(first.find("face 13 of the part"), std::string::npos) << first;
   EXPECT_NE(first.find("edge of tolerance 0.0022"), std::string::npos) << first;
   EXPECT_NE(first.find("goes on in no other face"), std::string::npos) << first;
+}
+
+double common_volume(const TopoDS_Shape& part, const TopoDS_Shape& tool) {
+  const SolidTrimResult made =
+      trim_solids(trim_tool(part), {trim_tool(tool)}, SolidOperation::Common);
+  EXPECT_TRUE(made.obstacles.empty()) << made.obstacles.front();
+  if (made.volumes.empty()) return 0;
+  EXPECT_LE(made.volumes.back().cut_error(), 1e-9);
+  EXPECT_LE(made.volumes.back().fuse_error(), 1e-9);
+  return made.volumes.back().common;
+}
+
+// Where its seam begins is no matter of a ball: for 1e-3 of its length it lies in the ring's
+// intersection, as far as tolerances go.
+TEST(SolidSeams, MayTouchTheIntersection) {
+  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(gp_Ax2({0, -0.5, 0}, gp::DX()), 1, 0.5).Shape();
+  const auto ball = [](const gp_Dir& seam) {
+    return BRepPrimAPI_MakeSphere(gp_Ax2({-0.5, 0.5, -0.5}, gp::DZ(), seam), 1).Shape();
+  };
+  EXPECT_NEAR(common_volume(ring, ball(gp_Dir(0, -1, 0))), common_volume(ring, ball(gp::DX())),
+              1e-7);
+}
+
+// A plane that touches a ring inside crosses itself there in its edge, in a corner of patches: that
+// is told as a cusp, and decided when the pieces are put together.
+TEST(SolidSeams, MayMeetWhereFacesTouch) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-0.5, -0.5, -0.5), gp_Pnt(1.5, 0, 0.5));
+  const auto ring = [](const gp_Dir& seam) {
+    return BRepPrimAPI_MakeTorus(gp_Ax2({0, 0, 0.5}, gp::DZ(), seam), 1, 0.5).Shape();
+  };
+  EXPECT_NEAR(common_volume(ring(gp_Dir(0, -1, 0)), block),
+              common_volume(ring(gp_Dir(0.3, -1, 0)), block), 1e-7);
 }
 
 }  // namespace
