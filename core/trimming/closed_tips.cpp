@@ -28,14 +28,15 @@ struct Tip {
 
 class Divider {
  public:
-  explicit Divider(WatertightPieces& pieces) : pieces_(pieces) {}
+  explicit Divider(WatertightPieces& pieces)
+      : pieces_(pieces), at_(pieces.vertices.size()), along_(pieces.sides.size()) {
+    for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) add(p);
+  }
 
-  // Divides at one tip; whether there was one where that is possible.
-  bool divide_one() {
-    for (const auto& tips : closed_tips())
-      for (const Tip& tip : tips)
-        if (divide(tip)) return true;
-    return false;
+  // Dividing only adds tips to vertices, and what cannot be divided stays so: one pass will do.
+  void divide_all() {
+    for (std::size_t vertex = 0; vertex < at_.size(); ++vertex)
+      if (is_closed(vertex) && !divide(at_[vertex][0])) divide(at_[vertex][1]);
   }
 
  private:
@@ -45,19 +46,24 @@ class Divider {
     return std::get<BezierTriangle>(pieces_.pieces[piece].form).degree;
   }
 
-  // Of each vertex that has two, both between sides on edges.
-  std::vector<std::array<Tip, 2>> closed_tips() const {
-    std::vector<std::vector<Tip>> at(pieces_.vertices.size());
-    for (std::size_t p = 0; p < pieces_.pieces.size(); ++p) {
-      const WatertightPiece& piece = pieces_.pieces[p];
-      for (std::size_t k = 0; k < piece.vertices.size(); ++k)
-        at[index(piece.vertices[k])].push_back({p, k});
-    }
-    std::vector<std::array<Tip, 2>> closed;
-    for (const std::vector<Tip>& tips : at)
-      if (tips.size() == 2 && is_ear(tips[0]) && is_ear(tips[1]))
-        closed.push_back({tips[0], tips[1]});
-    return closed;
+  void add(std::size_t p) {
+    const WatertightPiece& piece = pieces_.pieces[p];
+    for (std::size_t k = 0; k < piece.vertices.size(); ++k)
+      at_[index(piece.vertices[k])].push_back({p, k});
+    for (std::size_t k = 0; k < piece.sides.size(); ++k)
+      along_[index(piece.sides[k])].push_back({p, k});
+  }
+
+  void remove(std::size_t p) {
+    const auto is_own = [p](const Tip& tip) { return tip.piece == p; };
+    for (const int vertex : pieces_.pieces[p].vertices) std::erase_if(at_[index(vertex)], is_own);
+    for (const int side : pieces_.pieces[p].sides) std::erase_if(along_[index(side)], is_own);
+  }
+
+  // Whether only two pieces have the vertex, both between sides on edges.
+  bool is_closed(std::size_t vertex) const {
+    const std::vector<Tip>& tips = at_[vertex];
+    return tips.size() == 2 && is_ear(tips[0]) && is_ear(tips[1]);
   }
 
   bool is_ear(const Tip& tip) const {
@@ -68,14 +74,13 @@ class Divider {
 
   // The corner of another triangle from which it walks a side; none if no triangle does.
   Tip behind(int side, std::size_t piece) const {
-    for (std::size_t p = 0; p < pieces_.pieces.size(); ++p)
-      for (std::size_t k = 0; p != piece && k < pieces_.pieces[p].sides.size(); ++k)
-        if (pieces_.pieces[p].sides[k] == side && pieces_.pieces[p].sides.size() == 3)
-          return {p, k};
+    for (const Tip& of : along_[index(side)])
+      if (of.piece != piece && pieces_.pieces[of.piece].sides.size() == 3) return of;
     return {piece, 0};
   }
 
-  bool divide(const Tip& tip) {
+  // Whether that is possible.
+  bool divide(const Tip tip) {
     const std::size_t opposite = (tip.corner + 1) % 3;
     const int side = pieces_.pieces[tip.piece].sides[opposite];
     const Tip other = behind(side, tip.piece);
@@ -84,6 +89,7 @@ class Divider {
     const int middle = static_cast<int>(pieces_.vertices.size());
     pieces_.vertices.push_back(point_at(pieces_.sides[index(side)].curve, 0.5));
     const int second = halve_side(side, middle);
+    at_.emplace_back();
     halve({tip.piece, opposite}, middle, side, second);
     halve(other, middle, side, second);
     return true;
@@ -104,6 +110,7 @@ class Divider {
   void halve(const Tip& at, int middle, int first, int second) {
     const std::array<std::size_t, 3> k{at.corner, (at.corner + 1) % 3, (at.corner + 2) % 3};
     const WatertightPiece whole = pieces_.pieces[at.piece];
+    remove(at.piece);
     const auto& triangle = std::get<BezierTriangle>(whole.form);
     const Vec2 half = 0.5 * (kCorners[k[0]] + kCorners[k[1]]);
     const bool forwards = pieces_.sides[index(first)].from == whole.vertices[k[0]];
@@ -119,17 +126,18 @@ class Divider {
     pieces_.sides.push_back(
         {-1, middle, whole.vertices[k[2]], side_of(std::get<BezierTriangle>(before.form), 1, 2)});
     pieces_.pieces.push_back(std::move(after));
+    along_.resize(pieces_.sides.size());
+    add(at.piece);
+    add(pieces_.pieces.size() - 1);
   }
 
   WatertightPieces& pieces_;
+  std::vector<std::vector<Tip>> at_;     // by vertex: pieces that have it
+  std::vector<std::vector<Tip>> along_;  // by side: pieces that walk it
 };
 
 }  // namespace
 
-void divide_closed_tips(WatertightPieces& pieces) {
-  Divider divider(pieces);
-  while (divider.divide_one()) {
-  }
-}
+void divide_closed_tips(WatertightPieces& pieces) { Divider(pieces).divide_all(); }
 
 }  // namespace blossom
