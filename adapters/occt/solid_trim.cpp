@@ -62,6 +62,13 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+// What cannot be measured was not divided well: its wires may be open.
+double volume_of(const SolidPiece& piece, const Vec3& apex) try {
+  return cone_volume(piece.face, apex);
+} catch (const BadModel& error) {
+  throw Failure("a piece of face " + std::to_string(piece.from + 1) + ": " + error.what());
+}
+
 std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const TrimTool& solid,
                                const std::vector<double>& cones, const Vec3& apex,
                                const WorkLimit& limit) {
@@ -71,7 +78,7 @@ std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const Trim
     const auto from = static_cast<std::size_t>(piece.from);
     // Turned round, the face has a cone of the other sign.
     const bool whole = piece.face.IsEqual(solid.faces[from]);
-    all.push_back({piece, whole ? cones[from] : cone_volume(piece.face, apex)});
+    all.push_back({piece, whole ? cones[from] : volume_of(piece, apex)});
   }
   return all;
 }
@@ -157,9 +164,8 @@ SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperat
   try {
     put_together(pieces, part, tool, operation, limit, result);
   } catch (const Failure& error) {
-    if (limit.reached_after_search() == nullptr) throw;
     result.obstacles.emplace_back(error.what());
-    result.status = Status::Stopped;
+    if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
   }
   return result;
 }

@@ -21,6 +21,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -334,6 +335,20 @@ TEST(TrimSolids, AreWholeOrStoppedWheneverTheyAreCancelled) {
     EXPECT_EQ(made.solids.size(), whole ? 1u : 0u);
   }
   EXPECT_TRUE(whole);
+}
+
+// A rod that lies in the end of a cone, along a line of it: right or refused, but nothing is
+// thrown.
+TEST(TrimSolids, RefusesPiecesThatCannotBeMeasured) {
+  const TrimTool cone =
+      trim_tool(BRepPrimAPI_MakeCone(gp_Ax2({0, 0, 0}, gp::DY(), gp::DZ()), 0.5, 1.5, 1).Shape());
+  const TrimTool rod =
+      trim_tool(BRepPrimAPI_MakeCylinder(gp_Ax2({0, 1, 0}, gp::DX(), gp::DY()), 1, 1).Shape());
+  const SolidTrimResult made = trim_solids(cone, {rod}, SolidOperation::Common);
+  if (made.obstacles.empty())
+    EXPECT_LE(made.volumes.back().cut_error(), kVolumeError);
+  else
+    EXPECT_TRUE(made.solids.empty());
 }
 
 TEST(TrimSolids, RefusesWhatIsNotClosed) {
