@@ -33,7 +33,7 @@ bool holds(const Place& place, const SurfaceIntersection& found, double toleranc
 
 bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& finer,
                 double tolerance, double finer_tolerance) {
-  if (finer.status != Status::Complete) return false;
+  if (finer.status != Status::Complete || !found.overlaps.empty()) return false;
   return std::ranges::all_of(found.places, [&](const Place& place) {
     return place.kind == PlaceKind::Open ? holds(place, finer, tolerance)
                                          : place.gap_low <= finer_tolerance;

@@ -19,6 +19,7 @@ inline constexpr std::array kFinerTolerances{0.1, 0.01};
 /// True if what a search left open is told by the answer at a finer tolerance: that answer is
 /// complete, one of its curves or points is in each open place, and of the other places none holds
 /// a near miss, surfaces apart by more than the finer tolerance, which the finer search leaves out.
+/// False where anything overlaps: a region within the coarser tolerance is not given up for curves.
 ///
 /// tolerance, finer_tolerance   of both, model units
 bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& finer,

@@ -54,6 +54,12 @@ TEST(FinerTolerance, KeepsNearMissesThatItWouldLose) {
   }
 }
 
+TEST(FinerTolerance, KeepsOverlaps) {
+  SurfaceIntersection found = open_at_one();
+  found.overlaps.push_back({});
+  EXPECT_FALSE(is_settled(found, line_at(0), 1e-6, 1e-7));
+}
+
 TEST(FinerTolerance, SaysThatItWasUsed) {
   const SurfaceIntersection answer = settled(line_at(0));
   EXPECT_EQ(answer.status, Status::Tolerance);
