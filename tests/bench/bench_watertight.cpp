@@ -238,7 +238,10 @@ std::string told(const WatertightMeshes& meshes) {
     text += ": " + std::to_string(meshes.of_model) + " of the model, " +
             std::to_string(meshes.at_edges) + " at edges, " + std::to_string(meshes.others) +
             " others";
-  return text + " | " + (meshes.meshed ? told(meshes.occt) : "not meshed");
+  std::array<char, 16> deflection{};
+  std::snprintf(deflection.data(), deflection.size(), "%.0e", meshes.deflection);
+  return text + " | " + (meshes.meshed ? told(meshes.occt) : "not meshed") + " at " +
+         deflection.data();
 }
 
 void print(const std::string& name, const Outcome& outcome) {

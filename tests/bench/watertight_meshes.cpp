@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
 #include <Bnd_Box.hxx>
 #include <Standard_Failure.hxx>
 
@@ -22,7 +23,9 @@ namespace blossom::bench {
 namespace {
 
 constexpr int kMostDoublings = 3;     // of parts of a side, where facets cross
-constexpr double kDeflection = 1e-3;  // of Open CASCADE's mesh, of the diagonal
+constexpr double kDeflection = 1e-3;  // of Open CASCADE's mesh, of the diagonal, at first
+constexpr double kFiner = 0.2;        // where that is not right
+constexpr int kMostFiner = 2;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -87,17 +90,24 @@ void check_samples(const occt::WatertightShape& made, const std::vector<TopoDS_F
   sort_out(pieces, crossings, given, result);
 }
 
+// Finer where it is no manifold, as where two curved sides with the same ends have no node between.
 void check_occt(const TopoDS_Shape& shape, WatertightMeshes& result) {
   Bnd_Box box;
-  BRepBndLib::AddOptimal(shape, box, false, false);
-  try {
-    const testing::IncrementalMesh made(shape, kDeflection * std::sqrt(box.SquareExtent()));
-    const testing::Mesh& mesh = made.mesh();
-    result.occt = cgal::check_mesh(mesh.points, mesh.triangles);
-    result.meshed = true;
-  } catch (const std::runtime_error&) {
-    // not meshed, as is said
-  } catch (const Standard_Failure&) {
+  BRepBndLib::Add(shape, box, false);  // of control points: good enough, and fast
+  result.deflection = kDeflection;
+  for (int finer = 0;; ++finer, result.deflection *= kFiner) {
+    try {
+      BRepTools::Clean(shape);
+      const testing::IncrementalMesh made(shape, result.deflection * std::sqrt(box.SquareExtent()));
+      result.occt = cgal::check_mesh(made.mesh().points, made.mesh().triangles);
+      result.meshed = true;
+    } catch (const std::runtime_error&) {
+      result.meshed = false;
+    } catch (const Standard_Failure&) {
+      result.meshed = false;
+    }
+    const bool right = result.meshed && result.occt.manifold;
+    if (right || finer == kMostFiner) return;
   }
 }
 

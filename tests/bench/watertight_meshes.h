@@ -21,7 +21,8 @@ struct WatertightMeshes {
   /// Of the crossings that stay: between faces that share nothing and meet, by `intersect`; between
   /// faces with a common edge or vertex, or of a face with itself; others.
   int of_model = 0, at_edges = 0, others = 0;
-  bool meshed = false;  ///< by BRepMesh_IncrementalMesh, which gave each face triangles
+  bool meshed = false;    ///< by BRepMesh_IncrementalMesh, which gave each face triangles
+  double deflection = 0;  ///< of the last try, of the diagonal
   cgal::MeshCheck occt;
 };
 
