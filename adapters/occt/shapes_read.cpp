@@ -20,6 +20,7 @@
 
 #include "adapters/occt/curves_detail.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/loose_images.h"
 #include "adapters/occt/shapes_detail.h"
 #include "adapters/occt/surfaces_detail.h"
 
@@ -110,6 +111,12 @@ void check_geometry(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape&
 }
 
 void heal(const TopoDS_Shape& shape, const std::filesystem::path& file) {
+  if (const RemadeImages made = remake_loose_images(shape); made.count > 0) {
+    std::ostringstream text;
+    text << file.string() << ": " << made.count << " curves in the parameters of faces are up to "
+         << made.worst << " off those in space, which lie on the faces; they are made anew";
+    Message::SendWarning(text.str().c_str());
+  }
   const int missing = count_missing_curves(shape);
   if (missing == 0) return;
   add_missing_curves(shape);
