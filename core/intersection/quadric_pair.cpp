@@ -25,7 +25,7 @@ bool is_borderless(const BezierSurface& surface) {
     const auto at = [&](int k) {
       const Vec4& p =
           across_u ? net(upper ? net.rows() - 1 : 0, k) : net(k, upper ? net.columns() - 1 : 0);
-      return Vec3{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+      return projected(p);
     };
     for (int k = 1; k < count; ++k)
       if (distance(at(k), at(0)) > kOnePoint * (1 + norm(at(0)))) return false;

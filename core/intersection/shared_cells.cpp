@@ -68,7 +68,7 @@ std::optional<SharedPart> SharedCells::part(const Cell& a, const Cell& b) const 
   result.box = {*u, *v, *s, *t};
   const RationalBezierPatch piece = sub_patch(a_.patch(), *u, *v);
   for (const Vec4& p : piece.points.values()) {
-    const Vec3 x{p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+    const Vec3 x = projected(p);
     result.hull = blossom::joined(result.hull, {x, x});
   }
   const Vec3 r{tolerance_, tolerance_, tolerance_};
