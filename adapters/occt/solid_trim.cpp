@@ -265,6 +265,10 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
                  : folded(stage_of(part, -1), tools, 0, operation, limit);
   });
   if (!result.obstacles.empty()) {
+    // Two ends of curves may have one cause.
+    std::sort(result.obstacles.begin(), result.obstacles.end());
+    const auto repeated = std::unique(result.obstacles.begin(), result.obstacles.end());
+    result.obstacles.erase(repeated, result.obstacles.end());
     result.solids.clear();
     result.faces.clear();
   }
