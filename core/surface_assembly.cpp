@@ -96,7 +96,7 @@ class Assembly {
            size_, options_.tolerances.point);
     drop_scraps(found_, cells_a, cells_b, contacts_, clumps_, options_.tolerances.point);
     meet_in_centres(contacts_, cells_a, cells_b, found_, options_.tolerances.point);
-    drop_regular(contacts_, found_);
+    drop_regular(contacts_, found_, cells_a);
     std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     straighten_at_poles(chains, found_, cells_a, cells_b, contacts_, size_,
                         options_.tolerances.point);

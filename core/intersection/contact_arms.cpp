@@ -57,6 +57,26 @@ bool passes(const ContactChain& contact, const std::vector<ContactArm>& arms,
   return dot(out, step) >= 0 && dot(back, step) <= 0;
 }
 
+// Drops what is no arc but a point, in a contact that two arms pass.
+void drop_inside(PairSearchResult& found, SurfaceCells& a, const ContactChain& contact,
+                 const std::vector<ArcEnd>& arms) {
+  const Box box = widened(contact.box, contact.length);
+  const auto is_inside = [&](const FoundArc& arc, const Point4& x) {
+    const Vec3 p = point_at(a.tree(arc.patch_a).patch(), x[0], x[1]);
+    return meet(box, {p, p});
+  };
+  const auto is_point = [](const CellArc& arc) {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (std::abs(arc.to[k] - arc.from[k]) > 4 * kSamePoint) return false;
+    return true;
+  };
+  for (std::size_t i = 0; i < found.arcs.size(); ++i) {
+    FoundArc& arc = found.arcs[i];
+    if (i != arms[0] / 2 && i != arms[1] / 2 && is_point(arc.arc) && is_inside(arc, arc.arc.from))
+      arc.dropped = true;
+  }
+}
+
 }  // namespace
 
 void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, SurfaceCells& a,
@@ -127,14 +147,17 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
   }
 }
 
-void drop_regular(std::vector<ContactChain>& contacts, PairSearchResult& found) {
+void drop_regular(std::vector<ContactChain>& contacts, PairSearchResult& found, SurfaceCells& a) {
   std::erase_if(contacts, [&](const ContactChain& contact) {
     const std::size_t arms = contact.arm_count();
     if (!contact.regular || contact.pole || contact.parted || (arms != 0 && arms != 2))
       return false;
     std::vector<ArcEnd> ends(contact.arms[0]);
     ends.insert(ends.end(), contact.arms[1].begin(), contact.arms[1].end());
-    if (arms == 2) found.joins.push_back({ends[0], ends[1]});
+    if (arms == 2) {
+      found.joins.push_back({ends[0], ends[1]});
+      drop_inside(found, a, contact, ends);
+    }
     return true;
   });
 }

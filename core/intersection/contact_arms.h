@@ -21,7 +21,7 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
                      PairSearchResult& found, double tolerance);
 
 /// Takes out the points in which the surfaces cross regularly, where nothing but one branch passes,
-/// whose arms it joins, or nothing at all.
-void drop_regular(std::vector<ContactChain>& contacts, PairSearchResult& found);
+/// whose arms it joins, or nothing at all. What is no longer than the point goes with it.
+void drop_regular(std::vector<ContactChain>& contacts, PairSearchResult& found, SurfaceCells& a);
 
 }  // namespace blossom

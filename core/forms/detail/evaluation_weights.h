@@ -43,7 +43,7 @@ template <int kOrder>
   bernstein(n, n, up, down, w.value);
   if (kOrder > 0) {
     below[0] = 1;  // of degree 0 too
-    bernstein(n - 1, n, up, down, below);
+    if (n > 0) bernstein(n - 1, n, up, down, below);
     differentiate(n, below, w.first);
   }
   if (kOrder > 1) {
