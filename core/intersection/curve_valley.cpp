@@ -131,16 +131,17 @@ class Valley {
     const Side low = side_at(low_), high = side_at(high_);
     ValleyPoints result;
     result.contact = true;
-    result.a = stretch(low.a.t, high.a.t, pair_.a.local);
-    result.b = stretch(low.b.t, high.b.t, pair_.b.local);
+    result.a = stretch(low.a.t, high.a.t, pair_.a);
+    result.b = stretch(low.b.t, high.b.t, pair_.b);
     return result;
   }
 
-  // Between two parameters and a little beyond, so that stretches of neighbours meet.
-  static Interval stretch(double from, double to, const Interval& cell) {
-    const double slack = kBorder * length(cell);
-    return {std::max(cell.from, std::min(from, to) - slack),
-            std::min(cell.to, std::max(from, to) + slack)};
+  // Between two parameters and a little beyond, so that stretches of neighbours meet: seen along
+  // axes of their own they end where points within tolerance of each other are apart.
+  Interval stretch(double from, double to, const CurveCell& cell) const {
+    const double slack = length(cell.local) * std::max(kBorder, 4 * tolerance_ / cell.extent);
+    return {std::max(cell.local.from, std::min(from, to) - slack),
+            std::min(cell.local.to, std::max(from, to) + slack)};
   }
 
   GraphPoint graph(const CurveTree& tree, int span, double t) const {
