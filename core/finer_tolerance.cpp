@@ -31,12 +31,17 @@ bool holds(const Place& place, const SurfaceIntersection& found, double toleranc
 
 }  // namespace
 
+bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance) {
+  return found.overlaps.empty() && std::ranges::all_of(found.places, [&](const Place& place) {
+           return place.kind == PlaceKind::Open || place.gap_low <= finer_tolerance;
+         });
+}
+
 bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& finer,
                 double tolerance, double finer_tolerance) {
-  if (finer.status != Status::Complete || !found.overlaps.empty()) return false;
+  if (finer.status != Status::Complete || !may_be_settled(found, finer_tolerance)) return false;
   return std::ranges::all_of(found.places, [&](const Place& place) {
-    return place.kind == PlaceKind::Open ? holds(place, finer, tolerance)
-                                         : place.gap_low <= finer_tolerance;
+    return place.kind != PlaceKind::Open || holds(place, finer, tolerance);
   });
 }
 

@@ -16,6 +16,10 @@ namespace blossom {
 /// The tolerances of further attempts, as parts of the first one.
 inline constexpr std::array kFinerTolerances{0.1, 0.01};
 
+/// False if no answer at the finer tolerance settles what a search left open: where anything
+/// overlaps, and where a place holds a near miss that the finer search leaves out.
+bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance);
+
 /// True if what a search left open is told by the answer at a finer tolerance: that answer is
 /// complete, one of its curves or points is in each open place, and of the other places none holds
 /// a near miss, surfaces apart by more than the finer tolerance, which the finer search leaves out.

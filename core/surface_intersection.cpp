@@ -36,7 +36,7 @@ SurfaceIntersection at_finer_tolerance(const BezierSurface& a, const BezierSurfa
                                        std::optional<IntersectionOptions> rest) {
   const double tolerance = rest ? rest->tolerances.point : 0;
   for (const double part : kFinerTolerances) {
-    if (!rest) break;
+    if (!rest || !may_be_settled(found, part * tolerance)) break;
     const Clock::time_point started = Clock::now();
     rest->tolerances.point = part * tolerance;
     SurfaceIntersection finer = assembled(a, b, *rest);

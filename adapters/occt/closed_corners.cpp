@@ -2,8 +2,7 @@
 #include "adapters/occt/closed_corners.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
+#include <cmath>
 #include <ranges>
 
 #include <BRep_ListIteratorOfListOfCurveRepresentation.hxx>
@@ -14,6 +13,7 @@
 #include <Geom_BezierCurve.hxx>
 #include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -55,12 +55,17 @@ struct End {
   gp_Pnt point() const { return of->Curve3D()->Value(parameter()).Transformed(place); }
 };
 
-// The same curve but for its end. With one more knot there, only the last pole has to move.
+// The same curve but for its end; null if it does not keep its parameters as a spline. With one
+// more knot there, only the last pole has to move.
 Handle(Geom_Curve) bent(const End& end, const gp_Pnt& to) {
   const double first = end.of->First(), last = end.of->Last();
   const Handle(Geom_BSplineCurve) spline =
       GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(end.of->Curve3D(), first, last));
   if (spline->IsPeriodic()) spline->SetNotPeriodic();
+  const double slack = Precision::PConfusion() * (last - first);
+  if (std::abs(spline->FirstParameter() - first) > slack ||
+      std::abs(spline->LastParameter() - last) > slack)
+    return {};
   spline->IncreaseDegree(std::max(kLeastDegree, spline->Degree()));
   const gp_Pnt own = to.Transformed(end.place.Inverted());
   const double speed = spline->DN(end.parameter(), 1).Magnitude();
@@ -69,6 +74,15 @@ Handle(Geom_Curve) bent(const End& end, const gp_Pnt& to) {
   spline->InsertKnot(end.last ? last - bend : first + bend, 1, Precision::PConfusion());
   spline->SetPole(end.last ? spline->NbPoles() : 1, own);
   return spline.get();
+}
+
+// A curve that cannot be bent is written as it is.
+Handle(Geom_Curve) bent_or_null(const End& end, const gp_Pnt& to) {
+  try {
+    return bent(end, to);
+  } catch (const Standard_Failure&) {
+    return {};
+  }
 }
 
 // The ends of curves at one vertex.
@@ -119,10 +133,17 @@ ClosedCorners::ClosedCorners(const TopoDS_Shape& shape) {
       if (gap <= Precision::Confusion() || gap > kMostGap * corner.tolerance ||
           !can_be_bent(end.of->Curve3D()))
         continue;
-      given_.push_back({end.of, end.of->Curve3D()});
-      end.of->Curve3D(bent(end, common));
+      bend(end.of, bent_or_null(end, common), gap);
     }
   }
+}
+
+void ClosedCorners::bend(const Handle(BRep_Curve3D) & of, const Handle(Geom_Curve) & curve,
+                         double gap) {
+  if (curve.IsNull()) return;
+  given_.push_back({of, of->Curve3D()});
+  of->Curve3D(curve);
+  worst_ = std::max(worst_, gap);
 }
 
 ClosedCorners::~ClosedCorners() {

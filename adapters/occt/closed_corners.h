@@ -34,12 +34,18 @@ class ClosedCorners {
   /// How many ends of curves are bent.
   std::size_t count() const { return given_.size(); }
 
+  /// The largest way of an end, model units.
+  double worst() const { return worst_; }
+
  private:
   struct Given {
     Handle(BRep_Curve3D) of;
     Handle(Geom_Curve) curve;
   };
 
+  void bend(const Handle(BRep_Curve3D) & of, const Handle(Geom_Curve) & curve, double gap);
+
+  double worst_ = 0;
   std::vector<Given> given_;  // in the order in which they were replaced
 };
 

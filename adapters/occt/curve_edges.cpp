@@ -2,6 +2,7 @@
 #include "adapters/occt/curve_edges.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <TopoDS.hxx>
 
@@ -9,6 +10,7 @@ namespace blossom::occt {
 namespace {
 
 constexpr int kChords = 16;
+constexpr double kEndPart = 0.25;
 
 Interval increasing(const Interval& of) {
   return {std::min(of.from, of.to), std::max(of.from, of.to)};
@@ -24,6 +26,13 @@ Interval whole_range(const Interval& middle) {
 TopoDS_Edge along_curve(const CutUse& use) {
   const bool walked_back = use.at.to < use.at.from;
   return TopoDS::Edge(walked_back ? use.edge.Reversed() : TopoDS_Shape(use.edge));
+}
+
+// Edges that are made one end together, but for a part of their length.
+bool have_same_ends(const CurveEdge& edge, const CurveEdge& other) {
+  const double most = kEndPart * length(edge.at);
+  return std::abs(edge.at.from - other.at.from) <= most &&
+         std::abs(edge.at.to - other.at.to) <= most;
 }
 
 const CurveEdge* counterpart(const CurveEdge& edge, const std::vector<CurveEdge>& others) {
@@ -43,6 +52,7 @@ bool join_along(const CurveEdges& a, const CurveEdges& b, const CommonEdges& com
   return std::ranges::all_of(a.made, [&](const CurveEdge& made) {
     const CurveEdge* there = counterpart(made, b.along);
     if (counterpart(made, b.made) != nullptr || there == nullptr) return true;
+    if (!have_same_ends(made, *there)) return false;
     const bool reversed = there->edge.Orientation() == TopAbs_REVERSED;
     const TopoDS_Edge first = TopoDS::Edge(there->edge.Oriented(TopAbs_FORWARD));
     return joined.join(first, made.edge, common.image(first, made.edge), reversed);

@@ -82,6 +82,8 @@ double length_of(const Use& use) {
 
 // The foot of a point on a surface, by Gauss and Newton's method from near by.
 gp_Pnt2d foot_near(const gp_Pnt& point, const gp_Pnt2d& start, const Geom_Surface& surface) {
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  surface.Bounds(u0, u1, v0, v1);
   gp_XY uv = start.XY();
   for (int i = 0; i < kSteps; ++i) {
     gp_Pnt on;
@@ -93,6 +95,9 @@ gp_Pnt2d foot_near(const gp_Pnt& point, const gp_Pnt2d& start, const Geom_Surfac
     if (!(determinant > kRegular * a * c)) break;
     const double x = du.Dot(off), y = dv.Dot(off);
     uv += gp_XY(c * x - b * y, a * y - b * x) / determinant;
+    // What lies beyond the borders of a surface is no part of it.
+    if (!surface.IsUPeriodic()) uv.SetX(std::clamp(uv.X(), u0, u1));
+    if (!surface.IsVPeriodic()) uv.SetY(std::clamp(uv.Y(), v0, v1));
   }
   return uv;
 }
@@ -133,7 +138,7 @@ RemadeImages remake(const TopoDS_Face& face) {
   RemadeImages made;
   std::vector<Use> given;
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  const bool was_valid = BRepCheck_Analyzer(face).IsValid();
+  bool was_valid = false;
   const auto set = [&](const Use& use, const Handle(Geom2d_Curve) & chart) {
     BRep_Builder().UpdateEdge(use.edge, chart, face, BRep_Tool::Tolerance(use.edge));
   };
@@ -144,6 +149,7 @@ RemadeImages remake(const TopoDS_Face& face) {
     if (gap <= std::max(kLoose, kShare * length_of(*use))) continue;
     const Handle(Geom2d_Curve) better = better_image(*use, surface, gap);
     if (better.IsNull()) continue;
+    if (given.empty()) was_valid = BRepCheck_Analyzer(face).IsValid();
     given.push_back(*use);
     set(*use, better);
     made = {made.count + 1, std::max(made.worst, gap)};
@@ -174,9 +180,10 @@ void lower(const Part& part, double needed, const TopTools_ListOfShape& faces) {
     return std::all_of(faces.begin(), faces.end(),
                        [](const TopoDS_Shape& face) { return BRepCheck_Analyzer(face).IsValid(); });
   };
-  const bool were_valid = are_valid();
   part->Tolerance(needed);
-  if (were_valid && !are_valid()) part->Tolerance(given);
+  if (are_valid()) return;
+  part->Tolerance(given);
+  if (!are_valid()) part->Tolerance(needed);
 }
 
 // How far an edge's curves end from a vertex of it; at least its tolerance.
@@ -205,7 +212,7 @@ using Users = TopTools_IndexedDataMapOfShapeListOfShape;
 void tighten_edges(const Users& faces_of) {
   for (int i = 1; i <= faces_of.Extent(); ++i) {
     const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(i));
-    if (BRep_Tool::Tolerance(edge) <= kLoose) continue;
+    if (faces_of(i).IsEmpty() || BRep_Tool::Tolerance(edge) <= kLoose) continue;
     if (const auto needed = needed_tolerance(edge, faces_of(i)))
       lower(Handle(BRep_TEdge)::DownCast(edge.TShape()), *needed, faces_of(i));
   }

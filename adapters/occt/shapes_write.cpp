@@ -23,6 +23,7 @@
 #include <IGESSelect_WorkLibrary.hxx>
 #include <Interface_FloatWriter.hxx>
 #include <Interface_Static.hxx>
+#include <Message.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Writer.hxx>
@@ -262,6 +263,17 @@ void write_text(const std::string& text, const std::filesystem::path& file,
   temporary.move_to_target(rights_for(target));
 }
 
+namespace {
+
+void tell_bent(const ClosedCorners& closed, const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << file.string() << ": " << closed.count() << " ends of curves in space are bent by up to "
+       << closed.worst() << " to meet in their vertices, since readers move whole curves for it";
+  Message::SendInfo(text.str().c_str());
+}
+
+}  // namespace
+
 void write_model(const Model& model, const std::filesystem::path& file,
                  const std::function<void()>& stop) {
   const Format format = format_of(file);
@@ -277,6 +289,7 @@ void write_model(const Model& model, const std::filesystem::path& file,
       switch (format) {
         case Format::Step: {
           const ClosedCorners closed(model.shape());
+          if (closed.count() > 0) tell_bent(closed, file);
           return step_text(model.impl_->document);
         }
         case Format::Iges: return iges_text(model.impl_->document);

@@ -266,9 +266,10 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   });
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.
-    std::sort(result.obstacles.begin(), result.obstacles.end());
-    const auto repeated = std::unique(result.obstacles.begin(), result.obstacles.end());
-    result.obstacles.erase(repeated, result.obstacles.end());
+    std::vector<std::string> causes;
+    for (std::string& cause : result.obstacles)
+      if (std::ranges::find(causes, cause) == causes.end()) causes.push_back(std::move(cause));
+    result.obstacles = std::move(causes);
     result.solids.clear();
     result.faces.clear();
   }

@@ -37,21 +37,22 @@ int pole_at(const Box& box, const std::vector<ContactChain>& contacts, double re
   return -1;
 }
 
-// True if the chain, with arms in the box, is short enough to be a part of its contact.
-bool is_scrap(const Chain& chain, const Box& box, const std::vector<ContactChain>& contacts,
-              double tolerance) {
+// The contact that the chain, with arms in the box, is short enough to be a part of, or -1.
+int contact_with(const Chain& chain, const Box& box, const std::vector<ContactChain>& contacts,
+                 double tolerance) {
   const int from = chain.ends[0].contact, to = chain.ends[1].contact;
   const bool returns = chain.closed || (from == to && from >= 0);
-  if (!returns && from >= 0 && to >= 0) return false;
+  if (!returns && from >= 0 && to >= 0) return -1;
   const int contact = chain.closed              ? contact_on(chain, contacts)
                       : std::max(from, to) >= 0 ? std::max(from, to)
                                                 : pole_at(box, contacts, tolerance);
-  if (contact < 0) return false;
+  if (contact < 0) return -1;
   const ContactChain& at = contacts[static_cast<std::size_t>(contact)];
-  if (at.curve || (!returns && !at.pole)) return false;
+  if (at.curve || (!returns && !at.pole)) return -1;
   // A clump ends somewhere near its point, a valley's contact exactly.
   const double part = !returns ? 0 : at.path.size() == 1 ? kClumpReach : 1;
-  return diagonal(box) <= part * at.length + kShortestBranch * tolerance;
+  const bool is_short = diagonal(box) <= part * at.length + kShortestBranch * tolerance;
+  return is_short ? contact : -1;
 }
 
 }  // namespace
@@ -60,7 +61,10 @@ void drop_scraps(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
                  std::vector<ContactChain>& contacts, const std::vector<Clump>& clumps,
                  double tolerance) {
   for (const Chain& chain : chains_of(found, a, b, contacts, clumps)) {
-    if (!is_scrap(chain, end_box(a, found, chain), contacts, tolerance)) continue;
+    const int contact = contact_with(chain, end_box(a, found, chain), contacts, tolerance);
+    if (contact < 0) continue;
+    // The scrap is told by its contact, which has to stay for that.
+    contacts[static_cast<std::size_t>(contact)].regular = false;
     for (const ChainLink& link : chain.links)
       found.arcs[static_cast<std::size_t>(link.arc)].dropped = true;
   }

@@ -57,10 +57,26 @@ bool passes(const ContactChain& contact, const std::vector<ContactArm>& arms,
   return dot(out, step) >= 0 && dot(back, step) <= 0;
 }
 
+// Cells round a contact were looked at together somewhat beyond it.
+Box proven_box(const ContactChain& contact) { return widened(contact.box, 0.1 * contact.length); }
+
+// True if all arms end where the proof of a regular contact holds.
+bool ends_are_inside(const ContactChain& contact, SurfaceCells& a, const PairSearchResult& found) {
+  const Box box = proven_box(contact);
+  for (const auto& side : contact.arms)
+    for (const ArcEnd end : side) {
+      const FoundArc& arc = found.arcs[end / 2];
+      const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+      const Vec3 p = point_at(a.tree(arc.patch_a).patch(), x[0], x[1]);
+      if (!meet(box, {p, p})) return false;
+    }
+  return true;
+}
+
 // Drops what is no arc but a point, in a contact that two arms pass.
 void drop_inside(PairSearchResult& found, SurfaceCells& a, const ContactChain& contact,
                  const std::vector<ArcEnd>& arms) {
-  const Box box = widened(contact.box, contact.length);
+  const Box box = proven_box(contact);
   const auto is_inside = [&](const FoundArc& arc, const Point4& x) {
     const Vec3 p = point_at(a.tree(arc.patch_a).patch(), x[0], x[1]);
     return meet(box, {p, p});
@@ -116,6 +132,7 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
                      PairSearchResult& found, double tolerance) {
   for (ContactChain& contact : contacts) {
     if (contact.curve) continue;
+    contact.regular = contact.regular && ends_are_inside(contact, a, found);
     if (const auto pole = pole_near(a, b, contact.centre, contact.length, tolerance)) {
       contact.pole = true;
       meet_apart(contact, *pole, a, b, found);

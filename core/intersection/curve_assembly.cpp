@@ -172,12 +172,21 @@ bool CurveAssembly::connected(const Candidate& p, double at_a, double at_b) cons
   return true;
 }
 
+// The same for two contacts no farther from each other than contacts of order four are long, as far
+// as a few points between them tell.
+bool CurveAssembly::are_one(const Candidate& p, const Candidate& q) const {
+  const double size = std::min(a_.size(), b_.size());
+  const double longest = size * std::pow(tolerance_ / size, 0.2);
+  return distance(p.foot.jet_a.point, q.foot.jet_a.point) <= longest &&
+         connected(p, q.at_a, q.at_b);
+}
+
 // The same point once. Two proven points closer than the tolerance are one contact, and so are two
 // others between which the curves stay within it.
 void CurveAssembly::add(Candidate point) {
   for (Candidate& known : points_) {
     const bool contact = !known.proven && !point.proven;
-    if (!same(known, point) && !(contact && connected(known, point.at_a, point.at_b))) continue;
+    if (!same(known, point) && !(contact && are_one(known, point))) continue;
     const bool distinct = known.proven && point.proven &&
                           !(overlap(known.box_a, point.box_a) && overlap(known.box_b, point.box_b));
     if (distinct && !(a_.closed() || b_.closed())) {

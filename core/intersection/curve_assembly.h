@@ -54,6 +54,7 @@ class CurveAssembly {
   bool prove_at_border(Candidate& point, double reach_a, double reach_b) const;
   bool same(const Candidate& p, const Candidate& q) const;
   bool connected(const Candidate& p, double at_a, double at_b) const;
+  bool are_one(const Candidate& p, const Candidate& q) const;
   void add(Candidate point);
   void add_overlaps(const std::vector<SharedSpans>& shared);
   bool on_overlap(const Candidate& point) const;

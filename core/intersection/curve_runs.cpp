@@ -164,7 +164,7 @@ void CurveAssembly::add_run(const CurveContact& contact) {
   const Vec3 first = foot_of(run, 0).gap(), final = foot_of(run, 1).gap();
   touch.crosses = a_.dimension() == 2 && dot(first, final) < 0;
   for (Candidate& known : points_) {
-    if (!same(known, touch) && !connected(known, touch.at_a, touch.at_b)) continue;
+    if (!same(known, touch) && !are_one(known, touch)) continue;
     // A proven point says nothing about the rest of a run that goes on beyond it.
     const bool all = a_.stays_near(known.at_a, run.a.from, tolerance_) &&
                      a_.stays_near(known.at_a, run.a.to, tolerance_);

@@ -54,6 +54,7 @@ bool one_curve(const std::vector<Vec4>& p, const std::vector<Vec4>& q) {
   };
   if (!parallel(p.front(), q.front()) || !parallel(p.back(), q.back())) return false;
   const std::size_t degree = std::max(p.size(), q.size()) - 1;
+  if (degree == 0) return true;
   const std::vector<Exact4> x = raised(p, degree), y = raised(q, degree);
   Rational factor = y[0][3] / x[0][3];
   const Rational ratio = y[1][3] / (x[1][3] * factor);
@@ -148,7 +149,8 @@ bool ExactBorders::holds(int patch_a, int patch_b, std::size_t parameter, bool h
       return one_curve_either_way(border, points);
     };
     const std::size_t across = (of_a ? 2u : 0u) + (of_v ? 1u : 0u);
-    if (ends_on(arc, across, other_high) && decided(side, shared)) return true;
+    // In the plane of the other patch is not yet on it, along its border.
+    if (ends_on(arc, across, other_high)) return decided(side, shared);
   }
   return decided(4, [&] { return in_one_plane(other, border); });
 }

@@ -26,17 +26,20 @@ struct SquareForm {
   bool may_be_stationary = true;
 };
 
+struct DistanceRange {
+  double nearest = 0;
+  double farthest = 0;  ///< infinite where nothing is known
+};
+
 /// The same bounds of the distance from a circle, centre.radius > 0, whose square is no form. With
 /// X from the circle's centre, rho from its axis, and any number r,
 ///
 ///   d^2 - r^2 = g / (d^2 - r^2 + 4 R rho),  g = (|X|^2 + R^2 - r^2)^2 - 4 R^2 rho^2
 ///
 /// g is a form and vanishes on the torus of radius r about the circle, so the bounds are exact
-/// there. cell     likewise, of degrees up to kMostCircleDegree
-struct DistanceRange {
-  double nearest = 0;
-  double farthest = 0;  ///< infinite where nothing is known
-};
+/// there.
+///
+/// cell     likewise, of degrees up to kMostCircleDegree
 DistanceRange circle_distance(const Cell& cell, const NetShape& shape, const Centre& centre);
 inline constexpr int kMostCircleDegree = 5;
 

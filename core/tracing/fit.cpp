@@ -17,7 +17,7 @@ namespace blossom {
 namespace {
 
 constexpr double kToleranceShare = 0.3;   // of the wanted tolerance, left to one fit
-constexpr double kLengthShare = 5e-7;      // of a curve's length: small loops keep theirs to a millionth
+constexpr double kLengthShare = 5e-7;     // of a curve's length: small loops keep theirs to 1e-6
 constexpr double kGaps = 16;              // no fit is asked for less: half of a sampling's share
 constexpr double kRounding = 1e-12;       // of the size: no fit is asked for more
 constexpr double kSamplingShare = 0.125;  // of the fit's error, left to the pieces it is made from

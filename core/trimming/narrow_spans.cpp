@@ -11,6 +11,8 @@
 namespace blossom {
 namespace {
 
+constexpr double kMostError = 1e-4;  // of the size: no surface loses more with narrow spans
+
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 BezierSurface transposed(const BezierSurface& surface) {
@@ -92,9 +94,23 @@ BezierSurface without_run(const BezierSurface& given, const Run& run) {
   return result;
 }
 
+double size_of(const BezierSurface& surface) {
+  const Vec3 start = projected(surface.patches(0, 0).points(0, 0));
+  double size = 0;
+  for (const RationalBezierPatch& patch : surface.patches.values())
+    for (const Vec4& p : patch.points.values())
+      size = std::max(size, distance(projected(p), start));
+  return size;
+}
+
+// Narrow spans that are long in space stay.
 BezierSurface without_runs(BezierSurface surface) {
-  for (Run run = narrow_run(surface.u_knots); run.count > 0; run = narrow_run(surface.u_knots))
-    surface = without_run(surface, run);
+  const double most = surface.error + kMostError * size_of(surface);
+  for (Run run = narrow_run(surface.u_knots); run.count > 0; run = narrow_run(surface.u_knots)) {
+    BezierSurface less = without_run(surface, run);
+    if (!(less.error <= most)) break;
+    surface = std::move(less);
+  }
   return surface;
 }
 
