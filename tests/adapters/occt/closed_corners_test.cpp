@@ -12,6 +12,8 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -92,6 +94,27 @@ TEST(ClosedCorners, LeaveWhatMeetsAndWhatNoToleranceAllows) {
 TEST(ClosedCorners, LeaveLinesAndCirclesWhatTheyAre) {
   EXPECT_EQ(ClosedCorners(loosened(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), 1e-3)).count(), 0u);
   EXPECT_EQ(ClosedCorners(BRepPrimAPI_MakeCylinder(1, 2).Shape()).count(), 0u);
+}
+
+// As a spline a Bezier curve over a part of its range has other parameters than its edge.
+TEST(ClosedCorners, LeaveCurvesThatDoNotKeepTheirParameters) {
+  const TopoDS_Shape box = loosened(spline_box(), 1e-3);
+  const TopoDS_Edge edge = TopoDS::Edge(edges_of(box)(1));
+  double first = 0, last = 0;
+  const Handle(Geom_Curve) line = BRep_Tool::Curve(edge, first, last);
+  const gp_XYZ from = line->Value(first).XYZ(), rate = (line->Value(last).XYZ() - from) / 0.5;
+  TColgp_Array1OfPnt poles(1, 2);
+  poles(1) = from - 0.2 * rate;
+  poles(2) = from + 0.8 * rate;
+  const Handle(Geom_Curve) given = new Geom_BezierCurve(poles);
+  BRep_Builder().UpdateEdge(edge, given, 1e-3);
+  BRep_Builder().Range(edge, 0.2, 0.7);
+
+  const ClosedCorners closed(box);
+
+  EXPECT_EQ(closed.count(), 4u);  // the two others at each of its ends
+  EXPECT_LE(closed.worst(), 2 * kGap);
+  EXPECT_EQ(BRep_Tool::Curve(edge, first, last), given);
 }
 
 }  // namespace
