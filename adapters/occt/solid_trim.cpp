@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
 #include "adapters/occt/shared_limit.h"
+#include "adapters/occt/solid_layers.h"
 #include "adapters/occt/solid_pieces.h"
 #include "adapters/occt/solid_shells.h"
 #include "core/base/errors.h"
@@ -170,11 +172,21 @@ SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperat
   return result;
 }
 
-// A result on its way through several tools: a solid again, with the origins of its faces.
+// A solid on its way through the work, with the origins of its faces.
 struct Stage {
   TrimTool solid;
   std::vector<SolidFace> faces;  // one for each of the solid's
 };
+using Stages = std::vector<Stage>;
+
+template <class Solids>
+TopoDS_Compound compound_of(const Solids& solids) {
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Solid& solid : solids) builder.Add(all, solid);
+  return all;
+}
 
 Stage stage_of(const TrimTool& input, int tool) {
   Stage stage{input, {}};
@@ -183,61 +195,132 @@ Stage stage_of(const TrimTool& input, int tool) {
   return stage;
 }
 
-Stage stage_of(const SolidTrimResult& made) {
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Solid& solid : made.solids) builder.Add(all, solid);
+// Solids whose faces are among known ones.
+template <class Solids>
+Stage stage_of(const Solids& solids, const std::vector<SolidFace>& known) {
   TopTools_IndexedMapOfShape numbers;
-  TopExp::MapShapes(all, TopAbs_FACE, numbers);
-  Stage stage{trim_tool(all), {}};
-  stage.faces.resize(stage.solid.faces.size());
-  for (const SolidFace& face : made.faces)
-    stage.faces[static_cast<std::size_t>(numbers.FindIndex(face.face)) - 1] = face;
+  for (const SolidFace& face : known) numbers.Add(face.face);
+  Stage stage{trim_tool(compound_of(solids)), {}};
+  for (const TopoDS_Face& face : stage.solid.faces) {
+    const SolidFace& origin = known[static_cast<std::size_t>(numbers.FindIndex(face)) - 1];
+    stage.faces.push_back({face, origin.tool, origin.from});
+  }
   return stage;
 }
 
-// Combines a stage with another one; faces come from where those of the two do.
-void combine(const Stage& first, const Stage& second, SolidOperation operation,
-             const IntersectionOptions& options, SolidTrimResult& result) {
-  SolidTrimResult made = combined(first.solid, second.solid, operation, options);
+// An input in layers. Where two of its solids touch, faces of another one would be cut twice in the
+// same place; solids of one layer do not.
+Stages stages_of(const TrimTool& input, int tool, double tolerance, const SharedLimit& limit) {
+  const Stage whole = stage_of(input, tool);
+  if (input.solids.size() == 1) return {whole};
+  const auto layers = solid_layers(input.solids, tolerance, limit);
+  if (layers.size() == 1) return {whole};
+  Stages stages;
+  for (const std::vector<std::size_t>& layer : layers) {
+    std::vector<TopoDS_Solid> solids;
+    for (const std::size_t i : layer) solids.push_back(input.solids[i]);
+    stages.push_back(stage_of(solids, whole.faces));
+  }
+  return stages;
+}
+
+// What is told of a step on the way.
+void note(const SolidTrimResult& step, SolidTrimResult& result) {
+  result.status = weaker(result.status, step.status);
+  add(result.certificate, step.certificate);
+  result.volumes.insert(result.volumes.end(), step.volumes.begin(), step.volumes.end());
+  result.obstacles.insert(result.obstacles.end(), step.obstacles.begin(), step.obstacles.end());
+  result.thin.insert(result.thin.end(), step.thin.begin(), step.thin.end());
+}
+
+void give_out(const SolidTrimResult& made, SolidTrimResult& result) {
+  result.solids.insert(result.solids.end(), made.solids.begin(), made.solids.end());
+  result.faces.insert(result.faces.end(), made.faces.begin(), made.faces.end());
+}
+
+// The steps of one operation on layers, and what was told of them.
+struct LayerWork {
+  const SharedLimit& limit;
+  SolidTrimResult told;  // no solids
+
+  bool is_refused() const { return !told.obstacles.empty(); }
+  /// Two stages; faces come from where those of the two do.
+  SolidTrimResult step(const Stage& first, const Stage& second, SolidOperation operation);
+  /// The layer without all tools, or together with them.
+  SolidTrimResult folded(Stage layer, std::span<const Stage> tools, SolidOperation operation);
+  /// What is in the layer and in every tool.
+  SolidTrimResult common(const Stage& layer, std::span<const Stages> tools);
+};
+
+SolidTrimResult LayerWork::step(const Stage& first, const Stage& second, SolidOperation operation) {
+  SolidTrimResult made = combined(first.solid, second.solid, operation, limit.remaining());
   for (SolidFace& face : made.faces) {
     const Stage& of = face.tool < 0 ? first : second;
     const SolidFace& origin = of.faces[static_cast<std::size_t>(face.from)];
     face = {face.face, origin.tool, origin.from};
   }
-  result.status = weaker(result.status, made.status);
-  add(result.certificate, made.certificate);
-  result.volumes.insert(result.volumes.end(), made.volumes.begin(), made.volumes.end());
-  result.obstacles = std::move(made.obstacles);
-  result.thin.insert(result.thin.end(), made.thin.begin(), made.thin.end());
-  result.solids = std::move(made.solids);
-  result.faces = std::move(made.faces);
+  note(made, told);
+  return made;
 }
 
 // One tool after the other, until there is an obstacle or nothing left.
-SolidTrimResult folded(Stage stage, const std::vector<TrimTool>& tools, std::size_t from,
-                       SolidOperation operation, const SharedLimit& limit) {
-  SolidTrimResult result;
-  for (std::size_t i = from; i < tools.size(); ++i) {
-    combine(stage, stage_of(tools[i], static_cast<int>(i)), operation, limit.remaining(), result);
-    if (!result.obstacles.empty() || result.solids.empty()) break;
-    if (i + 1 < tools.size()) stage = stage_of(result);
+SolidTrimResult LayerWork::folded(Stage layer, std::span<const Stage> tools,
+                                  SolidOperation operation) {
+  SolidTrimResult made;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    made = step(layer, tools[i], operation);
+    if (is_refused() || made.solids.empty()) break;
+    if (i + 1 < tools.size()) layer = stage_of(made.solids, made.faces);
   }
-  return result;
+  return made;
 }
 
-SolidTrimResult split(const TrimTool& part, const std::vector<TrimTool>& tools,
-                      const SharedLimit& limit) {
-  Stage tool = stage_of(tools.front(), 0);
-  SolidTrimResult result;
-  if (tools.size() > 1) {
-    result = folded(tool, tools, 1, SolidOperation::Fuse, limit);
-    if (!result.obstacles.empty()) return result;
-    tool = stage_of(result);
+SolidTrimResult LayerWork::common(const Stage& layer, std::span<const Stages> tools) {
+  SolidTrimResult all;
+  for (const Stage& tool : tools.front()) {
+    const SolidTrimResult made = step(layer, tool, SolidOperation::Common);
+    if (is_refused()) break;
+    if (made.solids.empty()) continue;
+    give_out(tools.size() == 1 ? made : common(stage_of(made.solids, made.faces), tools.subspan(1)),
+             all);
   }
-  combine(stage_of(part, -1), tool, SolidOperation::Split, limit.remaining(), result);
-  return result;
+  return all;
+}
+
+Stages joined(std::span<const Stages> parts) {
+  Stages all;
+  for (const Stages& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+// All tools as one.
+Stage fused(Stages tools, LayerWork& work) {
+  if (tools.size() == 1) return tools.front();
+  const SolidTrimResult made =
+      work.folded(tools.front(), std::span(tools).subspan(1), SolidOperation::Fuse);
+  return work.is_refused() ? Stage{} : stage_of(made.solids, made.faces);
+}
+
+SolidTrimResult worked(const Stages& part, const std::vector<Stages>& tools,
+                       SolidOperation operation, const SharedLimit& limit) {
+  LayerWork work{limit, {}};
+  SolidTrimResult all;
+  const Stages cutters = joined(tools);
+  if (operation == SolidOperation::Fuse) {
+    Stages stages = joined(std::vector{part, cutters});
+    give_out(work.folded(stages.front(), std::span(stages).subspan(1), operation), all);
+  } else {
+    const Stage tool = operation == SolidOperation::Split ? fused(cutters, work) : Stage{};
+    for (const Stage& layer : part) {
+      if (work.is_refused()) break;
+      give_out(operation == SolidOperation::Cut      ? work.folded(layer, cutters, operation)
+               : operation == SolidOperation::Common ? work.common(layer, tools)
+                                                     : work.step(layer, tool, operation),
+               all);
+    }
+  }
+  note(work.told, all);
+  return all;
 }
 
 }  // namespace
@@ -260,9 +343,11 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   const SharedLimit limit(options);
   SolidTrimResult result;
   with_threads(options.threads, [&] {
-    result = operation == SolidOperation::Split
-                 ? split(part, tools, limit)
-                 : folded(stage_of(part, -1), tools, 0, operation, limit);
+    const double tolerance = options.tolerances.point;
+    std::vector<Stages> cutters;
+    for (const TrimTool& tool : tools)
+      cutters.push_back(stages_of(tool, static_cast<int>(cutters.size()), tolerance, limit));
+    result = worked(stages_of(part, -1, tolerance, limit), cutters, operation, limit);
   });
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.

@@ -49,7 +49,7 @@ struct SolidTrimResult {
   Certificate certificate;
   std::vector<TopoDS_Solid> solids;    ///< valid by BRepCheck; none if it is empty or refused
   std::vector<SolidFace> faces;        ///< of all solids
-  std::vector<SolidVolumes> volumes;   ///< one for each tool, of the two that were combined then
+  std::vector<SolidVolumes> volumes;   ///< one for each step, of the two that were combined then
   std::vector<std::string> obstacles;  ///< why there is no result; none if it can be used
   std::vector<std::string> thin;       ///< pieces of two that are apart and count as one
 };
@@ -62,7 +62,9 @@ struct SolidTrimResult {
 /// every solid to be valid, and volumes to add up; what `solid_pieces` refuses is refused.
 ///
 /// Tools are taken one after the other: the part, and then the result so far, is combined with the
-/// next one, until the result is empty. To split, the tools are fused first.
+/// next one, until the result is empty. To split, the tools are fused first. Solids of one input
+/// that touch each other are worked on apart, in layers: they stay apart in what is cut, common or
+/// split, and become one in what is fused.
 ///
 /// Pieces of two solids that have the same border and are less than two tolerances apart count as
 /// one, and what is between them is in no result; they are told, with the status Tolerance.
