@@ -2,8 +2,6 @@
 #include "adapters/occt/solid_layers.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <memory>
 
 #include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
@@ -15,11 +13,13 @@
 namespace blossom::occt {
 namespace {
 
-// Cells' pairs that a question may cost: two solids in contact are not told apart by more.
+// Pairs of cells that a question may cost: two solids in contact are not told apart by more.
 constexpr long kBudget = 20'000;
 
+}  // namespace
+
 // A solid with what is asked about it.
-class Neighbour {
+class SolidContacts::Neighbour {
  public:
   explicit Neighbour(const TopoDS_Solid& solid)
       : solid_(solid), own_(BRep_Tool::MaxTolerance(solid, TopAbs_EDGE)) {
@@ -46,35 +46,57 @@ class Neighbour {
   std::unique_ptr<MeasuredShape> measured_;
 };
 
-// What cannot be measured is not shown to be apart.
-bool are_apart(Neighbour& a, Neighbour& b, double tolerance) try {
-  return a.is_apart_from(b, tolerance);
-} catch (const Failure&) {
-  return false;
-} catch (const BadModel&) {
-  return false;
+SolidContacts::SolidContacts(const std::vector<TopoDS_Solid>& solids, double tolerance,
+                             const SharedLimit& limit)
+    : tolerance_(tolerance), limit_(limit) {
+  for (const TopoDS_Solid& solid : solids) neighbours_.emplace_back(solid);
 }
 
-}  // namespace
+SolidContacts::~SolidContacts() = default;
 
-std::vector<std::vector<std::size_t>> solid_layers(const std::vector<TopoDS_Solid>& solids,
-                                                   double tolerance, const SharedLimit& limit) {
-  std::vector<Neighbour> neighbours;
-  for (const TopoDS_Solid& solid : solids) neighbours.emplace_back(solid);
-  std::vector<std::vector<std::size_t>> layers;
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    const auto fits = [&](const std::vector<std::size_t>& layer) {
-      return std::ranges::all_of(layer, [&](std::size_t k) {
-        return !limit.is_reached() && are_apart(neighbours[i], neighbours[k], tolerance);
-      });
+bool SolidContacts::touch(std::size_t a, std::size_t b) try {
+  return limit_.is_reached() || !neighbours_[a].is_apart_from(neighbours_[b], tolerance_);
+} catch (const Failure&) {
+  return true;  // what cannot be measured is not shown to be apart
+} catch (const BadModel&) {
+  return true;
+}
+
+std::vector<SolidPlaces> SolidContacts::layers(const SolidPlaces& places) {
+  std::vector<SolidPlaces> layers;
+  for (const std::size_t place : places) {
+    const auto has_room = [&](const SolidPlaces& layer) {
+      return std::ranges::none_of(layer, [&](std::size_t other) { return touch(place, other); });
     };
-    const auto free = std::ranges::find_if(layers, fits);
+    const auto free = std::ranges::find_if(layers, has_room);
     if (free == layers.end())
-      layers.push_back({i});
+      layers.push_back({place});
     else
-      free->push_back(i);
+      free->push_back(place);
   }
   return layers;
+}
+
+std::vector<SolidPlaces> SolidContacts::joined(const std::vector<int>& input) {
+  std::vector<SolidPlaces> sets;
+  for (std::size_t place = 0; place < neighbours_.size(); ++place) {
+    const auto meets = [&](const SolidPlaces& set) {
+      return std::ranges::any_of(set, [&](std::size_t other) {
+        return input[other] != input[place] && touch(place, other);
+      });
+    };
+    SolidPlaces joined;
+    const auto rest = std::stable_partition(sets.begin(), sets.end(),
+                                            [&](const SolidPlaces& set) { return !meets(set); });
+    for (auto set = rest; set != sets.end(); ++set)
+      joined.insert(joined.end(), set->begin(), set->end());
+    joined.push_back(place);
+    sets.erase(rest, sets.end());
+    sets.push_back(std::move(joined));
+  }
+  for (SolidPlaces& set : sets) std::ranges::sort(set);
+  std::ranges::sort(sets);
+  return sets;
 }
 
 }  // namespace blossom::occt

@@ -9,21 +9,19 @@
 #include <string>
 #include <utility>
 
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 
 #include "adapters/occt/area.h"
+#include "adapters/occt/edge_tolerances.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
 #include "adapters/occt/shared_limit.h"
-#include "adapters/occt/solid_layers.h"
 #include "adapters/occt/solid_pieces.h"
 #include "adapters/occt/solid_shells.h"
+#include "adapters/occt/solid_stages.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 
@@ -161,7 +159,7 @@ SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperat
   const WorkLimit limit(options);
   const SolidPieces pieces = solid_pieces(part, tool, options);
   SolidTrimResult result{pieces.status,    pieces.certificate, {}, {}, {},
-                         pieces.obstacles, pieces.thin};
+                         pieces.obstacles, pieces.thin,        {}};
   if (!result.obstacles.empty()) return result;
   try {
     put_together(pieces, part, tool, operation, limit, result);
@@ -172,58 +170,6 @@ SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperat
   return result;
 }
 
-// A solid on its way through the work, with the origins of its faces.
-struct Stage {
-  TrimTool solid;
-  std::vector<SolidFace> faces;  // one for each of the solid's
-};
-using Stages = std::vector<Stage>;
-
-template <class Solids>
-TopoDS_Compound compound_of(const Solids& solids) {
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Solid& solid : solids) builder.Add(all, solid);
-  return all;
-}
-
-Stage stage_of(const TrimTool& input, int tool) {
-  Stage stage{input, {}};
-  for (const TopoDS_Face& face : input.faces)
-    stage.faces.push_back({face, tool, static_cast<int>(stage.faces.size())});
-  return stage;
-}
-
-// Solids whose faces are among known ones.
-template <class Solids>
-Stage stage_of(const Solids& solids, const std::vector<SolidFace>& known) {
-  TopTools_IndexedMapOfShape numbers;
-  for (const SolidFace& face : known) numbers.Add(face.face);
-  Stage stage{trim_tool(compound_of(solids)), {}};
-  for (const TopoDS_Face& face : stage.solid.faces) {
-    const SolidFace& origin = known[static_cast<std::size_t>(numbers.FindIndex(face)) - 1];
-    stage.faces.push_back({face, origin.tool, origin.from});
-  }
-  return stage;
-}
-
-// An input in layers. Where two of its solids touch, faces of another one would be cut twice in the
-// same place; solids of one layer do not.
-Stages stages_of(const TrimTool& input, int tool, double tolerance, const SharedLimit& limit) {
-  const Stage whole = stage_of(input, tool);
-  if (input.solids.size() == 1) return {whole};
-  const auto layers = solid_layers(input.solids, tolerance, limit);
-  if (layers.size() == 1) return {whole};
-  Stages stages;
-  for (const std::vector<std::size_t>& layer : layers) {
-    std::vector<TopoDS_Solid> solids;
-    for (const std::size_t i : layer) solids.push_back(input.solids[i]);
-    stages.push_back(stage_of(solids, whole.faces));
-  }
-  return stages;
-}
-
 // What is told of a step on the way.
 void note(const SolidTrimResult& step, SolidTrimResult& result) {
   result.status = weaker(result.status, step.status);
@@ -231,6 +177,13 @@ void note(const SolidTrimResult& step, SolidTrimResult& result) {
   result.volumes.insert(result.volumes.end(), step.volumes.begin(), step.volumes.end());
   result.obstacles.insert(result.obstacles.end(), step.obstacles.begin(), step.obstacles.end());
   result.thin.insert(result.thin.end(), step.thin.begin(), step.thin.end());
+}
+
+// Solids that nothing was done to.
+void give_out(const Stage& stage, SolidTrimResult& result) {
+  const std::vector<TopoDS_Solid>& solids = stage.solid.solids;
+  result.solids.insert(result.solids.end(), solids.begin(), solids.end());
+  result.faces.insert(result.faces.end(), stage.faces.begin(), stage.faces.end());
 }
 
 void give_out(const SolidTrimResult& made, SolidTrimResult& result) {
@@ -287,40 +240,46 @@ SolidTrimResult LayerWork::common(const Stage& layer, std::span<const Stages> to
   return all;
 }
 
-Stages joined(std::span<const Stages> parts) {
-  Stages all;
-  for (const Stages& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
-
 // All tools as one.
-Stage fused(Stages tools, LayerWork& work) {
+Stage fused(const Stages& tools, LayerWork& work) {
   if (tools.size() == 1) return tools.front();
   const SolidTrimResult made =
       work.folded(tools.front(), std::span(tools).subspan(1), SolidOperation::Fuse);
   return work.is_refused() ? Stage{} : stage_of(made.solids, made.faces);
 }
 
-SolidTrimResult worked(const Stages& part, const std::vector<Stages>& tools,
-                       SolidOperation operation, const SharedLimit& limit) {
-  LayerWork work{limit, {}};
+// Sets of solids that become one, each by itself.
+SolidTrimResult fused(const std::vector<Stages>& sets, LayerWork& work) {
   SolidTrimResult all;
-  const Stages cutters = joined(tools);
-  if (operation == SolidOperation::Fuse) {
-    Stages stages = joined(std::vector{part, cutters});
-    give_out(work.folded(stages.front(), std::span(stages).subspan(1), operation), all);
-  } else {
-    const Stage tool = operation == SolidOperation::Split ? fused(cutters, work) : Stage{};
-    for (const Stage& layer : part) {
-      if (work.is_refused()) break;
-      give_out(operation == SolidOperation::Cut      ? work.folded(layer, cutters, operation)
-               : operation == SolidOperation::Common ? work.common(layer, tools)
-                                                     : work.step(layer, tool, operation),
-               all);
-    }
+  for (const Stages& set : sets) {
+    if (work.is_refused()) break;
+    if (set.size() > 1)
+      give_out(work.folded(set.front(), std::span(set).subspan(1), SolidOperation::Fuse), all);
+    else
+      give_out(set.front(), all);
   }
-  note(work.told, all);
   return all;
+}
+
+// Each layer of the part by itself.
+SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation, LayerWork& work) {
+  const std::vector<Stages> tools = inputs.tools();
+  Stages cutters;
+  for (const Stages& tool : tools) cutters.insert(cutters.end(), tool.begin(), tool.end());
+  const Stage tool = operation == SolidOperation::Split ? fused(cutters, work) : Stage{};
+  SolidTrimResult all;
+  for (const Stage& layer : inputs.part()) {
+    if (work.is_refused()) break;
+    give_out(operation == SolidOperation::Cut      ? work.folded(layer, cutters, operation)
+             : operation == SolidOperation::Common ? work.common(layer, tools)
+                                                   : work.step(layer, tool, operation),
+             all);
+  }
+  return all;
+}
+
+std::string tool_name(const std::vector<TrimTool>& tools, std::size_t i) {
+  return tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1);
 }
 
 }  // namespace
@@ -337,17 +296,26 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   if (!part.is_solid()) throw InvalidInput("trim: the part is no closed solid");
   for (std::size_t i = 0; i < tools.size(); ++i)
     if (!tools[i].is_solid())
-      throw InvalidInput(
-          "trim: " + (tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1)) +
-          " is no closed solid");
+      throw InvalidInput("trim: " + tool_name(tools, i) + " is no closed solid");
   const SharedLimit limit(options);
   SolidTrimResult result;
   with_threads(options.threads, [&] {
-    const double tolerance = options.tolerances.point;
-    std::vector<Stages> cutters;
-    for (const TrimTool& tool : tools)
-      cutters.push_back(stages_of(tool, static_cast<int>(cutters.size()), tolerance, limit));
-    result = worked(stages_of(part, -1, tolerance, limit), cutters, operation, limit);
+    std::vector<std::string> told;
+    const auto sound = [&](const TrimTool& input, const std::string& name) {
+      TrueSolid made = with_true_tolerances(input);
+      if (!made.told.empty()) told.push_back(name + ": " + made.told);
+      return std::move(made.solid);
+    };
+    const TrimTool first = sound(part, "the part");
+    std::vector<TrimTool> others;
+    for (std::size_t i = 0; i < tools.size(); ++i)
+      others.push_back(sound(tools[i], tool_name(tools, i)));
+    StagedInputs inputs(first, others, options.tolerances.point, limit);
+    LayerWork work{limit, {}};
+    result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
+                                               : divided(inputs, operation, work);
+    note(work.told, result);
+    result.tolerances = std::move(told);
   });
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.

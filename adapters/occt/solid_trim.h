@@ -47,11 +47,12 @@ struct SolidFace {
 struct SolidTrimResult {
   Status status = Status::Complete;  ///< of the intersection
   Certificate certificate;
-  std::vector<TopoDS_Solid> solids;    ///< valid by BRepCheck; none if it is empty or refused
-  std::vector<SolidFace> faces;        ///< of all solids
-  std::vector<SolidVolumes> volumes;   ///< one for each step, of the two that were combined then
-  std::vector<std::string> obstacles;  ///< why there is no result; none if it can be used
-  std::vector<std::string> thin;       ///< pieces of two that are apart and count as one
+  std::vector<TopoDS_Solid> solids;     ///< valid by BRepCheck; none if it is empty or refused
+  std::vector<SolidFace> faces;         ///< of all solids
+  std::vector<SolidVolumes> volumes;    ///< one for each step, of the two that were combined then
+  std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
+  std::vector<std::string> thin;        ///< pieces of two that are apart and count as one
+  std::vector<std::string> tolerances;  ///< what was not true about those of the part and the tools
 };
 
 /// Combines closed solids.
@@ -63,11 +64,13 @@ struct SolidTrimResult {
 ///
 /// Tools are taken one after the other: the part, and then the result so far, is combined with the
 /// next one, until the result is empty. To split, the tools are fused first. Solids of one input
-/// that touch each other are worked on apart, in layers: they stay apart in what is cut, common or
-/// split, and become one in what is fused.
+/// that touch each other are worked on apart, in layers, and stay apart; fused, they become one
+/// only where solids of another input join them.
 ///
 /// Pieces of two solids that have the same border and are less than two tolerances apart count as
 /// one, and what is between them is in no result; they are told, with the status Tolerance.
+///
+/// Tolerances that are not true are not used: see with_true_tolerances.
 ///
 /// options       its time limit is that of the whole work; when it is reached, volumes and solids
 ///               too are left with the obstacle and the status Stopped

@@ -131,20 +131,35 @@ Json report_of(const SolidTrim& options, const Timed& timed, bool written) {
           {"steps", steps},
           {"obstacles", timed.made.obstacles},
           {"thin", timed.made.thin},
+          {"tolerances", timed.made.tolerances},
           {"watertight", timed.watertight ? to_json(*timed.watertight) : Json(nullptr)},
           {"certificate", to_json(timed.made.certificate)}};
+}
+
+// Of the last step, and how well those of all add up.
+std::string told_volumes(const std::vector<occt::SolidVolumes>& steps) {
+  if (steps.empty()) return "";
+  const occt::SolidVolumes& last = steps.back();
+  double cut = 0, fuse = 0;
+  for (const occt::SolidVolumes& step : steps) {
+    cut = std::max(cut, step.cut_error());
+    fuse = std::max(fuse, step.fuse_error());
+  }
+  std::ostringstream text;
+  text << "  volumes" << (steps.size() > 1 ? " of the last step" : "") << ": part " << last.part
+       << ", tool " << last.tool << ", cut " << last.cut << ", common " << last.common << ", fuse "
+       << last.fuse << "\n  they add up within " << cut << " (cut) and " << fuse << " (fuse)"
+       << (steps.size() > 1 ? " in all " + std::to_string(steps.size()) + " steps" : "") << "\n";
+  return text.str();
 }
 
 std::string summary(const SolidTrim& options, const Timed& timed) {
   std::ostringstream text;
   text << options.part << ": " << options.operation << ", " << to_string(timed.made.status) << ", "
        << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
-  for (const occt::SolidVolumes& volumes : timed.made.volumes)
-    text << "  volumes: part " << volumes.part << ", tool " << volumes.tool << ", cut "
-         << volumes.cut << ", common " << volumes.common << ", fuse " << volumes.fuse
-         << "\n  they add up within " << volumes.cut_error() << " (cut) and "
-         << volumes.fuse_error() << " (fuse)\n";
+  text << told_volumes(timed.made.volumes);
   if (timed.watertight) text << summary_of(*timed.watertight);
+  for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
   for (const std::string& thin : timed.made.thin) text << "  " << thin << "\n";
   for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
   return text.str();

@@ -86,20 +86,26 @@ void expect_all(const TopoDS_Shape& a, const TopoDS_Shape& b, const Expected& ex
   expect(trim_solids(part, {tool}, SolidOperation::Split), expected.pieces, expected.part);
 }
 
-TEST(SolidLayers, TouchingSolidsAreNotInOne) {
+using Places = std::vector<SolidPlaces>;
+
+TEST(SolidLayers, HoldNoTwoSolidsThatTouch) {
   const std::vector<TopoDS_Solid> row = solids_in(together(
       {box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1}), box({2, 0, 0}, {3, 1, 1}),
        box({5, 0, 0}, {6, 1, 1}), BRepPrimAPI_MakeSphere(gp_Pnt(4, 0.5, 0.5), 1).Shape()}));
   const IntersectionOptions options;
-  EXPECT_EQ(solid_layers(row, 1e-7, SharedLimit(options)),
-            (std::vector<std::vector<std::size_t>>{{0, 2, 3}, {1, 4}}));
+  const SharedLimit limit(options);
+  SolidContacts contacts(row, 1e-7, limit);
+  EXPECT_EQ(contacts.layers({0, 1, 2, 3, 4}), (Places{{0, 2, 3}, {1, 4}}));
+  // Two inputs: the boxes 0, 1, 2 touch each other, but only the last is joined to the others.
+  EXPECT_EQ(contacts.joined({0, 0, 0, 0, 1}), (Places{{0}, {1}, {2, 3, 4}}));
 }
 
-TEST(SolidLayers, BoxesThatMeetAreNotYetSolidsThatDo) {
+TEST(SolidLayers, MayHoldSolidsWhoseBoxesMeet) {
   const std::vector<TopoDS_Solid> apart = solids_in(together(
       {box({0, 0, 0}, {1, 1, 1}), BRepPrimAPI_MakeSphere(gp_Pnt(1.6, 1.6, 1.6), 1).Shape()}));
   const IntersectionOptions options;
-  EXPECT_EQ(solid_layers(apart, 1e-7, SharedLimit(options)).size(), 1U);
+  const SharedLimit limit(options);
+  EXPECT_FALSE(SolidContacts(apart, 1e-7, limit).touch(0, 1));
 }
 
 TEST(SolidLayers, PartsThatTouchAreCutWhereTheyDo) {
@@ -119,6 +125,15 @@ TEST(SolidLayers, BothMayTouch) {
   const TopoDS_Shape rods = together({rod(-2, 0, 0.5), rod(0, 2, 0.5)});
   const TopoDS_Shape boxes = together({box({-1, -1, -1}, {1, 0, 1}), box({-1, 0, -1}, {1, 1, 1})});
   expect_all(rods, boxes, {kPi, 8, kPi / 2, 2, 4, 1, 4});
+}
+
+TEST(SolidLayers, BecomeOneWhereTheToolJoinsThemAlone) {
+  const TopoDS_Shape row =
+      together({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1}), box({2, 0, 0}, {3, 1, 1})});
+  const TopoDS_Shape tool = box({1.5, -1, -1}, {5, 0.5, 0.5});
+  const double both = 1.5 * 0.5 * 0.5;
+  expect(trim_solids(trim_tool(row), {trim_tool(tool)}, SolidOperation::Fuse), 2,
+         3 + 3.5 * 1.5 * 1.5 - both);
 }
 
 }  // namespace

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/edge_tolerances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_TEdge.hxx>
+#include <BRep_TVertex.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <NCollection_DataMap.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include "adapters/occt/edge_gaps.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kMargin = 1.1;  // of gaps, which are measured at samples
+constexpr double kExcess = 10;   // a tolerance this many times as large as it has to be is lowered
+
+using Users = TopTools_IndexedDataMapOfShapeListOfShape;
+
+// An edge or vertex and the tolerance that it needs.
+struct Needed {
+  TopoDS_Shape part;
+  double given = 0;
+  double needed = 0;
+
+  bool is_raised() const { return needed > given; }
+};
+
+// Needed tolerances that are not those given.
+struct Wrong {
+  std::vector<Needed> edges, vertices;
+
+  bool empty() const { return edges.empty() && vertices.empty(); }
+  bool has_lowered() const {
+    const auto is_lowered = [](const Needed& each) { return !each.is_raised(); };
+    return std::ranges::any_of(edges, is_lowered) || std::ranges::any_of(vertices, is_lowered);
+  }
+};
+
+void add_if_wrong(const Needed& each, std::vector<Needed>& all) {
+  if (std::isfinite(each.needed) && (each.is_raised() || each.given > kExcess * each.needed))
+    all.push_back(each);
+}
+
+double needed_by(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {
+  double largest = 0;
+  for (const TopoDS_Shape& face : faces) {
+    const EdgeGaps gaps = edge_gaps(edge, TopoDS::Face(face));
+    if (!gaps.has_curve || !gaps.has_pcurve) return BRep_Tool::Tolerance(edge);
+    largest = std::max({largest, gaps.gap, gaps.same_parameter});
+  }
+  return std::max(Precision::Confusion(), kMargin * largest);
+}
+
+// How far the curves of an edge end from a vertex of it, as oriented there.
+double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
+                   const TopTools_ListOfShape& faces) {
+  const double end = BRep_Tool::Parameter(vertex, edge);
+  const gp_Pnt point = BRep_Tool::Pnt(vertex);
+  double largest = 0, first = 0, last = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+  if (!curve.IsNull()) largest = point.Distance(curve->Value(end));
+  for (const TopoDS_Shape& face : faces)
+    for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) {  // of a seam
+      const Handle(Geom2d_Curve) chart = BRep_Tool::CurveOnSurface(
+          TopoDS::Edge(edge.Oriented(side)), TopoDS::Face(face), first, last);
+      if (chart.IsNull()) continue;
+      const gp_Pnt2d uv = chart->Value(end);
+      largest = std::max(
+          largest, point.Distance(BRep_Tool::Surface(TopoDS::Face(face))->Value(uv.X(), uv.Y())));
+    }
+  return largest;
+}
+
+using EdgeNeeds = NCollection_DataMap<TopoDS_Shape, double, TopTools_ShapeMapHasher>;
+
+// What a vertex needs: no less than its edges, whose ends it covers.
+double needed_by(const TopoDS_Vertex& vertex, const TopTools_ListOfShape& edges,
+                 const Users& faces_of, const EdgeNeeds& needs) {
+  double largest = Precision::Confusion();
+  for (const TopoDS_Shape& each : edges) {
+    const TopoDS_Edge edge = TopoDS::Edge(each);
+    largest = std::max(largest, needs(edge));
+    for (TopoDS_Iterator end(edge.Oriented(TopAbs_FORWARD)); end.More(); end.Next())
+      if (end.Value().IsSame(vertex))
+        largest = std::max(largest, kMargin * distance_at(TopoDS::Vertex(end.Value()), edge,
+                                                          faces_of.FindFromKey(edge)));
+  }
+  return largest;
+}
+
+Wrong wrong_tolerances(const TopoDS_Shape& shape) {
+  Wrong found;
+  Users faces_of, edges_of;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
+  TopExp::MapShapesAndAncestors(shape, TopAbs_VERTEX, TopAbs_EDGE, edges_of);
+  EdgeNeeds needs;
+  for (int i = 1; i <= faces_of.Extent(); ++i) {
+    const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(i));
+    const double given = BRep_Tool::Tolerance(edge);
+    const bool is_point = BRep_Tool::Degenerated(edge);
+    const Needed each{edge, given, is_point ? given : needed_by(edge, faces_of(i))};
+    const std::size_t before = found.edges.size();
+    add_if_wrong(each, found.edges);
+    needs.Bind(edge, found.edges.size() > before ? each.needed : given);
+  }
+  for (int i = 1; i <= edges_of.Extent(); ++i) {
+    const TopoDS_Vertex vertex = TopoDS::Vertex(edges_of.FindKey(i));
+    add_if_wrong(
+        {vertex, BRep_Tool::Tolerance(vertex), needed_by(vertex, edges_of(i), faces_of, needs)},
+        found.vertices);
+  }
+  return found;
+}
+
+TopoDS_Compound compound_of(const std::vector<TopoDS_Solid>& solids) {
+  TopoDS_Compound all;
+  const BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Solid& solid : solids) builder.Add(all, solid);
+  return all;
+}
+
+// A copy with the tolerances; with those that are raised alone if it is not valid otherwise.
+class Copy {
+ public:
+  Copy(const TopoDS_Shape& shape, const Wrong& wrong)
+      : copy_(shape, Standard_False), wrong_(wrong) {
+    set(true);
+    if (wrong.has_lowered() && !BRepCheck_Analyzer(copy_.Shape()).IsValid()) set(false);
+  }
+
+  TopoDS_Shape of(const TopoDS_Shape& part) {
+    return copy_.ModifiedShape(part).Oriented(part.Orientation());
+  }
+
+ private:
+  void set(bool lowered) {
+    for (const Needed& each : wrong_.edges) set<BRep_TEdge>(each, lowered);
+    for (const Needed& each : wrong_.vertices) set<BRep_TVertex>(each, lowered);
+  }
+  template <class Data>
+  void set(const Needed& each, bool lowered) {
+    const bool changed = lowered || each.is_raised();
+    Handle(Data)::DownCast(copy_.ModifiedShape(each.part).TShape())
+        ->Tolerance(changed ? each.needed : each.given);
+  }
+
+  BRepBuilderAPI_Copy copy_;
+  const Wrong& wrong_;
+};
+
+std::string words_about(const Wrong& wrong) {
+  int raised = 0, lowered = 0;
+  double most = 0, least = 0;
+  for (const Needed& each : wrong.edges) {
+    (each.is_raised() ? raised : lowered) += 1;
+    (each.is_raised() ? most : least) =
+        std::max(each.is_raised() ? most : least, each.is_raised() ? each.needed : each.given);
+  }
+  std::ostringstream words;
+  if (raised > 0)
+    words << "the curves of " << raised << " edges are up to " << most
+          << " apart, more than their tolerances say";
+  if (lowered > 0)
+    words << (raised > 0 ? "; " : "") << lowered << " edges state tolerances up to " << least
+          << ", more than ten times what they need";
+  if (words.str().empty()) words << wrong.vertices.size() << " vertices state wrong tolerances";
+  return words.str() + "; true ones are used";
+}
+
+}  // namespace
+
+TrueSolid with_true_tolerances(const TrimTool& solid) {
+  const TopoDS_Compound shape = compound_of(solid.solids);
+  const Wrong wrong = wrong_tolerances(shape);
+  if (wrong.empty()) return {solid, {}};
+  Copy copy(shape, wrong);
+  TrueSolid made{{}, words_about(wrong)};
+  for (const TopoDS_Face& face : solid.faces)
+    made.solid.faces.push_back(TopoDS::Face(copy.of(face)));
+  for (const TopoDS_Solid& each : solid.solids)
+    made.solid.solids.push_back(TopoDS::Solid(copy.of(each)));
+  return made;
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Edges that state other tolerances than their curves need.
+
+#pragma once
+
+#include <string>
+
+#include "adapters/occt/trim_sides.h"
+
+namespace blossom::occt {
+
+/// A solid whose tolerances are true, and what was not so; empty if everything was.
+struct TrueSolid {
+  TrimTool solid;
+  std::string told;
+};
+
+/// Raises the tolerances of edges and vertices that are less than the distances of their curves,
+/// and lowers those that are more than ten times these, as far as BRepCheck finds the solid no less
+/// valid: intersections that end on an edge are looked for as far as its tolerance says.
+///
+/// The given shapes keep theirs: where something is not true, all faces and solids are copies that
+/// share the geometry, in the same order.
+///
+/// solid   a closed one
+TrueSolid with_true_tolerances(const TrimTool& solid);
+
+}  // namespace blossom::occt
