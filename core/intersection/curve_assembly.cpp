@@ -174,11 +174,11 @@ bool CurveAssembly::connected(const Candidate& p, double at_a, double at_b) cons
 
 // The same for two contacts no farther from each other than contacts of order four are long, as far
 // as a few points between them tell.
-bool CurveAssembly::are_one(const Candidate& p, const Candidate& q) const {
+bool CurveAssembly::are_one(const Candidate& p, double at_a, double at_b) const {
   const double size = std::min(a_.size(), b_.size());
   const double longest = size * std::pow(tolerance_ / size, 0.2);
-  return distance(p.foot.jet_a.point, q.foot.jet_a.point) <= longest &&
-         connected(p, q.at_a, q.at_b);
+  return distance(p.foot.jet_a.point, a_.jet(a_.place(at_a)).point) <= longest &&
+         connected(p, at_a, at_b);
 }
 
 // The same point once. Two proven points closer than the tolerance are one contact, and so are two
@@ -186,7 +186,7 @@ bool CurveAssembly::are_one(const Candidate& p, const Candidate& q) const {
 void CurveAssembly::add(Candidate point) {
   for (Candidate& known : points_) {
     const bool contact = !known.proven && !point.proven;
-    if (!same(known, point) && !(contact && are_one(known, point))) continue;
+    if (!same(known, point) && !(contact && are_one(known, point.at_a, point.at_b))) continue;
     const bool distinct = known.proven && point.proven &&
                           !(overlap(known.box_a, point.box_a) && overlap(known.box_b, point.box_b));
     if (distinct && !(a_.closed() || b_.closed())) {
@@ -218,6 +218,13 @@ bool CurveAssembly::on_overlap(const Candidate& point) const {
     if (b_.stays_near(b_.parameter(foot), point.at_b, tolerance_)) return true;
   }
   return false;
+}
+
+// Whether a contact goes on into a run, whose ends need not be the ends of the contact.
+bool CurveAssembly::beside_overlap(const Candidate& point) const {
+  return std::ranges::any_of(overlaps_, [&](const CurveOverlap& run) {
+    return are_one(point, run.a.from, run.b.from) || are_one(point, run.a.to, run.b.to);
+  });
 }
 
 void CurveAssembly::add_overlaps(const std::vector<SharedSpans>& shared) {

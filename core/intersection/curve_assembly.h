@@ -54,10 +54,11 @@ class CurveAssembly {
   bool prove_at_border(Candidate& point, double reach_a, double reach_b) const;
   bool same(const Candidate& p, const Candidate& q) const;
   bool connected(const Candidate& p, double at_a, double at_b) const;
-  bool are_one(const Candidate& p, const Candidate& q) const;
+  bool are_one(const Candidate& p, double at_a, double at_b) const;
   void add(Candidate point);
   void add_overlaps(const std::vector<SharedSpans>& shared);
   bool on_overlap(const Candidate& point) const;
+  bool beside_overlap(const Candidate& point) const;
   void add_contacts(std::vector<CurveContact> contacts);
   void add_run(const CurveContact& run);
   CurveFoot foot_of(const CurveOverlap& run, double part) const;

@@ -154,7 +154,7 @@ void CurveAssembly::add_run(const CurveContact& contact) {
   }
   Candidate touch = nearest_in(run, best);
   if (itself_ && a_.stays_near(touch.at_a, touch.at_b, tolerance_)) return add_cusp(contact);
-  if (touch.gap.low > tolerance_ || on_overlap(touch)) return;
+  if (touch.gap.low > tolerance_ || on_overlap(touch) || beside_overlap(touch)) return;
   touch.touch = true;
   if (!strays) {
     touch.half_length = 0.5 * run_length;
@@ -164,7 +164,7 @@ void CurveAssembly::add_run(const CurveContact& contact) {
   const Vec3 first = foot_of(run, 0).gap(), final = foot_of(run, 1).gap();
   touch.crosses = a_.dimension() == 2 && dot(first, final) < 0;
   for (Candidate& known : points_) {
-    if (!same(known, touch) && !are_one(known, touch)) continue;
+    if (!same(known, touch) && !are_one(known, touch.at_a, touch.at_b)) continue;
     // A proven point says nothing about the rest of a run that goes on beyond it.
     const bool all = a_.stays_near(known.at_a, run.a.from, tolerance_) &&
                      a_.stays_near(known.at_a, run.a.to, tolerance_);

@@ -79,10 +79,10 @@ double common_volume(const TopoDS_Shape& part, const TopoDS_Shape& tool) {
 }
 
 // Where its seam begins is no matter of a ball: for 1e-3 of its length it lies in the ring's
-// intersection, as far as tolerances go. One of the eight such balls is refused.
+// intersection, as far as tolerances go. What stays within tolerance beside a stretch that both
+// share is the same contact, also where a piece between the two is proven not to meet the seam.
 TEST(SolidSeams, MayTouchTheIntersection) {
   const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(gp_Ax2({0, -0.5, 0}, gp::DX()), 1, 0.5).Shape();
-  int made = 0;
   for (const double x : {-0.5, 0.5})
     for (const double y : {-1.5, 0.5})
       for (const double z : {-0.5, 0.5}) {
@@ -90,14 +90,11 @@ TEST(SolidSeams, MayTouchTheIntersection) {
         const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(frame, 1).Shape();
         const SolidTrimResult cut =
             trim_solids(trim_tool(ring), {trim_tool(ball)}, SolidOperation::Common);
-        if (!cut.obstacles.empty()) continue;
-        ++made;
-        ASSERT_FALSE(cut.volumes.empty());
+        ASSERT_TRUE(cut.obstacles.empty()) << x << ' ' << y << ' ' << z << cut.obstacles.front();
         EXPECT_LE(cut.volumes.back().cut_error(), 1e-9);
         EXPECT_LE(cut.volumes.back().fuse_error(), 1e-9);
         EXPECT_NEAR(cut.volumes.back().common, 1.152371735, 1e-7);  // as with seams elsewhere
       }
-  EXPECT_GE(made, 7);
 }
 
 // A plane that touches a ring inside crosses itself there in its edge, in a corner of patches: that
