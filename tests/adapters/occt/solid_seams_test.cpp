@@ -2,6 +2,7 @@
 // Solids cut along edges that they have already.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <numbers>
@@ -106,6 +107,17 @@ TEST(SolidSeams, MayMeetWhereFacesTouch) {
   };
   EXPECT_NEAR(common_volume(ring(gp_Dir(0, -1, 0)), block),
               common_volume(ring(gp_Dir(0.3, -1, 0)), block), 1e-7);
+}
+
+// Curves of their intersection cross where each half of a ring ends, in corners of patches and on
+// the seam: two of them lead there in patches beside the one in which the contact is told.
+TEST(SolidSeams, MayLieWhereCurvesCross) {
+  const auto half_ring = [](const gp_Dir& axis, const gp_Dir& x) {
+    return BRepPrimAPI_MakeTorus(gp_Ax2(gp::Origin(), axis, x), 2, 0.5, std::numbers::pi).Shape();
+  };
+  const gp_Dir turned(0, -std::sin(0.7), std::cos(0.7));
+  EXPECT_NEAR(common_volume(half_ring(gp::DZ(), gp::DX()), half_ring(turned, gp::DX())), 0.947193,
+              1e-6);
 }
 
 }  // namespace
