@@ -93,7 +93,9 @@ bool match(const CurveEdges& a, const CurveEdges& b) {
 bool join_matching(const CurveEdges& a, const CurveEdges& b, const CommonEdges& common,
                    EdgeUnion& joined) {
   for (const CurveEdge& made : a.made)
-    if (const CurveEdge* other = counterpart(made, b.made)) joined.join(made.edge, other->edge);
+    if (const CurveEdge* other = counterpart(made, b.made);
+        other != nullptr && !joined.join(made.edge, other->edge))
+      return false;
   return join_along(a, b, common, joined) && join_along(b, a, common, joined);
 }
 

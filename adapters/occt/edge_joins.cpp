@@ -18,6 +18,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/errors.h"
+#include "core/bounds/box_tree.h"
 
 namespace blossom::occt {
 namespace {
@@ -85,19 +86,25 @@ std::optional<Fit> fit_of(const FreeEdge& a, const FreeEdge& b, std::size_t othe
   return best;
 }
 
-// The nearest partner of each edge.
+// The nearest partner of each edge, among those whose ends may be as near as they have to be.
 std::vector<std::optional<Fit>> best_fits(const std::vector<FreeEdge>& edges, double tolerance) {
   std::vector<std::optional<Fit>> best(edges.size());
   const auto take = [&](std::size_t i, const Fit& fit) {
     if (!best[i] || fit.apart < best[i]->apart) best[i] = fit;
   };
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      const auto fit = fit_of(edges[i], edges[j], j, tolerance);
-      if (!fit) continue;
-      take(i, *fit);
-      take(j, {i, fit->reversed, fit->apart});
-    }
+  std::vector<Box> boxes;
+  for (const FreeEdge& edge : edges)
+    boxes.push_back(widened(joined({edge.from, edge.from}, {edge.to, edge.to}),
+                            std::max(tolerance, edge.uncertain)));
+  const BoxTree tree(boxes);
+  tree.for_each_meeting(tree, [&](int first, int second) {
+    const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
+    if (i >= j) return;
+    const auto fit = fit_of(edges[i], edges[j], j, tolerance);
+    if (!fit) return;
+    take(i, *fit);
+    take(j, {i, fit->reversed, fit->apart});
+  });
   return best;
 }
 

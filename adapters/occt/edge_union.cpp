@@ -49,7 +49,7 @@ std::size_t EdgeUnion::root(std::size_t vertex) {
   return vertex;
 }
 
-void EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b) { join(a, b, b, false); }
+bool EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b) { return join(a, b, b, false); }
 
 bool EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b, const TopoDS_Edge& image,
                      bool reversed) {

@@ -22,7 +22,8 @@ class EdgeUnion {
   /// Makes two edges one, as well as the vertices at their ends. They lie on the same curve with
   /// the same parameter, over ranges that agree but for the tolerance. The edge that comes of them
   /// has the range of the first and the chart curves of both.
-  void join(const TopoDS_Edge& a, const TopoDS_Edge& b);
+  /// returns    false if the second one is an edge that was joined to another: nothing is done
+  bool join(const TopoDS_Edge& a, const TopoDS_Edge& b);
 
   /// Makes two edges one that run along each other with parameters of their own. The first one
   /// stays.

@@ -133,8 +133,8 @@ Handle(Geom2d_Curve)
   return best;
 }
 
-// Remakes the loose curves of one face.
-RemadeImages remake(const TopoDS_Face& face) {
+// Remakes the loose curves of one face, and adds their edges to those that are remade.
+RemadeImages remake(const TopoDS_Face& face, TopTools_IndexedMapOfShape& remade) {
   RemadeImages made;
   std::vector<Use> given;
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
@@ -154,9 +154,12 @@ RemadeImages remake(const TopoDS_Face& face) {
     set(*use, better);
     made = {made.count + 1, std::max(made.worst, gap)};
   }
-  if (given.empty() || !was_valid || BRepCheck_Analyzer(face).IsValid()) return made;
-  for (const Use& use : given) set(use, use.chart);
-  return {};
+  if (!given.empty() && was_valid && !BRepCheck_Analyzer(face).IsValid()) {
+    for (const Use& use : given) set(use, use.chart);
+    return {};
+  }
+  for (const Use& use : given) remade.Add(use.edge);
+  return made;
 }
 
 // What the curves of an edge ask for; nothing if it has none on one of its faces, or two.
@@ -209,24 +212,28 @@ double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
 
 using Users = TopTools_IndexedDataMapOfShapeListOfShape;
 
-void tighten_edges(const Users& faces_of) {
-  for (int i = 1; i <= faces_of.Extent(); ++i) {
-    const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(i));
-    if (faces_of(i).IsEmpty() || BRep_Tool::Tolerance(edge) <= kLoose) continue;
-    if (const auto needed = needed_tolerance(edge, faces_of(i)))
-      lower(Handle(BRep_TEdge)::DownCast(edge.TShape()), *needed, faces_of(i));
+void tighten_edges(const TopTools_IndexedMapOfShape& remade, const Users& faces_of) {
+  for (int i = 1; i <= remade.Extent(); ++i) {
+    const TopoDS_Edge edge = TopoDS::Edge(remade(i));
+    const TopTools_ListOfShape& faces = faces_of.FindFromKey(edge);
+    if (const auto needed = needed_tolerance(edge, faces))
+      lower(Handle(BRep_TEdge)::DownCast(edge.TShape()), *needed, faces);
   }
 }
 
-void tighten_vertices(const TopoDS_Shape& shape, const Users& faces_of) {
+// Those of the remade edges.
+void tighten_vertices(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& remade,
+                      const Users& faces_of) {
+  TopTools_IndexedMapOfShape ends;
+  for (int i = 1; i <= remade.Extent(); ++i) TopExp::MapShapes(remade(i), TopAbs_VERTEX, ends);
   Users edges, faces;
   TopExp::MapShapesAndAncestors(shape, TopAbs_VERTEX, TopAbs_EDGE, edges);
   TopExp::MapShapesAndAncestors(shape, TopAbs_VERTEX, TopAbs_FACE, faces);
-  for (int i = 1; i <= edges.Extent(); ++i) {
-    const TopoDS_Vertex vertex = TopoDS::Vertex(edges.FindKey(i));
-    if (BRep_Tool::Tolerance(vertex) <= kLoose || !faces.Contains(vertex)) continue;
+  for (int i = 1; i <= ends.Extent(); ++i) {
+    const TopoDS_Vertex vertex = TopoDS::Vertex(ends(i));
+    if (BRep_Tool::Tolerance(vertex) <= kLoose) continue;
     double needed = Precision::Confusion();
-    for (const TopoDS_Shape& each : edges(i)) {
+    for (const TopoDS_Shape& each : edges.FindFromKey(vertex)) {
       const TopoDS_Edge edge = TopoDS::Edge(each);
       if (!faces_of.Contains(edge)) continue;
       const auto& own = faces_of.FindFromKey(edge);
@@ -249,19 +256,19 @@ bool is_loose(const TopoDS_Face& face) {
 
 RemadeImages remake_loose_images(const TopoDS_Shape& shape) {
   RemadeImages all;
-  TopTools_IndexedMapOfShape faces;
+  TopTools_IndexedMapOfShape faces, remade;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   for (int i = 1; i <= faces.Extent(); ++i) {
     const TopoDS_Face face = TopoDS::Face(faces(i).Oriented(TopAbs_FORWARD));
     if (!is_loose(face)) continue;
-    const RemadeImages made = remake(face);
+    const RemadeImages made = remake(face, remade);
     all = {all.count + made.count, std::max(all.worst, made.worst)};
   }
   if (all.count == 0) return all;
   Users faces_of;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
-  tighten_edges(faces_of);
-  tighten_vertices(shape, faces_of);
+  tighten_edges(remade, faces_of);
+  tighten_vertices(shape, remade, faces_of);
   return all;
 }
 

@@ -15,8 +15,8 @@ struct RemadeImages {
 
 /// Replaces curves in the parameters of faces that are more than 1e-4, and a thousandth of the
 /// edge's length, off the curves of their edges in space, where these lie on the surface ten times
-/// as near: readers of files make some so badly that the faces at the edge seem as far apart. Edges
-/// and vertices get the tolerances that are left.
+/// as near: readers of files make some so badly that the faces at the edge seem as far apart. Their
+/// edges, and the vertices of these, get the tolerances that are left.
 ///
 /// Seams stay, curves through poles, and faces that would be less valid by BRepCheck.
 RemadeImages remake_loose_images(const TopoDS_Shape& shape);

@@ -423,6 +423,8 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
     SolidPieces other = pieces_of(a, b, left, extent, cuts, again);
     if (other.obstacles.empty()) return other;
   }
+  // The search for where cuts break off has no limit of its own.
+  if (limit.is_reached()) untold.curves.clear();
   tell(untold, a, b, found);
   return found;
 }
