@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "adapters/occt/edge_contacts.h"
+#include "adapters/occt/equal_faces.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/face_data.h"
 #include "adapters/occt/face_list.h"
@@ -73,18 +74,51 @@ enum class Shared { Listed, LeftOut };
 // asked for at the same time.
 class PairIntersector {
  public:
-  PairIntersector(const FaceList& faces_a, const FaceList& faces_b, Shared shared,
-                  const IntersectionOptions& options)
-      : faces_a_(faces_a), faces_b_(faces_b), shared_(shared), options_(options) {}
+  // copies   of faces of a in b
+  PairIntersector(const FaceList& faces_a, const FaceList& faces_b, const FaceCopies& copies,
+                  Shared shared, const IntersectionOptions& options)
+      : faces_a_(faces_a), faces_b_(faces_b), copies_(copies), shared_(shared), options_(options) {}
 
   FaceIntersection of(const std::pair<int, int>& pair) const {
-    const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
-    const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
-    const TopoDS_Face &shape_a = faces_a_.face(i), &shape_b = faces_b_.face(j);
-    const std::vector<SharedEdge> edges = shared_edges(shape_a, shape_b);
     FaceIntersection result;
     result.face_a = pair.first;
     result.face_b = pair.second;
+    if (const FaceMatch* match = copies_.between(pair.first, pair.second))
+      add_whole_face(*match, result);
+    else
+      search(result);
+    return result;
+  }
+
+ private:
+  // Whatever the surface does, all of one face is in the other.
+  void add_whole_face(const FaceMatch& match, FaceIntersection& result) const {
+    const auto i = static_cast<std::size_t>(result.face_a);
+    const auto j = static_cast<std::size_t>(result.face_b);
+    const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
+    result.found.overlaps = {whole_overlap(faces_a_.face(i), a.trims, match.map, match.gap)};
+    result.equal_edges = match.edges;
+    const auto range = [](const FaceTrims& trims, int k) {
+      return Interval{trims.box.low[k] / trims.scale[k], trims.box.high[k] / trims.scale[k]};
+    };
+    result.found.places = {
+        {PlaceKind::Overlap,
+         a.box.low,
+         a.box.high,
+         0,
+         match.gap,
+         {range(a.trims, 0), range(a.trims, 1), range(b.trims, 0), range(b.trims, 1)}}};
+    if (match.gap == 0) return;
+    result.found.status = Status::Tolerance;
+    result.found.certificate.reasons = {"the surfaces coincide in the listed places"};
+  }
+
+  void search(FaceIntersection& result) const {
+    const auto i = static_cast<std::size_t>(result.face_a);
+    const auto j = static_cast<std::size_t>(result.face_b);
+    const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
+    const TopoDS_Face &shape_a = faces_a_.face(i), &shape_b = faces_b_.face(j);
+    const std::vector<SharedEdge> edges = copies_.shared(result.face_a, result.face_b);
     result.found =
         &a == &b ? self_intersect(a.surface, options_for(a, b, edges)) : found_between(i, j, edges);
     const std::vector<Overlap> whole = result.found.overlaps;
@@ -105,10 +139,8 @@ class PairIntersector {
       result.edges.push_back(edge_curves(curve));
     for (const SurfacePoint& x : result.found.points)
       result.borders.push_back({border_at(a.trims, x.uv_a), border_at(b.trims, x.uv_b)});
-    return result;
   }
 
- private:
   // A curve that touches the line between two spans of an arc may stay open; the line is our own
   // choice, so it is put elsewhere then.
   SurfaceIntersection found_between(std::size_t i, std::size_t j,
@@ -204,6 +236,7 @@ class PairIntersector {
 
   const FaceList& faces_a_;
   const FaceList& faces_b_;
+  const FaceCopies& copies_;
   Shared shared_;
   const IntersectionOptions& options_;
   const SharedLimit limit_{options_};
@@ -260,7 +293,8 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
     FaceList faces_b(b, "the second shape", tolerance, extent, cuts);
     FacePairs pairs = meeting_pairs(faces_a, faces_b);
     convert(faces_a, faces_b, pairs);
-    result = intersected({faces_a, faces_b, Shared::Listed, options}, pairs);
+    const FaceCopies copies(faces_a, faces_b, pairs, tolerance);
+    result = intersected({faces_a, faces_b, copies, Shared::Listed, options}, pairs);
   });
   return result;
 }
@@ -275,7 +309,8 @@ ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScop
       return scope == SelfScope::EachFace ? pair.first != pair.second : pair.first > pair.second;
     });
     convert(list, list, pairs);
-    result = intersected({list, list, Shared::LeftOut, options}, pairs);
+    const FaceCopies none(list, list, {}, options.tolerances.point);
+    result = intersected({list, list, none, Shared::LeftOut, options}, pairs);
   });
   return result;
 }

@@ -3,10 +3,12 @@
 
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom_Curve.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -41,6 +43,9 @@ struct FaceIntersection {
   std::vector<EdgeCurves> edges;     ///< one for each of found.curves
   std::vector<CurveChain> chains;    ///< of found.curves: pieces between seams that are one curve
   std::vector<BorderPlace> borders;  ///< one for each of found.points
+  /// Where the faces are equal, and so the whole of them is their only common region: the edges
+  /// round it, as each of them has them. Empty otherwise.
+  std::vector<std::pair<TopoDS_Edge, TopoDS_Edge>> equal_edges;
 };
 
 /// What of a face's surface is searched. Results are clipped to the trims in any case.
@@ -58,7 +63,9 @@ struct ShapeIntersection {
 };
 
 /// Intersects every face of one list with every face of the other. Faces are converted where the
-/// hulls of others come near them.
+/// hulls of others come near them. Faces that are described by the same numbers are told to
+/// coincide as a whole without a search (where such a face meets itself, `self_intersect` tells),
+/// and meet the neighbours of each other in the edges that those share with them.
 /// throws   BadModel if a face cannot be converted; the message has the face's place in its list
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
                             const IntersectionOptions& options = {}, Extent extent = Extent::Trims,

@@ -74,25 +74,24 @@ int samples_of(const Coedge& coedge, const std::function<Vec3(double)>& point) {
   return straight ? kStraightSamples : kBorderSamples;
 }
 
-// The boundary of a face, which lies on its left.
-std::vector<SurfacePoint> boundary_of(const TopoDS_Face& piece, const SurfaceFeet& on_a,
-                                      const SurfaceFeet& on_b) {
-  const FaceTrims trims = face_trims(piece);
+// The boundary of a face, which lies on its left. `place_of(point, uv)` gives the parameters on the
+// other face.
+template <class PlaceOf>
+std::vector<SurfacePoint> boundary_of(const FaceTrims& trims, const Handle(Geom_Surface) & surface,
+                                      const PlaceOf& place_of) {
   std::vector<std::vector<SurfacePoint>> loops;
-  std::optional<Vec2> near;
   const auto uv_at = [&](const Coedge& coedge, double t) {
     const Vec2 c = point_at(coedge.curve, t);
     return Vec2{c[0] / trims.scale[0], c[1] / trims.scale[1]};
   };
   const auto add = [&](const Coedge& coedge) {
-    const int samples = samples_of(
-        coedge, [&](double t) { return frame_at(on_a.surface(), uv_at(coedge, t)).point; });
+    const int samples =
+        samples_of(coedge, [&](double t) { return frame_at(surface, uv_at(coedge, t)).point; });
     for (int i = 0; i < samples; ++i) {
       const double part = static_cast<double>(i) / samples;
       const Vec2 uv = uv_at(coedge, at(coedge.curve.domain(), coedge.reversed() ? 1 - part : part));
-      const Vec3 point = frame_at(on_a.surface(), uv).point;
-      near = on_b.foot(point, near);
-      loops.back().push_back({point, uv, *near});
+      const Vec3 point = frame_at(surface, uv).point;
+      loops.back().push_back({point, uv, place_of(point, uv)});
     }
   };
   for (const auto& loop : trims.loops) {
@@ -146,7 +145,12 @@ TrimmedOverlaps clipped(const TopoDS_Face& a, const TopoDS_Face& b,
     if (on_b.gap(vec(*inside), uv_b) > reach || side_at(trims_b, uv_b) == PartSide::Outside)
       continue;
     Overlap region;
-    region.boundary = boundary_of(TopoDS::Face(piece.face.Oriented(TopAbs_FORWARD)), on_a, on_b);
+    std::optional<Vec2> near;
+    region.boundary = boundary_of(face_trims(TopoDS::Face(piece.face.Oriented(TopAbs_FORWARD))),
+                                  on_a.surface(), [&](const Vec3& point, const Vec2&) {
+                                    near = on_b.foot(point, near);
+                                    return *near;
+                                  });
     region.gap_high = std::max(gap, largest_gap(region.boundary, on_b));
     result.complete = result.complete && region.gap_high <= reach;
     result.regions.push_back(std::move(region));
@@ -165,6 +169,19 @@ TrimmedOverlaps trimmed_overlaps(const TopoDS_Face& a, const TopoDS_Face& b,
   } catch (const LimitReached&) {
     return {{}, false, polled.reason()};
   }
+}
+
+Overlap whole_overlap(const TopoDS_Face& face, const FaceTrims& trims, const ChartMap& to_b,
+                      double gap) {
+  const bool bounded = std::ranges::any_of(trims.loops, [&](const std::vector<Coedge>& loop) {
+    return std::ranges::any_of(loop, [&](const Coedge& coedge) {
+      return !coedge.degenerated && !BRep_Tool::IsClosed(coedge.edge, face);
+    });
+  });
+  if (!bounded) return {{}, gap};
+  return {boundary_of(trims, BRep_Tool::Surface(face),
+                      [&](const Vec3&, const Vec2& uv) { return to_b(uv); }),
+          gap};
 }
 
 }  // namespace blossom::occt

@@ -7,6 +7,8 @@
 
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/face_trims.h"
+#include "core/forms/surface_match.h"
 #include "core/intersection/result.h"
 #include "core/intersection/work_limit.h"
 
@@ -32,5 +34,13 @@ struct TrimmedOverlaps {
 TrimmedOverlaps trimmed_overlaps(const TopoDS_Face& a, const TopoDS_Face& b,
                                  const std::vector<Overlap>& whole, double tolerance,
                                  const WorkLimit& limit);
+
+/// The common region of a face and one that is equal to it: the whole face.
+///
+/// to_b      from the parameters of the face to those of the other one
+/// gap       bound on the distance of the two, model units
+/// returns   a boundary with seams, if there are some; none if it has seams and poles only
+Overlap whole_overlap(const TopoDS_Face& face, const FaceTrims& trims, const ChartMap& to_b,
+                      double gap);
 
 }  // namespace blossom::occt

@@ -102,6 +102,7 @@ Json curve_json(const std::vector<IntersectionCurve>& curves, const CurveChain& 
 Json overlap_json(const Overlap& overlap, const FaceNumbers& faces) {
   Json json = with_faces(faces, Json::object());
   add_points(overlap.boundary, "boundary", json);
+  for (const char* list : {"edges_a", "edges_b"}) json[list] = Json::array();
   return json;
 }
 
@@ -129,8 +130,14 @@ void add_findings(const Input& a, const Input& b, const occt::ShapeIntersection&
     }
     for (const SurfacePoint& node : pair.found.nodes)
       report["nodes"].push_back(point_json(node, faces));
-    for (const Overlap& overlap : pair.found.overlaps)
-      report["overlaps"].push_back(overlap_json(overlap, faces));
+    for (const Overlap& overlap : pair.found.overlaps) {
+      Json json = overlap_json(overlap, faces);
+      for (const auto& [on_a, on_b] : pair.equal_edges) {
+        json["edges_a"].push_back(numbers_a.place(on_a, faces.a)["number"]);
+        json["edges_b"].push_back(numbers_b.place(on_b, faces.b)["number"]);
+      }
+      report["overlaps"].push_back(std::move(json));
+    }
     for (const Place& place : pair.found.places)
       report["places"].push_back(with_faces(faces, to_json(place)));
   }
