@@ -55,6 +55,8 @@ ArcForm arc_form(const PlanarCurve& curve, const Interval& place, const PatchCha
 /// Bounds on the lengths of the derivatives of a patch by its parameters, model units.
 ///
 ///   S_u = (X_u - S w_u) / w, with X as seen from the middle of the net
+///
+/// returns   infinity if a weight is not positive, as beyond the domain of a rational patch
 Vec2 derivative_bounds(const RationalBezierPatch& patch);
 
 }  // namespace blossom

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "core/base/errors.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/planar_crossings.h"
+#include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
 namespace {
@@ -21,6 +25,7 @@ constexpr double kLongest = 1.5;        // of an arc, in cells
 constexpr double kLeastSlope = 1e-3;    // of a crossing, across the line, that is improved
 constexpr double kCrossing = 1e-4;      // of a border: as near to a line at so far from where it
                                         // crosses it, it runs along it but for rounding
+constexpr double kCornerReach = 8;      // tolerances: as near to a corner on a line is that corner
 constexpr int kNewtonSteps = 3;         // from a crossing within kOnLine to one within rounding
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -80,6 +85,11 @@ std::size_t add_crossings(const PlanarCurve& curve, const PlanarCurve& unit, int
   return found.points.size();
 }
 
+// Bound on a way in space; none at all costs nothing, however steep the surface may be.
+double way_in_space(const Vec2& way, const Vec2& steepest) {
+  return (way[0] > 0 ? way[0] * steepest[0] : 0) + (way[1] > 0 ? way[1] * steepest[1] : 0);
+}
+
 // Increasing, from end to end of the domain, none nearer than the shortest arc.
 void tidy(std::vector<double>& at, const Interval& domain) {
   const double shortest = kShortestArc * length(domain);
@@ -105,7 +115,15 @@ BorderArcs::BorderArcs(const BezierSurface& surface, const TrimmedChart& chart,
         throw InvalidInput("trimmed region: a patch of degrees that add up to more than " +
                            std::to_string(options.highest_degree) + " has no triangles");
     }
-  for (std::size_t i = 0; i < chart.borders.size(); ++i) divide(static_cast<int>(i));
+  for (const Vec2& corner : chart.corners) corners_.push_back(snapped(grid_point(surface, corner)));
+  std::vector<BorderStops> stops;
+  const int count = static_cast<int>(chart.borders.size());
+  for (int i = 0; i < count; ++i) stops.push_back(stops_of(i));
+  if (options.common_borders) {
+    for (int i = 0; i < count; ++i) join_near(i, stops[index(i)]);
+    for (int i = 0; i < count; ++i) join_at_corners(i, stops[index(i)]);
+  }
+  for (int i = 0; i < count; ++i) divide(i, std::move(stops[index(i)]));
 }
 
 int BorderArcs::arc_degree(int patch_u, int patch_v) const {
@@ -220,25 +238,101 @@ void BorderArcs::add_cell_stops(const RegionBorder& border, std::vector<double>&
   }
 }
 
-void BorderArcs::divide(int number) {
+BorderArcs::BorderStops BorderArcs::stops_of(int number) const {
   const RegionBorder& border = chart_.borders[index(number)];
-  std::vector<double> at = border.stops;
-  for (const PlanarSpan& span : border.curve.spans) at.push_back(span.place.to);
-  std::vector<LineStop> lines;
-  for (int direction = 0; direction < 2; ++direction) add_line_stops(border, direction, at, lines);
-  if (takes_cells(number)) add_cell_stops(border, at);
-  tidy(at, border.curve.domain());
-  if (border.reversed) std::ranges::reverse(at);
+  BorderStops stops{border.stops, {}};
+  for (const PlanarSpan& span : border.curve.spans) stops.at.push_back(span.place.to);
+  for (int direction = 0; direction < 2; ++direction)
+    add_line_stops(border, direction, stops.at, stops.lines);
+  if (takes_cells(number)) add_cell_stops(border, stops.at);
+  return stops;
+}
 
-  const auto corner = [&](int i) {
-    return vertex_at(snapped(grid_point(surface_, chart_.corners[index(i)])));
-  };
+// The corner at an end of a border; -1 inside.
+int BorderArcs::corner_at(const RegionBorder& border, double parameter) const {
+  const Interval domain = border.curve.domain();
+  const double same = kShortestArc * length(domain);
+  if (parameter <= domain.from + same) return border.reversed ? border.to : border.from;
+  if (parameter >= domain.to - same) return border.reversed ? border.from : border.to;
+  return -1;
+}
+
+Vec2 BorderArcs::unrounded_grid_point(const Vec2& uv) const {
+  Vec2 grid;
+  for (int k = 0; k < 2; ++k)
+    grid[k] = unrounded_grid_coordinate(knots_of(surface_, k), law_of(surface_, k), uv[k]);
+  return grid;
+}
+
+// Bound on the way between two points of a border that are in one patch or in neighbours.
+double BorderArcs::way_along(const RegionBorder& border, double from, double to) const {
+  const Vec2 a = unrounded_grid_point(point_at(border.curve, from));
+  const Vec2 b = unrounded_grid_point(point_at(border.curve, to));
+  Vec2 steepest;
+  for (const Vec2& p : {a, b}) {
+    const auto patch = [&](int k, int count) {
+      return std::clamp(static_cast<int>(std::floor(p[k])), 0, count - 1);
+    };
+    const Vec2& steep =
+        steepest_(patch(0, surface_.patches.rows()), patch(1, surface_.patches.columns()));
+    for (int k = 0; k < 2; ++k) steepest[k] = std::max(steepest[k], steep[k]);
+  }
+  return way_in_space({std::abs(b[0] - a[0]), std::abs(b[1] - a[1])}, steepest);
+}
+
+// Crossings within tolerance of another stop are taken to be there: the arc between would be no
+// longer than common borders are moved by, and triangles beside it would fold over.
+void BorderArcs::join_near(int number, BorderStops& stops) {
+  const RegionBorder& border = chart_.borders[index(number)];
+  if (border.is_point) return;
+  std::set<double> kept(border.stops.begin(), border.stops.end());
+  kept.insert({border.curve.domain().from, border.curve.domain().to});
+  for (LineStop& line : stops.lines) {
+    const auto above = kept.lower_bound(line.at);
+    double near = above == kept.end() ? *kept.rbegin() : *above;
+    if (above != kept.begin() && above != kept.end() &&
+        line.at - *std::prev(above) < near - line.at)
+      near = *std::prev(above);
+    const double way = way_along(border, near, line.at);
+    if (near == line.at || way > tolerance_of(number)) {
+      kept.insert(line.at);
+      continue;
+    }
+    std::erase(stops.at, line.at);
+    line.at = near;
+    beyond_ = std::max(beyond_, way);
+    const int corner = corner_at(border, near);
+    if (corner >= 0) corners_[index(corner)][line.direction] = line.line;
+  }
+}
+
+// A corner that is on a line now is the crossing of all its borders that are so near.
+void BorderArcs::join_at_corners(int number, BorderStops& stops) {
+  const RegionBorder& border = chart_.borders[index(number)];
+  const Interval domain = border.curve.domain();
+  for (LineStop& line : stops.lines)
+    for (const double end : {domain.from, domain.to}) {
+      const int corner = corner_at(border, end);
+      if (line.at == end || corners_[index(corner)][line.direction] != line.line) continue;
+      const double way = way_along(border, end, line.at);
+      if (way > kCornerReach * tolerance_of(number)) continue;
+      std::erase(stops.at, line.at);
+      line.at = end;
+      beyond_ = std::max(beyond_, way);
+    }
+}
+
+void BorderArcs::divide(int number, BorderStops stops) {
+  const RegionBorder& border = chart_.borders[index(number)];
+  tidy(stops.at, border.curve.domain());
+  if (border.reversed) std::ranges::reverse(stops.at);
   const std::size_t first = arcs_.size();
-  int from = corner(border.from);
-  for (std::size_t k = 0; k + 1 < at.size(); ++k) {
-    const bool last = k + 2 == at.size();
-    const int to = last ? corner(border.to) : vertex_at_stop(border, at, k + 1, lines);
-    add(number, {at[k], at[k + 1]}, from, to, first);
+  int from = vertex_at(corners_[index(border.from)]);
+  for (std::size_t k = 0; k + 1 < stops.at.size(); ++k) {
+    const bool last = k + 2 == stops.at.size();
+    const int to = last ? vertex_at(corners_[index(border.to)])
+                        : vertex_at_stop(border, stops.at, k + 1, stops.lines);
+    add(number, {stops.at[k], stops.at[k + 1]}, from, to, first);
     from = to;
   }
 }
@@ -338,13 +432,29 @@ void BorderArcs::settle_ends(RegionArc& arc, const ArcForm& form) const {
     points.front()[k] = from[k];
     points.back()[k] = to[k];
   }
-  const Vec2& steep = steepest_(arc.patch_u, arc.patch_v);
   const Vec2 error = form.error + moved;
   const PatchChart chart = chart_of(surface_, arc.patch_u, arc.patch_v);
   arc.exact = form.exact && moved[0] * length(chart.u) <= kRounding * range_of(surface_, 0) &&
               moved[1] * length(chart.v) <= kRounding * range_of(surface_, 1);
-  arc.fit_error = form.error[0] * steep[0] + form.error[1] * steep[1];
-  arc.error = arc.exact ? 0 : error[0] * steep[0] + error[1] * steep[1];
+  if (arc.exact) return;
+  const Vec2 steep = steepest_about(arc, error);
+  arc.fit_error = way_in_space(form.error, steep);
+  arc.error = way_in_space(error, steep);
+}
+
+// Bounds of the derivatives wherever the arc and its trim run, also beyond the patch.
+Vec2 BorderArcs::steepest_about(const RegionArc& arc, const Vec2& error) const {
+  const PlanarBox box = box_of(arc.curve.points);
+  std::array<Interval, 2> reach;
+  bool is_inside = true;
+  for (int k = 0; k < 2; ++k) {
+    reach[index(k)] = {std::min(box.low[k] - error[k], 0.0), std::max(box.high[k] + error[k], 1.0)};
+    is_inside = is_inside && length(reach[index(k)]) == 1;
+  }
+  if (is_inside) return steepest_(arc.patch_u, arc.patch_v);
+  const Vec2 steep =
+      derivative_bounds(sub_patch(surface_.patches(arc.patch_u, arc.patch_v), reach[0], reach[1]));
+  return {steep[0] / length(reach[0]), steep[1] / length(reach[1])};
 }
 
 bool BorderArcs::is_too_long(const RegionArc& arc) const {

@@ -85,19 +85,33 @@ class BorderArcs {
 
   bool has_common_borders() const { return options_.common_borders; }
 
+  /// Bound on how far arcs and their triangles reach beyond the patches' lines, model units: as far
+  /// as common borders cross these beside another stop, where the crossing is taken to be.
+  double beyond_lines() const { return beyond_; }
+
   /// The highest degree of arcs that triangles of a patch can have.
   int arc_degree(int patch_u, int patch_v) const;
 
  private:
-  void divide(int border);
-  double tolerance_of(int border) const;
   /// Where a border crosses a line between patches.
   struct LineStop {
     double at;      ///< parameter
     int direction;  ///< of which the line is a value
     double line;    ///< grid coordinate
   };
+  struct BorderStops {
+    std::vector<double> at;
+    std::vector<LineStop> lines;
+  };
 
+  void divide(int border, BorderStops stops);
+  double tolerance_of(int border) const;
+  BorderStops stops_of(int border) const;
+  void join_near(int border, BorderStops& stops);
+  void join_at_corners(int border, BorderStops& stops);
+  int corner_at(const RegionBorder& border, double parameter) const;
+  Vec2 unrounded_grid_point(const Vec2& uv) const;
+  double way_along(const RegionBorder& border, double from, double to) const;
   void add_line_stops(const RegionBorder& border, int direction, std::vector<double>& at,
                       std::vector<LineStop>& lines) const;
   int vertex_at_stop(const RegionBorder& border, const std::vector<double>& at, std::size_t stop,
@@ -107,6 +121,7 @@ class BorderArcs {
   RegionArc made(int border, const Interval& place, int from, int to) const;
   bool runs_on(const RegionArc& arc, int direction) const;
   void settle_ends(RegionArc& arc, const ArcForm& form) const;
+  Vec2 steepest_about(const RegionArc& arc, const Vec2& error) const;
   bool is_too_long(const RegionArc& arc) const;
   Vec2 snapped(Vec2 grid) const;
   int vertex_within(const RegionArc& arc, double parameter);
@@ -115,7 +130,9 @@ class BorderArcs {
   const TrimmedChart& chart_;
   RegionOptions options_;
   int cells_;
-  Grid<Vec2> steepest_;  // bounds of derivatives of each patch
+  Grid<Vec2> steepest_;        // bounds of derivatives of each patch
+  std::vector<Vec2> corners_;  // of the chart, grid coordinates
+  double beyond_ = 0;
   std::vector<RegionArc> arcs_;
   std::vector<Vec2> vertices_;
   std::map<std::pair<double, double>, int> vertex_of_;

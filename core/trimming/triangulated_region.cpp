@@ -279,6 +279,7 @@ class Builder {
     if (!result_.obstacle.empty()) result_.pieces.clear();
     result_.arcs = borders_.arcs();
     result_.vertices = borders_.vertices();
+    result_.beyond_lines = borders_.beyond_lines();
     for (const RegionArc& arc : result_.arcs)
       result_.stops[index(arc.border)].insert(result_.stops[index(arc.border)].end(),
                                               {arc.place.from, arc.place.to});

@@ -41,6 +41,8 @@ struct TriangulatedRegion {
   std::vector<RegionArc> arcs;
   std::vector<Vec2> vertices;              ///< grid coordinates, see trimmed_chart.h
   std::vector<std::vector<double>> stops;  ///< of each border: where arcs end, increasing
+  /// Bound on how far pieces at common borders reach beyond the lines of their patch; model units.
+  double beyond_lines = 0;
   /// Why there are no pieces: the borders cross or touch each other. Empty if all is well.
   std::string obstacle;
 };

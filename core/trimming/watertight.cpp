@@ -203,6 +203,10 @@ class Builder {
     for (const WatertightPiece& piece : result_.pieces)
       result_.deviation = std::max(result_.deviation, piece.moved);
     result_.deviation += surface_error_;
+    double beyond = 0;  // the patch and its neighbour part from a common line
+    for (const TriangulatedRegion& region : regions_)
+      beyond = std::max(beyond, region.beyond_lines);
+    result_.deviation += 2 * beyond;
   }
 
   // Sides of triangles that did not come down to the highest degree within the tolerance.

@@ -259,6 +259,40 @@ TEST(TriangulatedRegion, TakesTrimsThatReachALittleBeyondThePatches) {
   expect_whole_sides(region);
 }
 
+// x = u^8, which is ten times as steep at u = 1.4 as anywhere in the patch.
+TEST(TriangulatedRegion, BoundsArcsBeyondThePatchesByWhatTheSurfaceDoesThere) {
+  BezierSurface surface = heights({0, 1}, {0, 1}, 1);
+  RationalBezierPatch& patch = surface.patches(0, 0);
+  patch.points = Grid<Vec4>(9, 2);
+  for (int i = 0; i <= 8; ++i)
+    for (int j = 0; j < 2; ++j) patch.points(i, j) = {i == 8 ? 1.0 : 0.0, 1.0 * j, 0, 1};
+  const PlanarBezier quartic{
+      {{1.4, 0.1, 1}, {1.5, 0.3, 1}, {1.2, 0.5, 1}, {1.5, 0.7, 1}, {1.4, 0.9, 1}}};
+  const Chart chart = Chart().loop({{{{0.2, 0.1, 1}, {1.4, 0.1, 1}}},
+                                    quartic,
+                                    {{{1.4, 0.9, 1}, {0.2, 0.9, 1}}},
+                                    {{{0.2, 0.9, 1}, {0.2, 0.1, 1}}}});
+  RegionOptions options;
+  options.tolerance = 1e-3;
+
+  const TriangulatedRegion region = triangulated_region(surface, chart.made, options);
+
+  ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+  double most = 0;
+  for (const RegionArc& arc : region.arcs) {
+    const PlanarCurve& border = chart.made.borders[static_cast<std::size_t>(arc.border)].curve;
+    for (int k = 1; k < 16; ++k) {
+      const Vec2 p = jet_at(arc.curve, k / 16.0).point,
+                 q = point_at(border, at(arc.place, k / 16.0));
+      const double gap = distance(point_at(patch, p[0], p[1]), point_at(patch, q[0], q[1]));
+      most = std::max(most, gap);
+      EXPECT_LE(gap, arc.error + 1e-12);
+    }
+    EXPECT_LE(arc.fit_error, options.tolerance);
+  }
+  EXPECT_GT(most, 1e-5);
+}
+
 TEST(TriangulatedRegion, TakesACuspBetweenArcsThatTouch) {
   const BezierSurface surface = heights({0, 1}, {0, 1}, 3);
   // Between v = 0.2 and v = 0.2 + (u - 0.1)^2, closed by u = 0.9.
@@ -342,6 +376,35 @@ TEST(TriangulatedRegion, KeepsParametersForCommonBorders) {
       EXPECT_LE(distance(jet_at(arc.curve, t).point, wanted), 1e-8);
     }
   }
+}
+
+// The lower corner in the middle is 3e-8 beside u = 0.5, the upper one on it, and a stop of another
+// face is 3e-8 beside where the slanting side crosses v = 0.5.
+TEST(TriangulatedRegion, TakesCrossingsOfCommonBordersToStopsBesideThem) {
+  const BezierSurface surface = heights({0, 0.5, 1}, {0, 0.5, 1}, 3);
+  Chart chart = Chart().polygon(
+      {{0.1, 0.1}, {0.5 - 3e-8, 0.2}, {0.9, 0.1}, {0.7, 0.9}, {0.5, 0.8}, {0.3, 0.9}});
+  chart.made.borders[2].stops = {0.5 + 3e-8};
+  RegionOptions options;
+  options.common_borders = true;
+  options.tolerance = 1e-6;
+
+  const TriangulatedRegion region = triangulated_region(surface, chart.made, options);
+
+  ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+  expect_whole_sides(region);
+  expect_on_surface(surface, region, 1e-14);
+  for (const RegionArc& arc : region.arcs) {
+    const Vec2 way = region.vertices[static_cast<std::size_t>(arc.to)] -
+                     region.vertices[static_cast<std::size_t>(arc.from)];
+    EXPECT_GT(norm(way), 1e-3);
+  }
+  EXPECT_TRUE(std::ranges::count(region.stops[2], 0.5 + 3e-8));
+  EXPECT_GT(region.beyond_lines, 2e-8);
+  EXPECT_LT(region.beyond_lines, options.tolerance);
+
+  options.common_borders = false;
+  EXPECT_EQ(triangulated_region(surface, chart.made, options).beyond_lines, 0);
 }
 
 TEST(TriangulatedRegion, IsDividedWhereItIsTold) {
