@@ -285,8 +285,11 @@ double BorderArcs::way_along(const RegionBorder& border, double from, double to)
 void BorderArcs::join_near(int number, BorderStops& stops) {
   const RegionBorder& border = chart_.borders[index(number)];
   if (border.is_point) return;
-  std::set<double> kept(border.stops.begin(), border.stops.end());
-  kept.insert({border.curve.domain().from, border.curve.domain().to});
+  std::set<double> kept(stops.at.begin(), stops.at.end());
+  for (const LineStop& line : stops.lines) kept.erase(line.at);
+  kept.insert(border.stops.begin(), border.stops.end());
+  kept.insert(border.curve.domain().from);
+  for (const PlanarSpan& span : border.curve.spans) kept.insert(span.place.to);
   for (LineStop& line : stops.lines) {
     const auto above = kept.lower_bound(line.at);
     double near = above == kept.end() ? *kept.rbegin() : *above;

@@ -16,10 +16,11 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostRounds = 16;   // of halving; chords come nearer to arcs by 4 each time
-constexpr double kFlat = -0.5;    // cosine of an angle beyond which a triangle is flat
-constexpr double kBetter = 0.01;  // gain of cosines that is worth a flip
-constexpr int kMostFlips = 8;     // rounds of flips, each of which may call for another
+constexpr int kMostRounds = 16;     // of halving; chords come nearer to arcs by 4 each time
+constexpr double kFlat = -0.5;      // cosine of an angle beyond which a triangle is flat
+constexpr double kInLine = -0.999;  // likewise, beyond which its corners are in one line
+constexpr double kBetter = 0.01;    // gain of cosines that is worth a flip
+constexpr int kMostFlips = 64;      // rounds of flips, each of which may call for another
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -27,7 +28,9 @@ using Corners = std::array<int, 3>;
 using ArcBetween = std::map<std::pair<int, int>, int>;  // arcs by their ends
 
 // Flips sides of ears, triangles between two arcs, that are nearly flat in space: all of a facet at
-// the tip lies on the border then, which may bend away from the face and into the next one.
+// the tip lies on the border then, which may bend away from the face and into the next one. Of
+// other triangles those whose corners are in one line, as between a ruling of a cone and its tip:
+// all such facets would fall together.
 class FlatEars {
  public:
   /// points     of the vertices in the chart
@@ -86,12 +89,13 @@ class FlatEars {
     const int a = triangles_[i][(k + 2) % 3], b = triangles_[i][k], c = triangles_[i][(k + 1) % 3];
     const auto behind = beside_.find({a, c});
     if (behind == beside_.end() || arcs_.contains({a, c}) || arcs_.contains({c, a})) return false;
-    if (!is_ear(a, b, c) && !is_behind_ear(a, b) && !is_behind_ear(b, c)) return false;
+    const bool at_ear = is_ear(a, b, c) || is_behind_ear(a, b) || is_behind_ear(b, c);
     const std::size_t j = behind->second;
     const Corners& other = triangles_[j];
     const int d = other[0] + other[1] + other[2] - a - c;
     const double now = std::min(least_cosine(a, b, c), least_cosine(a, c, d));
-    if (now >= kFlat || !turns_left(a, b, d) || !turns_left(b, c, d)) return false;
+    if (now >= (at_ear ? kFlat : kInLine) || !turns_left(a, b, d) || !turns_left(b, c, d))
+      return false;
     if (std::min(least_cosine(a, b, d), least_cosine(b, c, d)) < now + kBetter) return false;
     beside_.erase({a, c});
     beside_.erase({c, a});

@@ -407,6 +407,36 @@ TEST(TriangulatedRegion, TakesCrossingsOfCommonBordersToStopsBesideThem) {
   EXPECT_EQ(triangulated_region(surface, chart.made, options).beyond_lines, 0);
 }
 
+// A sector with its tip along v = 0: corners on the side u = 0 and another point of v = 0 are in
+// one line in space, though not in the chart.
+TEST(TriangulatedRegion, LeavesNoFlatTrianglesBetweenARulingAndTheTip) {
+  BezierSurface surface = heights({0, 1}, {0, 1}, 1);
+  RationalBezierPatch& patch = surface.patches(0, 0);
+  patch.points(0, 0) = patch.points(1, 0) = {0, 0, 0, 1};
+  patch.points(0, 1) = {1, 0, 0, 1};
+  patch.points(1, 1) = {0.9, 0.4, 0, 1};
+  Chart chart = whole(1, 1);
+  chart.made.borders[0].is_point = true;
+  for (int k = 1; k < 16; ++k) chart.made.borders[3].stops.push_back(k / 16.0);
+  RegionOptions options;
+  options.common_borders = true;
+  options.cells = 1;
+
+  const TriangulatedRegion region = triangulated_region(surface, chart.made, options);
+
+  ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+  expect_whole_sides(region);
+  for (const RegionPiece& piece : region.pieces) {
+    std::vector<Vec3> at;
+    for (const int vertex : std::get<CurvedTriangle>(piece.shape).vertices) {
+      const Vec2 uv = region.vertices[static_cast<std::size_t>(vertex)];
+      at.push_back(point_at(patch, uv[0], uv[1]));
+    }
+    const bool has_point = at[0] == at[1] || at[1] == at[2] || at[2] == at[0];
+    EXPECT_TRUE(has_point || norm(cross(at[1] - at[0], at[2] - at[0])) > 1e-3);
+  }
+}
+
 TEST(TriangulatedRegion, IsDividedWhereItIsTold) {
   const BezierSurface surface = heights({0, 1}, {0, 1}, 3);
   Chart chart = whole(1, 1).circle({0.5, 0.5}, 0.3);
