@@ -11,9 +11,12 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_Plane.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
@@ -35,6 +38,7 @@
 #include "core/base/tolerances.h"
 #include "core/blossom/triangle_conversion.h"
 #include "core/forms/conversion.h"
+#include "core/trimming/flat_pieces.h"
 
 namespace blossom::occt {
 namespace {
@@ -259,6 +263,9 @@ class Writer {
     for (const WatertightSide& side : pieces.sides) edges_.push_back(edge_on(side));
   }
 
+  /// How far faces are from the pieces that they are of, at most; model units.
+  double flattened() const { return flattened_; }
+
   TopoDS_Face face_of(const WatertightPiece& piece) {
     const auto* triangle = std::get_if<BezierTriangle>(&piece.form);
     if (!triangle) {
@@ -266,6 +273,8 @@ class Writer {
       for (std::size_t k = 0; k < 4; ++k) add_side(piece, k, k);
       return finished();
     }
+    if (const auto plane = plane_of(pieces_, piece, kInPlane, kNarrow))
+      return flat_face(piece, *plane);
     const std::size_t a = first_corner(piece);
     begin(collapsed_patch(turned(*triangle, a)));
     add_side(piece, (a + 2) % 3, 0);  // c to a along v = 0
@@ -277,6 +286,32 @@ class Writer {
 
  private:
   static constexpr double kTolerance = Tolerances{}.point;
+  static constexpr double kInPlane = 0.5 * kTolerance;
+  static constexpr double kNarrow = 100 * kTolerance;  // no mesher finds triangles in less than 1
+
+  // Meshers put nodes inside of collapsed patches even if they are flat, where facets with corners
+  // at the tip then lie over each other; inside of planes they have no reason to.
+  TopoDS_Face flat_face(const WatertightPiece& piece, const PiecePlane& plane) {
+    flattened_ = std::max(flattened_, plane.error);
+    const Vec3 normal = cross(plane.x, plane.y);
+    const auto direction = [](const Vec3& v) { return gp_Dir(v[0], v[1], v[2]); };
+    const gp_Pnt origin(plane.origin[0], plane.origin[1], plane.origin[2]);
+    builder_.MakeFace(face_, new Geom_Plane(gp_Ax3(origin, direction(normal), direction(plane.x))),
+                      kTolerance);
+    builder_.MakeWire(wire_);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (TopoDS_Edge& edge = edges_[index(piece.sides[k])]; !edge.IsNull()) {
+        const std::vector<Vec3>& points = pieces_.sides[index(piece.sides[k])].curve.points;
+        TColgp_Array1OfPnt2d flat(1, static_cast<int>(points.size()));
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          const Vec2 at = plane.at(points[i]);
+          flat(static_cast<int>(i) + 1) = {at[0], at[1]};
+        }
+        builder_.UpdateEdge(edge, new Geom2d_BezierCurve(flat), face_, kTolerance);
+        builder_.Add(wire_, edge.Oriented(piece.along[k] ? TopAbs_FORWARD : TopAbs_REVERSED));
+      }
+    return finished();
+  }
 
   // The side from a to b stays whole. It is one that is a point, since collapsed sides beside each
   // other do not survive a STEP file; or else one on an edge.
@@ -349,6 +384,7 @@ class Writer {
   BRep_Builder builder_;
   std::vector<TopoDS_Vertex> vertices_;
   std::vector<TopoDS_Edge> edges_;  // null for sides that are points
+  double flattened_ = 0;
   Handle(Geom_BezierSurface) surface_;
   TopoDS_Face face_;
   TopoDS_Wire wire_;
@@ -421,6 +457,7 @@ WatertightShape watertight(const TopoDS_Shape& shape, const WatertightOptions& o
   for (const WatertightPiece& piece : result.pieces.pieces)
     result.faces[index(piece.face)].push_back(
         TopoDS::Face(writer.face_of(piece).Oriented(given[index(piece.face)].Orientation())));
+  result.pieces.deviation += writer.flattened();
   Rebuilder rebuilder(shape, result.faces);
   result.shape =
       shape.ShapeType() == TopAbs_FACE ? rebuilder.of_face(shape) : rebuilder.rebuilt(shape);
