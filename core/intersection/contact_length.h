@@ -16,14 +16,19 @@ inline double longest_touch(double tolerance, double size) {
 }
 
 /// A longer one is a run if the gap, sampled along it, is far below the tolerance along most of
-/// it, or hardly anywhere: two curves side by side. A contact of order k is that near along
-/// 0.01^(1/k) of its length, which is below 0.6 up to order 9.
+/// it, below along nearly all, or far below hardly anywhere: two curves side by side. A contact of
+/// order k keeps below a part p of the tolerance along p^(1/k) of its length, which is less than
+/// kMost and kNearlyAll up to order 9.
 inline bool is_common_run(std::span<const double> gaps, double tolerance, double margin) {
-  constexpr double kFar = 0.01, kMost = 0.6, kHardly = 0.05;
-  const auto near = std::count_if(gaps.begin(), gaps.end(),
-                                  [&](double g) { return g < kFar * tolerance + margin; });
-  const double share = static_cast<double>(near) / static_cast<double>(gaps.size());
-  return share > kMost || share < kHardly;
+  constexpr double kFarBelow = 0.01, kBelow = 0.1;
+  constexpr double kMost = 0.6, kNearlyAll = 0.85, kHardly = 0.05;
+  const auto share_below = [&](double part) {
+    const auto near =
+        std::ranges::count_if(gaps, [&](double gap) { return gap < part * tolerance + margin; });
+    return static_cast<double>(near) / static_cast<double>(gaps.size());
+  };
+  const double far_below = share_below(kFarBelow);
+  return far_below > kMost || far_below < kHardly || share_below(kBelow) > kNearlyAll;
 }
 
 }  // namespace blossom

@@ -54,6 +54,15 @@ TopoDS_Face with_hole(const TopoDS_Face& face, double x, double y, double r) {
   return maker.Face();
 }
 
+// The upper half of a disc.
+TopoDS_Face half_disc(double r) {
+  const gp_Pnt from(r, 0, 0), to(-r, 0, 0);
+  BRepBuilderAPI_MakeWire wire(
+      BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp::Origin(), gp::DZ()), r), 0, kPi));
+  wire.Add(BRepBuilderAPI_MakeEdge(to, from));
+  return BRepBuilderAPI_MakeFace(gp_Pln(), wire);
+}
+
 // The disc of a surface's chart.
 TopoDS_Face chart_disc(const Handle(Geom_Surface) & surface, double u, double v, double r) {
   const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(
@@ -103,6 +112,10 @@ std::vector<Pair> pairs() {
        16 - kPi / 2, 16 - kPi / 2, 1},
       {"holes that cross", with_hole(square(0, 6), 2.5, 3, 1), with_hole(square(1, 7), 3.5, 3, 1),
        25 - 2 * kPi + kLens, 25 - 2 * kPi + kLens, 1},
+      {"a circle and nearly the same one", half_disc(1), disc(3e-9, 2e-9, 1 + 1e-9), kPi / 2,
+       kPi / 2, 1},
+      {"rings of nearly the same circles", with_hole(half_disc(2), 0, 1, 0.5),
+       with_hole(disc(2e-9, 3e-9, 2 - 1e-9), 3e-9, 1, 0.5 + 1e-9), 1.75 * kPi, 1.75 * kPi, 1},
       {"another frame", square(0, 4), turned, kPi, kPi, 1},
       {"discs apart in one plane", disc(0, 0, 1), disc(1.5, 1.5, 1), 0, 0, 0},
       {"a triangle", square(0, 4), BRepBuilderAPI_MakeFace(triangle, true), 3.25, 3.25, 1},
