@@ -58,23 +58,17 @@ Stages StagedInputs::layers_of(const SolidPlaces& places, int input) {
   return stages;
 }
 
-std::vector<Stages> StagedInputs::joined() {
-  const auto in_layers = [&](const SolidPlaces& places) {
-    Stages all;
-    for (std::size_t input = 0; input < faces_.size(); ++input) {
-      const Stages own = layers_of(places, static_cast<int>(input));
-      all.insert(all.end(), own.begin(), own.end());
-    }
-    return all;
-  };
-  std::vector<Stages> sets;
-  if (std::ranges::all_of(layers_, [](const Stages& layers) { return layers.size() == 1; })) {
-    // No two that must not become one touch.
-    sets.push_back({});
-    for (const Stages& layers : layers_) sets.front().push_back(layers.front());
-    return sets;
+std::vector<std::vector<Stages>> StagedInputs::joined() {
+  // Without solids that must not become one there is nothing to tell apart.
+  if (std::ranges::all_of(layers_, [](const Stages& layers) { return layers.size() == 1; }))
+    return {layers_};
+  std::vector<std::vector<Stages>> sets;
+  for (const SolidPlaces& set : contacts_->joined(input_)) {
+    sets.emplace_back();
+    for (std::size_t input = 0; input < faces_.size(); ++input)
+      if (Stages layers = layers_of(set, static_cast<int>(input)); !layers.empty())
+        sets.back().push_back(std::move(layers));
   }
-  for (const SolidPlaces& set : contacts_->joined(input_)) sets.push_back(in_layers(set));
   return sets;
 }
 

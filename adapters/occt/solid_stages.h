@@ -33,8 +33,9 @@ class StagedInputs {
   std::vector<Stages> tools() const { return {layers_.begin() + 1, layers_.end()}; }
 
   /// What becomes one when everything is fused: solids that touch those of other inputs, however
-  /// indirectly, and those in between. Solids of one input that only touch each other stay apart.
-  std::vector<Stages> joined();
+  /// indirectly. Solids of one input that only touch each other stay apart. Of each set the layers
+  /// of each input that is in it.
+  std::vector<std::vector<Stages>> joined();
 
  private:
   Stages layers_of(const SolidPlaces& places, int input);

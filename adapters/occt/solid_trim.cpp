@@ -240,23 +240,33 @@ SolidTrimResult LayerWork::common(const Stage& layer, std::span<const Stages> to
   return all;
 }
 
-// All tools as one.
-Stage fused(const Stages& tools, LayerWork& work) {
-  if (tools.size() == 1) return tools.front();
+// All layers of one input as one. Where they touch they fit each other better than what another
+// solid has left of one of them fits the next.
+Stage as_one(const Stages& layers, LayerWork& work) {
+  if (layers.size() == 1) return layers.front();
   const SolidTrimResult made =
-      work.folded(tools.front(), std::span(tools).subspan(1), SolidOperation::Fuse);
+      work.folded(layers.front(), std::span(layers).subspan(1), SolidOperation::Fuse);
   return work.is_refused() ? Stage{} : stage_of(made.solids, made.faces);
 }
 
+Stages each_as_one(const std::vector<Stages>& inputs, LayerWork& work) {
+  Stages made;
+  for (const Stages& layers : inputs)
+    if (!work.is_refused()) made.push_back(as_one(layers, work));
+  return made;
+}
+
 // Sets of solids that become one, each by itself.
-SolidTrimResult fused(const std::vector<Stages>& sets, LayerWork& work) {
+SolidTrimResult fused(const std::vector<std::vector<Stages>>& sets, LayerWork& work) {
   SolidTrimResult all;
-  for (const Stages& set : sets) {
+  for (const std::vector<Stages>& set : sets) {
+    const Stages inputs = each_as_one(set, work);
     if (work.is_refused()) break;
-    if (set.size() > 1)
-      give_out(work.folded(set.front(), std::span(set).subspan(1), SolidOperation::Fuse), all);
+    if (inputs.size() > 1)
+      give_out(work.folded(inputs.front(), std::span(inputs).subspan(1), SolidOperation::Fuse),
+               all);
     else
-      give_out(set.front(), all);
+      give_out(inputs.front(), all);
   }
   return all;
 }
@@ -265,14 +275,13 @@ SolidTrimResult fused(const std::vector<Stages>& sets, LayerWork& work) {
 SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation, LayerWork& work) {
   const std::vector<Stages> tools = inputs.tools();
   Stages cutters;
-  for (const Stages& tool : tools) cutters.insert(cutters.end(), tool.begin(), tool.end());
-  const Stage tool = operation == SolidOperation::Split ? fused(cutters, work) : Stage{};
+  if (operation != SolidOperation::Common) cutters = each_as_one(tools, work);
+  if (operation == SolidOperation::Split && !work.is_refused()) cutters = {as_one(cutters, work)};
   SolidTrimResult all;
   for (const Stage& layer : inputs.part()) {
     if (work.is_refused()) break;
-    give_out(operation == SolidOperation::Cut      ? work.folded(layer, cutters, operation)
-             : operation == SolidOperation::Common ? work.common(layer, tools)
-                                                   : work.step(layer, tool, operation),
+    give_out(operation == SolidOperation::Common ? work.common(layer, tools)
+                                                 : work.folded(layer, cutters, operation),
              all);
   }
   return all;
