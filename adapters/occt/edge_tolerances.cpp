@@ -60,36 +60,6 @@ void add_if_wrong(const Needed& each, std::vector<Needed>& all) {
     all.push_back(each);
 }
 
-double needed_by(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {
-  double largest = 0;
-  for (const TopoDS_Shape& face : faces) {
-    const EdgeGaps gaps = edge_gaps(edge, TopoDS::Face(face));
-    if (!gaps.has_curve || !gaps.has_pcurve) return BRep_Tool::Tolerance(edge);
-    largest = std::max({largest, gaps.gap, gaps.same_parameter});
-  }
-  return std::max(Precision::Confusion(), kMargin * largest);
-}
-
-// How far the curves of an edge end from a vertex of it, as oriented there.
-double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
-                   const TopTools_ListOfShape& faces) {
-  const double end = BRep_Tool::Parameter(vertex, edge);
-  const gp_Pnt point = BRep_Tool::Pnt(vertex);
-  double largest = 0, first = 0, last = 0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  if (!curve.IsNull()) largest = point.Distance(curve->Value(end));
-  for (const TopoDS_Shape& face : faces)
-    for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) {  // of a seam
-      const Handle(Geom2d_Curve) chart = BRep_Tool::CurveOnSurface(
-          TopoDS::Edge(edge.Oriented(side)), TopoDS::Face(face), first, last);
-      if (chart.IsNull()) continue;
-      const gp_Pnt2d uv = chart->Value(end);
-      largest = std::max(
-          largest, point.Distance(BRep_Tool::Surface(TopoDS::Face(face))->Value(uv.X(), uv.Y())));
-    }
-  return largest;
-}
-
 using EdgeNeeds = NCollection_DataMap<TopoDS_Shape, double, TopTools_ShapeMapHasher>;
 
 // What a vertex needs: no less than its edges, whose ends it covers.
@@ -117,7 +87,7 @@ Wrong wrong_tolerances(const TopoDS_Shape& shape) {
     const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(i));
     const double given = BRep_Tool::Tolerance(edge);
     const bool is_point = BRep_Tool::Degenerated(edge);
-    const Needed each{edge, given, is_point ? given : needed_by(edge, faces_of(i))};
+    const Needed each{edge, given, is_point ? given : needed_tolerance(edge, faces_of(i))};
     const std::size_t before = found.edges.size();
     add_if_wrong(each, found.edges);
     needs.Bind(edge, found.edges.size() > before ? each.needed : given);
@@ -188,6 +158,40 @@ std::string words_about(const Wrong& wrong) {
 }
 
 }  // namespace
+
+double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {
+  double largest = 0;
+  for (const TopoDS_Shape& each : faces) {
+    const TopoDS_Face face = TopoDS::Face(each);
+    const bool is_seam = BRep_Tool::IsClosed(edge, face);
+    for (const bool second : {false, true}) {
+      if (second && !is_seam) continue;
+      const EdgeGaps gaps = edge_gaps(second ? TopoDS::Edge(edge.Reversed()) : edge, face);
+      if (!gaps.has_curve || !gaps.has_pcurve) return BRep_Tool::Tolerance(edge);
+      largest = std::max({largest, gaps.gap, gaps.same_parameter});
+    }
+  }
+  return std::max(Precision::Confusion(), kMargin * largest);
+}
+
+double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
+                   const TopTools_ListOfShape& faces) {
+  const double end = BRep_Tool::Parameter(vertex, edge);
+  const gp_Pnt point = BRep_Tool::Pnt(vertex);
+  double largest = 0, first = 0, last = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+  if (!curve.IsNull()) largest = point.Distance(curve->Value(end));
+  for (const TopoDS_Shape& face : faces)
+    for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) {  // of a seam
+      const Handle(Geom2d_Curve) chart = BRep_Tool::CurveOnSurface(
+          TopoDS::Edge(edge.Oriented(side)), TopoDS::Face(face), first, last);
+      if (chart.IsNull()) continue;
+      const gp_Pnt2d uv = chart->Value(end);
+      const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(face));
+      largest = std::max(largest, point.Distance(surface->Value(uv.X(), uv.Y())));
+    }
+  return largest;
+}
 
 TrueSolid with_true_tolerances(const TrimTool& solid) {
   const TopoDS_Compound shape = compound_of(solid.solids);

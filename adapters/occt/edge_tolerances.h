@@ -5,9 +5,21 @@
 
 #include <string>
 
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Vertex.hxx>
+
 #include "adapters/occt/trim_sides.h"
 
 namespace blossom::occt {
+
+/// The tolerance that the curves of an edge ask for on the faces that it bounds, model units; at
+/// least Open CASCADE's confusion. The one it has where it lacks a curve.
+double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces);
+
+/// How far the curves of an edge on these faces end from a vertex of it, as oriented in the edge.
+double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
+                   const TopTools_ListOfShape& faces);
 
 /// A solid whose tolerances are true, and what was not so; empty if everything was.
 struct TrueSolid {

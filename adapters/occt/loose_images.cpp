@@ -28,6 +28,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/edge_tolerances.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -162,18 +163,6 @@ RemadeImages remake(const TopoDS_Face& face, TopTools_IndexedMapOfShape& remade)
   return made;
 }
 
-// What the curves of an edge ask for; nothing if it has none on one of its faces, or two.
-std::optional<double> needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {
-  double largest = 0;
-  for (const TopoDS_Shape& face : faces) {
-    const std::optional<Use> use = use_of(edge, TopoDS::Face(face));
-    if (!use) return std::nullopt;
-    const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(face));
-    largest = std::max(largest, largest_gap(*use, surface, 4 * kMostParts));
-  }
-  return std::max(Precision::Confusion(), kMargin * largest);
-}
-
 // Lowers the tolerance of an edge or vertex, unless a face is less valid for it.
 template <class Part>
 void lower(const Part& part, double needed, const TopTools_ListOfShape& faces) {
@@ -189,35 +178,13 @@ void lower(const Part& part, double needed, const TopTools_ListOfShape& faces) {
   if (!are_valid()) part->Tolerance(needed);
 }
 
-// How far an edge's curves end from a vertex of it; at least its tolerance.
-double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
-                   const TopTools_ListOfShape& faces) {
-  double largest = BRep_Tool::Tolerance(edge);
-  const double end = BRep_Tool::Parameter(vertex, edge);
-  const gp_Pnt point = BRep_Tool::Pnt(vertex);
-  double first = 0, last = 0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
-  if (!curve.IsNull()) largest = std::max(largest, point.Distance(curve->Value(end)));
-  for (const TopoDS_Shape& face : faces)
-    for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) {  // of a seam
-      const Handle(Geom2d_Curve) chart = BRep_Tool::CurveOnSurface(
-          TopoDS::Edge(edge.Oriented(side)), TopoDS::Face(face), first, last);
-      if (chart.IsNull()) continue;
-      const gp_Pnt2d uv = chart->Value(end);
-      const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(face));
-      largest = std::max(largest, point.Distance(surface->Value(uv.X(), uv.Y())));
-    }
-  return largest;
-}
-
 using Users = TopTools_IndexedDataMapOfShapeListOfShape;
 
 void tighten_edges(const TopTools_IndexedMapOfShape& remade, const Users& faces_of) {
   for (int i = 1; i <= remade.Extent(); ++i) {
     const TopoDS_Edge edge = TopoDS::Edge(remade(i));
     const TopTools_ListOfShape& faces = faces_of.FindFromKey(edge);
-    if (const auto needed = needed_tolerance(edge, faces))
-      lower(Handle(BRep_TEdge)::DownCast(edge.TShape()), *needed, faces);
+    lower(Handle(BRep_TEdge)::DownCast(edge.TShape()), needed_tolerance(edge, faces), faces);
   }
 }
 
@@ -239,7 +206,8 @@ void tighten_vertices(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShap
       const auto& own = faces_of.FindFromKey(edge);
       for (TopoDS_Iterator end(edge.Oriented(TopAbs_FORWARD)); end.More(); end.Next())
         if (end.Value().IsSame(vertex))
-          needed = std::max(needed, distance_at(TopoDS::Vertex(end.Value()), edge, own));
+          needed = std::max({needed, BRep_Tool::Tolerance(edge),
+                             distance_at(TopoDS::Vertex(end.Value()), edge, own)});
     }
     lower(Handle(BRep_TVertex)::DownCast(vertex.TShape()), kMargin * needed,
           faces.FindFromKey(vertex));
