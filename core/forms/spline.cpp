@@ -22,15 +22,6 @@ std::vector<double> flat_knots(const std::vector<double>& knots,
   return flat;
 }
 
-// Index into the flat knots of the span that holds `t`; the last span takes the end.
-std::size_t span_of(const std::vector<double>& flat, std::size_t degree, std::size_t points,
-                    double t) {
-  const auto first = flat.begin() + static_cast<std::ptrdiff_t>(degree);
-  const auto last = flat.begin() + static_cast<std::ptrdiff_t>(points);
-  const auto above = std::upper_bound(first + 1, last, t);
-  return static_cast<std::size_t>(above - flat.begin()) - 1;
-}
-
 // The blossom of the polynomial of a span at p parameters: de Boor's triangle with one parameter a
 // level.
 //
@@ -80,35 +71,61 @@ Point de_boor(const SplineOf<Point>& spline, double parameter, bool derivative) 
   return (static_cast<double>(p) / (spline.knots[knot + 1] - spline.knots[knot])) * (high - low);
 }
 
+// The spline from a parameter on. Of the new control points p are blossoms at 1..p times the start
+// and the knots that follow, which de Boor's triangle for the start has on its lower side: convex
+// combinations, however long or short the spans are. All others are the old ones.
+//
+// domain   of the parameters, for their rounding
+template <class Point>
+SplineOf<Point> without_start(const SplineOf<Point>& spline, double from, const Interval& domain) {
+  const auto p = static_cast<std::size_t>(spline.degree);
+  const std::vector<double> flat = flat_knots(spline.knots, spline.multiplicities);
+  std::size_t kept = 1;
+  while (kept + 1 < spline.knots.size() && !is_span({from, spline.knots[kept]}, domain)) ++kept;
+  std::size_t last = 0;  // the last point that the first kept span needs
+  for (std::size_t i = 0; i < kept; ++i) last += static_cast<std::size_t>(spline.multiplicities[i]);
+  last -= 1;
+
+  const auto tail = static_cast<std::ptrdiff_t>(kept);
+  SplineOf<Point> result{spline.degree, {from}, {spline.degree + 1}, std::vector<Point>(p)};
+  result.knots.insert(result.knots.end(), spline.knots.begin() + tail, spline.knots.end());
+  result.multiplicities.insert(result.multiplicities.end(), spline.multiplicities.begin() + tail,
+                               spline.multiplicities.end());
+  std::vector<Point> d(spline.points.begin() + static_cast<std::ptrdiff_t>(last - p),
+                       spline.points.begin() + static_cast<std::ptrdiff_t>(last + 1));
+  for (std::size_t r = 1; r <= p; ++r) {
+    for (std::size_t j = p; j >= r; --j) {
+      const double low = flat[last - p + j], high = flat[last + j - r + 1];
+      const double s = (from - low) / (high - low);
+      d[j] = (1 - s) * d[j - 1] + s * d[j];
+    }
+    result.points[p - r] = d[p];
+  }
+  result.points.insert(result.points.end(),
+                       spline.points.begin() + static_cast<std::ptrdiff_t>(last),
+                       spline.points.end());
+  return result;
+}
+
+// The same curve, walked the other way by the negative of its parameter.
+template <class Point>
+SplineOf<Point> mirrored(SplineOf<Point> spline) {
+  std::reverse(spline.knots.begin(), spline.knots.end());
+  for (double& knot : spline.knots) knot = -knot;
+  std::reverse(spline.multiplicities.begin(), spline.multiplicities.end());
+  std::reverse(spline.points.begin(), spline.points.end());
+  return spline;
+}
+
 template <class Point>
 SplineOf<Point> part_of(const SplineOf<Point>& spline, const Interval& part) {
   const Interval domain = spline.domain();
   if (!(part.from < part.to) || part.from < domain.from || part.to > domain.to)
     throw InvalidInput("restricted: the part [" + std::to_string(part.from) + ", " +
                        std::to_string(part.to) + "] is empty or outside the domain");
-  SplineOf<Point> result{spline.degree, {part.from}, {spline.degree + 1}, {}};
-  for (std::size_t i = 0; i < spline.knots.size(); ++i)
-    if (is_span({part.from, spline.knots[i]}, domain) &&
-        is_span({spline.knots[i], part.to}, domain)) {
-      result.knots.push_back(spline.knots[i]);
-      result.multiplicities.push_back(spline.multiplicities[i]);
-    }
-  result.knots.push_back(part.to);
-  result.multiplicities.push_back(spline.degree + 1);
-
-  const auto p = static_cast<std::size_t>(spline.degree);
-  const std::vector<double> old_flat = flat_knots(spline.knots, spline.multiplicities);
-  const std::vector<double> flat = flat_knots(result.knots, result.multiplicities);
-  for (std::size_t i = 0; i + p + 1 < flat.size(); ++i) {
-    // Any span that control point i reaches has the same blossom at its knots.
-    std::size_t reached = i;
-    while (!(flat[reached] < flat[reached + 1])) ++reached;
-    const double middle = 0.5 * (flat[reached] + flat[reached + 1]);
-    const std::size_t span = span_of(old_flat, p, spline.points.size(), middle);
-    result.points.push_back(blossom_of_span(spline.points.data() + (span - p),
-                                            old_flat.data() + (span + 1 - p), p,
-                                            flat.data() + i + 1));
-  }
+  SplineOf<Point> result = spline;
+  if (part.from > domain.from) result = without_start(result, part.from, domain);
+  if (part.to < domain.to) result = mirrored(without_start(mirrored(result), -part.to, domain));
   return result;
 }
 

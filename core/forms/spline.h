@@ -40,9 +40,10 @@ inline constexpr double kSameKnot = 0x1p-47;
 /// True if an interval is longer than the rounding of a domain's parameters.
 bool is_span(const Interval& part, const Interval& domain);
 
-/// The part of a spline on an interval of its domain, with the same parameters. The control
-/// points are the blossoms of the spline's polynomials at the part's knots; knots that are rounding
-/// apart from its ends are left out.
+/// The part of a spline on an interval of its domain, with the same parameters. The p control
+/// points next to a new end are blossoms at that end and the knots beside it, convex combinations
+/// of the old ones; all others are kept bit for bit. Knots that are rounding apart from its ends
+/// are left out.
 /// throws   InvalidInput if the interval is empty or leaves the domain
 /// Source: Ramshaw 1989, Proposition 9.1.
 Spline restricted(const Spline& spline, const Interval& part);
