@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Whole models beside Open CASCADE's BRepAlgoAPI_Section, and how time grows with the input.
 //
-//   bench_models [--limit SECONDS] [--sections] [--moved] [--growth] [--threads] [FILE...]
+//   bench_models [--limit SECONDS] [--sections] [--moved] [--equal] [--growth] [--threads]
+//                [FILE...]
 //
 // Without files: those of BLOSSOM_TEST_DATA/models. Without a part: all of them.
 //
 // sections   each model cut by three planes through the middle of its box
 // moved      each model against a copy turned by 23 degrees and moved by 6 % of its size, and by
 //            2 degrees and 0.4 %
+// equal      each model against an identical copy
 // growth     height fields of n x n spans that cross along one curve: time against n
 // threads    the largest of these, and each model against its first copy, with 1 and 2 threads,
 //            beside a loop of multiply-adds
@@ -28,6 +30,7 @@
 #include <vector>
 
 #include <BRepAlgoAPI_Section.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/intersection.h"
@@ -143,23 +146,32 @@ Outcome intersection_of(const TopoDS_Shape& a, const TopoDS_Shape& b, double siz
   return outcome;
 }
 
+void meet(const Settings& settings, const std::string& name, const TopoDS_Shape& shape,
+          const TopoDS_Shape& copy) {
+  const double size = sized_by_box(shape).size;
+  const Outcome ours = measured(2 * settings.limit,
+                                [&] { return intersection_of(shape, copy, size, settings.limit); });
+  const Outcome theirs = measured(settings.limit, [&] {
+    return by_occt([&](BRepAlgoAPI_Section& section) {
+      section.Init1(shape);
+      section.Init2(copy);
+      section.ComputePCurveOn2(true);
+    });
+  });
+  print_row(name, ours, theirs);
+}
+
 void meet_copies(const Settings& settings, const std::string& file) {
   const TopoDS_Shape shape = occt::read_model(file).shape();
-  const Sized box = sized_by_box(shape);
-  for (const bool far : {true, false}) {
-    const TopoDS_Shape copy = far ? moved_copy(shape, 23, 0.06) : moved_copy(shape, 2, 0.004);
-    const Outcome ours = measured(
-        2 * settings.limit, [&] { return intersection_of(shape, copy, box.size, settings.limit); });
-    const Outcome theirs = measured(settings.limit, [&] {
-      return by_occt([&](BRepAlgoAPI_Section& section) {
-        section.Init1(shape);
-        section.Init2(copy);
-        section.ComputePCurveOn2(true);
-      });
-    });
-    print_row(std::filesystem::path(file).filename().string() + (far ? " 23 deg" : " 2 deg"), ours,
-              theirs);
-  }
+  const std::string name = std::filesystem::path(file).filename().string();
+  meet(settings, name + " 23 deg", shape, moved_copy(shape, 23, 0.06));
+  meet(settings, name + " 2 deg", shape, moved_copy(shape, 2, 0.004));
+}
+
+void meet_itself(const Settings& settings, const std::string& file) {
+  const TopoDS_Shape shape = occt::read_model(file).shape();
+  const std::string name = std::filesystem::path(file).filename().string();
+  meet(settings, name + " copy", shape, BRepBuilderAPI_Copy(shape).Shape());
 }
 
 // --- threads
@@ -207,7 +219,7 @@ Settings settings_of(int argc, char** argv) {
     else
       settings.files.push_back(argument);
   }
-  if (settings.parts.empty()) settings.parts = {"sections", "moved", "growth", "threads"};
+  if (settings.parts.empty()) settings.parts = {"sections", "moved", "equal", "growth", "threads"};
   if (settings.files.empty()) settings.files = models_of_test_data();
   return settings;
 }
@@ -224,6 +236,7 @@ int run(int argc, char** argv) {
   };
   for_all("sections", "Plane sections (seconds of processor time, one thread)", cut_by_planes);
   for_all("moved", "Model against a moved copy (likewise)", meet_copies);
+  for_all("equal", "Model against an identical copy (likewise)", meet_itself);
   if (settings.parts.contains("growth")) print_growth(settings.csv);
   if (settings.parts.contains("threads")) print_threads(copies_by_threads(settings));
   return 0;

@@ -14,7 +14,8 @@ import math
 import sys
 
 WIDTH, HEIGHT, EDGE = 720, 480, 70
-COLOURS = {"spans": "#0b62a4", "faces": "#c7511f", "branches": "#3c8031"}
+COLOURS = {"spans": "#0b62a4", "faces": "#c7511f", "branches": "#3c8031",
+           "alike": "#7a4aa0"}
 
 
 def fitted(x, y):

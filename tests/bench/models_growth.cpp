@@ -274,7 +274,7 @@ void print_growth(const std::string& csv) {
   std::printf(
       "\nGrowth (least processor time of %d, one thread)\n%-9s %4s %8s %8s %8s %8s %10s %s\n",
       kRounds, "family", "size", "all", "met", "poles", "curves", "seconds", "status");
-  std::vector<Growth> spans, faces, branches;
+  std::vector<Growth> spans, faces, branches, alike;
   for (const int n : {8, 16, 32, 64})
     spans.push_back(of_surfaces("spans", n, height_field(n, wave), height_field(n, saddle)));
   print_family(spans, table);
@@ -283,6 +283,9 @@ void print_growth(const std::string& csv) {
   for (const int m : {2, 4, 8, 16})
     branches.push_back(of_surfaces("branches", m, bumps(64, m), flat(0.1 / m)));
   print_family(branches, table);
+  for (const int m : {4, 8, 16, 32})  // 4 x 4 spans a bump: loops of one shape
+    alike.push_back(of_surfaces("alike", m, bumps(4 * m, m), flat(0.1 / m)));
+  print_family(alike, table);
 }
 
 void print_threads(const std::vector<ThreadJob>& more) {
