@@ -77,9 +77,15 @@ void BoxTree::build(Building& of, int index, int first, int last) {
                    [centre](int i, int j) { return centre[i] < centre[j]; });
   node.left = index + 1;
   node.right = index + 2 * (middle - first);
-  parallel_for(2, last - first > kAlone ? 1 : 2, [&](std::size_t half) {
+  const auto build_half = [&](std::size_t half) {
     half == 0 ? build(of, node.left, first, middle) : build(of, node.right, middle, last);
-  });
+  };
+  if (last - first > kAlone) {
+    parallel_for(2, 1, build_half);
+  } else {
+    build_half(0);
+    build_half(1);
+  }
 }
 
 void BoxTree::descend(const BoxTree& a, int i, const BoxTree& b, int j,

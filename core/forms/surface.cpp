@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "core/base/errors.h"
@@ -33,11 +34,23 @@ void validate_knots(const std::vector<double>& knots, int spans, const char* nam
       refuse(name, std::string("the knots in ") + direction + " are not finite and increasing");
 }
 
+// Without branches, for large surfaces are looked at by one thread. False too of some sound points
+// near the largest double, which are then looked at one by one.
+bool are_plainly_sound(std::span<const Vec4> points) {
+  double not_a_number = 0, least_weight = 1;
+  for (const Vec4& p : points) {
+    not_a_number += 0 * (p[0] + p[1] + p[2] + p[3]);
+    least_weight = p[3] < least_weight ? p[3] : least_weight;
+  }
+  return not_a_number == 0 && least_weight > 0;
+}
+
 void validate_patch(const RationalBezierPatch& patch, const char* name) {
   const int degree = std::max(patch.degree_u(), patch.degree_v());
   if (std::min(patch.degree_u(), patch.degree_v()) < 1 || degree > kMaxDegree)
     refuse(name, "degrees must be in 1.." + std::to_string(kMaxDegree) + ", got " +
                      std::to_string(patch.degree_u()) + " x " + std::to_string(patch.degree_v()));
+  if (are_plainly_sound(patch.points.values())) return;
   for (const Vec4& p : patch.points.values()) {
     for (int k = 0; k < 4; ++k)
       if (!std::isfinite(p[k])) refuse(name, "a control point is not finite");
