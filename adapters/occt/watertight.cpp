@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -99,13 +100,17 @@ struct Middle {
 // middle between these, and others have their curve in space.
 class Reader {
  public:
-  Reader(const TopoDS_Shape& shape, double tolerance) : tolerance_(tolerance) {
+  Reader(const TopoDS_Shape& shape, const WatertightOptions& options)
+      : tolerance_(options.tolerance), ask_(options.ask) {
     TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_);
-    for (const EdgeJoin& join : edge_joins(faces_, tolerance)) add(join);
+    for (const EdgeJoin& join : edge_joins(faces_, tolerance_)) add(join);
   }
 
   CommonModel read(const std::vector<TopoDS_Face>& faces) {
-    for (const TopoDS_Face& face : faces) add(face);
+    for (const TopoDS_Face& face : faces) {
+      if (ask_) ask_();
+      add(face);
+    }
     model_.vertices = vertices_.points();
     for (CommonEdge& edge : model_.edges) {
       edge.from = vertices_.root(edge.from);
@@ -226,6 +231,7 @@ class Reader {
   }
 
   double tolerance_;
+  std::function<void()> ask_;
   CommonModel model_;
   TopTools_IndexedDataMapOfShapeListOfShape faces_;  // of each edge
   TopTools_DataMapOfShapeInteger joined_;            // edges given up: the model's edge
@@ -450,17 +456,23 @@ std::string watertight_fault(const TopoDS_Shape& given, const TopoDS_Shape& made
 WatertightShape watertight(const TopoDS_Shape& shape, const WatertightOptions& options) {
   WatertightShape result;
   const std::vector<TopoDS_Face> given = faces_of(shape);
-  result.pieces = watertight_pieces(Reader(shape, options.tolerance).read(given), options);
+  result.pieces = watertight_pieces(Reader(shape, options).read(given), options);
   if (!result.pieces.obstacle.empty()) return result;
+  const auto ask = [&options] {
+    if (options.ask) options.ask();
+  };
   result.faces.resize(given.size());
   Writer writer(result.pieces);
-  for (const WatertightPiece& piece : result.pieces.pieces)
+  for (const WatertightPiece& piece : result.pieces.pieces) {
+    ask();
     result.faces[index(piece.face)].push_back(
         TopoDS::Face(writer.face_of(piece).Oriented(given[index(piece.face)].Orientation())));
+  }
   result.pieces.deviation += writer.flattened();
   Rebuilder rebuilder(shape, result.faces);
   result.shape =
       shape.ShapeType() == TopAbs_FACE ? rebuilder.of_face(shape) : rebuilder.rebuilt(shape);
+  ask();
   const std::string fault = watertight_fault(shape, result.shape);
   if (fault.empty()) return result;
   WatertightShape refused;

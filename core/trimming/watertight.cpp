@@ -87,6 +87,7 @@ class Builder {
       for (std::size_t b = 0; b < face.parameters.size(); ++b)
         if (face.parameters[b].to_edge) uneven_[index(face.edges[b])] = true;
     for (const CommonFace& face : model.faces) {
+      ask();
       surfaces_.push_back(polynomial_surface(face.surface, kSurfacePart * options.tolerance));
       surface_error_ = std::max(surface_error_, surfaces_.back().error);
     }
@@ -106,6 +107,10 @@ class Builder {
   }
 
  private:
+  void ask() const {
+    if (options_.ask) options_.ask();
+  }
+
   // ---- regions with equal stops
 
   bool make_regions(const std::vector<bool>& stale) {
@@ -115,6 +120,7 @@ class Builder {
     region_options.highest_degree = options_.highest_degree;
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       if (!stale[f]) continue;
+      ask();
       TrimmedChart chart = model_.faces[f].chart;
       for (std::size_t b = 0; b < chart.borders.size(); ++b) settle(chart.borders[b], f, b);
       regions_[f] = triangulated_region(surfaces_[f], chart, region_options);
@@ -123,6 +129,7 @@ class Builder {
         result_.obstacle = "face " + std::to_string(f + 1) + ": " + regions_[f].obstacle;
         return false;
       }
+      beyond_ = std::max(beyond_, regions_[f].beyond_lines);
       add_stops_of(f);
     }
     return true;
@@ -202,11 +209,7 @@ class Builder {
     result_.deviation = 0;
     for (const WatertightPiece& piece : result_.pieces)
       result_.deviation = std::max(result_.deviation, piece.moved);
-    result_.deviation += surface_error_;
-    double beyond = 0;  // the patch and its neighbour part from a common line
-    for (const TriangulatedRegion& region : regions_)
-      beyond = std::max(beyond, region.beyond_lines);
-    result_.deviation += 2 * beyond;
+    result_.deviation += surface_error_ + 2 * beyond_;  // both patches part from a common line
   }
 
   // Sides of triangles that did not come down to the highest degree within the tolerance.
@@ -278,6 +281,7 @@ class Builder {
   }
 
   void add_face(int face) {
+    ask();
     const TriangulatedRegion& region = regions_[index(face)];
     std::vector<int> names = vertices_of(face);
     std::map<std::pair<int, int>, int> inner;  // sides by the region's vertices
@@ -470,7 +474,7 @@ class Builder {
   PairedParameters parameters_;
   std::vector<std::vector<double>> stops_;  // of each edge
   std::vector<BezierSurface> surfaces_;
-  double surface_error_ = 0;
+  double surface_error_ = 0, beyond_ = 0;
   std::vector<TriangulatedRegion> regions_;
   // Edges with borders that run otherwise than they do. How far they are apart along the edge is a
   // matter of parameters, and passes when it is divided.

@@ -59,6 +59,8 @@ struct WatertightOptions {
   /// How far triangles may leave their surfaces, where edges and surfaces allow it; model units.
   double tolerance = 1e-6;
   int highest_degree = kMaxDegree;  ///< of triangles
+  /// Asked after each face and each round; may throw to end the work. None: it goes on to its end.
+  std::function<void()> ask = {};
 };
 
 /// A side of pieces: of two where nothing is free.

@@ -6,10 +6,14 @@
 #include <utility>
 
 #include "adapters/occt/errors.h"
+#include "adapters/occt/shared_limit.h"
+#include "core/intersection/work_limit.h"
+#include "plugin/cli/interruption.h"
 
 namespace blossom::cli {
 namespace {
 
+constexpr double kLeastTime = 1e-3;      // seconds, where the trims have spent the time limit
 constexpr double kToleranceFactor = 10;  // trims' own edges are about one tolerance off
 
 Vec4 homogeneous(const Vec3& p) { return {p[0], p[1], p[2], 1}; }
@@ -46,9 +50,17 @@ std::size_t common_count(const WatertightPieces& pieces) {
 
 }  // namespace
 
-occt::WatertightShape watertight_of(const TopoDS_Shape& shape, double tolerance) {
+occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine,
+                                    double spent) {
+  IntersectionOptions left;
+  if (engine.time_limit > 0) left.time_limit = std::max(engine.time_limit - spent, kLeastTime);
+  const WorkLimit limit(left);
   WatertightOptions options;
-  options.tolerance = kToleranceFactor * tolerance;
+  options.tolerance = kToleranceFactor * engine.tolerance;
+  options.ask = [&limit] {
+    stop_if_interrupted();
+    occt::check_limit(&limit, "making faces watertight");
+  };
   occt::WatertightShape made = occt::watertight(shape, options);
   if (!made.pieces.obstacle.empty())
     throw occt::BadModel("the faces cannot be made watertight: " + made.pieces.obstacle);

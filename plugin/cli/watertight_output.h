@@ -10,15 +10,20 @@
 
 #include "adapters/occt/watertight.h"
 #include "plugin/cli/nets/net.h"
+#include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 
 namespace blossom::cli {
 
 /// The shape as pieces with common sides.
 ///
-/// tolerance   what counts as one point; pieces may lie ten times as far from the faces
-/// throws      occt::BadModel if the faces have no such pieces, naming the obstacle
-occt::WatertightShape watertight_of(const TopoDS_Shape& shape, double tolerance);
+/// engine      of it the tolerance, what counts as one point: pieces may lie ten times as far from
+///             the faces; and the time limit
+/// spent       of the time limit, seconds
+/// throws      occt::BadModel if the faces have no such pieces, naming the obstacle; occt::Failure
+///             if the time limit is reached, Interrupted if the user wants an end
+occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine,
+                                    double spent);
 
 /// The member "watertight" of reports.
 Json to_json(const WatertightPieces& pieces);

@@ -173,8 +173,8 @@ std::string obstacle(const Inputs& inputs, const Timed& timed, const Options& op
 }
 
 // Puts pieces with common sides in the place of all faces.
-WatertightPieces make_watertight(occt::Model& model, double tolerance) {
-  occt::WatertightShape made = watertight_of(model.shape(), tolerance);
+WatertightPieces make_watertight(occt::Model& model, const EngineOptions& engine, double spent) {
+  occt::WatertightShape made = watertight_of(model.shape(), engine, spent);
   std::map<int, std::vector<TopoDS_Face>> faces;
   for (std::size_t k = 0; k < made.faces.size(); ++k)
     faces[static_cast<int>(k) + 1] = std::move(made.faces[k]);
@@ -192,7 +192,7 @@ void write_outputs(Inputs& inputs, const Timed& timed, const Options& options) {
   if (reason.empty()) inputs.part.model.replace_faces(timed.made.replacements);
   std::optional<WatertightPieces> watertight;
   if (options.watertight && reason.empty()) {
-    watertight = make_watertight(inputs.part.model, options.engine.tolerance);
+    watertight = make_watertight(inputs.part.model, options.engine, timed.seconds);
     text += summary_of(*watertight);
     report["watertight"] = to_json(*watertight);
   }

@@ -44,12 +44,12 @@ struct Timed {
 
 // All solids at once: those side by side keep their common faces. Pieces come from where their
 // faces do.
-void make_watertight(Timed& timed, double tolerance) {
+void make_watertight(Timed& timed, const EngineOptions& engine, double spent) {
   TopoDS_Compound all;
   BRep_Builder builder;
   builder.MakeCompound(all);
   for (const TopoDS_Solid& solid : timed.made.solids) builder.Add(all, solid);
-  occt::WatertightShape made = watertight_of(all, tolerance);
+  occt::WatertightShape made = watertight_of(all, engine, spent);
   timed.made.solids.clear();
   for (TopoDS_Iterator it(made.shape); it.More(); it.Next())
     timed.made.solids.push_back(TopoDS::Solid(it.Value()));
@@ -83,11 +83,13 @@ Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models
   for (const occt::Model& tool : tools) others.push_back(occt::trim_tool(tool.shape()));
   const auto start = std::chrono::steady_clock::now();
   Timed result{occt::trim_solids(solid, others, kOperations.at(options.operation), engine), {}, 0};
+  const auto seconds = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   if (options.watertight && !result.made.solids.empty())
-    make_watertight(result, options.engine.tolerance);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    make_watertight(result, options.engine, seconds());
   stop_if_interrupted();
-  result.seconds = took.count();
+  result.seconds = seconds();
   return result;
 }
 

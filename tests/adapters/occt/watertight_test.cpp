@@ -124,6 +124,22 @@ TEST(Watertight, RefusesPiecesThatDoNotCloseOrAreNotValid) {
   EXPECT_NE(watertight_fault(box, invalid).find("BRepCheck"), std::string::npos);
 }
 
+// Reading, dividing and writing ask; the last question is before the check by BRepCheck.
+TEST(Watertight, EndsWhereItIsTold) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3);
+  struct Ended {};
+  int asked = 0;
+  WatertightOptions options;
+  options.ask = [&asked] { ++asked; };
+  ASSERT_EQ(watertight(box, options).pieces.obstacle, "");
+  for (int left : {0, asked / 2, asked - 1}) {
+    options.ask = [&left] {
+      if (left-- == 0) throw Ended();
+    };
+    EXPECT_THROW(watertight(box, options), Ended);
+  }
+}
+
 TEST(Watertight, KeepsSharedEdgesInBrepFiles) {
   const WatertightShape made = watertight(two_boxes());
   Model model;

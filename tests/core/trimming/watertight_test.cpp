@@ -361,6 +361,20 @@ TEST(WatertightPieces, TakeCubicArcsOnSurfacesOfHighDegrees) {
   }
 }
 
+TEST(WatertightPieces, EndWhereTheOneThatIsAskedWantsItToEnd) {
+  struct Ended {};
+  int asked = 0;
+  WatertightOptions options;
+  options.ask = [&asked] { ++asked; };
+  ASSERT_EQ(watertight_pieces(two_squares(0), options).obstacle, "");
+  EXPECT_GE(asked, 6);  // of two faces: their surfaces, regions and pieces
+
+  options.ask = [left = asked - 1]() mutable {
+    if (left-- == 0) throw Ended();
+  };
+  EXPECT_THROW(watertight_pieces(two_squares(0), options), Ended);
+}
+
 TEST(WatertightPieces, RefuseWhatNamesNothing) {
   CommonModel model = roof_and_wall(0);
   model.faces[0].edges[1] = 9;
