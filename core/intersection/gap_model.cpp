@@ -189,25 +189,14 @@ std::array<double, 3> height_errors(const Frame& frame, double turn,
 std::optional<GapModel> model_in(const Frame& frame, const Foot& foot, double hs, double ht) {
   const double turn = std::max(frame.q[0].total[1], frame.q[1].total[1]);
   if (!(turn <= kMostTurn)) return std::nullopt;
-  // sigma = (id + q)^-1 (a): each round is right to one degree more.
-  std::array<TaylorPolynomial, 2> sigma{frame.a[0].terms, frame.a[1].terms};
-  for (int round = 1; round < kTaylorDegree; ++round) {
-    std::array<TaylorPolynomial, 2> next;
-    for (std::size_t k = 0; k < 2; ++k) {
-      next[k] = compose_truncated(frame.q[k].terms, sigma[0], sigma[1], round + 1);
-      for (std::size_t i = 0; i < next[k].size(); ++i)
-        next[k][i] = frame.a[k].terms[i] - next[k][i];
-    }
-    sigma = next;
-  }
-  for (const TaylorPolynomial& p : sigma)
-    if (!(taylor_series(p).total[0] <= 1)) return std::nullopt;
+  // sigma = (id + q)^-1 (a)
+  const TaylorPowers powers(frame.a[0].terms, frame.a[1].terms, frame.q[0].terms, frame.q[1].terms);
+  const std::array<const TaylorSeries*, 2> sigma{&powers.x(), &powers.y()};
+  if (!(sigma[0]->total[0] <= 1 && sigma[1]->total[0] <= 1)) return std::nullopt;
 
-  const TaylorPowers powers(sigma[0], sigma[1]);
   std::array<double, 3> off{};
   for (std::size_t k = 0; k < 2; ++k) {
-    const auto bounds =
-        bounds_of(frame.a[k] - taylor_series(sigma[k]) - powers.compose(frame.q[k]));
+    const auto bounds = bounds_of(frame.a[k] - *sigma[k] - powers.compose(frame.q[k]));
     for (std::size_t d = 0; d < 3; ++d) off[d] = std::max(off[d], bounds[d]);
   }
   const double n = frame.degree;
@@ -227,11 +216,10 @@ std::optional<GapModel> model_in(const Frame& frame, const Foot& foot, double hs
   const double error = off[0] / (1 - turn);
   const double bend = std::max(frame.q[0].total[2], frame.q[1].total[2]);
   const std::array<double, 2> middle{foot.s, foot.t}, half{hs, ht};
-  double speed = 0;
-  for (const TaylorPolynomial& p : sigma) speed = std::max(speed, taylor_series(p).total[1]);
+  const double speed = std::max(sigma[0]->total[1], sigma[1]->total[1]);
   const double slope_error = (off[1] + bend * error * speed) / (1 - turn);
   for (std::size_t k = 0; k < 2; ++k) {
-    model.foot[k] = sigma[k];
+    model.foot[k] = sigma[k]->terms;
     for (double& c : model.foot[k]) c *= half[k];
     model.foot[k][0] += middle[k];
     model.foot_error[k] = half[k] * error;

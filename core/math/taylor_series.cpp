@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/math/four.h"
+
 namespace blossom {
 namespace {
 
@@ -22,32 +24,34 @@ constexpr double falling(int k, int d) {
   return product;
 }
 
-// c += a b for the terms of total degree P of a and Q of b. All loops are of fixed length.
-template <int P, int Q>
-void add_product_of(double* c, const double* a, const double* b) {
-  for (int i = 0; i <= P; ++i)
-    for (int j = 0; j <= Q; ++j) c[start(P + Q) + i + j] += a[start(P) + i] * b[start(Q) + j];
-}
-
-// c += a b, degrees up to `Highest`.
-template <int Highest>
-void add_product(TaylorPolynomial& c, const TaylorPolynomial& a, const TaylorPolynomial& b) {
-  const auto degree = [&]<int P>(std::integral_constant<int, P>) {
-    [&]<int... Q>(std::integer_sequence<int, Q...>) {
-      (add_product_of<P, Q>(c.data(), a.data(), b.data()), ...);
-    }
-    (std::make_integer_sequence<int, Highest - P + 1>());
-  };
-  [&]<int... P>(std::integer_sequence<int, P...>) {
-    (degree(std::integral_constant<int, P>()), ...);
+// Calls f with the constants First..Last, in this order.
+template <int First, int Last, class F>
+void for_constants(const F& f) {
+  if constexpr (First <= Last) {
+    f(std::integral_constant<int, First>());
+    for_constants<First + 1, Last>(f);
   }
-  (std::make_integer_sequence<int, Highest + 1>());
 }
 
-template <int Highest = K>
+// The terms of total degree `Degree` of a b, where a and b have none below `LeastA` and `LeastB`.
+// All loops are of fixed length.
+template <int Degree, int LeastA = 0, int LeastB = 0>
+std::array<double, Degree + 1> product_terms(const TaylorPolynomial& a, const TaylorPolynomial& b) {
+  std::array<double, Degree + 1> sum{};
+  for_constants<LeastA, Degree - LeastB>([&]<int P>(std::integral_constant<int, P>) {
+    for (std::size_t i = 0; i <= P; ++i)
+      for (std::size_t j = 0; j <= Degree - P; ++j)
+        sum[i + j] += a[start(P) + i] * b[start(Degree - P) + j];
+  });
+  return sum;
+}
+
 TaylorPolynomial times(const TaylorPolynomial& a, const TaylorPolynomial& b) {
-  TaylorPolynomial c{};
-  add_product<Highest>(c, a, b);
+  TaylorPolynomial c;
+  for_constants<0, K>([&]<int Degree>(std::integral_constant<int, Degree>) {
+    const auto terms = product_terms<Degree>(a, b);
+    std::copy(terms.begin(), terms.end(), c.begin() + start(Degree));
+  });
   return c;
 }
 
@@ -57,21 +61,40 @@ std::array<double, 4> product_totals(const std::array<double, 4>& a,
           a[3] * b[0] + 3 * a[2] * b[1] + 3 * a[1] * b[2] + a[0] * b[3]};
 }
 
-// Bernstein coefficients on [-1, 1] of x^i, by degree K: [nu][i].
-const std::array<std::array<double, K + 1>, K + 1>& bernstein_of_powers() {
+// The majorant of terms that nothing is left out of.
+void add_majorants(TaylorSeries& f) {
+  for (int k = 0; k <= K; ++k) {
+    double& sum = f.low[static_cast<std::size_t>(k)];
+    for (int j = 0; j <= k; ++j) sum += std::abs(f.terms[start(k) + static_cast<std::size_t>(j)]);
+    for (int d = 0; d < 4; ++d) f.total[static_cast<std::size_t>(d)] += falling(k, d) * sum;
+  }
+}
+
+void add_product_majorants(TaylorSeries& c, const TaylorSeries& a, const TaylorSeries& b) {
+  for (std::size_t i = 0; i <= K; ++i)
+    for (std::size_t j = 0; i + j <= K; ++j) c.low[i + j] += a.low[i] * b.low[j];
+  c.total = product_totals(a.total, b.total);
+}
+
+using BernsteinRow = std::array<Four, 2>;  // K + 1 values, and the last one again
+
+// Bernstein coefficients on [-1, 1] of x^i, by degree K: [i][nu].
+const std::array<BernsteinRow, K + 1>& bernstein_of_powers() {
   static const auto table = [] {
-    std::array<std::array<double, K + 1>, K + 1> t{};
+    std::array<BernsteinRow, K + 1> t{};
     const auto binomial = [](int n, int k) {
       double b = 1;
       for (int i = 1; i <= k; ++i) b = b * (n - k + i) / i;
       return b;
     };
-    for (int nu = 0; nu <= K; ++nu)
-      for (int i = 0; i <= K; ++i) {
+    for (int i = 0; i <= K; ++i)
+      for (int at = 0; at < 8; ++at) {
+        const int nu = std::min(at, K);
         double sum = 0;  // [x^i] (1 - x)^(K - nu) (1 + x)^nu
         for (int l = std::max(0, i - nu); l <= std::min(i, K - nu); ++l)
           sum += (l % 2 == 0 ? 1 : -1) * binomial(K - nu, l) * binomial(nu, i - l);
-        t[static_cast<std::size_t>(nu)][static_cast<std::size_t>(i)] = sum / binomial(K, i);
+        t[static_cast<std::size_t>(i)][static_cast<std::size_t>(at / 4)][at % 4] =
+            sum / binomial(K, i);
       }
     return t;
   }();
@@ -105,12 +128,7 @@ TaylorSeries taylor_series(const double* c, int rows, int columns) {
 TaylorSeries taylor_series(const TaylorPolynomial& polynomial) {
   TaylorSeries f;
   f.terms = polynomial;
-  for (int k = 0; k <= K; ++k) {
-    double& sum = f.low[static_cast<std::size_t>(k)];
-    for (int j = 0; j <= k; ++j)
-      sum += std::abs(polynomial[start(k) + static_cast<std::size_t>(j)]);
-    for (int d = 0; d < 4; ++d) f.total[static_cast<std::size_t>(d)] += falling(k, d) * sum;
-  }
+  add_majorants(f);
   return f;
 }
 
@@ -138,9 +156,7 @@ TaylorSeries operator*(double s, TaylorSeries a) {
 TaylorSeries operator*(const TaylorSeries& a, const TaylorSeries& b) {
   TaylorSeries c;
   c.terms = times(a.terms, b.terms);
-  for (std::size_t i = 0; i <= K; ++i)
-    for (std::size_t j = 0; i + j <= K; ++j) c.low[i + j] += a.low[i] * b.low[j];
-  c.total = product_totals(a.total, b.total);
+  add_product_majorants(c, a, b);
   return c;
 }
 
@@ -174,27 +190,60 @@ TaylorSeries reciprocal(const TaylorSeries& f, bool& exists) {
   return r;
 }
 
-TaylorPowers::TaylorPowers(const TaylorPolynomial& x, const TaylorPolynomial& y) {
+// The terms of one degree of all powers, which are made of lower ones of x and y, and with them
+// those of x and y.
+template <int Degree>
+void TaylorPowers::solve_degree(const std::array<const TaylorPolynomial*, 2>& right,
+                                const std::array<const TaylorPolynomial*, 2>& bent) {
+  std::array<std::array<double, Degree + 1>, 2> solved;
+  for (std::size_t c = 0; c < 2; ++c)
+    std::copy_n(right[c]->begin() + start(Degree), Degree + 1, solved[c].begin());
+  for_constants<2, Degree>([&]<int M>(std::integral_constant<int, M>) {
+    for (int j = 0; j <= M; ++j) {
+      const std::size_t at = taylor_index(M - j, j);
+      const TaylorSeries& factor = powers_[j < M ? 1 : 2];
+      const TaylorSeries& below = powers_[j < M ? taylor_index(M - 1 - j, j) : start(M) - 1];
+      const auto sum = product_terms<Degree, 1, M - 1>(factor.terms, below.terms);
+      std::copy(sum.begin(), sum.end(), powers_[at].terms.begin() + start(Degree));
+      for (std::size_t c = 0; c < 2; ++c)
+        for (std::size_t k = 0; k <= Degree; ++k) solved[c][k] -= (*bent[c])[at] * sum[k];
+    }
+  });
+  for (std::size_t c = 0; c < 2; ++c)
+    std::copy(solved[c].begin(), solved[c].end(), powers_[c + 1].terms.begin() + start(Degree));
+}
+
+TaylorPowers::TaylorPowers(const TaylorPolynomial& u, const TaylorPolynomial& v,
+                           const TaylorPolynomial& p, const TaylorPolynomial& q) {
   powers_[0].terms[0] = 1;
   powers_[0].low[0] = 1;
   powers_[0].total[0] = 1;
-  const TaylorSeries sx = taylor_series(x), sy = taylor_series(y);
-  for (int k = 1; k <= K; ++k)
-    for (int j = 0; j <= k; ++j)
-      powers_[taylor_index(k - j, j)] =
-          j < k ? sx * powers_[taylor_index(k - j - 1, j)] : sy * powers_[taylor_index(0, k - 1)];
+  for_constants<1, K>([&]<int Degree>(std::integral_constant<int, Degree>) {
+    solve_degree<Degree>({&u, &v}, {&p, &q});
+  });
+  add_majorants(powers_[1]);
+  add_majorants(powers_[2]);
+  for (int m = 2; m <= K; ++m)
+    for (int j = 0; j <= m; ++j) {
+      TaylorSeries& power = powers_[taylor_index(m - j, j)];
+      const TaylorSeries& factor = powers_[j < m ? 1 : 2];
+      const TaylorSeries& below = powers_[j < m ? taylor_index(m - 1 - j, j) : start(m) - 1];
+      add_product_majorants(power, factor, below);
+    }
 }
 
 TaylorSeries TaylorPowers::compose(const TaylorSeries& f) const {
   TaylorSeries r;
-  for (std::size_t i = 0; i < f.terms.size(); ++i) {
-    if (f.terms[i] == 0) continue;
-    const TaylorSeries& power = powers_[i];
-    const double factor = f.terms[i], size = std::abs(factor);
-    for (std::size_t k = 0; k < r.terms.size(); ++k) r.terms[k] += factor * power.terms[k];
-    for (std::size_t k = 0; k < r.low.size(); ++k) r.low[k] += size * power.low[k];
-    for (std::size_t k = 0; k < r.total.size(); ++k) r.total[k] += size * power.total[k];
-  }
+  // A power of total degree M has no terms below it.
+  for_constants<0, K>([&]<int M>(std::integral_constant<int, M>) {
+    for (std::size_t i = start(M); i < start(M + 1); ++i) {
+      const TaylorSeries& power = powers_[i];
+      const double factor = f.terms[i], size = std::abs(factor);
+      for (std::size_t k = start(M); k < r.terms.size(); ++k) r.terms[k] += factor * power.terms[k];
+      for (std::size_t k = M; k < r.low.size(); ++k) r.low[k] += size * power.low[k];
+      for (std::size_t k = 0; k < r.total.size(); ++k) r.total[k] += size * power.total[k];
+    }
+  });
   // The terms f leaves out, by the chain rule on their bounds.
   const auto most = [&](std::size_t d) {
     return std::max(powers_[1].total[d], powers_[2].total[d]);
@@ -206,44 +255,6 @@ TaylorSeries TaylorPowers::compose(const TaylorSeries& f) const {
   r.total[2] += f2 * p1 * p1 + f1 * p2;
   r.total[3] += f3 * p1 * p1 * p1 + 3 * f2 * p1 * p2 + f1 * p3;
   return r;
-}
-
-namespace {
-
-// Horner's scheme in x with polynomials in y as coefficients.
-template <int Highest>
-TaylorPolynomial composed(const TaylorPolynomial& f, const TaylorPolynomial& x,
-                          const TaylorPolynomial& y) {
-  std::array<TaylorPolynomial, Highest + 1> y_powers{};
-  y_powers[0][0] = 1;
-  for (std::size_t j = 1; j <= Highest; ++j) y_powers[j] = times<Highest>(y_powers[j - 1], y);
-  constexpr std::size_t terms = start(Highest + 1);
-  TaylorPolynomial result{};
-  for (int i = Highest; i >= 0; --i) {
-    if (i < Highest) result = times<Highest>(result, x);
-    for (int j = 0; i + j <= Highest; ++j) {
-      const double factor = f[taylor_index(i, j)];
-      const TaylorPolynomial& power = y_powers[static_cast<std::size_t>(j)];
-      for (std::size_t k = 0; k < terms; ++k) result[k] += factor * power[k];
-    }
-  }
-  return result;
-}
-
-}  // namespace
-
-TaylorPolynomial compose_truncated(const TaylorPolynomial& f, const TaylorPolynomial& x,
-                                   const TaylorPolynomial& y, int highest) {
-  static_assert(K == 6);
-  switch (highest) {
-    case 0: return composed<0>(f, x, y);
-    case 1: return composed<1>(f, x, y);
-    case 2: return composed<2>(f, x, y);
-    case 3: return composed<3>(f, x, y);
-    case 4: return composed<4>(f, x, y);
-    case 5: return composed<5>(f, x, y);
-    default: return composed<K>(f, x, y);
-  }
 }
 
 double value(const TaylorPolynomial& p, double x, double y) {
@@ -313,29 +324,37 @@ Polynomial along_line(const TaylorPolynomial& p, const Vec2& begin, const Vec2& 
   return result;
 }
 
-TaylorRange range(const TaylorPolynomial& p, double rx, double ry) {
-  const auto& table = bernstein_of_powers();
-  std::array<double, K + 1> px, py;
-  px[0] = py[0] = 1;
-  for (std::size_t i = 1; i <= K; ++i) {
-    px[i] = px[i - 1] * rx;
-    py[i] = py[i - 1] * ry;
+BLOSSOM_HOT TaylorRange range(const TaylorPolynomial& p, double rx, double ry) {
+  const BernsteinRow* table = bernstein_of_powers().data();
+  const double* terms = p.data();
+  BernsteinRow rows[K + 1];  // [i][mu]
+  double x = 1;
+  for (int i = 0; i <= K; ++i, x *= rx) {
+    Four low{}, high{};
+    double y = x;
+    for (int j = 0; i + j <= K; ++j, y *= ry) {
+      const double factor = terms[taylor_index(i, j)] * y;
+      low += factor * table[j].front();
+      high += factor * table[j].back();
+    }
+    rows[i] = {low, high};
   }
-  std::array<std::array<double, K + 1>, K + 1> rows{};  // [i][mu]
-  for (int i = 0; i <= K; ++i)
-    for (int j = 0; i + j <= K; ++j) {
-      const auto r = static_cast<std::size_t>(i), s = static_cast<std::size_t>(j);
-      const double factor = p[taylor_index(i, j)] * px[r] * py[s];
-      for (std::size_t mu = 0; mu <= K; ++mu) rows[r][mu] += factor * table[mu][s];
+  Four least = Four{} + 1e300, most = -least;
+  for (int nu = 0; nu <= K; ++nu) {
+    Four low{}, high{};
+    for (int i = 0; i <= K; ++i) {
+      const double factor = table[i][nu / 4][nu % 4];
+      low += factor * rows[i].front();
+      high += factor * rows[i].back();
     }
-  TaylorRange result{1e300, -1e300};
-  for (std::size_t nu = 0; nu <= K; ++nu)
-    for (std::size_t mu = 0; mu <= K; ++mu) {
-      double sum = 0;
-      for (std::size_t i = 0; i <= K; ++i) sum += table[nu][i] * rows[i][mu];
-      result.low = std::min(result.low, sum);
-      result.high = std::max(result.high, sum);
-    }
+    least = low < least ? low : least;
+    least = high < least ? high : least;
+    most = low > most ? low : most;
+    most = high > most ? high : most;
+  }
+  TaylorRange result{least[0], most[0]};
+  for (int k = 1; k < 4; ++k)
+    result = {std::min(result.low, least[k]), std::max(result.high, most[k])};
   return result;
 }
 

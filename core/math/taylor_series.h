@@ -51,21 +51,30 @@ TaylorSeries operator*(const TaylorSeries& a, const TaylorSeries& b);
 /// 1 / f. `exists` becomes false unless |f - f(0)| < |f(0)| is proven on the whole square.
 TaylorSeries reciprocal(const TaylorSeries& f, bool& exists);
 
-/// The powers x^i y^j, i + j <= kTaylorDegree, of two polynomials x, y with |x|, |y| <= 1.
+/// The powers x^i y^j, i + j <= kTaylorDegree, of the x, y without constant terms that solve
+///
+///   x + p(x, y) = u,   y + q(x, y) = v
+///
+/// up to total degree kTaylorDegree for p, q without constant and linear terms; such terms, and
+/// the constant ones of u, v, are left aside. So with p = q = 0 the powers of u, v themselves.
 class TaylorPowers {
  public:
-  TaylorPowers(const TaylorPolynomial& x, const TaylorPolynomial& y);
+  TaylorPowers(const TaylorPolynomial& u, const TaylorPolynomial& v, const TaylorPolynomial& p = {},
+               const TaylorPolynomial& q = {});
 
-  /// f(x, y) with its tail.
+  const TaylorSeries& x() const { return powers_[taylor_index(1, 0)]; }
+  const TaylorSeries& y() const { return powers_[taylor_index(0, 1)]; }
+
+  /// f(x, y) with its tail. Holds for |x|, |y| <= 1 on the whole square.
   TaylorSeries compose(const TaylorSeries& f) const;
 
  private:
+  template <int Degree>
+  void solve_degree(const std::array<const TaylorPolynomial*, 2>& right,
+                    const std::array<const TaylorPolynomial*, 2>& bent);
+
   std::array<TaylorSeries, kTaylorTerms> powers_;
 };
-
-/// f(x, y) truncated at total degree `highest`, at most kTaylorDegree, without a tail.
-TaylorPolynomial compose_truncated(const TaylorPolynomial& f, const TaylorPolynomial& x,
-                                   const TaylorPolynomial& y, int highest = kTaylorDegree);
 
 /// Value and partial derivatives.
 double value(const TaylorPolynomial& p, double x, double y);

@@ -437,7 +437,8 @@ TEST_P(KnownPairs, AreTheSameTurnedAndScaled) {
     EXPECT_EQ(static_cast<int>(found.points.size()), row().points);
     EXPECT_NEAR(total_length(found), kScale * row().length, 1e-3 * kScale * row().length);
     for (const IntersectionCurve& curve : found.curves)
-      EXPECT_LE(largest_gap(curve, *first, *second), (curve.tangential ? 10 : 1) * kTolerance);
+      // Chart curves of tangential ones are fitted less closely, and say so.
+      EXPECT_LE(largest_gap(curve, *first, *second), (curve.tangential ? 20 : 1) * kTolerance);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -81,26 +82,42 @@ TEST_P(TaylorSeriesProperty, IsTurnedAndTakenAlongLinesExactly) {
   x[taylor_index(0, 1)] = b[0];
   y[taylor_index(1, 0)] = a[1];
   y[taylor_index(0, 1)] = b[1];
-  const TaylorPolynomial composed = compose_truncated(p, x, y);
-  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(turned_p[i], composed[i], 1e-12);
+  const TaylorSeries composed = TaylorPowers(x, y).compose(taylor_series(p));
+  for (std::size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(turned_p[i], composed.terms[i], 1e-12);
 }
 
-// Each truncation keeps the terms that a longer one has.
-TEST_P(TaylorSeriesProperty, IsCutOffAtTheWantedDegree) {
-  Random random = seeded(GetParam());
-  const TaylorPolynomial f = random_polynomial(random, kTaylorDegree, 1);
-  TaylorPolynomial x = random_polynomial(random, kTaylorDegree, 1), y = x;
-  x[0] = y[0] = 0;
-  y[3] = 0.5;
-  const TaylorPolynomial whole = compose_truncated(f, x, y);
+// Coefficients small enough that |x|, |y| <= 1, without those below total degree `lowest`.
+TaylorPolynomial small_polynomial(Random& random, int lowest) {
+  TaylorPolynomial p = random_polynomial(random, kTaylorDegree, 0.03);
+  std::fill_n(p.begin(), taylor_index(lowest, 0), 0.0);
+  return p;
+}
 
-  for (int highest = 0; highest <= kTaylorDegree; ++highest) {
-    const TaylorPolynomial cut = compose_truncated(f, x, y, highest);
-    for (int k = 0; k <= kTaylorDegree; ++k)
-      for (int j = 0; j <= k; ++j) {
-        const double expected = k <= highest ? whole[taylor_index(k - j, j)] : 0;
-        EXPECT_NEAR(cut[taylor_index(k - j, j)], expected, 1e-12);
-      }
+TEST_P(TaylorSeriesProperty, BoundsWhatACompositionLeavesOut) {
+  Random random = seeded(GetParam());
+  const TaylorPolynomial x = small_polynomial(random, 1), y = small_polynomial(random, 1);
+  const TaylorSeries f = taylor_series(random_polynomial(random, kTaylorDegree, 1));
+  const TaylorSeries composed = TaylorPowers(x, y).compose(f);
+
+  for (int k = 0; k < 20; ++k) {
+    const double s = uniform(random, -1, 1), t = uniform(random, -1, 1);
+    const double expected = value(f.terms, value(x, s, t), value(y, s, t));
+    EXPECT_LE(std::abs(value(composed.terms, s, t) - expected), composed.tail(0));
+  }
+}
+
+TEST_P(TaylorSeriesProperty, SolvesForTheInverseOfABentMap) {
+  Random random = seeded(GetParam());
+  const TaylorPolynomial u = small_polynomial(random, 1), v = small_polynomial(random, 1);
+  const TaylorPolynomial p = random_polynomial(random, kTaylorDegree, 1);
+  TaylorPolynomial bent = p;
+  std::fill_n(bent.begin(), taylor_index(2, 0), 0.0);
+  const TaylorPowers powers(u, v, p, p);  // what p has below total degree 2 is left aside
+
+  const TaylorSeries rest = powers.compose(taylor_series(bent));
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    EXPECT_NEAR(powers.x().terms[i] + rest.terms[i], u[i], 1e-15);
+    EXPECT_NEAR(powers.y().terms[i] + rest.terms[i], v[i], 1e-15);
   }
 }
 
