@@ -335,6 +335,7 @@ bool BorderFollower::coincide_inside(const BorderStretch& stretch) {
 }
 
 // True if the surfaces coincide beside a border, in its own row of patches or in the one beyond.
+// Close to it only where the other surface ends before kOff: surfaces may part slowly.
 bool BorderFollower::coincides_off(const BorderLine& line, double along, bool beyond) {
   BorderProbe at = placed(line, along);
   const int k = line.across;
@@ -346,8 +347,23 @@ bool BorderFollower::coincides_off(const BorderLine& line, double along, bool be
                       : own_.span_u(at.patch) * patches.columns() + span;
     below = !below;
   }
-  at.x[k] = below ? 1 - kOff : kOff;
-  return search(at) && at.foot.gap <= tolerance_;
+  const PatchJet jet = jet_at(own_.tree(at.patch).patch(), at.x[0], at.x[1], 1);
+  const double least = kBeside * std::sqrt(tolerance_ * size_) / norm(derivative(jet, k));
+  for (const double offset : {kOff, 4 * least, 2 * least, least}) {
+    const double off = std::min(offset, kOff);
+    at.x[k] = below ? 1 - off : off;
+    const bool found = search(at);
+    if (found && at.foot.gap <= tolerance_) return true;
+    if (found && !leaves(at.foot)) return false;
+  }
+  return false;
+}
+
+// True if a foot lies on the border of the other surface, which may end before the point.
+bool BorderFollower::leaves(const Foot& foot) const {
+  return std::ranges::any_of(borders_at(foot, 1), [&](const BorderLine& border) {
+    return !span_beyond(other_.surface(), border);
+  });
 }
 
 // True if the surface ends at the border, or the other one follows it on one side only.

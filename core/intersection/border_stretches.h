@@ -101,6 +101,7 @@ class BorderFollower {
   int spans(const BorderLine& line) const;
   bool coincide_inside(const BorderStretch& stretch);
   bool coincides_off(const BorderLine& line, double along, bool beyond);
+  bool leaves(const Foot& foot) const;
   bool is_crease(const BorderLine& line, int span);
   BorderProbe placed(const BorderLine& line, double along, int span) const;
   BorderProbe placed(const BorderLine& line, double along) const;

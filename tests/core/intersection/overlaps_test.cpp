@@ -269,6 +269,23 @@ TEST(Overlaps, AKnotLineInsideAnOverlapBoundsNothing) {
   EXPECT_LT(area(found.overlaps[0]), 2.4 * 2.4 + 1e-9);
 }
 
+// What lies beyond the knot line is narrower than a patch by far.
+TEST(Overlaps, GoOnBeyondAKnotLineBeforeTheirBorder) {
+  const BezierSurface whole = piece({0, 1}, {0, 1}), b = piece({0.3, 0.7}, {0.25, 0.75});
+  for (const double cut : {0.74, 0.745, 0.26}) {
+    SCOPED_TRACE(cut);
+    BezierSurface a{{0, 1}, {0, cut, 1}};
+    a.patches = subdivide(whole.patches(0, 0), a.u_knots, a.v_knots);
+
+    const SurfaceIntersection found = intersect(a, b), exchanged = intersect(b, a);
+
+    expect_one_overlap(found, a, b);
+    expect_one_overlap(exchanged, b, a);
+    EXPECT_NEAR(area(found.overlaps[0]), 0.4 * 0.5, 1e-6);
+    EXPECT_NEAR(area(exchanged.overlaps[0]), 0.4 * 0.5, 1e-6);
+  }
+}
+
 TEST(Overlaps, FullCylindersOverlapInABandWithTwoCircles) {
   const BezierSurface a = cylinder(4, 0, 2 * std::numbers::pi, {0, 1});
   const BezierSurface b = cylinder(3, 0.7, 2 * std::numbers::pi, {0.4, 2});
