@@ -58,6 +58,7 @@ class Joiner {
     });
     extent.measure_across(chains, clumps_from);
     merge_points(chains);
+    absorb_points(chains);
     for (ContactChain& chain : chains) {
       if (chain.curve)
         add_arcs(chain);
@@ -327,6 +328,40 @@ class Joiner {
         chains.erase(chains.begin() + static_cast<std::ptrdiff_t>(j));
         j = i;
       }
+  }
+
+  // A point without branches from which the surfaces stay within tolerance up to a tangential curve
+  // is part of it: its cells lie over another patch than the curve does. Where curves end they
+  // may meet in it.
+  void absorb_points(std::vector<ContactChain>& chains) const {
+    for (ContactChain& chain : chains) {
+      if (chain.curve || chain.arm_count() > 0 || chain.path.size() > 1) continue;
+      const auto ends_here = [&](const ContactChain& c) {
+        return c.curve && ends_at(c, chain.box);
+      };
+      const auto holds = [&](const ContactChain& c) { return c.curve && joins(chain, c); };
+      const auto curve = std::ranges::find_if(chains, holds);
+      if (curve == chains.end() || std::ranges::any_of(chains, ends_here)) continue;
+      curve->box = joined(curve->box, chain.box);
+      chain.path.clear();
+    }
+    std::erase_if(chains, [](const ContactChain& chain) { return chain.path.empty(); });
+  }
+
+  bool ends_at(const ContactChain& curve, const Box& box) const {
+    const double most = kContactJoinRadius * size_;
+    const auto beside = [&](const ContactPoint& end) {
+      return squared_distance(box, point(end.patch_a, end.x)) <= most * most;
+    };
+    return !curve.closed && (beside(curve.path.front()) || beside(curve.path.back()));
+  }
+
+  bool joins(const ContactChain& chain, const ContactChain& curve) const {
+    const ContactPoint& p = chain.path.front();
+    const Vec3 x = point(p.patch_a, p.x);
+    const auto gap = [&](const ContactPoint& q) { return distance(point(q.patch_a, q.x), x); };
+    const ContactPoint& next = *std::ranges::min_element(curve.path, {}, gap);
+    return gap(next) <= kPointClump * size_ && in_contact(a_, b_, p, next, tolerance_);
   }
 
   // The tangential curve as arcs, piece by piece; ends of pieces that are one point are made so.

@@ -84,14 +84,47 @@ class Cutter {
     return x;
   }
 
+  // A path with a point in the patch between two points outside of it where the chord runs
+  // through it, as it does near a corner.
+  template <class PointIn>
+  std::vector<Point4> with_inner_points(const std::vector<Point4>& path,
+                                        const PointIn& point_in) const {
+    std::vector<Point4> result;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      if (i > 0)
+        if (const auto x = inner_point(path[i - 1], path[i], point_in)) result.push_back(*x);
+      result.push_back(path[i]);
+    }
+    return result;
+  }
+
+  template <class PointIn>
+  std::optional<Point4> inner_point(const Point4& p, const Point4& q,
+                                    const PointIn& point_in) const {
+    if (depth_inside(p) >= -kOnBorder || depth_inside(q) >= -kOnBorder) return std::nullopt;
+    double from = 0, to = 1;  // of the chord, inside the patch
+    for (const std::size_t k : {std::size_t{2}, std::size_t{3}}) {
+      const double f = -p[k] / (q[k] - p[k]), g = (1 - p[k]) / (q[k] - p[k]);
+      from = std::max(from, std::min(f, g));
+      to = std::min(to, std::max(f, g));
+    }
+    if (!(from < to)) return std::nullopt;
+    Point4 start, plane{};
+    for (std::size_t k = 0; k < 4; ++k) start[k] = p[k] + 0.5 * (from + to) * (q[k] - p[k]);
+    plane[std::abs(q[2] - p[2]) > std::abs(q[3] - p[3]) ? 2 : 3] = 1;
+    const auto x = point_in(start, plane);
+    return x && depth_inside(*x) > 0 ? x : std::nullopt;
+  }
+
   struct PathPart {
     std::vector<Point4> path;
     std::array<bool, 2> cut{};
   };
 
   template <class PointIn>
-  std::vector<PathPart> parts_inside(const std::vector<Point4>& path,
+  std::vector<PathPart> parts_inside(const std::vector<Point4>& whole,
                                      const PointIn& point_in) const {
+    const std::vector<Point4> path = with_inner_points(whole, point_in);
     std::vector<PathPart> parts;
     bool open = false;
     for (std::size_t i = 0; i < path.size(); ++i) {

@@ -11,7 +11,8 @@
 namespace blossom {
 
 /// Branches and contacts, cut where they cross the border of the patch of b between two of their
-/// points: a stretch that leaves the patch and comes back between them is not seen.
+/// points: a stretch that leaves the patch and comes back between them is not seen, and of one
+/// that comes in and leaves again only what the chord shows.
 ValleyCell part_inside(const RationalBezierPatch& patch_a, const RationalBezierPatch& patch_b,
                        const ValleyCell& cell);
 

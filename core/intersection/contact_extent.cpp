@@ -10,7 +10,8 @@ namespace blossom {
 namespace {
 
 // A contact is a curve if it is longer than kShort and most of it is far closer than the
-// tolerance, or if it is longer than kLong and either hardly anything is or the gap of most of it
+// tolerance (or than it is where branches fork off its ends: it may end there before its gap has
+// grown to the tolerance), or if it is longer than kLong and either hardly anything is or the gap of most of it
 // is the same within kEven: a strip of constant gap. A zero of order k shrinks by 64^(-1/k) when
 // the tolerance does by 64, so points up to order 8 are told from curves.
 constexpr double kShort = 1e-3;  // of the size
@@ -25,6 +26,14 @@ double length_between(const ContactSteps& steps, double low, double high) {
   for (const auto& [gap, step] : steps)
     if (gap >= low && gap <= high) sum += step;
   return sum;
+}
+
+// The gap up to which a contact goes. Where it is far smaller yet, that may be rounding.
+double level_of(const ContactChain& chain, double tolerance) {
+  double level = 0;
+  if (!chain.arms[0].empty()) level = chain.path.front().gap;
+  if (!chain.arms[1].empty()) level = std::max(level, chain.path.back().gap);
+  return level > kCloser * kCloser * tolerance ? std::min(level, tolerance) : tolerance;
 }
 
 // True if most of a contact has the same gap: that of its middle by size.
@@ -64,7 +73,7 @@ void ContactExtent::measure(ContactChain& chain) const {
   }
   const ContactSteps steps = steps_of(chain);
   for (const auto& [gap, step] : steps) chain.length += step;
-  const double close = length_between(steps, 0, kCloser * tolerance_);
+  const double close = length_between(steps, 0, kCloser * level_of(chain, tolerance_));
   chain.curve = chain.length > kShort * size_ &&
                 (chain.closed || close > kMostOfIt * chain.length || is_strip(steps, chain.length));
 }

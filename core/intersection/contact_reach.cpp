@@ -100,6 +100,18 @@ std::array<int, 4> periods_of(const SurfaceCells& a, const SurfaceCells& b) {
           sb.closed_u ? sb.patches.rows() : 0, sb.closed_v ? sb.patches.columns() : 0};
 }
 
+// A parameter of one span in units of another one: of its width too if they are neighbours, since
+// the surface goes on there by the knots.
+double in_span_of(const std::vector<double>& knots, int from, int to, double x) {
+  if (std::abs(from - to) != 1) return x + from - to;
+  const auto width = [&](int span) {
+    const auto i = static_cast<std::size_t>(span);
+    return knots[i + 1] - knots[i];
+  };
+  const double scale = width(from) / width(to);
+  return from > to ? 1 + scale * x : scale * (x - 1);
+}
+
 // A parameter of a span if it lies in it, perhaps a period away.
 std::optional<double> in_span(double t, int period) {
   for (const int shift : {0, period, -period})
@@ -112,10 +124,10 @@ std::optional<double> in_span(double t, int period) {
 
 Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int from_b,
                   const Point4& x, const ContactPoint& to) {
-  return {x[0] + a.span_u(from_a) - a.span_u(to.patch_a),
-          x[1] + a.span_v(from_a) - a.span_v(to.patch_a),
-          x[2] + b.span_u(from_b) - b.span_u(to.patch_b),
-          x[3] + b.span_v(from_b) - b.span_v(to.patch_b)};
+  return {in_span_of(a.surface().u_knots, a.span_u(from_a), a.span_u(to.patch_a), x[0]),
+          in_span_of(a.surface().v_knots, a.span_v(from_a), a.span_v(to.patch_a), x[1]),
+          in_span_of(b.surface().u_knots, b.span_u(from_b), b.span_u(to.patch_b), x[2]),
+          in_span_of(b.surface().v_knots, b.span_v(from_b), b.span_v(to.patch_b), x[3])};
 }
 
 void move_above_borders(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b) {
