@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "core/forms/evaluation.h"
 #include "core/intersection/contact_points.h"
@@ -16,6 +18,16 @@ constexpr double kAttachRadius = 1e-3;
 constexpr double kSamePoint3 = 4;        // tolerances: points this close in space are one
 constexpr double kOtherMeridian = 1e-3;  // of a patch: arms of a pole this far apart stay two
 constexpr double kStraightOn = 0.9;      // cosine: curves that meet within 25 degrees go on
+
+const Point4& end_of(const PairSearchResult& found, ArcEnd end) {
+  const CellArc& arc = found.arcs[end / 2].arc;
+  return end % 2 == 0 ? arc.from : arc.to;
+}
+
+Vec3 point_of(const PairSearchResult& found, SurfaceCells& a, ArcEnd end) {
+  const Point4& x = end_of(found, end);
+  return point_at(a.tree(found.arcs[end / 2].patch_a).patch(), x[0], x[1]);
+}
 
 // In a pole each arm keeps its own value of the free parameter, and at a seam its own side. Two
 // arms go on into each other only if they have the same one.
@@ -75,9 +87,7 @@ bool ends_are_inside(const ContactChain& contact, SurfaceCells& a, const PairSea
   const Box box = proven_box(contact);
   for (const auto& side : contact.arms)
     for (const ArcEnd end : side) {
-      const FoundArc& arc = found.arcs[end / 2];
-      const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
-      const Vec3 p = point_at(a.tree(arc.patch_a).patch(), x[0], x[1]);
+      const Vec3 p = point_of(found, a, end);
       if (!meet(box, {p, p})) return false;
     }
   return true;
@@ -103,39 +113,73 @@ void drop_inside(PairSearchResult& found, SurfaceCells& a, const ContactChain& c
   }
 }
 
+// False if no contact is near enough.
+bool attach_to_nearest(ArcEnd end, const PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
+                       std::vector<ContactChain>& contacts, double size, double tolerance) {
+  const FoundArc& arc = found.arcs[end / 2];
+  const Point4& x = end_of(found, end);
+  const Vec3 p = point_of(found, a, end);
+  double least = kAttachRadius * size;
+  ContactChain* nearest = nullptr;
+  std::size_t side = 0;
+  for (ContactChain& chain : contacts) {
+    if (chain.curve && arc.arc.tangential) continue;  // its own, perhaps
+    const auto to = [&](const ContactPoint& q) {
+      return distance(p, point_at(a.tree(q.patch_a).patch(), q.x[0], q.x[1]));
+    };
+    const double to_front = to(chain.path.front()), to_back = to(chain.path.back());
+    const double d =
+        chain.curve ? std::min(to_front, to_back) : std::sqrt(squared_distance(chain.box, p));
+    if (d >= least) continue;
+    least = d;
+    nearest = &chain;
+    side = to_front <= to_back ? 0 : 1;
+  }
+  if (nearest == nullptr) return false;
+  const ContactPoint& goal = side == 0 ? nearest->path.front() : nearest->path.back();
+  // At a pole one point has many parameters, so being there is enough.
+  if (least > kSamePoint3 * tolerance &&
+      !in_contact(a, b, {arc.patch_a, arc.patch_b, x, 0}, goal, tolerance))
+    return false;
+  nearest->arms[side].push_back(end);
+  return true;
+}
+
+// Where patches join with kinks, branches of more than two pairs of them may end in one point:
+// each changes the side, so their number is even.
+void add_corners(std::vector<ArcEnd> ends, const PairSearchResult& found, SurfaceCells& a,
+                 std::vector<ContactChain>& contacts, double tolerance) {
+  while (!ends.empty()) {
+    const ArcEnd first = ends.front();
+    const Vec3 x = point_of(found, a, first);
+    const auto others = std::stable_partition(ends.begin(), ends.end(), [&](ArcEnd end) {
+      return distance(point_of(found, a, end), x) <= tolerance;
+    });
+    const FoundArc& arc = found.arcs[first / 2];
+    ContactChain corner;
+    corner.path = {{arc.patch_a, arc.patch_b, end_of(found, first), 0}};
+    corner.centre = corner.path.front();
+    corner.arms[0].assign(ends.begin(), others);
+    std::set<std::pair<int, int>> pairs;
+    for (const ArcEnd end : corner.arms[0]) {
+      const Vec3 p = point_of(found, a, end);
+      corner.box = joined(corner.box, {p, p});
+      pairs.insert({found.arcs[end / 2].patch_a, found.arcs[end / 2].patch_b});
+    }
+    const std::size_t count = corner.arm_count();
+    if (count > 2 && count % 2 == 0 && pairs.size() == count) contacts.push_back(corner);
+    ends.erase(ends.begin(), others);
+  }
+}
+
 }  // namespace
 
 void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, SurfaceCells& a,
             SurfaceCells& b, std::vector<ContactChain>& contacts, double size, double tolerance) {
-  for (const ArcEnd end : ends) {
-    const FoundArc& arc = found.arcs[end / 2];
-    const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
-    const auto point = [&](int patch, const Point4& y) {
-      return point_at(a.tree(patch).patch(), y[0], y[1]);
-    };
-    const Vec3 p = point(arc.patch_a, x);
-    double least = kAttachRadius * size;
-    ContactChain* nearest = nullptr;
-    std::size_t side = 0;
-    for (ContactChain& chain : contacts) {
-      if (chain.curve && arc.arc.tangential) continue;  // its own, perhaps
-      const ContactPoint &front = chain.path.front(), &back = chain.path.back();
-      const double to_front = distance(p, point(front.patch_a, front.x));
-      const double to_back = distance(p, point(back.patch_a, back.x));
-      const double d =
-          chain.curve ? std::min(to_front, to_back) : std::sqrt(squared_distance(chain.box, p));
-      if (d >= least) continue;
-      least = d;
-      nearest = &chain;
-      side = to_front <= to_back ? 0 : 1;
-    }
-    if (nearest == nullptr) continue;
-    const ContactPoint& goal = side == 0 ? nearest->path.front() : nearest->path.back();
-    // At a pole one point has many parameters, so being there is enough.
-    if (least <= kSamePoint3 * tolerance ||
-        in_contact(a, b, {arc.patch_a, arc.patch_b, x, 0}, goal, tolerance))
-      nearest->arms[side].push_back(end);
-  }
+  std::vector<ArcEnd> rest;
+  for (const ArcEnd end : ends)
+    if (!attach_to_nearest(end, found, a, b, contacts, size, tolerance)) rest.push_back(end);
+  add_corners(std::move(rest), found, a, contacts, tolerance);
 }
 
 void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, SurfaceCells& b,

@@ -10,6 +10,8 @@
 namespace blossom {
 
 /// Makes branches that end near a contact its arms, if the surfaces stay in contact in between.
+/// Where an even number of others, more than two, end in one point, that is a contact, too: a
+/// corner of patches that join with kinks.
 void attach(const std::vector<ArcEnd>& ends, const PairSearchResult& found, SurfaceCells& a,
             SurfaceCells& b, std::vector<ContactChain>& contacts, double size, double tolerance);
 

@@ -9,6 +9,7 @@
 
 #include "core/surface_intersection.h"
 #include "tests/core/tracing/surface_pairs.h"
+#include "tests/support/components.h"
 #include "tests/support/surface_changes.h"
 
 namespace blossom {
@@ -43,6 +44,42 @@ TEST(ContactChains, EndWhereTheSeamOfASurfaceIs) {
     length += curve.length;
   }
   EXPECT_NEAR(length, 2 * pi * 1.4, 1e-6);
+}
+
+// Four flat faces over the unit squares round the origin, at the height |x| - 0.8 |y|.
+BezierSurface kinked() {
+  BezierSurface surface{{-1, 0, 1}, {-1, 0, 1}};
+  surface.patches = Grid<RationalBezierPatch>(2, 2, {Grid<Vec4>(2, 2)});
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const double x = surface.u_knots[static_cast<std::size_t>((i + 1) / 2)];
+      const double y = surface.v_knots[static_cast<std::size_t>((j + 1) / 2)];
+      surface.patches(i / 2, j / 2).points(i % 2, j % 2) = {x, y, std::abs(x) - 0.8 * std::abs(y),
+                                                            1};
+    }
+  return surface;
+}
+
+// A plane through their corner meets all of them.
+TEST(ContactChains, MeetWhereFourKinkedPatchesHaveACorner) {
+  BezierSurface plane{{0, 1}, {0, 1}};
+  plane.patches = Grid<RationalBezierPatch>(1, 1, {Grid<Vec4>(2, 2)});
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      plane.patches(0, 0).points(i, j) = {4.0 * i - 2, 4.0 * j - 2, 0.2 * i - 0.1, 1};
+  testing::Random random = testing::seeded(0);
+  for (int row = 0; row < 20; ++row) {
+    const testing::Motion motion = testing::random_motion(random);
+    const BezierSurface a = moved(kinked(), motion), b = moved(turned(plane, row), motion);
+
+    for (const SurfaceIntersection& found : {intersect(a, b), intersect(b, a)}) {
+      EXPECT_EQ(found.status, Status::Tolerance);
+      EXPECT_EQ(testing::components(found), (testing::Components{.open = 4, .nodes = 1}));
+      ASSERT_EQ(found.places.size(), 1u);
+      EXPECT_EQ(found.places[0].kind, PlaceKind::Node);
+      EXPECT_LE(distance(found.nodes[0].point, motion.shift), 1e-12);
+    }
+  }
 }
 
 }  // namespace
