@@ -47,14 +47,14 @@ void meet_apart(ContactChain& contact, const Pole& pole, SurfaceCells& a, Surfac
     contact.parted = contact.parted || std::abs(ends[0][k] - ends[1][k]) > kOtherMeridian;
 }
 
-// Lengthens an arm to its contact's centre, in the arm's own patches where the centre is on their
-// border, perhaps across a seam. A branch that only passes by the centre of a node ends beside it.
-ArcEnd at_centre(const ContactChain& contact, ArcEnd end, bool joins, SurfaceCells& a,
-                 SurfaceCells& b, PairSearchResult& found) {
+// Lengthens an arm to the centre of a node, in the arm's own patches where the centre is on their
+// border, perhaps across a seam. A branch that only passes by the centre ends beside it.
+ArcEnd at_node(const ContactChain& contact, ArcEnd end, SurfaceCells& a, SurfaceCells& b,
+               PairSearchResult& found) {
   const ContactPoint goal = in_patches_of(found, end, {contact.centre, {}}, a, b);
   const auto &patch_a = a.tree(goal.patch_a).patch(), &patch_b = b.tree(goal.patch_b).patch();
-  if (!joins && !leads_to(patch_a, patch_b, arm_of(found, a, b, end, goal), goal.x)) return end;
-  return reach_contact(found, a, b, end, goal);
+  const bool leads = leads_to(patch_a, patch_b, arm_of(found, a, b, end, goal), goal.x);
+  return leads ? reach_contact(found, a, b, end, goal) : end;
 }
 
 // Over a, from a contact's end of an arm into the arm.
@@ -209,7 +209,9 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
     else if (joins)
       contact.centre.x = meeting_point(patch_a, patch_b, {arms[0], arms[1]}, contact.centre.x);
     for (auto& side : contact.arms)
-      for (ArcEnd& end : side) end = at_centre(contact, end, joins, a, b, found);
+      for (ArcEnd& end : side)
+        end = joins ? reach_contact(found, a, b, end, contact.centre)
+                    : at_node(contact, end, a, b, found);
   }
 }
 

@@ -261,11 +261,14 @@ TEST(TrimSolids, AgreesWithOpenCascadeAboutModelsAndTheirTurnedCopies) {
     ASSERT_EQ(words(result), "") << name;
     BRepAlgoAPI_Common common(model.shape(), copy);
     EXPECT_EQ(result.solids.size(), static_cast<std::size_t>(count(common.Shape(), TopAbs_SOLID)));
-    GProp_GProps properties;
+    GProp_GProps whole, properties;
+    BRepGProp::VolumeProperties(model.shape(), whole);
     BRepGProp::VolumeProperties(common.Shape(), properties, 1e-8);
-    // Open CASCADE's own result is as exact as the edges of the models.
-    EXPECT_NEAR(result.volumes.back().common, properties.Mass(), 1e-6 * result.volumes.back().part)
-        << name;
+    // Solids of one input that touch each other are worked on apart. Open CASCADE's own result is
+    // as exact as the edges of the models.
+    double made = 0;
+    for (const SolidVolumes& volumes : result.volumes) made += volumes.common;
+    EXPECT_NEAR(made, properties.Mass(), 1e-6 * whole.Mass()) << name;
   }
 }
 
