@@ -27,6 +27,7 @@ double approximation(const IntersectionOptions& options) {
 // (wx, wy, 0, w); numbers that are not finite are refused where curves are checked.
 RationalBezierCurve points_of(const Geom2d_BezierCurve& curve) {
   RationalBezierCurve result;
+  result.points.reserve(static_cast<std::size_t>(curve.NbPoles()));
   for (int i = 1; i <= curve.NbPoles(); ++i) {
     const gp_Pnt2d p = curve.Pole(i);
     const double w = curve.Weight(i);

@@ -4,22 +4,26 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/base/errors.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom {
 
-CurveSpans curve_spans(const RationalBezierCurve& curve) {
-  const bool rational = std::any_of(curve.points.begin(), curve.points.end(),
-                                    [](const Vec4& p) { return p[3] != 1; });
-  return {{{curve, {0, 1}, ParameterLaw::Linear}}, rational, 0};
+CurveSpans curve_spans(RationalBezierCurve curve) {
+  CurveSpans result;
+  result.rational = std::any_of(curve.points.begin(), curve.points.end(),
+                                [](const Vec4& p) { return p[3] != 1; });
+  result.spans.push_back({std::move(curve), {0, 1}, ParameterLaw::Linear});
+  return result;
 }
 
 CurveSpans curve_spans(const BezierCurve& curve) {
   RationalBezierCurve homogeneous;
+  homogeneous.points.reserve(curve.points.size());
   for (const Vec3& p : curve.points) homogeneous.points.push_back({p[0], p[1], p[2], 1});
-  return curve_spans(homogeneous);
+  return curve_spans(std::move(homogeneous));
 }
 
 Vec3 point_at(const CurveSpans& curve, double parameter) {

@@ -32,7 +32,7 @@ struct CurveSpans {
 };
 
 /// One Bezier curve with parameters 0 to 1.
-CurveSpans curve_spans(const RationalBezierCurve& curve);
+CurveSpans curve_spans(RationalBezierCurve curve);
 CurveSpans curve_spans(const BezierCurve& curve);
 
 /// The point of the curve at its own parameter, clamped to the domain. Model units.

@@ -9,6 +9,7 @@
 namespace blossom {
 namespace {
 
+constexpr int kFirstRoom = 16;   // pairs, or cells, that wait: mostly enough
 constexpr long kAskEvery = 256;  // pairs between two looks at the clock
 // Contacts longer than this part of the curves are not looked for as valleys.
 constexpr double kLongestValley = 0.03;
@@ -117,6 +118,7 @@ CurveFindings CurveSearch::run(const std::vector<SharedSpans>& shared) {
 }
 
 void CurveSearch::add_spans() {
+  pairs_.reserve(kFirstRoom);
   for (int i = 0; i < a_.spans(); ++i)
     for (int j = itself_ ? i : 0; j < b_.spans(); ++j) {
       bool apart = false;
@@ -276,8 +278,11 @@ bool CurveSearch::settle_outside(const CurvePair& pair, CurveFoot foot) {
 
 std::vector<SpanPoint> feet_near(CurveTree& tree, const Vec3& point, double tolerance) {
   std::vector<int> cells;
-  for (int i = 0; i < tree.spans(); ++i)
-    if (box_distance(tree[i], point, tree.dimension()) <= tolerance) cells.push_back(i);
+  for (int i = 0; i < tree.spans(); ++i) {
+    if (box_distance(tree[i], point, tree.dimension()) > tolerance) continue;
+    if (cells.empty()) cells.reserve(kFirstRoom);
+    cells.push_back(i);
+  }
   std::vector<SpanPoint> feet;
   while (!cells.empty()) {
     const int index = cells.back();
