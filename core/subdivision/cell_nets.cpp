@@ -226,6 +226,11 @@ BLOSSOM_KERNEL void all_to_bezier(int rows, int columns, int planes, const doubl
 
 BLOSSOM_HOT void halve_bezier_u(const NetShape& shape, const double* net, double cut, double* low,
                                 double* high) {
+  if (shape.columns == 1) {  // curves
+    BLOSSOM_SIZE(3, 1, bezier_u, net, cut, low, high);
+    BLOSSOM_SIZE(4, 1, bezier_u, net, cut, low, high);
+    BLOSSOM_SIZE(6, 1, bezier_u, net, cut, low, high);
+  }
   BLOSSOM_FOR_SIZES(bezier_u, net, cut, low, high);
 }
 
