@@ -5,11 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "core/forms/evaluation.h"
 #include "core/intersection/border_roots.h"
 
 namespace blossom {
 namespace {
 
+constexpr double kApart = 1e-3;               // of the tolerance: a gap that is no rounding
 constexpr double kOnBorder = 2 * kSamePoint;  // of a span, as where chains end
 
 bool is_on_border(const BezierSurface& surface, const Vec2& uv) {
@@ -54,8 +56,15 @@ SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a)
   return found;
 }
 
-bool may_gain_by_exchange(const SurfaceIntersection& found) {
-  return found.status == Status::Stopped && !found.certificate.limited;
+bool may_gain_by_exchange(const SurfaceIntersection& found, const BezierSurface& a,
+                          const BezierSurface& b, double tolerance) {
+  if (found.status == Status::Stopped) return !found.certificate.limited;
+  if (found.status == Status::Complete || !found.overlaps.empty()) return false;
+  const auto is_touch = [](const Place& place) { return place.kind == PlaceKind::Touch; };
+  const auto is_apart = [&](const SurfacePoint& x) {
+    return distance(point_at(a, x.uv_a), point_at(b, x.uv_b)) > kApart * tolerance;
+  };
+  return std::ranges::all_of(found.places, is_touch) && std::ranges::any_of(found.points, is_apart);
 }
 
 bool is_gain(const SurfaceIntersection& found, const SurfaceIntersection& other) {

@@ -20,8 +20,12 @@ namespace blossom {
 SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a);
 
 /// True if the answer is open for other reasons than a limit, so that the other order may do
-/// better.
-bool may_gain_by_exchange(const SurfaceIntersection& found);
+/// better; or if all it leaves undecided are touches in which the surfaces are apart: those may be
+/// loops less deep than the tolerance, or nothing.
+///
+/// tolerance   model units
+bool may_gain_by_exchange(const SurfaceIntersection& found, const BezierSurface& a,
+                          const BezierSurface& b, double tolerance);
 
 /// True if the second answer, of the exchanged surfaces, is better and can be told from a.
 bool is_gain(const SurfaceIntersection& found, const SurfaceIntersection& other);

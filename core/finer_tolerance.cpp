@@ -33,7 +33,8 @@ bool holds(const Place& place, const SurfaceIntersection& found, double toleranc
 
 bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance) {
   return found.overlaps.empty() && std::ranges::all_of(found.places, [&](const Place& place) {
-           return place.kind == PlaceKind::Open || place.gap_low <= finer_tolerance;
+           return place.kind == PlaceKind::Open || place.kind == PlaceKind::Touch ||
+                  place.gap_low <= finer_tolerance;
          });
 }
 
@@ -41,7 +42,8 @@ bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& fin
                 double tolerance, double finer_tolerance) {
   if (finer.status != Status::Complete || !may_be_settled(found, finer_tolerance)) return false;
   return std::ranges::all_of(found.places, [&](const Place& place) {
-    return place.kind != PlaceKind::Open || holds(place, finer, tolerance);
+    const bool is_told = place.kind != PlaceKind::Open && place.gap_low <= finer_tolerance;
+    return is_told || holds(place, finer, tolerance);
   });
 }
 

@@ -30,11 +30,38 @@ std::optional<IntersectionOptions> rest_of(IntersectionOptions options, Clock::t
   return options;
 }
 
-// What stayed open, settled at the first finer tolerance that does so; else what was found.
-SurfaceIntersection at_finer_tolerance(const BezierSurface& a, const BezierSurface& b,
-                                       SurfaceIntersection found,
-                                       std::optional<IntersectionOptions> rest) {
-  const double tolerance = rest ? rest->tolerances.point : 0;
+struct Attempt {
+  SurfaceIntersection found;
+  std::optional<IntersectionOptions> rest;  // what it leaves for others
+};
+
+bool may_gain(const BezierSurface& a, const BezierSurface& b, const SurfaceIntersection& found,
+              const IntersectionOptions& options) {
+  return &a != &b && may_gain_by_exchange(found, a, b, options.tolerances.point);
+}
+
+// In the order asked for; if that leaves something open, in the other one.
+Attempt in_either_order(const BezierSurface& a, const BezierSurface& b,
+                        const IntersectionOptions& options) {
+  Clock::time_point started = Clock::now();
+  SurfaceIntersection found = assembled(a, b, options);
+  auto rest = rest_of(options, started, found.certificate);
+  if (!rest || !may_gain(a, b, found, options)) return {std::move(found), rest};
+  started = Clock::now();
+  std::swap(rest->part_a, rest->part_b);
+  SurfaceIntersection back = assembled(b, a, *rest);
+  std::swap(rest->part_a, rest->part_b);
+  rest = rest_of(*rest, started, back.certificate);
+  if (is_gain(found, back)) found = exchanged(std::move(back), a);
+  return {std::move(found), rest};
+}
+
+// What neither order settles, at the first finer tolerance that does so.
+SurfaceIntersection at_best_tolerance(const BezierSurface& a, const BezierSurface& b,
+                                      const IntersectionOptions& options) {
+  auto [found, rest] = in_either_order(a, b, options);
+  if (!may_gain(a, b, found, options)) return std::move(found);
+  const double tolerance = options.tolerances.point;
   for (const double part : kFinerTolerances) {
     if (!rest || !may_be_settled(found, part * tolerance)) break;
     const Clock::time_point started = Clock::now();
@@ -43,24 +70,7 @@ SurfaceIntersection at_finer_tolerance(const BezierSurface& a, const BezierSurfa
     if (is_settled(found, finer, tolerance, part * tolerance)) return settled(std::move(finer));
     rest = rest_of(*rest, started, finer.certificate);
   }
-  return found;
-}
-
-// In the order asked for; if that leaves something open, in the other one; and if that does not
-// help, at finer tolerances.
-SurfaceIntersection in_better_order(const BezierSurface& a, const BezierSurface& b,
-                                    const IntersectionOptions& options) {
-  Clock::time_point started = Clock::now();
-  SurfaceIntersection found = assembled(a, b, options);
-  if (&a == &b || !may_gain_by_exchange(found)) return found;
-  auto rest = rest_of(options, started, found.certificate);
-  if (!rest) return found;
-  started = Clock::now();
-  std::swap(rest->part_a, rest->part_b);
-  SurfaceIntersection back = assembled(b, a, *rest);
-  if (is_gain(found, back)) return exchanged(std::move(back), a);
-  std::swap(rest->part_a, rest->part_b);
-  return at_finer_tolerance(a, b, std::move(found), rest_of(*rest, started, back.certificate));
+  return std::move(found);
 }
 
 }  // namespace
@@ -73,7 +83,7 @@ SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
     throw InvalidInput("intersect: the point tolerance must be positive and finite");
   if (options.threads < 0) throw InvalidInput("intersect: the number of threads is negative");
   SurfaceIntersection result;
-  with_threads(options.threads, [&] { result = in_better_order(a, b, options); });
+  with_threads(options.threads, [&] { result = at_best_tolerance(a, b, options); });
   return result;
 }
 

@@ -78,12 +78,27 @@ TEST(ExchangedOrder, ExchangesPointsAndPlaces) {
 }
 
 TEST(ExchangedOrder, IsTriedWhereSomethingStayedOpenButForALimit) {
+  const auto may_gain = [](const SurfaceIntersection& found) {
+    return may_gain_by_exchange(found, kFloor, kWall, 1e-7);
+  };
   SurfaceIntersection found;
-  EXPECT_FALSE(may_gain_by_exchange(found));
+  EXPECT_FALSE(may_gain(found));
   found.status = Status::Stopped;
-  EXPECT_TRUE(may_gain_by_exchange(found));
+  EXPECT_TRUE(may_gain(found));
   found.certificate.limited = true;
-  EXPECT_FALSE(may_gain_by_exchange(found));
+  EXPECT_FALSE(may_gain(found));
+}
+
+TEST(ExchangedOrder, IsTriedWhereATouchIsNone) {
+  const BezierSurface lower = rectangle({0, 0, -5e-8}, {1, 0, 0}, {0, 1, 0});
+  SurfaceIntersection found;
+  found.status = Status::Tolerance;
+  found.points = {{{0.5, 0.5, 0}, {0.5, 1}, {0.5, 1}}};
+  found.places = {{PlaceKind::Touch, {}, {}}};
+  EXPECT_TRUE(may_gain_by_exchange(found, kFloor, lower, 1e-7));
+  EXPECT_FALSE(may_gain_by_exchange(found, kFloor, kFloor, 1e-7));
+  found.places.push_back({PlaceKind::Node, {}, {}});
+  EXPECT_FALSE(may_gain_by_exchange(found, kFloor, lower, 1e-7));
 }
 
 TEST(ExchangedOrder, IsAGainIfItSettlesMoreAndItsOverlapsHaveNoSense) {

@@ -54,6 +54,16 @@ TEST(FinerTolerance, KeepsNearMissesThatItWouldLose) {
   }
 }
 
+// What was read as a touch of surfaces apart is a loop less deep than the tolerance.
+TEST(FinerTolerance, SettlesATouchThatHoldsACurve) {
+  for (const double height : {0.0, 1.0}) {
+    SurfaceIntersection found = open_at_one();
+    found.places[0].kind = PlaceKind::Touch;
+    found.places[0].gap_low = 5e-7;
+    EXPECT_EQ(is_settled(found, line_at(height), 1e-6, 1e-7), height == 0);
+  }
+}
+
 TEST(FinerTolerance, KeepsOverlaps) {
   SurfaceIntersection found = open_at_one();
   found.overlaps.push_back({});

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/surface_intersection.h"
 #include "tests/support/components.h"
@@ -36,6 +37,30 @@ TEST(SmallLoops, AreNeverLost) {
     EXPECT_TRUE(found.places.empty());
     const double length = 2 * std::numbers::pi * r;
     EXPECT_NEAR(testing::total_projected_length(found), length, 1e-6 * length);
+  }
+}
+
+// Less deep than the tolerance, a loop may be read as a touch in one order of the surfaces: the
+// other one, or a finer tolerance, tells it.
+TEST(SmallLoops, LessDeepThanTheToleranceAreLoopsInBothOrders) {
+  struct Draw {
+    double a, b, depth, r;
+  };
+  for (const Draw& draw : std::vector<Draw>{{0.693, 0.542, 8.8e-8, 0.0162},
+                                            {0.489, 0.792, 1.13e-7, 0.0195},
+                                            {0.416, 0.691, 7.27e-9, 0.0034},
+                                            {0.266, 0.691, 1.5e-8, 0.0112},
+                                            {0.698, 0.219, 2.5e-8, 0.0133},
+                                            {0.5, 0.5, 3e-8, 0.01}}) {
+    SCOPED_TRACE(draw.depth);
+    const double scale = draw.depth / (draw.r * draw.r);
+    const testing::CubicPair pair = cubic_pair(testing::loop(draw.a, draw.b, draw.r, scale));
+    for (const auto& found : {intersect(pair.a, pair.b), intersect(pair.b, pair.a)}) {
+      EXPECT_LE(found.status, Status::Tolerance);
+      EXPECT_EQ(components(found), (Components{.closed = 1}));
+      const double length = 2 * std::numbers::pi * draw.r;
+      EXPECT_NEAR(testing::total_projected_length(found), length, 1e-4 * length);
+    }
   }
 }
 
