@@ -9,11 +9,11 @@
 namespace blossom {
 namespace {
 
-// A contact is a curve if it is longer than kShort and most of it is far closer than the
-// tolerance (or than it is where branches fork off its ends: it may end there before its gap has
-// grown to the tolerance), or if it is longer than kLong and either hardly anything is or the gap of most of it
-// is the same within kEven: a strip of constant gap. A zero of order k shrinks by 64^(-1/k) when
-// the tolerance does by 64, so points up to order 8 are told from curves.
+// A contact is a curve if it is longer than kShort and most of it is far closer than the tolerance
+// (or than it is where branches fork off its ends: it may end there before its gap has grown to
+// the tolerance), or if it is longer than kLong and either hardly anything is or the gap of most
+// of it is the same within kEven: a strip of constant gap. A zero of order k shrinks by 64^(-1/k)
+// when the tolerance does by 64, so points up to order 8 are told from curves.
 constexpr double kShort = 1e-3;  // of the size
 constexpr double kLong = 0.05;
 constexpr double kCloser = 1.0 / 64;  // of the tolerance
