@@ -18,9 +18,20 @@ bool meets(const Place& place, const Vec3& p, const Vec3& q, double margin) {
   return true;
 }
 
-bool holds(const Place& place, const SurfaceIntersection& found, double tolerance) {
-  for (const SurfacePoint& x : found.points)
-    if (meets(place, x.point, x.point, tolerance)) return true;
+// A point of a curve, or a lone one, in the place: near misses lie beside curves, too.
+bool holds_point(const Place& place, const SurfaceIntersection& found, double tolerance) {
+  const auto is_in = [&](const SurfacePoint& x) {
+    return meets(place, x.point, x.point, tolerance);
+  };
+  return std::ranges::any_of(found.points, is_in) ||
+         std::ranges::any_of(found.curves, [&](const IntersectionCurve& curve) {
+           return std::ranges::any_of(curve.samples, is_in);
+         });
+}
+
+// The same, or a curve that may pass through.
+bool may_hold(const Place& place, const SurfaceIntersection& found, double tolerance) {
+  if (holds_point(place, found, tolerance)) return true;
   for (const IntersectionCurve& curve : found.curves)
     for (std::size_t i = 1; i < curve.samples.size(); ++i) {
       const Vec3 &p = curve.samples[i - 1].point, &q = curve.samples[i].point;
@@ -32,9 +43,15 @@ bool holds(const Place& place, const SurfaceIntersection& found, double toleranc
 }  // namespace
 
 bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance) {
-  return found.overlaps.empty() && std::ranges::all_of(found.places, [&](const Place& place) {
-           return place.kind == PlaceKind::Open || place.kind == PlaceKind::Touch ||
-                  place.gap_low <= finer_tolerance;
+  return found.overlaps.empty() &&
+         std::ranges::all_of(found.places,
+                             [&](const Place& place) {
+                               return place.kind == PlaceKind::Open ||
+                                      place.kind == PlaceKind::Touch ||
+                                      place.gap_low <= finer_tolerance;
+                             }) &&
+         std::ranges::any_of(found.places, [&](const Place& place) {
+           return place.kind != PlaceKind::Touch || place.gap_low > finer_tolerance;
          });
 }
 
@@ -42,8 +59,8 @@ bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& fin
                 double tolerance, double finer_tolerance) {
   if (finer.status != Status::Complete || !may_be_settled(found, finer_tolerance)) return false;
   return std::ranges::all_of(found.places, [&](const Place& place) {
-    const bool is_told = place.kind != PlaceKind::Open && place.gap_low <= finer_tolerance;
-    return is_told || holds(place, finer, tolerance);
+    if (place.kind == PlaceKind::Open) return may_hold(place, finer, tolerance);
+    return place.gap_low <= finer_tolerance || holds_point(place, finer, tolerance);
   });
 }
 

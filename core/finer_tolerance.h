@@ -17,15 +17,15 @@ namespace blossom {
 inline constexpr std::array kFinerTolerances{0.1, 0.01};
 
 /// False if no answer at the finer tolerance settles what a search left open: where anything
-/// overlaps, and where a place other than a touch holds a near miss that the finer search leaves
-/// out.
+/// overlaps, where a place other than a touch holds a near miss that the finer search leaves out,
+/// and where there are but touches that stay within the finer tolerance.
 bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance);
 
 /// True if what a search left open is told by the answer at a finer tolerance: that answer is
-/// complete, one of its curves or points is in each open place, and in each other place, too, or
-/// that holds no near miss, surfaces apart by more than the finer tolerance, which the finer search
-/// leaves out. False where anything overlaps: a region within the coarser tolerance is not given up
-/// for curves.
+/// complete, one of its curves or points may be in each open place, and is in each other place,
+/// too, or that holds no near miss, surfaces apart by more than the finer tolerance, which the
+/// finer search leaves out. False where anything overlaps: a region within the coarser tolerance is
+/// not given up for curves.
 ///
 /// tolerance, finer_tolerance   of both, model units
 bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& finer,

@@ -63,7 +63,8 @@ SurfaceIntersection at_best_tolerance(const BezierSurface& a, const BezierSurfac
   if (!may_gain(a, b, found, options)) return std::move(found);
   const double tolerance = options.tolerances.point;
   for (const double part : kFinerTolerances) {
-    if (!rest || !may_be_settled(found, part * tolerance)) break;
+    if (!rest) break;
+    if (!may_be_settled(found, part * tolerance)) continue;
     const Clock::time_point started = Clock::now();
     rest->tolerances.point = part * tolerance;
     SurfaceIntersection finer = assembled(a, b, *rest);

@@ -25,7 +25,8 @@ struct ChartMap {
 
 struct SurfaceMatch {
   ChartMap map;    ///< from the parameters of the first surface to those of the second
-  double gap = 0;  ///< bound on |a(uv) - b(map(uv))|, model units; 0: the numbers are the same
+  double gap = 0;  ///< bound on |a(uv) - b(map(uv))| but for the knots' rounding, model units;
+                   ///< 0: the control points are the same numbers
 };
 
 /// The map under which two surfaces agree, directions perhaps exchanged or reversed.

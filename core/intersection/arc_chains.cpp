@@ -128,7 +128,7 @@ class Graph {
   // How far a parameter may be off without moving the point more than the other one does by kJoin.
   Point4 join_reach(std::size_t end) const {
     const FoundArc& arc = found_.arcs[end / 2];
-    const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+    const Point4& x = end_of(found_, end);
     const auto jet_of = [](const SurfaceCells& cells, int patch, double u, double v) {
       return jet_at(cells.surface().patches.values()[static_cast<std::size_t>(patch)], u, v, 1);
     };
@@ -213,7 +213,7 @@ class Graph {
     if (at_end(0, grid_a.rows()) || at_end(1, grid_a.columns())) return CurveEnd::BorderA;
     if (at_end(2, grid_b.rows()) || at_end(3, grid_b.columns())) return CurveEnd::BorderB;
     const FoundArc& arc = found_.arcs[end / 2];
-    const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+    const Point4& x = end_of(found_, end);
     if (a_.outside(arc.patch_a, x[0], x[1]) || b_.outside(arc.patch_b, x[2], x[3]))
       return CurveEnd::Trim;
     return std::nullopt;
@@ -399,11 +399,6 @@ ArcEnd arc_end(const ChainLink& link, bool comes) {
   return 2 * static_cast<std::size_t>(link.arc) + (link.forward == comes ? 0 : 1);
 }
 
-const Point4& point_of(const PairSearchResult& found, ArcEnd end) {
-  const CellArc& arc = found.arcs[end / 2].arc;
-  return end % 2 == 0 ? arc.from : arc.to;
-}
-
 // Of the contact at a pole that holds a point; 0 if there is none.
 double pole_contact_length(const std::vector<ContactChain>& contacts, SurfaceCells& a,
                            const ContactPoint& point, double tolerance) {
@@ -425,7 +420,7 @@ std::size_t links_near_end(const Chain& chain, const PairSearchResult& found, Su
     return found.arcs[static_cast<std::size_t>(link(i).arc)];
   };
   const auto point = [&](std::size_t i, bool far) {
-    const Point4& x = point_of(found, arc_end(link(i), (side == 0) != far));
+    const Point4& x = end_of(found, arc_end(link(i), (side == 0) != far));
     return point_at(a.tree(arc(i).patch_a).patch(), x[0], x[1]);
   };
   const FoundArc& first = arc(0);
@@ -449,7 +444,7 @@ void straighten_at_poles(std::vector<Chain>& chains, PairSearchResult& found, Su
       const ChainLink inner = side == 0 ? chain.links.front() : chain.links.back();
       const ArcEnd end = arc_end(inner, side == 0);
       const FoundArc arc = found.arcs[end / 2];
-      const ContactPoint last{arc.patch_a, arc.patch_b, point_of(found, end)};
+      const ContactPoint last{arc.patch_a, arc.patch_b, end_of(found, end)};
       const double length = pole_contact_length(contacts, a, last, tolerance);
       const auto pole = pole_near(a, b, last, length, tolerance);
       const std::size_t near = pole ? links_near_end(chain, found, a, side, kPoleReach * size) : 0;
@@ -461,7 +456,7 @@ void straighten_at_poles(std::vector<Chain>& chains, PairSearchResult& found, Su
       FoundArc straight{arc.patch_a, arc.patch_b, kNoBox, {}, {-1, -1}};
       straight.to_pole = true;
       straight.arc.slides = arc.arc.slides;
-      straight.arc.from = point_of(found, arc_end(outer, side != 0));
+      straight.arc.from = end_of(found, arc_end(outer, side != 0));
       straight.arc.to = goal.x;
       for (std::size_t k = 0; k < 4; ++k)
         straight.arc.direction[k] = straight.arc.to[k] - straight.arc.from[k];

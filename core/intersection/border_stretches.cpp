@@ -347,6 +347,7 @@ bool BorderFollower::coincides_off(const BorderLine& line, double along, bool be
                       : own_.span_u(at.patch) * patches.columns() + span;
     below = !below;
   }
+  at.x[k] = below ? 1 : 0;
   const PatchJet jet = jet_at(own_.tree(at.patch).patch(), at.x[0], at.x[1], 1);
   const double least = kBeside * std::sqrt(tolerance_ * size_) / norm(derivative(jet, k));
   for (const double offset : {kOff, 4 * least, 2 * least, least}) {

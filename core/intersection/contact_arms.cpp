@@ -19,11 +19,6 @@ constexpr double kSamePoint3 = 4;        // tolerances: points this close in spa
 constexpr double kOtherMeridian = 1e-3;  // of a patch: arms of a pole this far apart stay two
 constexpr double kStraightOn = 0.9;      // cosine: curves that meet within 25 degrees go on
 
-const Point4& end_of(const PairSearchResult& found, ArcEnd end) {
-  const CellArc& arc = found.arcs[end / 2].arc;
-  return end % 2 == 0 ? arc.from : arc.to;
-}
-
 Vec3 point_of(const PairSearchResult& found, SurfaceCells& a, ArcEnd end) {
   const Point4& x = end_of(found, end);
   return point_at(a.tree(found.arcs[end / 2].patch_a).patch(), x[0], x[1]);

@@ -330,9 +330,9 @@ class Joiner {
       }
   }
 
-  // A point without branches from which the surfaces stay within tolerance up to a tangential curve
-  // is part of it: its cells lie over another patch than the curve does. Where curves end they
-  // may meet in it.
+  // A point without branches from which the surfaces stay within a few tolerances up to a
+  // tangential curve is part of it: its cells lie over another patch than the curve does. Where
+  // curves end they may meet in it.
   void absorb_points(std::vector<ContactChain>& chains) const {
     for (ContactChain& chain : chains) {
       if (chain.curve || chain.arm_count() > 0 || chain.path.size() > 1) continue;
@@ -403,9 +403,8 @@ class Joiner {
   // Makes two ends one, but not across the seam of a closed surface, where its parameters jump.
   void join(ArcEnd end, ArcEnd next) {
     const FoundArc &p = found_.arcs[end / 2], &q = found_.arcs[next / 2];
-    const ContactPoint goal{q.patch_a, q.patch_b, next % 2 == 0 ? q.arc.from : q.arc.to};
-    const Point4 x =
-        in_patches(a_, b_, p.patch_a, p.patch_b, end % 2 == 0 ? p.arc.from : p.arc.to, goal);
+    const ContactPoint goal{q.patch_a, q.patch_b, end_of(found_, next)};
+    const Point4 x = in_patches(a_, b_, p.patch_a, p.patch_b, end_of(found_, end), goal);
     if (!jumps(x, goal.x, a_, b_)) found_.joins.push_back({end, next});
   }
 

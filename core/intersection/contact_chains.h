@@ -16,6 +16,11 @@ namespace blossom {
 /// An end of a found arc: 2 * arc for `from`, 2 * arc + 1 for `to`.
 using ArcEnd = std::size_t;
 
+inline const Point4& end_of(const PairSearchResult& found, ArcEnd end) {
+  const CellArc& arc = found.arcs[end / 2].arc;
+  return end % 2 == 0 ? arc.from : arc.to;
+}
+
 /// A larger clump is more than a point. Of the size.
 inline constexpr double kPointClump = 1e-2;
 

@@ -101,9 +101,10 @@ std::array<int, 4> periods_of(const SurfaceCells& a, const SurfaceCells& b) {
 }
 
 // A parameter of one span in units of another one: of its width too if they are neighbours, since
-// the surface goes on there by the knots.
-double in_span_of(const std::vector<double>& knots, int from, int to, double x) {
-  if (std::abs(from - to) != 1) return x + from - to;
+// the surface goes on there by the knots. Of two spans in a turn that are not alike it is not known
+// over which of their borders the way goes: they keep their own units.
+double in_span_of(const std::vector<double>& knots, int from, int to, int period, double x) {
+  if (std::abs(from - to) != 1 || period == 2) return x + from - to;
   const auto width = [&](int span) {
     const auto i = static_cast<std::size_t>(span);
     return knots[i + 1] - knots[i];
@@ -124,10 +125,12 @@ std::optional<double> in_span(double t, int period) {
 
 Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int from_b,
                   const Point4& x, const ContactPoint& to) {
-  return {in_span_of(a.surface().u_knots, a.span_u(from_a), a.span_u(to.patch_a), x[0]),
-          in_span_of(a.surface().v_knots, a.span_v(from_a), a.span_v(to.patch_a), x[1]),
-          in_span_of(b.surface().u_knots, b.span_u(from_b), b.span_u(to.patch_b), x[2]),
-          in_span_of(b.surface().v_knots, b.span_v(from_b), b.span_v(to.patch_b), x[3])};
+  const auto periods = periods_of(a, b);
+  const BezierSurface &sa = a.surface(), &sb = b.surface();
+  return {in_span_of(sa.u_knots, a.span_u(from_a), a.span_u(to.patch_a), periods[0], x[0]),
+          in_span_of(sa.v_knots, a.span_v(from_a), a.span_v(to.patch_a), periods[1], x[1]),
+          in_span_of(sb.u_knots, b.span_u(from_b), b.span_u(to.patch_b), periods[2], x[2]),
+          in_span_of(sb.v_knots, b.span_v(from_b), b.span_v(to.patch_b), periods[3], x[3])};
 }
 
 void move_above_borders(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b) {
@@ -218,7 +221,7 @@ std::optional<Pole> pole_near(SurfaceCells& a, SurfaceCells& b, const ContactPoi
 ContactPoint in_patches_of(const PairSearchResult& found, ArcEnd end, const Pole& pole,
                            const SurfaceCells& a, const SurfaceCells& b) {
   const FoundArc& arc = found.arcs[end / 2];
-  const Point4& x = end % 2 == 0 ? arc.arc.from : arc.arc.to;
+  const Point4& x = end_of(found, end);
   ContactPoint goal = pole.point;
   auto spans = spans_of(a, b, goal.patch_a, goal.patch_b);
   const auto own = spans_of(a, b, arc.patch_a, arc.patch_b);

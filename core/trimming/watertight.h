@@ -59,7 +59,7 @@ struct WatertightOptions {
   /// How far triangles may leave their surfaces, where edges and surfaces allow it; model units.
   double tolerance = 1e-6;
   int highest_degree = kMaxDegree;  ///< of triangles
-  /// Asked after each face and each round; may throw to end the work. None: it goes on to its end.
+  /// Asked before each face; may throw to end the work. None: it goes on to its end.
   std::function<void()> ask = {};
 };
 

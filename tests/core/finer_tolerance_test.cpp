@@ -25,11 +25,11 @@ SurfaceIntersection open_at_one() {
   return found;
 }
 
-// A line along x at a height.
+// A line along x at a height, with a sample at (1, 0, height).
 SurfaceIntersection line_at(double height) {
   SurfaceIntersection finer;
   IntersectionCurve curve;
-  curve.samples = {{{0, 0, height}, {}, {}}, {{2, 0, height}, {}, {}}};
+  curve.samples = {{{0, 0, height}, {}, {}}, {{1, 0, height}, {}, {}}, {{2, 0, height}, {}, {}}};
   finer.curves.push_back(curve);
   return finer;
 }
@@ -60,6 +60,17 @@ TEST(FinerTolerance, SettlesATouchThatHoldsACurve) {
     SurfaceIntersection found = open_at_one();
     found.places[0].kind = PlaceKind::Touch;
     found.places[0].gap_low = 5e-7;
+    EXPECT_EQ(is_settled(found, line_at(height), 1e-6, 1e-7), height == 0);
+  }
+}
+
+// A touch of surfaces apart beside a curve is not that curve, however near it is.
+TEST(FinerTolerance, KeepsATouchBesideACurve) {
+  for (const double height : {0.0, 1e-3}) {
+    SurfaceIntersection found;
+    found.status = Status::Tolerance;
+    found.places.push_back(
+        place_of(PlaceKind::Touch, {1 - 1e-5, -1e-5, -1e-5}, {1 + 1e-5, 1e-5, 1e-5}, 5e-7));
     EXPECT_EQ(is_settled(found, line_at(height), 1e-6, 1e-7), height == 0);
   }
 }
