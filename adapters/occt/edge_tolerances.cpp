@@ -8,8 +8,6 @@
 #include <vector>
 
 #include <BRepBuilderAPI_Copy.hxx>
-#include <BRepCheck_Analyzer.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_TEdge.hxx>
 #include <BRep_TVertex.hxx>
 #include <BRep_Tool.hxx>
@@ -26,6 +24,8 @@
 #include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/edge_gaps.h"
+#include "adapters/occt/errors.h"
+#include "adapters/occt/shared_limit.h"
 
 namespace blossom::occt {
 namespace {
@@ -41,7 +41,9 @@ struct Needed {
   double given = 0;
   double needed = 0;
 
-  bool is_raised() const { return needed > given; }
+  // By the distance of the curves alone.
+  double gap() const { return needed / kMargin; }
+  bool is_raised() const { return gap() > std::max(given, Precision::Confusion()); }
 };
 
 // Needed tolerances that are not those given.
@@ -49,10 +51,6 @@ struct Wrong {
   std::vector<Needed> edges, vertices;
 
   bool empty() const { return edges.empty() && vertices.empty(); }
-  bool has_lowered() const {
-    const auto is_lowered = [](const Needed& each) { return !each.is_raised(); };
-    return std::ranges::any_of(edges, is_lowered) || std::ranges::any_of(vertices, is_lowered);
-  }
 };
 
 void add_if_wrong(const Needed& each, std::vector<Needed>& all) {
@@ -77,13 +75,14 @@ double needed_by(const TopoDS_Vertex& vertex, const TopTools_ListOfShape& edges,
   return largest;
 }
 
-Wrong wrong_tolerances(const TopoDS_Shape& shape) {
+Wrong wrong_tolerances(const TopoDS_Shape& shape, const WorkLimit& limit) {
   Wrong found;
   Users faces_of, edges_of;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
   TopExp::MapShapesAndAncestors(shape, TopAbs_VERTEX, TopAbs_EDGE, edges_of);
   EdgeNeeds needs;
   for (int i = 1; i <= faces_of.Extent(); ++i) {
+    check_limit(&limit, "measuring tolerances");
     const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(i));
     const double given = BRep_Tool::Tolerance(edge);
     const bool is_point = BRep_Tool::Degenerated(edge);
@@ -101,21 +100,12 @@ Wrong wrong_tolerances(const TopoDS_Shape& shape) {
   return found;
 }
 
-TopoDS_Compound compound_of(const std::vector<TopoDS_Solid>& solids) {
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Solid& solid : solids) builder.Add(all, solid);
-  return all;
-}
-
-// A copy with the tolerances; with those that are raised alone if it is not valid otherwise.
+// A copy with the tolerances.
 class Copy {
  public:
-  Copy(const TopoDS_Shape& shape, const Wrong& wrong)
-      : copy_(shape, Standard_False), wrong_(wrong) {
-    set(true);
-    if (wrong.has_lowered() && !BRepCheck_Analyzer(copy_.Shape()).IsValid()) set(false);
+  Copy(const TopoDS_Shape& shape, const Wrong& wrong) : copy_(shape, Standard_False) {
+    for (const Needed& each : wrong.edges) set<BRep_TEdge>(each);
+    for (const Needed& each : wrong.vertices) set<BRep_TVertex>(each);
   }
 
   TopoDS_Shape of(const TopoDS_Shape& part) {
@@ -123,19 +113,12 @@ class Copy {
   }
 
  private:
-  void set(bool lowered) {
-    for (const Needed& each : wrong_.edges) set<BRep_TEdge>(each, lowered);
-    for (const Needed& each : wrong_.vertices) set<BRep_TVertex>(each, lowered);
-  }
   template <class Data>
-  void set(const Needed& each, bool lowered) {
-    const bool changed = lowered || each.is_raised();
-    Handle(Data)::DownCast(copy_.ModifiedShape(each.part).TShape())
-        ->Tolerance(changed ? each.needed : each.given);
+  void set(const Needed& each) {
+    Handle(Data)::DownCast(copy_.ModifiedShape(each.part).TShape())->Tolerance(each.needed);
   }
 
   BRepBuilderAPI_Copy copy_;
-  const Wrong& wrong_;
 };
 
 std::string words_about(const Wrong& wrong) {
@@ -144,7 +127,7 @@ std::string words_about(const Wrong& wrong) {
   for (const Needed& each : wrong.edges) {
     (each.is_raised() ? raised : lowered) += 1;
     (each.is_raised() ? most : least) =
-        std::max(each.is_raised() ? most : least, each.is_raised() ? each.needed : each.given);
+        std::max(each.is_raised() ? most : least, each.is_raised() ? each.gap() : each.given);
   }
   std::ostringstream words;
   if (raised > 0)
@@ -193,17 +176,19 @@ double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
   return largest;
 }
 
-TrueSolid with_true_tolerances(const TrimTool& solid) {
-  const TopoDS_Compound shape = compound_of(solid.solids);
-  const Wrong wrong = wrong_tolerances(shape);
-  if (wrong.empty()) return {solid, {}};
-  Copy copy(shape, wrong);
-  TrueSolid made{{}, words_about(wrong)};
-  for (const TopoDS_Face& face : solid.faces)
-    made.solid.faces.push_back(TopoDS::Face(copy.of(face)));
-  for (const TopoDS_Solid& each : solid.solids)
-    made.solid.solids.push_back(TopoDS::Solid(copy.of(each)));
-  return made;
+TrueSolid with_true_tolerances(const TrimTool& solid, const WorkLimit& limit) {
+  return guarded("measuring tolerances", [&]() -> TrueSolid {
+    const TopoDS_Compound shape = compound_of(solid.solids);
+    const Wrong wrong = wrong_tolerances(shape, limit);
+    if (wrong.empty()) return {solid, {}};
+    Copy copy(shape, wrong);
+    TrueSolid made{{}, words_about(wrong)};
+    for (const TopoDS_Face& face : solid.faces)
+      made.solid.faces.push_back(TopoDS::Face(copy.of(face)));
+    for (const TopoDS_Solid& each : solid.solids)
+      made.solid.solids.push_back(TopoDS::Solid(copy.of(each)));
+    return made;
+  });
 }
 
 }  // namespace blossom::occt

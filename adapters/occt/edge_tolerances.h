@@ -10,6 +10,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/trim_sides.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom::occt {
 
@@ -28,13 +29,15 @@ struct TrueSolid {
 };
 
 /// Raises the tolerances of edges and vertices that are less than the distances of their curves,
-/// and lowers those that are more than ten times these, as far as BRepCheck finds the solid no less
-/// valid: intersections that end on an edge are looked for as far as its tolerance says.
+/// and lowers those that are more than ten times these: intersections that end on an edge are
+/// looked for as far as its tolerance says.
 ///
 /// The given shapes keep theirs: where something is not true, all faces and solids are copies that
 /// share the geometry, in the same order.
 ///
-/// solid   a closed one
-TrueSolid with_true_tolerances(const TrimTool& solid);
+/// solid    a closed one
+/// limit    asked before each edge
+/// throws   Failure when the limit is reached, or Open CASCADE fails
+TrueSolid with_true_tolerances(const TrimTool& solid, const WorkLimit& limit);
 
 }  // namespace blossom::occt

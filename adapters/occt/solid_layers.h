@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <TopoDS_Solid.hxx>
@@ -32,14 +34,20 @@ class SolidContacts {
   /// Puts each of the solids into the first layer in which it touches none.
   std::vector<SolidPlaces> layers(const SolidPlaces& places);
 
-  /// Puts solids together that touch solids of other inputs, however indirectly.
+  /// Whether two solids touch or one lies in the other.
+  bool meet(std::size_t a, std::size_t b);
+
+  /// Puts solids together that meet solids of other inputs, however indirectly.
   ///
   /// input   of each solid
   std::vector<SolidPlaces> joined(const std::vector<int>& input);
 
  private:
   class Neighbour;
+  bool find_touch(std::size_t a, std::size_t b);
+
   std::vector<Neighbour> neighbours_;
+  std::map<std::pair<std::size_t, std::size_t>, bool> touch_;  // what was asked
   double tolerance_;
   const SharedLimit& limit_;
 };

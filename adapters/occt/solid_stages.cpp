@@ -5,20 +5,14 @@
 #include <cstddef>
 #include <numeric>
 
-#include <BRep_Builder.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS_Compound.hxx>
 
 namespace blossom::occt {
 
 Stage stage_of(const std::vector<TopoDS_Solid>& solids, const std::vector<SolidFace>& known) {
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Solid& solid : solids) builder.Add(all, solid);
   TopTools_IndexedMapOfShape numbers;
   for (const SolidFace& face : known) numbers.Add(face.face);
-  Stage stage{trim_tool(all), {}};
+  Stage stage{trim_tool(compound_of(solids)), {}};
   for (const TopoDS_Face& face : stage.solid.faces) {
     const SolidFace& origin = known[static_cast<std::size_t>(numbers.FindIndex(face)) - 1];
     stage.faces.push_back({face, origin.tool, origin.from});

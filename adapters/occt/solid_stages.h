@@ -32,7 +32,7 @@ class StagedInputs {
   const Stages& part() const { return layers_.front(); }
   std::vector<Stages> tools() const { return {layers_.begin() + 1, layers_.end()}; }
 
-  /// What becomes one when everything is fused: solids that touch those of other inputs, however
+  /// What becomes one when everything is fused: solids that meet those of other inputs, however
   /// indirectly. Solids of one input that only touch each other stay apart. Of each set the layers
   /// of each input that is in it.
   std::vector<std::vector<Stages>> joined();

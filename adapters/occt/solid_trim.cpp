@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -256,6 +257,13 @@ Stages each_as_one(const std::vector<Stages>& inputs, LayerWork& work) {
   return made;
 }
 
+bool are_valid(const std::vector<TopoDS_Solid>& solids) {
+  return guarded("checking solids", [&] {
+    return std::ranges::all_of(
+        solids, [](const TopoDS_Solid& solid) { return BRepCheck_Analyzer(solid).IsValid(); });
+  });
+}
+
 // Sets of solids that become one, each by itself.
 SolidTrimResult fused(const std::vector<std::vector<Stages>>& sets, LayerWork& work) {
   SolidTrimResult all;
@@ -265,8 +273,10 @@ SolidTrimResult fused(const std::vector<std::vector<Stages>>& sets, LayerWork& w
     if (inputs.size() > 1)
       give_out(work.folded(inputs.front(), std::span(inputs).subspan(1), SolidOperation::Fuse),
                all);
-    else
+    else if (are_valid(inputs.front().solid.solids))
       give_out(inputs.front(), all);
+    else
+      work.told.obstacles.emplace_back("a solid that nothing else meets is not valid by BRepCheck");
   }
   return all;
 }
@@ -291,6 +301,51 @@ std::string tool_name(const std::vector<TrimTool>& tools, std::size_t i) {
   return tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1);
 }
 
+// Inputs with true tolerances; tells what was not true.
+class TrueInputs {
+ public:
+  TrueInputs(const TrimTool& part, const std::vector<TrimTool>& tools, const WorkLimit& limit)
+      : part_(sound(part, "the part", limit)) {
+    for (std::size_t i = 0; i < tools.size(); ++i)
+      tools_.push_back(sound(tools[i], tool_name(tools, i), limit));
+  }
+
+  const TrimTool& part() const { return part_; }
+  const std::vector<TrimTool>& tools() const { return tools_; }
+  const std::vector<std::string>& told() const { return told_; }
+
+ private:
+  TrimTool sound(const TrimTool& input, const std::string& name, const WorkLimit& limit) {
+    TrueSolid made = with_true_tolerances(input, limit);
+    if (!made.told.empty()) told_.push_back(name + ": " + made.told);
+    return std::move(made.solid);
+  }
+
+  std::vector<std::string> told_;
+  TrimTool part_;
+  std::vector<TrimTool> tools_;
+};
+
+SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools,
+                        SolidOperation operation, const IntersectionOptions& options) {
+  const SharedLimit limit(options);
+  const WorkLimit own_limit(options);
+  SolidTrimResult result;
+  try {
+    const TrueInputs sound(part, tools, own_limit);
+    StagedInputs inputs(sound.part(), sound.tools(), options.tolerances.point, limit);
+    LayerWork work{limit, {}};
+    result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
+                                               : divided(inputs, operation, work);
+    note(work.told, result);
+    result.tolerances = sound.told();
+  } catch (const Failure& error) {
+    result.obstacles.emplace_back(error.what());
+    if (own_limit.reached_after_search() != nullptr) result.status = Status::Stopped;
+  }
+  return result;
+}
+
 }  // namespace
 
 double SolidVolumes::cut_error() const { return std::abs(cut + common - part) / part; }
@@ -306,26 +361,8 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   for (std::size_t i = 0; i < tools.size(); ++i)
     if (!tools[i].is_solid())
       throw InvalidInput("trim: " + tool_name(tools, i) + " is no closed solid");
-  const SharedLimit limit(options);
   SolidTrimResult result;
-  with_threads(options.threads, [&] {
-    std::vector<std::string> told;
-    const auto sound = [&](const TrimTool& input, const std::string& name) {
-      TrueSolid made = with_true_tolerances(input);
-      if (!made.told.empty()) told.push_back(name + ": " + made.told);
-      return std::move(made.solid);
-    };
-    const TrimTool first = sound(part, "the part");
-    std::vector<TrimTool> others;
-    for (std::size_t i = 0; i < tools.size(); ++i)
-      others.push_back(sound(tools[i], tool_name(tools, i)));
-    StagedInputs inputs(first, others, options.tolerances.point, limit);
-    LayerWork work{limit, {}};
-    result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
-                                               : divided(inputs, operation, work);
-    note(work.told, result);
-    result.tolerances = std::move(told);
-  });
+  with_threads(options.threads, [&] { result = trimmed(part, tools, operation, options); });
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.
     std::vector<std::string> causes;

@@ -24,6 +24,8 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+const IntersectionOptions kOptions;
+const WorkLimit kNoLimit(kOptions);
 
 double largest_tolerance(const TrimTool& solid, TopAbs_ShapeEnum kind) {
   return BRep_Tool::MaxTolerance(solid.solids.front(), kind);
@@ -54,15 +56,15 @@ TopoDS_Shape box_of_loose_edges(double tolerance) {
 
 TEST(TrueTolerances, LeaveAloneWhatIsTrue) {
   const TrimTool ball = trim_tool(BRepPrimAPI_MakeSphere(1).Shape());
-  const TrueSolid made = with_true_tolerances(ball);
+  const TrueSolid made = with_true_tolerances(ball, kNoLimit);
   EXPECT_EQ(made.told, "");
   EXPECT_TRUE(made.solid.solids.front().IsEqual(ball.solids.front()));
 }
 
 TEST(TrueTolerances, AreNoLessThanTheDistancesOfCurves) {
   const TrimTool given = trim_tool(cylinder_with_wide_rim(1e-4));
-  const TrueSolid made = with_true_tolerances(given);
-  EXPECT_NE(made.told.find("the curves of 1 edges are up to 0.00011 apart"), std::string::npos)
+  const TrueSolid made = with_true_tolerances(given, kNoLimit);
+  EXPECT_NE(made.told.find("the curves of 1 edges are up to 0.0001 apart"), std::string::npos)
       << made.told;
   EXPECT_GE(largest_tolerance(made.solid, TopAbs_EDGE), 1e-4);
   EXPECT_GE(largest_tolerance(made.solid, TopAbs_VERTEX), 1e-4);
@@ -71,7 +73,7 @@ TEST(TrueTolerances, AreNoLessThanTheDistancesOfCurves) {
 
 TEST(TrueTolerances, AreNotFarAboveTheDistancesOfCurves) {
   const TrimTool given = trim_tool(box_of_loose_edges(0.3));
-  const TrueSolid made = with_true_tolerances(given);
+  const TrueSolid made = with_true_tolerances(given, kNoLimit);
   EXPECT_NE(made.told.find("12 edges state tolerances up to 0.3"), std::string::npos) << made.told;
   EXPECT_LE(largest_tolerance(made.solid, TopAbs_VERTEX), 1e-6);
   EXPECT_TRUE(BRepCheck_Analyzer(made.solid.solids.front()).IsValid());

@@ -127,6 +127,15 @@ TEST(SolidLayers, BothMayTouch) {
   expect_all(rods, boxes, {kPi, 8, kPi / 2, 2, 4, 1, 4});
 }
 
+TEST(SolidLayers, BecomeOneWithWhatLiesInThem) {
+  const TopoDS_Shape row = together({box({0, 0, 0}, {10, 10, 10}), box({10, 0, 0}, {20, 10, 10})});
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(5, 5, 5), 1).Shape();
+  expect(trim_solids(trim_tool(row), {trim_tool(ball)}, SolidOperation::Fuse), 2, 2000);
+  const TopoDS_Shape around = BRepPrimAPI_MakeSphere(gp_Pnt(5, 5, 5), 30).Shape();
+  expect(trim_solids(trim_tool(row), {trim_tool(around)}, SolidOperation::Fuse), 1,
+         4 * kPi / 3 * 27000);
+}
+
 TEST(SolidLayers, BecomeOneWhereTheToolJoinsThemAlone) {
   const TopoDS_Shape row =
       together({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1}), box({2, 0, 0}, {3, 1, 1})});
