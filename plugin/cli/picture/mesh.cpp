@@ -20,6 +20,7 @@ namespace blossom::cli {
 namespace {
 
 constexpr double kAngle = 0.2;  // radians between neighbouring triangles: looks smooth when shaded
+constexpr double kOwnDeflection = 1e-4;  // of a face's own size
 
 Vec3 to_vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
@@ -48,11 +49,22 @@ std::vector<std::vector<Vec3>> outlines_of(const TopoDS_Face& face,
   return outlines;
 }
 
+// Faces far smaller than the deflection get no triangles: they are tried with a share of their own
+// size.
+Handle(Poly_Triangulation)
+    triangulation_of(const TopoDS_Face& face, double deflection, TopLoc_Location& place) {
+  for (const double within : {deflection, kOwnDeflection * size_of({face})}) {
+    BRepMesh_IncrementalMesh(face, within, Standard_False, kAngle, Standard_False);
+    const Handle(Poly_Triangulation) found = BRep_Tool::Triangulation(face, place);
+    if (!found.IsNull()) return found;
+  }
+  return {};
+}
+
 PictureMesh mesh_of(const TopoDS_Face& face, double deflection) {
   const TopoDS_Face copy = TopoDS::Face(BRepBuilderAPI_Copy(face, Standard_False).Shape());
-  BRepMesh_IncrementalMesh(copy, deflection, Standard_False, kAngle, Standard_False);
   TopLoc_Location place;
-  const Handle(Poly_Triangulation) found = BRep_Tool::Triangulation(copy, place);
+  const Handle(Poly_Triangulation) found = triangulation_of(copy, deflection, place);
   if (found.IsNull()) throw occt::Failure("a face cannot be triangulated for the picture");
 
   PictureMesh mesh;

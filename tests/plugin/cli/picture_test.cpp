@@ -10,7 +10,17 @@
 #include <array>
 #include <cstdlib>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <GC_MakeArcOfCircle.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pln.hxx>
+#include <gp_Pnt.hxx>
+
 #include "plugin/cli/picture/canvas.h"
+#include "plugin/cli/picture/mesh.h"
 #include "plugin/cli/picture/png.h"
 #include "tests/plugin/cli/program.h"
 
@@ -179,6 +189,17 @@ TEST(Picture, ShowsFacesAndCurvesInTheWholeFrame) {
   EXPECT_TRUE(right - left > 0.8 * image.width || bottom - top > 0.8 * image.height);
   EXPECT_GT(left, 0);
   EXPECT_LT(right, image.width - 1);
+}
+
+// A sliver, 0.03 long and 3e-5 wide: the mesher sees none at a deflection of 0.5.
+TEST(Picture, HasTrianglesForTheLeastFace) {
+  const gp_Pnt a(2.93e-5, 0, 0), b(0, 0.013, 0), c(0, -0.0176, 0);
+  const gp_Pnt on_ab(2.09e-5, 0.0065, 0), on_cb(3.74e-5, -0.0023, 0);
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(a, on_ab, b).Value()));
+  wire.Add(BRepBuilderAPI_MakeEdge(a, c));
+  wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(c, on_cb, b).Value()));
+  const TopoDS_Face sliver = BRepBuilderAPI_MakeFace(gp_Pln(), wire.Wire());
+  EXPECT_FALSE(picture_mesh(sliver, 0.5).triangles.empty());
 }
 
 TEST(Picture, IsTheSameBytesEveryTime) {
