@@ -132,13 +132,24 @@ void measure_ends(const TopoDS_Edge& edge, const Curves& curves, EdgeGaps& gaps)
   }
 }
 
-}  // namespace
-
-EdgeGaps edge_gaps(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+Curves curves_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   Curves curves;
   curves.space = BRep_Tool::Curve(edge, curves.range.from, curves.range.to);
   curves.chart = BRep_Tool::CurveOnSurface(edge, face, curves.place.from, curves.place.to);
   curves.surface = BRep_Tool::Surface(face);
+  return curves;
+}
+
+}  // namespace
+
+std::optional<double> same_parameter_gap(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  const Curves curves = curves_of(edge, face);
+  if (curves.space.IsNull() || curves.chart.IsNull() || curves.surface.IsNull()) return {};
+  return largest(sample_places(curves), [&](double t) { return curves.same_parameter(t); });
+}
+
+EdgeGaps edge_gaps(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  const Curves curves = curves_of(edge, face);
   EdgeGaps gaps;
   const bool degenerated = BRep_Tool::Degenerated(edge);
   gaps.has_curve = degenerated || !curves.space.IsNull();

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <optional>
+
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
@@ -25,5 +27,8 @@ struct EdgeGaps {
 /// The gaps of an edge on a face, as oriented in its wire: a seam has two curves there. Of a
 /// degenerated edge the gap is that to its vertex.
 EdgeGaps edge_gaps(const TopoDS_Edge& edge, const TopoDS_Face& face);
+
+/// Of these the largest, `same_parameter`, alone; none if the edge lacks a curve.
+std::optional<double> same_parameter_gap(const TopoDS_Edge& edge, const TopoDS_Face& face);
 
 }  // namespace blossom::occt

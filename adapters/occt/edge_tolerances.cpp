@@ -149,9 +149,9 @@ double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& fac
     const bool is_seam = BRep_Tool::IsClosed(edge, face);
     for (const bool second : {false, true}) {
       if (second && !is_seam) continue;
-      const EdgeGaps gaps = edge_gaps(second ? TopoDS::Edge(edge.Reversed()) : edge, face);
-      if (!gaps.has_curve || !gaps.has_pcurve) return BRep_Tool::Tolerance(edge);
-      largest = std::max({largest, gaps.gap, gaps.same_parameter});
+      const auto gap = same_parameter_gap(second ? TopoDS::Edge(edge.Reversed()) : edge, face);
+      if (!gap) return BRep_Tool::Tolerance(edge);
+      largest = std::max(largest, *gap);
     }
   }
   return std::max(Precision::Confusion(), kMargin * largest);
