@@ -27,6 +27,7 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "core/blossom/triangle_composition.h"
+#include "tests/adapters/occt/shapes_files.h"
 
 namespace blossom::occt {
 namespace {
@@ -144,12 +145,11 @@ TEST(Watertight, KeepsSharedEdgesInBrepFiles) {
   const WatertightShape made = watertight(two_boxes());
   Model model;
   model.add(made.shape, "boxes");
-  const auto folder = std::filesystem::temp_directory_path();
+  const testing::Folder folder;
   const auto file = folder / "watertight_boxes.brep";
   write_model(model, file);
 
   const Model back = read_model(file);
-  std::filesystem::remove(file);
   TopTools_IndexedMapOfShape given, edges;
   TopExp::MapShapes(made.shape, TopAbs_EDGE, given);
   TopExp::MapShapes(back.shape(), TopAbs_EDGE, edges);
@@ -239,12 +239,12 @@ TEST(Watertight, SurvivesAStepFile) {
   const WatertightShape made = watertight(box_and_cylinder());
   Model model;
   model.add(made.shape, "fused");
-  const auto file = std::filesystem::temp_directory_path() / "watertight_fused.step";
+  const testing::Folder folder;
+  const auto file = folder / "watertight_fused.step";
   write_model(model, file);
   EXPECT_LT(std::filesystem::file_size(file), 10000 * made.pieces.pieces.size());
 
   const Model back = read_model(file);
-  std::filesystem::remove(file);
   ASSERT_EQ(back.shape().ShapeType(), TopAbs_SOLID);
   EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid());
   EXPECT_EQ(back.face_count(), static_cast<int>(made.pieces.pieces.size()));

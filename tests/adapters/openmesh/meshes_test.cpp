@@ -2,11 +2,13 @@
 #include "adapters/openmesh/meshes.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/DefaultPolyMesh.hh>
 
 #include <cmath>
 #include <fstream>
+#include <string>
 
 #include "core/base/errors.h"
 #include "tests/support/shapes.h"
@@ -58,7 +60,8 @@ BezierPatch graph() {
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& name)
-      : path_(std::filesystem::path(::testing::TempDir()) / ("blossom_" + name)) {}
+      : path_(std::filesystem::path(::testing::TempDir()) /
+              ("blossom_" + std::to_string(::getpid()) + "_" + name)) {}
   ~TemporaryFile() { std::filesystem::remove(path_); }
   const std::filesystem::path& path() const { return path_; }
 

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <string>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -38,9 +40,9 @@ TestFolder::TestFolder() {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
   std::string name = std::string(test->test_suite_name()) + "." + test->name();
   std::ranges::replace(name, '/', '_');
-  folder_ = std::filesystem::path(::testing::TempDir()) / ("blossom_" + name);
-  std::filesystem::remove_all(folder_);
-  std::filesystem::create_directories(folder_);
+  // Runs beside each other have folders of their own.
+  std::string pattern = ::testing::TempDir() + "/blossom_" + name + "_XXXXXX";
+  folder_ = ::mkdtemp(pattern.data());
 }
 
 TestFolder::~TestFolder() {
@@ -58,9 +60,7 @@ std::vector<std::string> TestFolder::listing() const {
 
 Finished blossom(const std::vector<std::string>& arguments, const std::string& before,
                  const std::string& out) {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  std::string stem = std::string(test->test_suite_name()) + "." + test->name();
-  std::ranges::replace(stem, '/', '_');
+  const std::string stem = std::to_string(::getpid());
   const std::filesystem::path temporary = ::testing::TempDir();
   const std::filesystem::path out_file = temporary / ("blossom_out_" + stem);
   const std::filesystem::path err_file = temporary / ("blossom_err_" + stem);
