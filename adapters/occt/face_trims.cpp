@@ -184,7 +184,8 @@ bool may_cross(const PlanarBox& box, const Vec2& point) {
 
 // What lies within an edge's tolerance of its wire, or in a gap between coedges, is on the wire.
 PartSide side_of(const FaceTrims& trims, const PlanarBox& box) {
-  if (coedge_near(trims, box, kOnBorder + trims.largest_gap, kMostHalvings) != nullptr)
+  const int halvings = box.low == box.high ? kPointHalvings : kMostHalvings;
+  if (coedge_near(trims, box, kOnBorder + trims.largest_gap, halvings) != nullptr)
     return PartSide::Mixed;
   return is_inside(trims, 0.5 * (box.low + box.high)) ? PartSide::Inside : PartSide::Outside;
 }

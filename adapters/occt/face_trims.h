@@ -92,7 +92,7 @@ ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double to
 bool is_inside(const FaceTrims& trims, const Vec2& point);
 
 /// How a rectangle of the surface's own parameters lies to the trims. Inside and Outside are proven
-/// by boxes of pieces of the wires, of which none meets the rectangle.
+/// by boxes of pieces of the wires, none of which meets it. A point is Mixed on a wire alone.
 PartSide part_side(const FaceTrims& trims, const Interval& u, const Interval& v);
 
 /// The parameters of a chart curve at which it lies inside the trims of the face or on a wire.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -129,6 +130,21 @@ TEST(PartSide, TellsWhereARectangleLies) {
   // In the hole, though no corner of it is far from the wire.
   EXPECT_EQ(part_side(trims, {1.3, 2.7}, {1.3, 2.7}), PartSide::Outside);
   EXPECT_EQ(part_side(trims, {1.29, 2.71}, {1.29, 2.71}), PartSide::Mixed);
+}
+
+// The arc is one span, whose pieces' boxes reach much farther off it.
+TEST(PartSide, TellsPointsCloseToACurvedWire) {
+  const FaceTrims trims = face_trims(square_with_hole());
+  for (int i = 0; i < 40; ++i) {
+    const Vec2 out{std::cos(0.1 + i), std::sin(0.1 + i)};
+    const auto side = [&](double radius) {
+      const Vec2 at = Vec2{2, 2} + radius * out;
+      return part_side(trims, {at[0], at[0]}, {at[1], at[1]});
+    };
+    EXPECT_EQ(side(1 + 1e-5), PartSide::Inside);
+    EXPECT_EQ(side(1), PartSide::Mixed);
+    EXPECT_EQ(side(1 - 1e-5), PartSide::Outside);
+  }
 }
 
 TEST(PartSide, KnowsPeriods) {

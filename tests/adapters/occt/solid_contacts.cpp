@@ -21,6 +21,7 @@
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Elips.hxx>
 #include <gp_Trsf.hxx>
 
 namespace blossom::testing {
@@ -30,6 +31,7 @@ using Maker = std::function<TopoDS_Shape()>;
 
 constexpr double kPi = std::numbers::pi;
 const gp_Pnt kOrigin(0, 0, 0);
+constexpr double kOverEllipses = 5e-8;  // of volumes, by the integrals of Open CASCADE
 
 TopoDS_Shape whole_cube() {
   static const TopoDS_Shape shape = box(kOrigin, {1, 1, 1});
@@ -92,6 +94,16 @@ Maker prism(const std::vector<gp_Pnt>& corners, const gp_Vec& along) {
     for (const gp_Pnt& corner : corners) polygon.Add(corner);
     polygon.Close();
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(polygon.Wire()).Shape(), along).Shape();
+  };
+}
+
+// One unit high, above an ellipse.
+Maker elliptic_rod(double height, double major, double minor) {
+  return [=] {
+    const gp_Elips outline(gp_Ax2(gp_Pnt(0, 0, height), gp::DZ(), gp_Dir(1, 0.3, 0)), major, minor);
+    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(outline);
+    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(edge);
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire).Shape(), gp_Vec(0, 0, 1)).Shape();
   };
 }
 
@@ -215,6 +227,7 @@ std::vector<SolidContact> rod_contacts() {
       {"RodInTheBorder", whole_plate, rod({2, 0, 0}, 0.5, 1), kPi / 8},
       {"RodOnRod", whole, rod({0, 0, 1}, 1, 1)},
       {"RodOnTurnedRod", whole, turned_rod({0, 0, 1}, 1, 1, 1)},
+      {"RodOnAnEllipse", whole, elliptic_rod(1, 1.003, 0.997), 0, kOverEllipses},
       {"ThinRodOnRod", whole, rod({0, 0, 1}, 0.4, 1)},
       {"RodInRod", whole, rod({0, 0, 0.5}, 1, 1), kPi / 2},
       {"RodInTurnedRod", whole, turned_rod({0, 0, 0.5}, 1, 1, 1), kPi / 2},

@@ -130,7 +130,8 @@ bool is_quick(const std::string& name) {
       "EdgeToEdge",       "WedgeOnAFace",     "CutThroughTwoEdges",   "Slot",
       "PocketAtAnEdge",   "RodOnAPlate",      "RodInTheBorder",       "RodInTurnedRod",
       "HalfBalls",        "BallOnAPlate",     "LongRodLyingOnAPlate", "PegInAHole",
-      "SplineCubeInCube", "EqualTurnedBalls", "ConeInAPlate",         "DomesRoundTheirPole"};
+      "SplineCubeInCube", "EqualTurnedBalls", "ConeInAPlate",         "DomesRoundTheirPole",
+      "RodOnAnEllipse"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
