@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -56,12 +57,21 @@ double largest_tolerance(const TopoDS_Face& face) {
   return largest;
 }
 
+// number   of the face in messages, from 1
+BezierSurface surface_of(const TopoDS_Face& face, std::size_t number, double tolerance) {
+  try {
+    return bezier_surface(face, tolerance);
+  } catch (const std::runtime_error& error) {
+    throw BadModel("face " + std::to_string(number) + ": " + error.what());
+  }
+}
+
 RayCaster caster_of(const std::vector<TopoDS_Face>& faces, double tolerance) {
   if (faces.empty()) throw BadModel("there is no face to cast rays at");
   std::vector<BezierSurface> surfaces;
   std::vector<double> reaches;
   for (const TopoDS_Face& face : faces) {
-    surfaces.push_back(bezier_surface(face, tolerance));
+    surfaces.push_back(surface_of(face, surfaces.size() + 1, tolerance));
     reaches.push_back(std::max(tolerance, largest_tolerance(face)));
   }
   return RayCaster(std::move(surfaces), {.point = tolerance}, std::move(reaches));

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -149,6 +151,15 @@ TEST(ShapeRays, EntersAndLeavesSolidsInTurn) {
         EXPECT_EQ(first[0].hit.parameter, hits[0].hit.parameter);
       }
     }
+  }
+}
+
+TEST(ShapeRays, NamesTheFaceThatCannotBeUsed) {
+  try {
+    const ShapeRays rays(std::vector{plate_with_hole(), TopoDS_Face()});
+    FAIL() << "a face without a surface was taken";
+  } catch (const BadModel& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("face 2: ", 0), 0u) << error.what();
   }
 }
 
