@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom info F`: what a model is made of, and whether it is sound.
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <iomanip>
 #include <map>
 #include <memory>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include <BRepBndLib.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 
+#include "adapters/occt/hulls.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/face_facts.h"
@@ -31,6 +37,8 @@ constexpr std::array kCounted = {std::pair{TopAbs_SOLID, "solids"},
                                  std::pair{TopAbs_EDGE, "edges"},
                                  std::pair{TopAbs_VERTEX, "vertices"}};
 
+constexpr double kBoxPrecision = 1e-7;  // model units, what Open CASCADE's minimizing stops at
+
 struct ModelFacts {
   std::vector<FaceFacts> faces;
   std::map<std::string, int> surfaces;  ///< faces per surface type
@@ -39,6 +47,40 @@ struct ModelFacts {
   double largest_tolerance = 0;
   bool valid = true;  ///< every listed face is
 };
+
+// Whether what the control points of a face bound is in the box already.
+bool is_within(const TopoDS_Face& face, const Bnd_Box& box) {
+  std::vector<Vec3> points;
+  if (box.IsVoid() || !occt::add_hull(TopoDS::Face(face.Located(TopLoc_Location())), points) ||
+      !occt::has_end(points))
+    return false;
+  Vec3 low, high;
+  box.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
+  const PartHull hull = occt::placed_hull(std::move(points), face.Location().Transformation());
+  return std::ranges::all_of(hull.points, [&](const Vec3& p) {
+    for (int k = 0; k < 3; ++k)
+      if (p[k] < low[k] - kBoxPrecision || p[k] > high[k] + kBoxPrecision) return false;
+    return true;
+  });
+}
+
+// The least box along the axes, to kBoxPrecision. Open CASCADE minimizes over each face, which
+// takes milliseconds: only faces that may reach beyond the rest are given to it.
+Bnd_Box least_box(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  TopTools_IndexedMapOfShape vertices, faces;
+  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (int i = 1; i <= vertices.Extent(); ++i) box.Add(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))));
+  for (int i = 1; i <= faces.Extent(); ++i) {
+    stop_if_interrupted();
+    if (!is_within(TopoDS::Face(faces(i)), box))
+      BRepBndLib::AddOptimal(faces(i), box, Standard_False);
+  }
+  for (TopExp_Explorer free(shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next())
+    BRepBndLib::AddOptimal(free.Current(), box, Standard_False);
+  return box;
+}
 
 ModelFacts model_facts(const Input& input) {
   ModelFacts facts;
@@ -55,7 +97,7 @@ ModelFacts model_facts(const Input& input) {
   facts.least_tolerance = tolerances.Tolerance(input.model.shape(), -1);
   facts.largest_tolerance = tolerances.Tolerance(input.model.shape(), 1);
   // Numbers that are none would go into the box, too.
-  if (facts.valid) BRepBndLib::AddOptimal(input.model.shape(), facts.box, Standard_False);
+  if (facts.valid) facts.box = least_box(input.model.shape());
   return facts;
 }
 

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <gp_Ax2.hxx>
 #include <nlohmann/json.hpp>
 
 #include "tests/plugin/cli/program.h"
@@ -54,6 +59,24 @@ TEST(InfoCommand, ListsOnlyTheChosenFaces) {
   const json info = json::parse(run.out);
   ASSERT_EQ(info["faces"].size(), 1u);
   EXPECT_EQ(info["faces"][0]["number"], 2);
+}
+
+// Faces inside the box of the corners say nothing new, but curved ones reach beyond them.
+TEST(InfoCommand, BoxesFacesThatReachBeyondAllCorners) {
+  const testing::TestFolder folder;
+  const double along = std::sqrt(0.5), radius = 2;
+  const gp_Ax2 axes(gp_Pnt(1, 2, 3), gp_Dir(along, along, 0));
+  BRepPrimAPI_MakeBox cube(gp_Pnt(0.5, 1.5, 2.5), gp_Pnt(1.5, 2.5, 3.5));
+  BRepPrimAPI_MakeSphere ball(axes, radius);
+  testing::write({cube.TopFace(), ball.Face(), cube.LeftFace()}, folder / "ball.brep");
+  const Finished run = blossom({"info", folder / "ball.brep", "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json box = json::parse(run.out)["box"];
+  const double middle[] = {1, 2, 3};
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(box[0][k].get<double>(), middle[k] - radius, 1e-6);
+    EXPECT_NEAR(box[1][k].get<double>(), middle[k] + radius, 1e-6);
+  }
 }
 
 TEST(InfoCommand, PrintsATableForPeople) {
