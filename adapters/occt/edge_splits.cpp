@@ -155,6 +155,10 @@ int EdgeSplits::add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face
   return static_cast<int>(of.splits.size()) - 1;
 }
 
+void EdgeSplits::widen(const TopoDS_Edge& edge, int split, double tolerance) const {
+  BRep_Builder().UpdateVertex(vertex(edge, split), tolerance);
+}
+
 bool EdgeSplits::is_split(const TopoDS_Edge& edge) const {
   const Record* of = find(edge);
   return of != nullptr && of->splits.size() > 2;

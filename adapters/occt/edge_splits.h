@@ -46,6 +46,9 @@ class EdgeSplits {
   int add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face& face,
           double uncertainty = 0, double obliqueness = 1);
 
+  /// Gives the vertex of a split at least this tolerance, model units.
+  void widen(const TopoDS_Edge& edge, int split, double tolerance) const;
+
   /// Whether anybody asked for a split inside of the edge.
   bool is_split(const TopoDS_Edge& edge) const;
 

@@ -310,7 +310,7 @@ FaceSplit FaceSplitter::split(OpenCuts open) {
   add_border_arcs();
   const bool any_inner = add_inner_arcs(), any_laid = add_laid_arcs();
   if (!add_cut_arcs() && !any_inner && !any_laid) return undivided();
-  const ChartPieces found = pieces(arcs_);
+  const ChartPieces found = pieces(arcs_, tolerance_);
   for (const int arc : found.dangling)
     if (origins_[static_cast<std::size_t>(arc)].strand >= 0)
       note(origins_[static_cast<std::size_t>(arc)].uses.front().cut,

@@ -142,9 +142,10 @@ int FaceSplitter::vertex_at_split(int loop, int index, int split) {
 
 int FaceSplitter::vertex_of(const TrimMeeting& meeting, double uncertainty, double obliqueness) {
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
-  return vertex_at_split(
-      meeting.loop, meeting.coedge,
-      splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty, obliqueness));
+  const int split =
+      splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty, obliqueness);
+  if (meeting.blur > 0) splits_.widen(of.edge, split, kMargin * meeting.blur);
+  return vertex_at_split(meeting.loop, meeting.coedge, split);
 }
 
 // How many times farther along the wire than across it neighbours may see the same crossing: where

@@ -2,6 +2,7 @@
 // What the trims of a face leave of a curve.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -15,6 +16,8 @@ namespace {
 
 // Along an oblique curve, a meeting is known that much worse than the distance that counts.
 constexpr double kMeetingReach = 10 * kOnBorder;
+
+constexpr std::array kBetween{0.25, 0.5, 0.75};
 
 bool holds(const PlanarBox& box, const PlanarBox& other) {
   for (int k = 0; k < 2; ++k) {
@@ -131,6 +134,70 @@ std::vector<Interval> united(std::vector<Interval> intervals) {
   return joined;
 }
 
+const Coedge& coedge_of(const FaceTrims& trims, const TrimMeeting& meeting) {
+  return trims
+      .loops[static_cast<std::size_t>(meeting.loop)][static_cast<std::size_t>(meeting.coedge)];
+}
+
+// The corner between the coedges of two meetings, -1 if they are not neighbours.
+int corner_between(const Coedge& a, const Coedge& b) {
+  if (a.to == b.from) return a.to;
+  return a.from == b.to ? a.from : -1;
+}
+
+// Whether a curve keeps within tolerance of an edge, or of two at their corner, from one meeting to
+// the next, which are farther apart than that, but no farther than a touch may take.
+bool is_one_touch(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
+                  const TrimMeeting& a, const TrimMeeting& b) {
+  const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
+  if (&of_a != &of_b && (a.loop != b.loop || corner_between(of_a, of_b) < 0)) return false;
+  const Vec2 middle = point_at(curve, 0.5 * (a.at + b.at));
+  const double length =
+      distance(point_at(curve, a.at), middle) + distance(middle, point_at(curve, b.at));
+  if (length <= tolerance || length > longest_touch(trims, tolerance)) return false;
+  return std::all_of(kBetween.begin(), kBetween.end(), [&](double t) {
+    const Vec2 point = point_at(curve, at(Interval{a.at, b.at}, t));
+    return nearest(of_a.curve, point).distance <= tolerance ||
+           nearest(of_b.curve, point).distance <= tolerance;
+  });
+}
+
+// Half way between the two, or in the corner between their edges.
+TrimMeeting one_touch(const FaceTrims& trims, const PlanarCurve& curve, const TrimMeeting& a,
+                      const TrimMeeting& b) {
+  const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
+  TrimMeeting touch = a;
+  touch.at = 0.5 * (a.at + b.at);
+  if (&of_a != &of_b) {
+    const auto corner = static_cast<std::size_t>(corner_between(of_a, of_b));
+    touch.at = std::clamp(nearest(curve, trims.corners[corner]).parameter, a.at, b.at);
+  }
+  const Vec2 point = point_at(curve, touch.at);
+  touch.edge_parameter = nearest(of_a.curve, point).parameter;
+  touch.blur = std::max(a.blur + distance(point_at(curve, a.at), point),
+                        b.blur + distance(point, point_at(curve, b.at)));
+  return touch;
+}
+
+// A curve that touches an edge may cross it twice by what curve or edge are off: one meeting, so
+// that it stays whole there. Not where it runs along the edge.
+void join_double_touches(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
+                         ClippedCurve& found) {
+  const auto has_run = [&](const TrimMeeting& a, const TrimMeeting& b) {
+    return std::any_of(found.runs.begin(), found.runs.end(), [&](const TrimRun& run) {
+      return run.at.from <= b.at && a.at <= run.at.to;
+    });
+  };
+  std::vector<TrimMeeting> kept;
+  for (const TrimMeeting& meeting : found.meetings)
+    if (!kept.empty() && is_one_touch(trims, curve, tolerance, kept.back(), meeting) &&
+        !has_run(kept.back(), meeting))
+      kept.back() = one_touch(trims, curve, kept.back(), meeting);
+    else
+      kept.push_back(meeting);
+  found.meetings = std::move(kept);
+}
+
 PlanarBox box_of_poles(const Spline2& chart, const Vec2& scale) {
   PlanarBox box{{1e300, 1e300}, {-1e300, -1e300}};
   for (const Vec2& p : chart.points)
@@ -192,6 +259,7 @@ ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double to
       meet(trims, curve, tolerance, static_cast<int>(loop), static_cast<int>(i), found);
   std::sort(found.meetings.begin(), found.meetings.end(),
             [](const TrimMeeting& a, const TrimMeeting& b) { return a.at < b.at; });
+  join_double_touches(trims, curve, tolerance, found);
   found.inside = inside_of(trims, curve, found, false);
   return found;
 }

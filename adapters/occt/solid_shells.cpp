@@ -85,11 +85,12 @@ void measure(std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces)
   }
 }
 
-// Joins the faces at an edge that many use: the body lies behind them, so about the edge from a
-// reversed use on to the next one, which is a forward one. Returns why that cannot be told.
-template <class Join>
-std::string join_corners(std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces,
-                         const Join& join) {
+// About an edge that many faces use, bodies and what is outside of them take turns.
+enum class Across { Body, Air };
+
+// Sorts the uses about their edge: the body lies behind the faces, so from a reversed use on to the
+// next one, which is a forward one. Returns why that cannot be told.
+std::string sort_about(std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces) {
   measure(uses, faces);
   std::sort(uses.begin(), uses.end(),
             [](const EdgeUse& a, const EdgeUse& b) { return a.angle < b.angle; });
@@ -99,57 +100,85 @@ std::string join_corners(std::vector<EdgeUse>& uses, const std::vector<BoundingF
     const double turn = next.angle - use.angle + (at_last ? 2 * std::numbers::pi : 0);
     if (turn < kLeastAngle || use.forward == next.forward)
       return "faces that meet in one edge cannot be told apart";
-    if (!use.forward) join(use.face, next.face);
   }
   return {};
 }
 
-// Faces that hang together have one number.
-std::vector<std::size_t> connected(const std::vector<BoundingFace>& faces, std::string& obstacle,
-                                   const WorkLimit* limit) {
-  std::vector<std::size_t> parent(faces.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  const auto join = [&](std::size_t i, std::size_t k) { parent[root(i)] = root(k); };
-  TopTools_IndexedMapOfShape edges;
+// The uses of each edge, sorted about it where they are more than two.
+struct UsedEdges {
   std::vector<std::vector<EdgeUse>> uses;
+  std::string obstacle;  // why they bound no body
+};
+
+UsedEdges used_edges(const std::vector<BoundingFace>& faces, const WorkLimit* limit) {
+  TopTools_IndexedMapOfShape edges;
+  UsedEdges found;
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (TopExp_Explorer it(faces[i].face, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge edge = TopoDS::Edge(it.Current());
       if (BRep_Tool::Degenerated(edge) || edge.Orientation() == TopAbs_INTERNAL) continue;
       const auto number = static_cast<std::size_t>(edges.Add(edge)) - 1;
-      if (number == uses.size()) uses.emplace_back();
-      uses[number].push_back({i, edge, edge.Orientation() == TopAbs_FORWARD});
+      if (number == found.uses.size()) found.uses.emplace_back();
+      found.uses[number].push_back({i, edge, edge.Orientation() == TopAbs_FORWARD});
     }
   int open = 0;
-  for (auto& of : uses) {
+  for (auto& of : found.uses) {
     if (of.size() > 2) check_limit(limit, kMakingSolids);
     const auto forward =
         std::count_if(of.begin(), of.end(), [](const EdgeUse& u) { return u.forward; });
     if (2 * static_cast<std::size_t>(forward) != of.size())
       ++open;
-    else if (of.size() == 2)
-      join(of[0].face, of[1].face);
-    else if (const std::string cause = join_corners(of, faces, join); !cause.empty())
-      obstacle = cause;
+    else if (of.size() > 2)
+      if (const std::string cause = sort_about(of, faces); !cause.empty()) found.obstacle = cause;
   }
-  if (open > 0) obstacle = "the shell does not close at " + std::to_string(open) + " edges";
-  std::vector<std::size_t> groups;
-  for (std::size_t i = 0; i < faces.size(); ++i) groups.push_back(root(i));
-  return groups;
+  if (open > 0) found.obstacle = "the shell does not close at " + std::to_string(open) + " edges";
+  return found;
+}
+
+using Groups = std::vector<std::size_t>;  // of each face: the first one that hangs together with it
+
+// Joined across edges of two faces, and across those of more as `across` says of each.
+template <class AcrossOf>
+Groups joined(std::size_t faces, const std::vector<std::vector<EdgeUse>>& edges,
+              const AcrossOf& across) {
+  Groups parent(faces);
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const std::vector<EdgeUse>& uses : edges)
+    for (std::size_t i = 0; i < uses.size(); ++i)
+      if (uses[i].forward == (across(uses) == Across::Air)) {
+        const auto [first, other] =
+            std::minmax({root(uses[i].face), root(uses[(i + 1) % uses.size()].face)});
+        parent[other] = first;
+      }
+  for (std::size_t i = 0; i < faces; ++i) parent[i] = root(i);
+  return parent;
+}
+
+// Bodies that meet in an edge only are apart. Where one body meets itself in an edge, the edge
+// joins what is outside of it instead: so a void that touches the skin round it is a shell of its
+// own.
+Groups connected(std::size_t faces, const std::vector<std::vector<EdgeUse>>& edges) {
+  const Groups bodies = joined(faces, edges, [](const auto&) { return Across::Body; });
+  return joined(faces, edges, [&](const std::vector<EdgeUse>& uses) {
+    const bool one = std::all_of(uses.begin(), uses.end(), [&](const EdgeUse& use) {
+      return bodies[use.face] == bodies[uses.front().face];
+    });
+    return one ? Across::Air : Across::Body;
+  });
 }
 
 std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
                              const WorkLimit* limit) {
-  std::string cause;
-  const std::vector<std::size_t> groups = connected(faces, cause, limit);
-  if (!cause.empty()) {
-    obstacle = cause;
+  const UsedEdges edges = used_edges(faces, limit);
+  if (!edges.obstacle.empty()) {
+    obstacle = edges.obstacle;
     return {};
   }
+  const Groups groups = connected(faces.size(), edges.uses);
   std::map<std::size_t, Shell> shells;
   const BRep_Builder builder;
   for (std::size_t i = 0; i < faces.size(); ++i) {

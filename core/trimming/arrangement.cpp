@@ -32,6 +32,7 @@ struct Arm {
   double angle = 0;      ///< in (-pi, pi]
   double curvature = 0;  ///< to the left positive
   double secant = 0;     ///< turn from the direction to a point farther on, to the left positive
+  double length = 0;     ///< of the chord of its first piece
 };
 
 // The first piece that leads away from an end of a path: what shorter ones do there is noise, as
@@ -64,12 +65,42 @@ Arm arm_of(const ChartArc& arc, Walk walk) {
   else
     direction = jet_at(curve, reversed ? 1 - 1e-4 : 1e-4).point - jet.point;
   return {walk, std::atan2(direction[1], direction[0]), curvature,
-          std::atan2(cross(direction, far), dot(direction, far))};
+          std::atan2(cross(direction, far), dot(direction, far)),
+          distance(projected(curve.points.front()), projected(curve.points.back()))};
+}
+
+// How far from the vertex an arm crosses the next one to its left, as their directions and
+// curvatures tell; 0 if they do not, get farther apart than the tolerance before, or end there.
+double touch_length(const Arm& right, const Arm& left, double tolerance) {
+  const double turn = left.angle - right.angle, bend = right.curvature - left.curvature;
+  if (turn <= 0 || turn * turn > 2 * bend * tolerance) return 0;
+  const double length = 2 * turn / bend;
+  return 2 * length < std::min(right.length, left.length) ? length : 0;
+}
+
+// Orders arms of about one direction from right to left, so far from the vertex.
+void order_at(double distance, std::span<Arm> arms) {
+  const double middle = arms.front().angle;
+  const auto offset = [&](const Arm& arm) {
+    return arm.angle - middle + 0.5 * arm.curvature * distance;
+  };
+  std::sort(arms.begin(), arms.end(),
+            [&](const Arm& a, const Arm& b) { return offset(a) < offset(b); });
+}
+
+// Orders arms of one direction from right to left.
+void order_by_bend(std::span<Arm> arms) {
+  std::sort(arms.begin(), arms.end(), [](const Arm& a, const Arm& b) {
+    const double size = std::max(std::abs(a.curvature), std::abs(b.curvature));
+    if (std::abs(a.curvature - b.curvature) > kSameDirection * size)
+      return a.curvature < b.curvature;
+    return a.secant < b.secant;
+  });
 }
 
 // Counter-clockwise round the vertex. The circle is opened in its widest gap, so that arms with
 // the same direction stay together.
-void order(std::vector<Arm>& arms) {
+void order(std::vector<Arm>& arms, double tolerance) {
   const auto by_angle = [](const Arm& a, const Arm& b) { return a.angle < b.angle; };
   std::sort(arms.begin(), arms.end(), by_angle);
   std::size_t first = 0;
@@ -82,16 +113,17 @@ void order(std::vector<Arm>& arms) {
   for (std::size_t i = 0; i < first; ++i) arms[i].angle += 2 * std::numbers::pi;
   std::sort(arms.begin(), arms.end(), by_angle);
   for (std::size_t low = 0, high = 0; low < arms.size(); low = high) {
-    for (high = low + 1;
-         high < arms.size() && arms[high].angle - arms[high - 1].angle < kSameDirection;)
-      ++high;
-    std::sort(arms.begin() + static_cast<std::ptrdiff_t>(low),
-              arms.begin() + static_cast<std::ptrdiff_t>(high), [](const Arm& a, const Arm& b) {
-                const double size = std::max(std::abs(a.curvature), std::abs(b.curvature));
-                if (std::abs(a.curvature - b.curvature) > kSameDirection * size)
-                  return a.curvature < b.curvature;
-                return a.secant < b.secant;
-              });
+    double touch = 0;  // the longest of these arms
+    for (high = low + 1; high < arms.size(); ++high) {
+      const double length = touch_length(arms[high - 1], arms[high], tolerance);
+      if (length == 0 && arms[high].angle - arms[high - 1].angle >= kSameDirection) break;
+      touch = std::max(touch, length);
+    }
+    const std::span<Arm> alike = std::span(arms).subspan(low, high - low);
+    if (touch > 0)
+      order_at(2 * touch, alike);
+    else
+      order_by_bend(alike);
   }
 }
 
@@ -109,7 +141,8 @@ constexpr Walk kNone = static_cast<Walk>(-1);
 
 // The half-edge that follows each half-edge: of all that leave its end, the one next clockwise
 // from its twin.
-std::vector<Walk> successors(std::span<const ChartArc> arcs, const std::vector<bool>& left_out) {
+std::vector<Walk> successors(std::span<const ChartArc> arcs, const std::vector<bool>& left_out,
+                             double tolerance) {
   std::vector<std::vector<Arm>> stars(static_cast<std::size_t>(vertex_count(arcs)));
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     if (left_out[i]) continue;
@@ -120,7 +153,7 @@ std::vector<Walk> successors(std::span<const ChartArc> arcs, const std::vector<b
   std::vector<Walk> next(2 * arcs.size(), kNone);
   for (std::vector<Arm>& star : stars) {
     if (star.empty()) continue;
-    order(star);
+    order(star, tolerance);
     for (std::size_t k = 0; k < star.size(); ++k) {
       const std::size_t clockwise = (k + star.size() - 1) % star.size();
       next[twin(star[k].walk)] = star[clockwise].walk;
@@ -160,16 +193,16 @@ Vec2 end_of(std::span<const ChartArc> arcs, const HalfEdge& edge) {
 
 }  // namespace
 
-Cycles cycles(std::span<const ChartArc> arcs) {
+Cycles cycles(std::span<const ChartArc> arcs, double tolerance) {
   std::vector<bool> left_out(arcs.size(), false);
   Cycles result;
-  Walked all = walked(successors(arcs, left_out));
+  Walked all = walked(successors(arcs, left_out, tolerance));
   for (std::size_t i = 0; i < arcs.size(); ++i)
     if (!arcs[i].border && all.cycle_of[walk_of(i, false)] == all.cycle_of[walk_of(i, true)]) {
       left_out[i] = true;
       result.dangling.push_back(static_cast<int>(i));
     }
-  if (!result.dangling.empty()) all = walked(successors(arcs, left_out));
+  if (!result.dangling.empty()) all = walked(successors(arcs, left_out, tolerance));
   result.cycles = std::move(all.cycles);
   return result;
 }

@@ -41,10 +41,12 @@ struct Cycles {
 /// left out and listed.
 ///
 /// arcs      they meet only at vertices
+/// tolerance   arcs that touch in a vertex may cross beside it, and be so far apart in between:
+///             they are ordered by what they do beyond. Chart units
 /// throws    InvalidInput if a vertex is negative or a path is empty
 ///
 /// Source: the walk of a doubly connected edge list, de Berg et al. 2008, section 2.2.
-Cycles cycles(std::span<const ChartArc> arcs);
+Cycles cycles(std::span<const ChartArc> arcs, double tolerance = 0);
 
 /// The area on the left of a cycle, negative when the cycle goes round clockwise. Chart units.
 double signed_area(std::span<const ChartArc> arcs, const Cycle& cycle);

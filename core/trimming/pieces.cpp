@@ -94,8 +94,8 @@ ChartPiece* around(std::span<const ChartArc> arcs, const std::vector<Outer>& by_
 
 }  // namespace
 
-ChartPieces pieces(std::span<const ChartArc> arcs) {
-  Cycles all = cycles(arcs);
+ChartPieces pieces(std::span<const ChartArc> arcs, double tolerance) {
+  Cycles all = cycles(arcs, tolerance);
   std::vector<ChartArc> kept(arcs.begin(), arcs.end());
   for (const int arc : all.dangling)  // a cut that is left out connects nothing
     kept[static_cast<std::size_t>(arc)].to = kept[static_cast<std::size_t>(arc)].from;

@@ -31,7 +31,8 @@ struct ChartPieces {
 /// piece round its middle.
 ///
 /// arcs      borders and cuts; they meet only at vertices, cuts lie inside the borders
+/// tolerance   as of `cycles`
 /// throws    InvalidInput as `cycles`
-ChartPieces pieces(std::span<const ChartArc> arcs);
+ChartPieces pieces(std::span<const ChartArc> arcs, double tolerance = 0);
 
 }  // namespace blossom

@@ -293,6 +293,7 @@ std::vector<SolidContact> wedge_contacts() {
 
 std::vector<SolidContact> cone_and_ring_contacts() {
   const Maker half_ring = ring(kOrigin, 2, 0.5, kPi);
+  const double wide_ring = 2 * kPi * kPi * 0.75 * 0.25 * 0.25;
   return {
       {"ConeOnAPlate", whole_plate, cone({0, 0, 1}, 0.5, 0.2, 1)},
       {"ConeInAPlate", whole_plate, cone(kOrigin, 0.5, 0.2, 1), kPi / 3 * (0.25 + 0.1 + 0.04)},
@@ -302,6 +303,8 @@ std::vector<SolidContact> cone_and_ring_contacts() {
       {"ConeWithItsTipInACorner", whole_cube, cone({1, 1, 1}, 0, 0.5, 1)},
       {"RingOnAPlate", whole_plate, ring({0, 0, 1.25}, 1, 0.25)},
       {"HalfRings", half_ring, turning(half_ring, gp::DZ(), kPi)},
+      {"RingInABall", ball(kOrigin, 1), ring(kOrigin, 0.75, 0.25), wide_ring},
+      {"ConeAtARim", cone({0, 0, -0.5}, 0.5, 0, 1), cone({0, 0.25, 0}, 0.5, 0.25, 1), kPi / 96},
   };
 }
 

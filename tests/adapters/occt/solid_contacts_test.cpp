@@ -125,13 +125,29 @@ TEST(TrimSolidsNearlyInContact, IsRightOrRefusedBeyondTheTolerance) {
 
 // One of each kind, for the quick tests.
 bool is_quick(const std::string& name) {
-  const std::array names{
-      "EqualFaces",       "ShiftedFaces",     "FlushInTwo",           "Equal",
-      "EdgeToEdge",       "WedgeOnAFace",     "CutThroughTwoEdges",   "Slot",
-      "PocketAtAnEdge",   "RodOnAPlate",      "RodInTheBorder",       "RodInTurnedRod",
-      "HalfBalls",        "BallOnAPlate",     "LongRodLyingOnAPlate", "PegInAHole",
-      "SplineCubeInCube", "EqualTurnedBalls", "ConeInAPlate",         "DomesRoundTheirPole",
-      "RodOnAnEllipse"};
+  const std::array names{"EqualFaces",
+                         "ShiftedFaces",
+                         "FlushInTwo",
+                         "Equal",
+                         "EdgeToEdge",
+                         "WedgeOnAFace",
+                         "CutThroughTwoEdges",
+                         "Slot",
+                         "PocketAtAnEdge",
+                         "RodOnAPlate",
+                         "RodInTheBorder",
+                         "RodInTurnedRod",
+                         "HalfBalls",
+                         "BallOnAPlate",
+                         "LongRodLyingOnAPlate",
+                         "PegInAHole",
+                         "SplineCubeInCube",
+                         "EqualTurnedBalls",
+                         "ConeInAPlate",
+                         "DomesRoundTheirPole",
+                         "RodOnAnEllipse",
+                         "RingInABall",
+                         "ConeAtARim"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 

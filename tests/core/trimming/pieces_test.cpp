@@ -198,6 +198,15 @@ TEST(Pieces, CutThatTouchesTheRimInAVertexDividesThere) {
   expect_areas(square, {kPi, 16 - kPi});
 }
 
+// It leaves the square and comes back 2e-4 farther on, by less than the tolerance.
+TEST(Pieces, CutThatTouchesTheRimMayCrossItWithinTolerance) {
+  constexpr double kTilt = 1e-4, kTolerance = 1e-7;
+  Square square({{2}, {}, {}, {}});
+  square.cut(4, 4, arc({2, 1}, 1, kTilt - kPi / 2, kTilt + 1.5 * kPi));
+  EXPECT_EQ(pieces(square.arcs, kTolerance).pieces.size(), 2);
+  EXPECT_EQ(pieces(square.arcs, kTilt * kTilt / 4).pieces.size(), 1);
+}
+
 TEST(Pieces, LoopsThatTouchInAVertexAreHolesOfTheirOwn) {
   Square square({{2}, {}, {}, {}});  // vertex 4 = (2, 0)
   square.cut(4, 4, arc({2, 0.5}, 0.5, -kPi / 2, 1.5 * kPi));
