@@ -21,7 +21,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr int kSamplesPerSpan = 24;
+constexpr int kSamplesPerSpan = 12;
 constexpr int kLeastSamples = 96;
 constexpr int kRefinements = 40;  // golden sections: the place to 1e-8 of two samples' distance
 constexpr int kNewtonSteps = 8;
@@ -68,9 +68,9 @@ double gap_at(const Curves& curves, double t) {
 
 template <class Adaptor>
 void add_knots(const Adaptor& curve, const Interval& range, std::vector<double>& knots) {
-  const int count = curve.NbIntervals(GeomAbs_C2);
+  const int count = curve.NbIntervals(GeomAbs_CN);
   TColStd_Array1OfReal values(1, count + 1);
-  curve.Intervals(values, GeomAbs_C2);
+  curve.Intervals(values, GeomAbs_CN);
   for (const double value : values) knots.push_back((value - range.from) / (range.to - range.from));
 }
 

@@ -75,18 +75,18 @@ double needed_by(const TopoDS_Vertex& vertex, const TopTools_ListOfShape& edges,
   return largest;
 }
 
-Wrong wrong_tolerances(const TopoDS_Shape& shape, const WorkLimit& limit) {
+// limit   null: none
+Wrong wrong_tolerances(const TopoDS_Shape& shape, const WorkLimit* limit) {
   Wrong found;
   Users faces_of, edges_of;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
   TopExp::MapShapesAndAncestors(shape, TopAbs_VERTEX, TopAbs_EDGE, edges_of);
   EdgeNeeds needs;
   for (int i = 1; i <= faces_of.Extent(); ++i) {
-    check_limit(&limit, "measuring tolerances");
+    check_limit(limit, "measuring tolerances");
     const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(i));
     const double given = BRep_Tool::Tolerance(edge);
-    const bool is_point = BRep_Tool::Degenerated(edge);
-    const Needed each{edge, given, is_point ? given : needed_tolerance(edge, faces_of(i))};
+    const Needed each{edge, given, needed_tolerance(edge, faces_of(i))};
     const std::size_t before = found.edges.size();
     add_if_wrong(each, found.edges);
     needs.Bind(edge, found.edges.size() > before ? each.needed : given);
@@ -98,6 +98,20 @@ Wrong wrong_tolerances(const TopoDS_Shape& shape, const WorkLimit& limit) {
         found.vertices);
   }
   return found;
+}
+
+template <class Data>
+void set_tolerance(const TopoDS_Shape& part, double tolerance) {
+  Handle(Data)::DownCast(part.TShape())->Tolerance(tolerance);
+}
+
+template <class Data>
+void raise(const std::vector<Needed>& wrong, TopTools_IndexedMapOfShape& raised) {
+  for (const Needed& each : wrong) {
+    if (!each.is_raised()) continue;
+    set_tolerance<Data>(each.part, each.needed);
+    raised.Add(each.part);
+  }
 }
 
 // A copy with the tolerances.
@@ -115,7 +129,7 @@ class Copy {
  private:
   template <class Data>
   void set(const Needed& each) {
-    Handle(Data)::DownCast(copy_.ModifiedShape(each.part).TShape())->Tolerance(each.needed);
+    set_tolerance<Data>(copy_.ModifiedShape(each.part), each.needed);
   }
 
   BRepBuilderAPI_Copy copy_;
@@ -144,6 +158,11 @@ std::string words_about(const Wrong& wrong) {
 
 double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {
   double largest = 0;
+  if (BRep_Tool::Degenerated(edge)) {
+    for (const TopoDS_Shape& face : faces)
+      largest = std::max(largest, edge_gaps(edge, TopoDS::Face(face)).gap);
+    return std::max(BRep_Tool::Tolerance(edge), kMargin * largest);
+  }
   for (const TopoDS_Shape& each : faces) {
     const TopoDS_Face face = TopoDS::Face(each);
     const bool is_seam = BRep_Tool::IsClosed(edge, face);
@@ -176,10 +195,27 @@ double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
   return largest;
 }
 
+double RaisedTolerances::largest() const {
+  double most = 0;
+  for (int i = 1; i <= edges.Extent(); ++i)
+    most = std::max(most, BRep_Tool::Tolerance(TopoDS::Edge(edges(i))));
+  for (int i = 1; i <= vertices.Extent(); ++i)
+    most = std::max(most, BRep_Tool::Tolerance(TopoDS::Vertex(vertices(i))));
+  return most;
+}
+
+RaisedTolerances raise_tolerances(const TopoDS_Shape& shape) {
+  const Wrong wrong = wrong_tolerances(shape, nullptr);
+  RaisedTolerances raised;
+  raise<BRep_TEdge>(wrong.edges, raised.edges);
+  raise<BRep_TVertex>(wrong.vertices, raised.vertices);
+  return raised;
+}
+
 TrueSolid with_true_tolerances(const TrimTool& solid, const WorkLimit& limit) {
   return guarded("measuring tolerances", [&]() -> TrueSolid {
     const TopoDS_Compound shape = compound_of(solid.solids);
-    const Wrong wrong = wrong_tolerances(shape, limit);
+    const Wrong wrong = wrong_tolerances(shape, &limit);
     if (wrong.empty()) return {solid, {}};
     Copy copy(shape, wrong);
     TrueSolid made{{}, words_about(wrong)};

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -15,12 +16,25 @@
 namespace blossom::occt {
 
 /// The tolerance that the curves of an edge ask for on the faces that it bounds, model units; at
-/// least Open CASCADE's confusion. The one it has where it lacks a curve.
+/// least Open CASCADE's confusion. The one it has where it lacks a curve, and no less than that at
+/// a degenerated edge, which asks for the distances of its images from its vertex.
 double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces);
 
 /// How far the curves of an edge on these faces end from a vertex of it, as oriented in the edge.
 double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
                    const TopTools_ListOfShape& faces);
+
+/// Tolerances that were raised.
+struct RaisedTolerances {
+  TopTools_IndexedMapOfShape edges, vertices;
+
+  /// Of those that they have now, model units.
+  double largest() const;
+};
+
+/// Raises those tolerances of the shape itself that are less than the distances of its curves:
+/// readers of files without tolerances measure these at a few points of each edge.
+RaisedTolerances raise_tolerances(const TopoDS_Shape& shape);
 
 /// A solid whose tolerances are true, and what was not so; empty if everything was.
 struct TrueSolid {

@@ -135,7 +135,8 @@ Handle(Geom2d_Curve)
 }
 
 // Remakes the loose curves of one face, and adds their edges to those that are remade.
-RemadeImages remake(const TopoDS_Face& face, TopTools_IndexedMapOfShape& remade) {
+RemadeImages remake(const TopoDS_Face& face, const TopTools_IndexedMapOfShape& unseen,
+                    TopTools_IndexedMapOfShape& remade) {
   RemadeImages made;
   std::vector<Use> given;
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
@@ -147,7 +148,8 @@ RemadeImages remake(const TopoDS_Face& face, TopTools_IndexedMapOfShape& remade)
     const std::optional<Use> use = use_of(TopoDS::Edge(it.Current()), face);
     if (!use || BRep_Tool::Tolerance(use->edge) <= kLoose) continue;
     const double gap = largest_gap(*use, surface);
-    if (gap <= std::max(kLoose, kShare * length_of(*use))) continue;
+    if (gap <= kLoose) continue;
+    if (gap <= kShare * length_of(*use) && !unseen.Contains(use->edge)) continue;
     const Handle(Geom2d_Curve) better = better_image(*use, surface, gap);
     if (better.IsNull()) continue;
     if (given.empty()) was_valid = BRepCheck_Analyzer(face).IsValid();
@@ -222,14 +224,15 @@ bool is_loose(const TopoDS_Face& face) {
 
 }  // namespace
 
-RemadeImages remake_loose_images(const TopoDS_Shape& shape) {
+RemadeImages remake_loose_images(const TopoDS_Shape& shape,
+                                 const TopTools_IndexedMapOfShape& unseen) {
   RemadeImages all;
   TopTools_IndexedMapOfShape faces, remade;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   for (int i = 1; i <= faces.Extent(); ++i) {
     const TopoDS_Face face = TopoDS::Face(faces(i).Oriented(TopAbs_FORWARD));
     if (!is_loose(face)) continue;
-    const RemadeImages made = remake(face, remade);
+    const RemadeImages made = remake(face, unseen, remade);
     all = {all.count + made.count, std::max(all.worst, made.worst)};
   }
   if (all.count == 0) return all;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 
 namespace blossom::occt {
@@ -19,6 +20,9 @@ struct RemadeImages {
 /// edges, and the vertices of these, get the tolerances that are left.
 ///
 /// Seams stay, curves through poles, and faces that would be less valid by BRepCheck.
-RemadeImages remake_loose_images(const TopoDS_Shape& shape);
+///
+/// unseen   edges whose reader did not see how far their curves are apart, however long they are
+RemadeImages remake_loose_images(const TopoDS_Shape& shape,
+                                 const TopTools_IndexedMapOfShape& unseen = {});
 
 }  // namespace blossom::occt

@@ -19,6 +19,7 @@
 #include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/curves_detail.h"
+#include "adapters/occt/edge_tolerances.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/loose_images.h"
 #include "adapters/occt/shapes_detail.h"
@@ -110,13 +111,27 @@ void check_geometry(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape&
           [&] { check_finite(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))).XYZ(), "its point"); });
 }
 
-void heal(const TopoDS_Shape& shape, const std::filesystem::path& file) {
-  if (const RemadeImages made = remake_loose_images(shape); made.count > 0) {
+void tell(const RaisedTolerances& raised, const std::filesystem::path& file) {
+  const int count = raised.edges.Extent() + raised.vertices.Extent();
+  if (count == 0) return;
+  std::ostringstream text;
+  text << file.string() << ": " << count << " edges and vertices get tolerances of up to "
+       << raised.largest()
+       << ", since curves are farther apart than Open CASCADE measured at a few points";
+  Message::SendInfo(text.str().c_str());
+}
+
+/// Only BREP files state tolerances; others have those that Open CASCADE's readers find.
+void heal(const TopoDS_Shape& shape, Format format, const std::filesystem::path& file) {
+  RaisedTolerances raised;
+  if (format != Format::Brep) raised = raise_tolerances(shape);
+  if (const RemadeImages made = remake_loose_images(shape, raised.edges); made.count > 0) {
     std::ostringstream text;
     text << file.string() << ": " << made.count << " curves in the parameters of faces are up to "
          << made.worst << " off those in space, which lie on the faces; they are made anew";
     Message::SendWarning(text.str().c_str());
   }
+  tell(raised, file);
   const int missing = count_missing_curves(shape);
   if (missing == 0) return;
   add_missing_curves(shape);
@@ -145,7 +160,7 @@ Model read_model(const std::filesystem::path& file) {
       model.impl_->refresh();
       if (is_empty(model.shape())) throw BadModel("holds no shape");
       check_geometry(model.shape(), model.impl_->faces, notes);
-      heal(model.shape(), file);
+      heal(model.shape(), format, file);
     });
   } catch (const std::runtime_error& error) {
     throw BadModel(file.string() + ": " + error.what());
