@@ -38,6 +38,7 @@
 #include "adapters/occt/closed_corners.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shapes_detail.h"
+#include "adapters/occt/spline_hyperbolas.h"
 
 namespace blossom::occt {
 namespace {
@@ -292,7 +293,10 @@ void write_model(const Model& model, const std::filesystem::path& file,
           if (closed.count() > 0) tell_bent(closed, file);
           return step_text(model.impl_->document);
         }
-        case Format::Iges: return iges_text(model.impl_->document);
+        case Format::Iges: {
+          const SplineHyperbolas splines(model.shape());
+          return iges_text(model.impl_->document);
+        }
         case Format::Brep: break;
       }
       return brep_text(model.shape());

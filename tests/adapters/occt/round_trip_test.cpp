@@ -7,10 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -18,7 +22,10 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Hyperbola.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -27,6 +34,7 @@
 #include "adapters/occt/area.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
+#include "adapters/occt/spline_hyperbolas.h"
 #include "tests/adapters/occt/shapes_files.h"
 
 namespace blossom::occt {
@@ -133,6 +141,53 @@ TEST(StepFiles, KeepTheVolumeOfAModelWithLooseEdges) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, RoundTrip, ::testing::Values(".step", ".iges", ".brep"));
+
+// Between an arc of a hyperbola with the half axes 2e-5 and 0.02 and its chord.
+TopoDS_Face slim_face() {
+  const Handle(Geom_Hyperbola) hyperbola =
+      new Geom_Hyperbola(gp_Ax2(gp_Pnt(1, 2, 3), gp_Dir(0.1, 0.2, 1)), 2e-5, 0.02);
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(BRepBuilderAPI_MakeEdge(hyperbola, -1.0, 1.5));
+  wire.Add(BRepBuilderAPI_MakeEdge(hyperbola->Value(1.5), hyperbola->Value(-1)));
+  return BRepBuilderAPI_MakeFace(wire.Wire(), true);
+}
+
+bool has_conic_arc(const std::string& iges) {
+  std::istringstream lines(iges);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("104,")) return true;
+  return false;
+}
+
+TEST(IgesFiles, HaveSplinesForHyperbolasSinceReadersHangOnThem) {
+  const Folder folder;
+  Model model;
+  model.add(slim_face(), "slim");
+  write_model(model, folder / "slim.iges");
+  ASSERT_FALSE(has_conic_arc(testing::content(folder / "slim.iges")));
+  const Model back = read_model(folder / "slim.iges");
+  EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid());
+  const double size = area(model.face(1));
+  EXPECT_NEAR(area(back.face(1)), size, 1e-3 * size);
+}
+
+TEST(SplineHyperbolas, KeepParametersAndGiveCurvesBack) {
+  const TopoDS_Face face = slim_face();
+  const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current());
+  double first = 0, last = 0;
+  const Handle(Geom_Curve) given = BRep_Tool::Curve(edge, first, last);
+  ASSERT_TRUE(given->IsKind(STANDARD_TYPE(Geom_Hyperbola)));
+  {
+    const SplineHyperbolas splines(face);
+    const Handle(Geom_Curve) spline = BRep_Tool::Curve(edge, first, last);
+    ASSERT_TRUE(spline->IsKind(STANDARD_TYPE(Geom_BSplineCurve)));
+    for (int i = 0; i <= 100; ++i) {
+      const double t = first + (last - first) * i / 100;
+      EXPECT_LE(spline->Value(t).Distance(given->Value(t)), 1e-9) << t;
+    }
+  }
+  EXPECT_EQ(BRep_Tool::Curve(edge, first, last), given);
+}
 
 // A part of six faces in one colour but for the named one.
 std::string told(const std::string& name, const std::string& size, const std::string& colour,
