@@ -144,6 +144,10 @@ std::vector<std::string> body_problems(const TopoDS_Shape& shape) {
   }
   for (int i = 1; i <= solids.Extent(); ++i) {
     const std::string name = "solid " + std::to_string(i);
+    if (!TopExp_Explorer(solids(i), TopAbs_FACE).More()) {
+      problems.push_back(name + ": has no faces");
+      continue;
+    }
     add(name, new BRepCheck_Solid(TopoDS::Solid(solids(i))));
     GProp_GProps properties;
     BRepGProp::VolumeProperties(solids(i), properties);

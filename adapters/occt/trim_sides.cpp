@@ -219,6 +219,7 @@ TrimTool trim_tool(const TopoDS_Shape& shape) {
   for (int i = 1; i <= faces.Extent(); ++i) tool.faces.push_back(TopoDS::Face(faces(i)));
   TopTools_IndexedMapOfShape bounding;
   for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
+    if (!TopExp_Explorer(it.Current(), TopAbs_FACE).More()) continue;  // bounds nothing
     TopTools_IndexedDataMapOfShapeListOfShape users;
     TopExp::MapShapesAndAncestors(it.Current(), TopAbs_EDGE, TopAbs_FACE, users);
     for (int i = 1; i <= users.Extent(); ++i)

@@ -23,7 +23,7 @@ struct TrimTool {
   bool is_solid() const { return !solids.empty(); }
 };
 
-/// A tool of all the shape's faces; it is solid if they all belong to closed solids.
+/// A tool of all the shape's faces; solid if all belong to closed solids. Empty ones are left out.
 /// throws   BadModel if faces of a closed solid are turned differently, or all inwards
 TrimTool trim_tool(const TopoDS_Shape& shape);
 

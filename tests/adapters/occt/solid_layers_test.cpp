@@ -127,6 +127,14 @@ TEST(SolidLayers, BothMayTouch) {
   expect_all(rods, boxes, {kPi, 8, kPi / 2, 2, 4, 1, 4});
 }
 
+TEST(SolidLayers, LeaveOutSolidsWithoutFaces) {
+  TopoDS_Solid empty;
+  BRep_Builder().MakeSolid(empty);
+  const TopoDS_Shape part = together({box({0, 0, 0}, {1, 1, 1}), empty, box({3, 0, 0}, {4, 1, 1})});
+  const TopoDS_Shape tool = together({box({0.5, -1, -1}, {2, 2, 2}), empty});
+  expect_all(part, tool, {2, 13.5, 0.5, 2, 1, 2, 3});
+}
+
 TEST(SolidLayers, BecomeOneWithWhatLiesInThem) {
   const TopoDS_Shape row = together({box({0, 0, 0}, {10, 10, 10}), box({10, 0, 0}, {20, 10, 10})});
   const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(5, 5, 5), 1).Shape();

@@ -213,6 +213,12 @@ TEST(Soundness, FindsASolidThatIsInsideOut) {
   EXPECT_TRUE(says(soundness(box.Reversed()).problems, "inside out"));
 }
 
+TEST(Soundness, FindsASolidWithoutFaces) {
+  TopoDS_Solid empty;
+  BRep_Builder().MakeSolid(empty);
+  EXPECT_EQ(soundness(empty).problems, std::vector<std::string>{"solid 1: has no faces"});
+}
+
 TopoDS_Face polygon(const std::vector<gp_Pnt>& corners) {
   BRepBuilderAPI_MakePolygon wire;
   for (const gp_Pnt& corner : corners) wire.Add(corner);
