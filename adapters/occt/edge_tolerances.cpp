@@ -20,9 +20,9 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 
+#include "adapters/occt/compounds.h"
 #include "adapters/occt/edge_gaps.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shared_limit.h"

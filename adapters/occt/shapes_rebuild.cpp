@@ -11,23 +11,15 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_CompSolid.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include "adapters/occt/compounds.h"
 #include "adapters/occt/face_groups.h"
 
 namespace blossom::occt {
 namespace {
-
-TopoDS_Shape compound_of(const std::vector<TopoDS_Shape>& parts) {
-  TopoDS_Compound compound;
-  const BRep_Builder builder;
-  builder.MakeCompound(compound);
-  for (const TopoDS_Shape& part : parts) builder.Add(compound, part);
-  return compound;
-}
 
 /// Nothing, the only one, or a compound; compounds among the parts are opened.
 TopoDS_Shape joined(const std::vector<TopoDS_Shape>& parts) {

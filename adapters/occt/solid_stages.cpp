@@ -7,6 +7,8 @@
 
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include "adapters/occt/compounds.h"
+
 namespace blossom::occt {
 
 Stage stage_of(const std::vector<TopoDS_Solid>& solids, const std::vector<SolidFace>& known) {

@@ -12,7 +12,6 @@
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepCheck_Shell.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
 #include <IntTools_Context.hxx>
@@ -231,14 +230,6 @@ TrimTool trim_tool(const TopoDS_Shape& shape) {
   }
   if (bounding.Extent() != faces.Extent()) tool.solids.clear();
   return tool;
-}
-
-TopoDS_Compound compound_of(const std::vector<TopoDS_Solid>& solids) {
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Solid& solid : solids) builder.Add(all, solid);
-  return all;
 }
 
 ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {

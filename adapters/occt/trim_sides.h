@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 #include <gp_Pnt.hxx>
@@ -26,8 +25,6 @@ struct TrimTool {
 /// A tool of all the shape's faces; solid if all belong to closed solids. Empty ones are left out.
 /// throws   BadModel if faces of a closed solid are turned differently, or all inwards
 TrimTool trim_tool(const TopoDS_Shape& shape);
-
-TopoDS_Compound compound_of(const std::vector<TopoDS_Solid>& solids);
 
 /// The tool's part in a cut.
 struct CutSource {

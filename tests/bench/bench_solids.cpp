@@ -27,15 +27,14 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepCheck_Analyzer.hxx>
-#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 
 #include "adapters/occt/area.h"
+#include "adapters/occt/compounds.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
@@ -118,11 +117,7 @@ Combined by_blossom(const TopoDS_Shape& part, const TopoDS_Shape& tool, std::siz
     words = "\n        " + std::to_string(made.obstacles.size()) +
             " obstacles, the first of them:" + words;
   words.copy(result.obstacles.data(), result.obstacles.size() - 1);
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Solid& solid : made.solids) builder.Add(all, solid);
-  judge(all, sized_by_box(part).middle, result);
+  judge(occt::compound_of(made.solids), sized_by_box(part).middle, result);
   return result;
 }
 

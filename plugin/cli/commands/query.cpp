@@ -5,10 +5,9 @@
 #include <limits>
 #include <sstream>
 
-#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopoDS_Compound.hxx>
 
+#include "adapters/occt/compounds.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/exit_code.h"
@@ -93,11 +92,7 @@ std::string place_text(const ShapeNumbers& numbers, const Input& input,
 TopoDS_Shape chosen_shape(const Input& input) {
   if (input.faces.empty() || static_cast<int>(input.faces.size()) == input.model.face_count())
     return input.model.shape();
-  TopoDS_Compound chosen;
-  BRep_Builder builder;
-  builder.MakeCompound(chosen);
-  for (const TopoDS_Face& face : input.faces) builder.Add(chosen, face);
-  return chosen;
+  return occt::compound_of(input.faces);
 }
 
 void write_answer(const Json& report, const std::string& text, const QueryOptions& options) {
