@@ -187,7 +187,8 @@ ArcForm full_form(const PlanarCurve& curve, const Interval& place, const PatchCh
   const bool straight = piece.degree() == 1 && (constant[0] || constant[1]);
   const bool in_u = chart.u_law == ParameterLaw::Linear || constant[0];
   const bool in_v = chart.v_law == ParameterLaw::Linear || constant[1];
-  const bool in_step = !options.keep_parameter || (even && is_polynomial(piece));
+  const bool in_step = (!options.keep_parameter || even) &&
+                       (is_polynomial(piece) || !(options.keep_parameter || options.polynomial));
   if (straight && !options.keep_parameter && !(in_u && in_v)) {
     ArcForm form{{}, {}, true};
     for (const Vec3& p : piece.points)

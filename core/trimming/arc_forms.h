@@ -32,6 +32,7 @@ struct ArcFormOptions {
   /// Whether the form has to be a polynomial and run as evenly as the curve's own parameter;
   /// else a rational curve or a straight line may have a parameter of its own.
   bool keep_parameter = false;
+  bool polynomial = false;  ///< whether it has to be a polynomial in any case
   /// A polynomial gets the lowest degree that is within this, in the patch's parameters. Below
   /// kArcRounding the form still counts as exact.
   double lower_within = 0;

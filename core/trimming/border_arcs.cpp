@@ -129,8 +129,8 @@ BorderArcs::BorderArcs(const BezierSurface& surface, const TrimmedChart& chart,
 int BorderArcs::arc_degree(int patch_u, int patch_v) const {
   const int straight = straight_degree(surface_.patches(patch_u, patch_v));
   const int exact = options_.highest_degree / straight;
-  return options_.common_borders ? std::max(exact, std::min(kCommonArcs, kMostComposed / straight))
-                                 : exact;
+  const bool composes = options_.common_borders || (exact == 1 && !surface_.rational);
+  return composes ? std::max(exact, std::min(kCommonArcs, kMostComposed / straight)) : exact;
 }
 
 double BorderArcs::tolerance_of(int border) const {
@@ -410,9 +410,11 @@ RegionArc BorderArcs::made(int number, const Interval& place, int from, int to) 
   const double steep = std::max(max_norm(steepest_(arc.patch_u, arc.patch_v)), kArcRounding);
   const double lower_within =
       options_.common_borders ? kLoweringPart * tolerance_of(number) / steep : kArcRounding;
-  const ArcForm form =
-      arc_form(curve, place, chart_of(surface_, arc.patch_u, arc.patch_v),
-               {arc_degree(arc.patch_u, arc.patch_v), options_.common_borders, lower_within});
+  const int degree = arc_degree(arc.patch_u, arc.patch_v);
+  const int straight = straight_degree(surface_.patches(arc.patch_u, arc.patch_v));
+  const bool is_lowered = degree * straight > options_.highest_degree;
+  const ArcForm form = arc_form(curve, place, chart_of(surface_, arc.patch_u, arc.patch_v),
+                                {degree, options_.common_borders, is_lowered, lower_within});
   settle_ends(arc, form);
   return arc;
 }

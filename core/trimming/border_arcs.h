@@ -24,8 +24,9 @@ inline constexpr int kCommonArcs = 3;
 struct RegionOptions {
   /// How far the border of the pieces may lie from the trims, along the surface; model units.
   double tolerance = 1e-7;
-  /// Of triangles, at least n + m. With common borders those over arcs may have up to kMostComposed
-  /// instead, for arcs of degree kCommonArcs, as they will be moved and can be lowered then.
+  /// Of triangles, at least n + m. Where that leaves straight arcs only, or borders are common,
+  /// polynomial surfaces are composed in up to kMostComposed over arcs of degree kCommonArcs, and
+  /// lowered: with common borders by those who move them.
   int highest_degree = kMaxDegree;
   /// Rows and columns of cells in each patch; a power of two, 0 for as many as seem right.
   int cells = 0;
@@ -84,6 +85,12 @@ class BorderArcs {
   bool takes_cells(int border) const;
 
   bool has_common_borders() const { return options_.common_borders; }
+
+  const RationalBezierPatch& patch(const std::array<int, 2>& at) const {
+    return surface_.patches(at[0], at[1]);
+  }
+
+  const RegionOptions& options() const { return options_; }
 
   /// Bound on how far arcs and their triangles reach beyond the patches' lines, model units: as far
   /// as common borders cross these beside another stop, where the crossing is taken to be.

@@ -16,11 +16,12 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostRounds = 16;     // of halving; chords come nearer to arcs by 4 each time
-constexpr double kFlat = -0.5;      // cosine of an angle beyond which a triangle is flat
-constexpr double kInLine = -0.999;  // likewise, beyond which its corners are in one line
-constexpr double kBetter = 0.01;    // gain of cosines that is worth a flip
-constexpr int kMostFlips = 64;      // rounds of flips, each of which may call for another
+constexpr int kMostRounds = 16;        // of halving; chords come nearer to arcs by 4 each time
+constexpr double kFlat = -0.5;         // cosine of an angle beyond which a triangle is flat
+constexpr double kInLine = -0.999;     // likewise, beyond which its corners are in one line
+constexpr double kBetter = 0.01;       // gain of cosines that is worth a flip
+constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees
+constexpr int kMostFlips = 64;         // rounds of flips, each of which may call for another
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -117,20 +118,26 @@ class FlatEars {
 class Region {
  public:
   Region(BorderArcs& borders, std::vector<int>& arcs, const std::vector<BorderSide>& sides,
-         int patch_u, int patch_v)
+         int patch_u, int patch_v, TriangleLowering& lowering)
       : borders_(borders),
         arcs_(arcs),
         sides_(sides),
+        lowering_(lowering),
         patch_{patch_u, patch_v},
         corner_{static_cast<double>(patch_u), static_cast<double>(patch_v)},
         scale_(borders.metric(patch_u, patch_v)) {}
 
   CurvedTriangles triangles() {
     const std::size_t most = arcs_.size() + BorderArcs::kMostArcs;
+    std::string obstacle;
     for (int round = 0; round < kMostRounds && arcs_.size() <= most; ++round) {
       CurvedTriangles made;
-      const std::set<int> to_halve = attempt(made);
+      std::set<int> to_halve = attempt(made);
+      const bool is_covered = to_halve.empty();
+      if (is_covered && !borders_.has_common_borders()) to_halve = lower(made);
       if (to_halve.empty()) return made;
+      obstacle = is_covered ? "its triangles leave the surface by more than the tolerance"
+                            : "its borders meet or touch where the doubles cannot tell their sides";
       bool halved = false;
       for (const int arc : to_halve)
         if (const int second = borders_.halve(arc); second >= 0) {
@@ -139,7 +146,7 @@ class Region {
         }
       if (!halved) break;
     }
-    return {{}, "its borders meet or touch where the doubles cannot tell their sides"};
+    return {{}, obstacle};
   }
 
  private:
@@ -181,6 +188,26 @@ class Region {
         for (const int number : triangle.arcs)
           if (number >= 0 && is_curved(number)) to_halve.insert(number);
       made.triangles.push_back(std::move(triangle));
+    }
+    return to_halve;
+  }
+
+  // Lowers what is above the highest degree; returns the arcs to halve for that.
+  std::set<int> lower(CurvedTriangles& made) const {
+    const RegionOptions& options = borders_.options();
+    const RationalBezierPatch& patch = borders_.patch(patch_);
+    const int straight = patch.degree_u() + patch.degree_v();
+    std::set<int> to_halve;
+    for (CurvedTriangle& triangle : made.triangles) {
+      if (triangle.map.degree * straight <= options.highest_degree) continue;
+      const RationalBezierTriangle whole = composition(patch, triangle.map);
+      BezierTriangle own{whole.degree, {}};
+      for (const Vec4& p : whole.points) own.points.push_back({p[0], p[1], p[2]});
+      triangle.lowered =
+          lowering_(own, straight, options.highest_degree, kLoweringPart * options.tolerance);
+      if (triangle.lowered->error <= options.tolerance) continue;
+      for (const int number : triangle.arcs)
+        if (number >= 0 && is_curved(number)) to_halve.insert(number);
     }
     return to_halve;
   }
@@ -238,6 +265,7 @@ class Region {
   BorderArcs& borders_;
   std::vector<int>& arcs_;
   const std::vector<BorderSide>& sides_;
+  TriangleLowering& lowering_;
   std::array<int, 2> patch_;
   Vec2 corner_;
   Vec2 scale_;
@@ -246,8 +274,9 @@ class Region {
 }  // namespace
 
 CurvedTriangles curved_triangles(BorderArcs& borders, std::vector<int>& arcs,
-                                 const std::vector<BorderSide>& sides, int patch_u, int patch_v) {
-  return Region(borders, arcs, sides, patch_u, patch_v).triangles();
+                                 const std::vector<BorderSide>& sides, int patch_u, int patch_v,
+                                 TriangleLowering& lowering) {
+  return Region(borders, arcs, sides, patch_u, patch_v, lowering).triangles();
 }
 
 }  // namespace blossom

@@ -10,11 +10,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/forms/triangle.h"
 #include "core/trimming/border_arcs.h"
+#include "core/trimming/triangle_lowering.h"
 #include "core/trimming/triangulation.h"
 
 namespace blossom {
@@ -24,6 +26,8 @@ struct CurvedTriangle {
   /// Of the sides a to b, b to c and c to a; -1 for straight ones inside of the region.
   std::array<int, 3> arcs;
   BezierTriangle map;  ///< homogeneous, in the parameters of the patch
+  /// The surface over the map, where its degree had to be lowered.
+  std::optional<ReducedOf<BezierTriangle>> lowered = {};
 };
 
 /// Bound on a negative coefficient of a map's turning_form, in the patch's parameters, that may
@@ -36,11 +40,13 @@ struct CurvedTriangles {
   std::string obstacle;  ///< why there are none; empty if all is well
 };
 
-/// Triangulates what `arcs` and `sides` enclose in one patch, halving arcs as it needs.
+/// Triangulates what `arcs` and `sides` enclose in one patch, halving arcs as it needs: also until
+/// triangles that are lowered are within a part of the tolerance.
 ///
 /// arcs     numbers of the patch's arcs; those that halving makes are added
 /// sides    straight, between vertices; the region is on their left
 CurvedTriangles curved_triangles(BorderArcs& borders, std::vector<int>& arcs,
-                                 const std::vector<BorderSide>& sides, int patch_u, int patch_v);
+                                 const std::vector<BorderSide>& sides, int patch_u, int patch_v,
+                                 TriangleLowering& lowering);
 
 }  // namespace blossom

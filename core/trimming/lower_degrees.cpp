@@ -71,24 +71,9 @@ void DegreeLowering::lower_triangle(WatertightPiece& piece,
   if (!triangle) return;
   int degree = 1;
   for (const int side : piece.sides) degree = std::max(degree, sides[index(side)].curve.degree());
-  if (triangle->degree > std::max(highest, degree)) {
-    auto lower = reduction(triangle->degree, std::max(highest, degree))(*triangle);
-    *triangle = std::move(lower.form);
-    piece.moved = lower.error;
-  }
-  for (; degree < triangle->degree; ++degree) {
-    auto lower = reduction(triangle->degree, degree)(*triangle);
-    if (lower.error > tolerance) continue;
-    *triangle = std::move(lower.form);
-    piece.moved += lower.error;
-    return;
-  }
-}
-
-const TriangleReduction& DegreeLowering::reduction(int from, int to) {
-  const auto known = reductions_.find({from, to});
-  if (known != reductions_.end()) return known->second;
-  return reductions_.emplace(std::pair(from, to), TriangleReduction(from, to)).first->second;
+  auto lower = lowered_(*triangle, degree, std::max(highest, degree), tolerance);
+  *triangle = std::move(lower.form);
+  piece.moved = lower.error;
 }
 
 }  // namespace blossom

@@ -7,12 +7,10 @@
 
 #pragma once
 
-#include <map>
-#include <utility>
 #include <vector>
 
-#include "core/forms/degree.h"
 #include "core/forms/surface.h"
+#include "core/trimming/triangle_lowering.h"
 #include "core/trimming/watertight.h"
 
 namespace blossom {
@@ -34,9 +32,8 @@ class DegreeLowering {
  private:
   void lower_triangle(WatertightPiece& piece, const std::vector<WatertightSide>& sides, int highest,
                       double tolerance);
-  const TriangleReduction& reduction(int from, int to);
 
-  std::map<std::pair<int, int>, TriangleReduction> reductions_;
+  TriangleLowering lowered_;
 };
 
 }  // namespace blossom

@@ -249,7 +249,7 @@ class Builder {
       const int left = number - (back == count.end() ? 0 : back->second);
       for (int k = 0; k < left; ++k) sides.push_back({ends.first, ends.second});
     }
-    CurvedTriangles made = curved_triangles(borders_, arcs, sides, i, j);
+    CurvedTriangles made = curved_triangles(borders_, arcs, sides, i, j, lowering_);
     result_.obstacle = made.obstacle;
     for (CurvedTriangle& triangle : made.triangles)
       result_.pieces.push_back({i, j, std::move(triangle), true, 0});
@@ -299,6 +299,10 @@ class Builder {
     };
     if (const auto* triangle = std::get_if<CurvedTriangle>(&piece.shape)) {
       for (const int number : triangle->arcs) add(number);
+      if (!triangle->lowered) return;
+      piece.off_surface = triangle->lowered->error;
+      piece.exact = false;
+      piece.error += piece.off_surface;
       return;
     }
     const auto& vertices = std::get<RegionCell>(piece.shape).vertices;
@@ -312,6 +316,7 @@ class Builder {
   RegionOptions options_;
   int cells_;
   BorderArcs borders_;
+  TriangleLowering lowering_;
   std::vector<PlacedCurve> curves_;  // of the first arcs, before any is halved
   Grid<std::vector<int>> arcs_in_;
   Grid<std::vector<BorderSide>> sides_in_;
@@ -339,8 +344,13 @@ RegionForm bezier_form(const BezierSurface& surface, const RegionPiece& piece) {
       if (!surface.rational) p[3] = 1;
     return made;
   }
-  const BezierTriangle& map = std::get<CurvedTriangle>(piece.shape).map;
+  const auto& [vertices, arcs, map, lowered] = std::get<CurvedTriangle>(piece.shape);
   RationalBezierTriangle made;
+  if (lowered) {
+    made.degree = lowered->form.degree;
+    for (const Vec3& p : lowered->form.points) made.points.push_back({p[0], p[1], p[2], 1});
+    return made;
+  }
   if (map.degree == 1) {
     const auto corner = [](const Vec3& p) { return Vec2{p[0], p[1]}; };
     made = sub_triangle(patch, {corner(map(1, 0)), corner(map(0, 1)), corner(map(0, 0))});

@@ -31,9 +31,9 @@ struct RegionPiece {
   int patch_u = 0;
   int patch_v = 0;
   std::variant<RegionCell, CurvedTriangle> shape;
-  bool exact = true;  ///< its border is the trim itself, where it is trimmed
-  double error = 0;   ///< bound on the distance of its border from the trim; model units. All of
-                      ///< the piece lies on the surface in any case
+  bool exact = true;       ///< its border is the trim itself, where it is trimmed
+  double error = 0;        ///< bound on the distance of its border from the trim; model units
+  double off_surface = 0;  ///< bound on how far it leaves the surface, as its degree was lowered
 };
 
 struct TriangulatedRegion {
@@ -49,9 +49,9 @@ struct TriangulatedRegion {
 
 /// Covers the region on the left of the borders.
 ///
-///   (1) the pieces lie on the surface, and their parameters cover the region once
-///   (2) each inner side belongs to two pieces whole, with the same vertices
-///   (3) each arc is a side of one triangle, or the border of one cell
+///   (1) the pieces lie on the surface, or within the tolerance of it where they are lowered, and
+///   their parameters cover the region once (2) each inner side belongs to two pieces whole, with
+///   the same vertices (3) each arc is a side of one triangle, or the border of one cell
 ///
 /// throws   InvalidInput if the surface is not well formed, a corner is not there, or degrees leave
 ///          no triangle within options.highest_degree

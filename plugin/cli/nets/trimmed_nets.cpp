@@ -75,7 +75,7 @@ TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, doubl
       Net net = std::holds_alternative<RegionCell>(piece.shape) ? cell_net(made.surface, piece)
                                                                 : triangle_net(made.surface, piece);
       net.source = source;
-      net.source.error = made.surface.error;
+      net.source.error = made.surface.error + piece.off_surface;
       net.border_error = piece.error;
       result.border_error = std::max(result.border_error, piece.error);
       ++(piece.exact ? result.exact : result.fitted);

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Regions whose borders are common with other faces.
+#include "core/trimming/triangulated_region.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/region_checks.h"
+
+namespace blossom {
+namespace {
+
+using testing::Chart;
+using testing::expect_on_surface;
+using testing::expect_whole_sides;
+using testing::heights;
+using testing::whole;
+
+// With common borders the arcs run as evenly as the angle of the circle does.
+TEST(CommonBorders, KeepsParametersForCommonBorders) {
+  const BezierSurface surface = heights({0, 1}, {0, 1}, 3);
+  Chart chart = whole(1, 1).circle({0.5, 0.5}, 0.3);
+  RegionOptions options;
+  options.common_borders = true;
+  options.tolerance = 1e-8;
+
+  const TriangulatedRegion region = triangulated_region(surface, chart.made, options);
+
+  ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+  expect_whole_sides(region);
+  for (const RegionArc& arc : region.arcs) {
+    EXPECT_LE(arc.error, 1e-8);
+    for (const double t : {0.25, 0.5, 0.9}) {
+      const Vec2 wanted = point_at(chart.made.borders[static_cast<std::size_t>(arc.border)].curve,
+                                   at(arc.place, t));
+      EXPECT_LE(distance(jet_at(arc.curve, t).point, wanted), 1e-8);
+    }
+  }
+}
+
+// The lower corner in the middle is 3e-8 beside u = 0.5, the upper one on it, and a stop of another
+// face is 3e-8 beside where the slanting side crosses v = 0.5.
+TEST(CommonBorders, TakesCrossingsOfCommonBordersToStopsBesideThem) {
+  const BezierSurface surface = heights({0, 0.5, 1}, {0, 0.5, 1}, 3);
+  Chart chart = Chart().polygon(
+      {{0.1, 0.1}, {0.5 - 3e-8, 0.2}, {0.9, 0.1}, {0.7, 0.9}, {0.5, 0.8}, {0.3, 0.9}});
+  chart.made.borders[2].stops = {0.5 + 3e-8};
+  RegionOptions options;
+  options.common_borders = true;
+  options.tolerance = 1e-6;
+
+  const TriangulatedRegion region = triangulated_region(surface, chart.made, options);
+
+  ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+  expect_whole_sides(region);
+  expect_on_surface(surface, region, 1e-14);
+  for (const RegionArc& arc : region.arcs) {
+    const Vec2 way = region.vertices[static_cast<std::size_t>(arc.to)] -
+                     region.vertices[static_cast<std::size_t>(arc.from)];
+    EXPECT_GT(norm(way), 1e-3);
+  }
+  EXPECT_TRUE(std::ranges::count(region.stops[2], 0.5 + 3e-8));
+  EXPECT_GT(region.beyond_lines, 2e-8);
+  EXPECT_LT(region.beyond_lines, options.tolerance);
+
+  options.common_borders = false;
+  EXPECT_EQ(triangulated_region(surface, chart.made, options).beyond_lines, 0);
+}
+
+// A sector with its tip along v = 0: corners on the side u = 0 and another point of v = 0 are in
+// one line in space, though not in the chart.
+TEST(CommonBorders, LeavesNoFlatTrianglesBetweenARulingAndTheTip) {
+  BezierSurface surface = heights({0, 1}, {0, 1}, 1);
+  RationalBezierPatch& patch = surface.patches(0, 0);
+  patch.points(0, 0) = patch.points(1, 0) = {0, 0, 0, 1};
+  patch.points(0, 1) = {1, 0, 0, 1};
+  patch.points(1, 1) = {0.9, 0.4, 0, 1};
+  Chart chart = whole(1, 1);
+  chart.made.borders[0].is_point = true;
+  for (int k = 1; k < 16; ++k) chart.made.borders[3].stops.push_back(k / 16.0);
+  RegionOptions options;
+  options.common_borders = true;
+  options.cells = 1;
+
+  const TriangulatedRegion region = triangulated_region(surface, chart.made, options);
+
+  ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+  expect_whole_sides(region);
+  for (const RegionPiece& piece : region.pieces) {
+    std::vector<Vec3> at;
+    for (const int vertex : std::get<CurvedTriangle>(piece.shape).vertices) {
+      const Vec2 uv = region.vertices[static_cast<std::size_t>(vertex)];
+      at.push_back(point_at(patch, uv[0], uv[1]));
+    }
+    const bool has_point = at[0] == at[1] || at[1] == at[2] || at[2] == at[0];
+    EXPECT_TRUE(has_point || norm(cross(at[1] - at[0], at[2] - at[0])) > 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace blossom
