@@ -62,9 +62,26 @@ std::array<BezierPatchOf<Point>, 3> three_quads(const BezierTriangleOf<Point>& t
           BezierPatchOf<Point>{detail::quad_net(triangle, {kC, kMiddleBC, kMiddleCA, kMiddle})}};
 }
 
+template <class Point>
+BezierPatchOf<Point> half_patch(const BezierTriangleOf<Point>& triangle) {
+  detail::check_triangle("half_patch", triangle, kMaxDegree);
+  const int n = triangle.degree;
+  BezierPatchOf<Point> patch{detail::half_net(triangle)};
+  for (int i = 0; i <= n; ++i) {  // without a rounding
+    patch.points(i, 0) = triangle(i, 0);
+    patch.points(0, i) = triangle(0, i);
+  }
+  return patch;
+}
+
+double half_patch_error(int degree) {
+  return (5 * degree + 6 + degree) * std::pow(1.5, degree) * 0x1p-53;
+}
+
 #define BLOSSOM_INSTANTIATE(Point)                                               \
   template BezierPatchOf<Point> collapsed_patch(const BezierTriangleOf<Point>&); \
   template TriangleOfPatch<Point> triangle_of(const BezierPatchOf<Point>&);      \
+  template BezierPatchOf<Point> half_patch(const BezierTriangleOf<Point>&);      \
   template std::array<BezierPatchOf<Point>, 3> three_quads(const BezierTriangleOf<Point>&);
 BLOSSOM_INSTANTIATE(Vec2)
 BLOSSOM_INSTANTIATE(Vec3)

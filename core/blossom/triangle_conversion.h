@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Triangular patches as tensor-product patches, for formats that know no others, and back.
 //
-// A triangle is one tensor-product patch with a side collapsed to a point, or three regular ones
-// that meet in its middle; both exactly. The other way, a patch is two triangles of degree n + m:
-// `core/subdivision/triangle_subdivision.h`.
+// A triangle is one tensor-product patch with a side collapsed to a point, three regular ones that
+// meet in its middle, or half of a regular one that goes on beyond it; all exactly. The other way,
+// a patch is two triangles of degree n + m: `core/subdivision/triangle_subdivision.h`.
 
 #pragma once
 
@@ -58,6 +58,27 @@ TriangleOfPatch<Point> triangle_of(const BezierPatchOf<Point>& patch);
 /// Source: DeRose, Goldman, Hagen, Mann 1993.
 template <class Point>
 std::array<BezierPatchOf<Point>, 3> three_quads(const BezierTriangleOf<Point>& triangle);
+
+/// The triangle's polynomial as one patch of bidegree (N, N): T(u, v) in barycentric (x, y). The
+/// triangle is the half with u + v <= 1, and the patch as regular there as the triangle is.
+///
+///   (1) v = 0 is the side from c to a, u = 0 that from c to b: its points, bit for bit
+///
+///   p_ij = sum_m binom(i, m) binom(N - i, j - m) / binom(N, j) t((1, 1)^m, a^(i-m), b^(j-m), c..)
+///
+/// throws       as collapsed_patch
+/// accuracy     half_patch_error(N) in that half, relative to the largest coordinate; the net
+/// beyond
+///              it may be 3^N times as large
+///
+/// Source: the blossom of degree (N, N) is the mean of t over all pairings of the two parameters.
+template <class Point>
+BezierPatchOf<Point> half_patch(const BezierTriangleOf<Point>& triangle);
+
+/// Bound on the error of half_patch where u + v <= 1. A point with m parameters (1, 1) is off by 5
+/// m roundings of at most 3^m, and 6 of its factor and sum; m is binomial with mean N u v <= N / 4,
+/// so that 3^m comes to (1 + 2 u v)^N.
+double half_patch_error(int degree);
 
 /// Bound on the error of three_quads. A blossom has N levels of 5 roundings, whose argument, a
 /// third, is off by one rounding more; up to N / 2 + 1 terms, their products and the division 4.

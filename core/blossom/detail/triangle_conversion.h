@@ -30,6 +30,23 @@ Grid<Point> collapsed_net(const BezierTriangleOf<Point>& triangle) {
   return net;
 }
 
+/// T(u, v), bidegree (N, N): see half_patch. Cost O(N^4).
+template <class Point>
+Grid<Point> half_net(const BezierTriangleOf<Point>& triangle) {
+  using Scalar = scalar_of<Point>;
+  const int n = triangle.degree;
+  Grid<Point> net(n + 1, n + 1, Point{});
+  BezierTriangleOf<Point> after = triangle;  // with m parameters (1, 1)
+  for (int m = 0; m <= n; ++m) {
+    for (int i = m; i <= n; ++i)
+      for (int j = m; i + j <= n + m; ++j)
+        net(i, j) += after(i - m, j - m) *
+                     (Scalar(binomial(i, m) * binomial(n - i, j - m)) / Scalar(binomial(n, j)));
+    if (m < n) after = blossom_step(after, Vec<Scalar, 2>{Scalar(1), Scalar(1)});
+  }
+  return net;
+}
+
 /// Corners of a quadrilateral in the triangle's barycentric (x, y): at (0, 0), (0, 1), (1, 0),
 /// (1, 1) of the new parameters.
 template <class Scalar>

@@ -64,6 +64,39 @@ TEST_P(TriangleConversionProperty, CollapsedOverRationalsIsTheTriangleExactly) {
     }
 }
 
+TEST_P(TriangleConversionProperty, HalfAPatchOverRationalsIsTheTriangleExactly) {
+  auto random = seeded(GetParam());
+  const auto triangle = exact(random_triangle(random, pick(random, 0, 5)));
+
+  const auto net = detail::half_net(triangle);
+
+  for (int k = 0; k <= 6; ++k)
+    for (int l = 0; l <= 6; ++l) {
+      const Rational u(k, 5), v(l, 7);
+      EXPECT_EQ(exact_point(net, u, v), exact_point(triangle, u, v));
+    }
+}
+
+TEST_P(TriangleConversionProperty, HalfAPatchHasTwoSidesBitForBitAndTheThirdWithinItsError) {
+  auto random = seeded(GetParam());
+  const int n = pick(random, 1, 12);
+  const BezierTriangle triangle = random_triangle(random, n);
+
+  const BezierPatch patch = half_patch(triangle);
+
+  for (int i = 0; i <= n; ++i) {
+    EXPECT_EQ(patch.points(i, 0), triangle(i, 0));
+    EXPECT_EQ(patch.points(0, i), triangle(0, i));
+  }
+  const auto net = exact(patch.points);
+  for (int k = 0; k <= 8; ++k) {
+    const Rational u(k, 8), v = 1 - u;
+    EXPECT_LE(
+        max_norm(testing::rounded(exact_point(exact(triangle), u, v) - exact_point(net, u, v))),
+        half_patch_error(n));
+  }
+}
+
 TEST_P(TriangleConversionProperty, QuadsOverRationalsAreTheTriangleExactly) {
   auto random = seeded(GetParam());
   const auto triangle = exact(random_triangle(random, pick(random, 0, 4)));
