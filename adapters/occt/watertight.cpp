@@ -12,12 +12,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom2d_BezierCurve.hxx>
-#include <Geom2d_Line.hxx>
-#include <Geom_BezierSurface.hxx>
 #include <Geom_Curve.hxx>
-#include <Geom_Plane.hxx>
-#include <TColgp_Array1OfPnt2d.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_DataMapOfShapeInteger.hxx>
@@ -28,18 +23,13 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
-#include <TopoDS_Wire.hxx>
 
-#include "adapters/occt/curves.h"
 #include "adapters/occt/edge_joins.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/surfaces.h"
 #include "adapters/occt/untrimmed.h"
-#include "core/base/tolerances.h"
-#include "core/blossom/triangle_conversion.h"
-#include "core/forms/conversion.h"
-#include "core/trimming/flat_pieces.h"
+#include "adapters/occt/watertight_faces.h"
 
 namespace blossom::occt {
 namespace {
@@ -106,9 +96,10 @@ class Reader {
     for (const EdgeJoin& join : edge_joins(faces_, tolerance_)) add(join);
   }
 
-  CommonModel read(const std::vector<TopoDS_Face>& faces) {
+  /// None if it is told to end.
+  std::optional<CommonModel> read(const std::vector<TopoDS_Face>& faces) {
     for (const TopoDS_Face& face : faces) {
-      if (ask_) ask_();
+      if (ask_ && !ask_()) return std::nullopt;
       add(face);
     }
     model_.vertices = vertices_.points();
@@ -231,7 +222,7 @@ class Reader {
   }
 
   double tolerance_;
-  std::function<void()> ask_;
+  std::function<bool()> ask_;
   CommonModel model_;
   TopTools_IndexedDataMapOfShapeListOfShape faces_;  // of each edge
   TopTools_DataMapOfShapeInteger joined_;            // edges given up: the model's edge
@@ -243,158 +234,6 @@ class Reader {
 };
 
 // ---- and back
-
-// The triangle with its corners renamed: `first` becomes a, the next one b.
-BezierTriangle turned(const BezierTriangle& triangle, std::size_t first) {
-  BezierTriangle result = triangle;
-  for (int nu = 0; nu <= triangle.degree; ++nu)
-    for (int mu = 0; nu + mu <= triangle.degree; ++mu) {
-      std::array<int, 3> count{};
-      count[first] = nu;
-      count[(first + 1) % 3] = mu;
-      count[(first + 2) % 3] = triangle.degree - nu - mu;
-      result(nu, mu) = triangle(count[0], count[1]);
-    }
-  return result;
-}
-
-class Writer {
- public:
-  explicit Writer(const WatertightPieces& pieces) : pieces_(pieces) {
-    for (const Vec3& p : pieces.vertices) {
-      TopoDS_Vertex vertex;
-      builder_.MakeVertex(vertex, gp_Pnt(p[0], p[1], p[2]), kTolerance);
-      vertices_.push_back(vertex);
-    }
-    for (const WatertightSide& side : pieces.sides) edges_.push_back(edge_on(side));
-  }
-
-  /// How far faces are from the pieces that they are of, at most; model units.
-  double flattened() const { return flattened_; }
-
-  TopoDS_Face face_of(const WatertightPiece& piece) {
-    const auto* triangle = std::get_if<BezierTriangle>(&piece.form);
-    if (!triangle) {
-      begin(std::get<BezierPatch>(piece.form));
-      for (std::size_t k = 0; k < 4; ++k) add_side(piece, k, k);
-      return finished();
-    }
-    if (const auto plane = plane_of(pieces_, piece, kInPlane, kNarrow))
-      return flat_face(piece, *plane);
-    const std::size_t a = first_corner(piece);
-    begin(collapsed_patch(turned(*triangle, a)));
-    add_side(piece, (a + 2) % 3, 0);  // c to a along v = 0
-    add_side(piece, a, 1);
-    add_side(piece, (a + 1) % 3, 2);
-    add_point(piece.vertices[(a + 2) % 3], 3);
-    return finished();
-  }
-
- private:
-  static constexpr double kTolerance = Tolerances{}.point;
-  static constexpr double kInPlane = 0.5 * kTolerance;
-  static constexpr double kNarrow = 100 * kTolerance;  // no mesher finds triangles in less than 1
-
-  // Meshers put nodes inside of collapsed patches even if they are flat, where facets with corners
-  // at the tip then lie over each other; inside of planes they have no reason to.
-  TopoDS_Face flat_face(const WatertightPiece& piece, const PiecePlane& plane) {
-    flattened_ = std::max(flattened_, plane.error);
-    const Vec3 normal = cross(plane.x, plane.y);
-    const auto direction = [](const Vec3& v) { return gp_Dir(v[0], v[1], v[2]); };
-    const gp_Pnt origin(plane.origin[0], plane.origin[1], plane.origin[2]);
-    builder_.MakeFace(face_, new Geom_Plane(gp_Ax3(origin, direction(normal), direction(plane.x))),
-                      kTolerance);
-    builder_.MakeWire(wire_);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (TopoDS_Edge& edge = edges_[index(piece.sides[k])]; !edge.IsNull()) {
-        const std::vector<Vec3>& points = pieces_.sides[index(piece.sides[k])].curve.points;
-        TColgp_Array1OfPnt2d flat(1, static_cast<int>(points.size()));
-        for (std::size_t i = 0; i < points.size(); ++i) {
-          const Vec2 at = plane.at(points[i]);
-          flat(static_cast<int>(i) + 1) = {at[0], at[1]};
-        }
-        builder_.UpdateEdge(edge, new Geom2d_BezierCurve(flat), face_, kTolerance);
-        builder_.Add(wire_, edge.Oriented(piece.along[k] ? TopAbs_FORWARD : TopAbs_REVERSED));
-      }
-    return finished();
-  }
-
-  // The side from a to b stays whole. It is one that is a point, since collapsed sides beside each
-  // other do not survive a STEP file; or else one on an edge.
-  std::size_t first_corner(const WatertightPiece& piece) const {
-    std::size_t best = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const WatertightSide& side = pieces_.sides[index(piece.sides[k])];
-      if (side.curve.points.empty()) return k;
-      if (side.edge >= 0) best = k;
-    }
-    return best;
-  }
-
-  TopoDS_Edge edge_on(const WatertightSide& side) {
-    TopoDS_Edge edge;
-    if (side.curve.points.empty()) return edge;
-    RationalBezierCurve curve;
-    for (const Vec3& p : side.curve.points) curve.points.push_back({p[0], p[1], p[2], 1});
-    builder_.MakeEdge(edge, to_occt(curve), kTolerance);
-    add_ends(edge, side.from, side.to);
-    return edge;
-  }
-
-  void add_ends(TopoDS_Edge& edge, int from, int to) {
-    builder_.Add(edge, vertices_[index(from)].Oriented(TopAbs_FORWARD));
-    builder_.Add(edge, vertices_[index(to)].Oriented(TopAbs_REVERSED));
-    builder_.Range(edge, 0, 1);
-  }
-
-  void begin(const BezierPatch& patch) {
-    surface_ = to_occt(homogeneous(patch));
-    builder_.MakeFace(face_, surface_, kTolerance);
-    builder_.MakeWire(wire_);
-  }
-
-  // Border k of the unit square, counter-clockwise from v = 0.
-  void add_side(const WatertightPiece& piece, std::size_t side, std::size_t border) {
-    TopoDS_Edge& edge = edges_[index(piece.sides[side])];
-    if (edge.IsNull()) return add_point(piece.vertices[side], border);
-    add_pcurve(edge, border, piece.along[side]);
-    builder_.Add(wire_, edge.Oriented(piece.along[side] ? TopAbs_FORWARD : TopAbs_REVERSED));
-  }
-
-  void add_point(int vertex, std::size_t border) {
-    TopoDS_Edge edge;
-    builder_.MakeEdge(edge);
-    builder_.Degenerated(edge, Standard_True);
-    builder_.UpdateEdge(edge, kTolerance);
-    add_pcurve(edge, border, true);
-    add_ends(edge, vertex, vertex);
-    builder_.Add(wire_, edge);
-  }
-
-  void add_pcurve(TopoDS_Edge& edge, std::size_t border, bool along) {
-    static const gp_Pnt2d corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    const gp_Pnt2d& from = corners[along ? border : (border + 1) % 4];
-    const gp_Pnt2d& to = corners[along ? (border + 1) % 4 : border];
-    const Handle(Geom2d_Line) line = new Geom2d_Line(from, gp_Dir2d(gp_Vec2d(from, to)));
-    builder_.UpdateEdge(edge, line, surface_, TopLoc_Location(), kTolerance);
-    builder_.Range(edge, surface_, TopLoc_Location(), 0, 1);
-  }
-
-  TopoDS_Face finished() {
-    wire_.Closed(Standard_True);
-    builder_.Add(face_, wire_);
-    return face_;
-  }
-
-  const WatertightPieces& pieces_;
-  BRep_Builder builder_;
-  std::vector<TopoDS_Vertex> vertices_;
-  std::vector<TopoDS_Edge> edges_;  // null for sides that are points
-  double flattened_ = 0;
-  Handle(Geom_BezierSurface) surface_;
-  TopoDS_Face face_;
-  TopoDS_Wire wire_;
-};
 
 // The shape with other faces: shells and solids stay what they are.
 class Rebuilder {
@@ -443,6 +282,14 @@ class Rebuilder {
   TopTools_IndexedMapOfShape numbers_;
 };
 
+// What is not checked is not done.
+WatertightShape ended_before(std::size_t faces) {
+  WatertightShape ended;
+  ended.pieces.obstacle = "it was ended before all faces were done";
+  for (std::size_t f = 0; f < faces; ++f) ended.pieces.open.push_back(static_cast<int>(f));
+  return ended;
+}
+
 }  // namespace
 
 std::string watertight_fault(const TopoDS_Shape& given, const TopoDS_Shape& made) {
@@ -456,15 +303,15 @@ std::string watertight_fault(const TopoDS_Shape& given, const TopoDS_Shape& made
 WatertightShape watertight(const TopoDS_Shape& shape, const WatertightOptions& options) {
   WatertightShape result;
   const std::vector<TopoDS_Face> given = faces_of(shape);
-  result.pieces = watertight_pieces(Reader(shape, options).read(given), options);
+  const auto goes_on = [&options] { return !options.ask || options.ask(); };
+  const auto model = Reader(shape, options).read(given);
+  if (!model) return ended_before(given.size());
+  result.pieces = watertight_pieces(*model, options);
   if (!result.pieces.obstacle.empty()) return result;
-  const auto ask = [&options] {
-    if (options.ask) options.ask();
-  };
   result.faces.resize(given.size());
-  Writer writer(result.pieces);
+  PieceFaces writer(result.pieces);
   for (const WatertightPiece& piece : result.pieces.pieces) {
-    ask();
+    if (!goes_on()) return ended_before(given.size());
     result.faces[index(piece.face)].push_back(
         TopoDS::Face(writer.face_of(piece).Oriented(given[index(piece.face)].Orientation())));
   }
@@ -472,7 +319,7 @@ WatertightShape watertight(const TopoDS_Shape& shape, const WatertightOptions& o
   Rebuilder rebuilder(shape, result.faces);
   result.shape =
       shape.ShapeType() == TopAbs_FACE ? rebuilder.of_face(shape) : rebuilder.rebuilt(shape);
-  ask();
+  if (!goes_on()) return ended_before(given.size());
   const std::string fault = watertight_fault(shape, result.shape);
   if (fault.empty()) return result;
   WatertightShape refused;

@@ -16,8 +16,8 @@ namespace blossom::occt {
 struct WatertightShape {
   WatertightPieces pieces;
   /// For each face of the shape, in the order of TopExp::MapShapes, the faces of its pieces,
-  /// oriented as it is. All share their edges and vertices; triangles are collapsed patches or,
-  /// where they are flat to half of the edges' tolerance, faces on planes.
+  /// oriented as it is. All share their edges and vertices; triangles are halves of patches or on
+  /// planes (watertight_faces.h).
   std::vector<std::vector<TopoDS_Face>> faces;
   /// The shape's solids and shells, and a compound of the rest, of these faces.
   TopoDS_Shape shape;

@@ -17,6 +17,7 @@
 #include "core/forms/interpolation.h"
 #include "core/trimming/border_arcs.h"
 #include "core/trimming/closed_tips.h"
+#include "core/trimming/equal_degrees.h"
 #include "core/trimming/lower_degrees.h"
 #include "core/trimming/paired_parameters.h"
 #include "core/trimming/piece_sides.h"
@@ -82,33 +83,51 @@ class Builder {
         parameters_(model),
         stops_(model.edges.size()),
         regions_(model.faces.size()),
+        done_(model.faces.size(), false),
         uneven_(model.edges.size(), false) {
     for (const CommonFace& face : model.faces)
       for (std::size_t b = 0; b < face.parameters.size(); ++b)
         if (face.parameters[b].to_edge) uneven_[index(face.edges[b])] = true;
-    for (const CommonFace& face : model.faces) {
-      ask();
-      surfaces_.push_back(polynomial_surface(face.surface, kSurfacePart * options.tolerance));
-      surface_error_ = std::max(surface_error_, surfaces_.back().error);
-    }
   }
 
   WatertightPieces built() {
-    std::vector<bool> stale(model_.faces.size(), true);
-    for (int round = 0; round < kMostRounds; ++round) {
-      if (!make_regions(stale)) return std::move(result_);
-      if (agree_on_stops(stale)) continue;
-      make_pieces();
-      if (!divide_moved_sides(stale)) return std::move(result_);
+    try {
+      make_surfaces();
+      agree();
+    } catch (const Ended&) {
+      result_ = {};
+      result_.obstacle = "it was ended before all faces were done";
+      for (std::size_t f = 0; f < done_.size(); ++f)
+        if (!done_[f]) result_.open.push_back(static_cast<int>(f));
     }
-    // The last pieces agree; they are only farther from the surfaces than was wished.
-    if (result_.pieces.empty()) result_.obstacle = "the faces do not agree on pieces of an edge";
     return std::move(result_);
   }
 
  private:
+  struct Ended {};
+
   void ask() const {
-    if (options_.ask) options_.ask();
+    if (options_.ask && !options_.ask()) throw Ended{};
+  }
+
+  void make_surfaces() {
+    for (const CommonFace& face : model_.faces) {
+      ask();
+      surfaces_.push_back(polynomial_surface(face.surface, kSurfacePart * options_.tolerance));
+      surface_error_ = std::max(surface_error_, surfaces_.back().error);
+    }
+  }
+
+  void agree() {
+    std::vector<bool> stale(model_.faces.size(), true);
+    for (int round = 0; round < kMostRounds; ++round) {
+      if (!make_regions(stale)) return;
+      if (agree_on_stops(stale)) continue;
+      make_pieces();
+      if (!divide_moved_sides(stale)) return;
+    }
+    // The last pieces agree; they are only farther from the surfaces than was wished.
+    if (result_.pieces.empty()) result_.obstacle = "the faces do not agree on pieces of an edge";
   }
 
   // ---- regions with equal stops
@@ -118,6 +137,7 @@ class Builder {
     region_options.common_borders = true;
     region_options.tolerance = kArcPart * options_.tolerance;
     region_options.highest_degree = options_.highest_degree;
+    for (std::size_t f = 0; f < stale.size(); ++f) done_[f] = !stale[f];
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       if (!stale[f]) continue;
       ask();
@@ -130,6 +150,7 @@ class Builder {
         return false;
       }
       beyond_ = std::max(beyond_, regions_[f].beyond_lines);
+      done_[f] = true;
       add_stops_of(f);
     }
     return true;
@@ -199,12 +220,16 @@ class Builder {
     stop_vertex_.clear();
     arc_side_.clear();
     side_place_.clear();
-    for (std::size_t f = 0; f < model_.faces.size(); ++f) add_face(static_cast<int>(f));
+    done_.assign(model_.faces.size(), false);
+    for (std::size_t f = 0; f < model_.faces.size(); ++f) {
+      add_face(static_cast<int>(f));
+      done_[f] = true;
+    }
     lowering_.lower(result_, surfaces_, options_.highest_degree,
                     kTrianglePart * options_.tolerance);
     divide_closed_tips(result_);
     find_coarse_sides();
-    raise_degrees();
+    raise_degrees(result_);
     move_sides();
     result_.deviation = 0;
     for (const WatertightPiece& piece : result_.pieces)
@@ -352,42 +377,7 @@ class Builder {
     return number;
   }
 
-  // ---- equal degrees along edges, then equal points
-
-  void raise_degrees() {
-    std::vector<int> degree;
-    for (const WatertightSide& side : result_.sides) degree.push_back(side.curve.degree());
-    bool changed = true;
-    const auto raise = [&](int& low, int to) {
-      if (low >= to) return;
-      low = to;
-      changed = true;
-    };
-    std::vector<int> wanted(result_.pieces.size(), 0);
-    while (changed) {
-      changed = false;
-      for (std::size_t p = 0; p < result_.pieces.size(); ++p) {
-        const auto* triangle = std::get_if<BezierTriangle>(&result_.pieces[p].form);
-        if (!triangle) continue;
-        raise(wanted[p], triangle->degree);
-        for (const int side : result_.pieces[p].sides) {
-          if (result_.sides[index(side)].edge < 0 || degree[index(side)] < 0) continue;
-          raise(degree[index(side)], wanted[p]);
-          raise(wanted[p], degree[index(side)]);
-        }
-      }
-    }
-    for (std::size_t p = 0; p < result_.pieces.size(); ++p)
-      if (auto* triangle = std::get_if<BezierTriangle>(&result_.pieces[p].form))
-        *triangle = elevated(*triangle, wanted[p]);
-    for (std::size_t s = 0; s < result_.sides.size(); ++s) {
-      WatertightSide& side = result_.sides[s];
-      if (side.edge < 0 || side.curve.points.empty()) continue;
-      side.curve = elevated(side.curve, degree[s]);
-      side.curve.points.front() = result_.vertices[index(side.from)];
-      side.curve.points.back() = result_.vertices[index(side.to)];
-    }
-  }
+  // ---- equal points along edges
 
   // Inner sides are those of their first piece, with the ends at the vertices; a piece of another
   // degree gets them elevated or, if its own is lower, keeps its own but for the ends.
@@ -476,6 +466,7 @@ class Builder {
   std::vector<BezierSurface> surfaces_;
   double surface_error_ = 0, beyond_ = 0;
   std::vector<TriangulatedRegion> regions_;
+  std::vector<bool> done_;  // of each face: whether its region, or its pieces are made
   // Edges with borders that run otherwise than they do. How far they are apart along the edge is a
   // matter of parameters, and passes when it is divided.
   std::vector<bool> uneven_;

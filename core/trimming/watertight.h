@@ -59,8 +59,8 @@ struct WatertightOptions {
   /// How far triangles may leave their surfaces, where edges and surfaces allow it; model units.
   double tolerance = 1e-6;
   int highest_degree = kMaxDegree;  ///< of triangles
-  /// Asked before each face; may throw to end the work. None: it goes on to its end.
-  std::function<void()> ask = {};
+  /// Asked before each face whether to go on; may throw instead. None: it goes on to its end.
+  std::function<bool()> ask = {};
 };
 
 /// A side of pieces: of two where nothing is free.
@@ -89,6 +89,9 @@ struct WatertightPieces {
   /// far the pieces lie from the given surfaces. Model units.
   double deviation = 0;
   std::string obstacle;  ///< why there are no pieces; empty if all is well
+  /// Where `ask` ended the work: the faces whose pieces were not made then, or not yet divided as
+  /// those of their neighbours are.
+  std::vector<int> open;
 };
 
 /// The faces as pieces with common sides.

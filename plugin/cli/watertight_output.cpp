@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "adapters/occt/errors.h"
-#include "adapters/occt/shared_limit.h"
 #include "core/intersection/work_limit.h"
 #include "plugin/cli/interruption.h"
 
 namespace blossom::cli {
 namespace {
 
-constexpr double kLeastTime = 1e-3;      // seconds, where the trims have spent the time limit
+constexpr double kLeastTime = 1e-9;      // seconds, where the trims have spent the time limit
 constexpr double kToleranceFactor = 10;  // trims' own edges are about one tolerance off
 
 Vec4 homogeneous(const Vec3& p) { return {p[0], p[1], p[2], 1}; }
@@ -59,25 +58,40 @@ occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptio
   options.tolerance = kToleranceFactor * engine.tolerance;
   options.ask = [&limit] {
     stop_if_interrupted();
-    occt::check_limit(&limit, "making faces watertight");
+    return limit.reached() == nullptr;
   };
   occt::WatertightShape made = occt::watertight(shape, options);
-  if (!made.pieces.obstacle.empty())
+  if (!made.pieces.obstacle.empty() && made.pieces.open.empty())
     throw occt::BadModel("the faces cannot be made watertight: " + made.pieces.obstacle);
   return made;
 }
 
+std::string reason_of(const WatertightPieces& pieces) {
+  if (pieces.open.empty()) return {};
+  return "the time limit was reached while the faces were made watertight; " +
+         counted(pieces.open.size(), "face") + " not done";
+}
+
 Json to_json(const WatertightPieces& pieces) {
   const std::size_t triangles = triangle_count(pieces);
+  Json open = Json::array();
+  for (const int face : pieces.open) open.push_back(face + 1);
   return {{"patches", pieces.pieces.size() - triangles},
           {"triangles", triangles},
           {"common_sides", common_count(pieces)},
-          {"deviation", pieces.deviation}};
+          {"deviation", pieces.deviation},
+          {"open", open}};
 }
 
 std::string summary_of(const WatertightPieces& pieces) {
   const std::size_t triangles = triangle_count(pieces);
   std::ostringstream text;
+  if (!pieces.open.empty()) {
+    text << "  watertight: stopped; faces that are not done:";
+    for (const int face : pieces.open) text << ' ' << face + 1;
+    text << '\n';
+    return text.str();
+  }
   text << "  watertight: " << counted(triangles, "triangle") << ", "
        << counted(pieces.pieces.size() - triangles, "rectangle") << ", "
        << counted(common_count(pieces), "common side") << ", within " << pieces.deviation

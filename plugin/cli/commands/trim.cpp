@@ -172,9 +172,10 @@ std::string obstacle(const Inputs& inputs, const Timed& timed, const Options& op
   return {};
 }
 
-// Puts pieces with common sides in the place of all faces.
+// Puts pieces with common sides in the place of all faces, if there is time for it.
 WatertightPieces make_watertight(occt::Model& model, const EngineOptions& engine, double spent) {
   occt::WatertightShape made = watertight_of(model.shape(), engine, spent);
+  if (!made.pieces.open.empty()) return std::move(made.pieces);
   std::map<int, std::vector<TopoDS_Face>> faces;
   for (std::size_t k = 0; k < made.faces.size(); ++k)
     faces[static_cast<int>(k) + 1] = std::move(made.faces[k]);
@@ -182,17 +183,21 @@ WatertightPieces make_watertight(occt::Model& model, const EngineOptions& engine
   return std::move(made.pieces);
 }
 
-void write_outputs(Inputs& inputs, const Timed& timed, const Options& options) {
-  const std::string reason = obstacle(inputs, timed, options);
-  const bool write = !options.common.output.empty() && reason.empty();
+void write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
+  std::string reason = obstacle(inputs, timed, options);
   std::string png;
   if (!options.common.picture.empty()) png = picture_png(picture_of(inputs, timed.made));
-  std::string text = summary(inputs, timed);
-  Json report = report_of(inputs, options, timed, write);
   if (reason.empty()) inputs.part.model.replace_faces(timed.made.replacements);
   std::optional<WatertightPieces> watertight;
   if (options.watertight && reason.empty()) {
     watertight = make_watertight(inputs.part.model, options.engine, timed.seconds);
+    reason = reason_of(*watertight);
+    if (!reason.empty()) timed.made.status = Status::Stopped;
+  }
+  const bool write = !options.common.output.empty() && reason.empty();
+  std::string text = summary(inputs, timed);
+  Json report = report_of(inputs, options, timed, write);
+  if (watertight) {
     text += summary_of(*watertight);
     report["watertight"] = to_json(*watertight);
   }
@@ -227,7 +232,7 @@ int run(const Options& options) {
   Inputs inputs{read_input(options.part), {}};
   for (const std::string& tool : options.tools) inputs.tools.push_back(read_input(tool));
   stop_if_interrupted();
-  const Timed timed = timed_trim(inputs, options);
+  Timed timed = timed_trim(inputs, options);
   write_outputs(inputs, timed, options);
   return exit_code(timed.made.status);
 }

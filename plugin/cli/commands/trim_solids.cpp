@@ -7,14 +7,13 @@
 #include <sstream>
 #include <utility>
 
-#include <BRep_Builder.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 
+#include "adapters/occt/compounds.h"
 #include "adapters/occt/solid_trim.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/exit_code.h"
@@ -45,11 +44,14 @@ struct Timed {
 // All solids at once: those side by side keep their common faces. Pieces come from where their
 // faces do.
 void make_watertight(Timed& timed, const EngineOptions& engine, double spent) {
-  TopoDS_Compound all;
-  BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Solid& solid : timed.made.solids) builder.Add(all, solid);
+  const TopoDS_Compound all = occt::compound_of(timed.made.solids);
   occt::WatertightShape made = watertight_of(all, engine, spent);
+  if (const std::string reason = reason_of(made.pieces); !reason.empty()) {
+    timed.made.status = Status::Stopped;
+    timed.made.obstacles.push_back(reason);
+    timed.watertight = std::move(made.pieces);
+    return;
+  }
   timed.made.solids.clear();
   for (TopoDS_Iterator it(made.shape); it.More(); it.Next())
     timed.made.solids.push_back(TopoDS::Solid(it.Value()));

@@ -131,12 +131,17 @@ TEST(Watertight, EndsWhereItIsTold) {
   struct Ended {};
   int asked = 0;
   WatertightOptions options;
-  options.ask = [&asked] { ++asked; };
+  options.ask = [&asked] { return ++asked > 0; };
   ASSERT_EQ(watertight(box, options).pieces.obstacle, "");
   for (int left : {0, asked / 2, asked - 1}) {
-    options.ask = [&left] {
-      if (left-- == 0) throw Ended();
-    };
+    int goes_on = left;
+    options.ask = [&goes_on] { return goes_on-- > 0; };
+    const WatertightShape made = watertight(box, options);
+    EXPECT_TRUE(made.shape.IsNull());
+    EXPECT_NE(made.pieces.obstacle, "");
+    EXPECT_FALSE(made.pieces.open.empty());
+
+    options.ask = [&left] { return left-- == 0 ? throw Ended() : true; };
     EXPECT_THROW(watertight(box, options), Ended);
   }
 }

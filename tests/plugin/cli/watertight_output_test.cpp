@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/watertight_output.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+
+namespace blossom::cli {
+namespace {
+
+TEST(WatertightOutput, SaysWhichFacesAreOpenWhenTheTimeIsSpent) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3);
+  EngineOptions engine;
+  engine.time_limit = 5;
+
+  const occt::WatertightShape made = watertight_of(box, engine, 6);
+
+  EXPECT_TRUE(made.shape.IsNull());
+  EXPECT_EQ(reason_of(made.pieces),
+            "the time limit was reached while the faces were made watertight; 6 faces not done");
+  EXPECT_EQ(summary_of(made.pieces),
+            "  watertight: stopped; faces that are not done: 1 2 3 4 5 6\n");
+  const Json report = to_json(made.pieces);
+  EXPECT_EQ(report["open"], Json({1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(report["triangles"], 0);
+}
+
+TEST(WatertightOutput, HasNoOpenFacesWhenAllIsDone) {
+  const occt::WatertightShape made =
+      watertight_of(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), EngineOptions{}, 0);
+
+  EXPECT_FALSE(made.shape.IsNull());
+  EXPECT_EQ(reason_of(made.pieces), "");
+  EXPECT_EQ(to_json(made.pieces)["open"], Json::array());
+}
+
+}  // namespace
+}  // namespace blossom::cli
