@@ -28,14 +28,13 @@
 
 #include <BRepBndLib.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
 
+#include "adapters/occt/compounds.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
@@ -109,14 +108,6 @@ std::vector<Job> jobs_of(const TopoDS_Shape& shape, const Settings& settings) {
   return jobs;
 }
 
-TopoDS_Shape together(const std::vector<TopoDS_Solid>& solids) {
-  TopoDS_Compound all;
-  const BRep_Builder builder;
-  builder.MakeCompound(all);
-  for (const TopoDS_Solid& solid : solids) builder.Add(all, solid);
-  return all;
-}
-
 // The faces of a model that is no closed solid, without what lies in the tool.
 TopoDS_Shape faces_outside(occt::Model& model, const occt::TrimTool& tool,
                            const IntersectionOptions& engine) {
@@ -140,7 +131,7 @@ TopoDS_Shape cut_shape(occt::Model& model, const Job& job) {
   try {
     const occt::SolidTrimResult made = occt::trim_solids(part, {tool}, job.operation, engine);
     if (!made.obstacles.empty()) throw occt::BadModel("no solid: " + made.obstacles.front());
-    return together(made.solids);
+    return occt::compound_of(made.solids);
   } catch (const InvalidInput&) {
     if (job.name != "half") throw;
     return faces_outside(model, tool, engine);
@@ -230,6 +221,12 @@ std::string told(const cgal::MeshCheck& mesh) {
          std::to_string(mesh.self_intersections);
 }
 
+std::string told(const OcctMesh& mesh) {
+  std::array<char, 16> deflection{};
+  std::snprintf(deflection.data(), deflection.size(), "%.0e", mesh.deflection);
+  return (mesh.meshed ? told(mesh.check) : "not meshed") + " at " + deflection.data();
+}
+
 std::string told(const WatertightMeshes& meshes) {
   std::string text = told(meshes.even) + " | ";
   if (meshes.even.self_intersections > 0)
@@ -238,10 +235,9 @@ std::string told(const WatertightMeshes& meshes) {
     text += ": " + std::to_string(meshes.of_model) + " of the model, " +
             std::to_string(meshes.at_edges) + " at edges, " + std::to_string(meshes.others) +
             " others";
-  std::array<char, 16> deflection{};
-  std::snprintf(deflection.data(), deflection.size(), "%.0e", meshes.deflection);
-  return text + " | " + (meshes.meshed ? told(meshes.occt) : "not meshed") + " at " +
-         deflection.data();
+  text += " | " + told(meshes.first);
+  if (meshes.last.deflection < meshes.first.deflection) text += "; " + told(meshes.last);
+  return text;
 }
 
 void print(const std::string& name, const Outcome& outcome) {

@@ -10,12 +10,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include <BRepBndLib.hxx>
 #include <BRepTools.hxx>
-#include <Bnd_Box.hxx>
 #include <Standard_Failure.hxx>
 
 #include "adapters/occt/intersection.h"
+#include "core/bounds/box_tree.h"
 #include "tests/support/incremental_mesh.h"
 #include "tests/support/watertight_mesh.h"
 
@@ -44,20 +43,43 @@ std::set<FacePair> neighbours(const WatertightPieces& pieces) {
   return result;
 }
 
-bool meet(const TopoDS_Face& a, const TopoDS_Face& b) {
-  for (const occt::FaceIntersection& pair : occt::intersect({a}, {b}).pairs)
-    if (!pair.found.curves.empty() || !pair.found.points.empty() || !pair.found.overlaps.empty())
-      return true;
-  return false;
+// Where facets cross: the box of both.
+using Crossings = std::map<FacePair, std::vector<Box>>;
+
+Box at(const Vec3& point) { return {point, point}; }
+
+// Boxes of what two faces have in common: of the steps of curves, of points, of whole regions.
+std::vector<Box> common_places(const TopoDS_Face& a, const TopoDS_Face& b) {
+  std::vector<Box> places;
+  for (const occt::FaceIntersection& pair : occt::intersect({a}, {b}).pairs) {
+    for (const IntersectionCurve& curve : pair.found.curves)
+      for (std::size_t k = 0; k + 1 < curve.samples.size(); ++k)
+        places.push_back(joined(at(curve.samples[k].point), at(curve.samples[k + 1].point)));
+    for (const SurfacePoint& point : pair.found.points) places.push_back(at(point.point));
+    for (const Overlap& overlap : pair.found.overlaps) {
+      places.emplace_back();
+      for (const SurfacePoint& point : overlap.boundary)
+        places.back() = joined(places.back(), at(point.point));
+    }
+  }
+  return places;
 }
 
-void sort_out(const WatertightPieces& pieces, const std::map<FacePair, int>& crossings,
+void sort_out(const WatertightPieces& pieces, const Crossings& crossings,
               const std::vector<TopoDS_Face>& given, WatertightMeshes& result) {
   const std::set<FacePair> beside = neighbours(pieces);
-  for (const auto& [faces, count] : crossings)
-    (beside.contains(faces)                                        ? result.at_edges
-     : meet(given[index(faces.first)], given[index(faces.second)]) ? result.of_model
-                                                                   : result.others) += count;
+  for (const auto& [faces, boxes] : crossings) {
+    if (beside.contains(faces)) {
+      result.at_edges += static_cast<int>(boxes.size());
+      continue;
+    }
+    const std::vector<Box> places =
+        common_places(given[index(faces.first)], given[index(faces.second)]);
+    for (const Box& box : boxes)
+      ++(std::ranges::any_of(places, [&](const Box& place) { return meet(place, box); })
+             ? result.of_model
+             : result.others);
+  }
 }
 
 void check_samples(const occt::WatertightShape& made, const std::vector<TopoDS_Face>& given,
@@ -67,7 +89,7 @@ void check_samples(const occt::WatertightShape& made, const std::vector<TopoDS_F
   for (const auto& faces : made.faces)
     reversed.push_back(!faces.empty() && faces.front().Orientation() == TopAbs_REVERSED);
   std::vector<int> parts_of(pieces.pieces.size(), parts);
-  std::map<FacePair, int> crossings;
+  Crossings crossings;
   for (int doubling = 0;; ++doubling) {
     const testing::WatertightSampler sampler(pieces, reversed, parts_of);
     const testing::Mesh& mesh = sampler.mesh();
@@ -82,7 +104,11 @@ void check_samples(const occt::WatertightShape& made, const std::vector<TopoDS_F
       coarse.insert({p, q});
       const std::pair<int, int> faces =
           std::minmax({pieces.pieces[index(p)].face, pieces.pieces[index(q)].face});
-      ++crossings[faces];
+      Box box;
+      for (const int facet : {a, b})
+        for (const int corner : mesh.triangles[index(facet)])
+          box = joined(box, at(mesh.points[index(corner)]));
+      crossings[faces].push_back(box);
     }
     if (doubling == kMostDoublings) break;
     for (const int piece : coarse) parts_of[index(piece)] *= 2;
@@ -90,24 +116,32 @@ void check_samples(const occt::WatertightShape& made, const std::vector<TopoDS_F
   sort_out(pieces, crossings, given, result);
 }
 
-// Finer where it is no manifold, as where two curved sides with the same ends have no node between.
-void check_occt(const TopoDS_Shape& shape, WatertightMeshes& result) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, false);  // of control points: good enough, and fast
-  result.deflection = kDeflection;
-  for (int finer = 0;; ++finer, result.deflection *= kFiner) {
-    try {
-      BRepTools::Clean(shape);
-      const testing::IncrementalMesh made(shape, result.deflection * std::sqrt(box.SquareExtent()));
-      result.occt = cgal::check_mesh(made.mesh().points, made.mesh().triangles);
-      result.meshed = true;
-    } catch (const std::runtime_error&) {
-      result.meshed = false;
-    } catch (const Standard_Failure&) {
-      result.meshed = false;
-    }
-    const bool right = result.meshed && result.occt.manifold;
-    if (right || finer == kMostFiner) return;
+OcctMesh occt_mesh(const TopoDS_Shape& shape, double diagonal, double deflection) {
+  OcctMesh result;
+  result.deflection = deflection;
+  try {
+    BRepTools::Clean(shape);
+    const testing::IncrementalMesh made(shape, deflection * diagonal);
+    result.check = cgal::check_mesh(made.mesh().points, made.mesh().triangles);
+    result.meshed = true;
+  } catch (const std::runtime_error&) {
+  } catch (const Standard_Failure&) {
+  }
+  return result;
+}
+
+// Finer where two curved sides with the same ends have no node between, or walls are nearer to each
+// other than the deflection.
+void check_occt(const occt::WatertightShape& made, WatertightMeshes& result) {
+  const TopoDS_Shape& shape = made.shape;
+  Box box;  // quicker than that of the shape, and near enough
+  for (const Vec3& vertex : made.pieces.vertices) box = joined(box, at(vertex));
+  const double diagonal = blossom::diagonal(box);
+  result.first = result.last = occt_mesh(shape, diagonal, kDeflection);
+  for (int finer = 0; finer < kMostFiner; ++finer) {
+    const OcctMesh& mesh = result.last;
+    if (mesh.meshed && mesh.check.manifold && mesh.check.self_intersections == 0) return;
+    result.last = occt_mesh(shape, diagonal, kFiner * mesh.deflection);
   }
 }
 
@@ -117,7 +151,7 @@ WatertightMeshes watertight_meshes(const occt::WatertightShape& made,
                                    const std::vector<TopoDS_Face>& given, int parts) {
   WatertightMeshes result;
   check_samples(made, given, parts, result);
-  check_occt(made.shape, result);
+  check_occt(made, result);
   return result;
 }
 

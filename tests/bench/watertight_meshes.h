@@ -13,17 +13,23 @@
 
 namespace blossom::bench {
 
+struct OcctMesh {
+  bool meshed = false;    ///< each face has got triangles
+  double deflection = 0;  ///< of the diagonal
+  cgal::MeshCheck check;
+};
+
 /// Plain values, so that they can be passed between processes.
 struct WatertightMeshes {
   cgal::MeshCheck even;     ///< as many samples along each side
   cgal::MeshCheck refined;  ///< twice as many round crossings, again and again
   int finest = 0;           ///< parts of a side
-  /// Of the crossings that stay: between faces that share nothing and meet, by `intersect`; between
-  /// faces with a common edge or vertex, or of a face with itself; others.
+  /// Of the crossings that stay: between faces that share no vertex and meet at that very place, by
+  /// `intersect`; between faces with a common edge or vertex, or of a face with itself; others.
   int of_model = 0, at_edges = 0, others = 0;
-  bool meshed = false;    ///< by BRepMesh_IncrementalMesh, which gave each face triangles
-  double deflection = 0;  ///< of the last try, of the diagonal
-  cgal::MeshCheck occt;
+  /// By BRepMesh_IncrementalMesh, at a deflection of 1e-3 of the diagonal, and at the finest that
+  /// was tried as long as the mesh was no manifold or facets crossed.
+  OcctMesh first, last;
 };
 
 /// given   the faces that the shape was made of, in their order
