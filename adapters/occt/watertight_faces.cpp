@@ -56,8 +56,9 @@ TopoDS_Face PieceFaces::face_of(const WatertightPiece& piece) {
   }
   if (const auto plane = plane_of(pieces_, piece, kInPlane, kNarrow))
     return flat_face(piece, *plane);
-  if (const auto diagonal = longest_inner_side(piece))
-    return half_face(piece, *triangle, *diagonal);
+  if (height_of(*triangle) >= kSlender)
+    if (const auto diagonal = longest_inner_side(piece))
+      return half_face(piece, *triangle, *diagonal);
   return collapsed_face(piece, *triangle);
 }
 

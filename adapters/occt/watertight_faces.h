@@ -25,7 +25,8 @@ namespace blossom::occt {
 ///   a face on a plane, where it is flat to half of the edges' tolerance;
 ///   or else the half of a patch on one side of the diagonal, which is its longest side inside of a
 ///   face of the model; sides on edges have the points of the patch's rows;
-///   or, if one of its sides is a point or all are on edges, a patch with one collapsed side.
+///   or, if one of its sides is a point, all are on edges or it is slender, a patch with one
+///   collapsed side.
 class PieceFaces {
  public:
   explicit PieceFaces(const WatertightPieces& pieces);
@@ -39,6 +40,7 @@ class PieceFaces {
   static constexpr double kTolerance = Tolerances{}.point;
   static constexpr double kInPlane = 0.5 * kTolerance;
   static constexpr double kNarrow = 100 * kTolerance;  // no mesher finds triangles in less than 1
+  static constexpr double kSlender = 2 * kNarrow;      // nor beside diagonals in less than 2
 
   TopoDS_Face flat_face(const WatertightPiece& piece, const PiecePlane& plane);
   TopoDS_Face half_face(const WatertightPiece& piece, const BezierTriangle& triangle,

@@ -48,14 +48,6 @@ double gap_of_side(const WatertightPieces& pieces, const WatertightPiece& piece,
   return gap;
 }
 
-// Over the longest side.
-double height_of(const BezierTriangle& triangle) {
-  const int n = triangle.degree;
-  const Vec3 a = triangle(n, 0), b = triangle(0, n), c = triangle(0, 0);
-  const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
-  return longest > 0 ? norm(cross(b - a, c - a)) / longest : 0;
-}
-
 // Counter-clockwise if need be by turning y round; whether it turns one way everywhere.
 bool turns_one_way(PiecePlane& plane, const BezierTriangle& triangle) {
   BezierTriangle map{triangle.degree, {}};
@@ -70,6 +62,13 @@ bool turns_one_way(PiecePlane& plane, const BezierTriangle& triangle) {
 }
 
 }  // namespace
+
+double height_of(const BezierTriangle& triangle) {
+  const int n = triangle.degree;
+  const Vec3 a = triangle(n, 0), b = triangle(0, n), c = triangle(0, 0);
+  const double longest = std::max({distance(a, b), distance(b, c), distance(c, a)});
+  return longest > 0 ? norm(cross(b - a, c - a)) / longest : 0;
+}
 
 std::optional<PiecePlane> plane_of(const WatertightPieces& pieces, const WatertightPiece& piece,
                                    double within, double height) {

@@ -20,6 +20,9 @@ struct PiecePlane {
   Vec2 at(const Vec3& p) const { return {dot(p - origin, x), dot(p - origin, y)}; }
 };
 
+/// Of the triangle of the corners, over its longest side; model units.
+double height_of(const BezierTriangle& triangle);
+
 /// The plane of a triangle whose control points, and those of its sides, lie within a distance of
 /// one, and that turns nowhere over in it, by the coefficients of its Jacobian. None otherwise.
 ///

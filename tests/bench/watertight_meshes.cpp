@@ -25,6 +25,7 @@ constexpr int kMostDoublings = 3;     // of parts of a side, where facets cross
 constexpr double kDeflection = 1e-3;  // of Open CASCADE's mesh, of the diagonal, at first
 constexpr double kFiner = 0.2;        // where that is not right
 constexpr int kMostFiner = 2;
+constexpr double kOffFaces = 0.1;  // of their size: how far facets are from the faces they are of
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -108,7 +109,7 @@ void check_samples(const occt::WatertightShape& made, const std::vector<TopoDS_F
       for (const int facet : {a, b})
         for (const int corner : mesh.triangles[index(facet)])
           box = joined(box, at(mesh.points[index(corner)]));
-      crossings[faces].push_back(box);
+      crossings[faces].push_back(widened(box, kOffFaces * diagonal(box)));
     }
     if (doubling == kMostDoublings) break;
     for (const int piece : coarse) parts_of[index(piece)] *= 2;
