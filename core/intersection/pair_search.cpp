@@ -24,6 +24,8 @@ namespace {
 // A slab this part of the tolerance thick ends the search: below it, splitting would only tell
 // contacts apart that differ by less than the tolerance.
 constexpr double kSlabPart = 1.0 / 1024;
+// Nor does it go on below so many roundings of the nets: no cell gets thinner.
+constexpr double kSlabRoundings = 8;
 constexpr int kDeepest = 60;              // halvings of a patch: 2^-30 in each direction
 constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
 constexpr std::size_t kBatch = 128;       // pairs examined at the same time
@@ -242,9 +244,11 @@ class Search {
 
   bool is_thin(const Cell& a, const Cell& b, int points_a, int points_b) const {
     const double tolerance = options_.tolerances.point;
+    const double slab =
+        std::min(tolerance, std::max(slab_, kSlabRoundings * (a.margin + b.margin)));
     return (a.extent <= tolerance && b.extent <= tolerance) ||
-           (a.plane.high - a.plane.low <= slab_ && b.plane.high - b.plane.low <= slab_ &&
-            within_slab(a, b, points_a, points_b, slab_));
+           (a.plane.high - a.plane.low <= slab && b.plane.high - b.plane.low <= slab &&
+            within_slab(a, b, points_a, points_b, slab));
   }
 
   std::optional<PairArcs> arcs_of(const Pair& pair, int along) const {

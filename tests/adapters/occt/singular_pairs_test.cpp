@@ -251,5 +251,24 @@ TEST(HalfSpheres, AreSettledWithAPoleOnEachOthersBorder) {
   EXPECT_EQ(intersect({a}, {b}, {.time_limit = kSeconds}).status, Status::Tolerance);
 }
 
+// So far from the origin that roundings of small cells are above what counts as flat.
+TEST(Spheres, TouchAPlaneWithTheirPole) {
+  const gp_Dir axis(0.99939082701909576, 0, -0.03489949670250099);
+  const gp_Pnt centre(139.33392669754599, 744.33392669754699, -305);
+  const double r = 25;
+  const Handle(Geom_Surface) ball = new Geom_SphericalSurface(gp_Ax3(centre, axis), r);
+  const Handle(Geom_Surface) plane = new Geom_Plane(centre.Translated(r * gp_Vec(axis)), axis);
+  const TopoDS_Face a = BRepBuilderAPI_MakeFace(plane, -100, 120, -300, 3, 1e-7).Face();
+  const TopoDS_Face b = BRepBuilderAPI_MakeFace(ball, 2.4, 3.9, 0.001, kPi / 2, 1e-7).Face();
+  for (const bool swapped : {false, true}) {
+    const ShapeIntersection found = swapped ? intersect({b}, {a}) : intersect({a}, {b});
+    EXPECT_EQ(found.status, Status::Tolerance);
+    EXPECT_LT(found.certificate.critical, 10'000);
+    ASSERT_EQ(found.pairs.size(), 1u);
+    EXPECT_TRUE(found.pairs[0].found.curves.empty());
+    EXPECT_EQ(found.pairs[0].found.points.size(), 1u);
+  }
+}
+
 }  // namespace
 }  // namespace blossom::occt::analytic
