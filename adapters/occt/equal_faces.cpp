@@ -98,6 +98,11 @@ bool match_wires(const FaceTrims& a, const FaceTrims& b, double within, FaceMatc
   return true;
 }
 
+bool is_exact(const FaceMatch& match) {
+  return match.gap == 0 && !match.map.exchanged && match.map.slope == Vec2{1, 1} &&
+         match.map.offset == Vec2{0, 0};
+}
+
 }  // namespace
 
 std::optional<FaceMatch> match(const FaceData& a, const FaceData& b, double within) {
@@ -111,7 +116,11 @@ std::optional<FaceMatch> match(const FaceData& a, const FaceData& b, double with
 
 FaceCopies::FaceCopies(const FaceList& a, const FaceList& b,
                        const std::vector<std::pair<int, int>>& pairs, double tolerance)
-    : a_(a), b_(b), originals_(b.size(), -1) {
+    : a_(a),
+      b_(b),
+      originals_(b.size(), -1),
+      exact_originals_(b.size(), -1),
+      exact_copies_(a.size(), -1) {
   std::vector<std::optional<FaceMatch>> found(pairs.size());
   parallel_for(pairs.size(), kGrain, [&](std::size_t k) {
     found[k] = match(a.data(static_cast<std::size_t>(pairs[k].first)),
@@ -121,6 +130,10 @@ FaceCopies::FaceCopies(const FaceList& a, const FaceList& b,
     if (!found[k]) continue;
     int& original = originals_[static_cast<std::size_t>(pairs[k].second)];
     if (original < 0) original = pairs[k].first;
+    if (is_exact(*found[k])) {
+      exact_originals_[static_cast<std::size_t>(pairs[k].second)] = pairs[k].first;
+      exact_copies_[static_cast<std::size_t>(pairs[k].first)] = pairs[k].second;
+    }
     matches_.emplace(pairs[k], *std::move(found[k]));
   }
 }
@@ -128,6 +141,16 @@ FaceCopies::FaceCopies(const FaceList& a, const FaceList& b,
 const FaceMatch* FaceCopies::between(int a, int b) const {
   const auto found = matches_.find({a, b});
   return found == matches_.end() ? nullptr : &found->second;
+}
+
+std::pair<int, int> FaceCopies::exchanged(const std::pair<int, int>& pair) const {
+  const auto turned = [&](const std::pair<int, int>& of) {
+    return std::pair{exact_originals_[static_cast<std::size_t>(of.second)],
+                     exact_copies_[static_cast<std::size_t>(of.first)]};
+  };
+  const std::pair<int, int> other = turned(pair);
+  // Where there are several equal faces each has one copy that is taken for its own.
+  return other.first >= 0 && other.second >= 0 && turned(other) == pair ? other : pair;
 }
 
 std::vector<SharedEdge> FaceCopies::shared(int a, int b) const {

@@ -46,6 +46,10 @@ class FaceCopies {
   /// Null if the faces are none.
   const FaceMatch* between(int a, int b) const;
 
+  /// The same question with the lists exchanged: of a face p and a copy of q, that of q and the
+  /// copy of p, if both copies have the same numbers. Else the pair itself.
+  std::pair<int, int> exchanged(const std::pair<int, int>& pair) const;
+
   /// The edges that a face of the first list shares with a face of the second, or with that of its
   /// own list which this is a copy of. Parameters are those of the very faces.
   std::vector<SharedEdge> shared(int a, int b) const;
@@ -55,6 +59,8 @@ class FaceCopies {
   const FaceList& b_;
   std::map<std::pair<int, int>, FaceMatch> matches_;
   std::vector<int> originals_;  // of the faces of b, in a; -1: none
+  // The same if all numbers agree, and the other way round.
+  std::vector<int> exact_originals_, exact_copies_;
 };
 
 }  // namespace blossom::occt

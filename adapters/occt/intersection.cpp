@@ -16,6 +16,7 @@
 #include "adapters/occt/trimmed_overlaps.h"
 #include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
+#include "core/exchanged_order.h"
 
 namespace blossom::occt {
 namespace {
@@ -25,6 +26,7 @@ constexpr double kExact = 1e-9;        // of the size: borders as near as this a
 constexpr double kEdgeReach = 4;       // of a shared edge's tolerance: what is so near is the edge
 constexpr double kEdgeStrip = 2e-3;    // of the faces' size: so near, smooth faces are one
 constexpr double kEdgeSag = 1e-4;      // of a shared edge's length, for the chords of its samples
+constexpr const char* kNoTime = "the limit was reached before these faces were searched";
 
 // --- edges that two faces share
 
@@ -85,12 +87,35 @@ class PairIntersector {
     result.face_b = pair.second;
     if (const FaceMatch* match = copies_.between(pair.first, pair.second))
       add_whole_face(*match, result);
+    else if (limit_.is_reached())
+      leave_open(result);
     else
       search(result);
     return result;
   }
 
+  // What is known of a pair's faces in the other order, where both are copies of each other's.
+  FaceIntersection exchanged(FaceIntersection known, const std::pair<int, int>& pair) const {
+    known.face_a = pair.first;
+    known.face_b = pair.second;
+    const FaceData& a = faces_a_.data(static_cast<std::size_t>(pair.first));
+    const FaceData& b = faces_b_.data(static_cast<std::size_t>(pair.second));
+    known.found = blossom::exchanged(std::move(known.found), a.surface);
+    add_shapes(a, b, known);
+    return known;
+  }
+
  private:
+  // Curves as Open CASCADE has them, and the edges and vertices that points are on.
+  static void add_shapes(const FaceData& a, const FaceData& b, FaceIntersection& result) {
+    result.edges.clear();
+    result.borders.clear();
+    for (const IntersectionCurve& curve : result.found.curves)
+      result.edges.push_back(edge_curves(curve));
+    for (const SurfacePoint& x : result.found.points)
+      result.borders.push_back({border_at(a.trims, x.uv_a), border_at(b.trims, x.uv_b)});
+  }
+
   // Whatever the surface does, all of one face is in the other.
   void add_whole_face(const FaceMatch& match, FaceIntersection& result) const {
     const auto i = static_cast<std::size_t>(result.face_a);
@@ -98,19 +123,35 @@ class PairIntersector {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     result.found.overlaps = {whole_overlap(faces_a_.face(i), a.trims, match.map, match.gap)};
     result.equal_edges = match.edges;
-    const auto range = [](const FaceTrims& trims, int k) {
-      return Interval{trims.box.low[k] / trims.scale[k], trims.box.high[k] / trims.scale[k]};
-    };
     result.found.places = {
-        {PlaceKind::Overlap,
-         a.box.low,
-         a.box.high,
-         0,
-         match.gap,
-         {range(a.trims, 0), range(a.trims, 1), range(b.trims, 0), range(b.trims, 1)}}};
+        {PlaceKind::Overlap, a.box.low, a.box.high, 0, match.gap, parameters_of(a, b)}};
     if (match.gap == 0) return;
     result.found.status = Status::Tolerance;
     result.found.certificate.reasons = {"the surfaces coincide in the listed places"};
+  }
+
+  // Of faces that there was no time for nothing is known but where they may meet.
+  void leave_open(FaceIntersection& result) const {
+    const FaceData& a = faces_a_.data(static_cast<std::size_t>(result.face_a));
+    const FaceData& b = faces_b_.data(static_cast<std::size_t>(result.face_b));
+    Place place;
+    for (int k = 0; k < 3; ++k) {
+      place.box_low[k] = std::max(a.box.low[k], b.box.low[k]);
+      place.box_high[k] = std::min(a.box.high[k], b.box.high[k]);
+    }
+    place.gap_high = distance(place.box_low, place.box_high);
+    place.parameters = parameters_of(a, b);
+    result.found.places = {place};
+    result.found.status = Status::Stopped;
+    result.found.certificate.limited = true;
+    result.found.certificate.reasons = {kNoTime};
+  }
+
+  static std::array<Interval, 4> parameters_of(const FaceData& a, const FaceData& b) {
+    const auto range = [](const FaceTrims& trims, int k) {
+      return Interval{trims.box.low[k] / trims.scale[k], trims.box.high[k] / trims.scale[k]};
+    };
+    return {range(a.trims, 0), range(a.trims, 1), range(b.trims, 0), range(b.trims, 1)};
   }
 
   void search(FaceIntersection& result) const {
@@ -135,10 +176,7 @@ class PairIntersector {
     else if (&a != &b)
       for (auto* const points : {&result.found.points, &touches}) drop_shared(a, b, *points);
     add_touches(touches, options_.tolerances.point, result.found);
-    for (const IntersectionCurve& curve : result.found.curves)
-      result.edges.push_back(edge_curves(curve));
-    for (const SurfacePoint& x : result.found.points)
-      result.borders.push_back({border_at(a.trims, x.uv_a), border_at(b.trims, x.uv_b)});
+    add_shapes(a, b, result);
   }
 
   // A curve that touches the line between two spans of an arc may stay open; the line is our own
@@ -244,9 +282,39 @@ class PairIntersector {
 
 using FacePairs = std::vector<std::pair<int, int>>;
 
-ShapeIntersection intersected(const PairIntersector& intersector, const FacePairs& pairs) {
+// By pair: the place of the one that is the same in the other order, if it comes first; else its
+// own.
+std::vector<std::size_t> exchanged_places(const FaceCopies& copies, const FacePairs& pairs) {
+  std::vector<std::size_t> places(pairs.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto other = std::lower_bound(
+        pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(k), copies.exchanged(pairs[k]));
+    const auto place = static_cast<std::size_t>(other - pairs.begin());
+    places[k] = *other == copies.exchanged(pairs[k]) ? place : k;
+  }
+  return places;
+}
+
+// The sense of a boundary follows the normal of the first face.
+bool has_boundary(const FaceIntersection& pair) {
+  return std::ranges::any_of(pair.found.overlaps,
+                             [](const Overlap& overlap) { return !overlap.boundary.empty(); });
+}
+
+// pairs    in increasing order
+ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopies& copies,
+                              const FacePairs& pairs) {
   std::vector<FaceIntersection> found(pairs.size());
-  parallel_for(pairs.size(), 1, [&](std::size_t k) { found[k] = intersector.of(pairs[k]); });
+  const std::vector<std::size_t> places = exchanged_places(copies, pairs);
+  parallel_for(pairs.size(), 1, [&](std::size_t k) {
+    if (places[k] == k) found[k] = intersector.of(pairs[k]);
+  });
+  parallel_for(pairs.size(), 1, [&](std::size_t k) {
+    if (places[k] == k) return;
+    const FaceIntersection& other = found[places[k]];
+    found[k] =
+        has_boundary(other) ? intersector.of(pairs[k]) : intersector.exchanged(other, pairs[k]);
+  });
   ShapeIntersection result;
   result.face_pairs = static_cast<long>(pairs.size());
   for (FaceIntersection& pair : found) {
@@ -294,7 +362,7 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
     FacePairs pairs = meeting_pairs(faces_a, faces_b);
     convert(faces_a, faces_b, pairs);
     const FaceCopies copies(faces_a, faces_b, pairs, tolerance);
-    result = intersected({faces_a, faces_b, copies, Shared::Listed, options}, pairs);
+    result = intersected({faces_a, faces_b, copies, Shared::Listed, options}, copies, pairs);
   });
   return result;
 }
@@ -310,7 +378,7 @@ ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScop
     });
     convert(list, list, pairs);
     const FaceCopies none(list, list, {}, options.tolerances.point);
-    result = intersected({list, list, none, Shared::LeftOut, options}, pairs);
+    result = intersected({list, list, none, Shared::LeftOut, options}, none, pairs);
   });
   return result;
 }

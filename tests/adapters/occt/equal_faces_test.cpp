@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -156,6 +157,45 @@ TEST(EqualFaces, SharedEdgesHaveTheParametersOfTheCopy) {
 }
 
 // A face moved by far more than rounding, or with another border, is none.
+double length_of(const FaceIntersection& pair) {
+  double length = 0;
+  for (const IntersectionCurve& curve : pair.found.curves) length += curve.length;
+  return length;
+}
+
+TEST(EqualFaces, MeetTheCopiesOfOthersAlikeInBothOrders) {
+  for (const TopoDS_Shape& solid :
+       {BRepPrimAPI_MakeCylinder(1, 2).Shape(), BRepPrimAPI_MakeBox(1, 2, 3).Shape()}) {
+    const auto faces = faces_of(solid), copies = faces_of(copy_of(solid));
+    const ShapeIntersection found = intersect(faces, copies);
+    int compared = 0;
+    for (const FaceIntersection& pair : found.pairs) {
+      if (pair.face_a <= pair.face_b) continue;
+      const auto other = std::ranges::find_if(found.pairs, [&](const FaceIntersection& each) {
+        return each.face_a == pair.face_b && each.face_b == pair.face_a;
+      });
+      ASSERT_NE(other, found.pairs.end());
+      EXPECT_EQ(pair.found.status, other->found.status);
+      EXPECT_EQ(pair.edges.size(), pair.found.curves.size());
+      EXPECT_EQ(pair.borders.size(), pair.found.points.size());
+      EXPECT_NEAR(length_of(pair), length_of(*other), 1e-9);
+      for (const IntersectionCurve& curve : pair.found.curves)
+        for (const SurfacePoint& x : curve.samples) {
+          const auto point_of = [](const TopoDS_Face& face, const Vec2& uv) {
+            const gp_Pnt p = BRep_Tool::Surface(face)->Value(uv[0], uv[1]);
+            return Vec3{p.X(), p.Y(), p.Z()};
+          };
+          const auto a = static_cast<std::size_t>(pair.face_a);
+          const auto b = static_cast<std::size_t>(pair.face_b);
+          EXPECT_LE(distance(point_of(faces[a], x.uv_a), x.point), 1e-7);
+          EXPECT_LE(distance(point_of(copies[b], x.uv_b), x.point), 1e-7);
+        }
+      ++compared;
+    }
+    EXPECT_GT(compared, 0);
+  }
+}
+
 TEST(EqualFaces, AreNoneOfFacesThatDiffer) {
   const auto data = [](const TopoDS_Face& face) { return face_data(face, 1e-7); };
   const FaceData whole = data(face_on(hill()));

@@ -97,6 +97,21 @@ std::size_t points_of(const ShapeIntersection& found) {
   return count;
 }
 
+TEST(IntersectShapes, ListPairsThatThereWasNoTimeFor) {
+  const std::vector<TopoDS_Face> box = faces_of(BRepPrimAPI_MakeBox(1, 1, 1).Shape());
+  const std::vector<TopoDS_Face> ball = faces_of(BRepPrimAPI_MakeSphere(1).Shape());
+  const ShapeIntersection found = intersect(box, ball, {.cancelled = [] { return true; }});
+  EXPECT_EQ(found.status, Status::Stopped);
+  EXPECT_TRUE(found.certificate.limited);
+  ASSERT_EQ(static_cast<long>(found.pairs.size()), found.face_pairs);
+  for (const FaceIntersection& pair : found.pairs) {
+    ASSERT_EQ(pair.found.places.size(), 1u);
+    EXPECT_EQ(pair.found.places[0].kind, PlaceKind::Open);
+    for (int k = 0; k < 3; ++k)
+      EXPECT_LE(pair.found.places[0].box_low[k], pair.found.places[0].box_high[k]);
+  }
+}
+
 TEST(SelfIntersectShapes, LeaveOutWhatFacesShare) {
   // Opposite sides of the pyramid share their top only.
   for (const TopoDS_Shape& sound :
