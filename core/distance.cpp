@@ -15,6 +15,7 @@
 #include "core/base/errors.h"
 #include "core/distance_parts.h"
 #include "core/intersection/cell_tree.h"
+#include "core/intersection/work_limit.h"
 #include "core/queries/convex_pair.h"
 #include "core/queries/curvature_centre.h"
 #include "core/queries/nearest_pair.h"
@@ -28,25 +29,36 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 64 * 0x1p-53;
 // Off the middle, so that cells of symmetric shapes have no stationary points on their borders.
 constexpr double kCut = 0.5 - 1.0 / 64;
-// Newton's method starts at every so many halvings of a pair, even where it promises nothing.
-constexpr int kHalvingsPerStart = 12;
+constexpr int kHalvingsPerStart = 12;  // of a pair, for Newton's method even without a promise
 // Trims take as long to be asked as several halvings.
 constexpr int kHalvingsPerTrim = 6;
+constexpr long kPairsPerQuestion = 64;  // looked at before it is asked whether to go on
 // Balls, cylinders and tori between the sets are tried at every so many halvings of a pair.
 constexpr int kHalvingsPerCentre = 4;
 
-// A cell of an item of a part; the part itself while there is no item.
+// A cell of an item of a part; while there is no item, a node of the part's tree of boxes.
 struct Place {
   int part = 0;
   int item = -1;
   int cell = 0;
 };
 
+constexpr int kHalvingsPerTurn = 4;
+constexpr int kWholeParts = -2;  // depths: their boxes are all that has been looked at
+constexpr int kBoxes = -1;       // and those of their items
+
 struct Pair {
   double lower = 0;
   Place a, b;
-  int depth = -1;  // halvings; -1: only boxes and hulls have been looked at
-  bool operator<(const Pair& other) const { return lower > other.lower; }  // the nearest on top
+  int depth = kWholeParts;  // halvings of cells
+
+  // The nearest on top. Pairs that meet are halved a few times each in turn, one after the other,
+  // so that a point they have in common is found soon, and no place without one holds up the rest.
+  bool operator<(const Pair& other) const {
+    if (lower != other.lower) return lower > other.lower;
+    const int turn = depth / kHalvingsPerTurn, turn_of_other = other.depth / kHalvingsPerTurn;
+    return turn != turn_of_other ? turn > turn_of_other : depth < other.depth;
+  }
 };
 
 // The cells of an item, and how those that were asked about lie to the trims.
@@ -78,6 +90,19 @@ class Side {
 
   const DistanceItem& item(const Place& place) const {
     return parts.items(place.part)[static_cast<std::size_t>(place.item)];
+  }
+
+  const BoxTree::Node& node(const Place& place) const {
+    return parts.item_tree(place.part).node(place.cell);
+  }
+
+  // The item of a node that has one alone.
+  void resolve(Place& place) const {
+    if (place.item < 0 && node(place).item >= 0) place = {place.part, node(place).item, 0};
+  }
+
+  const Box& box(const Place& place) const {
+    return place.item < 0 ? node(place).box : item(place).box;
   }
 
   ItemTree& tree(const Place& place) {
@@ -146,16 +171,21 @@ class Search {
       const Pair pair = open_.top();
       lowest = pair.lower;
       if (is_settled(pair.lower)) break;
-      if (result_.pairs >= options_.budget) {
+      if (result_.pairs >= options_.budget ||
+          (result_.pairs % kPairsPerQuestion == 0 && limit_.reached() != nullptr)) {
         result_.status = Status::Stopped;
         break;
       }
       open_.pop();
       lowest = kInfinity;
+      if (pair.depth == kBoxes && (pair.a.item < 0 || pair.b.item < 0)) {
+        open_boxes(pair);
+        continue;
+      }
       ++result_.pairs;
-      if (pair.a.item < 0)
+      if (pair.depth == kWholeParts)
         look_at_hulls(pair);
-      else if (pair.depth < 0)
+      else if (pair.depth == kBoxes)
         consider({pair.lower, pair.a, pair.b, 0});
       else
         examine(pair);
@@ -245,28 +275,37 @@ class Search {
     const Interval a = a_.parts.heights(pair.a.part, direction_);
     const Interval b = b_.parts.heights(pair.b.part, direction_);
     pair.lower = std::max({pair.lower, a.from - b.to - rounding_, b.from - a.to - rounding_});
-    is_settled(pair.lower) ? drop(pair.lower) : open_parts(pair);
+    push({pair.lower, pair.a, pair.b, kBoxes});
   }
 
   void drop(double lower) { dropped_ = std::min(dropped_, lower); }
 
-  // Pairs of items near enough.
-  void open_parts(const Pair& pair) {
-    const int a = pair.a.part, b = pair.b.part;
-    const auto& items_a = a_.parts.items(a);
-    const auto& items_b = b_.parts.items(b);
-    double bound = result_.upper * result_.upper;
-    for (int i = 0; i < static_cast<int>(items_a.size()); ++i) {
-      const DistanceItem& item = items_a[static_cast<std::size_t>(i)];
-      b_.parts.item_tree(b).for_each_near(widened(item.box, rounding_), bound, [&](int j) {
-        const DistanceItem& other = items_b[static_cast<std::size_t>(j)];
-        if (a_.parts.is_whole(item) && b_.parts.is_whole(other))
-          bound = std::min(bound, (1 + 1e-12) * farthest(widened(item.box, rounding_), other.box));
-        const double far = lower_end(squared_distance(item.box, other.box)) - rounding_;
-        open_.push({std::max(pair.lower, far), {a, i}, {b, j}});
-        return bound;
-      });
+  // The halves of a node with the other one, or with the item that is there.
+  void open_boxes(const Pair& pair) {
+    const bool opens_a = pair.b.item >= 0 || (pair.a.item < 0 && diagonal(a_.node(pair.a).box) >=
+                                                                     diagonal(b_.node(pair.b).box));
+    const BoxTree::Node& node = opens_a ? a_.node(pair.a) : b_.node(pair.b);
+    for (const int child : {node.left, node.right}) {
+      Pair next = pair;
+      (opens_a ? next.a : next.b).cell = child;
+      const Box box = widened(a_.box(next.a), rounding_);
+      next.lower =
+          std::max(pair.lower, lower_end(squared_distance(box, b_.box(next.b))) - rounding_);
+      push(next);
     }
+  }
+
+  // Keeps a pair of boxes if it is near enough.
+  void push(Pair pair) {
+    a_.resolve(pair.a);
+    b_.resolve(pair.b);
+    if (is_settled(pair.lower) || pair.lower > reach_) return drop(pair.lower);
+    open_.push(pair);
+    if (pair.a.item < 0 || pair.b.item < 0) return;
+    const DistanceItem &a = a_.item(pair.a), &b = b_.item(pair.b);
+    if (a_.parts.is_whole(a) && b_.parts.is_whole(b))
+      reach_ =
+          std::min(reach_, std::sqrt((1 + 1e-12) * farthest(widened(a.box, rounding_), b.box)));
   }
 
   void examine(const Pair& pair) {
@@ -359,7 +398,8 @@ class Search {
 
   // Whether Newton's method may find something nearer from the middle of the cells.
   bool is_promising(const Pair& pair, const Cell& a, const Cell& b) const {
-    return pair.depth % kHalvingsPerStart == kHalvingsPerStart - 1 ||
+    const int halvings = options_.enough < 0 ? kHalvingsPerStart : kHalvingsPerTurn;
+    return pair.depth % halvings == halvings - 1 ||
            distance(0.5 * (a.low + a.high), 0.5 * (b.low + b.high)) < result_.upper - gap();
   }
 
@@ -419,7 +459,8 @@ class Search {
 
   static constexpr int kDeepest = 90;  // halvings of a patch: 45 in each direction
 
-  DistanceOptions options_;
+  const DistanceOptions& options_;
+  const WorkLimit limit_{options_.time_limit, options_.cancelled};
   Side a_, b_;
   double rounding_;  // of the distance of two points, model units
   double floor_;     // what differences of distances below this are worth, model units
@@ -430,45 +471,11 @@ class Search {
   Vec3 direction_;               // from the nearest point of b to that of a
   std::vector<Centre> centres_;  // that one of the sets may lie round there, the other one within
   double dropped_ = kInfinity;
+  double reach_ = kInfinity;  // the distance is no larger, by boxes
   std::priority_queue<Pair> open_;
 };
 
-// One border of a patch.
-RationalBezierCurve border(const RationalBezierPatch& patch, bool along_u, bool last) {
-  const Grid<Vec4>& net = patch.points;
-  RationalBezierCurve curve;
-  for (int k = 0; k < (along_u ? net.rows() : net.columns()); ++k)
-    curve.points.push_back(along_u ? net(k, last ? net.columns() - 1 : 0)
-                                   : net(last ? net.rows() - 1 : 0, k));
-  return curve;
-}
-
 }  // namespace
-
-MeasuredSet measured(const Vec3& point) { return {{point}, {}, {}}; }
-
-MeasuredSet measured(const RationalBezierCurve& curve) {
-  if (curve.degree() < 1) throw InvalidInput("measured: a curve needs two points at least");
-  return {{projected(curve.points.front()), projected(curve.points.back())}, {curve}, {}};
-}
-
-MeasuredSet measured(const BezierSurface& surface) {
-  validate(surface, "to measure");
-  MeasuredSet set{{}, {}, {surface}};
-  const auto& patches = surface.patches;
-  const auto add = [&](const RationalBezierPatch& patch, bool along_u, bool last) {
-    set.curves.push_back(border(patch, along_u, last));
-    set.points.push_back(projected(set.curves.back().points.front()));
-    set.points.push_back(projected(set.curves.back().points.back()));
-  };
-  for (const bool last : {false, true}) {
-    for (int i = 0; i < patches.rows(); ++i)
-      add(patches(i, last ? patches.columns() - 1 : 0), true, last);
-    for (int j = 0; j < patches.columns(); ++j)
-      add(patches(last ? patches.rows() - 1 : 0, j), false, last);
-  }
-  return set;
-}
 
 PreparedSet::PreparedSet(MeasuredSet set)
     : parts_(std::make_unique<DistanceParts>(std::move(set))) {}

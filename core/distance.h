@@ -72,7 +72,7 @@ struct DistanceResult {
   DistanceEnd a, b;
 
   /// Complete: the bounds agree to kDistanceAccuracy or kDistanceResolution.
-  /// Stopped: the budget or the limit of halving was spent before.
+  /// Stopped: the budget, the time or the limit of halving was spent before.
   Status status = Status::Complete;
   long pairs = 0;  ///< of cells looked at
 };
@@ -90,6 +90,10 @@ inline constexpr double kDistanceRounding = 0x1p-39;
 struct DistanceOptions {
   /// Pairs of cells looked at before giving up.
   long budget = 400'000;
+  /// Seconds before giving up; 0 means no limit.
+  double time_limit = 0;
+  /// Asked now and then; true gives up.
+  std::function<bool()> cancelled{};
   /// Stops as soon as the distance is proven to be above this, or found to be below; model units.
   /// Then only the side is told: lower > enough, or upper <= enough.
   double enough = -1;
@@ -115,6 +119,8 @@ class PreparedSet {
  private:
   friend DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                                        const DistanceOptions& options);
+  friend bool proven_to_cross(const PreparedSet& a, int part_a, const PreparedSet& b, int part_b,
+                              const Vec3& point, double within);
   std::unique_ptr<DistanceParts> parts_;
 };
 
@@ -124,5 +130,13 @@ DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
 /// throws   as PreparedSet
 DistanceResult least_distance(const MeasuredSet& a, const MeasuredSet& b,
                               const DistanceOptions& options = {});
+
+/// Whether the surfaces of two parts of sets are proven to cross within their trims. Looked for
+/// along their intersection, from a point that both come near to.
+///
+/// within    how near, model units
+/// returns   false if no proof was found; always so of approximated surfaces
+bool proven_to_cross(const PreparedSet& a, int part_a, const PreparedSet& b, int part_b,
+                     const Vec3& point, double within);
 
 }  // namespace blossom

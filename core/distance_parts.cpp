@@ -151,7 +151,42 @@ void add_surface(const MeasuredSet& set, std::size_t number, std::vector<Distanc
     }
 }
 
+// One border of a patch.
+RationalBezierCurve border(const RationalBezierPatch& patch, bool along_u, bool last) {
+  const Grid<Vec4>& net = patch.points;
+  RationalBezierCurve curve;
+  for (int k = 0; k < (along_u ? net.rows() : net.columns()); ++k)
+    curve.points.push_back(along_u ? net(k, last ? net.columns() - 1 : 0)
+                                   : net(last ? net.rows() - 1 : 0, k));
+  return curve;
+}
+
 }  // namespace
+
+MeasuredSet measured(const Vec3& point) { return {{point}, {}, {}}; }
+
+MeasuredSet measured(const RationalBezierCurve& curve) {
+  if (curve.degree() < 1) throw InvalidInput("measured: a curve needs two points at least");
+  return {{projected(curve.points.front()), projected(curve.points.back())}, {curve}, {}};
+}
+
+MeasuredSet measured(const BezierSurface& surface) {
+  validate(surface, "to measure");
+  MeasuredSet set{{}, {}, {surface}};
+  const auto& patches = surface.patches;
+  const auto add = [&](const RationalBezierPatch& patch, bool along_u, bool last) {
+    set.curves.push_back(border(patch, along_u, last));
+    set.points.push_back(projected(set.curves.back().points.front()));
+    set.points.push_back(projected(set.curves.back().points.back()));
+  };
+  for (const bool last : {false, true}) {
+    for (int i = 0; i < patches.rows(); ++i)
+      add(patches(i, last ? patches.columns() - 1 : 0), true, last);
+    for (int j = 0; j < patches.columns(); ++j)
+      add(patches(last ? patches.rows() - 1 : 0, j), false, last);
+  }
+  return set;
+}
 
 Vec2 DistanceItem::parameters(const Vec2& local) const {
   if (kind != DistanceEnd::Kind::Surface) return {local[0], 0};

@@ -11,6 +11,7 @@
 #include "core/forms/derivatives.h"
 #include "core/forms/evaluation.h"
 #include "core/forms/products.h"
+#include "core/intersection/surface_cells.h"
 #include "core/queries/two_forms.h"
 #include "core/subdivision/cell_nets.h"
 
@@ -299,6 +300,33 @@ void add_curve(const MeasuredSet& set, int curve, const Vec3& point, double tole
   }
 }
 
+// A foot may be anywhere on a surface.
+FootPoint open_surface(const BezierSurface& surface, int number, const Vec3& point) {
+  FootPoint foot;
+  foot.at.kind = DistanceEnd::Kind::Surface;
+  foot.at.index = number;
+  foot.at.uv = {0.5 * (surface.u_knots.front() + surface.u_knots.back()),
+                0.5 * (surface.v_knots.front() + surface.v_knots.back())};
+  foot.at.point = point_at(surface, foot.at.uv);
+  foot.distance = distance(foot.at.point, point);
+  foot.status = Status::Stopped;
+  foot.size = diagonal(hull_box(surface));
+  return foot;
+}
+
+void add_surface(const MeasuredSet& set, int number, const Vec3& point, double tolerance,
+                 const WorkLimit* limit, std::vector<FootPoint>& feet) {
+  const BezierSurface& surface = set.surfaces[static_cast<std::size_t>(number)];
+  for (int row = 0; row < surface.patches.rows(); ++row) {
+    if (limit != nullptr && limit->reached() != nullptr) {
+      feet.push_back(open_surface(surface, number, point));
+      return;
+    }
+    for (int column = 0; column < surface.patches.columns(); ++column)
+      add_patch(set, number, row, column, point, tolerance, feet);
+  }
+}
+
 }  // namespace
 
 const char* to_string(Extremum extremum) {
@@ -311,7 +339,8 @@ const char* to_string(Extremum extremum) {
   return "unknown";
 }
 
-std::vector<FootPoint> foot_points(const MeasuredSet& set, const Vec3& point, double tolerance) {
+std::vector<FootPoint> foot_points(const MeasuredSet& set, const Vec3& point, double tolerance,
+                                   const WorkLimit* limit) {
   if (!(tolerance > 0)) throw InvalidInput("foot_points: the tolerance must be positive");
   if (!std::isfinite(dot(point, point))) throw InvalidInput("foot_points: the point is not finite");
   std::vector<FootPoint> feet;
@@ -319,10 +348,7 @@ std::vector<FootPoint> foot_points(const MeasuredSet& set, const Vec3& point, do
     add_curve(set, i, point, tolerance, feet);
   for (int i = 0; i < static_cast<int>(set.surfaces.size()); ++i) {
     validate(set.surfaces[static_cast<std::size_t>(i)], "to find feet on");
-    const auto& patches = set.surfaces[static_cast<std::size_t>(i)].patches;
-    for (int row = 0; row < patches.rows(); ++row)
-      for (int column = 0; column < patches.columns(); ++column)
-        add_patch(set, i, row, column, point, tolerance, feet);
+    add_surface(set, i, point, tolerance, limit, feet);
   }
   join(feet, tolerance);
   return feet;

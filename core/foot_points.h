@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/distance.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom {
 
@@ -28,8 +29,8 @@ struct FootPoint {
 
   /// Complete: proven, and the only one near. Tolerance: within tolerance of this there may be
   /// several feet or none, or all of a region is stationary, as for the centre of a sphere.
-  /// Stopped: the budget was spent before it was known whether there is a foot in a region, or the
-  /// degree is too high for the forms.
+  /// Stopped: the budget or the time was spent before it was known whether there is a foot in a
+  /// region, all of a surface perhaps, or the degree is too high for the forms.
   Status status = Status::Complete;
   double size = 0;  ///< of the region, model units; 0 if Complete
 };
@@ -38,7 +39,9 @@ struct FootPoint {
 ///
 /// set          its points are not looked at; feet outside of its trims are left out
 /// tolerance    size of the regions in which what is not decided counts as one foot, model units
+/// limit        of the whole question; null: none
 /// throws       InvalidInput if a form is not sound, or the tolerance is not positive
-std::vector<FootPoint> foot_points(const MeasuredSet& set, const Vec3& point, double tolerance);
+std::vector<FootPoint> foot_points(const MeasuredSet& set, const Vec3& point, double tolerance,
+                                   const WorkLimit* limit = nullptr);
 
 }  // namespace blossom

@@ -24,11 +24,18 @@
 #include "adapters/occt/hulls.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/placed_shapes.h"
+#include "adapters/occt/shared_limit.h"
 #include "adapters/occt/surfaces.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {
 namespace {
+
+// Forms that have to be approximated are this near to what they stand for where that is possible,
+// so that bounds tell more than what is within the usual tolerance of each other.
+constexpr double kFormTolerance = 2e-8;
+// A crossing is looked for where faces are within this many tolerances of a point.
+constexpr double kNearCrossing = 4;
 
 // The trims of a face, made when a question comes near it; and when there are many, a grid of what
 // is inside.
@@ -123,7 +130,7 @@ struct MeasuredShape::Impl {
     if (add_hull(TopoDS::Face(part.shape), hull) && has_end(hull))
       return placed_hull(std::move(hull), shapes.place_of(part));
     BezierSurface& surface =
-        converted[static_cast<std::size_t>(i)].emplace(bezier_surface(face(i)));
+        converted[static_cast<std::size_t>(i)].emplace(bezier_surface(face(i), kFormTolerance));
     error = std::max(error, surface.error);
     hull.clear();
     for (const RationalBezierPatch& patch : surface.patches.values())
@@ -136,7 +143,7 @@ struct MeasuredShape::Impl {
     std::vector<Vec3> hull;
     if (add_hull(TopoDS::Edge(part.shape), hull) && has_end(hull))
       return placed_hull(std::move(hull), shapes.place_of(part));
-    const CurveSpans found = bezier_spans(edge(of));
+    const CurveSpans found = bezier_spans(edge(of), kFormTolerance);
     error = std::max(error, found.error);
     hull.clear();
     for (const CurveSpan& span : found.spans)
@@ -150,13 +157,14 @@ struct MeasuredShape::Impl {
       MeasuredSet set;
       if (is_face(part)) {
         auto& known = converted[static_cast<std::size_t>(part)];
-        set.surfaces.push_back(known ? std::move(*known) : bezier_surface(face(part)));
+        set.surfaces.push_back(known ? std::move(*known)
+                                     : bezier_surface(face(part), kFormTolerance));
         known.reset();
         return set;
       }
       MeasuredEdge& of = edge_of_part(part);
       std::vector<EdgeSpan> spans;
-      for (CurveSpan& span : bezier_spans(edge(of)).spans) {
+      for (CurveSpan& span : bezier_spans(edge(of), kFormTolerance).spans) {
         // Between spans the curve may have a kink, so ends of spans count as points.
         if (!spans.empty()) set.points.push_back(projected(span.curve.points.front()));
         set.curves.push_back(std::move(span.curve));
@@ -226,24 +234,47 @@ ShapeDistance of_result(const DistanceResult& found, double error) {
   return result;
 }
 
-// The faces that a face, edge or vertex belongs to.
-std::vector<TopoDS_Face> faces_with(const TopoDS_Shape& part, const std::vector<TopoDS_Face>& all) {
-  std::vector<TopoDS_Face> found;
-  for (const TopoDS_Face& face : all) {
+// The places of the faces that a face, edge or vertex belongs to.
+std::vector<int> faces_with(const TopoDS_Shape& part, const std::vector<TopoDS_Face>& all) {
+  std::vector<int> found;
+  for (std::size_t i = 0; i < all.size(); ++i) {
     TopTools_IndexedMapOfShape parts;
-    TopExp::MapShapes(face, parts);
-    if (parts.Contains(part)) found.push_back(face);
+    TopExp::MapShapes(all[i], parts);
+    if (parts.Contains(part)) found.push_back(static_cast<int>(i));
   }
   return found;
 }
 
-// Whether the intersection of faces is proven to hold a curve along which they cross.
-bool cross_proven(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b) {
-  if (a.empty() || b.empty()) return false;
-  for (const FaceIntersection& pair : intersect(a, b).pairs)
+// Whether the intersection of two faces is proven to hold a curve along which they cross.
+bool has_proven_curve(const TopoDS_Face& a, const TopoDS_Face& b,
+                      const IntersectionOptions& options) {
+  for (const FaceIntersection& pair : intersect({a}, {b}, options).pairs)
     for (const IntersectionCurve& curve : pair.found.curves)
       if (pair.found.status == Status::Complete && !curve.tangential) return true;
   return false;
+}
+
+// Whether faces that are within tolerance of each other in a point are proven to cross: near it,
+// else anywhere.
+bool cross_proven(const MeasuredShape& a, const MeasuredShape& b, const ShapeDistance& found,
+                  double tolerance, const IntersectionOptions& options) {
+  const std::vector<TopoDS_Face> faces_a = a.faces(), faces_b = b.faces();
+  const std::vector<int> of_a = faces_with(found.a.on, faces_a);
+  const std::vector<int> of_b = faces_with(found.b.on, faces_b);
+  const auto any_pair = [&](const auto& test) {
+    return std::ranges::any_of(
+        of_a, [&](int i) { return std::ranges::any_of(of_b, [&](int j) { return test(i, j); }); });
+  };
+  if (any_pair([&](int i, int j) {
+        return proven_to_cross(a.set(), i, b.set(), j, found.a.point, kNearCrossing * tolerance);
+      }))
+    return true;
+  const SharedLimit limit(options);
+  return any_pair([&](int i, int j) {
+    return !limit.is_reached() &&
+           has_proven_curve(faces_a[static_cast<std::size_t>(i)],
+                            faces_b[static_cast<std::size_t>(j)], limit.remaining());
+  });
 }
 
 }  // namespace
@@ -267,14 +298,14 @@ ShapeDistance nearest_point(const MeasuredShape& shape, const Vec3& point,
   return result;
 }
 
-std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point,
-                                   double tolerance) {
+std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point, double tolerance,
+                                   const WorkLimit* limit) {
   std::vector<ShapeFoot> feet;
   for (int part = 0; part < shape.parts(); ++part) {
     MeasuredSet set = shape.set().part(part);
     const TrimFilter& trims = shape.set().set().trims;
     set.trims = [&](int, const Vec2& low, const Vec2& high) { return trims(part, low, high); };
-    for (FootPoint& foot : blossom::foot_points(set, point, tolerance)) {
+    for (FootPoint& foot : blossom::foot_points(set, point, tolerance, limit)) {
       foot.at.part = part;
       if (shape.error() > 0) foot.status = weaker(foot.status, Status::Tolerance);
       const ShapePoint place = shape.named(foot.at);
@@ -295,6 +326,10 @@ std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point
 ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b, double tolerance,
                      const DistanceOptions& options) {
   if (!(tolerance > 0)) throw InvalidInput("meeting: the tolerance must be positive");
+  IntersectionOptions of_job;
+  of_job.time_limit = options.time_limit;
+  of_job.cancelled = options.cancelled;
+  const SharedLimit limit(of_job);
   DistanceOptions sided = options;
   sided.enough = 0;
   const ShapeDistance found = least_distance(a, b, sided);
@@ -303,9 +338,7 @@ ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b, double tole
     result.answer = Meeting::No;
   else if (found.upper <= tolerance)
     result.answer =
-        cross_proven(faces_with(found.a.on, a.faces()), faces_with(found.b.on, b.faces()))
-            ? Meeting::Yes
-            : Meeting::Within;
+        cross_proven(a, b, found, tolerance, limit.remaining()) ? Meeting::Yes : Meeting::Within;
   return result;
 }
 

@@ -73,9 +73,10 @@ struct ShapeFoot {
 };
 
 /// All feet of a point on the faces, within their trims, and on the edges of a shape, by increasing
-/// distance. Approximated forms make them Status::Tolerance.
+/// distance. Approximated forms make them Status::Tolerance. When the limit is reached each face
+/// that was not searched, or not all of it, has one that is Status::Stopped.
 std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point,
-                                   double tolerance = 1e-7);
+                                   double tolerance = 1e-7, const WorkLimit* limit = nullptr);
 
 enum class Meeting {
   No,       ///< proven: they have no point in common

@@ -66,11 +66,15 @@ BezierSurface surface_of(const TopoDS_Face& face, std::size_t number, double tol
   }
 }
 
-RayCaster caster_of(const std::vector<TopoDS_Face>& faces, double tolerance) {
+constexpr const char* kPreparing = "preparing faces for rays";
+
+RayCaster caster_of(const std::vector<TopoDS_Face>& faces, double tolerance,
+                    const WorkLimit* limit) {
   if (faces.empty()) throw BadModel("there is no face to cast rays at");
   std::vector<BezierSurface> surfaces;
   std::vector<double> reaches;
   for (const TopoDS_Face& face : faces) {
+    check_limit(limit, kPreparing);
     surfaces.push_back(surface_of(face, surfaces.size() + 1, tolerance));
     reaches.push_back(std::max(tolerance, largest_tolerance(face)));
   }
@@ -93,9 +97,10 @@ bool is_near(const PlanarBox& box, const Vec2& point, double margin) {
 }  // namespace
 
 struct ShapeRays::Impl {
-  Impl(const std::vector<TopoDS_Face>& all, double within)
-      : faces(all), tolerance(within), caster(caster_of(all, within)) {
+  Impl(const std::vector<TopoDS_Face>& all, double within, const WorkLimit* limit)
+      : faces(all), tolerance(within), caster(caster_of(all, within, limit)) {
     for (const TopoDS_Face& face : all) {
+      check_limit(limit, kPreparing);
       rayed.emplace_back(face);
       TopExp::MapShapes(face, TopAbs_EDGE, named);
     }
@@ -153,9 +158,9 @@ bool ShapeRays::Impl::has_edge(int face, const TopoDS_Shape& edge) const {
   return false;
 }
 
-ShapeRays::ShapeRays(const std::vector<TopoDS_Face>& faces, double tolerance)
-    : impl_(guarded("preparing faces for rays",
-                    [&] { return std::make_unique<Impl>(faces, tolerance); })) {}
+ShapeRays::ShapeRays(const std::vector<TopoDS_Face>& faces, double tolerance,
+                     const WorkLimit* limit)
+    : impl_(guarded(kPreparing, [&] { return std::make_unique<Impl>(faces, tolerance, limit); })) {}
 ShapeRays::ShapeRays(const TopoDS_Shape& shape, double tolerance)
     : ShapeRays(faces_of(shape), tolerance) {}
 ShapeRays::~ShapeRays() = default;

@@ -10,6 +10,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
+#include "adapters/occt/shared_limit.h"
 #include "core/ray_casting.h"
 
 namespace blossom::occt {
@@ -26,9 +27,11 @@ struct ShapeHit {
 class ShapeRays {
  public:
   /// tolerance  within which a hit is on an edge or vertex, model units
+  /// limit      of making them ready; null: none
   /// throws     BadModel if there is no face or one cannot be used, InvalidInput if the tolerance
-  ///            is not positive
-  explicit ShapeRays(const std::vector<TopoDS_Face>& faces, double tolerance = 1e-7);
+  ///            is not positive, LimitFailure
+  explicit ShapeRays(const std::vector<TopoDS_Face>& faces, double tolerance = 1e-7,
+                     const WorkLimit* limit = nullptr);
   explicit ShapeRays(const TopoDS_Shape& shape, double tolerance = 1e-7);
   ~ShapeRays();
   ShapeRays(ShapeRays&&) noexcept;

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <string>
 
-#include "adapters/occt/errors.h"
-
 namespace blossom::occt {
 
 IntersectionOptions SharedLimit::remaining() const {
@@ -35,7 +33,7 @@ double SharedLimit::seconds() const {
 
 void check_limit(const WorkLimit* limit, const char* work) {
   const char* reason = limit == nullptr ? nullptr : limit->reached_after_search();
-  if (reason != nullptr) throw Failure(std::string(work) + ": " + reason);
+  if (reason != nullptr) throw LimitFailure(std::string(work) + ": " + reason);
 }
 
 }  // namespace blossom::occt

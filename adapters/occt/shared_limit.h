@@ -6,6 +6,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "adapters/occt/errors.h"
 #include "core/intersection/options.h"
 #include "core/intersection/work_limit.h"
 
@@ -33,11 +34,17 @@ class SharedLimit {
   mutable std::mutex asking_;
 };
 
+/// Work that follows a search has no time left.
+class LimitFailure : public Failure {
+ public:
+  using Failure::Failure;
+};
+
 /// Ends work that follows a search when its limit is reached.
 ///
 /// limit    null: none
 /// work     what is being done, in the message
-/// throws   Failure
+/// throws   LimitFailure
 void check_limit(const WorkLimit* limit, const char* work);
 
 }  // namespace blossom::occt

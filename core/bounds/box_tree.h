@@ -57,6 +57,13 @@ double squared_distance(const Box& box, const Vec3& point);
 
 class BoxTree {
  public:
+  struct Node {
+    Box box;
+    int left = -1;  ///< index of a node, or -1
+    int right = -1;
+    int item = -1;  ///< the box of a leaf
+  };
+
   /// Splits the boxes' centres at their median along the longest axis, down to one box a leaf.
   explicit BoxTree(const std::vector<Box>& boxes);
 
@@ -75,17 +82,13 @@ class BoxTree {
   template <class Place, class Visit>
   void for_each_near(const Place& place, double bound, Visit visit) const;
 
+  /// For walks in an order of their own; node 0 is the root.
+  const Node& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
+
   /// Box of all.
   Box box() const { return nodes_.empty() ? Box{} : nodes_.front().box; }
 
  private:
-  struct Node {
-    Box box;
-    int left = -1;  // index of a node, or -1
-    int right = -1;
-    int item = -1;  // the box of a leaf
-  };
-
   /// Nodes that wait: halves of the boxes, so the tree is no deeper than this.
   static constexpr int kDeepest = 40;
 

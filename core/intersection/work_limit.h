@@ -4,6 +4,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 
 #include "core/intersection/options.h"
 
@@ -14,17 +15,23 @@ class WorkLimit {
   static constexpr const char* kCancelled = "cancelled";
 
   /// The time limit begins to run.
-  explicit WorkLimit(const IntersectionOptions& options) : options_(options) {}
+  ///
+  /// seconds     0: no limit
+  /// cancelled   kept by reference
+  WorkLimit(double seconds, const std::function<bool()>& cancelled)
+      : seconds_(seconds), cancelled_(cancelled) {}
+  explicit WorkLimit(const IntersectionOptions& options)
+      : WorkLimit(options.time_limit, options.cancelled) {}
 
   /// Why the work has to end now; null if it may go on.
   const char* reached() const {
-    if (options_.cancelled && options_.cancelled()) return kCancelled;
+    if (cancelled_ && cancelled_()) return kCancelled;
     return spent() > 1 ? kLate : nullptr;
   }
 
   /// The same for what follows a search: its results want some time of their own.
   const char* reached_after_search() const {
-    if (options_.cancelled && options_.cancelled()) return kCancelled;
+    if (cancelled_ && cancelled_()) return kCancelled;
     return late_after_search() ? kLate : nullptr;
   }
 
@@ -37,12 +44,13 @@ class WorkLimit {
 
   // As a part of the limit.
   double spent() const {
-    if (!(options_.time_limit > 0)) return 0;
+    if (!(seconds_ > 0)) return 0;
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - started_;
-    return time.count() / options_.time_limit;
+    return time.count() / seconds_;
   }
 
-  const IntersectionOptions& options_;
+  const double seconds_;
+  const std::function<bool()>& cancelled_;
   const std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 

@@ -75,6 +75,12 @@ void add_common_options(CLI::App& command, CommonOptions& options, const std::st
   command.add_flag("-q,--quiet", options.quiet, "say nothing but errors");
 }
 
+void add_time_limit(CLI::App& command, double& seconds) {
+  command.add_option("--time-limit", seconds, "stop after so many seconds")
+      ->check(CLI::Validator(positive_number, "POSITIVE"))
+      ->type_name("S");
+}
+
 void add_engine_options(CLI::App& command, EngineOptions& options) {
   command.add_option("--tolerance", options.tolerance, "what counts as one point, in model units")
       ->check(CLI::Validator(positive_number, "POSITIVE"))
@@ -84,9 +90,7 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
       ->check(CLI::IsMember(kForms))
       ->type_name("")
       ->capture_default_str();
-  command.add_option("--time-limit", options.time_limit, "stop after so many seconds")
-      ->check(CLI::Validator(positive_number, "POSITIVE"))
-      ->type_name("S");
+  add_time_limit(command, options.time_limit);
   command.add_option("--budget", options.budget, "stop after so many pairs of cells")
       ->check(CLI::Range(1L, 1'000'000'000'000L))
       ->type_name("N")

@@ -32,6 +32,9 @@ struct EngineOptions {
 /// output    what -o gets, for the help text; empty if the command writes no model
 void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output);
 
+/// --time-limit.
+void add_time_limit(CLI::App& command, double& seconds);
+
 /// --tolerance, --form, --time-limit, --budget, --threads.
 void add_engine_options(CLI::App& command, EngineOptions& options);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom query point`, `query distance` and `query does-intersect`.
 
+#include <algorithm>
 #include <memory>
 #include <sstream>
 
@@ -11,6 +12,8 @@
 
 namespace blossom::cli {
 namespace {
+
+constexpr double kLeastSeconds = 1e-3;  // that stop a question at once, but are a limit
 
 struct Options {
   std::string a;
@@ -35,6 +38,14 @@ struct Side {
     return place_text(numbers, input, place);
   }
 };
+
+// What a question may take of the limits; to make shapes ready counts, too.
+DistanceOptions limits(const Options& options, const Stopwatch& watch) {
+  DistanceOptions left{.budget = options.budget, .cancelled = interrupted};
+  if (options.common.time_limit > 0)
+    left.time_limit = std::max(kLeastSeconds, options.common.time_limit - watch.seconds());
+  return left;
+}
 
 Json head(const char* kind, const Options& options, Status status, double seconds) {
   return {{"schema", "blossom.query/1"},
@@ -80,10 +91,13 @@ int run_point(const Options& options) {
   stop_if_interrupted();
   const Stopwatch watch;
   side.prepare();
-  const occt::ShapeDistance found =
-      occt::nearest_point(*side.shape, point, {.budget = options.budget});
+  const occt::ShapeDistance found = occt::nearest_point(*side.shape, point, limits(options, watch));
   std::vector<occt::ShapeFoot> feet;
-  if (options.all) feet = occt::foot_points(*side.shape, point, options.common.tolerance);
+  if (options.all) {
+    const DistanceOptions left = limits(options, watch);
+    const WorkLimit limit(left.time_limit, left.cancelled);
+    feet = occt::foot_points(*side.shape, point, options.common.tolerance, &limit);
+  }
   Status status = found.status;
   for (const occt::ShapeFoot& foot : feet) status = weaker(status, foot.foot.status);
   Json report = head("point", options, status, watch.seconds());
@@ -108,7 +122,7 @@ int run_distance(const Options& options) {
   a.prepare();
   b.prepare();
   const occt::ShapeDistance found =
-      occt::least_distance(*a.shape, *b.shape, {.budget = options.budget});
+      occt::least_distance(*a.shape, *b.shape, limits(options, watch));
   Json report = head("distance", options, found.status, watch.seconds());
   stop_if_interrupted();
   report["a"] = a.input.name;
@@ -146,7 +160,7 @@ int run_does_intersect(const Options& options) {
   a.prepare();
   b.prepare();
   const occt::ShapeMeeting found =
-      occt::meeting(*a.shape, *b.shape, options.common.tolerance, {.budget = options.budget});
+      occt::meeting(*a.shape, *b.shape, options.common.tolerance, limits(options, watch));
   Json report = head("does-intersect", options, status_of(found.answer), watch.seconds());
   stop_if_interrupted();
   report["a"] = a.input.name;

@@ -20,10 +20,11 @@ namespace blossom::cli {
 struct QueryOptions {
   std::string json;  ///< --json: a file, or "-" for stdout; empty for none
   double tolerance = 1e-7;
+  double time_limit = 0;  ///< seconds; 0 means none
   bool quiet = false;
 };
 
-/// --json, --tolerance, --quiet.
+/// --json, --tolerance, --time-limit, --quiet.
 void add_query_options(CLI::App& command, QueryOptions& options);
 
 /// Three numbers, as in "1,-2.5,3e2".

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom query ray F --from P --direction D`: what a ray or line hits.
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -102,8 +103,14 @@ int run(const Options& options) {
   const Input input = read_input(options.input);
   stop_if_interrupted();
   const Stopwatch watch;
-  const occt::ShapeRays rays(input.faces, options.common.tolerance);
-  answer.hits = options.first ? rays.first_hits(answer.ray) : rays.all_hits(answer.ray);
+  const std::function<bool()> cancelled = interrupted;
+  const WorkLimit limit(options.common.time_limit, cancelled);
+  try {
+    const occt::ShapeRays rays(input.faces, options.common.tolerance, &limit);
+    answer.hits = options.first ? rays.first_hits(answer.ray) : rays.all_hits(answer.ray);
+  } catch (const occt::LimitFailure&) {  // nothing is known, then
+    answer.status = Status::Stopped;
+  }
   answer.seconds = watch.seconds();
   for (const occt::ShapeHit& hit : answer.hits)
     answer.status = weaker(answer.status, hit.hit.status);

@@ -18,13 +18,16 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <gp_Circ.hxx>
@@ -183,6 +186,41 @@ TEST(ShapeMeeting, SaysNoYesOrWithin) {
   // Inside of each other without a common point: solids are their boundaries.
   EXPECT_EQ(meeting(first, MeasuredShape(BRepPrimAPI_MakeSphere(0.5).Shape())).answer, Meeting::No);
   EXPECT_THROW(meeting(first, first, 0), InvalidInput);
+}
+
+// z = sin x sin y over a square of n x n spans, turned a little about its middle.
+TopoDS_Face waves(int n, double angle) {
+  TColgp_Array2OfPnt points(1, n + 1, 1, n + 1);
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) {
+      const double x = 10.0 * i / n, y = 10.0 * j / n;
+      points.SetValue(i + 1, j + 1, gp_Pnt(x, y, std::sin(x) * std::sin(y)));
+    }
+  const TopoDS_Face face =
+      BRepBuilderAPI_MakeFace(GeomAPI_PointsToBSplineSurface(points).Surface(), 1e-7).Face();
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp_Pnt(5, 5, 0), gp_Dir(0.3, 0.5, 0.8)), angle);
+  return TopoDS::Face(BRepBuilderAPI_Transform(face, turn, true).Shape());
+}
+
+// Everywhere near each other, so that pairs of cells are halved without end where they do not
+// cross.
+TEST(ShapeMeeting, OfNearlyEqualSurfacesIsProvenAtOnce) {
+  const MeasuredShape still(waves(40, 0));
+  for (const double angle : {0.4, 0.03, 1e-3}) {
+    const ShapeMeeting found = meeting(still, MeasuredShape(waves(40, angle)));
+    EXPECT_EQ(found.answer, Meeting::Yes) << angle;
+    EXPECT_LE(found.pairs, 2000) << angle;
+  }
+}
+
+TEST(ShapeMeeting, OfFormsThatAreApproximatedIsKnown) {
+  const Handle(Geom_Surface) ball = new Geom_SphericalSurface(gp_Ax3(), 1);
+  const Handle(Geom_Surface) patch = new Geom_RectangularTrimmedSurface(ball, 0., 1., 0., 1.);
+  const Handle(Geom_Surface) offset =
+      new Geom_OffsetSurface(GeomConvert::SurfaceToBSplineSurface(patch), 0.5);
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(offset, 1e-7).Face();
+  EXPECT_EQ(meeting(MeasuredShape(face), at(face, {})).answer, Meeting::Within);
 }
 
 TEST(ShapeMeeting, OfWhatPassesThroughAHoleIsNo) {

@@ -228,6 +228,20 @@ TEST(LeastDistance, KeepsItsBoundsWhenTheBudgetIsSpent) {
   EXPECT_NEAR(found.upper, 1, 1e-14);
 }
 
+TEST(LeastDistance, KeepsItsBoundsWhenTheTimeIsSpentOrItIsCancelled) {
+  const MeasuredSet a = measured(testing::unit_sphere());
+  const MeasuredSet b = measured(Vec3{3, 0.2, 0.1});
+  const double expected = norm(Vec3{3, 0.2, 0.1}) - 1;
+  const auto expect_stopped = [&](const DistanceOptions& options) {
+    const DistanceResult found = least_distance(a, b, options);
+    EXPECT_EQ(found.status, Status::Stopped);
+    EXPECT_LE(found.lower, expected);
+    EXPECT_GE(found.upper, expected);
+  };
+  expect_stopped({.time_limit = 1e-9});
+  expect_stopped({.cancelled = [] { return true; }});
+}
+
 TEST(LeastDistance, OfBallsAboutOneCentreIsKnownAtOnce) {
   const MeasuredSet inner = measured(testing::unit_sphere());
   const MeasuredSet outer = measured(testing::revolved_circle(0, 2, -std::numbers::pi / 2, 2));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/base/errors.h"
 #include "core/forms/evaluation.h"
@@ -22,6 +23,16 @@ using testing::uniform;
 constexpr double kTolerance = 1e-7;
 
 MeasuredSet only(const BezierSurface& surface) { return {{}, {}, {surface}}; }
+
+TEST(FootPoints, ThatThereWasNoTimeForMayBeAnywhereOnTheirSurface) {
+  const std::function<bool()> always = [] { return true; };
+  const WorkLimit limit(0, always);
+  const std::vector<FootPoint> feet =
+      foot_points(only(testing::unit_sphere()), {0.1, 0.2, 3}, kTolerance, &limit);
+  ASSERT_EQ(feet.size(), 1u);
+  EXPECT_EQ(feet[0].status, Status::Stopped);
+  EXPECT_GE(feet[0].size, 2);
+}
 
 TEST(FootPoints, OnASphereAreTheNearestAndTheFarthest) {
   auto random = seeded(1);

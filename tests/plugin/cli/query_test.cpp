@@ -169,6 +169,29 @@ TEST_F(QueryCommand, TellsWhetherModelsMeet) {
   EXPECT_EQ(answer(pot_ + "#1", folder_ / "table.brep", 3), "within tolerance");
 }
 
+TEST_F(QueryCommand, StopsWhenTheTimeIsSpent) {
+  const Finished run = blossom({"query", "ray", pot_, "--from", "0,0,10", "--direction", "0,0.1,-1",
+                                "--time-limit", "1e-9", "--json", "-"});
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_EQ(json::parse(run.out)["status"], "stopped");
+  EXPECT_TRUE(json::parse(run.out)["hits"].empty());
+}
+
+// What needs no search is proven in any time; the status is no weaker than what is known.
+TEST_F(QueryCommand, TakesATimeLimitForEveryKind) {
+  const std::vector<std::vector<std::string>> all{
+      {"query", "plane", pot_, "--point", "0,0,0.5", "--normal", "0.1,0,1"},
+      {"query", "point", pot_, "--at", "0.3,0.2,1", "--all"},
+      {"query", "distance", pot_ + "#2", pot_ + "#1"},
+      {"query", "does-intersect", pot_ + "#2", pot_ + "#1"}};
+  for (std::vector<std::string> arguments : all) {
+    arguments.insert(arguments.end(), {"--time-limit", "60", "--json", "-"});
+    const Finished run = blossom(arguments);
+    EXPECT_NE(json::parse(run.out)["status"], "stopped") << arguments[1] << run.err;
+    EXPECT_EQ(blossom({"query", arguments[1], "--time-limit", "0"}).code, 2) << arguments[1];
+  }
+}
+
 TEST_F(QueryCommand, RefusesQuestionsThatMakeNoSense) {
   struct Bad {
     std::vector<std::string> arguments;

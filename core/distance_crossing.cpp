@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/distance.h"
+#include "core/distance_parts.h"
+#include "core/queries/nearest_pair.h"
+#include "core/queries/proven_crossing.h"
+
+namespace blossom {
+namespace {
+
+// A patch that comes within a distance of a point, and where.
+struct NearItem {
+  const DistanceItem* item = nullptr;
+  Vec2 at;
+};
+
+std::vector<NearItem> items_near(const DistanceParts& parts, int part, const Vec3& point,
+                                 double within) {
+  const RationalBezierPatch as_patch{Grid<Vec4>(2, 2, {point[0], point[1], point[2], 1})};
+  std::vector<NearItem> near;
+  parts.item_tree(part).for_each_near(point, within * within, [&](int i) {
+    const DistanceItem& item = parts.items(part)[static_cast<std::size_t>(i)];
+    if (item.dimension() == 2) {
+      const NearPair foot = near_pair({&as_patch, 0}, {&item.patch}, {}, {0.5, 0.5});
+      if (distance(foot.point_b, point) <= within) near.push_back({&item, foot.b});
+    }
+    return within * within;
+  });
+  return near;
+}
+
+}  // namespace
+
+bool proven_to_cross(const PreparedSet& a, int part_a, const PreparedSet& b, int part_b,
+                     const Vec3& point, double within) {
+  const DistanceParts &of_a = *a.parts_, &of_b = *b.parts_;
+  const int i = part_a + of_a.points(), j = part_b + of_b.points();
+  for (const BezierSurface& surface : of_a.own_set(part_a).surfaces)
+    if (surface.error > 0) return false;
+  for (const BezierSurface& surface : of_b.own_set(part_b).surfaces)
+    if (surface.error > 0) return false;
+  const std::vector<NearItem> near_b = items_near(of_b, j, point, within);
+  for (const NearItem& p : items_near(of_a, i, point, within))
+    for (const NearItem& q : near_b) {
+      const auto counts = [&](const Box4& x) {
+        return of_a.side(i, *p.item, {x[0].from, x[1].from}, {x[0].to, x[1].to}) ==
+                   TrimSide::Inside &&
+               of_b.side(j, *q.item, {x[2].from, x[3].from}, {x[2].to, x[3].to}) ==
+                   TrimSide::Inside;
+      };
+      if (proven_crossing(p.item->patch, q.item->patch, {p.at[0], p.at[1], q.at[0], q.at[1]},
+                          counts))
+        return true;
+    }
+  return false;
+}
+
+}  // namespace blossom
