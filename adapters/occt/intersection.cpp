@@ -144,7 +144,9 @@ class PairIntersector {
     result.found.places = {place};
     result.found.status = Status::Stopped;
     result.found.certificate.limited = true;
-    result.found.certificate.reasons = {kNoTime};
+    const IntersectionOptions left = limit_.remaining();
+    const char* cancelled = WorkLimit(left).reached();
+    result.found.certificate.reasons = {cancelled != nullptr ? cancelled : kNoTime};
   }
 
   static std::array<Interval, 4> parameters_of(const FaceData& a, const FaceData& b) {
