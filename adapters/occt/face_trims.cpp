@@ -115,6 +115,9 @@ double power_of_two(double length) {
 // The mean lengths of the surface's derivatives over the box, rounded to powers of two.
 Vec2 chart_scale(const Handle(Geom_Surface) & surface, const PlanarBox& box) {
   constexpr int kSamples = 5;
+  // Keeps the polynomial of its last span, which a Bezier surface never leaves.
+  const GeomAdaptor_Surface quick(surface);
+  const bool one_span = quick.GetType() == GeomAbs_BezierSurface;
   Vec2 sum;
   for (int i = 0; i < kSamples; ++i)
     for (int j = 0; j < kSamples; ++j) {
@@ -122,7 +125,7 @@ Vec2 chart_scale(const Handle(Geom_Surface) & surface, const PlanarBox& box) {
       const double v = at({box.low[1], box.high[1]}, (j + 0.5) / kSamples);
       gp_Pnt point;
       gp_Vec du, dv;
-      surface->D1(u, v, point, du, dv);
+      one_span ? quick.D1(u, v, point, du, dv) : surface->D1(u, v, point, du, dv);
       sum += {du.Magnitude(), dv.Magnitude()};
     }
   return {power_of_two(sum[0] / (kSamples * kSamples)),
