@@ -18,7 +18,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kSlack = 1.25;           // of a bound over the largest value seen
+constexpr double kSlack = 1.1;            // of a bound over the largest value seen
 constexpr int kMostHalvings = 400;        // of error forms, for one of the three bounds
 constexpr int kDeepest = 12;              // halvings of a span before its forms are made
 constexpr int kUnprovenSamples = 33;      // of a piece without a bound
@@ -198,22 +198,22 @@ class Proof {
  private:
   void add_piece(const QuinticPoints& piece, int depth) {
     auto a = a_.on(piece, depth), b = a ? b_.on(piece, depth) : std::optional<ImageGap>{};
-    if (a && b) return add_forms(*a, *b);
+    if (a && b) return add_forms(std::move(*a), std::move(*b));
     if (depth == kDeepest || unprovable_) return sample(piece);
     add_piece(piece_of(piece, 0, 0.5), depth + 1);
     add_piece(piece_of(piece, 0.5, 1), depth + 1);
   }
 
   // What the forms leave out is a part of either function.
-  void add_forms(const ImageGap& a, const ImageGap& b) {
-    forms_a_.push_back({a.form, 1 / (1 - a.relative), a.margin});
-    forms_b_.push_back({b.form, 1 / (1 - b.relative), b.margin});
-    const double margin = forms_a_.back().bound() * a.relative + a.margin +
-                          forms_b_.back().bound() * b.relative + b.margin;
+  void add_forms(ImageGap&& a, ImageGap&& b) {
     const int degree = std::max(a.form.degree(), b.form.degree());
     BezierCurve between = elevated(a.form, degree);
     const BezierCurve other = elevated(b.form, degree);
     for (std::size_t k = 0; k < between.points.size(); ++k) between.points[k] -= other.points[k];
+    forms_a_.push_back({std::move(a.form), 1 / (1 - a.relative), a.margin});
+    forms_b_.push_back({std::move(b.form), 1 / (1 - b.relative), b.margin});
+    const double margin = forms_a_.back().bound() * a.relative + a.margin +
+                          forms_b_.back().bound() * b.relative + b.margin;
     forms_between_.push_back({std::move(between), 1, margin});
   }
 

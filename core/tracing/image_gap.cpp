@@ -140,7 +140,9 @@ std::pair<double, double> divide(PowerSeries<Vec3>& gap, const PowerSeries<doubl
 
 }  // namespace
 
-ImageGaps::ImageGaps(const BezierSurface& surface, int chart) : surface_(surface), first_(chart) {}
+// The inverse of a weight falls off slowly.
+ImageGaps::ImageGaps(const BezierSurface& surface, int chart)
+    : surface_(surface), first_(chart), short_series_(!surface.rational) {}
 
 void ImageGaps::add_cuts(const QuinticPoints& points, std::vector<double>& cuts) const {
   for (const auto& [coordinate, all] :
@@ -159,7 +161,10 @@ std::optional<ImageGap> ImageGaps::on(const QuinticPoints& piece, int halvings) 
       local(piece, first_ + 1, surface_.v_law, knots(surface_.v_knots, j), rounding);
   const double stray_u = stray(u.form.points), stray_v = stray(v.form.points);
   if (!(std::max(stray_u, stray_v) <= kStray)) return {};
-  std::optional<ImageGap> result = composed(patch, u, v, piece, rounding);
+  std::optional<ImageGap> result;
+  if (short_series_) result = composed(patch, u, v, piece, rounding, kShortSeriesDegree);
+  short_series_ = result.has_value();
+  if (!result) result = composed(patch, u, v, piece, rounding, kSeriesDegree);
   if (!result) return {};
   if (stray_u + stray_v > 0) {
     // Beyond its border the patch is continued where the surface goes on in the next one, or
@@ -178,14 +183,14 @@ std::optional<ImageGap> ImageGaps::on(const QuinticPoints& piece, int halvings) 
 
 std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, const LocalForm& u,
                                             const LocalForm& v, const QuinticPoints& piece,
-                                            double rounding) const {
+                                            double rounding, std::size_t degree) const {
   // Relative to a point of the curve, so that little is rounded.
   const Vec3 origin = space(piece[0]);
   std::array<Vec3, 6> points;
   for (std::size_t k = 0; k < points.size(); ++k) points[k] = space(piece[k]) - origin;
   const PowerSeries<Vec3> curve = power_series(points);
   const ImageSeries series = image_series(patch, origin, power_series(u.form.points),
-                                          power_series(v.form.points), kFormError);
+                                          power_series(v.form.points), kFormError, degree);
   ImageGap result;
   double inverse = 1;
   PowerSeries<Vec3> gap;
@@ -197,7 +202,7 @@ std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, co
   } else {
     gap = difference(series.image, curve);
   }
-  result.form.points = bezier_points(gap);
+  result.form.points = bezier_points(gap, degree);
   const double seen = largest_norm(result.form.points);
   const double reach = norm(absolute_sum(curve));
   // (X / w)' = (X' - (X / w) w') / w.

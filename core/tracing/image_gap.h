@@ -52,11 +52,12 @@ class ImageGaps {
   const Slopes& slopes(int i, int j);
   Slopes slopes_beside(int i, int j);
   std::optional<ImageGap> composed(const RationalBezierPatch& patch, const LocalForm& u,
-                                   const LocalForm& v, const QuinticPoints& piece,
-                                   double rounding) const;
+                                   const LocalForm& v, const QuinticPoints& piece, double rounding,
+                                   std::size_t degree) const;
 
   const BezierSurface& surface_;
   const int first_;
+  bool short_series_;                            // has been enough for all pieces so far
   std::map<std::array<int, 2>, Slopes> slopes_;  // of the patches that pieces came to
 };
 

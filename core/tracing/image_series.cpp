@@ -13,12 +13,13 @@
 namespace blossom {
 namespace {
 
-constexpr int K = static_cast<int>(kSeriesDegree);
+constexpr int kLong = static_cast<int>(kSeriesDegree);
+constexpr int kShort = static_cast<int>(kShortSeriesDegree);
 constexpr int kChartDegree = kSeriesChartDegree;
 constexpr double kUnit = 0x1p-53;
 constexpr double kOutside = 1.06;  // (1 + 2e-3)^25: of the weights of a point 1e-3 off its patch
 
-// The powers of x - x(0), of which K + 1 coefficients are kept.
+// x - x(0).
 struct Step {
   explicit Step(const PowerSeries<double>& series) {
     for (int p = kChartDegree; p > 0; --p) {
@@ -143,14 +144,18 @@ BLOSSOM_HOT void make_local_size(const Net& net, const double* in_u, const doubl
       add_absolute(in_u[k] * in_v[l], net.points[k * (net.m + 1) + l], size);
 }
 
-// Powers of a step; rest[j] bounds what is cut off the j-th.
+// Powers of a step, of which K + 1 coefficients are kept; rest[j] bounds what is cut off the j-th.
+template <int K>
 struct Powers {
-  double term[kMaxDegree + 1][K + 1] = {};
-  double rest[kMaxDegree + 1] = {};
+  double term[kMaxDegree + 1][K + 1];
+  double rest[kMaxDegree + 1];
 };
 
-BLOSSOM_HOT void make_powers(const Step& step, int highest, Powers& powers) {
+template <int K>
+[[gnu::always_inline]] inline void make_powers(const Step& step, int highest, Powers<K>& powers) {
+  std::fill_n(powers.term[0], (highest + 1) * (K + 1), 0.0);
   powers.term[0][0] = 1;
+  powers.rest[0] = 0;
   for (int j = 0; j < highest; ++j) {
     const double* from = powers.term[j];
     double* to = powers.term[j + 1];
@@ -164,15 +169,20 @@ BLOSSOM_HOT void make_powers(const Step& step, int highest, Powers& powers) {
 }
 
 // Horner's scheme in u, its coefficients the sums over powers of v.
-BLOSSOM_HOT void compose(const Four* a, int rows, int columns, const Step& u, const Powers& v,
-                         Four* sum, Four& rest) {
+template <int K>
+[[gnu::always_inline]] inline void compose_to(const Four* a, int rows, int columns, const Step& u,
+                                              const Step& in_v, Four* sum, Four& rest) {
+  Powers<K> v;
+  make_powers(in_v, columns, v);
   for (int i = rows; i >= 0; --i) {
-    rest *= u.reach;
-    for (int q = K + 1 - u.degree; q <= K; ++q) add_absolute(u.beyond[K + 1 - q], sum[q], rest);
-    for (int k = K; k >= 0; --k) {
-      Four next{};
-      for (int p = 1; p <= std::min(u.degree, k); ++p) next += u.term[p] * sum[k - p];
-      sum[k] = next;
+    if (i < rows) {
+      rest *= u.reach;
+      for (int q = K + 1 - u.degree; q <= K; ++q) add_absolute(u.beyond[K + 1 - q], sum[q], rest);
+      for (int k = K; k >= 0; --k) {
+        Four next{};
+        for (int p = 1; p <= std::min(u.degree, k); ++p) next += u.term[p] * sum[k - p];
+        sum[k] = next;
+      }
     }
     for (int j = 0; j <= columns; ++j) {
       const Four c = a[i * (columns + 1) + j];
@@ -180,6 +190,16 @@ BLOSSOM_HOT void compose(const Four* a, int rows, int columns, const Step& u, co
       add_absolute(v.rest[j], c, rest);
     }
   }
+}
+
+BLOSSOM_HOT void compose_short(const Four* a, int rows, int columns, const Step& u, const Step& v,
+                               Four* sum, Four& rest) {
+  compose_to<kShort>(a, rows, columns, u, v, sum, rest);
+}
+
+BLOSSOM_HOT void compose_long(const Four* a, int rows, int columns, const Step& u, const Step& v,
+                              Four* sum, Four& rest) {
+  compose_to<kLong>(a, rows, columns, u, v, sum, rest);
 }
 
 // Sums of absolute values of the terms, differentiated by u.
@@ -195,7 +215,8 @@ BLOSSOM_HOT void add_slopes(const Four* a, int rows, int columns, int step, int 
 
 // Entry (k, l): the k-th Bezier coefficient of x^l, x = 2 t - 1: its blossom at k times 1 and K - k
 // times -1.
-const auto kBezierOfPower = [] {
+template <int K>
+constexpr auto kBezierOfPower = [] {
   std::array<std::array<double, K + 1>, K + 1> m{};
   for (int k = 0; k <= K; ++k)
     for (int l = 0; l <= K; ++l) {
@@ -207,22 +228,42 @@ const auto kBezierOfPower = [] {
   return m;
 }();
 
-// c_k = binom(n, k) 2^-k times the k-th difference at the middle, of points less the first one.
+template <int K>
+std::vector<Vec3> bezier_points_of(const PowerSeries<Vec3>& series) {
+  std::vector<Vec3> points(K + 1);
+  for (std::size_t k = 0; k <= K; ++k)
+    for (std::size_t l = 0; l <= K; ++l) points[k] += kBezierOfPower<K>[k][l] * series.terms[l];
+  return points;
+}
+
+// Row k holds the weights of the points of a form of degree n in its coefficient of x^k: 2^-k
+// binom(n, k) times the mean of the k-th differences by binom(n - k, .) 2^(k - n). Exact.
+using PowerWeights = std::array<std::array<double, kChartDegree + 1>, kChartDegree + 1>;
+
+constexpr std::array<PowerWeights, kChartDegree + 1> kPowerOfBezier = [] {
+  std::array<PowerWeights, kChartDegree + 1> all{};
+  for (int n = 0; n <= kChartDegree; ++n)
+    for (int k = 0; k <= n; ++k)
+      for (int i = 0; i <= n; ++i) {
+        double sum = 0;
+        for (int d = std::max(0, i - (n - k)); d <= std::min(i, k); ++d)
+          sum += ((k - d) % 2 == 0 ? 1 : -1) * binomial(k, d) * binomial(n - k, i - d);
+        all[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)][static_cast<std::size_t>(i)] =
+            sum * binomial(n, k) / static_cast<double>(1 << n);
+      }
+  return all;
+}();
+
+// Of points less the first one.
 template <class Point>
 PowerSeries<Point> powers_of(std::span<const Point> points) {
-  const int n = static_cast<int>(points.size()) - 1;
+  const std::size_t n = points.size() - 1;
   assert(n <= kChartDegree);
-  std::array<Point, kChartDegree + 1> p{};
-  for (std::size_t i = 0; i < points.size(); ++i) p[i] = points[i] - points[0];
+  std::array<Point, kChartDegree + 1> p;
+  for (std::size_t i = 1; i <= n; ++i) p[i] = points[i] - points[0];
   PowerSeries<Point> result;
-  for (int k = 0; k <= n; ++k) {
-    std::array<Point, kChartDegree + 1> mean = p;
-    for (int level = n - k; level > 0; --level)
-      for (std::size_t i = 0; i < static_cast<std::size_t>(level); ++i)
-        mean[i] = 0.5 * (mean[i] + mean[i + 1]);
-    result.terms[static_cast<std::size_t>(k)] = (binomial(n, k) * std::ldexp(1.0, -k)) * mean[0];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n - k); ++i) p[i] = p[i + 1] - p[i];
-  }
+  for (std::size_t k = 0; k <= n; ++k)
+    for (std::size_t i = 1; i <= n; ++i) result.terms[k] += kPowerOfBezier[n][k][i] * p[i];
   result.terms[0] += points[0];
   return result;
 }
@@ -233,16 +274,14 @@ PowerSeries<double> power_series(std::span<const double> points) { return powers
 
 PowerSeries<Vec3> power_series(std::span<const Vec3> points) { return powers_of(points); }
 
-std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series) {
-  std::vector<Vec3> points(K + 1);
-  for (std::size_t k = 0; k <= K; ++k)
-    for (std::size_t l = 0; l <= K; ++l) points[k] += kBezierOfPower[k][l] * series.terms[l];
-  return points;
+std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series, std::size_t degree) {
+  return degree <= kShortSeriesDegree ? bezier_points_of<kShort>(series)
+                                      : bezier_points_of<kLong>(series);
 }
 
 ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
                          const PowerSeries<double>& u, const PowerSeries<double>& v,
-                         double negligible) {
+                         double negligible, std::size_t degree) {
   Net net;
   make_net(patch, origin, net);
   const double size = std::max(std::max(net.size[0], net.size[1]), net.size[2]);
@@ -256,10 +295,9 @@ ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
   make_taylor_weights(net.m, kept_v.highest, v.terms[0], columns);
   Four a[(kMaxDegree + 1) * (kMaxDegree + 1)];
   make_coefficients(net, rows, kept_u.highest, columns, kept_v.highest, a);
-  Powers powers;
-  make_powers(in_v, kept_v.highest, powers);
-  Four sum[K + 1] = {}, rest{};
-  compose(a, kept_u.highest, kept_v.highest, in_u, powers, sum, rest);
+  Four sum[kLong + 1] = {}, rest{};
+  (degree <= kShortSeriesDegree ? compose_short : compose_long)(a, kept_u.highest, kept_v.highest,
+                                                                in_u, in_v, sum, rest);
   rest += kOutside * (kept_u.rest * all_v + kept_v.rest * all_u) * net.size;
 
   Four slope_u = kOutside * kept_u.slope * all_v * net.size;
@@ -278,7 +316,7 @@ ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
   const double chain = (16 * (net.n + net.m) + 64) * kUnit;
   const auto plain = [](const Four& f) { return Vec4{f[0], f[1], f[2], f[3]}; };
   ImageSeries result{{}, plain(slope_u), plain(slope_v), plain(chain * local), plain(local)};
-  for (std::size_t k = 0; k <= K; ++k) result.image.terms[k] = plain(sum[k]);
+  for (std::size_t k = 0; k <= kLong; ++k) result.image.terms[k] = plain(sum[k]);
   result.image.rest = plain(rest);
   return result;
 }

@@ -18,6 +18,9 @@ namespace blossom {
 /// Highest degree of a chart curve.
 inline constexpr int kSeriesChartDegree = 8;
 
+/// Short pieces need no more terms than up to here.
+inline constexpr std::size_t kShortSeriesDegree = 10;
+
 /// A form over t in [0, 1] by powers of x = 2 t - 1. Of degree 1..kSeriesChartDegree.
 ///
 /// accuracy   power_rounding(degree), relative to the largest distance of a point from the first
@@ -27,8 +30,10 @@ PowerSeries<Vec3> power_series(std::span<const Vec3> points);
 
 constexpr double power_rounding(int degree) { return (degree + 4.0) * (1 << degree) * 0x1p-53; }
 
-/// Bezier points of degree kSeriesDegree over t in [0, 1] of the terms.
-std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series);
+/// Bezier points over t in [0, 1] of the terms up to a degree, which is kSeriesDegree or
+/// kShortSeriesDegree.
+std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series,
+                                std::size_t degree = kSeriesDegree);
 
 /// The homogeneous image (X - w origin, w) of a chart curve.
 struct ImageSeries {
@@ -44,11 +49,12 @@ struct ImageSeries {
 /// u, v        without rests; their terms above kSeriesChartDegree zero; u(0) and v(0) at most 1e-3
 ///             outside of [0, 1]
 /// negligible  terms of Taylor's polynomial that sum up to no more, in model units, may be left out
+/// degree      of what is kept of the image: kSeriesDegree or kShortSeriesDegree
 ///
 /// Source: Makino and Berz 2003, Taylor models, with one variable and sums of absolute values in
 /// place of intervals.
 ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
                          const PowerSeries<double>& u, const PowerSeries<double>& v,
-                         double negligible);
+                         double negligible, std::size_t degree = kSeriesDegree);
 
 }  // namespace blossom

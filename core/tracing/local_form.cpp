@@ -133,6 +133,7 @@ LocalForm angle_form(const std::array<double, 6>& parameters, const Interval& sp
 
 LocalForm linear_form(const std::array<double, 6>& parameters, const Interval& span) {
   LocalForm result;
+  result.form.points.reserve(parameters.size());
   for (const double p : parameters) result.form.points.push_back((p - span.from) / length(span));
   return result;
 }
