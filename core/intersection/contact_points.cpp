@@ -139,6 +139,13 @@ std::array<Row, 3> line_rows(const RationalBezierPatch& a, const RationalBezierP
 
 std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                   const Point4& start, const Point4& plane, double reach) {
+  // Where the plane fixes one parameter there are three equations for the others.
+  if (std::ranges::count(plane, 0.0) == 3) {
+    const auto fixed = std::ranges::find_if(plane, [](double x) { return x != 0; });
+    Box4 box;
+    for (std::size_t i = 0; i < 4; ++i) box[i] = {start[i] - 0.5 * reach, start[i] + 0.5 * reach};
+    if (auto x = newton(a, b, start, static_cast<int>(fixed - plane.begin()), box)) return x;
+  }
   const auto equations = [&](const Point4& x) {
     const PatchJet p = jet_at(a, x[0], x[1], 1), q = jet_at(b, x[2], x[3], 1);
     return System{coincidence_row(p, q, 0), coincidence_row(p, q, 1), coincidence_row(p, q, 2),

@@ -14,6 +14,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kFirstLook = 7;  // points of a chain; most curves are no conic, and done then
 constexpr std::size_t kSecondLook = 24;
+constexpr double kLoosely = 100;    // times the slack: points that are known may be that far off
 constexpr double kParabola = 1e-6;  // ratio of the quadratic form's eigenvalues, to try one
 constexpr double kAtStart = 1e-12;  // radians: an ellipse so near before its vertex begins there
 
@@ -203,7 +204,10 @@ std::optional<Conic> conic_through(std::span<const Vec3> points, double slack) {
 }
 
 std::optional<Conic> conic_along(const ChainTracer& tracer, double slack) {
-  if (!conic_through(points_along(tracer, kFirstLook), slack)) return {};
+  const std::vector<Vec3>& known = tracer.known_points();
+  if (known.size() >= kFirstLook ? !conic_through(known, kLoosely * slack)
+                                 : !conic_through(points_along(tracer, kFirstLook), slack))
+    return {};
   const auto conic = conic_through(points_along(tracer, kSecondLook), slack);
   if (!conic) return {};
   return begun(*conic, tracer.at(0, true).point);

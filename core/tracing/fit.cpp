@@ -28,6 +28,7 @@ constexpr double kWorthARound = 0.93;     // of the knots at most, or no further
 constexpr double kLeastError = 1e-12;     // of the wanted, to guess from: below it is rounding
 constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kLeastSamples = 49;
+constexpr double kLastStep = 1e-8;  // of the size: Newton's step from there to a sample is exact
 
 // Traced points leave a conic by rounding alone: so much of the curve's length and of the size.
 constexpr double kConicOfLength = 1e-11;
@@ -308,24 +309,41 @@ class Fitter {
   void sample(IntersectionCurve& curve) const {
     const double sag = largest_sag();
     curve.least_angle = 1;
-    const auto add = [&](const CurvePoint& p, double parameter) {
-      curve.samples.push_back({p.point, p.a, p.b});
+    const auto add = [&](const SurfacePoint& p, double sine, double parameter) {
+      curve.samples.push_back(p);
       curve.sample_parameters.push_back(parameter);
-      curve.least_angle = std::min(curve.least_angle, p.sine);
+      curve.least_angle = std::min(curve.least_angle, sine);
     };
-    add(runs_.front().sites.front().point, runs_.front().sites.front().parameter);
+    const auto add_site = [&](const Site& site) {
+      add({site.point.point, site.point.a, site.point.b}, site.point.sine, site.parameter);
+    };
+    add_site(runs_.front().sites.front());
     for (const SmoothRun& run : runs_)
       for (std::size_t k = 0; k < run.pieces.size(); ++k) {
         const Site &start = run.sites[k], &stop = run.sites[k + 1];
         const int count = samples_between(start, stop, sag, curve.length);
         for (int i = 1; i < count; ++i) {
           const double fraction = i / static_cast<double>(count);
-          add(tracer_.at(at(Interval{start.station, stop.station}, fraction), true),
-              at(Interval{start.parameter, stop.parameter}, fraction));
+          const CrossingPoint sample = sample_on(run, k, fraction);
+          add(sample.point, sample.sine, at(Interval{start.parameter, stop.parameter}, fraction));
         }
-        add(stop.point, stop.parameter);
+        add_site(stop);
       }
     curve.least_angle = std::asin(std::min(curve.least_angle, 1.0));
+  }
+
+  // A piece that is as good as wanted is so near the curve that there is no need to trace it again.
+  CrossingPoint sample_on(const SmoothRun& run, std::size_t piece, double fraction) const {
+    const double station =
+        at(Interval{run.sites[piece].station, run.sites[piece + 1].station}, fraction);
+    if (run.errors[piece] <= 1) {
+      const Vec7 x = value_at(run.pieces[piece].points, fraction);
+      const SurfacePoint near{space(x), chart_a(x), chart_b(x)};
+      if (const auto found = tracer_.beside(station, near, kLastStep * options_.size))
+        return *found;
+    }
+    const CurvePoint p = tracer_.at(station, true);
+    return {{p.point, p.a, p.b}, p.sine};
   }
 
   static int samples_between(const Site& start, const Site& stop, double sag, double whole) {

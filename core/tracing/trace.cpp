@@ -17,6 +17,8 @@ constexpr double kStraight = 0.9;       // cosine: a tangent farther from its ch
 constexpr double kLeastSine = 1e-6;     // below it derivatives are rounding
 constexpr double kBesideValley = 1e-3;  // likewise: half the step of a difference
 constexpr double kReach = 0.5;          // fraction of a patch
+constexpr double kAtAnAngle = 1e-4;     // sine: from there on Newton's method takes a step or two
+constexpr int kStepsBeside = 3;
 
 // The line that a tangential arc is part of.
 TouchLine touch_line(const FoundArc& arc) {
@@ -65,6 +67,25 @@ void to_own(const BezierSurface& surface, const Interval& span_u, const Interval
   }
 }
 
+// Between the parameters of a patch and those of its surface.
+class SurfaceParameters {
+ public:
+  SurfaceParameters(const SurfaceCells& cells, int patch)
+      : surface_(cells.surface()), u_(cells.knots_u(patch)), v_(cells.knots_v(patch)) {}
+
+  Vec2 local(const Vec2& own) const {
+    return {local_parameter(surface_.u_law, u_, own[0]),
+            local_parameter(surface_.v_law, v_, own[1])};
+  }
+  Vec2 own(const Vec2& local) const {
+    return {parameter_at(surface_.u_law, u_, local[0]), parameter_at(surface_.v_law, v_, local[1])};
+  }
+
+ private:
+  const BezierSurface& surface_;
+  const Interval u_, v_;
+};
+
 }  // namespace
 
 ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
@@ -74,25 +95,26 @@ ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, Surface
   for (const ChainLink& link : chain.links) {
     const FoundArc& arc = found.arcs[static_cast<std::size_t>(link.arc)];
     const auto& patch = a.tree(arc.patch_a).patch();
-    Vec3 last = point_at(patch, arc.arc.from[0], arc.arc.from[1]);
-    double sum = 0;
-    for (const double fraction : {0.5, 1.0}) {
-      const Point4 x = fraction < 1 ? parameters_on(arc, fraction) : arc.arc.to;
-      const Vec3 next = point_at(patch, x[0], x[1]);
-      sum += distance(last, next);
-      last = next;
-    }
+    const auto at_point = [&](const Point4& x) { return point_at(patch, x[0], x[1]); };
+    const Vec3 from = at_point(arc.arc.from), to = at_point(arc.arc.to);
+    const Vec3 middle = at_point(parameters_on(arc, 0.5));
+    const double sum = distance(from, middle) + distance(middle, to);
+    if (!known_points_.empty()) known_points_.push_back(origin + (link.forward ? from : to));
+    known_points_.push_back(origin + middle);
     stations_.push_back(stations_.back() + std::max(sum, 1e-300));
   }
 }
 
-CurvePoint ChainTracer::at(double station, bool after) const {
+std::size_t ChainTracer::link_at(double station, bool after) const {
   const auto first = stations_.begin();
   const auto found = after ? std::upper_bound(first, stations_.end(), station)
                            : std::lower_bound(first, stations_.end(), station);
   const auto last_link = static_cast<std::ptrdiff_t>(chain_.links.size()) - 1;
-  const auto link =
-      static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(found - first - 1, 0, last_link));
+  return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(found - first - 1, 0, last_link));
+}
+
+CurvePoint ChainTracer::at(double station, bool after) const {
+  const std::size_t link = link_at(station, after);
   const double width = stations_[link + 1] - stations_[link];
   const double fraction = std::clamp((station - stations_[link]) / width, 0.0, 1.0);
   CurvePoint p = on_link(link, fraction);
@@ -129,6 +151,33 @@ CurvePoint ChainTracer::at(double station, bool after) const {
   p.second = {};
   p.a_second = p.b_second = {};
   return p;
+}
+
+// Each step leads to where the tangent planes of both surfaces and the plane across them meet. It
+// leaves an error of the square of its length over the sine.
+std::optional<CrossingPoint> ChainTracer::beside(double station, const SurfacePoint& start,
+                                                 double settled) const {
+  const int index = chain_.links[link_at(station, true)].arc;
+  const FoundArc& arc = found_.arcs[static_cast<std::size_t>(index)];
+  if (arc.arc.iso || arc.arc.tangential) return std::nullopt;
+  const SurfaceParameters on_a(a_, arc.patch_a), on_b(b_, arc.patch_b);
+  Vec3 x = start.point - origin_;
+  Vec2 at_a = on_a.local(start.uv_a), at_b = on_b.local(start.uv_b);
+  for (int step = 0; step < kStepsBeside; ++step) {
+    const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), at_a[0], at_a[1], 1);
+    const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), at_b[0], at_b[1], 1);
+    const Vec3 n1 = unit(cross(p.u, p.v)), n2 = unit(cross(q.u, q.v));
+    const double cosine = dot(n1, n2), sine = norm(cross(n1, n2)), square = sine * sine;
+    if (!(sine > kAtAnAngle)) return std::nullopt;
+    const double h1 = dot(n1, p.point - x), h2 = dot(n2, q.point - x);
+    x += n1 * ((h1 - cosine * h2) / square) + n2 * ((h2 - cosine * h1) / square);
+    const Vec3 move_a = x - p.point, move_b = x - q.point;
+    at_a += rates(p.u, p.v, move_a);
+    at_b += rates(q.u, q.v, move_b);
+    if (std::max(dot(move_a, move_a), dot(move_b, move_b)) <= settled * settled * sine)
+      return CrossingPoint{{x + origin_, on_a.own(at_a), on_b.own(at_b)}, sine};
+  }
+  return std::nullopt;
 }
 
 CurvePoint ChainTracer::on_link(std::size_t index, double fraction) const {

@@ -7,10 +7,12 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/intersection/arc_chains.h"
 #include "core/intersection/pair_search.h"
+#include "core/intersection/result.h"
 
 namespace blossom {
 
@@ -24,6 +26,12 @@ struct CurvePoint {
   double sine = 0;  ///< of the angle between the surfaces; 1 where they touch along the curve
 };
 
+/// A point of an intersection curve, and the sine of the angle between the surfaces there.
+struct CrossingPoint {
+  SurfacePoint point;
+  double sine;
+};
+
 class ChainTracer {
  public:
   ChainTracer(const PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, const Vec3& origin,
@@ -32,11 +40,23 @@ class ChainTracer {
   /// Rough length of the chain, and where each link begins on it: links + 1 values, from 0.
   const std::vector<double>& stations() const { return stations_; }
 
+  /// Points that are known, in order: of the middle of each link, and where two links meet.
+  const std::vector<Vec3>& known_points() const { return known_points_; }
+
   /// The point at a rough length. At a station shared by two links, `after` chooses the link
   /// that starts there.
   CurvePoint at(double station, bool after) const;
 
+  /// The point of the link at a station beside one that is nearly on it, in the plane across the
+  /// curve: by Newton's method from there, which a step or two settle.
+  ///
+  /// settled   model units: so short a step is the last one where the surfaces are perpendicular
+  /// returns   nothing where the link is no crossing at an angle, or the steps do not become short
+  std::optional<CrossingPoint> beside(double station, const SurfacePoint& start,
+                                      double settled) const;
+
  private:
+  std::size_t link_at(double station, bool after) const;
   CurvePoint on_link(std::size_t link, double fraction) const;
   Point4 parameters_on(const FoundArc& arc, double fraction) const;
   CurvePoint differentiate(const FoundArc& arc, const Point4& x, bool forward) const;
@@ -49,6 +69,7 @@ class ChainTracer {
   Vec3 origin_;
   const Chain& chain_;
   std::vector<double> stations_;
+  std::vector<Vec3> known_points_;
 };
 
 }  // namespace blossom

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/tracing/fit.h"
 #include "tests/support/cubic_family.h"
@@ -47,6 +48,40 @@ TEST_F(TracedLoop, DerivativesAreThoseOfTheCurve) {
     EXPECT_NEAR(norm(p.first), 1, 1e-14);
     EXPECT_NEAR(dot(p.first, p.second), 0, 1e-10);
   }
+}
+
+TEST_F(TracedLoop, APointBesideTheCurveLeadsOntoIt) {
+  const ChainTracer tracer(found_, a_, b_, {0.5, 0.5, 0}, chains_.at(0));
+  const double total = tracer.stations().back();
+  for (int i = 0; i < 40; ++i) {
+    const double station = total * (i + 0.5) / 40;
+    const CurvePoint p = tracer.at(station, true);
+    const SurfacePoint start{p.point + Vec3{3e-5, -2e-5, 1e-5}, p.a + Vec2{1e-5, 2e-5},
+                             p.b + Vec2{-2e-5, 1e-5}};
+    const auto found = tracer.beside(station, start, 1e-8);
+    ASSERT_TRUE(found);
+    const auto& [x, a, b] = found->point;
+    EXPECT_LE(distance(x, point_at(pair_.a, a)), 1e-14);
+    EXPECT_LE(distance(x, point_at(pair_.b, b)), 1e-14);
+    EXPECT_NEAR(dot(x - start.point, p.first), 0, 1e-8);
+    EXPECT_NEAR(found->sine, p.sine, 1e-4);
+    EXPECT_FALSE(tracer.beside(station, {start.point, start.uv_a, {0.1, 0.9}}, 1e-8));
+  }
+}
+
+TEST_F(TracedLoop, KnownPointsAreInOrderAlongTheLoop) {
+  const ChainTracer tracer(found_, a_, b_, {0.5, 0.5, 0}, chains_.at(0));
+  ASSERT_EQ(tracer.known_points().size(), 2 * chains_[0].links.size() - 1);
+  double turn = 0, last = 0;
+  for (const Vec3& x : tracer.known_points()) {
+    EXPECT_NEAR(std::hypot(x[0] - 0.43, x[1] - 0.57), 0.2, 1e-12);
+    const double angle = std::atan2(x[1] - 0.57, x[0] - 0.43);
+    if (&x != &tracer.known_points().front())
+      turn += std::remainder(angle - last, 2 * std::numbers::pi);
+    last = angle;
+  }
+  EXPECT_GT(std::abs(turn), 0.8 * 2 * std::numbers::pi);
+  EXPECT_LT(std::abs(turn), 2 * std::numbers::pi);
 }
 
 TEST_F(TracedLoop, LinksMeetInPositionTangentAndCurvature) {
