@@ -46,21 +46,23 @@ QuinticPoints piece_of(const QuinticPoints& c, double from, double to) {
   return result;
 }
 
-// The Bezier points of the spline's span [flat[span], flat[span + 1]]: blossoms at its ends.
+// The Bezier points of the spline's span [flat[span], flat[span + 1]]: blossoms at its ends. Point
+// k takes the end k times, then the start; the first steps of all points are the same.
 QuinticPoints span_points(const std::vector<Vec7>& poles, const std::vector<double>& flat,
                           std::size_t span) {
-  QuinticPoints result;
-  for (std::size_t k = 0; k <= 5; ++k) {
-    std::array<Vec7, 6> d;
-    std::copy_n(poles.begin() + static_cast<std::ptrdiff_t>(span - 5), 6, d.begin());
-    for (std::size_t r = 1; r <= 5; ++r) {
-      const double t = r <= k ? flat[span + 1] : flat[span];
-      for (std::size_t j = 5; j >= r; --j) {
-        const double low = flat[span - 5 + j], high = flat[span + 1 + j - r];
-        const double s = (t - low) / (high - low);
-        d[j] = (1 - s) * d[j - 1] + s * d[j];
-      }
+  const auto step = [&](QuinticPoints& d, std::size_t r, double t) {
+    for (std::size_t j = 5; j >= r; --j) {
+      const double low = flat[span - 5 + j], high = flat[span + 1 + j - r];
+      const double s = (t - low) / (high - low);
+      d[j] = (1 - s) * d[j - 1] + s * d[j];
     }
+  };
+  QuinticPoints result, at_end;
+  std::copy_n(poles.begin() + static_cast<std::ptrdiff_t>(span - 5), 6, at_end.begin());
+  for (std::size_t k = 0; k <= 5; ++k) {
+    if (k > 0) step(at_end, k, flat[span + 1]);
+    QuinticPoints d = at_end;
+    for (std::size_t r = k + 1; r <= 5; ++r) step(d, r, flat[span]);
     result[k] = d[5];
   }
   return result;

@@ -16,6 +16,7 @@ namespace {
 constexpr int kLong = static_cast<int>(kSeriesDegree);
 constexpr int kShort = static_cast<int>(kShortSeriesDegree);
 constexpr int kChartDegree = kSeriesChartDegree;
+constexpr int kLinearDegree = 5;  // of chart curves where no angle is a parameter
 constexpr double kUnit = 0x1p-53;
 constexpr double kOutside = 1.06;  // (1 + 2e-3)^25: of the weights of a point 1e-3 off its patch
 
@@ -151,7 +152,8 @@ struct Powers {
   double rest[kMaxDegree + 1];
 };
 
-template <int K>
+// D is no less than the step's degree. So here and below: loops of a known length cost far less.
+template <int K, int D>
 [[gnu::always_inline]] inline void make_powers(const Step& step, int highest, Powers<K>& powers) {
   std::fill_n(powers.term[0], (highest + 1) * (K + 1), 0.0);
   powers.term[0][0] = 1;
@@ -159,47 +161,54 @@ template <int K>
   for (int j = 0; j < highest; ++j) {
     const double* from = powers.term[j];
     double* to = powers.term[j + 1];
-    for (int p = 1; p <= step.degree; ++p)
-      for (int q = j; q + p <= K; ++q) to[q + p] += step.term[p] * from[q];
+    for (int p = 1; p <= D; ++p)
+      for (int q = 0; q + p <= K; ++q) to[q + p] += step.term[p] * from[q];
     double cut = powers.rest[j] * step.reach;
-    for (int q = std::max(K + 1 - step.degree, 0); q <= K; ++q)
-      cut += std::abs(from[q]) * step.beyond[K + 1 - q];
+    for (int q = K + 1 - D; q <= K; ++q) cut += std::abs(from[q]) * step.beyond[K + 1 - q];
     powers.rest[j + 1] = cut;
   }
 }
 
 // Horner's scheme in u, its coefficients the sums over powers of v.
-template <int K>
+template <int K, int D>
 [[gnu::always_inline]] inline void compose_to(const Four* a, int rows, int columns, const Step& u,
-                                              const Step& in_v, Four* sum, Four& rest) {
+                                              const Step& in_v, Four* result, Four& rest) {
   Powers<K> v;
-  make_powers(in_v, columns, v);
+  make_powers<K, D>(in_v, columns, v);
+  Four sum[K + 1] = {};
   for (int i = rows; i >= 0; --i) {
     if (i < rows) {
       rest *= u.reach;
-      for (int q = K + 1 - u.degree; q <= K; ++q) add_absolute(u.beyond[K + 1 - q], sum[q], rest);
+      for (int q = K + 1 - D; q <= K; ++q) add_absolute(u.beyond[K + 1 - q], sum[q], rest);
       for (int k = K; k >= 0; --k) {
         Four next{};
-        for (int p = 1; p <= std::min(u.degree, k); ++p) next += u.term[p] * sum[k - p];
+        for (int p = 1; p <= std::min(D, k); ++p) next += u.term[p] * sum[k - p];
         sum[k] = next;
       }
     }
     for (int j = 0; j <= columns; ++j) {
       const Four c = a[i * (columns + 1) + j];
-      for (int k = std::min(j, K + 1); k <= K; ++k) sum[k] += v.term[j][k] * c;
+      for (int k = 0; k <= K; ++k) sum[k] += v.term[j][k] * c;
       add_absolute(v.rest[j], c, rest);
     }
   }
+  std::copy_n(sum, K + 1, result);
 }
 
 BLOSSOM_HOT void compose_short(const Four* a, int rows, int columns, const Step& u, const Step& v,
                                Four* sum, Four& rest) {
-  compose_to<kShort>(a, rows, columns, u, v, sum, rest);
+  if (std::max(u.degree, v.degree) <= kLinearDegree)
+    compose_to<kShort, kLinearDegree>(a, rows, columns, u, v, sum, rest);
+  else
+    compose_to<kShort, kChartDegree>(a, rows, columns, u, v, sum, rest);
 }
 
 BLOSSOM_HOT void compose_long(const Four* a, int rows, int columns, const Step& u, const Step& v,
                               Four* sum, Four& rest) {
-  compose_to<kLong>(a, rows, columns, u, v, sum, rest);
+  if (std::max(u.degree, v.degree) <= kLinearDegree)
+    compose_to<kLong, kLinearDegree>(a, rows, columns, u, v, sum, rest);
+  else
+    compose_to<kLong, kChartDegree>(a, rows, columns, u, v, sum, rest);
 }
 
 // Sums of absolute values of the terms, differentiated by u.

@@ -32,21 +32,36 @@ struct Probe {
 constexpr std::array<Probe, 2> kProbes{{{0.42, 1.08}, {0.64, 1.28}}};
 constexpr std::array<Probe, 1> kMiddleProbe{{{0.5, 1}}};
 
+struct GaussNode {
+  double weight;
+  std::array<double, 5> bernstein;  // of degree 4, times 5
+};
+
+constexpr std::array<GaussNode, 5> kGauss = [] {
+  constexpr std::array<std::array<double, 2>, 5> kRule{{{0.046910077030668, 0.118463442528095},
+                                                        {0.230765344947158, 0.239314335249683},
+                                                        {0.5, 0.284444444444444},
+                                                        {0.769234655052842, 0.239314335249683},
+                                                        {0.953089922969332, 0.118463442528095}}};
+  std::array<GaussNode, 5> nodes{};
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double t = kRule[i][0], s = 1 - t;
+    nodes[i] = {kRule[i][1],
+                {5 * s * s * s * s, 20 * s * s * s * t, 30 * s * s * t * t, 20 * s * t * t * t,
+                 5 * t * t * t * t}};
+  }
+  return nodes;
+}();
+
 // Length in space by five-point Gauss quadrature of the hodograph.
 double arc_length(const std::array<Vec3, 6>& points) {
-  constexpr std::array<std::array<double, 2>, 5> kGauss{{{0.046910077030668, 0.118463442528095},
-                                                         {0.230765344947158, 0.239314335249683},
-                                                         {0.5, 0.284444444444444},
-                                                         {0.769234655052842, 0.239314335249683},
-                                                         {0.953089922969332, 0.118463442528095}}};
   std::array<Vec3, 5> steps;
-  for (std::size_t i = 0; i < 5; ++i) steps[i] = 5 * (points[i + 1] - points[i]);
+  for (std::size_t i = 0; i < 5; ++i) steps[i] = points[i + 1] - points[i];
   double sum = 0;
-  for (const auto& [t, weight] : kGauss) {
-    std::array<Vec3, 5> d = steps;
-    for (std::size_t level = 4; level > 0; --level)
-      for (std::size_t i = 0; i < level; ++i) d[i] = (1 - t) * d[i] + t * d[i + 1];
-    sum += weight * norm(d[0]);
+  for (const auto& [weight, bernstein] : kGauss) {
+    Vec3 d = bernstein[0] * steps[0];
+    for (std::size_t i = 1; i < 5; ++i) d += bernstein[i] * steps[i];
+    sum += weight * norm(d);
   }
   return sum;
 }

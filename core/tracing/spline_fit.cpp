@@ -81,6 +81,9 @@ struct Sampled {
 Sampled sampled(const std::vector<QuinticPiece>& pieces, const std::vector<double>& knots,
                 const std::vector<double>& flat) {
   Sampled result;
+  const std::size_t count = (knots.size() - 1) * kFitChecks.size();
+  result.basis.reserve(count);
+  result.values.reserve(count);
   std::size_t piece = 0;
   for (std::size_t span = 0; span + 1 < knots.size(); ++span)
     for (const double fraction : kFitChecks) {
@@ -162,7 +165,9 @@ RunSpline least_squares_spline(const std::vector<QuinticPiece>& pieces,
   if (knots.size() < 2 || !std::is_sorted(knots.begin(), knots.end(), std::less_equal<double>()))
     throw InvalidInput("least_squares_spline: the knots must be at least 2 and increase");
   RunSpline spline{knots, std::vector<Vec7>(knots.size() - 1 + kFitDegree), {}};
-  std::vector<double> flat(kFitDegree, knots.front());
+  std::vector<double> flat;
+  flat.reserve(knots.size() + 2 * kFitDegree);
+  flat.assign(kFitDegree, knots.front());
   flat.insert(flat.end(), knots.begin(), knots.end());
   flat.insert(flat.end(), kFitDegree, knots.back());
   fix_ends(pieces, spline);
@@ -171,6 +176,7 @@ RunSpline least_squares_spline(const std::vector<QuinticPiece>& pieces,
   for (std::size_t i = kFixed; i + kFixed < spline.poles.size(); ++i)
     spline.poles[i] = samples.values[(i - 2) * kFitChecks.size()];
   if (spline.poles.size() > 2 * kFixed) improve(samples, spline);
+  spline.values.reserve((knots.size() - 1) * kJudgedChecks.size());
   for (std::size_t span = 0; span + 1 < knots.size(); ++span)
     for (const std::size_t check : kJudgedChecks)
       spline.values.push_back(
