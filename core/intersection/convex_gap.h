@@ -19,7 +19,7 @@ inline constexpr double kConvexSettled = 1e-13;  // steps this small, as part of
 
 /// The place of the least value between two sides whose slopes have different signs.
 template <class Side, class At>
-Side least_between(Side low, Side high, const At& at) {
+Side least_between(Side low, Side high, At at) {
   Side side = low.slope > -high.slope ? high : low;
   const double width = high.x - low.x;
   for (int k = 0; k < detail::kConvexSteps; ++k) {
@@ -38,7 +38,7 @@ Side least_between(Side low, Side high, const At& at) {
 ///
 /// noise   gaps up to this count as 0, model units
 template <class Side, class At>
-Side zero_between(Side above, Side below, const At& at, double noise) {
+Side zero_between(Side above, Side below, At at, double noise) {
   Side side = above;
   const double width = std::abs(above.x - below.x);
   for (int k = 0; k < detail::kConvexSteps && !(std::abs(side.gap) <= noise); ++k) {

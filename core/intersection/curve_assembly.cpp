@@ -117,9 +117,16 @@ void CurveAssembly::prove(Candidate& point) const {
   const double inverse = std::sqrt(2.0) / point.sine;
   const double step = inverse * (point.gap.high + margin_);
   const double reach_a = 2 * step / speed_a, reach_b = 2 * step / speed_b;
-  const double bend = a_.bend_near(point.a, reach_a) / (speed_a * speed_a) +
-                      b_.bend_near(point.b, reach_b) / (speed_b * speed_b);
-  if (!(inverse * bend * step <= 0.25)) return;
+  const auto is_regular = [&] {
+    const double bend = a_.bend_near(point.a, reach_a) / (speed_a * speed_a) +
+                        b_.bend_near(point.b, reach_b) / (speed_b * speed_b);
+    return inverse * bend * step <= 0.25;
+  };
+  if (!is_regular()) {  // over smaller cells, perhaps
+    a_.split_near(point.a, reach_a);
+    b_.split_near(point.b, reach_b);
+    if (!is_regular()) return;
+  }
   const auto box = [](const CurveTree& tree, const SpanPoint& at, double reach) {
     return Interval{tree.parameter({at.span, std::max(0.0, at.t - reach)}),
                     tree.parameter({at.span, std::min(1.0, at.t + reach)})};
@@ -158,6 +165,8 @@ bool CurveAssembly::prove_at_border(Candidate& point, double reach_a, double rea
 }
 
 bool CurveAssembly::same(const Candidate& p, const Candidate& q) const {
+  const double farthest = 3 * tolerance_ + margin_;  // of what may be near
+  if (distance(p.foot.jet_a.point, q.foot.jet_a.point) > farthest) return false;
   return a_.stays_near(p.at_a, q.at_a, tolerance_) && b_.stays_near(p.at_b, q.at_b, tolerance_);
 }
 

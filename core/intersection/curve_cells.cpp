@@ -10,9 +10,8 @@ namespace {
 constexpr double kRoundoff = 0x1p-53;
 // Off 1/2, since singular points like dyadic parameters; few digits, so that cuts are exact.
 constexpr double kCut = 31.0 / 64;
-constexpr int kFirstCells = 24;      // room for them at once, besides the spans
-constexpr int kFirstBlock = 1 << 8;  // doubles; each block of the arena is twice the last one
-constexpr int kLargestBlock = 1 << 16;
+constexpr int kFirstCells = 24;  // room for them at once, besides the spans
+constexpr double kNear = 16;  // times the reach: bounds over such cells are near those at a point
 constexpr double kSlack = 1e-13;  // covers the few roundings of a bound
 
 ValueRange times(const ValueRange& a, const ValueRange& b) {
@@ -37,12 +36,30 @@ ValueRange difference_range(const double* values, int count, int order) {
   return {range.low * factor, range.high * factor};
 }
 
+// n (n - 1) times the longest second difference of the control points, rounding included.
+double second_differences(const CurveCell& cell, int dimension) {
+  const int n = cell.points;
+  double longest = 0;
+  for (int i = 0; i + 2 < n; ++i) {
+    double square = 0;
+    for (int k = 0; k < dimension; ++k) {
+      const double* p = cell.hull + k * n + i;
+      const double d = p[2] - 2 * p[1] + p[0];
+      square += d * d;
+    }
+    longest = std::max(longest, square);
+  }
+  return (n - 1.0) * (n - 2.0) * (std::sqrt(longest) + 8 * cell.margin);
+}
+
 CurveSpans moved(CurveSpans curve, const Vec3& origin) {
   for (CurveSpan& span : curve.spans)
     for (Vec4& p : span.curve.points)
       for (int k = 0; k < 3; ++k) p[k] -= p[3] * origin[k];
   return curve;
 }
+
+double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 double magnitude(const ValueRange& a) { return std::max(std::abs(a.low), std::abs(a.high)); }
 
@@ -94,33 +111,43 @@ void CurveTree::add_span(int span) {
   cells_.push_back(cell);
 }
 
-double CurveTree::bend_near(const SpanPoint& at, double reach) const {
+int CurveTree::cell_near(const SpanPoint& at, double reach) const {
   const double low = std::max(0.0, at.t - reach), high = std::min(1.0, at.t + reach);
-  const CurveCell* cell = &(*this)[at.span];
-  while (cell->child >= 0) {
-    const CurveCell& first = (*this)[cell->child];
-    if (low < first.local.to && high > first.local.to) break;
-    cell = high <= first.local.to ? &first : &(*this)[cell->child + 1];
+  int index = at.span;
+  while ((*this)[index].child >= 0) {
+    const int child = (*this)[index].child;
+    const double middle = (*this)[child].local.to;
+    if (low < middle && high > middle) break;
+    index = high <= middle ? child : child + 1;
   }
+  return index;
+}
+
+double CurveTree::bend_near(const SpanPoint& at, double reach) const {
+  const CurveCell& cell = (*this)[cell_near(at, reach)];
+  const double square = length(cell.local) * length(cell.local);
+  if (!curve_.rational) return second_differences(cell, dimension_) / square;
   double sum = 0;
   for (int k = 0; k < dimension_; ++k) {
     Vec3 direction;
     direction[k] = 1;
-    const double bound = magnitude(derivative_ranges(*cell, direction)[1]);
+    const double bound = magnitude(derivative_ranges(cell, direction)[1]);
     sum += bound * bound;
   }
-  return std::sqrt(sum) / (length(cell->local) * length(cell->local));
+  return std::sqrt(sum) / square;
+}
+
+void CurveTree::split_near(const SpanPoint& at, double reach) {
+  for (;;) {
+    const int index = cell_near(at, reach);
+    if ((*this)[index].child >= 0 || length((*this)[index].local) <= kNear * reach) return;
+    split(index);
+  }
 }
 
 double* CurveTree::allocate(int count) {
-  if (count > free_in_block_) {
-    block_ = std::clamp(2 * block_, kFirstBlock, kLargestBlock);
-    free_in_block_ = std::max(count, block_);
-    blocks_.push_back(
-        std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(free_in_block_)));
-  }
-  free_in_block_ -= count;
-  return blocks_.back().get() + free_in_block_;
+  return static_cast<double*>(
+      room_.allocate(static_cast<std::size_t>(count) * sizeof(double), alignof(double)));
 }
 
 int CurveTree::split(int index) {
@@ -131,21 +158,43 @@ int CurveTree::split(int index) {
   double* low_net = allocate(shape.size());
   double* high_net = allocate(shape.size());
   halve_bezier_u(shape, parent.homogeneous, kCut, low_net, high_net);
-  CurveCell low = parent, high = parent;
-  low.local.to = high.local.from = at(parent.local, kCut);
-  low.homogeneous = low_net;
-  high.homogeneous = high_net;
-  const int child = static_cast<int>(cells_.size());
+  const double middle = at(parent.local, kCut);
+  const int child = add_cell(parent, 1, {parent.local.from, middle}, low_net);
+  add_cell(parent, 1, {middle, parent.local.to}, high_net);
   cells_[at_index].child = child;
-  for (CurveCell* cell : {&low, &high}) {
-    cell->depth = parent.depth + 1;
-    cell->child = -1;
-    cell->directed = false;
-    finish(*cell);
-    cells_.push_back(*cell);
-  }
-  depth_ = std::max(depth_, low.depth);
   return child;
+}
+
+int CurveTree::part(int index, const Interval& part) {
+  if (!(part.from > 0) && !(part.to < 1)) return index;
+  const CurveCell parent = cells_[static_cast<std::size_t>(index)];
+  const NetShape shape{parent.points, 1, curve_.rational ? dimension_ + 1 : dimension_};
+  double* net = allocate(shape.size());
+  const Interval local{part.from > 0 ? at(parent.local, part.from) : parent.local.from,
+                       part.to < 1 ? at(parent.local, part.to) : parent.local.to};
+  double below[4 * (kMaxDegree + 1)], rest[4 * (kMaxDegree + 1)];
+  if (!(part.to < 1)) {
+    halve_bezier_u(shape, parent.homogeneous, part.from, rest, net);
+  } else if (!(part.from > 0)) {
+    halve_bezier_u(shape, parent.homogeneous, part.to, net, rest);
+  } else {
+    halve_bezier_u(shape, parent.homogeneous, part.to, below, rest);
+    halve_bezier_u(shape, below, part.from / part.to, rest, net);
+  }
+  return add_cell(parent, 2, local, net);
+}
+
+int CurveTree::add_cell(const CurveCell& parent, int cuts, const Interval& local,
+                        const double* net) {
+  CurveCell& cell = cells_.emplace_back();
+  cell.span = parent.span;
+  cell.depth = parent.depth + cuts;
+  cell.local = local;
+  cell.points = parent.points;
+  cell.homogeneous = net;
+  finish(cell);
+  depth_ = std::max(depth_, cell.depth);
+  return static_cast<int>(cells_.size()) - 1;
 }
 
 // Halving takes convex combinations, and positive weights bound |X| by w times the largest point,
@@ -165,9 +214,14 @@ void CurveTree::finish(CurveCell& cell) {
   largest_margin_ = std::max(largest_margin_, cell.margin);
   cell.extent = 0;
   for (int k = 0; k < dimension_; ++k) {
-    const auto [low, high] = std::minmax_element(cell.hull + k * n, cell.hull + (k + 1) * n);
-    cell.low[k] = *low - cell.margin;
-    cell.high[k] = *high + cell.margin;
+    const double* values = cell.hull + k * n;
+    double low = values[0], high = values[0];
+    for (int i = 1; i < n; ++i) {
+      low = std::min(low, values[i]);
+      high = std::max(high, values[i]);
+    }
+    cell.low[k] = low - cell.margin;
+    cell.high[k] = high + cell.margin;
     cell.extent = std::max(cell.extent, cell.high[k] - cell.low[k]);
   }
 }
@@ -175,13 +229,14 @@ void CurveTree::finish(CurveCell& cell) {
 // Directions, of rational curves too, are positive combinations of the legs of the control polygon.
 // Source: Floater 1992.
 void CurveTree::bound_directions(CurveCell& cell) const {
+  cell.directed = true;
+  if (dimension_ == 2) return bound_in_plane(cell);
   const int n = cell.points;
   const auto leg = [&](int from, int to) {
     Vec3 d;
-    for (int k = 0; k < dimension_; ++k) d[k] = cell.hull[k * n + to] - cell.hull[k * n + from];
+    for (int k = 0; k < 3; ++k) d[k] = cell.hull[k * n + to] - cell.hull[k * n + from];
     return d;
   };
-  cell.directed = true;
   cell.axis = unit(leg(0, n - 1));
   cell.cosine = -1;
   if (cell.axis == Vec3{}) return;
@@ -194,6 +249,39 @@ void CurveTree::bound_directions(CurveCell& cell) const {
     cosine = std::min(cosine, (dot(cell.axis, d) - 4 * cell.margin) / length);
   }
   cell.cosine = std::max(-1.0, cosine - 8 * kRoundoff);
+}
+
+void CurveTree::bound_in_plane(CurveCell& cell) const {
+  const int n = cell.points;
+  const double *x = cell.hull, *y = cell.hull + n;
+  cell.cosine = -1;
+  const Vec2 axis = unit(Vec2{x[n - 1] - x[0], y[n - 1] - y[0]});
+  cell.axis = {axis[0], axis[1], 0};
+  if (axis == Vec2{}) return;
+  ValueRange across{1e300, -1e300};
+  for (int i = 0; i < n; ++i) {
+    const double value = axis[0] * y[i] - axis[1] * x[i];
+    across.low = std::min(across.low, value);
+    across.high = std::max(across.high, value);
+  }
+  cell.across = padded(across, 2 * cell.margin);
+  Vec2 right{x[1] - x[0], y[1] - y[0]}, left = right;
+  double least = 1e300;
+  for (int i = 0; i + 1 < n; ++i) {
+    const Vec2 leg{x[i + 1] - x[i], y[i + 1] - y[i]};
+    if (!(dot(axis, leg) > 4 * cell.margin)) return;
+    least = std::min(least, dot(leg, leg));
+    if (cross(left, leg) > 0) left = leg;
+    if (cross(right, leg) < 0) right = leg;
+  }
+  // The ends of a leg are known within sqrt(2) margin each.
+  const double turn = 4 * cell.margin / std::sqrt(least) + kRoundoff;
+  if (!(turn < 0.5)) return;
+  left = unit(left + turn * Vec2{-left[1], left[0]});
+  right = unit(right - turn * Vec2{-right[1], right[0]});
+  cell.left = {left[0], left[1], 0};
+  cell.right = {right[0], right[1], 0};
+  cell.cosine = std::min({dot(axis, left), dot(axis, right), 1.0}) - 8 * kRoundoff;
 }
 
 // With the origin c moved into the cell and X' = X - w c:

@@ -8,7 +8,7 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
+#include <memory_resource>
 #include <vector>
 
 #include "core/forms/curve_spans.h"
@@ -27,7 +27,7 @@ struct ValueRange {
 
 struct CurveCell {
   int span = 0;
-  int depth = 0;   ///< halvings since the whole span
+  int depth = 0;   ///< cuts since the whole span
   int child = -1;  ///< index of the lower half, the upper one follows; -1: none
   Interval local;  ///< place in the span's [0, 1]
   int points = 0;  ///< degree + 1
@@ -39,7 +39,10 @@ struct CurveCell {
   Vec3 axis;                            ///< direction of the chord; zero: none
   /// Of half the cone round `axis` that holds all directions; -1: no cone.
   double cosine = -1;
-  bool directed = false;  ///< axis and cone are known; see `direct`
+  // In the plane; the second is there if the cosine is above 0.
+  ValueRange across;      ///< of the fat line along the chord; margin included
+  Vec3 right, left;       ///< between these directions of length 1 are all of the cell
+  bool directed = false;  ///< axis, cone and fat line are known; see `direct`
 };
 
 /// Where a parameter of the whole curve lies.
@@ -62,8 +65,8 @@ class CurveTree {
   /// Cell i is span i.
   int spans() const { return static_cast<int>(curve_.spans.size()); }
 
-  /// Makes the axis and the cone of a cell, if they are not there: most cells are excluded by their
-  /// boxes before anyone asks.
+  /// Makes the axis, the cone and the fat line of a cell, if they are not there: most cells are
+  /// excluded by their boxes before anyone asks.
   void direct(int index) {
     CurveCell& cell = cells_[static_cast<std::size_t>(index)];
     if (!cell.directed) bound_directions(cell);
@@ -71,6 +74,10 @@ class CurveTree {
 
   /// Index of the lower half of a cell, made if it is not there. Invalidates references.
   int split(int index);
+
+  /// Index of a part of a cell, of [0, 1]; made each time, unless it is the whole. Invalidates
+  /// references.
+  int part(int index, const Interval& part);
 
   /// ValueRange of the first (second) derivative's component along a direction over a cell, by the
   /// cell's own parameter in [0, 1]; rounding included.
@@ -90,6 +97,9 @@ class CurveTree {
   /// Bound on the length of the second derivative by the span's local parameter, over the smallest
   /// cell made so far that holds all of the span within `reach` of a place.
   double bend_near(const SpanPoint& at, double reach) const;
+
+  /// Makes smaller cells there, down to a few times the reach. Invalidates references.
+  void split_near(const SpanPoint& at, double reach);
 
   double parameter(const SpanPoint& at) const;
   SpanPoint place(double parameter) const;
@@ -113,10 +123,15 @@ class CurveTree {
   int depth() const { return depth_; }
 
  private:
+  static constexpr std::size_t kFirstRoom = 12 << 10;
+
   double* allocate(int count);
   void add_span(int span);
   void finish(CurveCell& cell);
+  int cell_near(const SpanPoint& at, double reach) const;
+  int add_cell(const CurveCell& parent, int cuts, const Interval& local, const double* net);
   void bound_directions(CurveCell& cell) const;
+  void bound_in_plane(CurveCell& cell) const;
 
   CurveSpans moved_;  // relative to the origin, if that is not 0
   const CurveSpans& curve_;
@@ -126,10 +141,10 @@ class CurveTree {
   double evaluation_margin_ = 0;
   double largest_margin_ = 0;
   int depth_ = 0;
-  std::vector<CurveCell> cells_;
-  std::vector<std::unique_ptr<double[]>> blocks_;
-  int block_ = 0;
-  int free_in_block_ = 0;
+  // Most searches need no more room than this.
+  alignas(std::max_align_t) std::array<std::byte, kFirstRoom> first_room_;
+  std::pmr::monotonic_buffer_resource room_{first_room_.data(), first_room_.size()};
+  std::pmr::vector<CurveCell> cells_{&room_};
 };
 
 /// ValueRange of the components of the control points along a direction of length 1; margin

@@ -14,44 +14,10 @@ constexpr double kSettled = 1e-16;    // the next step, in parts of the cells
 constexpr double kLeastStep = 1e-17;  // in parameters of the span
 constexpr double kStalled = 1e-12;    // below this, steps that shrink no more are rounding
 constexpr double kReach = 0.5;        // how far outside the cells Newton's steps may lead
-constexpr double kParallel = 1e-3;    // sine below which chords in space have no common normal
 constexpr double kAngleSlack = 1e-14;
-
-Vec3 turned(const Vec3& v) { return {-v[1], v[0], 0}; }
 
 bool apart(const ValueRange& a, const ValueRange& b, double tolerance) {
   return a.low > b.high + tolerance || b.low > a.high + tolerance;
-}
-
-bool apart_along(const CurvePair& pair, const Vec3& direction, double tolerance) {
-  return apart(range_along(pair.a, pair.dimension(), direction),
-               range_along(pair.b, pair.dimension(), direction), tolerance);
-}
-
-Vec3 middle_of(const CurveCell& cell) { return (cell.low + cell.high) * 0.5; }
-
-// A direction perpendicular to both chords, in space; if those are nearly parallel, the one from
-// one cell to the other.
-Vec3 common_normal(const CurvePair& pair) {
-  const Vec3 normal = cross(pair.a.axis, pair.b.axis);
-  if (norm(normal) > kParallel) return unit(normal);
-  const Vec3& axis = pair.a.axis;
-  const Vec3 between = middle_of(pair.b) - middle_of(pair.a);
-  const Vec3 across = between - axis * dot(axis, between);
-  if (norm(across) > kParallel * norm(between)) return unit(across);
-  return unit(cross(axis, std::abs(axis[0]) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-}
-
-struct Normals {
-  std::array<Vec3, 3> directions;
-  int count;
-};
-
-// Normals of the fat lines; unit, or zero where a cell has no chord.
-Normals normals_of(const CurvePair& pair) {
-  if (pair.dimension() == 2) return {{turned(pair.a.axis), turned(pair.b.axis), Vec3{}}, 2};
-  const Vec3 normal = common_normal(pair);
-  return {{normal, unit(cross(normal, pair.a.axis)), unit(cross(normal, pair.b.axis))}, 3};
 }
 
 bool inside_reach(double t, const Interval& cell) {
@@ -73,11 +39,18 @@ std::optional<Vec2> newton_step(const CurveFoot& foot) {
   return Vec2{(along * dt - dot(q1, gap)) / speed, dt};
 }
 
-Vec3 rotated(const Vec3& v, double cosine, double sine) {
-  return {cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1], 0};
-}
-
 double cross_z(const Vec3& a, const Vec3& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+// Sectors of less than half a turn are apart as lines if all turns from one to the other have one
+// sign; then the least sine is that of two of their sides.
+std::optional<double> least_sine_in_plane(const CurveCell& a, const CurveCell& b) {
+  const double sign = cross_z(a.axis, b.axis) > 0 ? 1 : -1;
+  const double low = sign * cross_z(a.left, b.right), high = sign * cross_z(a.right, b.left);
+  const double inner = sign * cross_z(a.right, b.right);
+  const double sine = std::min(low, high) - kAngleSlack;
+  if (!(sine > 0 && inner > 0)) return std::nullopt;
+  return sine;
+}
 
 }  // namespace
 
@@ -92,36 +65,10 @@ bool boxes_apart(const CurvePair& pair, double tolerance) {
   return false;
 }
 
-bool separated(const CurvePair& pair, double tolerance) {
-  if (pair.a.axis == Vec3{} || pair.b.axis == Vec3{}) return false;
-  const Normals normals = normals_of(pair);
-  for (int i = 0; i < normals.count; ++i)
-    if (apart_along(pair, normals.directions[static_cast<std::size_t>(i)], tolerance)) return true;
-  return false;
-}
-
-bool within_strip(const CurvePair& pair, double tolerance) {
-  const Vec3 axis = pair.a.extent >= pair.b.extent ? pair.a.axis : pair.b.axis;
-  if (axis == Vec3{}) return false;
-  std::array<Vec3, 2> across{turned(axis), Vec3{}};
-  if (pair.dimension() == 3) {
-    across[0] = unit(cross(axis, std::abs(axis[0]) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
-    across[1] = cross(axis, across[0]);
-  }
-  double square = 0;
-  for (int i = 0; i + 1 < pair.dimension(); ++i) {
-    const Vec3& direction = across[static_cast<std::size_t>(i)];
-    const ValueRange a = range_along(pair.a, pair.dimension(), direction);
-    const ValueRange b = range_along(pair.b, pair.dimension(), direction);
-    const double width = std::max(a.high, b.high) - std::min(a.low, b.low);
-    square += width * width;
-  }
-  return square <= tolerance * tolerance;
-}
-
 std::optional<double> least_sine(const CurvePair& pair) {
   const double ca = pair.a.cosine, cb = pair.b.cosine;
   if (!(ca > 0 && cb > 0)) return std::nullopt;
+  if (pair.dimension() == 2) return least_sine_in_plane(pair.a, pair.b);
   const double sa = std::sqrt(1 - ca * ca), sb = std::sqrt(1 - cb * cb);
   const double cosine_sum = ca * cb - sa * sb, sine_sum = sa * cb + ca * sb;
   const double between = std::abs(dot(pair.a.axis, pair.b.axis)) + kAngleSlack;
@@ -172,12 +119,10 @@ bool cones_exclude(const CurvePair& pair, const CurveFoot& foot) {
   const Vec3 gap = foot.gap();
   const double slack = 4 * pair.margin();
   const auto excluded = [&](double sign_a, double sign_b) {
-    const Vec3 p = pair.a.axis * -sign_a, q = pair.b.axis * sign_b;
-    const double turn = cross_z(p, q) > 0 ? 1 : -1;
-    const double sa = std::sqrt(1 - pair.a.cosine * pair.a.cosine);
-    const double sb = std::sqrt(1 - pair.b.cosine * pair.b.cosine);
-    const Vec3 first = rotated(p, pair.a.cosine, -turn * sa);
-    const Vec3 last = rotated(q, pair.b.cosine, turn * sb);
+    const bool left = -sign_a * sign_b * cross_z(pair.a.axis, pair.b.axis) > 0;
+    const double turn = left ? 1 : -1;
+    const Vec3 first = (left ? pair.a.right : pair.a.left) * -sign_a;
+    const Vec3 last = (left ? pair.b.left : pair.b.right) * sign_b;
     return turn * cross_z(first, gap) < -slack || turn * cross_z(gap, last) < -slack;
   };
   for (const double sign_a : {-1.0, 1.0}) {

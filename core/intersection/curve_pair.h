@@ -36,12 +36,6 @@ CurveFoot foot_at(const CurvePair& pair, const SpanPoint& a, const SpanPoint& b)
 /// rounding included.
 bool boxes_apart(const CurvePair& pair, double tolerance);
 
-/// The same by fat lines; planes, in space.
-bool separated(const CurvePair& pair, double tolerance);
-
-/// True if both cells lie in a strip (a rod, in space) no wider than the tolerance.
-bool within_strip(const CurvePair& pair, double tolerance);
-
 /// A lower bound on the sine of the angle between any direction of one cell and any of the other.
 /// Nothing if the double cones of directions are not apart. If they are, the cells have at most
 /// one common point: chords of the two curves are never parallel, as they would have to be between

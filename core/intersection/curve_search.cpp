@@ -14,8 +14,10 @@ constexpr long kAskEvery = 256;  // pairs between two looks at the clock
 // Contacts longer than this part of the curves are not looked for as valleys.
 constexpr double kLongestValley = 0.03;
 constexpr double kParameterSlack = 1e-14;
-constexpr double kStraight = 1e-3;  // a sine below which a cell's length alone counts
-constexpr double kNarrow = 0.9;     // cosine of a cone in which one place has a given component
+constexpr double kStraight = 1e-3;      // a sine below which a cell's length alone counts
+constexpr double kNarrow = 0.9;         // cosine of a cone in which one place has a given component
+constexpr double kWorthClipping = 0.6;  // of a cell; clipping makes one pair, halving two
+constexpr double kAlike = 16;           // lengths of cells that may be one contact
 constexpr int kAxisSteps = 60;
 constexpr int kFootSteps = 3;
 constexpr int kAlongSteps = 8;
@@ -26,23 +28,6 @@ double box_distance(const CurveCell& cell, const Vec3& point, int dimension) {
   for (int k = 0; k < dimension; ++k)
     farthest = std::max({farthest, cell.low[k] - point[k], point[k] - cell.high[k]});
   return farthest;
-}
-
-// True if a point is farther from the chord's line than the cell and the tolerance reach.
-bool off_axis(const CurveTree& tree, const CurveCell& cell, const Vec3& point, double tolerance) {
-  const int n = cell.points;
-  const auto across = [&](const Vec3& p) {
-    Vec3 offset = p;
-    for (int k = 0; k < tree.dimension(); ++k) offset[k] -= cell.hull[k * n];
-    return norm(offset - cell.axis * dot(cell.axis, offset));
-  };
-  double widest = 0;
-  for (int i = 1; i + 1 < n; ++i) {
-    Vec3 p;
-    for (int k = 0; k < tree.dimension(); ++k) p[k] = cell.hull[k * n + i];
-    widest = std::max(widest, across(p));
-  }
-  return across(point) > widest + tolerance + 4 * cell.margin;
 }
 
 // The cell whose points and directions spread more; a straight one need not be halved to be told
@@ -145,7 +130,8 @@ void CurveSearch::examine(int index_a, int index_b) {
     if (pair.a.extent <= tolerance_ + 8 * pair.a.margin) return add_contact(pair, found_.contacts);
     return halve(index_a, index_b, true);
   }
-  if (separated(pair, tolerance_)) {
+  const FatLines lines(pair, tolerance_);
+  if (lines.separated()) {
     ++found_.excluded;
     return;
   }
@@ -171,8 +157,30 @@ void CurveSearch::examine(int index_a, int index_b) {
   // Boxes and strips are no smaller than the rounding they contain.
   const double least = tolerance_ + 8 * (pair.a.margin + pair.b.margin);
   const bool small = std::max(pair.a.extent, pair.b.extent) <= least;
-  if (small || (!joined && within_strip(pair, least))) return add_contact(pair, found_.contacts);
-  halve(index_a, index_b, first_is_larger(pair));
+  const bool narrow = !joined && lines.within_strip(least);
+  // A strip that holds a point of one curve and a long piece of the other is no contact all along.
+  const double longer = std::max(pair.a.extent, pair.b.extent);
+  const bool alike = kAlike * std::min(pair.a.extent, pair.b.extent) >= longer;
+  if (small || (narrow && alike)) return add_contact(pair, found_.contacts);
+  if (narrow) return halve(index_a, index_b, pair.a.extent == longer);
+  const bool first = first_is_larger(pair);
+  // Neighbours on one curve are never apart where they join.
+  if (itself_ || !clip(index_a, index_b, lines)) halve(index_a, index_b, first);
+}
+
+// Leaves the parts of both cells that may be near each other, if that is less than halves would.
+bool CurveSearch::clip(int index_a, int index_b, const FatLines& lines) {
+  const auto parts = lines.parts();
+  if (!parts) {
+    ++found_.excluded;
+    return true;
+  }
+  const bool less_of_a = length(parts->a) <= kWorthClipping;
+  const bool less_of_b = length(parts->b) <= kWorthClipping;
+  if (!less_of_a && !less_of_b) return false;
+  const int a = less_of_a ? a_.part(index_a, parts->a) : index_a;
+  pairs_.emplace_back(a, less_of_b ? b_.part(index_b, parts->b) : index_b);
+  return true;
 }
 
 void CurveSearch::halve(int index_a, int index_b, bool first) {
@@ -225,6 +233,20 @@ void CurveSearch::add_contact(const CurvePair& pair, const Interval& a, const In
 }
 
 // The one common point that a pair with directions apart can have. False if it is not decided.
+// The ends of both spans, if they are one point bit for bit and the place is there to rounding.
+CurveFoot CurveSearch::at_common_end(const CurvePair& pair, const CurveFoot& foot,
+                                     double rounding) const {
+  const auto end_of = [&](const SpanPoint& at, const CurveJet& jet) -> SpanPoint {
+    const double end = at.t < 0.5 ? 0 : 1;
+    const bool near = std::abs(at.t - end) * norm(jet.first) <= rounding;
+    return {at.span, near ? end : at.t};
+  };
+  const SpanPoint a = end_of(foot.a, foot.jet_a), b = end_of(foot.b, foot.jet_b);
+  const auto is_end = [](double t) { return t == 0 || t == 1; };
+  const bool common = is_end(a.t) && is_end(b.t) && a_.end_point(a) == b_.end_point(b);
+  return common ? foot_at(pair, a, b) : foot;
+}
+
 bool CurveSearch::settle(const CurvePair& pair, double sine) {
   const bool planar = pair.dimension() == 2;
   const auto found = nearest_feet(pair, chord_feet(pair));
@@ -241,7 +263,7 @@ bool CurveSearch::settle(const CurvePair& pair, double sine) {
   const bool on_spans = inside(found->a.t, {0, 1}, rounding / speed_a + kParameterSlack) &&
                         inside(found->b.t, {0, 1}, rounding / speed_b + kParameterSlack);
   if (!on_spans) return true;  // an end of a span is nearest: ends are examined apart
-  CurveFoot foot = *found;
+  CurveFoot foot = at_common_end(pair, *found, rounding);
   const double s = std::clamp(foot.a.t, 0.0, 1.0), t = std::clamp(foot.b.t, 0.0, 1.0);
   if (s != foot.a.t || t != foot.b.t) foot = foot_at(pair, {foot.a.span, s}, {foot.b.span, t});
   const double gap = norm(foot.gap());
@@ -277,25 +299,33 @@ bool CurveSearch::settle_outside(const CurvePair& pair, CurveFoot foot) {
 }
 
 std::vector<SpanPoint> feet_near(CurveTree& tree, const Vec3& point, double tolerance) {
-  std::vector<int> cells;
-  for (int i = 0; i < tree.spans(); ++i) {
-    if (box_distance(tree[i], point, tree.dimension()) > tolerance) continue;
-    if (cells.empty()) cells.reserve(kFirstRoom);
-    cells.push_back(i);
-  }
-  std::vector<SpanPoint> feet;
-  while (!cells.empty()) {
-    const int index = cells.back();
-    cells.pop_back();
+  struct Waiting {
+    int cell;
+    Interval part;
+  };
+  std::vector<Waiting> cells;
+  const auto add = [&](int index) {
+    if (box_distance(tree[index], point, tree.dimension()) > tolerance) return;
     tree.direct(index);
+    const auto part = part_near(tree, tree[index], point, tolerance);
+    if (!part) return;
+    if (cells.empty()) cells.reserve(kFirstRoom);
+    cells.push_back({index, *part});
+  };
+  std::vector<SpanPoint> feet;
+  for (int i = 0; i < tree.spans(); ++i) add(i);
+  while (!cells.empty()) {
+    const auto [index, part] = cells.back();
+    cells.pop_back();
     const CurveCell& cell = tree[index];
-    if (box_distance(cell, point, tree.dimension()) > tolerance ||
-        off_axis(tree, cell, point, tolerance))
-      continue;
     if (cell.cosine < kNarrow && cell.extent > tolerance + 8 * cell.margin) {
+      if (length(part) <= kWorthClipping) {
+        add(tree.part(index, part));
+        continue;
+      }
       const int child = tree.split(index);
-      cells.push_back(child);
-      cells.push_back(child + 1);
+      add(child);
+      add(child + 1);
       continue;
     }
     const SpanPoint foot = foot_in(tree, cell, point);

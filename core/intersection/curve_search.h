@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/intersection/curve_clipping.h"
 #include "core/intersection/curve_valley.h"
 #include "core/intersection/options.h"
 #include "core/intersection/shared_curve.h"
@@ -54,11 +55,13 @@ class CurveSearch {
   void examine(int index_a, int index_b);
   bool is_shared(const CurvePair& pair) const;
   bool are_neighbours(const CurveCell& a, const CurveCell& b) const;
+  CurveFoot at_common_end(const CurvePair& pair, const CurveFoot& foot, double rounding) const;
   bool settle(const CurvePair& pair, double sine);
   bool settle_outside(const CurvePair& pair, CurveFoot foot);
   void add_contact(const CurvePair& pair, std::vector<CurveContact>& list);
   void add_contact(const CurvePair& pair, const Interval& a, const Interval& b,
                    std::vector<CurveContact>& list);
+  bool clip(int index_a, int index_b, const FatLines& lines);
   void halve(int index_a, int index_b, bool first);
 
   CurveTree& a_;

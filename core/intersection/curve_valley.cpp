@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kNarrow = 0.97;     // least cosine of half cones that are worth trying
 constexpr double kNearlyOne = 0.97;  // least cosine between the axes
+constexpr double kMostOf = 0.5;      // of the tolerance, at the ends of a contact
 constexpr int kSolveSteps = 12;      // of Newton's method for the place with a given x
 constexpr double kNearX = 1e-8;      // of a cell; of what is left third powers do not matter
 constexpr double kNoise = 1e-3;      // a gap this part of the bound on its error is 0
@@ -25,6 +26,7 @@ struct GraphPoint {
   double x = 0, y = 0;
   double slope = 0, bend = 0;
   double rate = 1;  ///< of x by t
+  double turn = 0;  ///< of the rate by t
 };
 
 class Valley {
@@ -36,7 +38,11 @@ class Valley {
     if (!make_frame() || !make_range()) return std::nullopt;
     if (!(low_ < high_)) return ValleyPoints{};
     if (!bound_bend()) return std::nullopt;
-    if (!is_convex()) return side_of_tolerance();
+    if (!is_convex()) {
+      middle_ = side_at(0.5 * (low_ + high_));
+      return is_monotone() && decide_crossing() ? result_ : side_of_tolerance();
+    }
+    half_length_ = std::sqrt(2 * (tolerance_ + error_) / least_bend_);
     if (!decide()) return std::nullopt;
     return result_;
   }
@@ -120,12 +126,29 @@ class Valley {
     return least_bend_ > 0 && least_bend_ * longest_ * longest_ >= 8 * tolerance_;
   }
 
+  double largest_bend() const { return std::max(std::abs(least_bend_), std::abs(most_bend_)); }
+
+  // |h'(x)| >= |h'(c)| - most |h''| w within w of the middle c of the range: one zero at most,
+  // where the cones of directions would need far smaller cells.
+  bool is_monotone() {
+    const double w = 0.5 * (high_ - low_);
+    const double least = std::abs(middle_.slope) - largest_bend() * w;
+    half_length_ = (tolerance_ + error_) / least;
+    return least * w > 4 * error_ && 2 * half_length_ <= longest_;
+  }
+
+  // A zero with all of its contact inside, about; else the cells may be a part of a run.
+  bool decide_crossing() {
+    const Side low = side_at(low_), high = side_at(high_);
+    const Side &above = low.gap > high.gap ? low : high, &below = low.gap > high.gap ? high : low;
+    const double least = std::max(error_, kMostOf * tolerance_);
+    return above.gap > least && below.gap < -least && add(zero(above, below), false);
+  }
+
   // |h(x) - h(c)| <= |h'(c)| w + most |h''| w^2 / 2 within w of the middle c of the range.
   std::optional<ValleyPoints> side_of_tolerance() const {
-    const Side middle = side_at(0.5 * (low_ + high_));
-    const double w = 0.5 * (high_ - low_), gap = std::abs(middle.gap);
-    const double bend = std::max(std::abs(least_bend_), std::abs(most_bend_));
-    const double change = std::abs(middle.slope) * w + 0.5 * bend * w * w;
+    const double w = 0.5 * (high_ - low_), gap = std::abs(middle_.gap);
+    const double change = std::abs(middle_.slope) * w + 0.5 * largest_bend() * w * w;
     if (gap - change > kSteep * tolerance_ + error_) return ValleyPoints{};
     if (pair_.dimension() != 2 || gap + change > tolerance_ - error_) return std::nullopt;
     const Side low = side_at(low_), high = side_at(high_);
@@ -147,17 +170,17 @@ class Valley {
   GraphPoint graph(const CurveTree& tree, int span, double t) const {
     const CurveJet jet = tree.jet({span, t});
     const double rate = dot(e_, jet.first);
-    GraphPoint point{t, dot(e_, jet.point), dot(m_, jet.point), dot(m_, jet.first) / rate, 0, rate};
-    point.bend = (dot(m_, jet.second) - point.slope * dot(e_, jet.second)) / (rate * rate);
+    GraphPoint point{t,    dot(e_, jet.point), dot(m_, jet.point), dot(m_, jet.first) / rate, 0,
+                     rate, dot(e_, jet.second)};
+    point.bend = (dot(m_, jet.second) - point.slope * point.turn) / (rate * rate);
     return point;
   }
 
-  // The point of a graph at x, from the linear guess by Newton's method kept inside the cell; what
-  // is left of the equation for x moves value and slope along the graph.
-  GraphPoint graph_at(const CurveTree& tree, const CurveCell& cell, double x_from, double x_to,
-                      double x) const {
-    const double near = kNearX * std::abs(x_to - x_from);
-    double t = at(cell.local, std::clamp((x - x_from) / (x_to - x_from), 0.0, 1.0));
+  // The point of a graph at x, from a guess by Newton's method kept inside the cell; what is left
+  // of the equation for x moves value and slope along the graph.
+  GraphPoint graph_at(const CurveTree& tree, const CurveCell& cell, double width, double x,
+                      double t) const {
+    const double near = kNearX * width;
     for (int k = 0;; ++k) {
       GraphPoint point = graph(tree, cell.span, t);
       const double rest = x - point.x;
@@ -167,19 +190,37 @@ class Valley {
         continue;
       }
       point.t = next;
+      point.x = x;
       point.y += rest * (point.slope + 0.5 * rest * point.bend);
       point.slope += rest * point.bend;
       return point;
     }
   }
 
+  // The parameter at x by the chord of the graph, and by Taylor's polynomial at another place.
+  static double guess(const CurveCell& cell, double x_from, double x_to, double x) {
+    return at(cell.local, std::clamp((x - x_from) / (x_to - x_from), 0.0, 1.0));
+  }
+  static double guess(const CurveCell& cell, const GraphPoint& near, double x) {
+    const double step = (x - near.x) / near.rate;
+    const double t = near.t + step * (1 - 0.5 * step * near.turn / near.rate);
+    return std::clamp(t, cell.local.from, cell.local.to);
+  }
+
   // The gap over x, as a convex function.
   Side side_at(double x) const {
+    const double t =
+        reversed_ ? guess(pair_.b, b_high_, b_low_, x) : guess(pair_.b, b_low_, b_high_, x);
+    return side_at(x, guess(pair_.a, a_low_, a_high_, x), t);
+  }
+  Side side_at(double x, const Side& near) const {
+    return side_at(x, guess(pair_.a, near.a, x), guess(pair_.b, near.b, x));
+  }
+  Side side_at(double x, double guess_a, double guess_b) const {
     Side side;
     side.x = x;
-    side.a = graph_at(pair_.tree_a, pair_.a, a_low_, a_high_, x);
-    side.b = reversed_ ? graph_at(pair_.tree_b, pair_.b, b_high_, b_low_, x)
-                       : graph_at(pair_.tree_b, pair_.b, b_low_, b_high_, x);
+    side.a = graph_at(pair_.tree_a, pair_.a, a_high_ - a_low_, x, guess_a);
+    side.b = graph_at(pair_.tree_b, pair_.b, b_high_ - b_low_, x, guess_b);
     side.gap = sign_ * (side.a.y - side.b.y);
     side.slope = sign_ * (side.a.slope - side.b.slope);
     side.bend = std::clamp(sign_ * (side.a.bend - side.b.bend), least_bend_, most_bend_);
@@ -195,7 +236,7 @@ class Valley {
     if (off > 4 * error_) return false;
     point.gap = {0, error_ + off};
     if (touch && side.gap > error_) measure(side, point);
-    point.half_length = std::sqrt(2 * (tolerance_ + error_) / least_bend_);
+    point.half_length = half_length_;
     result_.points[static_cast<std::size_t>(result_.count++)] = point;
     return true;
   }
@@ -214,8 +255,8 @@ class Valley {
   }
 
   Side zero(const Side& above, const Side& below) const {
-    return zero_between(
-        above, below, [&](double x) { return side_at(x); }, kNoise * error_);
+    const auto from_last = [&, last = above](double x) mutable { return last = side_at(x, last); };
+    return zero_between(above, below, from_last, kNoise * error_);
   }
 
   // A zero between the border `side` of the range and the least value, if there is one.
@@ -229,7 +270,8 @@ class Valley {
     const Side low = side_at(low_), high = side_at(high_);
     const double slack = most_bend_ * kBorder * (high_ - low_);
     if (low.slope < slack && high.slope > -slack) {
-      const Side bottom = least_between(low, high, [&](double x) { return side_at(x); });
+      const auto from_last = [&, last = low](double x) mutable { return last = side_at(x, last); };
+      const Side bottom = least_between(low, high, from_last);
       if (bottom.gap > tolerance_ + error_) return true;
       const double depth = std::max(0.0, -bottom.gap - error_);
       const bool one_point = 2 * std::sqrt(2 * depth / least_bend_) <= tolerance_;
@@ -259,6 +301,8 @@ class Valley {
   double low_ = 0, high_ = 0;
   double sign_ = 1;
   double least_bend_ = 0, most_bend_ = 0;
+  double half_length_ = 0;  // of the runs within tolerance, about
+  Side middle_{};           // where the gap is not convex
   ValleyPoints result_;
 };
 

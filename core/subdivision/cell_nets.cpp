@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
 
 #include "core/forms/curve.h"
 #include "core/math/binomial.h"
@@ -69,6 +70,26 @@ BLOSSOM_KERNEL void casteljau(int rows, int columns, double cut, double* __restr
     }
   }
   for (int j = 0; j < columns; ++j) low[(rows - 1) * columns + j] = high[j];
+}
+
+// The same for one column.
+BLOSSOM_KERNEL void casteljau_line(int rows, double cut, double* __restrict high,
+                                   double* __restrict low) {
+  const double rest = 1 - cut;
+  for (int level = 1; level < rows; ++level) {
+    low[level - 1] = high[0];
+    const int count = rows - level;
+    int i = 0;
+    for (; i + 4 <= count; i += 4) {
+      Four here, next;
+      std::memcpy(&here, high + i, sizeof here);
+      std::memcpy(&next, high + i + 1, sizeof next);
+      here = rest * here + cut * next;
+      std::memcpy(high + i, &here, sizeof here);
+    }
+    for (; i < count; ++i) high[i] = rest * high[i] + cut * high[i + 1];
+  }
+  low[rows - 1] = high[0];
 }
 
 // c'_k of both halves for the cut in the middle: they differ in the signs of odd i - k alone.
@@ -164,7 +185,12 @@ BLOSSOM_KERNEL void bezier_u(int rows, int columns, int planes, const double* ne
                              double* low, double* high) {
   const int size = rows * columns;
   std::copy_n(net, size * planes, high);
-  for (int k = 0; k < planes; ++k) casteljau(rows, columns, cut, high + k * size, low + k * size);
+  for (int k = 0; k < planes; ++k) {
+    if (columns == 1)
+      casteljau_line(rows, cut, high + k * size, low + k * size);
+    else
+      casteljau(rows, columns, cut, high + k * size, low + k * size);
+  }
 }
 
 BLOSSOM_KERNEL void bezier_v(int rows, int columns, int planes, const double* net, double cut,
@@ -230,6 +256,7 @@ BLOSSOM_HOT void halve_bezier_u(const NetShape& shape, const double* net, double
     BLOSSOM_SIZE(3, 1, bezier_u, net, cut, low, high);
     BLOSSOM_SIZE(4, 1, bezier_u, net, cut, low, high);
     BLOSSOM_SIZE(6, 1, bezier_u, net, cut, low, high);
+    return bezier_u(shape.rows, 1, shape.planes, net, cut, low, high);
   }
   BLOSSOM_FOR_SIZES(bezier_u, net, cut, low, high);
 }

@@ -117,6 +117,57 @@ TEST_P(RandomGraphs, HaveAsManyCrossingsAsTheirDifferenceHasRoots) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomGraphs, ::testing::Range(0, 100));
 
+// Beyond a common end, whose control points are equal bit for bit, random curves cross or do not:
+// nothing of that is a contact.
+TEST(CurveIntersection, CommonEndsAreProven) {
+  auto random = seeded(11);
+  const auto curve = [&] {
+    std::vector<Vec3> points;
+    for (int i = testing::pick(random, 2, 6); i >= 0; --i)
+      points.push_back({testing::uniform(random, -1, 1), testing::uniform(random, -1, 1), 0});
+    return points;
+  };
+  for (int trial = 0; trial < 400; ++trial) {
+    const std::vector<Vec3> a = curve();
+    std::vector<Vec3> b = curve();
+    b.front() = a.back();
+    CurveSpans p = bezier(a), q = bezier(b);
+    if (trial % 2 == 1) {
+      p = in_space(p);
+      q = in_space(q);
+    }
+    const CurveIntersection found = intersect(p, q);
+    EXPECT_EQ(found.status, Status::Complete) << "trial " << trial;
+    const bool has_end = std::ranges::any_of(
+        found.points, [](const CurvePoint& x) { return x.a == 1 && x.b == 0 && x.proven; });
+    EXPECT_TRUE(has_end) << "trial " << trial;
+  }
+}
+
+// y = f(x) and y = f(x) + s (x - c) + (x - c)^3: they cross in the inflection of their difference,
+// and turn by far more than by the angle between them.
+TEST(CurveIntersection, CrossingsOfSmallAngleAreProvenInAnInflection) {
+  auto random = seeded(12);
+  for (int trial = 0; trial < 200; ++trial) {
+    const double c = testing::pick(random, 3, 13) / 16.0;
+    const double slope = std::ldexp(1.0, -testing::pick(random, 3, 10));
+    std::vector<double> f, g;
+    for (int i = 0; i <= 3; ++i) {
+      f.push_back(testing::pick(random, -16, 16) / 64.0);
+      g.push_back(f.back() + slope * (i / 3.0 - c) + std::pow(1 - c, i) * std::pow(-c, 3 - i));
+    }
+    CurveSpans p = curve_spans(graph(f, 0)), q = curve_spans(graph(g, 0));
+    if (trial % 2 == 1) {
+      p = in_space(p);
+      q = in_space(q);
+    }
+    const CurveIntersection found = intersect(p, q);
+    EXPECT_EQ(found.status, Status::Complete) << "trial " << trial << ", slope " << slope;
+    ASSERT_EQ(found.points.size(), 1U);
+    EXPECT_NEAR(found.points[0].a, c, 1e-10);
+  }
+}
+
 // y = f(x) and y = f(x) + s (x - c)^order, with small dyadic numbers: one common point, however
 // long the curves stay within tolerance of each other.
 TEST(CurveIntersection, ContactsOfHigherOrderArePoints) {

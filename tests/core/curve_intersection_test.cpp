@@ -222,6 +222,19 @@ TEST(CurveIntersection, EndsTouchOnOtherCurves) {
   EXPECT_TRUE(found.points.empty());
 }
 
+// b runs along a line, through the end of a and out of sight, and comes back to it.
+TEST(CurveIntersection, EndIsMetOnBothWaysOfACurveThatTurnsBack) {
+  const CurveSpans a = bezier({{2, 1, 0}, {-2, 2, 0}, {1, -1, 0}, {0, 1, 0}});
+  const CurveSpans b = bezier({{1, 0, 0}, {-1, 2, 0}, {0, 1, 0}});
+  for (const bool flat : {true, false}) {
+    const CurveIntersection found = flat ? intersect(a, b) : intersect(in_space(a), in_space(b));
+    ASSERT_EQ(found.points.size(), 4U);
+    EXPECT_NEAR(found.points[2].a, 1, 1e-12);
+    EXPECT_NEAR(found.points[3].a, 1, 1e-12);
+    EXPECT_NEAR(found.points[2].b + found.points[3].b, 4 / 3.0, 1e-9);
+  }
+}
+
 // The corner of a polygon that points at a line.
 TEST(CurveIntersection, PiecesOfOneLineMeetInTheirCommonEnd) {
   const CurveSpans a = bezier({{0, 0, 0}, {1, 2, 0}});

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/intersection/curve_clipping.h"
 #include "tests/support/curves.h"
 #include "tests/support/random.h"
 
@@ -40,7 +41,7 @@ TEST(CurvePair, ConesNeverExcludeACommonPoint) {
     for (Vec4& p : b.spans[0].curve.points) p += Vec4{shift[0], shift[1], 0, 0};
     const Trees trees(a, b);
     ASSERT_TRUE(least_sine(trees.pair()));
-    EXPECT_FALSE(separated(trees.pair(), 1e-12));
+    EXPECT_FALSE(FatLines(trees.pair(), 1e-12).separated());
     for (const double at_a : {0.0, uniform(random, 0, 1), 1.0})
       for (const double at_b : {0.0, uniform(random, 0, 1), 1.0})
         EXPECT_FALSE(cones_exclude(trees.pair(), trees.foot(at_a, at_b)));
