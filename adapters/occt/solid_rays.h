@@ -11,6 +11,7 @@
 
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/elementary_rays.h"
 #include "adapters/occt/ray_casting.h"
 #include "core/bounds/box_tree.h"
 #include "core/math/vec.h"
@@ -48,12 +49,19 @@ class SolidRays {
   /// Calls `found(hit)` for all hits, in no order; false if one is not certain.
   template <class Found>
   bool for_each_hit(const Ray& ray, Found found);
-  const ShapeRays& rays_of(std::size_t face);
+  using Hits = std::optional<std::vector<ElementaryFace::Hit>>;  // nothing if one is not certain
+  Hits hits_of(std::size_t face, const Ray& ray);
 
   std::vector<TopoDS_Face> faces_;
   double tolerance_;
   BoxTree tree_;
-  std::vector<std::unique_ptr<ShapeRays>> rays_;  // one for each face, made when asked for
+  // One for each face, made when asked for: in closed form, and what answers where that cannot.
+  struct Rayed {
+    bool known = false;  // whether the surface is an elementary one
+    std::unique_ptr<ElementaryFace> elementary;
+    std::unique_ptr<ShapeRays> rays;
+  };
+  std::vector<Rayed> rayed_;
 };
 
 }  // namespace blossom::occt
