@@ -14,7 +14,7 @@ namespace blossom::occt {
 Stage stage_of(const std::vector<TopoDS_Solid>& solids, const std::vector<SolidFace>& known) {
   TopTools_IndexedMapOfShape numbers;
   for (const SolidFace& face : known) numbers.Add(face.face);
-  Stage stage{trim_tool(compound_of(solids)), {}};
+  Stage stage{solid_tool(solids), {}};
   for (const TopoDS_Face& face : stage.solid.faces) {
     const SolidFace& origin = known[static_cast<std::size_t>(numbers.FindIndex(face)) - 1];
     stage.faces.push_back({face, origin.tool, origin.from});

@@ -18,7 +18,7 @@ struct Stage {
 };
 using Stages = std::vector<Stage>;
 
-/// Solids whose faces are among known ones.
+/// Closed solids, turned outwards, whose faces are among known ones.
 Stage stage_of(const std::vector<TopoDS_Solid>& solids, const std::vector<SolidFace>& known);
 
 /// The part and the tools of an operation, in layers: where two solids of one input touch, faces of

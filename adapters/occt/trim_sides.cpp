@@ -232,6 +232,15 @@ TrimTool trim_tool(const TopoDS_Shape& shape) {
   return tool;
 }
 
+TrimTool solid_tool(const std::vector<TopoDS_Solid>& solids) {
+  TopTools_IndexedMapOfShape faces;
+  for (const TopoDS_Solid& solid : solids) TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  TrimTool tool;
+  for (int i = 1; i <= faces.Extent(); ++i) tool.faces.push_back(TopoDS::Face(faces(i)));
+  tool.solids = solids;
+  return tool;
+}
+
 ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {
   const auto index = static_cast<std::size_t>(use.cut);
   const FaceCut& cut = (*piece.cuts)[index];

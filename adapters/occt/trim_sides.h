@@ -26,6 +26,9 @@ struct TrimTool {
 /// throws   BadModel if faces of a closed solid are turned differently, or all inwards
 TrimTool trim_tool(const TopoDS_Shape& shape);
 
+/// The same of solids that are known to be closed and turned outwards: nothing is checked.
+TrimTool solid_tool(const std::vector<TopoDS_Solid>& solids);
+
 /// The tool's part in a cut.
 struct CutSource {
   int tool = 0;             ///< index of the tool
