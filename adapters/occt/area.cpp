@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -45,6 +47,10 @@ struct Sample {
 // What is integrated over the chart: by point and normal S_u x S_v.
 using Integrand = std::function<Sample(const Vec3&, const Vec3&)>;
 
+// Along v it is constant where that is a length along parallel straight lines; along u it is
+// a + b cos u + c sin u where all turns about one axis with u: points and normals turn alike.
+enum class Lines { Any, Even, Turning };
+
 // The surface of a face, no farther than it goes. Splines, and what is swept from them, are taken
 // in Bezier form, since to look up spans and expand them anew for every point takes many times
 // longer.
@@ -54,6 +60,10 @@ class AreaSurface {
 
   /// Where the surface is less than smooth along u or v, with the ends of the box.
   std::vector<double> knots(Along along) const;
+
+  /// How the density of what is integrated, an area or the volume of a cone, runs along the
+  /// surface's own lines.
+  Lines lines() const;
 
  private:
   friend class AreaLine;
@@ -104,6 +114,18 @@ std::vector<double> AreaSurface::knots(Along along) const {
   else
     adaptor_.VIntervals(ends, GeomAbs_CN);
   return {ends.begin(), ends.end()};
+}
+
+Lines AreaSurface::lines() const {
+  switch (adaptor_.GetType()) {
+    case GeomAbs_Plane:
+    case GeomAbs_Cylinder:
+    case GeomAbs_SurfaceOfExtrusion: return Lines::Even;
+    case GeomAbs_Cone:
+    case GeomAbs_Sphere:
+    case GeomAbs_Torus: return Lines::Turning;
+    default: return Lines::Any;
+  }
 }
 
 // A line of the surface along x at a constant y, over the span round some x.
@@ -161,8 +183,8 @@ class AreaLine {
   std::optional<IsoLine> line_;
 };
 
-// The surface over the box of the trims. The inner integral runs along the direction with fewer
-// spans, called x; the other one is y.
+// The surface over the box of the trims. The inner integral runs along the direction called x, that
+// of which the density is known or that with fewer spans; the other one is y.
 class Density {
  public:
   Density(const FaceTrims& trims, Integrand integrand)
@@ -171,13 +193,14 @@ class Density {
         high_{trims.box.high[0] / trims.scale[0], trims.box.high[1] / trims.scale[1]},
         surface_(trims.face, {{low_[0], high_[0]}, {low_[1], high_[1]}}) {
     const std::vector<double> u = surface_.knots(Along::U), v = surface_.knots(Along::V);
-    inner_ = u.size() <= v.size() ? 0 : 1;
+    lines_ = surface_.lines();
+    inner_ = lines_ == Lines::Turning || (lines_ == Lines::Any && u.size() <= v.size()) ? 0 : 1;
     x_knots_ = inner_ == 0 ? u : v;
     y_knots_ = inner_ == 0 ? v : u;
     double rough = 0, size = 0;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j) {
-        const Sample sample = sample_at(i, j);
+        const Sample sample = sample_in_cell(i, j);
         rough += std::abs(sample.value) / 16;
         size += sample.size / 16;
       }
@@ -206,6 +229,8 @@ class Density {
     if (y < y_knots_.front() || y > y_knots_.back()) return sum;
     x = std::clamp(x, x_knots_.front(), x_knots_.back());
     if (x == x_knots_.front()) return sum;
+    if (lines_ == Lines::Even) return (x - x_knots_.front()) * sample_at(x, y).value;
+    if (lines_ == Lines::Turning) return turning_strip(x, y);
     for (std::size_t i = 0; i + 1 < x_knots_.size(); ++i) {
       const double to = i + 2 == x_knots_.size() ? x : std::min(x_knots_[i + 1], x);
       if (i > 0 && x_knots_[i] >= x) break;
@@ -221,11 +246,24 @@ class Density {
 
  private:
   Along along() const { return inner_ == 0 ? Along::U : Along::V; }
+  // a + b cos + c sin of the angle from the left end, by three values a third of a turn apart.
+  double turning_strip(double x, double y) const {
+    constexpr double kThird = 2 * std::numbers::pi / 3;
+    const double left = x_knots_.front(), angle = x - left;
+    const double at_left = sample_at(left, y).value, second = sample_at(left + kThird, y).value,
+                 third = sample_at(left + 2 * kThird, y).value;
+    const double a = (at_left + second + third) / 3, b = at_left - a,
+                 c = (second - third) / std::numbers::sqrt3;
+    return a * angle + b * std::sin(angle) + c * (1 - std::cos(angle));
+  }
+  Sample sample_at(double x, double y) const {
+    return AreaLine(surface_, along(), y, x).sample(integrand_, x);
+  }
   // In the middle of one of 4 x 4 cells.
-  Sample sample_at(int i, int j) const {
+  Sample sample_in_cell(int i, int j) const {
     const Vec2 at =
         low_ + Vec2{(i + 0.5) / 4 * (high_[0] - low_[0]), (j + 0.5) / 4 * (high_[1] - low_[1])};
-    return AreaLine(surface_, Along::U, at[1], at[0]).sample(integrand_, at[0]);
+    return sample_at(at[inner_], at[1 - inner_]);
   }
 
   Integrand integrand_;
@@ -233,6 +271,7 @@ class Density {
   AreaSurface surface_;
   std::vector<double> x_knots_, y_knots_;  // of the surface inside the box, the box's ends too
   int inner_ = 0;
+  Lines lines_ = Lines::Any;
   double tolerance_ = 0;
 };
 
@@ -254,9 +293,16 @@ double across(const Vec2& from, const Vec2& to, const FaceTrims& trims, const De
 // between is left to the halving of cells.
 std::vector<double> breaks(const PlanarBezier& curve, int y, double scale,
                            const std::vector<double>& knots) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Vec3& p : curve.points) {
+    lowest = std::min(lowest, p[y] / (p[2] * scale));
+    highest = std::max(highest, p[y] / (p[2] * scale));
+  }
+  std::vector<double> at{0, 1};
+  const auto is_between = [&](double knot) { return lowest < knot && knot < highest; };
+  if (std::ranges::none_of(knots, is_between)) return at;
   const int samples = 4 * curve.degree();
   const auto height = [&](double t) { return jet_at(curve, t).point[y] / scale; };
-  std::vector<double> at{0, 1};
   for (int i = 0; i < samples; ++i) {
     const double from = static_cast<double>(i) / samples, to = (i + 1.0) / samples;
     const double at_from = height(from), at_to = height(to);

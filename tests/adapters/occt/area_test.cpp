@@ -8,9 +8,16 @@
 #include <cstddef>
 #include <numbers>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeHalfSpace.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
 #include <GCE2d_MakeSegment.hxx>
 #include <Geom2d_BezierCurve.hxx>
@@ -24,6 +31,7 @@
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
@@ -56,6 +64,31 @@ TEST(Area, OfElementaryFacesIsExactTo1e13) {
   const TopoDS_Face cone = BRepBuilderAPI_MakeFace(new Geom_ConicalSurface(gp_Ax3(), kPi / 6, 0), 0,
                                                    2 * kPi, 0, 2, 1e-7);
   EXPECT_NEAR(area(cone), 2 * kPi, 1e-12);  // slant 2, radius 1
+}
+
+// Even lines (planes, cylinders, extrusions) and turning ones (cones, spheres, tori), cut across.
+TEST(Area, OfConesOverTheFacesOfASolidIsItsVolume) {
+  const auto volume = [](const TopoDS_Shape& solid) {
+    double sum = 0;
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+      sum += cone_volume(TopoDS::Face(it.Current()), {3, -2, 7});
+    return sum;
+  };
+  const gp_Ax2 axes(gp_Pnt(0.3, -0.2, 0.1), gp_Dir(1, 2, 3));
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeBox(axes, 1, 2, 3).Shape()), 6, 1e-12);
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeCylinder(axes, 1, 2).Shape()), 2 * kPi, 1e-12);
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeCylinder(axes, 1, 2, 1.2).Shape()), 1.2, 1e-12);
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeCone(axes, 1, 2, 3).Shape()), 7 * kPi, 1e-12);
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeCone(axes, 1, 0, 3, 2.5).Shape()), 1.25, 1e-12);
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeSphere(axes, 1.5).Shape()), 4.5 * kPi, 1e-12);
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeTorus(axes, 2, 0.5).Shape()), kPi * kPi, 1e-12);
+  EXPECT_NEAR(volume(BRepPrimAPI_MakeTorus(axes, 2, 0.5, 2.0).Shape()), kPi, 1e-12);
+  // A cylinder with an oblique end is as large as one that ends at the height of its axis.
+  const gp_Pln oblique(gp_Pnt(0, 0, 2), gp_Dir(0.3, 0.2, 1));
+  const TopoDS_Shape above =
+      BRepPrimAPI_MakeHalfSpace(BRepBuilderAPI_MakeFace(oblique), gp_Pnt(0, 0, 9)).Solid();
+  EXPECT_NEAR(volume(BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(1, 5).Shape(), above).Shape()),
+              2 * kPi, 1e-7);  // the oblique edge is within 1e-7 of an ellipse
 }
 
 TEST(Area, OfAFaceWithAHoleLeavesTheHoleOut) {
