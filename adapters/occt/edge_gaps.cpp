@@ -11,6 +11,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom2dAdaptor_Curve.hxx>
 #include <GeomAdaptor_Curve.hxx>
+#include <GeomAdaptor_Surface.hxx>
 #include <Geom_Surface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
@@ -23,6 +24,8 @@ namespace {
 
 constexpr int kSamplesPerSpan = 12;
 constexpr int kLeastSamples = 96;
+constexpr int kLeastSamplesOfArcs = 16;  // of sines and cosines once and twice a turn
+constexpr double kStraight = 1e-9;       // sine: a line in the chart that runs along a direction
 constexpr int kRefinements = 40;  // golden sections: the place to 1e-8 of two samples' distance
 constexpr int kNewtonSteps = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -74,6 +77,25 @@ void add_knots(const Adaptor& curve, const Interval& range, std::vector<double>&
   for (const double value : values) knots.push_back((value - range.from) / (range.to - range.from));
 }
 
+bool is_arc(GeomAbs_CurveType type) {
+  return type == GeomAbs_Line || type == GeomAbs_Circle || type == GeomAbs_Ellipse;
+}
+
+// Along a parameter line of a plane, quadric or torus, or an arc in a plane, against an arc: what
+// is between them has no more than sines and cosines of the parameter.
+bool are_arcs(const Curves& curves) {
+  if (curves.space.IsNull() || !is_arc(GeomAdaptor_Curve(curves.space).GetType())) return false;
+  const Geom2dAdaptor_Curve chart(curves.chart);
+  const GeomAbs_SurfaceType surface = GeomAdaptor_Surface(curves.surface).GetType();
+  if (surface == GeomAbs_Plane) return is_arc(chart.GetType());
+  if (surface != GeomAbs_Cylinder && surface != GeomAbs_Cone && surface != GeomAbs_Sphere &&
+      surface != GeomAbs_Torus)
+    return false;
+  if (chart.GetType() != GeomAbs_Line) return false;
+  const gp_Dir2d along = chart.Line().Direction();
+  return std::min(std::abs(along.X()), std::abs(along.Y())) <= kStraight;
+}
+
 // Fractions of the ranges, increasing, from 0 to 1.
 std::vector<double> sample_places(const Curves& curves) {
   std::vector<double> knots{0, 1};
@@ -83,7 +105,9 @@ std::vector<double> sample_places(const Curves& curves) {
   add_knots(Geom2dAdaptor_Curve(curves.chart, curves.place.from, curves.place.to), curves.place,
             knots);
   std::sort(knots.begin(), knots.end());
-  const int each = std::max(kSamplesPerSpan, kLeastSamples / static_cast<int>(knots.size()));
+  const int each = are_arcs(curves)
+                       ? kLeastSamplesOfArcs
+                       : std::max(kSamplesPerSpan, kLeastSamples / static_cast<int>(knots.size()));
   std::vector<double> places{0};
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const Interval span{std::clamp(knots[i], 0.0, 1.0), std::clamp(knots[i + 1], 0.0, 1.0)};
@@ -93,9 +117,10 @@ std::vector<double> sample_places(const Curves& curves) {
   return places;
 }
 
-// The largest value at the places, refined between the neighbours of the largest.
+// The largest value at the places, refined between the neighbours of the largest unless that is
+// nothing to speak of.
 template <class Function>
-double largest(const std::vector<double>& places, const Function& value_at) {
+double largest(const std::vector<double>& places, const Function& value_at, double least = 0) {
   std::size_t best = 0;
   double most = -1;
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -104,7 +129,7 @@ double largest(const std::vector<double>& places, const Function& value_at) {
       best = i;
     }
   Interval around{places[best > 0 ? best - 1 : 0], places[std::min(best + 1, places.size() - 1)]};
-  for (int i = 0; i < kRefinements && std::isfinite(most); ++i) {
+  for (int i = 0; i < kRefinements && most >= least && std::isfinite(most); ++i) {
     constexpr double kGolden = 1 / std::numbers::phi;
     const double low = at(around, 1 - kGolden), high = at(around, kGolden);
     const double at_low = value_at(low), at_high = value_at(high);
@@ -142,10 +167,12 @@ Curves curves_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
 
 }  // namespace
 
-std::optional<double> same_parameter_gap(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+std::optional<double> same_parameter_gap(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                                         double least) {
   const Curves curves = curves_of(edge, face);
   if (curves.space.IsNull() || curves.chart.IsNull() || curves.surface.IsNull()) return {};
-  return largest(sample_places(curves), [&](double t) { return curves.same_parameter(t); });
+  return largest(
+      sample_places(curves), [&](double t) { return curves.same_parameter(t); }, least);
 }
 
 EdgeGaps edge_gaps(const TopoDS_Edge& edge, const TopoDS_Face& face) {

@@ -29,6 +29,8 @@ struct EdgeGaps {
 EdgeGaps edge_gaps(const TopoDS_Edge& edge, const TopoDS_Face& face);
 
 /// Of these the largest, `same_parameter`, alone; none if the edge lacks a curve.
-std::optional<double> same_parameter_gap(const TopoDS_Edge& edge, const TopoDS_Face& face);
+/// least   a gap that samples show to be less is not refined; model units
+std::optional<double> same_parameter_gap(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                                         double least);
 
 }  // namespace blossom::occt

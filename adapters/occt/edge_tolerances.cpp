@@ -31,7 +31,9 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kMargin = 1.1;  // of gaps, which are measured at samples
-constexpr double kExcess = 10;   // a tolerance this many times as large as it has to be is lowered
+// Of the least tolerance: between samples gaps are not so much larger that it would not cover them.
+constexpr double kLeastGap = 0.25;
+constexpr double kExcess = 10;  // a tolerance this many times as large as it has to be is lowered
 
 using Users = TopTools_IndexedDataMapOfShapeListOfShape;
 
@@ -168,7 +170,8 @@ double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& fac
     const bool is_seam = BRep_Tool::IsClosed(edge, face);
     for (const bool second : {false, true}) {
       if (second && !is_seam) continue;
-      const auto gap = same_parameter_gap(second ? TopoDS::Edge(edge.Reversed()) : edge, face);
+      const auto gap = same_parameter_gap(second ? TopoDS::Edge(edge.Reversed()) : edge, face,
+                                          kLeastGap * Precision::Confusion());
       if (!gap) return BRep_Tool::Tolerance(edge);
       largest = std::max(largest, *gap);
     }
@@ -183,15 +186,19 @@ double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
   double largest = 0, first = 0, last = 0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
   if (!curve.IsNull()) largest = point.Distance(curve->Value(end));
-  for (const TopoDS_Shape& face : faces)
-    for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) {  // of a seam
-      const Handle(Geom2d_Curve) chart = BRep_Tool::CurveOnSurface(
-          TopoDS::Edge(edge.Oriented(side)), TopoDS::Face(face), first, last);
+  for (const TopoDS_Shape& each : faces) {
+    const TopoDS_Face face = TopoDS::Face(each);
+    const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+    const bool is_seam = BRep_Tool::IsClosed(edge, face);
+    for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) {
+      if (side == TopAbs_REVERSED && !is_seam) continue;
+      const Handle(Geom2d_Curve) chart =
+          BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(side)), face, first, last);
       if (chart.IsNull()) continue;
       const gp_Pnt2d uv = chart->Value(end);
-      const Handle(Geom_Surface) surface = BRep_Tool::Surface(TopoDS::Face(face));
       largest = std::max(largest, point.Distance(surface->Value(uv.X(), uv.Y())));
     }
+  }
   return largest;
 }
 
