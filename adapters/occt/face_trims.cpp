@@ -164,8 +164,20 @@ bool apart(const PlanarBox& a, const PlanarBox& b) {
   return false;
 }
 
+// Of a straight piece whose box meets the other one: whether that is all on one side of its line.
+bool lies_beside(const PlanarBezier& line, const PlanarBox& box) {
+  const auto end = [&](std::size_t i) {
+    const Vec3& p = line.points[i];
+    return Vec2{p[0] / p[2], p[1] / p[2]};
+  };
+  const Vec2 from = end(0), along = end(1) - from, half = 0.5 * (box.high - box.low);
+  const double reach = std::abs(along[0]) * half[1] + std::abs(along[1]) * half[0];
+  return std::abs(cross(along, box.low + half - from)) > reach;
+}
+
 bool may_meet(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
   if (apart(box_of(piece.points), box)) return false;
+  if (piece.degree() == 1) return !lies_beside(piece, box);
   return halvings == 0 || may_meet(bezier_piece(piece, {0, 0.5}), box, halvings - 1) ||
          may_meet(bezier_piece(piece, {0.5, 1}), box, halvings - 1);
 }
