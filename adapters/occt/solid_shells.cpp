@@ -10,7 +10,6 @@
 #include <numeric>
 #include <optional>
 
-#include <BRepCheck_Analyzer.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -237,12 +236,8 @@ std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std:
     builder.Add(by_shell[outer], shell.shape);
   }
   std::vector<TopoDS_Solid> solids;
-  for (const TopoDS_Solid& solid : by_shell) {
-    if (solid.IsNull()) continue;
-    check_limit(limit, kMakingSolids);
-    if (!BRepCheck_Analyzer(solid).IsValid()) obstacle = "a solid is not valid by BRepCheck";
-    solids.push_back(solid);
-  }
+  for (const TopoDS_Solid& solid : by_shell)
+    if (!solid.IsNull()) solids.push_back(solid);
   return solids;
 }
 

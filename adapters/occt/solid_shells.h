@@ -26,7 +26,7 @@ struct BoundingFace {
 /// so that the bodies stay apart. A shell that is turned inwards is a void of the smallest solid
 /// around it.
 ///
-/// obstacle   why there are none, or why they cannot be used; else as it was
+/// obstacle   why there are none; else as it was
 /// limit      asked at each edge that many faces use, void and solid; null: none
 /// throws     Failure when the limit is reached
 std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle,

@@ -257,13 +257,6 @@ Stages each_as_one(const std::vector<Stages>& inputs, LayerWork& work) {
   return made;
 }
 
-bool are_valid(const std::vector<TopoDS_Solid>& solids) {
-  return guarded("checking solids", [&] {
-    return std::ranges::all_of(
-        solids, [](const TopoDS_Solid& solid) { return BRepCheck_Analyzer(solid).IsValid(); });
-  });
-}
-
 // Sets of solids that become one, each by itself.
 SolidTrimResult fused(const std::vector<std::vector<Stages>>& sets, LayerWork& work) {
   SolidTrimResult all;
@@ -273,10 +266,8 @@ SolidTrimResult fused(const std::vector<std::vector<Stages>>& sets, LayerWork& w
     if (inputs.size() > 1)
       give_out(work.folded(inputs.front(), std::span(inputs).subspan(1), SolidOperation::Fuse),
                all);
-    else if (are_valid(inputs.front().solid.solids))
-      give_out(inputs.front(), all);
     else
-      work.told.obstacles.emplace_back("a solid that nothing else meets is not valid by BRepCheck");
+      give_out(inputs.front(), all);
   }
   return all;
 }
@@ -326,6 +317,18 @@ class TrueInputs {
   std::vector<TrimTool> tools_;
 };
 
+// Of the result alone: what is made on the way to it is measured, and goes into it or is gone.
+void check_solids(const WorkLimit& limit, SolidTrimResult& result) {
+  guarded("checking solids", [&] {
+    for (const TopoDS_Solid& solid : result.solids) {
+      check_limit(&limit, "checking solids");
+      if (BRepCheck_Analyzer(solid).IsValid()) continue;
+      result.obstacles.emplace_back("a solid is not valid by BRepCheck");
+      break;
+    }
+  });
+}
+
 SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools,
                         SolidOperation operation, const IntersectionOptions& options) {
   const SharedLimit limit(options);
@@ -339,6 +342,7 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
                                                : divided(inputs, operation, work);
     note(work.told, result);
     result.tolerances = sound.told();
+    if (result.obstacles.empty()) check_solids(own_limit, result);
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
     if (own_limit.reached_after_search() != nullptr) result.status = Status::Stopped;
