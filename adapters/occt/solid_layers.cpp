@@ -37,7 +37,8 @@ class SolidContacts::Neighbour {
     around.Enlarge(tolerance);
     if (around.IsOut(other.box_)) return true;
     const double reach = tolerance + own_ + other.own_;
-    return least_distance(measured(), other.measured(), {kBudget, reach}).lower > reach;
+    return least_distance(measured(), other.measured(), {.budget = kBudget, .enough = reach})
+               .lower > reach;
   }
 
   // Of a solid that does not touch this one. What rays cannot tell may be so.
