@@ -167,12 +167,13 @@ class Search {
   DistanceResult run() {
     add_parts();
     double lowest = kInfinity;
+    long steps = 0;  // with the pairs of boxes, which cost no budget
     while (!open_.empty()) {
       const Pair pair = open_.top();
       lowest = pair.lower;
       if (is_settled(pair.lower)) break;
       if (result_.pairs >= options_.budget ||
-          (result_.pairs % kPairsPerQuestion == 0 && limit_.reached() != nullptr)) {
+          (steps++ % kPairsPerQuestion == 0 && limit_.reached() != nullptr)) {
         result_.status = Status::Stopped;
         break;
       }

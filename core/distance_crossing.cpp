@@ -34,10 +34,7 @@ bool proven_to_cross(const PreparedSet& a, int part_a, const PreparedSet& b, int
                      const Vec3& point, double within) {
   const DistanceParts &of_a = *a.parts_, &of_b = *b.parts_;
   const int i = part_a + of_a.points(), j = part_b + of_b.points();
-  for (const BezierSurface& surface : of_a.own_set(part_a).surfaces)
-    if (surface.error > 0) return false;
-  for (const BezierSurface& surface : of_b.own_set(part_b).surfaces)
-    if (surface.error > 0) return false;
+  if (!of_a.is_exact(i) || !of_b.is_exact(j)) return false;
   const std::vector<NearItem> near_b = items_near(of_b, j, point, within);
   for (const NearItem& p : items_near(of_a, i, point, within))
     for (const NearItem& q : near_b) {

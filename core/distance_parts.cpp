@@ -288,6 +288,8 @@ std::unique_ptr<DistanceParts::Made> DistanceParts::make(int part) const {
       add_surface(made->own, i, made->items);
     }
   }
+  if (made->items.empty())
+    throw InvalidInput("distance: part " + std::to_string(part) + " has no points");
   std::vector<Box> boxes;
   for (const DistanceItem& item : made->items) boxes.push_back(item.box);
   made->tree = BoxTree(boxes);
@@ -295,6 +297,13 @@ std::unique_ptr<DistanceParts::Made> DistanceParts::make(int part) const {
 }
 
 const MeasuredSet& DistanceParts::own_set(int part) const { return made(part + points()).own; }
+
+bool DistanceParts::is_exact(int part) const {
+  const std::vector<BezierSurface>& surfaces = make_ ? made(part).own.surfaces : set_.surfaces;
+  return std::ranges::all_of(items(part), [&](const DistanceItem& item) {
+    return item.dimension() < 2 || surfaces[static_cast<std::size_t>(item.index)].error == 0;
+  });
+}
 
 TrimSide DistanceParts::side(int part, const DistanceItem& item, const Vec2& low,
                              const Vec2& high) const {

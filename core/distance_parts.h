@@ -65,6 +65,8 @@ class DistanceParts {
   const MeasuredSet& set() const { return set_; }
   /// What a part that was asked for is made of; counted without the points.
   const MeasuredSet& own_set(int part) const;
+  /// Whether none of the part's surfaces is approximated.
+  bool is_exact(int part) const;
 
   /// Of a rectangle of an item's local parameters.
   TrimSide side(int part, const DistanceItem& item, const Vec2& low, const Vec2& high) const;

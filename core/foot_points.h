@@ -39,7 +39,7 @@ struct FootPoint {
 ///
 /// set          its points are not looked at; feet outside of its trims are left out
 /// tolerance    size of the regions in which what is not decided counts as one foot, model units
-/// limit        of the whole question; null: none
+/// limit        of the whole question; null: none. A surface it ends midway has one foot, Stopped
 /// throws       InvalidInput if a form is not sound, or the tolerance is not positive
 std::vector<FootPoint> foot_points(const MeasuredSet& set, const Vec3& point, double tolerance,
                                    const WorkLimit* limit = nullptr);

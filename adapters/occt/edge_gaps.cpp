@@ -24,6 +24,7 @@ namespace {
 
 constexpr int kSamplesPerSpan = 12;
 constexpr int kLeastSamples = 96;
+constexpr double kShift = 0.381966;      // of samples, as a part of their distance
 constexpr int kLeastSamplesOfArcs = 16;  // of sines and cosines once and twice a turn
 constexpr double kStraight = 1e-9;       // sine: a line in the chart that runs along a direction
 constexpr int kRefinements = 40;  // golden sections: the place to 1e-8 of two samples' distance
@@ -96,7 +97,8 @@ bool are_arcs(const Curves& curves) {
   return std::min(std::abs(along.X()), std::abs(along.Y())) <= kStraight;
 }
 
-// Fractions of the ranges, increasing, from 0 to 1.
+// Fractions of the ranges, increasing, from 0 to 1. Curves are interpolated at simple fractions of
+// their spans, where gaps vanish, so samples lie elsewhere.
 std::vector<double> sample_places(const Curves& curves) {
   std::vector<double> knots{0, 1};
   if (!curves.space.IsNull())
@@ -105,14 +107,16 @@ std::vector<double> sample_places(const Curves& curves) {
   add_knots(Geom2dAdaptor_Curve(curves.chart, curves.place.from, curves.place.to), curves.place,
             knots);
   std::sort(knots.begin(), knots.end());
-  const int each = are_arcs(curves)
-                       ? kLeastSamplesOfArcs
-                       : std::max(kSamplesPerSpan, kLeastSamples / static_cast<int>(knots.size()));
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+  const int spans = static_cast<int>(knots.size()) - 1;
+  const int each =
+      are_arcs(curves) ? kLeastSamplesOfArcs : std::max(kSamplesPerSpan, kLeastSamples / spans);
   std::vector<double> places{0};
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const Interval span{std::clamp(knots[i], 0.0, 1.0), std::clamp(knots[i + 1], 0.0, 1.0)};
     for (int k = 1; span.to > span.from && k <= each; ++k)
-      places.push_back(at(span, static_cast<double>(k) / each));
+      places.push_back(at(span, (k - kShift) / each));
+    places.push_back(span.to);
   }
   return places;
 }
@@ -172,7 +176,8 @@ std::optional<double> same_parameter_gap(const TopoDS_Edge& edge, const TopoDS_F
   const Curves curves = curves_of(edge, face);
   if (curves.space.IsNull() || curves.chart.IsNull() || curves.surface.IsNull()) return {};
   return largest(
-      sample_places(curves), [&](double t) { return curves.same_parameter(t); }, least);
+      sample_places(curves), [&](double t) { return curves.same_parameter(t); },
+      are_arcs(curves) ? least : 0);
 }
 
 EdgeGaps edge_gaps(const TopoDS_Edge& edge, const TopoDS_Face& face) {

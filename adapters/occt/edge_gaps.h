@@ -29,7 +29,8 @@ struct EdgeGaps {
 EdgeGaps edge_gaps(const TopoDS_Edge& edge, const TopoDS_Face& face);
 
 /// Of these the largest, `same_parameter`, alone; none if the edge lacks a curve.
-/// least   a gap that samples show to be less is not refined; model units
+/// least   a gap of arcs on elementary surfaces that samples show to be less is not refined; model
+///         units
 std::optional<double> same_parameter_gap(const TopoDS_Edge& edge, const TopoDS_Face& face,
                                          double least);
 

@@ -155,8 +155,8 @@ int EdgeSplits::add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face
   return static_cast<int>(of.splits.size()) - 1;
 }
 
-void EdgeSplits::widen(const TopoDS_Edge& edge, int split, double tolerance) const {
-  BRep_Builder().UpdateVertex(vertex(edge, split), tolerance);
+void EdgeSplits::widen(const TopoDS_Edge& edge, int split, double tolerance) {
+  widened_.emplace_back(vertex(edge, split), tolerance);
 }
 
 bool EdgeSplits::is_split(const TopoDS_Edge& edge) const {
@@ -204,6 +204,8 @@ bool EdgeSplits::are_one(const TopoDS_Vertex& a, const TopoDS_Vertex& b) const {
 }
 
 const std::vector<EdgePiece>& EdgeSplits::pieces(const TopoDS_Edge& edge) {
+  for (const auto& [vertex, tolerance] : widened_) BRep_Builder().UpdateVertex(vertex, tolerance);
+  widened_.clear();
   Record& of = record(edge);
   if (!of.pieces.empty()) return of.pieces;
   std::vector<int> order(of.splits.size());

@@ -46,8 +46,9 @@ class EdgeSplits {
   int add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face& face,
           double uncertainty = 0, double obliqueness = 1);
 
-  /// Gives the vertex of a split at least this tolerance, model units.
-  void widen(const TopoDS_Edge& edge, int split, double tolerance) const;
+  /// The vertex of a split gets at least this tolerance, model units, once pieces are made: what
+  /// is near it until then does not depend on who asked first.
+  void widen(const TopoDS_Edge& edge, int split, double tolerance);
 
   /// Whether anybody asked for a split inside of the edge.
   bool is_split(const TopoDS_Edge& edge) const;
@@ -91,6 +92,7 @@ class EdgeSplits {
                double obliqueness) const;
 
   double tolerance_;
+  std::vector<std::pair<TopoDS_Vertex, double>> widened_;
   TopTools_IndexedMapOfShape index_;
   std::vector<Record> records_;
   std::vector<std::pair<TopoDS_Vertex, TopoDS_Vertex>> united_;

@@ -42,10 +42,9 @@ struct Needed {
   TopoDS_Shape part;
   double given = 0;
   double needed = 0;
+  double gap = 0;  // without a margin: what it cannot do without
 
-  // By the distance of the curves alone.
-  double gap() const { return needed / kMargin; }
-  bool is_raised() const { return gap() > std::max(given, Precision::Confusion()); }
+  bool is_raised() const { return gap > std::max(given, Precision::Confusion()); }
 };
 
 // Needed tolerances that are not those given.
@@ -62,19 +61,24 @@ void add_if_wrong(const Needed& each, std::vector<Needed>& all) {
 
 using EdgeNeeds = NCollection_DataMap<TopoDS_Shape, double, TopTools_ShapeMapHasher>;
 
+bool is_end(const TopoDS_Shape& vertex) {
+  return vertex.Orientation() == TopAbs_FORWARD || vertex.Orientation() == TopAbs_REVERSED;
+}
+
 // What a vertex needs: no less than its edges, whose ends it covers.
-double needed_by(const TopoDS_Vertex& vertex, const TopTools_ListOfShape& edges,
+Needed needed_by(const TopoDS_Vertex& vertex, const TopTools_ListOfShape& edges,
                  const Users& faces_of, const EdgeNeeds& needs) {
-  double largest = Precision::Confusion();
+  double of_edges = Precision::Confusion(), distance = 0;
   for (const TopoDS_Shape& each : edges) {
     const TopoDS_Edge edge = TopoDS::Edge(each);
-    largest = std::max(largest, needs(edge));
+    of_edges = std::max(of_edges, needs(edge));
     for (TopoDS_Iterator end(edge.Oriented(TopAbs_FORWARD)); end.More(); end.Next())
-      if (end.Value().IsSame(vertex))
-        largest = std::max(largest, kMargin * distance_at(TopoDS::Vertex(end.Value()), edge,
-                                                          faces_of.FindFromKey(edge)));
+      if (end.Value().IsSame(vertex) && is_end(end.Value()))
+        distance = std::max(
+            distance, distance_at(TopoDS::Vertex(end.Value()), edge, faces_of.FindFromKey(edge)));
   }
-  return largest;
+  return {vertex, BRep_Tool::Tolerance(vertex), std::max(of_edges, kMargin * distance),
+          std::max(of_edges, distance)};
 }
 
 // limit   null: none
@@ -88,16 +92,15 @@ Wrong wrong_tolerances(const TopoDS_Shape& shape, const WorkLimit* limit) {
     check_limit(limit, "measuring tolerances");
     const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(i));
     const double given = BRep_Tool::Tolerance(edge);
-    const Needed each{edge, given, needed_tolerance(edge, faces_of(i))};
+    const double needed = needed_tolerance(edge, faces_of(i));
+    const Needed each{edge, given, needed, needed / kMargin};
     const std::size_t before = found.edges.size();
     add_if_wrong(each, found.edges);
     needs.Bind(edge, found.edges.size() > before ? each.needed : given);
   }
   for (int i = 1; i <= edges_of.Extent(); ++i) {
     const TopoDS_Vertex vertex = TopoDS::Vertex(edges_of.FindKey(i));
-    add_if_wrong(
-        {vertex, BRep_Tool::Tolerance(vertex), needed_by(vertex, edges_of(i), faces_of, needs)},
-        found.vertices);
+    add_if_wrong(needed_by(vertex, edges_of(i), faces_of, needs), found.vertices);
   }
   return found;
 }
@@ -143,7 +146,7 @@ std::string words_about(const Wrong& wrong) {
   for (const Needed& each : wrong.edges) {
     (each.is_raised() ? raised : lowered) += 1;
     (each.is_raised() ? most : least) =
-        std::max(each.is_raised() ? most : least, each.is_raised() ? each.gap() : each.given);
+        std::max(each.is_raised() ? most : least, each.is_raised() ? each.gap : each.given);
   }
   std::ostringstream words;
   if (raised > 0)

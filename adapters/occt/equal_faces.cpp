@@ -91,6 +91,7 @@ bool match_wires(const FaceTrims& a, const FaceTrims& b, double within, FaceMatc
     });
     if (other == of_b.end()) return false;
     largest = std::max(largest, *off);
+    if (coedge->tolerance != (*other)->tolerance) match.same_tolerances = false;
     add_edges(*coedge, **other, match);
     of_b.erase(other);
   }
@@ -99,8 +100,8 @@ bool match_wires(const FaceTrims& a, const FaceTrims& b, double within, FaceMatc
 }
 
 bool is_exact(const FaceMatch& match) {
-  return match.gap == 0 && !match.map.exchanged && match.map.slope == Vec2{1, 1} &&
-         match.map.offset == Vec2{0, 0};
+  return match.gap == 0 && match.same_tolerances && !match.map.exchanged &&
+         match.map.slope == Vec2{1, 1} && match.map.offset == Vec2{0, 0};
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ std::optional<FaceMatch> match(const FaceData& a, const FaceData& b, double with
   if (!nearly_equal(a.box, b.box, within)) return {};
   const std::optional<SurfaceMatch> surfaces = match(a.surface, b.surface, within);
   if (!surfaces) return {};
-  FaceMatch found{surfaces->map, surfaces->gap, {}};
+  FaceMatch found{surfaces->map, surfaces->gap, true, {}};
   if (!match_wires(a.trims, b.trims, within, found)) return {};
   return found;
 }

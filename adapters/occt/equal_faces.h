@@ -24,6 +24,7 @@ namespace blossom::occt {
 struct FaceMatch {
   ChartMap map;    ///< from the parameters of the first face to those of the second
   double gap = 0;  ///< bound on what surfaces and wires differ by, model units; 0: the same numbers
+  bool same_tolerances = true;                             ///< of the edges
   std::vector<std::pair<TopoDS_Edge, TopoDS_Edge>> edges;  ///< of both, each once
 };
 

@@ -142,10 +142,20 @@ int FaceSplitter::vertex_at_split(int loop, int index, int split) {
 
 int FaceSplitter::vertex_of(const TrimMeeting& meeting, double uncertainty, double obliqueness) {
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
-  const int split =
-      splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty, obliqueness);
-  if (meeting.blur > 0) splits_.widen(of.edge, split, kMargin * meeting.blur);
-  return vertex_at_split(meeting.loop, meeting.coedge, split);
+  return vertex_at_split(
+      meeting.loop, meeting.coedge,
+      splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty, obliqueness));
+}
+
+// The vertex of a touch is to cover the places in which cut and edge cross beside it.
+void FaceSplitter::widen_touch(const Strand& strand, const TrimMeeting& meeting, int vertex) {
+  if (meeting.touch.from == meeting.touch.to) return;
+  const Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
+  const Spline& curve = cuts_[static_cast<std::size_t>(strand.cut)].curve;
+  const Vec3 point = point_at(curve, meeting.at);
+  const double reach = std::max(distance(point, point_at(curve, meeting.touch.from)),
+                                distance(point, point_at(curve, meeting.touch.to)));
+  splits_.widen(coedge(at.loop, at.coedge).edge, at.split, kMargin * reach);
 }
 
 // How many times farther along the wire than across it neighbours may see the same crossing: where
@@ -164,8 +174,11 @@ double FaceSplitter::obliqueness(const Strand& strand, const TrimMeeting& meetin
 void FaceSplitter::add_wire_stops(Strand& strand) {
   check_limit(limit_, kDividing);
   ClippedCurve found = clipped(trims_, strand.curve, reach(strand));
-  for (const TrimMeeting& meeting : found.meetings)
-    strand.stops.emplace_back(meeting.at, vertex_of(meeting, 0, obliqueness(strand, meeting)));
+  for (const TrimMeeting& meeting : found.meetings) {
+    const int vertex = vertex_of(meeting, 0, obliqueness(strand, meeting));
+    strand.stops.emplace_back(meeting.at, vertex);
+    widen_touch(strand, meeting, vertex);
+  }
   strand.runs = std::move(found.runs);
   if (!found.complete) note(strand.cut, "runs so close to an edge that not all crossings are sure");
   add_inner_stops(strand);
@@ -185,7 +198,8 @@ void FaceSplitter::add_end_stop(Strand& strand, double end) {
       const double reach = std::max(BRep_Tool::Tolerance(of.edge), kMargin * trims_.overshoot);
       if (foot.distance >= least || foot.distance > reach) continue;
       least = foot.distance;
-      nearest_meeting = {end, static_cast<int>(loop), static_cast<int>(i), foot.parameter};
+      nearest_meeting = {
+          end, static_cast<int>(loop), static_cast<int>(i), foot.parameter, {end, end}};
     }
   if (std::isfinite(least))
     strand.stops.emplace_back(end, vertex_of(nearest_meeting, kObliqueness * least,

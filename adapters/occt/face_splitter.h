@@ -156,6 +156,7 @@ class FaceSplitter {
   };
 
   void add_strands();
+  void widen_touch(const Strand& strand, const TrimMeeting& meeting, int vertex);
   void add_wire_stops(Strand& strand);
   void add_end_stop(Strand& strand, double end);
   bool has_stop(const Strand& strand, double at) const;

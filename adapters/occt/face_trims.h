@@ -66,7 +66,7 @@ struct TrimMeeting {
   int loop = 0;   ///< place in FaceTrims::loops
   int coedge = 0;
   double edge_parameter = 0;
-  double blur = 0;  ///< of a touch: how far from it the two cross by what they are off
+  Interval touch{};  ///< of a touch: between these parameters the two cross by what they are off
 };
 
 /// A run of the curve along a wire.

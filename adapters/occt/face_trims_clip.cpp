@@ -116,7 +116,7 @@ void meet(const FaceTrims& trims, const PlanarCurve& curve, double tolerance, in
       trims.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(index)];
   const PlanarCrossings common = crossings(curve, coedge.curve, tolerance);
   for (const PlanarCrossing& point : common.points)
-    found.meetings.push_back({point.a, loop, index, point.b});
+    found.meetings.push_back({point.a, loop, index, point.b, {point.a, point.a}});
   for (const PlanarOverlap& run : common.overlaps)
     found.runs.push_back({run.a, loop, index, run.b});
   found.complete = found.complete && common.complete;
@@ -139,44 +139,42 @@ const Coedge& coedge_of(const FaceTrims& trims, const TrimMeeting& meeting) {
       .loops[static_cast<std::size_t>(meeting.loop)][static_cast<std::size_t>(meeting.coedge)];
 }
 
-// The corner between the coedges of two meetings, -1 if they are not neighbours.
-int corner_between(const Coedge& a, const Coedge& b) {
-  if (a.to == b.from) return a.to;
-  return a.from == b.to ? a.from : -1;
+// Where a curve passes the corner of two neighbouring coedges from one meeting to the next, within
+// tolerance.
+std::optional<double> at_corner(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
+                                const TrimMeeting& a, const TrimMeeting& b) {
+  const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
+  if (a.loop != b.loop) return {};
+  const auto passed = [&](int corner) -> std::optional<double> {
+    const PlanarFoot foot = nearest(curve, trims.corners[static_cast<std::size_t>(corner)]);
+    if (foot.distance > tolerance || foot.parameter < a.at || foot.parameter > b.at) return {};
+    return foot.parameter;
+  };
+  std::optional<double> at;
+  if (of_a.to == of_b.from) at = passed(of_a.to);
+  if (!at && of_a.from == of_b.to) at = passed(of_a.from);
+  return at;
 }
 
 // Whether a curve keeps within tolerance of an edge, or of two at their corner, from one meeting to
-// the next, which are farther apart than that, but no farther than a touch may take.
-bool is_one_touch(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
-                  const TrimMeeting& a, const TrimMeeting& b) {
+// the next, which are farther apart than that, but no farther than a touch may take: where it
+// touches then, half way or in the corner.
+std::optional<double> one_touch_at(const FaceTrims& trims, const PlanarCurve& curve,
+                                   double tolerance, const TrimMeeting& a, const TrimMeeting& b) {
   const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
-  if (&of_a != &of_b && (a.loop != b.loop || corner_between(of_a, of_b) < 0)) return false;
-  const Vec2 middle = point_at(curve, 0.5 * (a.at + b.at));
+  const double half_way = 0.5 * (a.at + b.at);
+  const Vec2 middle = point_at(curve, half_way);
   const double length =
       distance(point_at(curve, a.at), middle) + distance(middle, point_at(curve, b.at));
-  if (length <= tolerance || length > longest_touch(trims, tolerance)) return false;
-  return std::all_of(kBetween.begin(), kBetween.end(), [&](double t) {
+  if (length <= tolerance || length > longest_touch(trims, tolerance)) return {};
+  const bool keeps = std::all_of(kBetween.begin(), kBetween.end(), [&](double t) {
     const Vec2 point = point_at(curve, at(Interval{a.at, b.at}, t));
     return nearest(of_a.curve, point).distance <= tolerance ||
            nearest(of_b.curve, point).distance <= tolerance;
   });
-}
-
-// Half way between the two, or in the corner between their edges.
-TrimMeeting one_touch(const FaceTrims& trims, const PlanarCurve& curve, const TrimMeeting& a,
-                      const TrimMeeting& b) {
-  const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
-  TrimMeeting touch = a;
-  touch.at = 0.5 * (a.at + b.at);
-  if (&of_a != &of_b) {
-    const auto corner = static_cast<std::size_t>(corner_between(of_a, of_b));
-    touch.at = std::clamp(nearest(curve, trims.corners[corner]).parameter, a.at, b.at);
-  }
-  const Vec2 point = point_at(curve, touch.at);
-  touch.edge_parameter = nearest(of_a.curve, point).parameter;
-  touch.blur = std::max(a.blur + distance(point_at(curve, a.at), point),
-                        b.blur + distance(point, point_at(curve, b.at)));
-  return touch;
+  if (!keeps) return {};
+  if (&of_a == &of_b) return half_way;
+  return at_corner(trims, curve, tolerance, a, b);
 }
 
 // A curve that touches an edge may cross it twice by what curve or edge are off: one meeting, so
@@ -189,12 +187,18 @@ void join_double_touches(const FaceTrims& trims, const PlanarCurve& curve, doubl
     });
   };
   std::vector<TrimMeeting> kept;
-  for (const TrimMeeting& meeting : found.meetings)
-    if (!kept.empty() && is_one_touch(trims, curve, tolerance, kept.back(), meeting) &&
-        !has_run(kept.back(), meeting))
-      kept.back() = one_touch(trims, curve, kept.back(), meeting);
-    else
+  for (const TrimMeeting& meeting : found.meetings) {
+    std::optional<double> touch;
+    if (!kept.empty() && !has_run(kept.back(), meeting))
+      touch = one_touch_at(trims, curve, tolerance, kept.back(), meeting);
+    if (!touch) {
       kept.push_back(meeting);
+      continue;
+    }
+    TrimMeeting& last = kept.back();
+    const PlanarFoot foot = nearest(coedge_of(trims, last).curve, point_at(curve, *touch));
+    last = {*touch, last.loop, last.coedge, foot.parameter, {last.touch.from, meeting.touch.to}};
+  }
   found.meetings = std::move(kept);
 }
 

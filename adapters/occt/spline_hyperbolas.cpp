@@ -7,6 +7,7 @@
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Hyperbola.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
@@ -24,11 +25,13 @@ bool is_hyperbola(Handle(Geom_Curve) curve) {
 }
 
 // Null if there is none.
-Handle(Geom_Curve) spline_of(const BRep_Curve3D& of) {
+Handle(Geom_Curve) spline_of(const BRep_Curve3D& of) try {
   const Handle(Geom_Curve) part = new Geom_TrimmedCurve(of.Curve3D(), of.First(), of.Last());
   const GeomConvert_ApproxCurve made(part, kWanted, GeomAbs_C2, kMostSpans, kMostDegree);
   if (!made.HasResult() || made.MaxError() > kWanted) return {};
   return made.Curve().get();
+} catch (const Standard_Failure&) {
+  return {};
 }
 
 }  // namespace

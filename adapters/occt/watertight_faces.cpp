@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <variant>
 
 #include <Geom2d_BezierCurve.hxx>
@@ -83,6 +84,10 @@ TopoDS_Face PieceFaces::flat_face(const WatertightPiece& piece, const PiecePlane
 // other.
 TopoDS_Face PieceFaces::half_face(const WatertightPiece& piece, const BezierTriangle& triangle,
                                   std::size_t diagonal) {
+  double largest = 0;  // coordinate
+  for (const Vec3& p : triangle.points)
+    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
+  flattened_ = std::max(flattened_, std::sqrt(3.0) * half_patch_error(triangle.degree) * largest);
   begin(half_patch(turned(triangle, diagonal)));
   add_side(piece, (diagonal + 2) % 3, 0);  // c to a along v = 0
   std::vector<Vec2> ends{{1, 0}, {0, 1}};

@@ -68,8 +68,7 @@ std::array<BezierPatchOf<Point>, 3> three_quads(const BezierTriangleOf<Point>& t
 ///
 /// throws       as collapsed_patch
 /// accuracy     half_patch_error(N) in that half, relative to the largest coordinate; the net
-/// beyond
-///              it may be 3^N times as large
+///              beyond it may be 3^N times as large
 ///
 /// Source: the blossom of degree (N, N) is the mean of t over all pairings of the two parameters.
 template <class Point>

@@ -232,7 +232,6 @@ void CurveSearch::add_contact(const CurvePair& pair, const Interval& a, const In
                   itself_ && are_neighbours(pair.a, pair.b)});
 }
 
-// The one common point that a pair with directions apart can have. False if it is not decided.
 // The ends of both spans, if they are one point bit for bit and the place is there to rounding.
 CurveFoot CurveSearch::at_common_end(const CurvePair& pair, const CurveFoot& foot,
                                      double rounding) const {
@@ -247,6 +246,7 @@ CurveFoot CurveSearch::at_common_end(const CurvePair& pair, const CurveFoot& foo
   return common ? foot_at(pair, a, b) : foot;
 }
 
+// The one common point that a pair with directions apart can have. False if it is not decided.
 bool CurveSearch::settle(const CurvePair& pair, double sine) {
   const bool planar = pair.dimension() == 2;
   const auto found = nearest_feet(pair, chord_feet(pair));

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/errors.h"
 
@@ -18,6 +20,9 @@ constexpr double kSameDirection = 1e-7;
 
 // Of the longest piece of a path: so near its end nothing tells where it goes.
 constexpr double kNoise = 1e-5;
+
+// Of Newton's method, to where a nearly straight start of an arc is so far on.
+constexpr int kSteps = 4;
 
 // A half-edge as a number: arc * 2, plus 1 when reversed.
 using Walk = std::size_t;
@@ -32,7 +37,8 @@ struct Arm {
   double angle = 0;      ///< in (-pi, pi]
   double curvature = 0;  ///< to the left positive
   double secant = 0;     ///< turn from the direction to a point farther on, to the left positive
-  double length = 0;     ///< of the chord of its first piece
+  const PlanarBezier* piece = nullptr;  ///< its first one that leads away
+  double length = 0;                    ///< of that one's chord
 };
 
 // The first piece that leads away from an end of a path: what shorter ones do there is noise, as
@@ -64,28 +70,44 @@ Arm arm_of(const ChartArc& arc, Walk walk) {
     curvature = cross(direction, jet.second) / std::pow(norm(direction), 3);
   else
     direction = jet_at(curve, reversed ? 1 - 1e-4 : 1e-4).point - jet.point;
-  return {walk, std::atan2(direction[1], direction[0]), curvature,
-          std::atan2(cross(direction, far), dot(direction, far)),
-          distance(projected(curve.points.front()), projected(curve.points.back()))};
+  return {walk,      std::atan2(direction[1], direction[0]),
+          curvature, std::atan2(cross(direction, far), dot(direction, far)),
+          &curve,    distance(projected(curve.points.front()), projected(curve.points.back()))};
 }
 
-// How far from the vertex an arm crosses the next one to its left, as their directions and
-// curvatures tell; 0 if they do not, get farther apart than the tolerance before, or end there.
+// How far to the left of a direction an arm is, so far from the vertex along it.
+double offset_at(const Arm& arm, const Vec2& along, double distance) {
+  double t = arm.walk % 2 == 1 ? 1 : 0;
+  const Vec2 start = jet_at(*arm.piece, t).point;
+  for (int i = 0; i < kSteps; ++i) {
+    const PlanarJet jet = jet_at(*arm.piece, t);
+    t = std::clamp(t + (distance - dot(jet.point - start, along)) / dot(jet.first, along), 0.0,
+                   1.0);
+  }
+  return cross(along, jet_at(*arm.piece, t).point - start);
+}
+
+// How far from the vertex the order of two neighbouring arms is to be read, if they touch there and
+// the left one is on the right beyond; else 0. As directions and curvatures tell they cross at half
+// of that, no farther apart than the tolerance before, and the arcs themselves have crossed there.
 double touch_length(const Arm& right, const Arm& left, double tolerance) {
   const double turn = left.angle - right.angle, bend = right.curvature - left.curvature;
   if (turn <= 0 || turn * turn > 2 * bend * tolerance) return 0;
-  const double length = 2 * turn / bend;
-  return 2 * length < std::min(right.length, left.length) ? length : 0;
+  const double length = 4 * turn / bend;
+  if (length > std::min(right.length, left.length)) return 0;
+  const Vec2 along{std::cos(right.angle), std::sin(right.angle)};
+  return offset_at(left, along, length) < offset_at(right, along, length) ? length : 0;
 }
 
 // Orders arms of about one direction from right to left, so far from the vertex.
 void order_at(double distance, std::span<Arm> arms) {
-  const double middle = arms.front().angle;
-  const auto offset = [&](const Arm& arm) {
-    return arm.angle - middle + 0.5 * arm.curvature * distance;
-  };
-  std::sort(arms.begin(), arms.end(),
-            [&](const Arm& a, const Arm& b) { return offset(a) < offset(b); });
+  const Vec2 along{std::cos(arms.front().angle), std::sin(arms.front().angle)};
+  std::vector<std::pair<double, Arm>> placed;
+  for (const Arm& arm : arms) placed.emplace_back(offset_at(arm, along, distance), arm);
+  std::sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first, a.second.secant) < std::pair(b.first, b.second.secant);
+  });
+  for (std::size_t i = 0; i < arms.size(); ++i) arms[i] = placed[i].second;
 }
 
 // Orders arms of one direction from right to left.
@@ -113,15 +135,17 @@ void order(std::vector<Arm>& arms, double tolerance) {
   for (std::size_t i = 0; i < first; ++i) arms[i].angle += 2 * std::numbers::pi;
   std::sort(arms.begin(), arms.end(), by_angle);
   for (std::size_t low = 0, high = 0; low < arms.size(); low = high) {
-    double touch = 0;  // the longest of these arms
+    double touch = 0;  // where all of these arms are ordered, if any two touch
     for (high = low + 1; high < arms.size(); ++high) {
       const double length = touch_length(arms[high - 1], arms[high], tolerance);
       if (length == 0 && arms[high].angle - arms[high - 1].angle >= kSameDirection) break;
       touch = std::max(touch, length);
     }
     const std::span<Arm> alike = std::span(arms).subspan(low, high - low);
-    if (touch > 0)
-      order_at(2 * touch, alike);
+    const bool all_reach = std::all_of(alike.begin(), alike.end(),
+                                       [&](const Arm& arm) { return arm.length >= touch; });
+    if (touch > 0 && all_reach)
+      order_at(touch, alike);
     else
       order_by_bend(alike);
   }

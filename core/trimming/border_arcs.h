@@ -22,7 +22,8 @@ inline constexpr int kMostComposed = 2 * kMaxDegree;
 inline constexpr int kCommonArcs = 3;
 
 struct RegionOptions {
-  /// How far the border of the pieces may lie from the trims, along the surface; model units.
+  /// How far the border of the pieces may lie from the trims, along the surface, and lowered ones
+  /// besides from the surface; model units.
   double tolerance = 1e-7;
   /// Of triangles, at least n + m. Where that leaves straight arcs only, or borders are common,
   /// polynomial surfaces are composed in up to kMostComposed over arcs of degree kCommonArcs, and

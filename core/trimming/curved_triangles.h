@@ -41,7 +41,7 @@ struct CurvedTriangles {
 };
 
 /// Triangulates what `arcs` and `sides` enclose in one patch, halving arcs as it needs: also until
-/// triangles that are lowered are within a part of the tolerance.
+/// triangles that are lowered are within the tolerance.
 ///
 /// arcs     numbers of the patch's arcs; those that halving makes are added
 /// sides    straight, between vertices; the region is on their left

@@ -50,8 +50,9 @@ struct TriangulatedRegion {
 /// Covers the region on the left of the borders.
 ///
 ///   (1) the pieces lie on the surface, or within the tolerance of it where they are lowered, and
-///   their parameters cover the region once (2) each inner side belongs to two pieces whole, with
-///   the same vertices (3) each arc is a side of one triangle, or the border of one cell
+///       their parameters cover the region once
+///   (2) each inner side belongs to two pieces whole, with the same vertices
+///   (3) each arc is a side of one triangle, or the border of one cell
 ///
 /// throws   InvalidInput if the surface is not well formed, a corner is not there, or degrees leave
 ///          no triangle within options.highest_degree

@@ -207,6 +207,20 @@ TEST(Pieces, CutThatTouchesTheRimMayCrossItWithinTolerance) {
   EXPECT_EQ(pieces(square.arcs, kTilt * kTilt / 4).pieces.size(), 1);
 }
 
+// By direction and curvature it would cross the rim 0.004 farther on; by its third derivative it
+// does not.
+TEST(Pieces, CutThatOnlySeemsToCrossTheRimBesideAVertexStaysInside) {
+  Square square({{2}, {}, {}, {}});
+  const double turn = 2e-5, bend = -0.005, rise = 0.5;
+  const double s = 1, y1 = turn * s / 3, y2 = 2 * turn * s / 3 + bend * s * s / 3;
+  const double y3 = turn * s + bend * s * s + rise * s * s * s;
+  square.cut(4, 4,
+             {{{{2, 0, 1}, {2 + s / 3, y1, 1}, {2 + 2 * s / 3, y2, 1}, {2 + s, y3, 1}}},
+              line({2 + s, y3}, {2, 1}),
+              line({2, 1}, {2, 0})});
+  EXPECT_EQ(pieces(square.arcs, 1e-7).pieces.size(), 2);
+}
+
 TEST(Pieces, LoopsThatTouchInAVertexAreHolesOfTheirOwn) {
   Square square({{2}, {}, {}, {}});  // vertex 4 = (2, 0)
   square.cut(4, 4, arc({2, 0.5}, 0.5, -kPi / 2, 1.5 * kPi));
