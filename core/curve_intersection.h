@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/forms/curve_spans.h"
-#include "core/intersection/curve_result.h"
+#include "core/intersection/curves/curve_result.h"
 #include "core/intersection/options.h"
 
 namespace blossom {

@@ -5,7 +5,7 @@
 
 #include "core/forms/curve_spans.h"
 #include "core/forms/surface.h"
-#include "core/intersection/curve_surface_result.h"
+#include "core/intersection/curves/curve_surface_result.h"
 #include "core/intersection/options.h"
 
 namespace blossom {

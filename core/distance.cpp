@@ -14,7 +14,7 @@
 
 #include "core/base/errors.h"
 #include "core/distance_parts.h"
-#include "core/intersection/cell_tree.h"
+#include "core/intersection/cells/cell_tree.h"
 #include "core/intersection/work_limit.h"
 #include "core/queries/convex_pair.h"
 #include "core/queries/curvature_centre.h"
@@ -29,9 +29,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 64 * 0x1p-53;
 // Off the middle, so that cells of symmetric shapes have no stationary points on their borders.
 constexpr double kCut = 0.5 - 1.0 / 64;
-constexpr int kHalvingsPerStart = 12;  // of a pair, for Newton's method even without a promise
-// Trims take as long to be asked as several halvings.
-constexpr int kHalvingsPerTrim = 6;
+constexpr int kHalvingsPerStart = 12;   // of a pair, for Newton's method even without a promise
+constexpr int kHalvingsPerTrim = 6;     // which take as long to be asked
 constexpr long kPairsPerQuestion = 64;  // looked at before it is asked whether to go on
 // Balls, cylinders and tori between the sets are tried at every so many halvings of a pair.
 constexpr int kHalvingsPerCentre = 4;
@@ -167,13 +166,12 @@ class Search {
   DistanceResult run() {
     add_parts();
     double lowest = kInfinity;
-    long steps = 0;  // with the pairs of boxes, which cost no budget
     while (!open_.empty()) {
       const Pair pair = open_.top();
       lowest = pair.lower;
       if (is_settled(pair.lower)) break;
       if (result_.pairs >= options_.budget ||
-          (steps++ % kPairsPerQuestion == 0 && limit_.reached() != nullptr)) {
+          (steps_++ % kPairsPerQuestion == 0 && limit_.reached() != nullptr)) {
         result_.status = Status::Stopped;
         break;
       }
@@ -466,6 +464,7 @@ class Search {
   double rounding_;  // of the distance of two points, model units
   double floor_;     // what differences of distances below this are worth, model units
   DistanceResult result_;
+  long steps_ = 0;                        // with those over pairs of boxes, which cost no budget
   const DistanceItem* best_a_ = nullptr;  // those of the nearest points found by Newton's method
   const DistanceItem* best_b_ = nullptr;
   std::array<Vec2, 2> best_at_;

@@ -16,7 +16,7 @@
 #include "core/distance.h"
 #include "core/forms/patch.h"
 #include "core/forms/surface.h"
-#include "core/intersection/cell_tree.h"
+#include "core/intersection/cells/cell_tree.h"
 
 namespace blossom {
 

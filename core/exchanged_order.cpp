@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/forms/evaluation.h"
-#include "core/intersection/border_roots.h"
+#include "core/intersection/arcs/border_roots.h"
 
 namespace blossom {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/forms/derivatives.h"
 #include "core/forms/evaluation.h"
 #include "core/forms/products.h"
-#include "core/intersection/surface_cells.h"
+#include "core/intersection/cells/surface_cells.h"
 #include "core/queries/two_forms.h"
 #include "core/subdivision/cell_nets.h"
 

@@ -19,9 +19,9 @@
 #include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
-#include "adapters/occt/curves_detail.h"
-#include "adapters/occt/face_trims.h"
-#include "adapters/occt/surfaces_detail.h"
+#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/forms/curves_detail.h"
+#include "adapters/occt/forms/surfaces_detail.h"
 #include "core/forms/iso_line.h"
 #include "core/math/quadrature.h"
 

@@ -10,7 +10,7 @@
 #include <BinTools_ShapeSet.hxx>
 
 #include "adapters/occt/errors.h"
-#include "adapters/occt/shapes_detail.h"
+#include "adapters/occt/shapes/shapes_detail.h"
 
 namespace blossom::occt {
 namespace {

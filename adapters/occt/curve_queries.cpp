@@ -11,7 +11,7 @@
 
 #include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
-#include "adapters/occt/face_trims.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/surfaces.h"
 
 namespace blossom::occt {

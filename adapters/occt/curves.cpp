@@ -16,8 +16,8 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 
-#include "adapters/occt/curves_detail.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/forms/curves_detail.h"
 
 namespace blossom::occt {
 namespace {

@@ -8,7 +8,7 @@
 #include <Geom_BezierCurve.hxx>
 #include <Geom_Curve.hxx>
 
-#include "adapters/occt/arc_cuts.h"
+#include "adapters/occt/forms/arc_cuts.h"
 #include "core/forms/conic.h"
 #include "core/forms/curve.h"
 #include "core/forms/curve_spans.h"

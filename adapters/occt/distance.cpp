@@ -18,13 +18,13 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/chart_region.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/faces/chart_region.h"
+#include "adapters/occt/faces/shared_limit.h"
 #include "adapters/occt/hulls.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/placed_shapes.h"
-#include "adapters/occt/shared_limit.h"
+#include "adapters/occt/shapes/placed_shapes.h"
 #include "adapters/occt/surfaces.h"
 #include "core/base/errors.h"
 

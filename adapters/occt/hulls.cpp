@@ -34,9 +34,9 @@
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/curves.h"
-#include "adapters/occt/curves_detail.h"
 #include "adapters/occt/errors.h"
-#include "adapters/occt/surfaces_detail.h"
+#include "adapters/occt/forms/curves_detail.h"
+#include "adapters/occt/forms/surfaces_detail.h"
 #include "core/bounds/box_tree.h"
 
 namespace blossom::occt {
@@ -332,8 +332,8 @@ bool add_hull(const TopoDS_Face& face, std::vector<Vec3>& hull) {
 }
 
 bool has_end(const std::vector<Vec3>& hull) {
-  return !hull.empty() && std::all_of(hull.begin(), hull.end(),
-                                      [](const Vec3& p) { return norm(p) < kEndless; });
+  return !hull.empty() &&
+         std::all_of(hull.begin(), hull.end(), [](const Vec3& p) { return norm(p) < kEndless; });
 }
 
 PartHull placed_hull(std::vector<Vec3> hull, const gp_Trsf& place) {

@@ -6,14 +6,14 @@
 #include <exception>
 #include <utility>
 
-#include "adapters/occt/edge_contacts.h"
-#include "adapters/occt/equal_faces.h"
 #include "adapters/occt/errors.h"
-#include "adapters/occt/face_data.h"
-#include "adapters/occt/face_list.h"
-#include "adapters/occt/shared_edges.h"
-#include "adapters/occt/shared_limit.h"
-#include "adapters/occt/trimmed_overlaps.h"
+#include "adapters/occt/faces/edge_contacts.h"
+#include "adapters/occt/faces/equal_faces.h"
+#include "adapters/occt/faces/face_data.h"
+#include "adapters/occt/faces/face_list.h"
+#include "adapters/occt/faces/shared_edges.h"
+#include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/faces/trimmed_overlaps.h"
 #include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
 #include "core/exchanged_order.h"

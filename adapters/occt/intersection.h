@@ -12,8 +12,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "adapters/occt/arc_cuts.h"
-#include "core/intersection/seam_chains.h"
+#include "adapters/occt/forms/arc_cuts.h"
+#include "core/intersection/arcs/seam_chains.h"
 #include "core/self_intersection.h"
 #include "core/surface_intersection.h"
 

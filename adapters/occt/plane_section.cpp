@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "adapters/occt/curves.h"
-#include "adapters/occt/face_data.h"
-#include "adapters/occt/face_list.h"
-#include "adapters/occt/section_frame.h"
-#include "adapters/occt/section_nodes.h"
-#include "adapters/occt/section_wires.h"
-#include "adapters/occt/shared_limit.h"
+#include "adapters/occt/faces/face_data.h"
+#include "adapters/occt/faces/face_list.h"
+#include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/queries/section_frame.h"
+#include "adapters/occt/queries/section_nodes.h"
+#include "adapters/occt/queries/section_wires.h"
 #include "core/base/parallel.h"
 #include "core/surface_intersection.h"
 

@@ -17,9 +17,9 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/chart_region.h"
 #include "adapters/occt/errors.h"
-#include "adapters/occt/face_trims.h"
+#include "adapters/occt/faces/chart_region.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/surfaces.h"
 #include "core/forms/evaluation.h"
 

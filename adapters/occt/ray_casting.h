@@ -10,7 +10,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "adapters/occt/shared_limit.h"
+#include "adapters/occt/faces/shared_limit.h"
 #include "core/ray_casting.h"
 
 namespace blossom::occt {

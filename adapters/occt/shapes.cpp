@@ -22,7 +22,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 
 #include "adapters/occt/errors.h"
-#include "adapters/occt/shapes_detail.h"
+#include "adapters/occt/shapes/shapes_detail.h"
 
 namespace blossom::occt {
 

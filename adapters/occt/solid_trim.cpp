@@ -16,13 +16,13 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/area.h"
-#include "adapters/occt/edge_tolerances.h"
 #include "adapters/occt/errors.h"
-#include "adapters/occt/face_data.h"
-#include "adapters/occt/shared_limit.h"
-#include "adapters/occt/solid_pieces.h"
-#include "adapters/occt/solid_shells.h"
-#include "adapters/occt/solid_stages.h"
+#include "adapters/occt/faces/face_data.h"
+#include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/shapes/edge_tolerances.h"
+#include "adapters/occt/solids/solid_pieces.h"
+#include "adapters/occt/solids/solid_shells.h"
+#include "adapters/occt/solids/solid_stages.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 

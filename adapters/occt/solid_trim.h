@@ -8,7 +8,7 @@
 
 #include <TopoDS_Solid.hxx>
 
-#include "adapters/occt/trim_sides.h"
+#include "adapters/occt/splitting/trim_sides.h"
 #include "core/surface_intersection.h"
 
 namespace blossom::occt {

@@ -22,8 +22,8 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/edge_gaps.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/shapes/edge_gaps.h"
 #include "adapters/occt/surfaces.h"
 
 namespace blossom::occt {

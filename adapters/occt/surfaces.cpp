@@ -12,9 +12,9 @@
 #include <Geom_SweptSurface.hxx>
 #include <Precision.hxx>
 
-#include "adapters/occt/curves_detail.h"
 #include "adapters/occt/errors.h"
-#include "adapters/occt/surfaces_detail.h"
+#include "adapters/occt/forms/curves_detail.h"
+#include "adapters/occt/forms/surfaces_detail.h"
 
 namespace blossom::occt {
 namespace {

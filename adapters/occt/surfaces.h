@@ -8,7 +8,7 @@
 #include <Geom_Surface.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "adapters/occt/arc_cuts.h"
+#include "adapters/occt/forms/arc_cuts.h"
 #include "core/forms/patch.h"
 #include "core/forms/surface.h"
 #include "core/math/interval.h"

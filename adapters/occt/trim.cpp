@@ -12,8 +12,8 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/area.h"
-#include "adapters/occt/edge_images.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/faces/edge_images.h"
 #include "adapters/occt/intersection.h"
 #include "core/base/errors.h"
 

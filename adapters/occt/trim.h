@@ -9,7 +9,7 @@
 
 #include <TopoDS_Face.hxx>
 
-#include "adapters/occt/trim_sides.h"
+#include "adapters/occt/splitting/trim_sides.h"
 #include "core/surface_intersection.h"
 
 namespace blossom::occt {

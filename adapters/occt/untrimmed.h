@@ -5,7 +5,7 @@
 
 #include <TopoDS_Face.hxx>
 
-#include "adapters/occt/face_trims.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "core/trimming/triangulated_region.h"
 
 namespace blossom::occt {

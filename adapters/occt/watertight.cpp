@@ -24,9 +24,9 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
-#include "adapters/occt/edge_joins.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection_edges.h"
+#include "adapters/occt/splitting/edge_joins.h"
 #include "adapters/occt/surfaces.h"
 #include "adapters/occt/untrimmed.h"
 #include "adapters/occt/watertight_faces.h"

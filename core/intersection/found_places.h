@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/bounds/box_tree.h"
-#include "core/intersection/arc_chains.h"
-#include "core/intersection/contact_chains.h"
-#include "core/intersection/critical_places.h"
+#include "core/intersection/arcs/arc_chains.h"
+#include "core/intersection/contacts/contact_chains.h"
+#include "core/intersection/contacts/critical_places.h"
 #include "core/intersection/pair_search.h"
 #include "core/intersection/result.h"
 #include "core/math/interval.h"

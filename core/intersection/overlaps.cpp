@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/forms/evaluation.h"
-#include "core/intersection/border_stretches.h"
+#include "core/intersection/arcs/border_stretches.h"
 
 namespace blossom {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "core/intersection/contact_chains.h"
+#include "core/intersection/contacts/contact_chains.h"
 #include "core/intersection/pair_search.h"
 #include "core/intersection/work_limit.h"
 

@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/intersection/arcs_along_borders.h"
-#include "core/intersection/cell_pair.h"
-#include "core/intersection/contact_search.h"
-#include "core/intersection/gap_model.h"
-#include "core/intersection/quadric_pair.h"
-#include "core/intersection/shared_cells.h"
+#include "core/intersection/arcs/arcs_along_borders.h"
+#include "core/intersection/cells/cell_pair.h"
+#include "core/intersection/cells/quadric_pair.h"
+#include "core/intersection/cells/shared_cells.h"
+#include "core/intersection/contacts/contact_search.h"
+#include "core/intersection/gap/gap_model.h"
 #include "core/intersection/work_limit.h"
 
 namespace blossom {

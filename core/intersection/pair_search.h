@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "core/forms/surface.h"
-#include "core/intersection/border_roots.h"
-#include "core/intersection/known_curves.h"
+#include "core/intersection/arcs/border_roots.h"
+#include "core/intersection/arcs/known_curves.h"
+#include "core/intersection/cells/surface_cells.h"
+#include "core/intersection/gap/valley.h"
 #include "core/intersection/options.h"
 #include "core/intersection/result.h"
-#include "core/intersection/surface_cells.h"
-#include "core/intersection/valley.h"
 
 namespace blossom {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/bounds/box_tree.h"
-#include "core/intersection/cell_pair.h"
-#include "core/intersection/direction_cones.h"
+#include "core/intersection/cells/cell_pair.h"
+#include "core/intersection/cells/direction_cones.h"
 #include "core/intersection/work_limit.h"
 #include "core/subdivision/patch_subdivision.h"
 

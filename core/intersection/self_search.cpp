@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "core/intersection/arc_chains.h"
+#include "core/intersection/arcs/arc_chains.h"
 #include "core/intersection/self_pairs.h"
 
 namespace blossom {

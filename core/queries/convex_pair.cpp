@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/intersection/cell_bend.h"
+#include "core/intersection/cells/cell_bend.h"
 
 namespace blossom {
 namespace {

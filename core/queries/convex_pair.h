@@ -8,7 +8,7 @@
 
 #pragma once
 
-#include "core/intersection/cell_tree.h"
+#include "core/intersection/cells/cell_tree.h"
 #include "core/queries/nearest_pair.h"
 
 namespace blossom {

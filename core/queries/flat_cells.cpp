@@ -8,7 +8,7 @@
 
 #include "core/base/errors.h"
 #include "core/forms/evaluation.h"
-#include "core/intersection/cell_tree.h"
+#include "core/intersection/cells/cell_tree.h"
 
 namespace blossom {
 namespace {

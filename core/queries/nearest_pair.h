@@ -6,7 +6,7 @@
 #include <array>
 
 #include "core/forms/evaluation.h"
-#include "core/intersection/cell_tree.h"
+#include "core/intersection/cells/cell_tree.h"
 
 namespace blossom {
 

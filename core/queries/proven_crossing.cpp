@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "core/forms/evaluation.h"
-#include "core/intersection/cell_tree.h"
-#include "core/intersection/pair_model.h"
+#include "core/intersection/cells/cell_tree.h"
+#include "core/intersection/cells/pair_model.h"
 
 namespace blossom {
 namespace {

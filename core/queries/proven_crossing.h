@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "core/forms/patch.h"
-#include "core/intersection/border_roots.h"
+#include "core/intersection/arcs/border_roots.h"
 
 namespace blossom {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/intersection/net_ranges.h"
+#include "core/intersection/cells/net_ranges.h"
 #include "core/math/binomial.h"
 
 namespace blossom {

@@ -11,7 +11,7 @@
 
 #include <array>
 
-#include "core/intersection/cell_tree.h"
+#include "core/intersection/cells/cell_tree.h"
 #include "core/queries/curvature_centre.h"
 
 namespace blossom {

@@ -31,7 +31,8 @@ struct FitOptions {
 ///   (1) ends, in space and in both charts, are those of the chain; a loop ends where it begins
 ///   (2) the derivative of order k is continuous at a knot of multiplicity 5 - k
 ///
-/// returns   the deviation is about three tenths of the tolerance or less, unless rounding or the depth of the
+/// returns   the deviation is about three tenths of the tolerance or less, unless rounding or the
+/// depth of the
 ///           halving prevents it: it then says what was reached.
 ///           A chain without any length gives no curve, and its length is not a number; nor does
 ///           one that the curve would leave by more than `most`, or for which it is too late

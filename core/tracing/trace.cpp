@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/forms/evaluation.h"
-#include "core/intersection/contact_points.h"
+#include "core/intersection/contacts/contact_points.h"
 
 namespace blossom {
 namespace {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/intersection/arc_chains.h"
+#include "core/intersection/arcs/arc_chains.h"
 #include "core/intersection/pair_search.h"
 #include "core/intersection/result.h"
 

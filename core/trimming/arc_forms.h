@@ -7,7 +7,7 @@
 #pragma once
 
 #include "core/forms/surface.h"
-#include "core/intersection/planar_curves.h"
+#include "core/intersection/curves/planar_curves.h"
 
 namespace blossom {
 

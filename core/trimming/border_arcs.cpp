@@ -11,7 +11,7 @@
 
 #include "core/base/errors.h"
 #include "core/forms/evaluation.h"
-#include "core/intersection/planar_crossings.h"
+#include "core/intersection/curves/planar_crossings.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {

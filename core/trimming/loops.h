@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/intersection/planar_curves.h"
+#include "core/intersection/curves/planar_curves.h"
 
 namespace blossom {
 

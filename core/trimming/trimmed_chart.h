@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/forms/surface.h"
-#include "core/intersection/planar_curves.h"
+#include "core/intersection/curves/planar_curves.h"
 
 namespace blossom {
 

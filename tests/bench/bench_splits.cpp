@@ -43,7 +43,7 @@
 
 #include "adapters/occt/area.h"
 #include "adapters/occt/errors.h"
-#include "adapters/occt/face_trims.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/trim.h"

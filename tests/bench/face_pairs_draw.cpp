@@ -92,8 +92,8 @@ std::vector<FacePair> draw_pairs(const TopoDS_Shape& model, std::uint64_t seed, 
       // Every third pair is a face and its own copy.
       const int j = tries % 3 == 0 ? i : testing::pick(random, 0, last);
       const TopoDS_Face a = faces[static_cast<std::size_t>(i)];
-      const TopoDS_Face b = TopoDS::Face(
-          faces[static_cast<std::size_t>(j)].Moved(TopLoc_Location(move * turn)));
+      const TopoDS_Face b =
+          TopoDS::Face(faces[static_cast<std::size_t>(j)].Moved(TopLoc_Location(move * turn)));
       if (drawn.count({i, j}) > 0 || box_of(a).IsOut(box_of(b))) continue;
       drawn.insert({i, j});
       pairs.push_back({copy.kind, a, b});

@@ -18,10 +18,10 @@ namespace {
 
 constexpr int kGrid = 64;
 constexpr int kNewtonSteps = 12;
-constexpr double kBulge = 0.3;     // of a cell's diagonal, that its surface may leave its corners
-constexpr double kInside = 1e-4;   // of the parameters' ranges: strictly inside
-constexpr double kClose = 1e-9;    // of the size: a common point
-constexpr double kThin = 2e-3;     // of the size: points nearer to each other are one
+constexpr double kBulge = 0.3;    // of a cell's diagonal, that its surface may leave its corners
+constexpr double kInside = 1e-4;  // of the parameters' ranges: strictly inside
+constexpr double kClose = 1e-9;   // of the size: a common point
+constexpr double kThin = 2e-3;    // of the size: points nearer to each other are one
 
 struct Grid {
   explicit Grid(const TopoDS_Face& f) : face(f), surface(f, false), classifier(f, 1e-9) {
@@ -42,8 +42,7 @@ struct Grid {
     for (int i = i0; i <= i1; ++i)
       for (int j = j0; j <= j1; ++j)
         box.Add(points[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]);
-    const double cell =
-        std::sqrt(box.SquareExtent()) / std::max(1, std::max(i1 - i0, j1 - j0));
+    const double cell = std::sqrt(box.SquareExtent()) / std::max(1, std::max(i1 - i0, j1 - j0));
     box.Enlarge(kBulge * cell);
     return box;
   }
@@ -132,10 +131,9 @@ class Pairing {
   void pair(const Part& p, const Part& q) {
     if (a_.box(p.i0, p.i1, p.j0, p.j1).IsOut(b_.box(q.i0, q.i1, q.j0, q.j1))) return;
     if (p.single() && q.single()) return add(p, q);
-    const bool halve_a = !p.single() && (q.single() || p.i1 - p.i0 + p.j1 - p.j0 >=
-                                                           q.i1 - q.i0 + q.j1 - q.j0);
-    for (const Part& half : (halve_a ? p : q).halves())
-      halve_a ? pair(half, q) : pair(p, half);
+    const bool halve_a =
+        !p.single() && (q.single() || p.i1 - p.i0 + p.j1 - p.j0 >= q.i1 - q.i0 + q.j1 - q.j0);
+    for (const Part& half : (halve_a ? p : q).halves()) halve_a ? pair(half, q) : pair(p, half);
   }
 
   std::vector<OraclePoint> points;

@@ -17,8 +17,8 @@ struct OraclePoint {
 };
 
 /// Points strictly inside both faces at which the surfaces agree within 1e-9 of `size`. It finds
-/// most pieces of an intersection that are longer than a cell of a 64 x 64 grid, and proves nothing.
-/// size   of the smaller surface, model units
+/// most pieces of an intersection that are longer than a cell of a 64 x 64 grid, and proves
+/// nothing. size   of the smaller surface, model units
 std::vector<OraclePoint> common_points(const TopoDS_Face& a, const TopoDS_Face& b, double size);
 
 /// Diagonal of the box of a grid of points of the surface over the face's parameters.

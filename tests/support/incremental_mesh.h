@@ -56,7 +56,7 @@ class IncrementalMesh {
     }
   }
 
-  void add_edge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation)& own,
+  void add_edge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & own,
                 const TopLoc_Location& location, std::map<int, int>& names) {
     const Handle(Poly_PolygonOnTriangulation) line =
         BRep_Tool::PolygonOnTriangulation(edge, own, location);

@@ -80,8 +80,8 @@ double same_parameter_gap(const EdgeCurves& edge, const TopoDS_Face& a, const To
                           static_cast<double>(i) / kSteps);
       const gp_Pnt p = edge.curve->Value(t);
       const gp_Pnt2d x = edge.pcurve_a->Value(t), y = edge.pcurve_b->Value(t);
-      gap = std::max({gap, p.Distance(on_a->Value(x.X(), x.Y())),
-                      p.Distance(on_b->Value(y.X(), y.Y()))});
+      gap = std::max(
+          {gap, p.Distance(on_a->Value(x.X(), x.Y())), p.Distance(on_b->Value(y.X(), y.Y()))});
     }
   return gap;
 }

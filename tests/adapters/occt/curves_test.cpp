@@ -14,7 +14,7 @@
 #include <gp.hxx>
 
 #include "adapters/occt/errors.h"
-#include "surfaces_samples.h"
+#include "tests/adapters/occt/surfaces_samples.h"
 
 namespace blossom::occt {
 namespace {

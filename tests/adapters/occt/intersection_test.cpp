@@ -66,9 +66,8 @@ TEST(IntersectShapes, CutsCurvesAtAHole) {
 
 TEST(IntersectShapes, IsTheSameForAnyNumberOfThreads) {
   const auto box = faces_of(BRepPrimAPI_MakeBox(gp_Pnt(-1, -1, -1), 2, 2, 2).Shape());
-  const auto cylinder =
-      faces_of(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.3, 0.2, -2), gp_Dir(0.1, 0.2, 1)), 0.4, 4)
-                   .Shape());
+  const auto cylinder = faces_of(
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.3, 0.2, -2), gp_Dir(0.1, 0.2, 1)), 0.4, 4).Shape());
   const ShapeIntersection alone = intersect(box, cylinder, {.threads = 1});
   for (const int threads : {0, 2, 5}) {
     const ShapeIntersection found = intersect(box, cylinder, {.threads = threads});

@@ -14,7 +14,7 @@
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/surfaces.h"
-#include "surfaces_samples.h"
+#include "tests/adapters/occt/surfaces_samples.h"
 
 namespace blossom::occt {
 namespace {

@@ -23,7 +23,7 @@
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/errors.h"
-#include "adapters/occt/face_trims.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/trim.h"
 

@@ -33,8 +33,8 @@
 
 #include "adapters/occt/area.h"
 #include "adapters/occt/shapes.h"
+#include "adapters/occt/shapes/spline_hyperbolas.h"
 #include "adapters/occt/solid_trim.h"
-#include "adapters/occt/spline_hyperbolas.h"
 #include "tests/adapters/occt/shapes_files.h"
 
 namespace blossom::occt {

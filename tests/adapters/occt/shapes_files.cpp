@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files made with Open CASCADE alone, without the code under test.
 
-#include "shapes_files.h"
+#include "tests/adapters/occt/shapes_files.h"
 
 #include <algorithm>
 #include <cmath>

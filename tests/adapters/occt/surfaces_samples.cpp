@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Makers of sample curves and surfaces.
 
-#include "surfaces_samples.h"
+#include "tests/adapters/occt/surfaces_samples.h"
 
 #include <array>
 #include <numbers>

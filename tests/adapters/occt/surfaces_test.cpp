@@ -22,7 +22,7 @@
 
 #include "adapters/occt/errors.h"
 #include "core/forms/conversion.h"
-#include "surfaces_samples.h"
+#include "tests/adapters/occt/surfaces_samples.h"
 
 namespace blossom::occt {
 namespace {

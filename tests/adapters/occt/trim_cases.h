@@ -23,7 +23,7 @@
 
 #include "adapters/occt/area.h"
 #include "adapters/occt/curves.h"
-#include "adapters/occt/face_splitter.h"
+#include "adapters/occt/splitting/face_splitter.h"
 
 namespace blossom::occt::testing {
 

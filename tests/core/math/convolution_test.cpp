@@ -19,8 +19,7 @@ using testing::uniform;
 // Whole numbers, so that both ways are exact.
 std::vector<double> whole_numbers(Random& random, std::size_t count) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < count; ++i)
-    values.push_back(std::round(uniform(random, -9, 9)));
+  for (std::size_t i = 0; i < count; ++i) values.push_back(std::round(uniform(random, -9, 9)));
   return values;
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/intersection/cell_tree.h"
+#include "core/intersection/cells/cell_tree.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 
@@ -83,9 +83,9 @@ TEST(ConvexPair, BoundsTheDistanceOfPieces) {
       double least = 1e300;
       for (int i = 0; i < 5 * 5 * 5 * 5; ++i) {
         const auto t = [&](int k) { return i / static_cast<int>(std::pow(5, k)) % 5 / 4.0; };
-        least = std::min(
-            least, distance(point_at(low.patch, at(a.cell->u, t(0)), at(a.cell->v, t(1))),
-                            point_at(high.patch, at(b.cell->u, t(2)), at(b.cell->v, t(3)))));
+        least = std::min(least,
+                         distance(point_at(low.patch, at(a.cell->u, t(0)), at(a.cell->v, t(1))),
+                                  point_at(high.patch, at(b.cell->u, t(2)), at(b.cell->v, t(3)))));
       }
       // The corners are among the samples, and there the least distance of small pieces is.
       EXPECT_LE(bound, least + 4 * kRounding);

@@ -120,7 +120,8 @@ TEST(LeastSquaresSpline, ReturnsItsValuesAtTheChecks) {
   ASSERT_EQ(found.values.size(), 3 * kJudgedChecks.size());
   for (std::size_t span = 0; span < 3; ++span)
     for (std::size_t k = 0; k < kJudgedChecks.size(); ++k) {
-      const double t = at(Interval{found.knots[span], found.knots[span + 1]}, kFitChecks[kJudgedChecks[k]]);
+      const double t =
+          at(Interval{found.knots[span], found.knots[span + 1]}, kFitChecks[kJudgedChecks[k]]);
       const Vec7& x = found.values[span * kJudgedChecks.size() + k];
       EXPECT_LE(distance(point_at(spline, t), {x[0], x[3], x[6]}), 1e-14);
     }

@@ -10,7 +10,6 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
@@ -18,7 +17,6 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <gp_Pln.hxx>
 #include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
@@ -162,8 +160,8 @@ TEST_F(IntersectCommand, MakesOneCurveOfPiecesBetweenSeams) {
       BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.8, 0, 0), gp_Dir(1, 0, 0)), -2, 2, -2, 2);
   testing::write({sphere}, folder / "sphere.brep");
   testing::write({plane}, folder / "plane.brep");
-  const Finished run = blossom({"intersect", folder / "sphere.brep", folder / "plane.brep", "--json",
-                                "-", "-o", folder / "edges.brep"});
+  const Finished run = blossom({"intersect", folder / "sphere.brep", folder / "plane.brep",
+                                "--json", "-", "-o", folder / "edges.brep"});
   ASSERT_EQ(run.code, 0) << run.err;
   const json report = json::parse(run.out);
   ASSERT_EQ(report["curves"].size(), 1u);
@@ -175,8 +173,8 @@ TEST_F(IntersectCommand, MakesOneCurveOfPiecesBetweenSeams) {
   EXPECT_NEAR(curve["length"], 1.2 * std::numbers::pi, 1e-9);
   EXPECT_EQ(curve["conic"]["type"], "circle");
   EXPECT_NEAR(curve["conic"]["radius"], 0.6, 1e-9);
-  const double turn = curve["conic"]["range"][1].get<double>() -
-                      curve["conic"]["range"][0].get<double>();
+  const double turn =
+      curve["conic"]["range"][1].get<double>() - curve["conic"]["range"][0].get<double>();
   EXPECT_NEAR(turn, 2 * std::numbers::pi, 1e-9);
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(occt::read_model(folder / "edges.brep").shape(), TopAbs_EDGE, edges);

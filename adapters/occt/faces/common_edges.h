@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The edges of two shapes that lie in faces of the other one, or run along its edges.
+//
+// Where faces coincide, or a face ends in another one, intersection curves are edges that are
+// there already. These edges become cuts of the faces they lie in, as they are.
+
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/intersection.h"
+#include "adapters/occt/splitting/edge_splits.h"
+#include "adapters/occt/splitting/edge_union.h"
+#include "adapters/occt/splitting/face_splitter.h"
+
+namespace blossom::occt {
+
+/// How near is on a surface or an edge of the other shape, in tolerances.
+inline constexpr double kLiesReach = 10;
+
+/// Edges of two shapes that keep within tolerance of each other.
+struct EdgesAlong {
+  TopoDS_Edge a, b;
+  Interval at_a;  ///< increasing
+  Interval at_b;  ///< the parameters of b at the ends of `at_a`; may decrease
+};
+
+/// A common point of two edges.
+struct EdgesMeeting {
+  TopoDS_Edge a, b;
+  double at_a = 0, at_b = 0;
+};
+
+class CommonEdges {
+ public:
+  CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
+              const IntersectionOptions& options);
+
+  /// Looks at the edges of two faces that meet: at all where the faces coincide, where intersection
+  /// curves run along some, or some seem to lie in the other face.
+  void add(const FaceIntersection& pair);
+
+  /// The curves of the pair that run along an edge which lies in the other face; their place among
+  /// the pair's.
+  std::vector<std::size_t> curves_along(const FaceIntersection& pair) const;
+
+  /// By face: edges of the other shape that lie in it.
+  const std::vector<std::vector<TopoDS_Edge>>& in_a() const { return in_a_; }
+  const std::vector<std::vector<TopoDS_Edge>>& in_b() const { return in_b_; }
+
+  /// Splits edges where they meet, and unites their vertices.
+  void split(EdgeSplits& splits) const;
+
+  /// Splits edges that run along each other at the same places. No more than once all that cuts ask
+  /// for is known.
+  void match(EdgeSplits& splits) const;
+
+  /// Joins the pieces of edges that run along each other.
+  /// returns   why some could not be joined; empty if all were
+  std::string join(EdgeSplits& splits, EdgeUnion& joined) const;
+
+  /// The chart curves of the second edge's faces for the first one, which runs along it.
+  /// throws   Failure if it does not within the tolerances of both
+  TopoDS_Edge image(const TopoDS_Edge& first, const TopoDS_Edge& second) const;
+
+ private:
+  enum class Of { A, B };
+  void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
+  void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
+  const std::vector<TopoDS_Face>& a_;
+  const std::vector<TopoDS_Face>& b_;
+  IntersectionOptions options_;
+  double reach_;
+  std::vector<std::vector<TopoDS_Edge>> in_a_, in_b_;
+  TopTools_IndexedMapOfShape edges_;      // of both
+  std::set<std::pair<int, int>> looked_;  // pairs of edges
+  std::vector<EdgesMeeting> meetings_;
+  std::vector<EdgesAlong> along_;
+};
+
+}  // namespace blossom::occt

@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/faces/edge_images.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <Geom2dAdaptor_Curve.hxx>
+#include <GeomAdaptor_Curve.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <GeomProjLib.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/curves.h"
+#include "adapters/occt/errors.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr int kEdgeSamples = 64;  // of an edge, to see where it lies on the other surface
+constexpr int kHalvings = 48;     // of the interval between two samples, for the end of a run
+constexpr int kNewtonSteps = 4;
+constexpr int kLeastPieces = 16, kMostPieces = 512;  // between knots of a fitted run
+constexpr double kFitShare = 0.1;                    // of the tolerance
+constexpr double kExactShare = 1e-3;  // of the tolerance: a projection so near is taken as exact
+constexpr int kImageSamples = 33;
+constexpr double kSeam = 1e-9;       // of the parameters' range: so near a seam is on it
+constexpr double kStart = 1e-3;      // of a run: a place on it near its start
+constexpr double kSamePlace = 1e-9;  // of a run: joints so near are one
+
+Vec3 vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
+Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
+
+// The steps of u and v along the tangent plane that come nearest to a step in space.
+Vec2 chart_step(const SurfaceFrame& at, const Vec3& step) {
+  const Vec3 area = cross(at.du, at.dv);
+  const double square = dot(area, area);
+  if (!(square > 0)) return {};
+  return {dot(cross(step, at.dv), area) / square, dot(cross(at.du, step), area) / square};
+}
+
+double deviation(const Handle(Geom_Curve) & curve, const Handle(Geom2d_Curve) & chart,
+                 const Interval& range, const SurfaceFeet& feet) {
+  double largest = 0;
+  for (int i = 0; i < kImageSamples; ++i) {
+    const double t = at(range, static_cast<double>(i) / (kImageSamples - 1));
+    const gp_Pnt2d uv = chart->Value(t);
+    largest = std::max(largest, feet.gap(vec(curve->Value(t)), {uv.X(), uv.Y()}));
+  }
+  return largest;
+}
+
+// What Open CASCADE makes of it; null if that is not exact.
+Handle(Geom2d_Curve) projected(const Handle(Geom_Curve) & curve, const Interval& range,
+                               const SurfaceFeet& feet, double tolerance) {
+  try {
+    double found = tolerance;
+    const Handle(Geom2d_Curve) chart =
+        GeomProjLib::Curve2d(curve, range.from, range.to, feet.surface(), found);
+    if (!chart.IsNull() && deviation(curve, chart, range, feet) <= kExactShare * tolerance)
+      return chart;
+  } catch (const Standard_Failure&) {
+    return {};  // it has none; one is fitted
+  }
+  return {};
+}
+
+// The point that a border of a surface is; none if it has a length, lies at infinity, or has no
+// points at all, as some offsets.
+std::optional<Vec3> one_point(const std::function<gp_Pnt(double)>& border, const Interval& along,
+                              double value) {
+  for (const double end : {along.from, along.to, value})
+    if (Precision::IsInfinite(end)) return std::nullopt;
+  try {
+    const gp_Pnt first = border(along.from);
+    for (const double part : {0.2, 0.4, 0.6, 0.8})
+      if (first.Distance(border(at(along, part))) > Precision::Confusion()) return std::nullopt;
+    return vec(first);
+  } catch (const Standard_Failure&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+SurfaceFrame frame_at(const Handle(Geom_Surface) & surface, const Vec2& uv) {
+  gp_Pnt p;
+  gp_Vec du, dv;
+  surface->D1(uv[0], uv[1], p, du, dv);
+  return {vec(p), vec(du), vec(dv)};
+}
+
+SurfaceBend bend_at(const Handle(Geom_Surface) & surface, const Vec2& uv) {
+  gp_Pnt p;
+  gp_Vec du, dv, uu, vv, both;
+  surface->D2(uv[0], uv[1], p, du, dv, uu, vv, both);
+  return {vec(uu), vec(both), vec(vv)};
+}
+
+std::vector<SurfacePole> poles_of(const Handle(Geom_Surface) & surface) {
+  const GeomAdaptor_Surface adaptor(surface);
+  if (adaptor.GetType() == GeomAbs_Cone) {
+    const gp_Cone cone = adaptor.Cone();
+    return {{vec(cone.Apex()), 1, -cone.RefRadius() / std::sin(cone.SemiAngle())}};
+  }
+  Interval u, v;
+  surface->Bounds(u.from, u.to, v.from, v.to);
+  std::vector<SurfacePole> poles;
+  for (const double value : {v.from, v.to})
+    if (const auto point = one_point([&](double t) { return surface->Value(t, value); }, u, value))
+      poles.push_back({*point, 1, value});
+  for (const double value : {u.from, u.to})
+    if (const auto point = one_point([&](double t) { return surface->Value(value, t); }, v, value))
+      poles.push_back({*point, 0, value});
+  return poles;
+}
+
+SurfaceFeet::SurfaceFeet(const TopoDS_Face& face, double tolerance, PolledLimit* limit)
+    : surface_(BRep_Tool::Surface(face)),
+      finder_(new ShapeAnalysis_Surface(surface_)),
+      tolerance_(tolerance),
+      limit_(limit) {
+  if (surface_->IsUPeriodic()) period_[0] = surface_->UPeriod();
+  if (surface_->IsVPeriodic()) period_[1] = surface_->VPeriod();
+  surface_->Bounds(low_[0], high_[0], low_[1], high_[1]);
+  if (period_[0] == 0 && surface_->IsUClosed()) closed_[0] = high_[0] - low_[0];
+  if (period_[1] == 0 && surface_->IsVClosed()) closed_[1] = high_[1] - low_[1];
+  poles_ = poles_of(surface_);
+}
+
+Vec2 SurfaceFeet::foot(const Vec3& point, const std::optional<Vec2>& near) const {
+  if (limit_ && limit_->reached()) throw LimitReached();
+  const gp_Pnt p(point[0], point[1], point[2]);
+  const gp_Pnt2d found = finder_->ValueOfUV(p, tolerance_);
+  Vec2 uv{found.X(), found.Y()};
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const SurfaceFrame at = frame_at(surface_, uv);
+    const Vec2 next = bounded(uv + chart_step(at, point - at.point));
+    if (distance(frame_at(surface_, next).point, point) > distance(at.point, point)) break;
+    uv = next;
+  }
+  for (int k = 0; near && k < 2; ++k) {
+    if (period_[k] > 0) uv[k] += period_[k] * std::round(((*near)[k] - uv[k]) / period_[k]);
+    if (closed_[k] == 0) continue;
+    const double slack = kSeam * closed_[k];
+    if (uv[k] < low_[k] + slack && (*near)[k] > uv[k] + 0.5 * closed_[k])
+      uv[k] = high_[k];
+    else if (uv[k] > high_[k] - slack && (*near)[k] < uv[k] - 0.5 * closed_[k])
+      uv[k] = low_[k];
+  }
+  return uv;
+}
+
+double SurfaceFeet::gap(const Vec3& point, const Vec2& uv) const {
+  return distance(point, frame_at(surface_, uv).point);
+}
+
+const SurfacePole* SurfaceFeet::pole_at(const Vec3& point) const {
+  for (const SurfacePole& pole : poles_)
+    if (distance(pole.point, point) <= tolerance_) return &pole;
+  return nullptr;
+}
+
+double SurfaceFeet::height(const Vec3& point) const {
+  const SurfaceFrame at = frame_at(surface_, foot(point, {}));
+  return std::copysign(distance(point, at.point), dot(point - at.point, cross(at.du, at.dv)));
+}
+
+Vec2 SurfaceFeet::bounded(Vec2 uv) const {
+  for (int k = 0; k < 2; ++k)
+    if (period_[k] == 0) uv[k] = std::clamp(uv[k], low_[k], high_[k]);
+  return uv;
+}
+
+CurveBeside::CurveBeside(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceFeet& feet)
+    : feet_(feet), surface_(BRep_Tool::Surface(face)) {
+  chart_ = BRep_Tool::CurveOnSurface(edge, face, range_.from, range_.to);
+  if (chart_.IsNull()) throw BadModel("an edge has no parametric curve on the face it bounds");
+}
+
+CurveBeside::CurveBeside(Handle(Geom_Curve) curve, const Interval& range, const SurfaceFeet& feet)
+    : feet_(feet), curve_(std::move(curve)), range_(range) {}
+
+CurveJet CurveBeside::in_space(double t) const {
+  if (!curve_.IsNull()) {
+    gp_Pnt point;
+    gp_Vec rate;
+    curve_->D1(t, point, rate);
+    return {vec(point), vec(rate), {}, {}};
+  }
+  gp_Pnt2d c;
+  gp_Vec2d d;
+  chart_->D1(t, c, d);
+  const SurfaceFrame own = frame_at(surface_, {c.X(), c.Y()});
+  return {own.point, d.X() * own.du + d.Y() * own.dv, {}, {}};
+}
+
+Vec3 CurveBeside::bend(double t) const {
+  if (!curve_.IsNull()) return vec(curve_->DN(t, 2));
+  gp_Pnt2d c;
+  gp_Vec2d d, dd;
+  chart_->D2(t, c, d, dd);
+  const Vec2 uv{c.X(), c.Y()};
+  const SurfaceFrame own = frame_at(surface_, uv);
+  const SurfaceBend of = bend_at(surface_, uv);
+  return dd.X() * own.du + dd.Y() * own.dv + d.X() * d.X() * of.uu + 2 * d.X() * d.Y() * of.uv +
+         d.Y() * d.Y() * of.vv;
+}
+
+CurveJet CurveBeside::jet(double t, const std::optional<Vec2>& near) const {
+  CurveJet jet = in_space(t);
+  jet.uv = feet_.foot(jet.point, near);
+  jet.uv_rate = chart_step(frame_at(feet_.surface(), jet.uv), jet.rate);
+  return jet;
+}
+
+CurveJet CurveBeside::end_jet(double end, double inner, const std::optional<Vec2>& near) const {
+  const CurveJet found = jet(end, near);
+  const SurfacePole* pole = feet_.pole_at(found.point);
+  if (pole == nullptr) return found;
+  return pole_jet(*pole, end, jet(at({end, inner}, kStart), near).uv);
+}
+
+// In a pole S does not depend on its free parameter f, and a curve that comes to it with the rate T
+// and the second derivative K has
+//   T = S_g g'    K = S_gg g'^2 + 2 S_fg f' g' + S_g g''
+// with g the other parameter: f is where S_g is along T, and f' follows from K without its share
+// along S_g.
+CurveJet CurveBeside::pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const {
+  const int g = pole.fixed, f = 1 - g;
+  CurveJet jet = in_space(t);
+  jet.uv = beside;
+  jet.uv[g] = pole.value;
+  const auto along = [&] {
+    const SurfaceFrame frame = frame_at(feet_.surface(), jet.uv);
+    return g == 0 ? frame.du : frame.dv;
+  };
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const Vec3 s_g = along(), s_fg = bend_at(feet_.surface(), jet.uv).uv;
+    const Vec3 normal = cross(s_g, s_fg);
+    const double slope = dot(cross(jet.rate, s_fg), normal);
+    if (slope == 0) return jet;  // a curve that stops there has no direction
+    jet.uv[f] -= dot(cross(jet.rate, s_g), normal) / slope;
+  }
+  const Vec3 s_g = along();
+  const SurfaceBend of = bend_at(feet_.surface(), jet.uv);
+  const Vec3 aside = of.uv - (dot(of.uv, s_g) / dot(s_g, s_g)) * s_g;
+  jet.uv_rate[g] = dot(jet.rate, s_g) / dot(s_g, s_g);
+  const Vec3 rest = bend(t) - jet.uv_rate[g] * jet.uv_rate[g] * (g == 0 ? of.uu : of.vv);
+  jet.uv_rate[f] = dot(rest, aside) / (2 * jet.uv_rate[g] * dot(aside, aside));
+  return jet;
+}
+
+std::vector<Interval> CurveBeside::between_poles(const Interval& run) const {
+  std::vector<Interval> parts{run};
+  for (const SurfacePole& pole : feet_.poles()) {
+    const auto approach = [&](double t) {
+      const CurveJet at = in_space(t);
+      return dot(at.point - pole.point, at.rate);
+    };
+    for (int i = 0; i < kEdgeSamples; ++i) {
+      Interval around{at(run, static_cast<double>(i) / kEdgeSamples),
+                      at(run, (i + 1.0) / kEdgeSamples)};
+      if (approach(around.from) > 0 || approach(around.to) <= 0) continue;
+      for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = at(around, 0.5);
+        (approach(middle) > 0 ? around.to : around.from) = middle;
+      }
+      const double least = kSamePlace * length(run);
+      if (feet_.pole_at(in_space(around.to).point) != &pole || around.to < run.from + least ||
+          around.to > run.to - least)
+        continue;
+      const auto part = std::find_if(parts.begin(), parts.end(),
+                                     [&](const Interval& each) { return around.to < each.to; });
+      const double end = part->to;
+      part->to = around.to;
+      parts.insert(std::next(part), {around.to, end});
+    }
+  }
+  return parts;
+}
+
+bool CurveBeside::lies_on(double t, double reach) const {
+  const CurveJet at = jet(t, {});
+  return feet_.gap(at.point, at.uv) <= reach;
+}
+
+std::vector<Interval> CurveBeside::runs(double reach) const {
+  std::vector<Interval> runs;
+  const auto border = [&](double on, double off) {
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (on + off);
+      (lies_on(middle, reach) ? on : off) = middle;
+    }
+    return on;
+  };
+  double before = range_.from;
+  for (int i = 0; i <= kEdgeSamples; ++i) {
+    const double t = at(range_, static_cast<double>(i) / kEdgeSamples);
+    const bool on = lies_on(t, reach);
+    const bool goes_on = !runs.empty() && runs.back().to == before;
+    if (on && goes_on)
+      runs.back().to = t;
+    else if (on)
+      runs.push_back({i > 0 ? border(t, before) : t, t});
+    else if (goes_on)
+      runs.back().to = border(before, t);
+    before = t;
+  }
+  std::erase_if(runs, [](const Interval& run) { return !(run.from < run.to); });
+  return runs;
+}
+
+// Where the image crosses a knot line of the surface, which it does with a jump of its curvature.
+void CurveBeside::add_knot_lines(const Interval& run, std::vector<double>& joints) const {
+  const GeomAdaptor_Surface surface(feet_.surface());
+  std::array<TColStd_Array1OfReal, 2> knots{
+      TColStd_Array1OfReal(1, surface.NbUIntervals(GeomAbs_CN) + 1),
+      TColStd_Array1OfReal(1, surface.NbVIntervals(GeomAbs_CN) + 1)};
+  surface.UIntervals(knots[0], GeomAbs_CN);
+  surface.VIntervals(knots[1], GeomAbs_CN);
+  std::vector<Vec2> samples{jet(at(run, kStart), {}).uv};
+  for (int i = 1; i <= kEdgeSamples; ++i)
+    samples.push_back(i < kEdgeSamples
+                          ? jet(at(run, static_cast<double>(i) / kEdgeSamples), samples.back()).uv
+                          : end_jet(run.to, run.from, samples.back()).uv);
+  for (int k = 0; k < 2; ++k)
+    for (const double knot : knots[static_cast<std::size_t>(k)])
+      for (int i = 0; i < kEdgeSamples; ++i) {
+        const Vec2 &from = samples[static_cast<std::size_t>(i)],
+                   &to = samples[static_cast<std::size_t>(i) + 1];
+        if ((from[k] < knot) == (to[k] < knot)) continue;
+        Interval around{at(run, static_cast<double>(i) / kEdgeSamples),
+                        at(run, (i + 1.0) / kEdgeSamples)};
+        for (int halving = 0; halving < kHalvings; ++halving) {
+          const double middle = at(around, 0.5);
+          ((jet(middle, from).uv[k] < knot) == (from[k] < knot) ? around.from : around.to) = middle;
+        }
+        joints.push_back(around.to);
+      }
+}
+
+// The ends of the run, and between them where the curve or its image is less than smooth.
+std::vector<double> CurveBeside::joints(const Interval& run) const {
+  std::vector<double> at{run.from};
+  const auto add = [&](const auto& curve) {
+    TColStd_Array1OfReal ends(1, curve.NbIntervals(GeomAbs_CN) + 1);
+    curve.Intervals(ends, GeomAbs_CN);
+    for (const double end : ends)
+      if (end > run.from && end < run.to) at.push_back(end);
+  };
+  if (chart_.IsNull())
+    add(GeomAdaptor_Curve(curve_, range_.from, range_.to));
+  else
+    add(Geom2dAdaptor_Curve(chart_, range_.from, range_.to));
+  add_knot_lines(run, at);
+  std::sort(at.begin(), at.end());
+  const double least = kSamePlace * length(run);
+  std::vector<double> apart{run.from};
+  for (const double t : at)
+    if (t > apart.back() + least && t < run.to - least) apart.push_back(t);
+  apart.push_back(run.to);
+  return apart;
+}
+
+FaceCut CurveBeside::hermite_cut(const std::vector<double>& ends, double tolerance) const {
+  FaceCut cut;
+  cut.tolerance = tolerance;
+  // A start on a seam has two places.
+  std::optional<Vec2> near = jet(at({ends.front(), ends.back()}, kStart), {}).uv;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const bool first = i == 0, last = i + 1 == ends.size();
+    const CurveJet here = first  ? end_jet(ends[i], ends[1], near)
+                          : last ? end_jet(ends[i], ends[i - 1], near)
+                                 : jet(ends[i], near);
+    near = here.uv;
+    const auto add = [&](double step) {
+      cut.curve.points.push_back(here.point + step * here.rate);
+      cut.chart.points.push_back(here.uv + step * here.uv_rate);
+    };
+    if (!first) add((ends[i - 1] - ends[i]) / 3);
+    if (first || last) add(0);
+    if (!last) add((ends[i + 1] - ends[i]) / 3);
+    cut.curve.knots.push_back(ends[i]);
+    cut.curve.multiplicities.push_back(first || last ? 4 : 2);
+  }
+  cut.curve.degree = cut.chart.degree = 3;
+  cut.chart.knots = cut.curve.knots;
+  cut.chart.multiplicities = cut.curve.multiplicities;
+  return cut;
+}
+
+FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double tolerance) const {
+  const std::vector<double> joints = this->joints(run);
+  for (int pieces = kLeastPieces;; pieces *= 2) {
+    std::vector<double> ends{run.from};
+    for (std::size_t k = 0; k + 1 < joints.size(); ++k)
+      for (int i = 1; i <= pieces; ++i)
+        ends.push_back(at({joints[k], joints[k + 1]}, static_cast<double>(i) / pieces));
+    FaceCut cut = hermite_cut(ends, tolerance);
+    double off = 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const double t = 0.5 * (ends[i] + ends[i + 1]);
+      const Vec3 point = jet(t, {}).point;
+      off = std::max(
+          {off, distance(point, point_at(cut.curve, t)), feet_.gap(point, point_at(cut.chart, t))});
+    }
+    if (off <= wanted) return cut;
+    if (pieces < kMostPieces) continue;
+    // As where it crosses the seam of a surface that is closed but has no period.
+    if (off > tolerance) throw Failure("an edge has no image in the chart of the other face");
+    return cut;
+  }
+}
+
+std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet, double reach,
+                               double tolerance) {
+  std::vector<FaceCut> cuts;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
+    const CurveBeside beside(edge, face, feet);
+    const double allowed = std::max(tolerance, BRep_Tool::Tolerance(edge));
+    for (const Interval& run : beside.runs(reach))
+      for (const Interval& part : beside.between_poles(run))
+        cuts.push_back(beside.fitted_cut(part, kFitShare * allowed, allowed));
+  }
+  return cuts;
+}
+
+ChartImage image_of(const Handle(Geom_Curve) & curve, const Interval& range,
+                    const SurfaceFeet& feet, const std::optional<Vec2>& near, double tolerance) {
+  Handle(Geom2d_Curve) chart = projected(curve, range, feet, tolerance);
+  if (chart.IsNull()) {
+    const CurveBeside beside(curve, range, feet);
+    chart = to_occt(beside.fitted_cut(range, kExactShare * tolerance, tolerance).chart);
+  }
+  if (near) {
+    const gp_Pnt2d middle = chart->Value(at(range, 0.5));
+    const Vec2 wanted = feet.foot(vec(curve->Value(at(range, 0.5))), near);
+    const Handle(Geom_Surface)& surface = feet.surface();
+    gp_Vec2d move(0, 0);
+    if (surface->IsUPeriodic())
+      move.SetX(surface->UPeriod() * std::round((wanted[0] - middle.X()) / surface->UPeriod()));
+    if (surface->IsVPeriodic())
+      move.SetY(surface->VPeriod() * std::round((wanted[1] - middle.Y()) / surface->VPeriod()));
+    chart = Handle(Geom2d_Curve)::DownCast(chart->Translated(move));
+  }
+  return {chart, deviation(curve, chart, range, feet)};
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Curves and edges beside a surface that they may lie on, and their images in its chart.
+
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/splitting/face_splitter.h"
+#include "core/intersection/work_limit.h"
+#include "core/math/interval.h"
+#include "core/math/vec.h"
+
+namespace blossom::occt {
+
+/// A point of a surface with its first derivatives.
+struct SurfaceFrame {
+  Vec3 point, du, dv;
+};
+
+SurfaceFrame frame_at(const Handle(Geom_Surface) & surface, const Vec2& uv);
+
+/// The second derivatives at a point of a surface.
+struct SurfaceBend {
+  Vec3 uu, uv, vv;
+};
+
+SurfaceBend bend_at(const Handle(Geom_Surface) & surface, const Vec2& uv);
+
+/// A line of the chart that is one point of the surface: a pole of a sphere, the tip of a cone.
+struct SurfacePole {
+  Vec3 point;
+  int fixed = 1;     ///< the parameter that is the same all along it: 0 u, 1 v
+  double value = 0;  ///< of that parameter
+};
+
+/// The poles of a surface: its borders without length, and tips of cones wherever they are.
+std::vector<SurfacePole> poles_of(const Handle(Geom_Surface) & surface);
+
+/// Thrown by SurfaceFeet when its limit is reached.
+struct LimitReached {};
+
+/// The nearest points of a face's surface, trims left out.
+class SurfaceFeet {
+ public:
+  /// tolerance   model units, of the search that Newton's method then sharpens
+  /// limit       asked at each foot, has to live as long; null: none
+  SurfaceFeet(const TopoDS_Face& face, double tolerance, PolledLimit* limit = nullptr);
+
+  const Handle(Geom_Surface) & surface() const { return surface_; }
+
+  /// The parameters of the nearest point; near others, as far as periods and seams leave a choice.
+  /// throws   LimitReached
+  Vec2 foot(const Vec3& point, const std::optional<Vec2>& near) const;
+
+  /// The distance of a point from that at some parameters.
+  double gap(const Vec3& point, const Vec2& uv) const;
+
+  /// The pole within tolerance of a point; null if there is none.
+  const SurfacePole* pole_at(const Vec3& point) const;
+  const std::vector<SurfacePole>& poles() const { return poles_; }
+
+  /// Distance from the nearest point, positive on the side of du x dv.
+  double height(const Vec3& point) const;
+
+ private:
+  Vec2 bounded(Vec2 uv) const;
+
+  Handle(Geom_Surface) surface_;
+  Handle(ShapeAnalysis_Surface) finder_;
+  double tolerance_;
+  PolledLimit* limit_;
+  Vec2 period_;
+  Vec2 low_, high_;  // bounds of the parameters
+  Vec2 closed_;      // where they meet without a period: the distance between them
+  std::vector<SurfacePole> poles_;
+};
+
+/// A curve with its images in the chart of a surface.
+struct CurveJet {
+  Vec3 point, rate;
+  Vec2 uv, uv_rate;  ///< of the surface
+};
+
+/// A curve seen on a surface beside it. The feet have to live as long.
+class CurveBeside {
+ public:
+  /// The image of an edge's chart curve on its own face.
+  /// throws   BadModel if it has none
+  CurveBeside(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceFeet& feet);
+
+  /// A curve in space.
+  CurveBeside(Handle(Geom_Curve) curve, const Interval& range, const SurfaceFeet& feet);
+
+  const Interval& range() const { return range_; }
+  CurveJet jet(double t, const std::optional<Vec2>& near) const;
+
+  /// The same at an end of a run. In a pole of the surface, where one parameter is free, it is that
+  /// which the curve has on its way there.
+  /// inner   a parameter inside of the run
+  CurveJet end_jet(double end, double inner, const std::optional<Vec2>& near) const;
+
+  /// The parts of a run between the poles of the surface that it goes through.
+  std::vector<Interval> between_poles(const Interval& run) const;
+
+  /// The parameters between which it is within reach of the surface: found from samples, ends
+  /// by halving.
+  std::vector<Interval> runs(double reach) const;
+
+  /// Cubic pieces with the values and first derivatives of the curve, as many as they need to be
+  /// as near to it as wanted, at most 512 between knots.
+  /// throws   Failure if they are farther off than the tolerance
+  FaceCut fitted_cut(const Interval& run, double wanted, double tolerance) const;
+
+ private:
+  CurveJet in_space(double t) const;  // without its images
+  Vec3 bend(double t) const;          // the second derivative
+  CurveJet pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const;
+  bool lies_on(double t, double reach) const;
+  std::vector<double> joints(const Interval& run) const;
+  void add_knot_lines(const Interval& run, std::vector<double>& joints) const;
+  FaceCut hermite_cut(const std::vector<double>& ends, double tolerance) const;
+
+  const SurfaceFeet& feet_;
+  Handle(Geom_Surface) surface_;  // with chart_, or else curve_
+  Handle(Geom2d_Curve) chart_;
+  Handle(Geom_Curve) curve_;
+  Interval range_;
+};
+
+/// The edges of a face as cuts of another one, as far as they lie on its surface, divided at its
+/// poles. Seams are none.
+/// feet      of the face to be cut
+/// reach     how near counts as on the surface, model units
+std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet, double reach,
+                               double tolerance);
+
+/// A curve on a surface in its chart, with the same parameter.
+struct ChartImage {
+  Handle(Geom2d_Curve) chart;
+  double deviation = 0;  ///< largest sampled distance, model units
+};
+
+/// Exact where Open CASCADE knows a line, a conic or a spline that is the image, else fitted.
+/// near      parameters of the middle, as far as periods leave a choice
+/// throws    Failure if the curve is not on the surface within the tolerance, or goes through a
+/// pole
+ChartImage image_of(const Handle(Geom_Curve) & curve, const Interval& range,
+                    const SurfaceFeet& feet, const std::optional<Vec2>& near, double tolerance);
+
+}  // namespace blossom::occt

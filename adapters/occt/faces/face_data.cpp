@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/faces/face_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_Surface.hxx>
+#include <Geom_TrimmedCurve.hxx>
+
+#include "adapters/occt/curves.h"
+#include "adapters/occt/errors.h"
+#include "adapters/occt/surfaces.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kLeastEdgeTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
+constexpr double kEdgeMargin = 1.1;           // of the edge's tolerance over the deviation
+constexpr double kBeyondTrims = 1e-3;         // of the box of the trims, on every side
+constexpr double kSamePoint = 1e-6;           // contacts as near as this are one, model units
+
+Interval wider(const Interval& side, const Interval& natural, double period) {
+  double margin = kBeyondTrims * length(side);
+  if (period > 0) margin = std::min(margin, 0.5 * (period - length(side)));
+  return {std::max(side.from - margin, std::min(side.from, natural.from)),
+          std::min(side.to + margin, std::max(side.to, natural.to))};
+}
+
+// Whether a rational surface goes on beyond any box of its parameters as it is inside.
+bool goes_on(const GeomAdaptor_Surface& surface) {
+  switch (surface.GetType()) {
+    case GeomAbs_Plane:
+    case GeomAbs_Cylinder:
+    case GeomAbs_Sphere:
+    case GeomAbs_Torus: return true;
+    default: return false;
+  }
+}
+
+// Trims that are no rectangle touch their box, and what runs along them would touch the border of
+// the surface. So it goes on beyond it, as may those that are one; then they have to be clipped.
+BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double tolerance, ArcCuts cuts,
+                         FaceTrims& trims) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  ParameterBox box = parameter_box(face);
+  if ((!trims.natural || extent == Extent::Beyond) && goes_on(GeomAdaptor_Surface(surface))) {
+    const ParameterBox own = box;
+    Interval u, v;
+    surface->Bounds(u.from, u.to, v.from, v.to);
+    const double endless = std::numeric_limits<double>::infinity();
+    const bool in_u = surface->IsUPeriodic(), in_v = surface->IsVPeriodic();
+    box.u = wider(box.u, in_u ? Interval{-endless, endless} : u, in_u ? surface->UPeriod() : 0);
+    box.v = wider(box.v, in_v ? Interval{-endless, endless} : v, in_v ? surface->VPeriod() : 0);
+    trims.natural =
+        trims.natural && length(box.u) == length(own.u) && length(box.v) == length(own.v);
+  }
+  return bezier_surface(surface, box, tolerance, cuts);
+}
+
+double edge_tolerance(const Deviation& d) {
+  return std::max(kLeastEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}));
+}
+
+SurfacePoint point_of(const IntersectionCurve& curve, double t) {
+  return {point_at(curve.curve, t), point_at(curve.chart_a, t), point_at(curve.chart_b, t)};
+}
+
+double length_of(const IntersectionCurve& curve, const Interval& part) {
+  return curve.conic ? arc_length(*curve.conic, part) : length(part);
+}
+
+// Both lists are increasing and disjoint. Where one ends as the other begins there is a point.
+std::vector<Interval> common(const IntersectionCurve& curve, const std::vector<Interval>& a,
+                             const std::vector<Interval>& b) {
+  std::vector<Interval> result;
+  const Interval domain = curve.curve.domain();
+  for (const Interval& x : a)
+    for (const Interval& y : b) {
+      const Interval both{std::max(x.from, y.from), std::min(x.to, y.to)};
+      const bool round_start = curve.closed && std::max(x.to, y.to) == domain.to &&
+                               std::min(x.from, y.from) == domain.from;
+      if (is_span(both, domain))
+        result.push_back(both);
+      else if (distance(point_at(curve.curve, both.from), point_at(curve.curve, both.to)) <=
+               kSamePoint)
+        result.push_back({both.to, both.to});
+      else if (round_start)
+        result.push_back({domain.from, domain.from});
+    }
+  return result;
+}
+
+// The part of a curve on an interval, its ends named where they are new.
+IntersectionCurve part_of(const IntersectionCurve& whole, const Interval& part) {
+  IntersectionCurve curve = whole;
+  const Interval domain = whole.curve.domain();
+  curve.closed = false;
+  curve.curve = restricted(whole.curve, part);
+  curve.chart_a = restricted(whole.chart_a, part);
+  curve.chart_b = restricted(whole.chart_b, part);
+  curve.ends = {part.from > domain.from || whole.closed ? CurveEnd::Trim : whole.ends[0],
+                part.to < domain.to || whole.closed ? CurveEnd::Trim : whole.ends[1]};
+  curve.length = length_of(whole, part);
+  curve.samples.clear();
+  curve.sample_parameters.clear();
+  const auto add = [&](const SurfacePoint& p, double t) {
+    curve.samples.push_back(p);
+    curve.sample_parameters.push_back(t);
+  };
+  const double apart = 1e-3 * length(part);
+  add(part.from > domain.from ? point_of(whole, part.from) : whole.samples.front(), part.from);
+  for (std::size_t i = 0; i < whole.samples.size(); ++i) {
+    const double t = whole.sample_parameters[i];
+    if (t > part.from + apart && t < part.to - apart) add(whole.samples[i], t);
+  }
+  add(part.to < domain.to ? point_of(whole, part.to) : whole.samples.back(), part.to);
+  return curve;
+}
+
+// The same curve with its conic's parameter in the first turn, where it begins.
+IntersectionCurve in_first_turn(IntersectionCurve curve) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  if (!curve.conic || !curve.conic->is_closed()) return curve;
+  const double shift = -kTurn * std::floor(curve.curve.domain().from / kTurn);
+  if (shift == 0) return curve;
+  for (std::vector<double>* parameters :
+       {&curve.curve.knots, &curve.chart_a.knots, &curve.chart_b.knots, &curve.sample_parameters})
+    for (double& t : *parameters) t += shift;
+  return curve;
+}
+
+// A loop's last part and its first one are one curve through the loop's start.
+IntersectionCurve appended(IntersectionCurve first, const IntersectionCurve& second) {
+  const double shift = first.curve.domain().to - second.curve.domain().from;
+  first.curve = joined(first.curve, second.curve);
+  first.chart_a = joined(first.chart_a, second.chart_a);
+  first.chart_b = joined(first.chart_b, second.chart_b);
+  first.length += second.length;
+  for (std::size_t i = 1; i < second.samples.size(); ++i) {
+    first.samples.push_back(second.samples[i]);
+    first.sample_parameters.push_back(second.sample_parameters[i] + shift);
+  }
+  return first;
+}
+
+void clip(const IntersectionCurve& whole, const std::vector<Interval>& parts,
+          std::vector<IntersectionCurve>& result) {
+  const Interval domain = whole.curve.domain();
+  if (parts.empty()) return;
+  if (parts.size() == 1 && parts[0] == domain) {
+    result.push_back(whole);
+    return;
+  }
+  std::vector<IntersectionCurve> curves;
+  for (const Interval& part : parts) curves.push_back(part_of(whole, part));
+  // Only where the charts close too: a curve round a period ends on the seam.
+  const bool charts_close = whole.closed &&
+                            distance(whole.samples.front().uv_a, whole.samples.back().uv_a) == 0 &&
+                            distance(whole.samples.front().uv_b, whole.samples.back().uv_b) == 0;
+  if (charts_close && curves.size() > 1 && parts.front().from == domain.from &&
+      parts.back().to == domain.to) {
+    curves.front() = appended(std::move(curves.back()), curves.front());
+    curves.pop_back();
+  }
+  for (IntersectionCurve& curve : curves) result.push_back(in_first_turn(std::move(curve)));
+}
+
+Handle(Geom_Curve) space_curve(const IntersectionCurve& curve) {
+  if (!curve.conic) return to_occt(curve.curve);
+  const Handle(Geom_Curve) whole = to_occt(*curve.conic);
+  const Interval range = curve.curve.domain();
+  if (curve.conic->is_closed() && range == Interval{0, 2 * std::numbers::pi}) return whole;
+  constexpr bool kSameSense = true, kIntoFirstPeriod = false;  // pcurves keep their parameter
+  return guarded("trimming a conic", [&]() -> Handle(Geom_Curve) {
+    return new Geom_TrimmedCurve(whole, range.from, range.to, kSameSense, kIntoFirstPeriod);
+  });
+}
+
+// Parts too short for an edge become points.
+void move_short_parts(const IntersectionCurve& whole, std::vector<Interval>& parts,
+                      std::vector<SurfacePoint>& touches) {
+  const double least = 2 * edge_tolerance(whole.deviation);
+  std::erase_if(parts, [&](const Interval& part) {
+    if (length_of(whole, part) > least) return false;
+    touches.push_back(point_of(whole, at(part, 0.5)));
+    return true;
+  });
+}
+
+// True if a listed contact in a point holds it, or is no farther than its own size.
+bool is_listed(const Vec3& point, const std::vector<Place>& places) {
+  constexpr std::array kPoints{PlaceKind::Touch, PlaceKind::Node, PlaceKind::Cusp, PlaceKind::Pole};
+  return std::ranges::any_of(places, [&](const Place& place) {
+    const double size = distance(place.box_low, place.box_high);
+    bool holds = std::ranges::find(kPoints, place.kind) != kPoints.end();
+    for (int k = 0; k < 3; ++k)
+      holds = holds && place.box_low[k] - size <= point[k] && point[k] <= place.box_high[k] + size;
+    return holds;
+  });
+}
+
+// What the curves of a result end in, a listed contact holds or another touch repeats is no touch
+// of its own.
+void leave_new_ones(const SurfaceIntersection& found, std::vector<SurfacePoint>& touches) {
+  std::vector<Vec3> known;
+  for (const IntersectionCurve& curve : found.curves)
+    known.insert(known.end(), {curve.samples.front().point, curve.samples.back().point});
+  for (const auto* list : {&found.points, &found.nodes})
+    for (const SurfacePoint& p : *list) known.push_back(p.point);
+  std::erase_if(touches, [&](const SurfacePoint& touch) {
+    const bool is_known = is_listed(touch.point, found.places) ||
+                          std::any_of(known.begin(), known.end(), [&](const Vec3& p) {
+                            return distance(p, touch.point) <= kSamePoint;
+                          });
+    if (!is_known) known.push_back(touch.point);
+    return is_known;
+  });
+}
+
+// A contact is known as far as its place goes; what of it may lie inside counts.
+bool may_lie_inside(const FaceTrims& trims, const Interval& u, const Interval& v) {
+  return trims.natural || part_side(trims, u, v) != PartSide::Outside;
+}
+
+// The place of a contact; just its parameters if it has none.
+Place place_of(const SurfacePoint& x, const std::vector<Place>& places) {
+  constexpr std::array kWide{PlaceKind::Tangential, PlaceKind::Overlap, PlaceKind::Open};
+  const auto& [point, uv_a, uv_b] = x;
+  const std::array<double, 4> at{uv_a[0], uv_a[1], uv_b[0], uv_b[1]};
+  for (const Place& place : places) {
+    bool holds = std::find(kWide.begin(), kWide.end(), place.kind) == kWide.end();
+    for (std::size_t k = 0; k < at.size(); ++k)
+      holds = holds && place.parameters[k].from <= at[k] && at[k] <= place.parameters[k].to;
+    if (holds) return place;
+  }
+  Place alone;
+  for (std::size_t k = 0; k < at.size(); ++k) alone.parameters[k] = {at[k], at[k]};
+  return alone;
+}
+
+}  // namespace
+
+Box box_of(const BezierSurface& surface, double margin) {
+  Box box;
+  for (const RationalBezierPatch& patch : surface.patches.values())
+    for (const Vec4& p : patch.points.values()) {
+      const Vec3 x = projected(p);
+      box = joined(box, {x, x});
+    }
+  const Vec3 r{margin, margin, margin};
+  return {box.low - r, box.high + r};
+}
+
+FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent, ArcCuts cuts) {
+  FaceData data;
+  data.trims = face_trims(face);
+  data.surface = surface_of(face, extent, tolerance, cuts, data.trims);
+  data.box = box_of(data.surface, data.surface.error + tolerance);
+  return data;
+}
+
+PartTest part_test(const FaceTrims& trims) {
+  if (trims.natural) return {};
+  return [&trims](const Interval& u, const Interval& v) { return part_side(trims, u, v); };
+}
+
+std::vector<SurfacePoint> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b) {
+  std::vector<IntersectionCurve> curves;
+  std::vector<SurfacePoint> touches;
+  for (const IntersectionCurve& curve : found.curves) {
+    std::vector<Interval> parts = clip_to_trims(a, curve.chart_a);
+    if (b != nullptr) parts = common(curve, parts, clip_to_trims(*b, curve.chart_b));
+    move_short_parts(curve, parts, touches);
+    clip(curve, parts, curves);
+  }
+  found.curves = std::move(curves);
+  const auto outside = [&](const SurfacePoint& p) {
+    const auto& at = place_of(p, found.places).parameters;
+    return !may_lie_inside(a, at[0], at[1]) || (b != nullptr && !may_lie_inside(*b, at[2], at[3]));
+  };
+  std::erase_if(found.points, outside);
+  std::erase_if(found.nodes, outside);
+  if (!a.natural || (b != nullptr && !b->natural)) found.overlaps.clear();
+  leave_new_ones(found, touches);
+  return touches;
+}
+
+void add_touches(const std::vector<SurfacePoint>& touches, double tolerance,
+                 SurfaceIntersection& found) {
+  if (touches.empty()) return;
+  const Vec3 reach{tolerance, tolerance, tolerance};
+  for (const SurfacePoint& x : touches) {
+    found.points.push_back(x);
+    Place place;
+    widen(place, x, tolerance);
+    place.kind = PlaceKind::Touch;
+    place.gap_low = 0;
+    place.box_low = x.point - reach;
+    place.box_high = x.point + reach;
+    found.places.push_back(place);
+  }
+  found.status = weaker(found.status, Status::Tolerance);
+  found.certificate.reasons.emplace_back("curves touch the trims of a face in a point");
+}
+
+void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, SurfaceIntersection& found) {
+  const auto runs = [&](const IntersectionCurve& curve) {
+    return runs_along_wires(a, curve.chart_a) || runs_along_wires(b, curve.chart_b);
+  };
+  if (std::none_of(found.curves.begin(), found.curves.end(), runs)) return;
+  found.status = weaker(found.status, Status::Tolerance);
+  found.certificate.reasons.emplace_back("a curve runs along the trims of a face");
+}
+
+EdgeCurves edge_curves(const IntersectionCurve& curve) {
+  return {space_curve(curve), to_occt(curve.chart_a), to_occt(curve.chart_b),
+          edge_tolerance(curve.deviation)};
+}
+
+void add(Certificate& sum, const Certificate& one) {
+  sum.excluded += one.excluded;
+  sum.certified += one.certified;
+  sum.critical += one.critical;
+  sum.cells_bezier += one.cells_bezier;
+  sum.cells_monomial += one.cells_monomial;
+  sum.depth = std::max(sum.depth, one.depth);
+  sum.limited = sum.limited || one.limited;
+  sum.rounding_bound = std::max(sum.rounding_bound, one.rounding_bound);
+  if (one.least_angle > 0)
+    sum.least_angle =
+        sum.least_angle > 0 ? std::min(sum.least_angle, one.least_angle) : one.least_angle;
+  for (const std::string& reason : one.reasons)
+    if (std::find(sum.reasons.begin(), sum.reasons.end(), reason) == sum.reasons.end())
+      sum.reasons.push_back(reason);
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A face made ready to be intersected, and what its trims leave of an answer.
+
+#pragma once
+
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/intersection.h"
+#include "adapters/occt/surfaces.h"
+#include "core/bounds/box_tree.h"
+#include "core/forms/surface.h"
+#include "core/intersection/options.h"
+#include "core/intersection/result.h"
+
+namespace blossom::occt {
+
+struct FaceData {
+  BezierSurface surface;
+  FaceTrims trims;
+  Box box;  ///< of the surface, its error and the tolerance included
+};
+
+/// Holds all of a surface; `margin` wider on every side.
+Box box_of(const BezierSurface& surface, double margin);
+
+/// throws   BadModel if the face cannot be converted
+FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent = Extent::Trims,
+                   ArcCuts cuts = ArcCuts::Even);
+
+/// Which part of the face's surface counts; empty for a naturally bounded one. Keeps a reference.
+PartTest part_test(const FaceTrims& trims);
+
+/// Leaves of an intersection what lies inside the trims of both. Common regions of the surfaces
+/// stay among the places only, unless both faces are naturally bounded; see `trimmed_overlaps.h`.
+/// b         null if everything of the second surface counts
+/// returns   where curves only touch the trims, or have parts too short for an edge in them; but
+///           for ends of curves and contacts of the result
+std::vector<SurfacePoint> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b);
+
+/// Adds touches to the contacts of a result. They are known within tolerance only, so is the
+/// result.
+void add_touches(const std::vector<SurfacePoint>& touches, double tolerance,
+                 SurfaceIntersection& found);
+
+/// Whether what runs along trims lies inside of them is known within tolerance only, so is the
+/// result if a curve of it does.
+void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, SurfaceIntersection& found);
+
+EdgeCurves edge_curves(const IntersectionCurve& curve);
+
+/// Sums of counts, the least of angles, all reasons.
+void add(Certificate& sum, const Certificate& one);
+
+}  // namespace blossom::occt

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/faces/face_list.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/hulls.h"
+#include "core/base/parallel.h"
+
+namespace blossom::occt {
+namespace {
+
+// Forms are within the tolerance of faces and searched within it; wires count as far as the
+// tolerance of their edges, in charts whose lengths are right to a factor.
+constexpr double kReach = 2;
+constexpr std::size_t kGrain = 32;  // faces that one thread bounds in a row
+
+double largest_edge_tolerance(const TopoDS_Face& face) {
+  double largest = 0;
+  for (TopoDS_Iterator wire(face, false, false); wire.More(); wire.Next())
+    for (TopoDS_Iterator edge(wire.Value(), false, false); edge.More(); edge.Next())
+      if (edge.Value().ShapeType() == TopAbs_EDGE)
+        largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(edge.Value())));
+  return largest;
+}
+
+// False too of a face that is not sound: what is wrong with it, its conversion tells.
+bool has_hull(const TopoDS_Face& face, std::vector<Vec3>& points) {
+  try {
+    return guarded("bounding a face", [&] {
+      return add_hull(TopoDS::Face(face.Located(TopLoc_Location())), points) && has_end(points);
+    });
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+// Without points if nothing is known before the face is converted.
+PartHull hull_of(const TopoDS_Face& face, double tolerance) {
+  std::vector<Vec3> points;
+  if (!has_hull(face, points)) return {};
+  PartHull hull = placed_hull(std::move(points), face.Location().Transformation());
+  hull.margin += kReach * (tolerance + largest_edge_tolerance(face));
+  return hull;
+}
+
+Box box_of(const PartHull& hull) {
+  Box box;
+  for (const Vec3& p : hull.points) box = joined(box, {p, p});
+  return widened(box, hull.margin);
+}
+
+std::vector<Vec3> corners(const Box& box) {
+  std::vector<Vec3> points;
+  for (const double x : {box.low[0], box.high[0]})
+    for (const double y : {box.low[1], box.high[1]})
+      for (const double z : {box.low[2], box.high[2]}) points.push_back({x, y, z});
+  return points;
+}
+
+}  // namespace
+
+FaceList::FaceList(const std::vector<TopoDS_Face>& faces, std::string name, double tolerance,
+                   Extent extent, ArcCuts cuts)
+    : faces_(faces),
+      name_(std::move(name)),
+      tolerance_(tolerance),
+      extent_(extent),
+      cuts_(cuts),
+      hulls_(faces.size()),
+      boxes_(faces.size()),
+      data_(faces.size()),
+      converted_(faces.size()) {
+  std::vector<char> wanted(size());
+  parallel_for(size(), kGrain, [&](std::size_t i) {
+    hulls_[i] = hull_of(faces_[i], tolerance);
+    wanted[i] = hulls_[i].points.empty();
+  });
+  convert(wanted);
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (wanted[i]) hulls_[i].points = corners(data_[i].box);
+    boxes_[i] = box_of(hulls_[i]);
+  }
+}
+
+BezierSurface FaceList::unevenly_cut(std::size_t i) const {
+  return face_data(faces_[i], tolerance_, extent_, ArcCuts::Uneven).surface;
+}
+
+void FaceList::convert(const std::vector<char>& wanted) {
+  std::vector<std::string> failures(size());
+  parallel_for(size(), 1, [&](std::size_t i) {
+    if (!wanted[i] || converted_[i]) return;
+    try {
+      data_[i] = face_data(faces_[i], tolerance_, extent_, cuts_);
+      converted_[i] = 1;
+    } catch (const std::runtime_error& error) {
+      failures[i] = error.what();
+    }
+  });
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (failures[i].empty()) continue;
+    const std::string place = "face " + std::to_string(i + 1);
+    throw BadModel(place + (name_.empty() ? "" : " of " + name_) + ": " + failures[i]);
+  }
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the trims of a face leave of a curve.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/faces/face_trims_detail.h"
+
+namespace blossom::occt {
+namespace {
+
+// Along an oblique curve, a meeting is known that much worse than the distance that counts.
+constexpr double kMeetingReach = 10 * kOnBorder;
+
+constexpr std::array kBetween{0.25, 0.5, 0.75};
+
+bool holds(const PlanarBox& box, const PlanarBox& other) {
+  for (int k = 0; k < 2; ++k) {
+    const double error = kNaturalError * (box.high[k] - box.low[k]);
+    if (other.low[k] < box.low[k] - error || other.high[k] > box.high[k] + error) return false;
+  }
+  return true;
+}
+
+// Between neighbouring parameters the curve is inside or outside as a whole.
+std::vector<double> divisions(const PlanarCurve& curve, const ClippedCurve& found) {
+  const Interval domain = curve.domain();
+  std::vector<double> at{domain.from, domain.to};
+  for (const TrimMeeting& meeting : found.meetings) at.push_back(meeting.at);
+  for (const TrimRun& run : found.runs) at.insert(at.end(), {run.at.from, run.at.to});
+  std::sort(at.begin(), at.end());
+  at.erase(std::unique(at.begin(), at.end()), at.end());
+  return at;
+}
+
+bool on_run(const ClippedCurve& found, double parameter) {
+  return std::any_of(found.runs.begin(), found.runs.end(), [&](const TrimRun& run) {
+    return run.at.from <= parameter && parameter <= run.at.to;
+  });
+}
+
+// What touches a wire with a radius of curvature r keeps within a tolerance t for sqrt(8 r t). What
+// does so longer than this runs along the wire.
+double longest_touch(const FaceTrims& trims, double tolerance) {
+  return 4 * std::sqrt(tolerance * norm(trims.box.high - trims.box.low));
+}
+
+void append(std::vector<Interval>& intervals, const Interval& next) {
+  if (!intervals.empty() && intervals.back().to >= next.from)
+    intervals.back().to = std::max(intervals.back().to, next.to);
+  else
+    intervals.push_back(next);
+}
+
+// The largest tolerance of the wires that a piece of a curve keeps to; none if it leaves them.
+std::optional<double> kept_tolerance(const FaceTrims& trims, const PlanarCurve& curve,
+                                     const Interval& piece) {
+  double largest = 0;
+  for (const double t : {0.5, 0.25, 0.75, 0.0, 1.0}) {
+    const Coedge* const coedge = coedge_at(trims, point_at(curve, at(piece, t)));
+    if (coedge == nullptr) return {};
+    largest = std::max(largest, kOnBorder + coedge->tolerance);
+  }
+  return largest;
+}
+
+// Pieces between neighbouring divisions along wires. A curve that keeps within tolerance of wires
+// may meet them only here and there; so does what crosses or touches them, but is not long then.
+std::vector<char> along_wires(const FaceTrims& trims, const PlanarCurve& curve,
+                              const ClippedCurve& found, const std::vector<double>& at) {
+  const std::size_t pieces = at.size() - 1;
+  std::vector<char> along(pieces);
+  for (std::size_t i = 0, next = 0; i < pieces; i = std::max(next, i + 1)) {
+    double length = 0, tolerance = 0;
+    for (next = i; next < pieces; ++next) {
+      const Interval piece{at[next], at[next + 1]};
+      const auto kept = kept_tolerance(trims, curve, piece);
+      if (!kept) break;
+      const Vec2 middle = point_at(curve, 0.5 * (piece.from + piece.to));
+      length += distance(point_at(curve, piece.from), middle) +
+                distance(middle, point_at(curve, piece.to));
+      tolerance = std::max(tolerance, *kept);
+    }
+    const bool is_long = length > longest_touch(trims, tolerance);
+    for (std::size_t k = i; k < next; ++k) along[k] = is_long;
+  }
+  for (std::size_t i = 0; i < pieces; ++i)
+    along[i] = along[i] || on_run(found, 0.5 * (at[i] + at[i + 1]));
+  return along;
+}
+
+// Intervals inside or, if asked, along wires; those of one kind are joined.
+std::vector<Interval> inside_of(const FaceTrims& trims, const PlanarCurve& curve,
+                                const ClippedCurve& found, bool with_runs) {
+  const std::vector<double> at = divisions(curve, found);
+  const std::vector<char> along =
+      with_runs ? along_wires(trims, curve, found, at) : std::vector<char>(at.size());
+  std::vector<Interval> inside;
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    const double middle = 0.5 * (at[i] + at[i + 1]);
+    const bool on_wire = with_runs ? along[i] : on_run(found, middle);
+    if (on_wire ? with_runs : is_inside(trims, point_at(curve, middle)))
+      append(inside, {at[i], at[i + 1]});
+  }
+  return inside;
+}
+
+void meet(const FaceTrims& trims, const PlanarCurve& curve, double tolerance, int loop, int index,
+          ClippedCurve& found) {
+  const Coedge& coedge =
+      trims.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(index)];
+  const PlanarCrossings common = crossings(curve, coedge.curve, tolerance);
+  for (const PlanarCrossing& point : common.points)
+    found.meetings.push_back({point.a, loop, index, point.b, {point.a, point.a}});
+  for (const PlanarOverlap& run : common.overlaps)
+    found.runs.push_back({run.a, loop, index, run.b});
+  found.complete = found.complete && common.complete;
+}
+
+void sort(std::vector<Interval>& intervals) {
+  std::sort(intervals.begin(), intervals.end(),
+            [](const Interval& a, const Interval& b) { return a.from < b.from; });
+}
+
+std::vector<Interval> united(std::vector<Interval> intervals) {
+  sort(intervals);
+  std::vector<Interval> joined;
+  for (const Interval& interval : intervals) append(joined, interval);
+  return joined;
+}
+
+const Coedge& coedge_of(const FaceTrims& trims, const TrimMeeting& meeting) {
+  return trims
+      .loops[static_cast<std::size_t>(meeting.loop)][static_cast<std::size_t>(meeting.coedge)];
+}
+
+// Where a curve passes the corner of two neighbouring coedges from one meeting to the next, within
+// tolerance.
+std::optional<double> at_corner(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
+                                const TrimMeeting& a, const TrimMeeting& b) {
+  const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
+  if (a.loop != b.loop) return {};
+  const auto passed = [&](int corner) -> std::optional<double> {
+    const PlanarFoot foot = nearest(curve, trims.corners[static_cast<std::size_t>(corner)]);
+    if (foot.distance > tolerance || foot.parameter < a.at || foot.parameter > b.at) return {};
+    return foot.parameter;
+  };
+  std::optional<double> at;
+  if (of_a.to == of_b.from) at = passed(of_a.to);
+  if (!at && of_a.from == of_b.to) at = passed(of_a.from);
+  return at;
+}
+
+// Whether a curve keeps within tolerance of an edge, or of two at their corner, from one meeting to
+// the next, which are farther apart than that, but no farther than a touch may take: where it
+// touches then, half way or in the corner.
+std::optional<double> one_touch_at(const FaceTrims& trims, const PlanarCurve& curve,
+                                   double tolerance, const TrimMeeting& a, const TrimMeeting& b) {
+  const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
+  const double half_way = 0.5 * (a.at + b.at);
+  const Vec2 middle = point_at(curve, half_way);
+  const double length =
+      distance(point_at(curve, a.at), middle) + distance(middle, point_at(curve, b.at));
+  if (length <= tolerance || length > longest_touch(trims, tolerance)) return {};
+  const bool keeps = std::all_of(kBetween.begin(), kBetween.end(), [&](double t) {
+    const Vec2 point = point_at(curve, at(Interval{a.at, b.at}, t));
+    return nearest(of_a.curve, point).distance <= tolerance ||
+           nearest(of_b.curve, point).distance <= tolerance;
+  });
+  if (!keeps) return {};
+  if (&of_a == &of_b) return half_way;
+  return at_corner(trims, curve, tolerance, a, b);
+}
+
+// A curve that touches an edge may cross it twice by what curve or edge are off: one meeting, so
+// that it stays whole there. Not where it runs along the edge.
+void join_double_touches(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
+                         ClippedCurve& found) {
+  const auto has_run = [&](const TrimMeeting& a, const TrimMeeting& b) {
+    return std::any_of(found.runs.begin(), found.runs.end(), [&](const TrimRun& run) {
+      return run.at.from <= b.at && a.at <= run.at.to;
+    });
+  };
+  std::vector<TrimMeeting> kept;
+  for (const TrimMeeting& meeting : found.meetings) {
+    std::optional<double> touch;
+    if (!kept.empty() && !has_run(kept.back(), meeting))
+      touch = one_touch_at(trims, curve, tolerance, kept.back(), meeting);
+    if (!touch) {
+      kept.push_back(meeting);
+      continue;
+    }
+    TrimMeeting& last = kept.back();
+    const PlanarFoot foot = nearest(coedge_of(trims, last).curve, point_at(curve, *touch));
+    last = {*touch, last.loop, last.coedge, foot.parameter, {last.touch.from, meeting.touch.to}};
+  }
+  found.meetings = std::move(kept);
+}
+
+PlanarBox box_of_poles(const Spline2& chart, const Vec2& scale) {
+  PlanarBox box{{1e300, 1e300}, {-1e300, -1e300}};
+  for (const Vec2& p : chart.points)
+    for (int k = 0; k < 2; ++k) {
+      box.low[k] = std::min(box.low[k], p[k] * scale[k]);
+      box.high[k] = std::max(box.high[k], p[k] * scale[k]);
+    }
+  return box;
+}
+
+// Makes parts that are nowhere farther than tolerance from a wire intervals without length.
+void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
+                    std::vector<Interval>& inside) {
+  for (Interval& part : inside) {
+    const Vec2 middle = point_at(curve, at(part, 0.5));
+    if (distance(point_at(curve, part.from), middle) + distance(middle, point_at(curve, part.to)) >
+        longest_touch(trims, kOnBorder))
+      continue;
+    const bool touches = [&] {
+      for (const double t : {0.5, 0.25, 0.75})
+        if (coedge_at(trims, point_at(curve, at(part, t)), Wires::AsTheyAre) == nullptr)
+          return false;
+      return true;
+    }();
+    if (touches) part = {at(part, 0.5), at(part, 0.5)};
+  }
+}
+
+// Adds points, as intervals without length, but those in an interval or at its end.
+void add_touches(const PlanarCurve& curve, const std::vector<double>& points,
+                 std::vector<Interval>& inside) {
+  const auto same = [&](double s, double t) {
+    return distance(point_at(curve, s), point_at(curve, t)) <= kMeetingReach;
+  };
+  for (const double t : points)
+    if (std::none_of(inside.begin(), inside.end(), [&](const Interval& part) {
+          return (part.from <= t && t <= part.to) || same(part.from, t) || same(part.to, t);
+        }))
+      inside.push_back({t, t});
+}
+
+// What of a curve lies inside or touches wires, where it lies.
+std::vector<Interval> parts_in(const FaceTrims& trims, const PlanarCurve& curve) {
+  const ClippedCurve found = clipped(trims, curve, kOnBorder);
+  std::vector<Interval> parts = inside_of(trims, curve, found, true);
+  std::vector<double> meetings;
+  for (const TrimMeeting& meeting : found.meetings) meetings.push_back(meeting.at);
+  add_touches(curve, meetings, parts);
+  shrink_touches(trims, curve, parts);
+  return parts;
+}
+
+}  // namespace
+
+ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double tolerance) {
+  ClippedCurve found;
+  for (std::size_t loop = 0; loop < trims.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims.loops[loop].size(); ++i)
+      meet(trims, curve, tolerance, static_cast<int>(loop), static_cast<int>(i), found);
+  std::sort(found.meetings.begin(), found.meetings.end(),
+            [](const TrimMeeting& a, const TrimMeeting& b) { return a.at < b.at; });
+  join_double_touches(trims, curve, tolerance, found);
+  found.inside = inside_of(trims, curve, found, false);
+  return found;
+}
+
+std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& chart) {
+  return clip_to_trims(face_trims(face), chart);
+}
+
+std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart) {
+  // Most curves on whole surfaces need not be made: all poles are in the box.
+  if (trims.natural && holds(trims.box, box_of_poles(chart, trims.scale)))
+    return {{chart.knots.front(), chart.knots.back()}};
+  const PlanarCurve curve = chart_curve(trims, chart);
+  if (trims.natural && holds(trims.box, box_of(curve))) return {curve.domain()};
+  std::vector<Interval> inside;
+  std::vector<double> touches;
+  for (const Vec2& shift : period_shifts(trims, curve))
+    for (const Interval& part : parts_in(trims, transformed(curve, {1, 1}, shift))) {
+      if (part.from < part.to)
+        inside.push_back(part);
+      else
+        touches.push_back(part.from);
+    }
+  inside = united(std::move(inside));
+  add_touches(curve, touches, inside);
+  sort(inside);
+  return inside;
+}
+
+bool runs_along_wires(const FaceTrims& trims, const Spline2& chart) {
+  if (trims.natural) return false;
+  const PlanarCurve curve = chart_curve(trims, chart);
+  std::vector<double> at;
+  for (const PlanarSpan& span : curve.spans)
+    for (const double part : {0.0, 0.25, 0.5, 0.75}) at.push_back(blossom::at(span.place, part));
+  at.push_back(curve.domain().to);
+  for (const Vec2& shift : period_shifts(trims, curve)) {
+    const std::vector<char> along = along_wires(trims, transformed(curve, {1, 1}, shift), {}, at);
+    if (std::find(along.begin(), along.end(), 1) != along.end()) return true;
+  }
+  return false;
+}
+
+}  // namespace blossom::occt

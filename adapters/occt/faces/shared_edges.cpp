@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/faces/shared_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include "adapters/occt/errors.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr int kLeastPieces = 48;
+constexpr int kMostPieces = 1024;
+constexpr double kFitShare = 0.25;        // of the edge's tolerance, left to the curves' fit
+constexpr double kTangentialSine = 1e-3;  // below it all along, the faces touch
+
+// The edge and its two chart curves, evaluated by one parameter.
+class EdgeOnFaces {
+ public:
+  EdgeOnFaces(const TopoDS_Edge& edge, const TopoDS_Face& a, const TopoDS_Face& b)
+      : surface_a_(a, false), surface_b_(b, false) {
+    space_ = BRep_Tool::Curve(edge, range_.from, range_.to);
+    Interval ignored;
+    chart_a_ = BRep_Tool::CurveOnSurface(edge, a, ignored.from, ignored.to);
+    chart_b_ = BRep_Tool::CurveOnSurface(edge, b, ignored.from, ignored.to);
+    if (space_.IsNull() || chart_a_.IsNull() || chart_b_.IsNull())
+      throw BadModel("a shared edge has no curve in space or on a face");
+  }
+
+  const Interval& range() const { return range_; }
+
+  SurfacePoint at(double t) const {
+    const gp_Pnt p = space_->Value(t);
+    const gp_Pnt2d a = chart_a_->Value(t), b = chart_b_->Value(t);
+    return {{p.X(), p.Y(), p.Z()}, {a.X(), a.Y()}, {b.X(), b.Y()}};
+  }
+
+  struct Jet {
+    SurfacePoint value, rate;
+  };
+
+  Jet jet(double t) const {
+    gp_Pnt p;
+    gp_Vec dp;
+    gp_Pnt2d a, b;
+    gp_Vec2d da, db;
+    space_->D1(t, p, dp);
+    chart_a_->D1(t, a, da);
+    chart_b_->D1(t, b, db);
+    return {{{p.X(), p.Y(), p.Z()}, {a.X(), a.Y()}, {b.X(), b.Y()}},
+            {{dp.X(), dp.Y(), dp.Z()}, {da.X(), da.Y()}, {db.X(), db.Y()}}};
+  }
+
+  double sine(const SurfacePoint& x) const {
+    const gp_Vec na = normal(surface_a_, x.uv_a), nb = normal(surface_b_, x.uv_b);
+    const double product = na.Magnitude() * nb.Magnitude();
+    return product > 0 ? na.Crossed(nb).Magnitude() / product : 0;
+  }
+
+  Deviation gaps(const SurfacePoint& x) const {
+    const gp_Pnt p(x.point[0], x.point[1], x.point[2]);
+    const gp_Pnt a = surface_a_.Value(x.uv_a[0], x.uv_a[1]);
+    const gp_Pnt b = surface_b_.Value(x.uv_b[0], x.uv_b[1]);
+    return {p.Distance(a), p.Distance(b), a.Distance(b), false};
+  }
+
+ private:
+  static gp_Vec normal(const BRepAdaptor_Surface& surface, const Vec2& uv) {
+    gp_Pnt p;
+    gp_Vec du, dv;
+    surface.D1(uv[0], uv[1], p, du, dv);
+    return du.Crossed(dv);
+  }
+
+  BRepAdaptor_Surface surface_a_, surface_b_;
+  Handle(Geom_Curve) space_;
+  Handle(Geom2d_Curve) chart_a_, chart_b_;
+  Interval range_;
+};
+
+// Cubic pieces with the values and first derivatives of the edge at `pieces` + 1 parameters.
+IntersectionCurve hermite_curve(const EdgeOnFaces& edge, int pieces) {
+  IntersectionCurve curve;
+  const auto add = [&](const SurfacePoint& p) {
+    curve.curve.points.push_back(p.point);
+    curve.chart_a.points.push_back(p.uv_a);
+    curve.chart_b.points.push_back(p.uv_b);
+  };
+  const auto moved = [](const EdgeOnFaces::Jet& jet, double step) {
+    return SurfacePoint{jet.value.point + step * jet.rate.point,
+                        jet.value.uv_a + step * jet.rate.uv_a,
+                        jet.value.uv_b + step * jet.rate.uv_b};
+  };
+  const double third = length(edge.range()) / pieces / 3;
+  for (int i = 0; i <= pieces; ++i) {
+    const double t = at(edge.range(), static_cast<double>(i) / pieces);
+    const EdgeOnFaces::Jet jet = edge.jet(t);
+    const bool inner = i > 0 && i < pieces;
+    if (i > 0) add(moved(jet, -third));
+    if (!inner) add(jet.value);
+    if (i < pieces) add(moved(jet, third));
+    curve.curve.knots.push_back(t);
+    curve.curve.multiplicities.push_back(inner ? 2 : 4);
+    curve.samples.push_back(jet.value);
+    curve.sample_parameters.push_back(t);
+  }
+  // With double knots the pole that both pieces share is not stored.
+  curve.curve.degree = curve.chart_a.degree = curve.chart_b.degree = 3;
+  curve.chart_a.knots = curve.chart_b.knots = curve.curve.knots;
+  curve.chart_a.multiplicities = curve.chart_b.multiplicities = curve.curve.multiplicities;
+  return curve;
+}
+
+void measure(const EdgeOnFaces& edge, IntersectionCurve& curve) {
+  curve.deviation = {0, 0, 0, false};
+  const auto look = [&](double t) {
+    const SurfacePoint x{point_at(curve.curve, t), point_at(curve.chart_a, t),
+                         point_at(curve.chart_b, t)};
+    const Deviation gaps = edge.gaps(x);
+    curve.deviation.a = std::max(curve.deviation.a, gaps.a);
+    curve.deviation.b = std::max(curve.deviation.b, gaps.b);
+    curve.deviation.between = std::max(curve.deviation.between, gaps.between);
+  };
+  curve.length = 0;
+  for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
+    const Interval piece{curve.sample_parameters[i], curve.sample_parameters[i + 1]};
+    for (const double t : {0.0, 0.3, 0.5, 0.8}) look(at(piece, t));
+    const Vec3 middle = point_at(curve.curve, at(piece, 0.5));
+    curve.length +=
+        distance(curve.samples[i].point, middle) + distance(middle, curve.samples[i + 1].point);
+  }
+}
+
+// More pieces until the fit adds little to what the edge itself is off by.
+IntersectionCurve curve_of(const EdgeOnFaces& edge, double tolerance) {
+  for (int pieces = kLeastPieces;; pieces *= 2) {
+    IntersectionCurve curve = hermite_curve(edge, pieces);
+    double off = 0;
+    for (int i = 0; i < pieces; ++i) {
+      const double t = at(edge.range(), (i + 0.5) / pieces);
+      off = std::max(off, distance(point_at(curve.curve, t), edge.at(t).point));
+    }
+    if (off > kFitShare * tolerance && pieces < kMostPieces) continue;
+    measure(edge, curve);
+    return curve;
+  }
+}
+
+SharedEdge shared_edge(const TopoDS_Edge& edge, const TopoDS_Face& a, const TopoDS_Face& b) {
+  const EdgeOnFaces on_faces(edge, a, b);
+  SharedEdge result{edge, {}, BRep_Tool::Tolerance(edge), 0};
+  result.curve = curve_of(on_faces, result.tolerance);
+  IntersectionCurve& curve = result.curve;
+  curve.least_angle = 1;
+  for (const SurfacePoint& x : curve.samples) {
+    const double sine = on_faces.sine(x);
+    result.most_sine = std::max(result.most_sine, sine);
+    curve.least_angle = std::min(curve.least_angle, sine);
+  }
+  curve.least_angle = std::asin(std::min(curve.least_angle, 1.0));
+  curve.tangential = result.most_sine < kTangentialSine;
+  curve.ends = {CurveEnd::BorderA, CurveEnd::BorderA};
+  const double gap = distance(curve.samples.front().point, curve.samples.back().point);
+  if (gap <= result.tolerance && TopExp::FirstVertex(edge).IsSame(TopExp::LastVertex(edge))) {
+    curve.closed = true;
+    curve.ends = {CurveEnd::Closed, CurveEnd::Closed};
+    curve.samples.back().point = curve.samples.front().point;
+  }
+  return result;
+}
+
+TopTools_IndexedMapOfShape edges_of(const TopoDS_Face& face) {
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(face, TopAbs_EDGE, edges);
+  return edges;
+}
+
+}  // namespace
+
+std::vector<SharedEdge> shared_edges(const TopoDS_Face& a, const TopoDS_Face& b) {
+  std::vector<SharedEdge> result;
+  if (a.IsSame(b)) return result;
+  const TopTools_IndexedMapOfShape of_a = edges_of(a), of_b = edges_of(b);
+  for (int i = 1; i <= of_a.Extent(); ++i) {
+    const TopoDS_Edge edge = TopoDS::Edge(of_a(i));
+    if (!of_b.Contains(edge) || BRep_Tool::Degenerated(edge)) continue;
+    if (BRep_Tool::IsClosed(edge, a) || BRep_Tool::IsClosed(edge, b)) continue;
+    result.push_back(shared_edge(edge, a, b));
+  }
+  return result;
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Edges without a curve in the parameters of a face that they bound: made by Open CASCADE's shape
+// healing where it can.
+
+#include <BRep_Tool.hxx>
+#include <ShapeFix_Edge.hxx>
+#include <ShapeFix_Wire.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/shapes/shapes_detail.h"
+
+namespace blossom::occt {
+namespace {
+
+/// The missing curves of one wire; those on closed surfaces are brought side by side.
+void add_curves(const TopoDS_Wire& wire, const TopoDS_Face& face) {
+  ShapeFix_Wire fix;
+  fix.Load(wire);
+  fix.SetFace(face);
+  for (int i = 1; i <= fix.NbEdges(); ++i) {
+    const TopoDS_Edge edge = fix.WireData()->Edge(i);
+    if (!has_curve_on(edge, face))
+      fix.FixEdgeTool()->FixAddPCurve(edge, face, fix.WireData()->IsSeam(i));
+  }
+  fix.FixShifted();
+  for (int i = 1; i <= fix.NbEdges(); ++i)
+    if (has_curve_on(fix.WireData()->Edge(i), face))
+      fix.FixEdgeTool()->FixSameParameter(fix.WireData()->Edge(i), face);
+}
+
+}  // namespace
+
+bool has_curve_on(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  double first = 0, last = 0;
+  return !BRep_Tool::CurveOnSurface(edge, face, first, last).IsNull();
+}
+
+int count_missing_curves(const TopoDS_Shape& shape) {
+  int missing = 0;
+  for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    for (TopExp_Explorer edge(face.Current(), TopAbs_EDGE); edge.More(); edge.Next())
+      if (!has_curve_on(TopoDS::Edge(edge.Current()), TopoDS::Face(face.Current()))) ++missing;
+  return missing;
+}
+
+void add_missing_curves(const TopoDS_Shape& shape) {
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
+    if (count_missing_curves(it.Current()) == 0) continue;
+    const TopoDS_Face face = TopoDS::Face(it.Current().Oriented(TopAbs_FORWARD));
+    for (TopExp_Explorer wire(face, TopAbs_WIRE); wire.More(); wire.Next())
+      add_curves(TopoDS::Wire(wire.Current()), face);
+  }
+}
+
+}  // namespace blossom::occt

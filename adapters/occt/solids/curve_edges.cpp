@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/solids/curve_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <TopoDS.hxx>
+
+namespace blossom::occt {
+namespace {
+
+constexpr int kChords = 16;
+constexpr double kEndPart = 0.25;
+
+Interval increasing(const Interval& of) {
+  return {std::min(of.from, of.to), std::max(of.from, of.to)};
+}
+
+// Uses along an edge have the middle half of their range.
+Interval whole_range(const Interval& middle) {
+  const double half = length(middle);
+  return {at(middle, 0.5) - half, at(middle, 0.5) + half};
+}
+
+// The edge, turned as the curve runs along it.
+TopoDS_Edge along_curve(const CutUse& use) {
+  const bool walked_back = use.at.to < use.at.from;
+  return TopoDS::Edge(walked_back ? use.edge.Reversed() : TopoDS_Shape(use.edge));
+}
+
+// Edges that are made one end together, but for a part of their length.
+bool have_same_ends(const CurveEdge& edge, const CurveEdge& other) {
+  const double most = kEndPart * length(edge.at);
+  return std::abs(edge.at.from - other.at.from) <= most &&
+         std::abs(edge.at.to - other.at.to) <= most;
+}
+
+const CurveEdge* counterpart(const CurveEdge& edge, const std::vector<CurveEdge>& others) {
+  const auto holds_middle = [](const Interval& of, const Interval& other) {
+    const double middle = at(other, 0.5);
+    return of.from < middle && middle < of.to;
+  };
+  const auto found = std::ranges::find_if(others, [&](const CurveEdge& other) {
+    return holds_middle(edge.at, other.at) && holds_middle(other.at, edge.at);
+  });
+  return found == others.end() ? nullptr : &*found;
+}
+
+// Joins what one side made and the other has.
+bool join_along(const CurveEdges& a, const CurveEdges& b, const CommonEdges& common,
+                EdgeUnion& joined) {
+  return std::ranges::all_of(a.made, [&](const CurveEdge& made) {
+    const CurveEdge* there = counterpart(made, b.along);
+    if (counterpart(made, b.made) != nullptr || there == nullptr) return true;
+    if (!have_same_ends(made, *there)) return false;
+    const bool reversed = there->edge.Orientation() == TopAbs_REVERSED;
+    const TopoDS_Edge first = TopoDS::Edge(there->edge.Oriented(TopAbs_FORWARD));
+    return joined.join(first, made.edge, common.image(first, made.edge), reversed);
+  });
+}
+
+// The length of a curve between two parameters, by chords.
+double length_of(const Spline& curve, const Interval& range) {
+  double length = 0;
+  for (int i = 0; i < kChords; ++i)
+    length += distance(point_at(curve, at(range, static_cast<double>(i) / kChords)),
+                       point_at(curve, at(range, (i + 1.0) / kChords)));
+  return length;
+}
+
+}  // namespace
+
+void CurveEdges::add(const CutUse& use) {
+  auto& known = use.along ? along : made;
+  if (std::ranges::any_of(known, [&](const auto& each) { return each.edge.IsSame(use.edge); }))
+    return;
+  const Interval range = increasing(use.at);
+  if (use.along)
+    known.push_back({whole_range(range), along_curve(use)});
+  else
+    known.push_back({range, use.edge});
+}
+
+bool match(const CurveEdges& a, const CurveEdges& b) {
+  const auto has = [](const CurveEdges& of) {
+    return [&of](const CurveEdge& edge) {
+      return counterpart(edge, of.made) != nullptr || counterpart(edge, of.along) != nullptr;
+    };
+  };
+  return std::ranges::all_of(a.made, has(b)) && std::ranges::all_of(b.made, has(a));
+}
+
+bool join_matching(const CurveEdges& a, const CurveEdges& b, const CommonEdges& common,
+                   EdgeUnion& joined) {
+  for (const CurveEdge& made : a.made)
+    if (const CurveEdge* other = counterpart(made, b.made);
+        other != nullptr && !joined.join(made.edge, other->edge))
+      return false;
+  return join_along(a, b, common, joined) && join_along(b, a, common, joined);
+}
+
+double longest_rest(const Spline& curve, const CurveEdges& a, const CurveEdges& b) {
+  std::vector<Interval> covered;
+  for (const auto* edges : {&a.along, &b.along, &a.made})
+    for (const CurveEdge& edge : *edges) covered.push_back(edge.at);
+  std::sort(covered.begin(), covered.end(),
+            [](const Interval& x, const Interval& y) { return x.from < y.from; });
+  double longest = 0, from = curve.knots.front();
+  for (const Interval& each : covered) {
+    longest = std::max(longest, length_of(curve, {from, std::max(from, each.from)}));
+    from = std::max(from, each.to);
+  }
+  return std::max(longest, length_of(curve, {from, std::max(from, curve.knots.back())}));
+}
+
+}  // namespace blossom::occt

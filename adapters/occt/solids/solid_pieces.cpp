@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/solids/solid_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/errors.h"
+#include "adapters/occt/faces/common_edges.h"
+#include "adapters/occt/faces/edge_images.h"
+#include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/intersection.h"
+#include "adapters/occt/solids/curve_edges.h"
+#include "adapters/occt/solids/solid_loose_ends.h"
+#include "adapters/occt/splitting/edge_union.h"
+#include "core/intersection/work_limit.h"
+
+namespace blossom::occt {
+namespace {
+
+// In tolerances of the faces' edges: how long a piece of an intersection may be left out.
+constexpr double kMostRest = 10;
+// Of a contact's length: how far beside it the surfaces are looked at.
+constexpr double kBeside = 1e-2;
+
+// One solid on its way through the work; one entry for each face.
+struct Side {
+  const char* name = "";
+  const TrimTool* solid = nullptr;
+  const WorkLimit* limit = nullptr;
+  std::vector<std::vector<FaceCut>> cuts;
+  std::vector<std::vector<CutSource>> sources;
+  std::vector<std::vector<int>> curves;  // number of the intersection curve of each cut
+  std::vector<std::unique_ptr<FaceSplitter>> splitters;
+  std::vector<FaceSplit> splits;
+
+  Side(const char* word, const TrimTool& of, const WorkLimit& until)
+      : name(word), solid(&of), limit(&until) {
+    const std::size_t count = of.faces.size();
+    cuts.resize(count);
+    sources.resize(count);
+    curves.resize(count);
+    splitters.resize(count);
+    splits.resize(count);
+  }
+  std::string face_name(std::size_t face) const {
+    return "face " + std::to_string(face + 1) + " of the " + name;
+  }
+};
+
+// Where an intersection curve lies among the cuts of both sides.
+struct CurveUse {
+  std::size_t face_a = 0, cut_a = 0;
+  std::size_t face_b = 0, cut_b = 0;
+  bool touch = false;  // the faces do not cross there
+};
+
+// Beside a tangential curve, the sides of the second face on which the first one lies.
+struct Beside {
+  bool above = false, below = false, open = false;
+};
+
+void look_beside(const IntersectionCurve& curve, const SurfaceFeet& on_a, const SurfaceFeet& on_b,
+                 double tolerance, Beside& beside) {
+  const double step = kBeside * curve.length;
+  for (const double part : {0.2, 0.5, 0.8}) {
+    const double s = at(curve.curve.domain(), part);
+    const SurfaceFrame frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
+    const Vec3 across = cross(cross(frame.du, frame.dv), derivative_at(curve.curve, s));
+    for (const double sign : {1.0, -1.0}) {
+      const Vec3 aside = frame.point + (sign * step / norm(across)) * across;
+      const double height = on_b.height(frame_at(on_a.surface(), on_a.foot(aside, {})).point);
+      (std::abs(height) <= tolerance ? beside.open
+       : height > 0                  ? beside.above
+                                     : beside.below) = true;
+    }
+  }
+}
+
+// Whether surfaces that touch along a curve stay on one side of each other.
+bool only_touch(const IntersectionCurve& curve, const TopoDS_Face& a, const TopoDS_Face& b,
+                double tolerance) {
+  Beside beside;
+  look_beside(curve, SurfaceFeet(a, tolerance), SurfaceFeet(b, tolerance), tolerance, beside);
+  return !beside.open && beside.above != beside.below;
+}
+
+void add_curve(const FaceIntersection& pair, std::size_t place, Side& a, Side& b,
+               std::vector<CurveUse>& uses) {
+  const auto face_a = static_cast<std::size_t>(pair.face_a);
+  const auto face_b = static_cast<std::size_t>(pair.face_b);
+  const IntersectionCurve& curve = pair.found.curves[place];
+  const int number = static_cast<int>(uses.size());
+  uses.push_back({face_a, a.cuts[face_a].size(), face_b, b.cuts[face_b].size(), curve.tangential});
+  const double tolerance = pair.edges[place].tolerance, sine = std::sin(curve.least_angle);
+  a.cuts[face_a].push_back({curve.curve, curve.chart_a, tolerance, sine, curve.conic});
+  b.cuts[face_b].push_back({curve.curve, curve.chart_b, tolerance, sine, curve.conic});
+  a.sources[face_a].push_back({0, b.solid->faces[face_b], curve.chart_b, curve.tangential});
+  b.sources[face_b].push_back({0, a.solid->faces[face_a], curve.chart_a, curve.tangential});
+  a.curves[face_a].push_back(number);
+  b.curves[face_b].push_back(number);
+}
+
+void add_once(const std::string& text, std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), text) == known.end()) known.push_back(text);
+}
+
+// What is told beside an obstacle.
+struct Untold {
+  std::vector<std::string> cusps;
+  std::vector<CrossingCurve> curves;  // none but where faces are not divided alike
+  std::array<std::vector<std::vector<TopoDS_Edge>>, 2> lying{};
+};
+
+// Where it is not known how faces meet nothing can be divided; but round a cusp, that is a point,
+// all curves are known, and whether pieces fit together there is seen when they are put together.
+void tell_places(const FaceIntersection& pair, const std::string& both, SolidPieces& result,
+                 Untold& untold) {
+  for (const Place& place : pair.found.places) {
+    const std::string text =
+        both + ": " + to_string(place.kind) + ", where it is not known how they meet";
+    if (place.kind == PlaceKind::Open) add_once(text, result.obstacles);
+    if (place.kind == PlaceKind::Cusp) add_once(text, untold.cusps);
+  }
+}
+
+void add_curves(const FaceIntersection& pair, const CommonEdges& common, double tolerance, Side& a,
+                Side& b, std::vector<CurveUse>& uses, SolidPieces& result, Untold& untold) {
+  const auto face_a = static_cast<std::size_t>(pair.face_a);
+  const auto face_b = static_cast<std::size_t>(pair.face_b);
+  const std::string both = a.face_name(face_a) + " and " + b.face_name(face_b);
+  tell_places(pair, both, result, untold);
+  const std::vector<std::size_t> along = common.curves_along(pair);
+  for (std::size_t i = 0; i < pair.found.curves.size(); ++i) {
+    if (std::find(along.begin(), along.end(), i) != along.end()) continue;
+    const IntersectionCurve& curve = pair.found.curves[i];
+    add_curve(pair, i, a, b, uses);
+    if (curve.tangential &&
+        !only_touch(curve, a.solid->faces[face_a], b.solid->faces[face_b], tolerance))
+      result.obstacles.push_back(both + " touch along a curve in which they may cross as well");
+  }
+}
+
+void begin(Side& side, std::size_t face, EdgeSplits& splits, double tolerance) {
+  side.splitters[face] = std::make_unique<FaceSplitter>(side.solid->faces[face], side.cuts[face],
+                                                        splits, tolerance, side.limit);
+}
+
+bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (splits.is_split(TopoDS::Edge(it.Current()))) return true;
+  return false;
+}
+
+void tell_borders(const FaceSplitter& from, int cut, FaceSplitter& to, int as) {
+  for (const CutStop& stop : from.stops(cut))
+    if (!stop.vertex.IsNull()) to.meet(as, stop);
+}
+
+// Every curve is divided at the same places on both sides.
+void exchange_stops(Side& a, Side& b, const std::vector<CurveUse>& uses) {
+  for (const CurveUse& use : uses) {
+    FaceSplitter &on_a = *a.splitters[use.face_a], &on_b = *b.splitters[use.face_b];
+    const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
+    tell_borders(on_a, cut_a, on_b, cut_b);
+    tell_borders(on_b, cut_b, on_a, cut_a);
+  }
+  for (Side* side : {&a, &b})
+    for (const auto& splitter : side->splitters)
+      if (splitter) splitter->tidy();
+  for (const CurveUse& use : uses) {
+    FaceSplitter &on_a = *a.splitters[use.face_a], &on_b = *b.splitters[use.face_b];
+    const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
+    const std::vector<CutStop> of_a = on_a.stops(cut_a), of_b = on_b.stops(cut_b);
+    for (const CutStop& stop : of_b) on_a.divide(cut_a, stop);
+    for (const CutStop& stop : of_a) on_b.divide(cut_b, stop);
+  }
+}
+
+void split(Side& side, EdgeSplits& splits, double tolerance) {
+  for (std::size_t i = 0; i < side.splits.size(); ++i) {
+    const TopoDS_Face& face = side.solid->faces[i];
+    if (!side.splitters[i] && has_split_edge(face, splits)) begin(side, i, splits, tolerance);
+    if (side.splitters[i])
+      side.splits[i] = side.splitters[i]->split();
+    else
+      side.splits[i] = {{{face, {}, {}}}, {}};
+  }
+}
+
+void lay(const std::vector<std::vector<TopoDS_Edge>>& edges, Side& side, EdgeSplits& splits,
+         double tolerance) {
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (const TopoDS_Edge& edge : edges[i]) {
+      if (!side.splitters[i]) begin(side, i, splits, tolerance);
+      side.splitters[i]->lay(edge);
+    }
+}
+
+void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, const CommonEdges& common,
+                EdgeSplits& splits, double tolerance) {
+  common.split(splits);
+  for (Side* side : {&a, &b})
+    for (std::size_t i = 0; i < side->cuts.size(); ++i)
+      if (!side->cuts[i].empty()) begin(*side, i, splits, tolerance);
+  for (Side* side : {&a, &b})
+    for (const auto& splitter : side->splitters)
+      if (splitter) splitter->settle();
+  exchange_stops(a, b, uses);
+  common.match(splits);
+  lay(common.in_a(), a, splits, tolerance);
+  lay(common.in_b(), b, splits, tolerance);
+  for (Side* side : {&a, &b}) split(*side, splits, tolerance);
+}
+
+// What the curves become on one side.
+std::vector<CurveEdges> curve_edges(const Side& side, std::size_t count) {
+  std::vector<CurveEdges> found(count);
+  for (std::size_t i = 0; i < side.splits.size(); ++i)
+    for (const FacePiece& piece : side.splits[i].pieces)
+      for (const CutUse& use : piece.cuts)
+        found[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])].add(use);
+  return found;
+}
+
+double largest_tolerance(const TopoDS_Face& face) {
+  double largest = BRep_Tool::Tolerance(face);
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  return largest;
+}
+
+void add_notes(const Side& side, std::size_t face, SolidPieces& result) {
+  for (const std::string& note : side.splits[face].notes)
+    result.obstacles.push_back(side.face_name(face) + ": " + note);
+}
+
+void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
+                const CommonEdges& common, EdgeUnion& joined, SolidPieces& result) {
+  const auto on_a = curve_edges(a, uses.size());
+  const auto on_b = curve_edges(b, uses.size());
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const CurveUse& use = uses[i];
+    const Spline& curve = a.cuts[use.face_a][use.cut_a].curve;
+    // Ends that stick out over the border of a face by its edges' tolerances are left out; more
+    // would be an intersection that is lost.
+    const double allowed = kMostRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
+                                                largest_tolerance(b.solid->faces[use.face_b]));
+    const bool alike = match(on_a[i], on_b[i]);
+    if (use.touch && !alike) continue;  // what only touches may divide one face alone
+    if (!alike || (!use.touch && longest_rest(curve, on_a[i], on_b[i]) > allowed)) {
+      result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
+                                 " are not divided alike along their intersection");
+      add_notes(a, use.face_a, result);
+      add_notes(b, use.face_b, result);
+      continue;
+    }
+    if (!join_matching(on_a[i], on_b[i], common, joined))
+      result.obstacles.push_back(a.face_name(use.face_a) + " and " + b.face_name(use.face_b) +
+                                 " meet along an edge together with others");
+  }
+}
+
+void join_laid(const Side& side, EdgeUnion& joined, SolidPieces& result) {
+  for (std::size_t i = 0; i < side.splits.size(); ++i)
+    for (const LaidEdge& laid : side.splits[i].laid)
+      if (!joined.join(laid.piece, laid.edge, laid.edge, false))
+        result.obstacles.push_back(side.face_name(i) +
+                                   ": an edge of the other solid lies in two of its faces");
+}
+
+// What the cuts on its border say of a piece.
+SolidSide side_by_cuts(const SidedPiece& piece) {
+  bool above = false, below = false;
+  for (const CutUse& use : piece.piece->cuts) {
+    if (use.along || (*piece.sources)[static_cast<std::size_t>(use.cut)].tangential) continue;
+    const ToolSide side = side_at_cut(piece, use);
+    above = above || side == ToolSide::Above;
+    below = below || side == ToolSide::Below;
+  }
+  if (above == below) return SolidSide::Unknown;
+  return above ? SolidSide::Outside : SolidSide::Inside;
+}
+
+// lying   by face of the other solid: edges of this one that lie in it
+SplitSolid split_solid(const Side& side, const std::vector<std::vector<TopoDS_Edge>>& lying,
+                       EdgeSplits& splits, EdgeUnion& joined) {
+  SplitSolid made{side.name, side.solid, {}, {}};
+  for (std::size_t i = 0; i < side.splits.size(); ++i)
+    for (const FacePiece& piece : side.splits[i].pieces) {
+      made.pieces.push_back({joined.rebuilt(piece.face), static_cast<int>(i),
+                             side_by_cuts({&piece, &side.cuts[i], &side.sources[i]})});
+      for (const CutUse& use : piece.cuts) made.crossed.Add(joined.united(use.edge));
+    }
+  for (const std::vector<TopoDS_Edge>& edges : lying)
+    for (const TopoDS_Edge& edge : edges)
+      for (const EdgePiece& piece : splits.pieces(edge))
+        made.crossed.Add(joined.united(piece.edge));
+  return made;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const ShapeIntersection& found) {
+  std::vector<std::pair<std::size_t, std::size_t>> overlaps;
+  for (const FaceIntersection& pair : found.pairs)
+    if (std::any_of(pair.found.places.begin(), pair.found.places.end(),
+                    [](const Place& place) { return place.kind == PlaceKind::Overlap; }))
+      overlaps.emplace_back(pair.face_a, pair.face_b);
+  return overlaps;
+}
+
+void keep_curves(const ShapeIntersection& found, const CommonEdges& common, Untold& untold) {
+  untold.lying = {common.in_a(), common.in_b()};
+  for (const FaceIntersection& pair : found.pairs)
+    for (const IntersectionCurve& curve : pair.found.curves)
+      untold.curves.push_back(
+          {{curve.samples.front().point, curve.samples.back().point},
+           {static_cast<std::size_t>(pair.face_a), static_cast<std::size_t>(pair.face_b)}});
+}
+
+// Where curves break off, which comes first: what it leaves undivided is told of many faces then.
+std::vector<std::string> told_loose_ends(const Untold& untold, const TrimTool& a,
+                                         const TrimTool& b) try {
+  if (untold.curves.empty()) return {};
+  return guarded("telling where cuts break off", [&] {
+    return loose_ends(untold.curves, {CrossedSolid{"part", &a.faces, &untold.lying[0]},
+                                      CrossedSolid{"tool", &b.faces, &untold.lying[1]}});
+  });
+} catch (const Failure&) {
+  return {};  // what is told without it stands
+}
+
+void tell(const Untold& untold, const TrimTool& a, const TrimTool& b, SolidPieces& result) {
+  std::vector<std::string> all = told_loose_ends(untold, a, b);
+  all.insert(all.end(), untold.cusps.begin(), untold.cusps.end());
+  result.obstacles.insert(result.obstacles.begin(), all.begin(), all.end());
+}
+
+// Runs a step of the work; false, with the obstacle, if it fails.
+template <class Step>
+bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, const Step& step) {
+  try {
+    guarded(what, step);
+    return true;
+  } catch (const Failure& error) {
+    result.obstacles.emplace_back(error.what());
+    if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
+    return false;
+  }
+}
+
+SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options,
+                      Extent extent, ArcCuts cuts, Untold& untold) {
+  SolidPieces result;
+  const WorkLimit limit(options);
+  Side side_a("part", a, limit), side_b("tool", b, limit);
+  std::vector<CurveUse> uses;
+  const double tolerance = options.tolerances.point;
+  const ShapeIntersection found = intersect(a.faces, b.faces, options, extent, cuts);
+  result.status = found.status;
+  result.certificate = found.certificate;
+  CommonEdges common(a.faces, b.faces, options);
+  for (const FaceIntersection& pair : found.pairs) common.add(pair);
+  for (const FaceIntersection& pair : found.pairs)
+    add_curves(pair, common, tolerance, side_a, side_b, uses, result, untold);
+  if (result.status == Status::Stopped && result.obstacles.empty())
+    result.obstacles.emplace_back("the intersection is not complete");
+  if (!result.obstacles.empty()) return result;
+  EdgeSplits splits(tolerance);
+  if (!attempt("splitting the solids", limit, result,
+               [&] { split_both(side_a, side_b, uses, common, splits, tolerance); }))
+    return result;
+  EdgeUnion joined;
+  if (const std::string cause = common.join(splits, joined); !cause.empty())
+    result.obstacles.push_back(cause);
+  for (const Side* side : {&side_a, &side_b}) join_laid(*side, joined, result);
+  attempt("joining the solids", limit, result,
+          [&] { join_edges(side_a, side_b, uses, common, joined, result); });
+  if (!result.obstacles.empty()) {
+    keep_curves(found, common, untold);
+    return result;
+  }
+  SplitSolid split_a = split_solid(side_a, common.in_b(), splits, joined);
+  SplitSolid split_b = split_solid(side_b, common.in_a(), splits, joined);
+  if (joined.collapsed() > 0)
+    result.obstacles.push_back(std::to_string(joined.collapsed()) +
+                               " edges are shorter than the tolerance of their ends");
+  attempt("finding sides", limit, result, [&] {
+    SidesTold told = find_sides(split_a, split_b, overlaps_of(found), tolerance, &limit);
+    result.obstacles.insert(result.obstacles.end(), told.obstacles.begin(), told.obstacles.end());
+    result.thin = std::move(told.thin);
+  });
+  if (!result.thin.empty()) result.status = weaker(result.status, Status::Tolerance);
+  result.a = std::move(split_a.pieces);
+  result.b = std::move(split_b.pieces);
+  return result;
+}
+
+}  // namespace
+
+SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+  const SharedLimit limit(options);
+  Untold untold;
+  SolidPieces found = pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even, untold);
+  if (found.obstacles.empty()) return found;
+  // Borders of surfaces that do not go on are easier to tell from those of others where these end
+  // in the same place, and curves are easier to follow where they do not go along borders of
+  // patches or through their corners.
+  for (const auto& [extent, cuts] : {std::pair{Extent::Trims, ArcCuts::Even},
+                                     {Extent::Beyond, ArcCuts::Uneven},
+                                     {Extent::Trims, ArcCuts::Uneven}}) {
+    if (limit.is_reached()) break;
+    IntersectionOptions left = limit.remaining();
+    left.threads = options.threads;
+    Untold again;
+    SolidPieces other = pieces_of(a, b, left, extent, cuts, again);
+    if (other.obstacles.empty()) return other;
+  }
+  // The search for where cuts break off has no limit of its own.
+  if (limit.is_reached()) untold.curves.clear();
+  tell(untold, a, b, found);
+  return found;
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/solids/solid_shells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <optional>
+
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+
+#include "adapters/occt/faces/edge_images.h"
+#include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/splitting/trim_sides.h"
+
+namespace blossom::occt {
+namespace {
+
+// Faces that leave an edge in directions closer than this are not told apart. Radians.
+constexpr double kLeastAngle = 1e-6;
+constexpr const char* kMakingSolids = "making solids";
+constexpr double kStep = 1e-3;  // of an edge's length: how far into a face is looked
+
+struct Shell {
+  TopoDS_Shell shape;
+  double volume = 0;
+};
+
+// One use of an edge by a face.
+struct EdgeUse {
+  std::size_t face = 0;
+  TopoDS_Edge edge;  // as the face uses it
+  bool forward = false;
+  double angle = 0;  // of the way into the face, about the edge's direction
+};
+
+struct Corner {
+  Vec3 along;    // direction of the edge
+  Vec3 inwards;  // from it into the face, a short way along the surface
+};
+
+// At a use of an edge, in the middle of it. Faces that are tangential there bend apart.
+Corner corner_of(const EdgeUse& use, const TopoDS_Face& face) {
+  double first = 0, last = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(use.edge, first, last);
+  const double middle = 0.5 * (first + last);
+  gp_Pnt point;
+  gp_Vec along;
+  curve->D1(middle, point, along);
+  const gp_Pnt2d uv = BRep_Tool::CurveOnSurface(use.edge, face, first, last)->Value(middle);
+  const SurfaceFeet feet(face, Precision::Confusion());
+  const SurfaceFrame at = frame_at(feet.surface(), {uv.X(), uv.Y()});
+  const Vec3 direction = unit(Vec3{along.X(), along.Y(), along.Z()});
+  const bool turned = (face.Orientation() == TopAbs_REVERSED) == use.forward;
+  const Vec3 left = cross(unit(cross(at.du, at.dv)), direction);
+  const double step = kStep * (last - first) * along.Magnitude() * (turned ? -1 : 1);
+  const Vec2 beside = feet.foot(at.point + step * left, Vec2{uv.X(), uv.Y()});
+  return {direction, frame_at(feet.surface(), beside).point - at.point};
+}
+
+// Sets the angles about the edge, against the first use.
+void measure(std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces) {
+  Vec3 x, y;
+  for (EdgeUse& use : uses) {
+    const Corner corner = corner_of(use, faces[use.face].face);
+    if (&use == &uses.front()) {
+      const Vec3& along = corner.along;
+      x = unit(corner.inwards - dot(corner.inwards, along) * along);
+      y = cross(along, x);
+    }
+    use.angle = std::atan2(dot(corner.inwards, y), dot(corner.inwards, x));
+  }
+}
+
+// About an edge that many faces use, bodies and what is outside of them take turns.
+enum class Across { Body, Air };
+
+// Sorts the uses about their edge: the body lies behind the faces, so from a reversed use on to the
+// next one, which is a forward one. Returns why that cannot be told.
+std::string sort_about(std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces) {
+  measure(uses, faces);
+  std::sort(uses.begin(), uses.end(),
+            [](const EdgeUse& a, const EdgeUse& b) { return a.angle < b.angle; });
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const bool at_last = i + 1 == uses.size();
+    const EdgeUse &use = uses[i], &next = uses[at_last ? 0 : i + 1];
+    const double turn = next.angle - use.angle + (at_last ? 2 * std::numbers::pi : 0);
+    if (turn < kLeastAngle || use.forward == next.forward)
+      return "faces that meet in one edge cannot be told apart";
+  }
+  return {};
+}
+
+// The uses of each edge, sorted about it where they are more than two.
+struct UsedEdges {
+  std::vector<std::vector<EdgeUse>> uses;
+  std::string obstacle;  // why they bound no body
+};
+
+UsedEdges used_edges(const std::vector<BoundingFace>& faces, const WorkLimit* limit) {
+  TopTools_IndexedMapOfShape edges;
+  UsedEdges found;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (TopExp_Explorer it(faces[i].face, TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+      if (BRep_Tool::Degenerated(edge) || edge.Orientation() == TopAbs_INTERNAL) continue;
+      const auto number = static_cast<std::size_t>(edges.Add(edge)) - 1;
+      if (number == found.uses.size()) found.uses.emplace_back();
+      found.uses[number].push_back({i, edge, edge.Orientation() == TopAbs_FORWARD});
+    }
+  int open = 0;
+  for (auto& of : found.uses) {
+    if (of.size() > 2) check_limit(limit, kMakingSolids);
+    const auto forward =
+        std::count_if(of.begin(), of.end(), [](const EdgeUse& u) { return u.forward; });
+    if (2 * static_cast<std::size_t>(forward) != of.size())
+      ++open;
+    else if (of.size() > 2)
+      if (const std::string cause = sort_about(of, faces); !cause.empty()) found.obstacle = cause;
+  }
+  if (open > 0) found.obstacle = "the shell does not close at " + std::to_string(open) + " edges";
+  return found;
+}
+
+using Groups = std::vector<std::size_t>;  // of each face: the first one that hangs together with it
+
+// Joined across edges of two faces, and across those of more as `across` says of each.
+template <class AcrossOf>
+Groups joined(std::size_t faces, const std::vector<std::vector<EdgeUse>>& edges,
+              const AcrossOf& across) {
+  Groups parent(faces);
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const std::vector<EdgeUse>& uses : edges)
+    for (std::size_t i = 0; i < uses.size(); ++i)
+      if (uses[i].forward == (across(uses) == Across::Air)) {
+        const auto [first, other] =
+            std::minmax({root(uses[i].face), root(uses[(i + 1) % uses.size()].face)});
+        parent[other] = first;
+      }
+  for (std::size_t i = 0; i < faces; ++i) parent[i] = root(i);
+  return parent;
+}
+
+// Bodies that meet in an edge only are apart. Where one body meets itself in an edge, the edge
+// joins what is outside of it instead: so a void that touches the skin round it is a shell of its
+// own.
+Groups connected(std::size_t faces, const std::vector<std::vector<EdgeUse>>& edges) {
+  const Groups bodies = joined(faces, edges, [](const auto&) { return Across::Body; });
+  return joined(faces, edges, [&](const std::vector<EdgeUse>& uses) {
+    const bool one = std::all_of(uses.begin(), uses.end(), [&](const EdgeUse& use) {
+      return bodies[use.face] == bodies[uses.front().face];
+    });
+    return one ? Across::Air : Across::Body;
+  });
+}
+
+std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
+                             const WorkLimit* limit) {
+  const UsedEdges edges = used_edges(faces, limit);
+  if (!edges.obstacle.empty()) {
+    obstacle = edges.obstacle;
+    return {};
+  }
+  const Groups groups = connected(faces.size(), edges.uses);
+  std::map<std::size_t, Shell> shells;
+  const BRep_Builder builder;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    Shell& shell = shells[groups[i]];
+    if (shell.shape.IsNull()) builder.MakeShell(shell.shape);
+    builder.Add(shell.shape, faces[i].face);
+    shell.volume += faces[i].volume;
+  }
+  std::vector<Shell> all;
+  for (auto& [group, shell] : shells) {
+    shell.shape.Closed(Standard_True);
+    all.push_back(std::move(shell));
+  }
+  return all;
+}
+
+// The smallest outer shell round a void; the number of shells if there is none.
+std::size_t around(const Shell& hollow, const std::vector<Shell>& shells) {
+  const auto point =
+      point_inside(TopoDS::Face(TopExp_Explorer(hollow.shape, TopAbs_FACE).Current()));
+  std::size_t best = shells.size();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; point && i < shells.size(); ++i) {
+    if (shells[i].volume <= -hollow.volume || shells[i].volume >= least) continue;
+    TopoDS_Solid solid;
+    BRep_Builder().MakeSolid(solid);
+    BRep_Builder().Add(solid, shells[i].shape);
+    const BRepClass3d_SolidClassifier classifier(solid, *point, Precision::Confusion());
+    if (classifier.State() != TopAbs_IN) continue;
+    best = i;
+    least = shells[i].volume;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
+                                    const WorkLimit* limit) {
+  const std::vector<Shell> shells = shells_of(faces, obstacle, limit);
+  const BRep_Builder builder;
+  std::vector<TopoDS_Solid> by_shell(shells.size());
+  for (std::size_t i = 0; i < shells.size(); ++i)
+    if (shells[i].volume > 0) {
+      builder.MakeSolid(by_shell[i]);
+      builder.Add(by_shell[i], shells[i].shape);
+    }
+  for (const Shell& shell : shells) {
+    if (shell.volume > 0) continue;
+    check_limit(limit, kMakingSolids);
+    const std::size_t outer = around(shell, shells);
+    if (outer == shells.size()) {
+      obstacle = "a shell is turned inwards, but no solid is round it";
+      return {};
+    }
+    builder.Add(by_shell[outer], shell.shape);
+  }
+  std::vector<TopoDS_Solid> solids;
+  for (const TopoDS_Solid& solid : by_shell)
+    if (!solid.IsNull()) solids.push_back(solid);
+  return solids;
+}
+
+}  // namespace blossom::occt

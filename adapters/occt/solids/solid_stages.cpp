@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/solids/solid_stages.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/compounds.h"
+
+namespace blossom::occt {
+
+Stage stage_of(const std::vector<TopoDS_Solid>& solids, const std::vector<SolidFace>& known) {
+  TopTools_IndexedMapOfShape numbers;
+  for (const SolidFace& face : known) numbers.Add(face.face);
+  Stage stage{solid_tool(solids), {}};
+  for (const TopoDS_Face& face : stage.solid.faces) {
+    const SolidFace& origin = known[static_cast<std::size_t>(numbers.FindIndex(face)) - 1];
+    stage.faces.push_back({face, origin.tool, origin.from});
+  }
+  return stage;
+}
+
+StagedInputs::StagedInputs(const TrimTool& part, const std::vector<TrimTool>& tools,
+                           double tolerance, const SharedLimit& limit) {
+  const auto add = [this](const TrimTool& input) {
+    const int tool = static_cast<int>(faces_.size()) - 1;
+    std::vector<SolidFace>& faces = faces_.emplace_back();
+    for (const TopoDS_Face& face : input.faces)
+      faces.push_back({face, tool, static_cast<int>(faces.size())});
+    solids_.insert(solids_.end(), input.solids.begin(), input.solids.end());
+    input_.resize(solids_.size(), tool + 1);
+  };
+  add(part);
+  for (const TrimTool& tool : tools) add(tool);
+  contacts_.emplace(solids_, tolerance, limit);
+  SolidPlaces all(solids_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (std::size_t input = 0; input < faces_.size(); ++input)
+    layers_.push_back(layers_of(all, static_cast<int>(input)));
+}
+
+Stages StagedInputs::layers_of(const SolidPlaces& places, int input) {
+  SolidPlaces own;
+  std::ranges::copy_if(places, std::back_inserter(own),
+                       [&](std::size_t place) { return input_[place] == input; });
+  Stages stages;
+  for (const SolidPlaces& layer : contacts_->layers(own)) {
+    std::vector<TopoDS_Solid> solids;
+    for (const std::size_t place : layer) solids.push_back(solids_[place]);
+    stages.push_back(stage_of(solids, faces_[static_cast<std::size_t>(input)]));
+  }
+  return stages;
+}
+
+std::vector<std::vector<Stages>> StagedInputs::joined() {
+  // Without solids that must not become one there is nothing to tell apart.
+  if (std::ranges::all_of(layers_, [](const Stages& layers) { return layers.size() == 1; }))
+    return {layers_};
+  std::vector<std::vector<Stages>> sets;
+  for (const SolidPlaces& set : contacts_->joined(input_)) {
+    sets.emplace_back();
+    for (std::size_t input = 0; input < faces_.size(); ++input)
+      if (Stages layers = layers_of(set, static_cast<int>(input)); !layers.empty())
+        sets.back().push_back(std::move(layers));
+  }
+  return sets;
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/splitting/edge_union.h"
+
+#include <algorithm>
+
+#include <BRep_Builder.hxx>
+#include <BRep_CurveRepresentation.hxx>
+#include <BRep_TEdge.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <TopAbs.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Wire.hxx>
+
+namespace blossom::occt {
+namespace {
+
+TopoDS_Edge forward(const TopoDS_Edge& edge) { return TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)); }
+
+// What `from` has was made without a place of its own, so that its curves' places are in model
+// space.
+void take_pcurves(const TopoDS_Edge& from, const TopoDS_Edge& to, double tolerance) {
+  const BRep_Builder builder;
+  for (const Handle(BRep_CurveRepresentation) & on :
+       Handle(BRep_TEdge)::DownCast(from.TShape())->Curves()) {
+    if (on->IsCurveOnClosedSurface())
+      builder.UpdateEdge(to, on->PCurve(), on->PCurve2(), on->Surface(), on->Location(), tolerance);
+    else if (on->IsCurveOnSurface())
+      builder.UpdateEdge(to, on->PCurve(), on->Surface(), on->Location(), tolerance);
+  }
+}
+
+}  // namespace
+
+std::size_t EdgeUnion::number(const TopoDS_Vertex& vertex) {
+  const auto place = static_cast<std::size_t>(vertices_.Add(vertex)) - 1;
+  if (place == parent_.size()) {
+    parent_.push_back(place);
+    made_.emplace_back();
+  }
+  return place;
+}
+
+std::size_t EdgeUnion::root(std::size_t vertex) {
+  while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
+  return vertex;
+}
+
+bool EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b) { return join(a, b, b, false); }
+
+bool EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b, const TopoDS_Edge& image,
+                     bool reversed) {
+  const TopoDS_Edge first = forward(a), second = forward(b);
+  if (first_of_.IsBound(second) || first_of_.IsBound(first) || curves_for_.IsBound(second))
+    return false;
+  first_of_.Bind(second, first);
+  if (!curves_for_.IsBound(first)) curves_for_.Bind(first, {});
+  curves_for_(first).Append(forward(image));
+  if (reversed) reversed_.Add(second);
+  const TopoDS_Vertex from = TopExp::FirstVertex(second), to = TopExp::LastVertex(second);
+  join(TopExp::FirstVertex(first), reversed ? to : from);
+  join(TopExp::LastVertex(first), reversed ? from : to);
+  return true;
+}
+
+void EdgeUnion::join(const TopoDS_Vertex& a, const TopoDS_Vertex& b) {
+  const std::size_t x = number(a), y = number(b);
+  parent_[root(y)] = root(x);
+}
+
+// The vertex of its whole class, at the place of the root, wide enough for all.
+TopoDS_Vertex EdgeUnion::united(const TopoDS_Vertex& vertex) {
+  if (!vertices_.Contains(vertex)) return vertex;
+  const std::size_t top = root(number(vertex));
+  if (made_[top].IsNull()) {
+    const gp_Pnt place = BRep_Tool::Pnt(TopoDS::Vertex(vertices_(static_cast<int>(top) + 1)));
+    double tolerance = 0;
+    for (std::size_t i = 0; i < parent_.size(); ++i) {
+      if (root(i) != top) continue;
+      const TopoDS_Vertex member = TopoDS::Vertex(vertices_(static_cast<int>(i) + 1));
+      tolerance = std::max(tolerance,
+                           BRep_Tool::Tolerance(member) + place.Distance(BRep_Tool::Pnt(member)));
+    }
+    BRep_Builder().MakeVertex(made_[top], place, tolerance);
+  }
+  return made_[top];
+}
+
+TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
+  const TopoDS_Edge own = forward(edge);
+  const TopoDS_Edge first = first_of_.IsBound(own) ? TopoDS::Edge(first_of_(own)) : own;
+  if (made_edges_.IsBound(first)) return TopoDS::Edge(made_edges_(first));
+  const BRep_Builder builder;
+  TopoDS_Edge made = TopoDS::Edge(first.EmptyCopied());
+  bool changed = curves_for_.IsBound(first);
+  for (TopoDS_Iterator it(first); it.More(); it.Next()) {
+    const TopoDS_Vertex vertex = TopoDS::Vertex(it.Value());
+    const TopoDS_Vertex other = united(vertex);
+    changed = changed || !other.IsSame(vertex);
+    builder.Add(made, other.Oriented(vertex.Orientation()));
+  }
+  if (curves_for_.IsBound(first)) {
+    double tolerance = BRep_Tool::Tolerance(first);
+    for (const TopoDS_Shape& second : curves_for_(first))
+      tolerance = std::max(tolerance, BRep_Tool::Tolerance(TopoDS::Edge(second)));
+    builder.UpdateEdge(made, tolerance);
+    for (const TopoDS_Shape& second : curves_for_(first))
+      take_pcurves(TopoDS::Edge(second), made, tolerance);
+  }
+  if (!changed) made = first;
+  const bool was_closed = TopExp::FirstVertex(first).IsSame(TopExp::LastVertex(first));
+  if (TopExp::FirstVertex(made).IsSame(TopExp::LastVertex(made)) && !was_closed) ++collapsed_;
+  made_edges_.Bind(first, made);
+  return made;
+}
+
+TopoDS_Face EdgeUnion::rebuilt(const TopoDS_Face& face) {
+  const BRep_Builder builder;
+  TopoDS_Face made = TopoDS::Face(face.EmptyCopied());
+  made.Orientation(TopAbs_FORWARD);
+  bool changed = false;
+  for (TopoDS_Iterator part(face.Oriented(TopAbs_FORWARD)); part.More(); part.Next()) {
+    if (part.Value().ShapeType() != TopAbs_WIRE) {
+      builder.Add(made, part.Value());
+      continue;
+    }
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (TopoDS_Iterator it(part.Value()); it.More(); it.Next()) {
+      const TopoDS_Edge edge = united(TopoDS::Edge(it.Value()));
+      const TopAbs_Orientation use = it.Value().Orientation();
+      changed = changed || !edge.IsSame(it.Value());
+      builder.Add(wire, edge.Oriented(reversed_.Contains(it.Value()) ? TopAbs::Reverse(use) : use));
+    }
+    wire.Closed(part.Value().Closed());
+    builder.Add(made, wire);
+  }
+  made.Orientation(face.Orientation());
+  return changed ? made : face;
+}
+
+}  // namespace blossom::occt

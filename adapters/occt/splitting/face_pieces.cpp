@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The last step of FaceSplitter: the arrangement, and its pieces as faces.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include "adapters/occt/curves.h"
+#include "adapters/occt/splitting/face_splitter.h"
+
+namespace blossom::occt {
+namespace {
+
+// Edges state their tolerance with this margin; vertices cover the ends of their edges with it.
+constexpr double kMargin = 1.1;
+// Chart areas of pieces add up to rounding if the arrangement is right. Relative.
+constexpr double kAreaError = 1e-6;
+constexpr int kDeviationSamples = 33;
+
+gp_Pnt pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
+
+Vec3 space_point(const FaceCut& cut, double t) {
+  return cut.conic ? point_at(*cut.conic, t) : point_at(cut.curve, t);
+}
+
+// The largest sampled distance between the curve and the image of its chart curve.
+double deviation(const FaceCut& cut, const Handle(Geom_Surface) & surface, const Interval& range) {
+  double largest = 0;
+  for (int i = 0; i < kDeviationSamples; ++i) {
+    const double s = at(range, static_cast<double>(i) / (kDeviationSamples - 1));
+    const Vec2 uv = point_at(cut.chart, s);
+    largest = std::max(largest, pnt(space_point(cut, s)).Distance(surface->Value(uv[0], uv[1])));
+  }
+  return largest;
+}
+
+bool lies_near(const PlanarPath& path, const Vec2& point, double tolerance) {
+  return std::any_of(path.begin(), path.end(), [&](const PlanarBezier& curve) {
+    return nearest({{{curve, {0, 1}, ParameterLaw::Linear}}}, point).distance <= tolerance;
+  });
+}
+
+TopoDS_Face without_wires(const TopoDS_Face& face) {
+  TopoDS_Face empty = TopoDS::Face(face.EmptyCopied());
+  empty.Orientation(TopAbs_FORWARD);
+  return empty;
+}
+
+void cover(const TopoDS_Vertex& vertex, const gp_Pnt& point, double edge_tolerance) {
+  const double gap = BRep_Tool::Pnt(vertex).Distance(point);
+  BRep_Builder().UpdateVertex(vertex,
+                              std::max({Precision::Confusion(), kMargin * gap, edge_tolerance}));
+}
+
+}  // namespace
+
+const TopoDS_Vertex& FaceSplitter::shape_of(int vertex, const Strand& strand, double parameter) {
+  Vertex& of = vertices_[static_cast<std::size_t>(vertex)];
+  if (!of.shape.IsNull()) return of.shape;
+  if (of.split >= 0)
+    of.shape = splits_.vertex(coedge(of.loop, of.coedge).edge, of.split);
+  else
+    BRep_Builder().MakeVertex(
+        of.shape, pnt(space_point(cuts_[static_cast<std::size_t>(strand.cut)], parameter)),
+        Precision::Confusion());
+  return of.shape;
+}
+
+// One edge for both neighbours. Its curves are the whole cut's; only its range is its own.
+TopoDS_Edge FaceSplitter::cut_edge(const Strand& strand, const Interval& range, int from, int to) {
+  const FaceCut& cut = cuts_[static_cast<std::size_t>(strand.cut)];
+  TopLoc_Location location;
+  const Handle(Geom_Surface) raw = BRep_Tool::Surface(trims_.face, location);
+  const double tolerance =
+      std::max({Precision::Confusion(), cut.tolerance,
+                kMargin * deviation(cut, BRep_Tool::Surface(trims_.face), range)});
+  Spline2 chart = cut.chart;
+  const Vec2 shift{strand.shift[0] / trims_.scale[0], strand.shift[1] / trims_.scale[1]};
+  for (Vec2& point : chart.points) point += shift;
+  const BRep_Builder builder;
+  TopoDS_Edge edge;
+  const Handle(Geom_Curve) in_space = cut.conic ? to_occt(*cut.conic) : to_occt(cut.curve);
+  builder.MakeEdge(edge, in_space, tolerance);
+  builder.UpdateEdge(edge, to_occt(chart), raw, location, tolerance);
+  builder.Range(edge, range.from, range.to);
+  const TopoDS_Vertex first = shape_of(from, strand, range.from);
+  const TopoDS_Vertex last = shape_of(to, strand, range.to);
+  cover(first, pnt(space_point(cut, range.from)), tolerance);
+  cover(last, pnt(space_point(cut, range.to)), tolerance);
+  builder.Add(edge, first.Oriented(TopAbs_FORWARD));
+  builder.Add(edge, last.Oriented(TopAbs_REVERSED));
+  return edge;
+}
+
+// The uses of cuts that run along a piece of an edge, walked as the wire walks it. A run along
+// one side of a seam is one along the other side too.
+std::vector<CutUse> FaceSplitter::runs_along(int loop, int index, const EdgePiece& piece) const {
+  std::vector<CutUse> uses;
+  const Coedge& of = coedge(loop, index);
+  for (const Strand& strand : strands_)
+    for (const TrimRun& run : strand.runs) {
+      const double low = std::min(run.edge_parameters.from, run.edge_parameters.to);
+      const double high = std::max(run.edge_parameters.from, run.edge_parameters.to);
+      const double middle = at(piece.range, 0.5);
+      const Coedge& beside = coedge(run.loop, run.coedge);
+      if (!beside.edge.IsSame(of.edge) || middle < low || middle > high) continue;
+      const auto parameter = [&](double t) {
+        return nearest(strand.curve, point_at(beside.curve, at(piece.range, t))).parameter;
+      };
+      Interval along{parameter(0.25), parameter(0.75)};
+      if (of.reversed()) std::swap(along.from, along.to);
+      uses.push_back({strand.cut, along, {}, true});
+    }
+  return uses;
+}
+
+void FaceSplitter::add_border_arc(int loop, int index, const EdgePiece& piece) {
+  const Coedge& of = coedge(loop, index);
+  Interval range = piece.range;
+  int from = vertex_at_split(loop, index, piece.from);
+  int to = vertex_at_split(loop, index, piece.to);
+  if (of.reversed()) {
+    std::swap(range.from, range.to);
+    std::swap(from, to);
+  }
+  PlanarPath path = bezier_pieces(of.curve, range);
+  if (path.empty()) return;
+  arcs_.push_back({from, to, std::move(path), true});
+  const TopoDS_Edge edge = TopoDS::Edge(piece.edge.Oriented(of.edge.Orientation()));
+  origins_.push_back({edge, runs_along(loop, index, piece), -1, loop});
+}
+
+void FaceSplitter::add_border_arcs() {
+  for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
+      std::vector<EdgePiece> along = splits_.pieces(trims_.loops[loop][i].edge);
+      if (trims_.loops[loop][i].reversed()) std::reverse(along.begin(), along.end());
+      for (const EdgePiece& piece : along)
+        add_border_arc(static_cast<int>(loop), static_cast<int>(i), piece);
+    }
+}
+
+// False if the piece lies outside or along a wire.
+bool FaceSplitter::add_cut_arc(const Strand& strand, const std::pair<double, int>& from,
+                               const std::pair<double, int>& to) {
+  const Interval range{from.first, to.first};
+  const double middle = at(range, 0.5);
+  const Vec2 point = point_at(strand.curve, middle);
+  const bool along = std::any_of(strand.runs.begin(), strand.runs.end(), [&](const TrimRun& run) {
+    return run.at.from <= middle && middle <= run.at.to;
+  });
+  if (along || !is_inside(trims_, point)) return false;
+  PlanarPath path = bezier_pieces(strand.curve, range);
+  if (path.empty()) return false;
+  const auto same_ends = [&](const ChartArc& arc) {
+    return (arc.from == from.second && arc.to == to.second) ||
+           (arc.from == to.second && arc.to == from.second);
+  };
+  for (const ChartArc& arc : arcs_)
+    if (!arc.border && same_ends(arc) && lies_near(arc.path, point, 4 * reach(strand))) {
+      if (!cuts_[static_cast<std::size_t>(strand.cut)].may_repeat)
+        note(strand.cut, "repeats another cut");
+      return true;
+    }
+  arcs_.push_back({from.second, to.second, std::move(path), false});
+  origins_.push_back(
+      {{}, {{strand.cut, range, {}, false}}, static_cast<int>(&strand - strands_.data()), -1});
+  return true;
+}
+
+bool FaceSplitter::add_cut_arcs() {
+  bool any = false;
+  std::vector<bool> useful(cuts_.size(), false);
+  for (const Strand& strand : strands_) {
+    bool used = false;
+    for (std::size_t i = 0; i + 1 < strand.stops.size(); ++i)
+      used = add_cut_arc(strand, strand.stops[i], strand.stops[i + 1]) || used;
+    if (!used && !strand.runs.empty() && !cuts_[static_cast<std::size_t>(strand.cut)].may_repeat)
+      note(strand.cut, "runs along an edge");
+    if (used || !strand.runs.empty()) useful[static_cast<std::size_t>(strand.cut)] = true;
+    any = any || used;
+  }
+  for (std::size_t i = 0; i < useful.size(); ++i)
+    if (!useful[i] && !cuts_[i].may_repeat) note(static_cast<int>(i), "lies outside of the trims");
+  return any;
+}
+
+void FaceSplitter::add_wire(const Cycle& cycle, FacePiece& piece) const {
+  const BRep_Builder builder;
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (const HalfEdge& half : cycle) {
+    const Origin& origin = origins_[static_cast<std::size_t>(half.arc)];
+    const TopoDS_Edge edge =
+        TopoDS::Edge(half.reversed ? origin.edge.Reversed() : TopoDS_Shape(origin.edge));
+    builder.Add(wire, edge);
+    for (const CutUse& use : origin.uses)
+      piece.cuts.push_back(
+          {use.cut, half.reversed ? Interval{use.at.to, use.at.from} : use.at, edge, use.along});
+  }
+  wire.Closed(Standard_True);
+  builder.Add(piece.face, wire);
+}
+
+bool FaceSplitter::adds_up(const ChartPieces& found) const {
+  double whole = 0, sum = 0;
+  for (const ChartPiece& piece : found.pieces) {
+    sum += signed_area(arcs_, piece.outer);
+    for (const Cycle& hole : piece.holes) sum += signed_area(arcs_, hole);
+  }
+  for (const ChartArc& arc : arcs_) {
+    if (!arc.border) continue;
+    const Vec2 from = vertices_[static_cast<std::size_t>(arc.from)].point;
+    const Vec2 to = vertices_[static_cast<std::size_t>(arc.to)].point;
+    const Vec2 origin = trims_.box.low;
+    const Vec2 start = start_of(arc.path), end = end_of(arc.path);
+    whole += area_along(arc.path, origin) + 0.5 * cross(from - origin, start - origin) +
+             0.5 * cross(end - origin, to - origin);
+  }
+  return found.consistent && std::abs(sum - whole) <= kAreaError * std::abs(whole);
+}
+
+void FaceSplitter::make_edge(int arc) {
+  const auto index = static_cast<std::size_t>(arc);
+  Origin& origin = origins_[index];
+  const Strand& strand = strands_[static_cast<std::size_t>(origin.strand)];
+  origin.edge = cut_edge(strand, origin.uses.front().at, arcs_[index].from, arcs_[index].to);
+}
+
+// Internal edges, those that hang together in one wire.
+void FaceSplitter::imprint(std::vector<int> arcs, FacePiece& piece) {
+  const BRep_Builder builder;
+  while (!arcs.empty()) {
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    std::vector<int> reached;  // vertices
+    const auto touches = [&](int arc) {
+      const ChartArc& of = arcs_[static_cast<std::size_t>(arc)];
+      return std::any_of(reached.begin(), reached.end(),
+                         [&](int vertex) { return vertex == of.from || vertex == of.to; });
+    };
+    for (auto next = arcs.begin(); next != arcs.end();
+         next = std::find_if(arcs.begin(), arcs.end(), touches)) {
+      const auto index = static_cast<std::size_t>(*next);
+      if (origins_[index].strand >= 0) make_edge(*next);
+      piece.imprints.push_back(TopoDS::Edge(origins_[index].edge.Oriented(TopAbs_INTERNAL)));
+      builder.Add(wire, piece.imprints.back());
+      reached.insert(reached.end(), {arcs_[index].from, arcs_[index].to});
+      arcs.erase(next);
+    }
+    builder.Add(piece.face, wire);
+  }
+}
+
+FaceSplit FaceSplitter::divided(const ChartPieces& found, OpenCuts open) {
+  for (std::size_t i = 0; i < arcs_.size(); ++i) {
+    const int arc = static_cast<int>(i);
+    if (origins_[i].strand >= 0 &&
+        std::find(found.dangling.begin(), found.dangling.end(), arc) == found.dangling.end())
+      make_edge(arc);
+  }
+  FaceSplit result;
+  for (const ChartPiece& piece : found.pieces) {
+    FacePiece made{without_wires(given_), {}, {}};
+    add_wire(piece.outer, made);
+    for (const Cycle& hole : piece.holes) add_wire(hole, made);
+    imprint(imprints_among(piece.inner, open), made);
+    made.face.Orientation(given_.Orientation());
+    result.pieces.push_back(std::move(made));
+  }
+  for (std::size_t i = 0; i < arcs_.size(); ++i)
+    if (!origins_[i].piece.IsNull() && std::find(found.dangling.begin(), found.dangling.end(),
+                                                 static_cast<int>(i)) == found.dangling.end())
+      result.laid.push_back({origins_[i].piece, origins_[i].edge});
+  result.notes = notes_;
+  return result;
+}
+
+// The wires as they were, with split edges in pieces.
+FaceSplit FaceSplitter::undivided(const std::vector<int>& imprinted) {
+  const auto any_split = [&](const std::vector<Coedge>& loop) {
+    return std::any_of(loop.begin(), loop.end(),
+                       [&](const Coedge& of) { return splits_.is_split(of.edge); });
+  };
+  const bool only_own = std::all_of(imprinted.begin(), imprinted.end(), [&](int arc) {
+    return origins_[static_cast<std::size_t>(arc)].strand < 0;
+  });
+  const bool same = only_own && !any_split(trims_.inner) &&
+                    std::none_of(trims_.loops.begin(), trims_.loops.end(), any_split);
+  FacePiece piece{without_wires(given_), {}, {}};
+  std::vector<Cycle> wires(trims_.loops.size());
+  for (std::size_t i = 0; i < arcs_.size(); ++i)
+    if (arcs_[i].border)
+      wires[static_cast<std::size_t>(origins_[i].loop)].push_back({static_cast<int>(i), false});
+  for (const Cycle& wire : wires) add_wire(wire, piece);
+  imprint(imprinted, piece);
+  piece.face.Orientation(given_.Orientation());
+  if (same) piece.face = given_;
+  return {{std::move(piece)}, notes_};
+}
+
+FaceSplit FaceSplitter::split(OpenCuts open) {
+  add_border_arcs();
+  const bool any_inner = add_inner_arcs(), any_laid = add_laid_arcs();
+  if (!add_cut_arcs() && !any_inner && !any_laid) return undivided();
+  const ChartPieces found = pieces(arcs_, tolerance_);
+  for (const int arc : found.dangling)
+    if (origins_[static_cast<std::size_t>(arc)].strand >= 0)
+      note(origins_[static_cast<std::size_t>(arc)].uses.front().cut,
+           open == OpenCuts::Imprint
+               ? "ends inside of the face, a part of it divides nothing and is imprinted"
+               : "ends inside of the face, a part of it divides nothing and is left out");
+  const auto cuts =
+      std::count_if(arcs_.begin(), arcs_.end(), [](const ChartArc& arc) { return !arc.border; });
+  if (cuts == static_cast<std::ptrdiff_t>(found.dangling.size()))
+    return undivided(imprints_among(found.dangling, open));
+  if (adds_up(found)) return divided(found, open);
+  notes_.push_back("cuts and wires do not fit together, the face stays whole");
+  std::vector<int> all(arcs_.size());
+  std::iota(all.begin(), all.end(), 0);
+  return undivided(imprints_among(all, OpenCuts::LeaveOut));
+}
+
+FaceSplit split_face(const TopoDS_Face& face, const std::vector<FaceCut>& cuts, double tolerance,
+                     OpenCuts open) {
+  EdgeSplits splits(tolerance);
+  FaceSplitter splitter(face, cuts, splits, tolerance);
+  splitter.settle();
+  return splitter.split(open);
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The first two steps: where cuts, wires and other cuts meet. The last one is in face_pieces.cpp.
+#include "adapters/occt/splitting/face_splitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/faces/shared_limit.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr const char* kDividing = "dividing faces";
+constexpr double kMargin = 1.1;
+// A cut that stops short of a wire would have met it at most so many times farther along the wire.
+constexpr double kObliqueness = 8;
+// Neighbours that see a crossing farther apart, in tolerances of the edge, see two.
+constexpr double kMostDisagreement = 256;
+
+bool boxes_meet(const PlanarBox& a, const PlanarBox& b, double margin) {
+  for (int k = 0; k < 2; ++k)
+    if (a.low[k] > b.high[k] + margin || b.low[k] > a.high[k] + margin) return false;
+  return true;
+}
+
+// The curve stays within `reach` between the two parameters.
+bool is_near(const PlanarCurve& curve, double s, double t, double reach) {
+  const Vec2 point = point_at(curve, s);
+  return distance(point, point_at(curve, t)) <= reach &&
+         distance(point, point_at(curve, 0.5 * (s + t))) <= reach;
+}
+
+// Loops that touch in a vertex have a corner each there; one stands for all, so that what ends in
+// the vertex meets them all. Not at edges that the face uses twice: their two sides lie in one
+// place and stay apart by their corners alone.
+void join_corners(FaceTrims& trims, double tolerance) {
+  std::vector<TopoDS_Vertex> shapes(trims.corners.size());
+  std::vector<bool> apart(trims.corners.size());
+  TopTools_IndexedMapOfShape edges;
+  for (auto& loop : trims.loops)
+    for (const Coedge& of : loop) {
+      const int count = edges.Extent();
+      const bool twice = edges.Add(of.edge) <= count;
+      if (twice)
+        apart[static_cast<std::size_t>(of.from)] = apart[static_cast<std::size_t>(of.to)] = true;
+      shapes[static_cast<std::size_t>(of.from)] =
+          of.reversed() ? TopExp::LastVertex(of.edge) : TopExp::FirstVertex(of.edge);
+    }
+  std::vector<int> kept(trims.corners.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    kept[i] = static_cast<int>(i);
+    for (std::size_t k = 0; k < i && !apart[i]; ++k)
+      if (!apart[k] && shapes[k].IsSame(shapes[i]) &&
+          distance(trims.corners[k], trims.corners[i]) <= tolerance) {
+        kept[i] = kept[k];
+        break;
+      }
+  }
+  for (auto& loop : trims.loops)
+    for (Coedge& of : loop) {
+      of.from = kept[static_cast<std::size_t>(of.from)];
+      of.to = kept[static_cast<std::size_t>(of.to)];
+    }
+}
+
+}  // namespace
+
+FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, EdgeSplits& splits,
+                           double tolerance, const WorkLimit* limit)
+    : given_(face),
+      trims_(face_trims(face)),
+      cuts_(std::move(cuts)),
+      splits_(splits),
+      tolerance_(tolerance),
+      limit_(limit) {
+  join_corners(trims_, tolerance_);
+  for (const Vec2& corner : trims_.corners) vertices_.push_back({corner, -1, -1, -1});
+  for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
+      const Coedge& of = trims_.loops[loop][i];
+      Vertex& start = vertices_[static_cast<std::size_t>(of.from)];
+      start.loop = static_cast<int>(loop);
+      start.coedge = static_cast<int>(i);
+      start.split = of.reversed() ? EdgeSplits::kLast : EdgeSplits::kFirst;
+    }
+  add_strands();
+  for (Strand& strand : strands_) add_wire_stops(strand);
+}
+
+void FaceSplitter::settle() {
+  for (Strand& strand : strands_) {
+    add_end_stop(strand, strand.curve.domain().from);
+    add_end_stop(strand, strand.curve.domain().to);
+  }
+  add_crossings();
+  for (Strand& strand : strands_) finish_stops(strand);
+}
+
+const Coedge& FaceSplitter::coedge(int loop, int index) const {
+  const auto place = static_cast<std::size_t>(index);
+  if (loop == inner_loop()) return trims_.inner[place];
+  return trims_.loops[static_cast<std::size_t>(loop)][place];
+}
+
+double FaceSplitter::reach(const Strand& strand) const {
+  return std::max(tolerance_, cuts_[static_cast<std::size_t>(strand.cut)].tolerance);
+}
+
+void FaceSplitter::note(int cut, const std::string& what) {
+  const std::string text = "cut " + std::to_string(cut + 1) + " " + what;
+  if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
+}
+
+void FaceSplitter::add_strands() {
+  for (std::size_t i = 0; i < cuts_.size(); ++i) {
+    const PlanarCurve curve = chart_curve(trims_, cuts_[i].chart);
+    for (const Vec2& shift : period_shifts(trims_, curve))
+      strands_.push_back(
+          {static_cast<int>(i), shift, transformed(curve, {1, 1}, shift), {}, {}, {}});
+  }
+}
+
+int FaceSplitter::vertex_at_split(int loop, int index, int split) {
+  if (loop == inner_loop()) return inner_vertex(index, split);
+  const Coedge& of = coedge(loop, index);
+  if (split == EdgeSplits::kFirst) return of.reversed() ? of.to : of.from;
+  if (split == EdgeSplits::kLast) return of.reversed() ? of.from : of.to;
+  const auto known = std::find_if(vertices_.begin(), vertices_.end(), [&](const Vertex& vertex) {
+    return vertex.loop == loop && vertex.coedge == index && vertex.split == split;
+  });
+  if (known != vertices_.end()) return static_cast<int>(known - vertices_.begin());
+  const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
+  vertices_.push_back({point, loop, index, split});
+  return static_cast<int>(vertices_.size()) - 1;
+}
+
+int FaceSplitter::vertex_of(const TrimMeeting& meeting, double uncertainty, double obliqueness) {
+  const Coedge& of = coedge(meeting.loop, meeting.coedge);
+  return vertex_at_split(
+      meeting.loop, meeting.coedge,
+      splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty, obliqueness));
+}
+
+// The vertex of a touch is to cover the places in which cut and edge cross beside it.
+void FaceSplitter::widen_touch(const Strand& strand, const TrimMeeting& meeting, int vertex) {
+  if (meeting.touch.from == meeting.touch.to) return;
+  const Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
+  const Spline& curve = cuts_[static_cast<std::size_t>(strand.cut)].curve;
+  const Vec3 point = point_at(curve, meeting.at);
+  const double reach = std::max(distance(point, point_at(curve, meeting.touch.from)),
+                                distance(point, point_at(curve, meeting.touch.to)));
+  splits_.widen(coedge(at.loop, at.coedge).edge, at.split, kMargin * reach);
+}
+
+// How many times farther along the wire than across it neighbours may see the same crossing: where
+// an edge is off by its tolerance, a surface that it meets at an angle alpha is met farther by
+// 1 / sin alpha, and sin alpha = sin (cut, edge) sin (face, what cuts it).
+double FaceSplitter::obliqueness(const Strand& strand, const TrimMeeting& meeting) const {
+  const Vec2 along = jet_at(strand.curve, meeting.at).first;
+  const Coedge& of = coedge(meeting.loop, meeting.coedge);
+  const Vec2 wire = jet_at(of.curve, meeting.edge_parameter).first;
+  const double size = norm(along) * norm(wire);
+  const double sine =
+      std::abs(cross(along, wire)) * cuts_[static_cast<std::size_t>(strand.cut)].least_sine;
+  return sine * kMostDisagreement > size ? std::max(1.0, size / sine) : kMostDisagreement;
+}
+
+void FaceSplitter::add_wire_stops(Strand& strand) {
+  check_limit(limit_, kDividing);
+  ClippedCurve found = clipped(trims_, strand.curve, reach(strand));
+  for (const TrimMeeting& meeting : found.meetings) {
+    const int vertex = vertex_of(meeting, 0, obliqueness(strand, meeting));
+    strand.stops.emplace_back(meeting.at, vertex);
+    widen_touch(strand, meeting, vertex);
+  }
+  strand.runs = std::move(found.runs);
+  if (!found.complete) note(strand.cut, "runs so close to an edge that not all crossings are sure");
+  add_inner_stops(strand);
+}
+
+// A cut may stop at the natural border of the surface while the wire leaves it, by as much as the
+// tolerance of its edge allows, or because the surface goes on there; its end is taken to the wire.
+void FaceSplitter::add_end_stop(Strand& strand, double end) {
+  if (has_stop(strand, end)) return;
+  const Vec2 point = point_at(strand.curve, end);
+  TrimMeeting nearest_meeting;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
+      const Coedge& of = trims_.loops[loop][i];
+      const PlanarFoot foot = nearest(of.curve, point);
+      const double reach = std::max(BRep_Tool::Tolerance(of.edge), kMargin * trims_.overshoot);
+      if (foot.distance >= least || foot.distance > reach) continue;
+      least = foot.distance;
+      nearest_meeting = {
+          end, static_cast<int>(loop), static_cast<int>(i), foot.parameter, {end, end}};
+    }
+  if (std::isfinite(least))
+    strand.stops.emplace_back(end, vertex_of(nearest_meeting, kObliqueness * least,
+                                             obliqueness(strand, nearest_meeting)));
+}
+
+// Whether a stop is known that is this place of the curve but for the tolerance.
+bool FaceSplitter::has_stop(const Strand& strand, double at) const {
+  return std::any_of(strand.stops.begin(), strand.stops.end(), [&](const auto& stop) {
+    return is_near(strand.curve, stop.first, at, 8 * reach(strand));
+  });
+}
+
+// The vertex within tolerance of the point, or a new node. Borders come first, so that a node of
+// two cuts that end in one edge is the split of that edge.
+int FaceSplitter::node_near(const Vec2& point) {
+  int nearest = -1;
+  double least = 4 * tolerance_;
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    const double gap = distance(vertices_[i].point, point);
+    if (gap <= least) {
+      least = gap;
+      nearest = static_cast<int>(i);
+    }
+  }
+  if (nearest >= 0) return nearest;
+  vertices_.push_back({point, -1, -1, -1});
+  return static_cast<int>(vertices_.size()) - 1;
+}
+
+void FaceSplitter::add_crossings() {
+  for (std::size_t i = 0; i < strands_.size(); ++i)
+    for (std::size_t k = i + 1; k < strands_.size(); ++k) {
+      Strand &a = strands_[i], &b = strands_[k];
+      if (!boxes_meet(box_of(a.curve), box_of(b.curve), tolerance_)) continue;
+      check_limit(limit_, kDividing);
+      const PlanarCrossings common = crossings(a.curve, b.curve, std::max(reach(a), reach(b)));
+      for (const PlanarCrossing& crossing : common.points) {
+        const int node = node_near(crossing.point);
+        a.stops.emplace_back(crossing.a, node);
+        b.stops.emplace_back(crossing.b, node);
+      }
+      if (!common.complete) note(a.cut, "runs so close to another cut that not all nodes are sure");
+    }
+}
+
+// Adds the ends, sorts, and joins stops at one vertex with next to nothing between them.
+void FaceSplitter::finish_stops(Strand& strand) {
+  const Interval domain = strand.curve.domain();
+  for (const double end : {domain.from, domain.to})
+    if (!has_stop(strand, end))
+      strand.stops.emplace_back(end, node_near(point_at(strand.curve, end)));
+  tidy_stops(strand, 8 * reach(strand));
+}
+
+// Of two stops the one on the other side's border stays.
+void FaceSplitter::tidy_stops(Strand& strand, double reach) const {
+  const auto is_met = [&](double at) {
+    return std::find(strand.met.begin(), strand.met.end(), at) != strand.met.end();
+  };
+  std::sort(strand.stops.begin(), strand.stops.end());
+  std::vector<std::pair<double, int>> stops;
+  for (const auto& stop : strand.stops) {
+    const double blur = vertices_[static_cast<std::size_t>(stop.second)].blur;
+    if (stops.empty() || stops.back().second != stop.second ||
+        !is_near(strand.curve, stops.back().first, stop.first, std::max(reach, blur)))
+      stops.push_back(stop);
+    else if (is_met(stop.first) && !is_met(stops.back().first))
+      stops.back() = stop;
+  }
+  strand.stops = std::move(stops);
+}
+
+std::vector<CutStop> FaceSplitter::stops(int cut) const {
+  std::vector<CutStop> found;
+  for (const Strand& strand : strands_) {
+    if (strand.cut != cut) continue;
+    for (const auto& [parameter, vertex] : strand.stops) {
+      const Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
+      const bool border = at.split >= 0;
+      found.push_back({parameter, border ? splits_.vertex(coedge(at.loop, at.coedge).edge, at.split)
+                                         : TopoDS_Vertex()});
+    }
+  }
+  std::sort(found.begin(), found.end(),
+            [](const CutStop& a, const CutStop& b) { return a.parameter < b.parameter; });
+  return found;
+}
+
+// The place of the stop nearest to a parameter, -1 if none is within reach.
+int FaceSplitter::stop_near(const Strand& strand, double parameter, double reach) const {
+  const Vec2 point = point_at(strand.curve, parameter);
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < strand.stops.size(); ++i) {
+    const double own = strand.stops[i].first;
+    const double gap = distance(point_at(strand.curve, own), point);
+    if (gap >= least || !is_near(strand.curve, own, parameter, reach)) continue;
+    least = gap;
+    nearest = static_cast<int>(i);
+  }
+  return nearest;
+}
+
+void FaceSplitter::meet(int cut, const CutStop& stop) {
+  const double blur = kMargin * BRep_Tool::Tolerance(stop.vertex);
+  for (Strand& strand : strands_) {
+    if (strand.cut != cut) continue;
+    const int near = stop_near(strand, stop.parameter, std::max(8 * reach(strand), blur));
+    if (near < 0) continue;
+    auto& own = strand.stops[static_cast<std::size_t>(near)];
+    Vertex& at = vertices_[static_cast<std::size_t>(own.second)];
+    at.blur = std::max(at.blur, blur);
+    if (at.split < 0) {
+      own.first = stop.parameter;
+      strand.met.push_back(stop.parameter);
+    }
+    tie(own.second, stop.vertex);
+  }
+}
+
+// Two cuts that lead from one vertex to another within the first one's blur cross there only
+// because they reach beyond the border at which they should end.
+void FaceSplitter::unite_blurred() {
+  std::vector<std::pair<int, int>> known;
+  for (const Strand& strand : strands_)
+    for (std::size_t i = 0; i + 1 < strand.stops.size(); ++i) {
+      const auto [a, b] = std::minmax(strand.stops[i].second, strand.stops[i + 1].second);
+      const double blur = std::max(vertices_[static_cast<std::size_t>(a)].blur,
+                                   vertices_[static_cast<std::size_t>(b)].blur);
+      if (a != b && is_near(strand.curve, strand.stops[i].first, strand.stops[i + 1].first, blur))
+        known.emplace_back(a, b);
+    }
+  std::sort(known.begin(), known.end());
+  for (auto pair = known.begin(); (pair = std::adjacent_find(pair, known.end())) != known.end();
+       ++pair)
+    unite(pair->first, pair->second);
+}
+
+void FaceSplitter::tidy() {
+  unite_blurred();
+  for (Strand& strand : strands_) tidy_stops(strand, 8 * reach(strand));
+}
+
+void FaceSplitter::divide(int cut, const CutStop& stop) {
+  const double blur = stop.vertex.IsNull() ? 0 : kMargin * BRep_Tool::Tolerance(stop.vertex);
+  for (Strand& strand : strands_) {
+    if (strand.cut != cut) continue;
+    const Vec2 point = point_at(strand.curve, stop.parameter);
+    const double reach_here = std::max(8 * reach(strand), blur);
+    const int near = stop_near(strand, stop.parameter, reach_here);
+    int vertex = near < 0 ? -1 : strand.stops[static_cast<std::size_t>(near)].second;
+    if (vertex < 0) {
+      if (!is_inside(trims_, point)) continue;
+      vertex = node_near(point);
+      strand.stops.emplace_back(stop.parameter, vertex);
+    }
+    if (!stop.vertex.IsNull()) tie(vertex, stop.vertex);
+    tidy_stops(strand, reach_here);
+  }
+}
+
+// Vertices that stand for the same vertex of another face become one.
+void FaceSplitter::tie(int vertex, const TopoDS_Vertex& other) {
+  const auto known = std::find_if(ties_.begin(), ties_.end(),
+                                  [&](const auto& tied) { return tied.first.IsSame(other); });
+  if (known == ties_.end()) {
+    ties_.emplace_back(other, vertex);
+    return;
+  }
+  unite(known->second, vertex);
+}
+
+// Two vertices of the borders stay two.
+void FaceSplitter::unite(int kept, int left) {
+  const auto on_border = [&](int i) { return vertices_[static_cast<std::size_t>(i)].split >= 0; };
+  if (on_border(left)) std::swap(kept, left);
+  if (kept == left || on_border(left)) return;
+  Vertex& of = vertices_[static_cast<std::size_t>(kept)];
+  const Vertex& other = vertices_[static_cast<std::size_t>(left)];
+  of.blur = std::max({of.blur, other.blur, kMargin * distance(of.point, other.point)});
+  for (auto& tied : ties_)
+    if (tied.second == left) tied.second = kept;
+  for (Strand& strand : strands_)
+    for (auto& stop : strand.stops)
+      if (stop.second == left) stop.second = kept;
+}
+
+}  // namespace blossom::occt

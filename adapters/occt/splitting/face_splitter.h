@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Splitting one face along cuts.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/splitting/edge_splits.h"
+#include "core/forms/conic.h"
+#include "core/forms/spline.h"
+#include "core/intersection/work_limit.h"
+#include "core/trimming/pieces.h"
+
+namespace blossom::occt {
+
+class SurfaceFeet;
+
+/// A curve that a face is to be cut along. The two splines share their parameter, and the conic.
+struct FaceCut {
+  Spline curve;           ///< in space
+  Spline2 chart;          ///< in the face's own parameters
+  double tolerance = 0;   ///< of the edges that come of it; at least what OCCT asks for is taken
+  double least_sine = 1;  ///< of the angle between the face and what cuts it
+  std::optional<Conic> conic{};  ///< what the edges become in space; null: the spline
+  bool may_repeat = false;       ///< where other cuts run as well, which is not noted then
+};
+
+/// A piece of a cut on the border of a piece of the face.
+struct CutUse {
+  int cut = 0;  ///< index of the cut
+  Interval at;  ///< parameters of the cut; walked from-to, the piece of the face is on the left
+  TopoDS_Edge edge;    ///< in the wire of the piece
+  bool along = false;  ///< the edge is one of the face's own, or a piece of it
+};
+
+struct FacePiece {
+  TopoDS_Face face;  ///< oriented as the face it comes from
+  std::vector<CutUse> cuts;
+  std::vector<TopoDS_Edge> imprints;  ///< internal edges of the face
+};
+
+/// What becomes of cuts, or parts of them, that divide nothing since they end inside of the face.
+enum class OpenCuts {
+  LeaveOut,
+  Imprint,  ///< internal edges of the piece in which they lie
+};
+
+/// A piece of an edge of another shape, and the edge that takes its place in a face.
+struct LaidEdge {
+  TopoDS_Edge piece;  ///< as EdgeSplits has it
+  TopoDS_Edge edge;   ///< same vertices, curve and parameters, with a chart curve on the face
+};
+
+struct FaceSplit {
+  std::vector<FacePiece> pieces;
+  std::vector<std::string> notes;  ///< cuts that were left out, and why
+  std::vector<LaidEdge> laid{};    ///< that bound pieces
+};
+
+/// A place where a cut is divided.
+struct CutStop {
+  double parameter = 0;  ///< of the cut
+  TopoDS_Vertex vertex;  ///< of the split of a wire's edge; null inside of the face
+};
+
+/// Splits a face in three steps, each for all faces of a model before the next, so that all have
+/// told where they meet their edges before an edge is split:
+///
+///   FaceSplitter splitter(face, cuts, splits, tolerance);   // where cuts cross wires
+///   splitter.settle();                                      // loose ends, crossings of cuts
+///   FaceSplit split = splitter.split();                     // the pieces
+///
+/// Cuts are clipped to the inside of the face. They may cross each other, seams and wires, end
+/// anywhere, and end in one another. What does not divide the face is left out or imprinted, and
+/// noted. A run along an existing edge divides nothing either, but is reported as a use of the cut.
+/// Seams stay edges: pieces on the two sides of a seam are joined by it, not merged. Internal edges
+/// of the face are cut by the cuts, stay where they divide nothing, and bound pieces where they do.
+class FaceSplitter {
+ public:
+  /// tolerance   points of cuts and edges closer than this are one; model units
+  /// limit       asked between searches for crossings here and in `settle`; null: none. Kept.
+  /// throws      BadModel as `face_trims`; Failure when the limit is reached, `settle` too
+  FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, EdgeSplits& splits,
+               double tolerance, const WorkLimit* limit = nullptr);
+
+  /// Takes ends that stop just short of a wire to it, preferably where a neighbour splits the same
+  /// edge already, and finds where cuts cross each other.
+  void settle();
+
+  /// Says that an edge of another shape lies in the face, in whole or in parts. All its splits at
+  /// the borders of the face have to be asked for, and their vertices united with the borders',
+  /// before `split`. Its pieces inside of the face divide it as cuts do; those along borders or
+  /// outside, and those that divide nothing, are left out.
+  void lay(const TopoDS_Edge& edge);
+
+  /// Where a settled cut ends, meets wires or other cuts, by increasing parameter. For the face on
+  /// the other side of the cut, which is to be divided at the same places.
+  std::vector<CutStop> stops(int cut) const;
+
+  /// Tells a settled cut of a border's vertex where it stops on the other side: what is near it
+  /// becomes one vertex with all else near the same one, however far the tolerances of that side's
+  /// edges took them apart. `tidy` once all are told, before the first `divide`.
+  void meet(int cut, const CutStop& stop);
+
+  /// Leaves one of the stops that `meet` made one vertex, with next to nothing between them.
+  void tidy();
+
+  /// Divides a settled cut at a stop of the other side's, unless it has a stop there. All stops of
+  /// one vertex of the other side become one here, however far its edges' tolerances took them.
+  void divide(int cut, const CutStop& stop);
+
+  /// The pieces. When nothing divides the face, no edge is split and nothing imprinted, it is the
+  /// face itself.
+  FaceSplit split(OpenCuts open = OpenCuts::LeaveOut);
+
+ private:
+  // Where arcs meet: a split of a coedge (its ends among them) or, without one, a node inside.
+  // Internal edges are coedges of one more loop.
+  struct Vertex {
+    Vec2 point;
+    int loop = -1, coedge = -1, split = -1;
+    TopoDS_Vertex shape = {};  // of nodes, once an edge needed it
+    double blur = 0;           // how far from the point lies what is this vertex as well
+  };
+  // A cut as it lies over the face, moved by whole periods.
+  struct Strand {
+    int cut = 0;
+    Vec2 shift;
+    PlanarCurve curve;
+    std::vector<TrimRun> runs;
+    std::vector<std::pair<double, int>> stops;  // parameters and vertices
+    std::vector<double> met;                    // parameters of stops on the other side's borders
+  };
+  // An edge of another shape in the chart of the face.
+  struct LaidCurve {
+    Handle(Geom_Curve) curve;
+    Handle(Geom2d_Curve) image;  // in the surface's parameters
+    PlanarCurve chart;           // in chart coordinates
+    double tolerance = 0;        // of the edge here
+  };
+  // What an arc of the arrangement stands for.
+  struct Origin {
+    TopoDS_Edge edge;          // walked along the arc
+    std::vector<CutUse> uses;  // of cuts, along the arc
+    int strand = -1;           // of cuts only
+    int loop = -1;             // of borders and internal edges
+    TopoDS_Edge piece = {};    // of laid edges: what the edge stands for
+  };
+
+  void add_strands();
+  void widen_touch(const Strand& strand, const TrimMeeting& meeting, int vertex);
+  void add_wire_stops(Strand& strand);
+  void add_end_stop(Strand& strand, double end);
+  bool has_stop(const Strand& strand, double at) const;
+  void add_crossings();
+  void finish_stops(Strand& strand);
+  void tidy_stops(Strand& strand, double reach) const;
+  int stop_near(const Strand& strand, double parameter, double reach) const;
+  void tie(int vertex, const TopoDS_Vertex& other);
+  void unite(int kept, int left);
+  void unite_blurred();
+  int vertex_of(const TrimMeeting& meeting, double uncertainty, double obliqueness = 1);
+  double obliqueness(const Strand& strand, const TrimMeeting& meeting) const;
+  int vertex_at_split(int loop, int coedge, int split);
+  int node_near(const Vec2& point);
+  double reach(const Strand& strand) const;
+  const Coedge& coedge(int loop, int index) const;
+  void note(int cut, const std::string& what);
+
+  int inner_loop() const { return static_cast<int>(trims_.loops.size()); }
+  void add_inner_stops(Strand& strand);
+  int inner_vertex(int index, int split);
+  int vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point) const;
+  bool add_inner_arcs();
+  bool add_laid_arcs();
+  void add_laid_arc(const EdgePiece& piece, const SurfaceFeet& feet);
+  void lay_in_pole(const TopoDS_Edge& edge, int loop, int index);
+  LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceFeet& feet) const;
+  TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift) const;
+  bool lies_in_surface(const EdgePiece& piece, const SurfaceFeet& feet) const;
+  bool lies_on_wire(const PlanarCurve& curve) const;
+  std::vector<int> imprints_among(const std::vector<int>& arcs, OpenCuts open) const;
+
+  void add_border_arcs();
+  void add_border_arc(int loop, int index, const EdgePiece& piece);
+  std::vector<CutUse> runs_along(int loop, int index, const EdgePiece& piece) const;
+  bool add_cut_arcs();
+  bool add_cut_arc(const Strand& strand, const std::pair<double, int>& from,
+                   const std::pair<double, int>& to);
+  TopoDS_Edge cut_edge(const Strand& strand, const Interval& at, int from, int to);
+  const TopoDS_Vertex& shape_of(int vertex, const Strand& strand, double parameter);
+
+  void make_edge(int arc);
+  void imprint(std::vector<int> arcs, FacePiece& piece);
+  FaceSplit divided(const ChartPieces& found, OpenCuts open);
+  FaceSplit undivided(const std::vector<int>& imprinted = {});
+  bool adds_up(const ChartPieces& found) const;
+  void add_wire(const Cycle& cycle, FacePiece& piece) const;
+
+  TopoDS_Face given_;
+  FaceTrims trims_;
+  std::vector<FaceCut> cuts_;
+  EdgeSplits& splits_;
+  double tolerance_;
+  const WorkLimit* limit_;
+  std::vector<Vertex> vertices_;                     // the corners of the wires first
+  std::vector<std::pair<TopoDS_Vertex, int>> ties_;  // of the other sides of cuts, and ours
+  std::vector<Strand> strands_;
+  std::vector<TopoDS_Edge> laid_;
+  std::vector<ChartArc> arcs_;
+  std::vector<Origin> origins_;  // one for each arc
+  std::vector<std::string> notes_;
+};
+
+/// One face by itself.
+FaceSplit split_face(const TopoDS_Face& face, const std::vector<FaceCut>& cuts,
+                     double tolerance = 1e-7, OpenCuts open = OpenCuts::LeaveOut);
+
+}  // namespace blossom::occt

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/splitting/trim_sides.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include <BOPTools_AlgoTools3D.hxx>
+#include <BRepCheck_Shell.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Surface.hxx>
+#include <IntTools_Context.hxx>
+#include <Precision.hxx>
+#include <ShapeAnalysis_Surface.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include "adapters/occt/distance.h"
+#include "adapters/occt/errors.h"
+#include "adapters/occt/faces/edge_images.h"
+#include "adapters/occt/faces/face_groups.h"
+#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/solids/solid_rays.h"
+
+namespace blossom::occt {
+namespace {
+
+// Below this cosine between the way into the piece and the tool's normal, a side is not decided.
+constexpr double kLeastCosine = 1e-4;
+// Of cells, for a nearest point. More are needed only where many points are all but equally near,
+// as from about the middle of a sphere.
+constexpr long kMostPairs = 500;
+// Of the distance. When the pairs are spent and its bounds are nearer than this to each other, the
+// point is one of those that are all but equally near, and any of them will do.
+constexpr double kEquallyNear = 1e-3;
+// Places on a cut, as fractions, where the side is looked at.
+constexpr std::array kLooks{0.5, 0.23, 0.77};
+
+gp_Vec oriented_normal(const TopoDS_Face& face, const Vec2& uv) {
+  gp_Pnt point;
+  gp_Vec du, dv;
+  BRep_Tool::Surface(face)->D1(uv[0], uv[1], point, du, dv);
+  const gp_Vec normal = du.Crossed(dv);
+  return face.Orientation() == TopAbs_REVERSED ? normal.Reversed() : normal;
+}
+
+double cosine(const gp_Vec& a, const gp_Vec& b) {
+  const double size = a.Magnitude() * b.Magnitude();
+  return size > 0 ? a.Dot(b) / size : 0;
+}
+
+ToolSide side_from(double cosine) {
+  if (std::abs(cosine) < kLeastCosine) return ToolSide::Unknown;
+  return cosine > 0 ? ToolSide::Above : ToolSide::Below;
+}
+
+// The pieces that hang together over edges that the tool does not cut.
+std::vector<FaceGroup> groups_of(const std::vector<SidedPiece>& pieces, int tool) {
+  TopTools_MapOfShape cut_edges;
+  std::vector<TopoDS_Shape> faces;
+  for (const SidedPiece& piece : pieces) {
+    faces.push_back(piece.piece->face);
+    for (const CutUse& use : piece.piece->cuts)
+      if ((*piece.sources)[static_cast<std::size_t>(use.cut)].tool == tool) cut_edges.Add(use.edge);
+  }
+  return groups_over_edges(faces,
+                           [&](const TopoDS_Shape& edge) { return cut_edges.Contains(edge); });
+}
+
+// What the cuts on a piece's border say, all together.
+struct Votes {
+  bool above = false;
+  bool below = false;
+  ToolSide side() const {
+    return above == below ? ToolSide::Unknown : above ? ToolSide::Above : ToolSide::Below;
+  }
+};
+
+Votes votes_of(const SidedPiece& piece, int tool) {
+  Votes votes;
+  for (const CutUse& use : piece.piece->cuts) {
+    const CutSource& source = (*piece.sources)[static_cast<std::size_t>(use.cut)];
+    if (source.tool != tool || source.tangential) continue;
+    const ToolSide side = side_at_cut(piece, use);
+    votes.above = votes.above || side == ToolSide::Above;
+    votes.below = votes.below || side == ToolSide::Below;
+  }
+  return votes;
+}
+
+ToolSide side_of_solids(const std::vector<TopoDS_Solid>& solids, const gp_Pnt& point) {
+  for (const TopoDS_Solid& solid : solids) {
+    const TopAbs_State state =
+        BRepClass3d_SolidClassifier(solid, point, Precision::Confusion()).State();
+    if (state == TopAbs_IN) return ToolSide::Below;
+    if (state != TopAbs_OUT) return ToolSide::Unknown;
+  }
+  return ToolSide::Above;
+}
+
+std::optional<ShapeDistance> nearest_on(const TopoDS_Face& face, const gp_Pnt& point) {
+  try {
+    return nearest_point(MeasuredShape(face), {point.X(), point.Y(), point.Z()},
+                         {.budget = kMostPairs});
+  } catch (const std::runtime_error&) {
+    return std::nullopt;  // such a face decides nothing
+  }
+}
+
+bool is_settled(const ShapeDistance& found) {
+  return found.status != Status::Stopped || found.upper - found.lower <= kEquallyNear * found.upper;
+}
+
+// Between the way from the nearest point and the face's normal there.
+double cosine_at(const TopoDS_Face& face, const ShapePoint& nearest, const gp_Pnt& point) {
+  const gp_Pnt foot(nearest.point[0], nearest.point[1], nearest.point[2]);
+  Vec2 uv = nearest.uv;
+  if (nearest.on.IsNull() || nearest.on.ShapeType() != TopAbs_FACE) {
+    const gp_Pnt2d on_face =
+        ShapeAnalysis_Surface(BRep_Tool::Surface(face)).ValueOfUV(foot, Precision::Confusion());
+    uv = {on_face.X(), on_face.Y()};
+  }
+  return cosine(gp_Vec(foot, point), oriented_normal(face, uv));
+}
+
+// By the nearest point; where faces are equally near (at their common edge) by the one whose
+// normal is the most decided. Unknown if a face whose distance is not settled may be nearer.
+ToolSide side_of_faces(const std::vector<TopoDS_Face>& faces, const gp_Pnt& point) {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  double least = kEndless, decided = 0, least_open = kEndless;
+  for (const TopoDS_Face& face : faces) {
+    const auto found = nearest_on(face, point);
+    if (found && !is_settled(*found)) least_open = std::min(least_open, found->lower);
+    if (!found || !is_settled(*found) || found->upper > least + Precision::Confusion()) continue;
+    const double side = cosine_at(face, found->b, point);
+    const bool nearer = found->upper < least - Precision::Confusion();
+    if (nearer || std::abs(side) > std::abs(decided)) decided = side;
+    least = std::min(least, found->upper);
+  }
+  return least_open > least + Precision::Confusion() ? side_from(decided) : ToolSide::Unknown;
+}
+
+ToolSide side_by_point(const TopoDS_Face& piece, const TrimTool& tool) {
+  const std::optional<gp_Pnt> point = point_inside(piece);
+  if (!point) return ToolSide::Unknown;
+  return tool.is_solid() ? side_of_solids(tool.solids, *point) : side_of_faces(tool.faces, *point);
+}
+
+}  // namespace
+
+std::optional<gp_Pnt> point_inside(const TopoDS_Face& face) {
+  gp_Pnt point;
+  gp_Pnt2d uv;
+  const Handle(IntTools_Context) context = new IntTools_Context;
+  if (BOPTools_AlgoTools3D::PointInFace(face, point, uv, context) != 0) return std::nullopt;
+  return point;
+}
+
+bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach) {
+  const std::optional<gp_Pnt> point = point_inside(piece);
+  if (!point) return false;
+  const Vec3 p{point->X(), point->Y(), point->Z()};
+  const SurfaceFeet feet(face, Precision::Confusion());
+  const Vec2 uv = feet.foot(p, {});
+  return feet.gap(p, uv) <= reach &&
+         part_side(face_trims(face), {uv[0], uv[0]}, {uv[1], uv[1]}) != PartSide::Outside;
+}
+
+namespace {
+
+// Whether the solid's faces are turned inwards, by the first line that tells. What cannot be
+// converted says so when it is used.
+bool is_inside_out(const TopoDS_Solid& solid) try {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(solid, TopAbs_FACE, map);
+  std::vector<TopoDS_Face> faces;
+  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
+  SolidRays rays(faces, Precision::Confusion());
+  for (const TopoDS_Face& face : faces) {
+    const std::optional<gp_Pnt> point = point_inside(face);
+    if (!point) continue;
+    for (const Vec3& direction : kRayDirections)
+      if (const auto outwards = rays.leaves({point->X(), point->Y(), point->Z()}, direction))
+        return !*outwards;
+  }
+  return false;
+} catch (const std::runtime_error&) {
+  return false;
+}
+
+// Of a closed solid whose faces are turned differently, or inwards, nothing is inside for sure.
+void check_orientation(const TopoDS_Solid& solid) {
+  for (TopExp_Explorer shell(solid, TopAbs_SHELL); shell.More(); shell.Next()) {
+    BRepCheck_Shell check(TopoDS::Shell(shell.Current()));
+    if (check.Orientation() != BRepCheck_NoError)
+      throw BadModel("the faces of a solid are not all turned the same way");
+  }
+  if (is_inside_out(solid)) throw BadModel("a solid is turned inside out");
+}
+
+}  // namespace
+
+TrimTool trim_tool(const TopoDS_Shape& shape) {
+  TrimTool tool;
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i) tool.faces.push_back(TopoDS::Face(faces(i)));
+  TopTools_IndexedMapOfShape bounding;
+  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
+    if (!TopExp_Explorer(it.Current(), TopAbs_FACE).More()) continue;  // bounds nothing
+    TopTools_IndexedDataMapOfShapeListOfShape users;
+    TopExp::MapShapesAndAncestors(it.Current(), TopAbs_EDGE, TopAbs_FACE, users);
+    for (int i = 1; i <= users.Extent(); ++i)
+      if (users(i).Extent() < 2 && !BRep_Tool::Degenerated(TopoDS::Edge(users.FindKey(i))))
+        return tool;  // an open shell
+    check_orientation(TopoDS::Solid(it.Current()));
+    TopExp::MapShapes(it.Current(), TopAbs_FACE, bounding);
+    tool.solids.push_back(TopoDS::Solid(it.Current()));
+  }
+  if (bounding.Extent() != faces.Extent()) tool.solids.clear();
+  return tool;
+}
+
+TrimTool solid_tool(const std::vector<TopoDS_Solid>& solids) {
+  TopTools_IndexedMapOfShape faces;
+  for (const TopoDS_Solid& solid : solids) TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  TrimTool tool;
+  for (int i = 1; i <= faces.Extent(); ++i) tool.faces.push_back(TopoDS::Face(faces(i)));
+  tool.solids = solids;
+  return tool;
+}
+
+ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {
+  const auto index = static_cast<std::size_t>(use.cut);
+  const FaceCut& cut = (*piece.cuts)[index];
+  const CutSource& source = (*piece.sources)[index];
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(piece.piece->face);
+  const double direction = use.at.to > use.at.from ? 1 : -1;
+  Votes votes;
+  for (const double look : kLooks) {
+    const double s = at(use.at, look);
+    const Vec2 uv = point_at(cut.chart, s);
+    const Vec2 along = direction * derivative_at(cut.chart, s);
+    gp_Pnt point;
+    gp_Vec du, dv;
+    surface->D1(uv[0], uv[1], point, du, dv);
+    const gp_Vec inwards = du * -along[1] + dv * along[0];
+    const ToolSide side = side_from(
+        cosine(inwards, oriented_normal(source.tool_face, point_at(source.tool_chart, s))));
+    votes.above = votes.above || side == ToolSide::Above;
+    votes.below = votes.below || side == ToolSide::Below;
+  }
+  return votes.side();
+}
+
+std::vector<ToolSide> sides_of(const std::vector<SidedPiece>& pieces, const TrimTool& tool,
+                               int number, const WorkLimit* limit) {
+  std::vector<ToolSide> sides(pieces.size(), ToolSide::Unknown);
+  for (const FaceGroup& group : groups_of(pieces, number)) {
+    if (limit != nullptr && limit->reached_after_search() != nullptr) break;
+    std::vector<Votes> own;
+    Votes common;
+    for (const std::size_t i : group) {
+      own.push_back(votes_of(pieces[i], number));
+      common.above = common.above || own.back().above;
+      common.below = common.below || own.back().below;
+    }
+    const bool torn = common.above && common.below;
+    const ToolSide side = common.above || common.below
+                              ? common.side()
+                              : side_by_point(pieces[group.front()].piece->face, tool);
+    for (std::size_t k = 0; k < group.size(); ++k) sides[group[k]] = torn ? own[k].side() : side;
+  }
+  return sides;
+}
+
+}  // namespace blossom::occt

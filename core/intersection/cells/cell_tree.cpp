@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/cells/cell_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/intersection/cells/net_ranges.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kMostBlock = 1 << 15;  // doubles per block of the arena
+constexpr double kRoundoff = 0x1p-53;
+constexpr double kDerivativeSlack = 1e-13;  // covers the few roundings of a difference of bounds
+
+Range range_of(const double* values, int count) {
+  Range range{values[0], values[0]};
+  for (int i = 1; i < count; ++i) {
+    range.low = std::min(range.low, values[i]);
+    range.high = std::max(range.high, values[i]);
+  }
+  return range;
+}
+
+// Interval products and quotients, padded for their rounding.
+Range times(const Range& a, const Range& b) {
+  const double p[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
+  return {*std::min_element(p, p + 4), *std::max_element(p, p + 4)};
+}
+
+Range divided(const Range& a, const Range& positive) {
+  return times(a, {1 / positive.high, 1 / positive.low});
+}
+
+Range scaled(const Range& a, double s) { return {a.low * s, a.high * s}; }
+
+}  // namespace
+
+CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin,
+                   CellForm form, double cut, PartTest part)
+    : patch_(patch),
+      shape_{patch.points.rows(), patch.points.columns(), rational ? 4 : 3},
+      rational_(rational),
+      part_(std::move(part)),
+      cut_(cut),
+      origin_scale_(max_norm(origin)) {
+  for (Vec4& p : patch_.points.values())
+    for (int k = 0; k < 3; ++k) p[k] -= p[3] * origin[k];
+
+  Cell root;
+  double* net = allocate(shape_.size());
+  double most_weight = least_weight_ = patch_.points.values().front()[3];
+  for (int i = 0; i < shape_.plane_size(); ++i) {
+    const Vec4& p = patch_.points.values()[static_cast<std::size_t>(i)];
+    least_weight_ = std::min(least_weight_, p[3]);
+    most_weight = std::max(most_weight, p[3]);
+    for (int k = 0; k < shape_.planes; ++k) {
+      net[k * shape_.plane_size() + i] = p[k];
+      net_scale_ = std::max(net_scale_, std::abs(p[k]));
+    }
+  }
+  root.homogeneous = net;
+  weight_spread_ = most_weight / least_weight_;
+
+  double* coefficients = allocate(shape_.size());
+  monomial_from_bezier(shape_, net, coefficients);
+  for (int k = 0; k < shape_.planes; ++k) {
+    double sum = 0;
+    for (int i = 0; i < shape_.plane_size(); ++i)
+      sum += std::abs(coefficients[k * shape_.plane_size() + i]);
+    coefficient_scale_ = std::max(coefficient_scale_, sum);
+  }
+  const int n = shape_.rows - 1, m = shape_.columns - 1;
+  const double monomial_bound =
+      monomial_from_bezier_error(n, m) * net_scale_ +
+      (monomial_halving_error(std::max(n, m), 20) + bezier_from_monomial_error(n, m)) *
+          coefficient_scale_;
+  monomial_ =
+      form == CellForm::Monomial ||
+      (form == CellForm::Auto && monomial_bound < halving_error(std::max(n, m), 20) * net_scale_);
+  if (monomial_) root.coefficients = coefficients;
+  finish(root);
+  cells_.push_back(root);
+}
+
+double* CellTree::allocate(int count) {
+  if (count > free_in_block_) {
+    free_in_block_ = std::max(count, block_);
+    block_ = std::min(2 * block_, kMostBlock);
+    blocks_.push_back(
+        std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(free_in_block_)));
+  }
+  free_in_block_ -= count;
+  return blocks_.back().get() + free_in_block_;
+}
+
+int CellTree::split(int index) {
+  const auto at_index = static_cast<std::size_t>(index);
+  if (cells_[at_index].child >= 0) return cells_[at_index].child;
+  const Cell parent = cells_[at_index];
+  Cell half[2] = {parent, parent};
+  double* nets[2];
+  for (int side = 0; side < 2; ++side) {
+    nets[side] = allocate(shape_.size());
+    half[side].depth = parent.depth + 1;
+    half[side].child = -1;
+  }
+  Interval Cell::*along = parent.split_u ? &Cell::u : &Cell::v;
+  const double middle = at(parent.*along, cut_);
+  (half[0].*along).to = middle;
+  (half[1].*along).from = middle;
+  if (monomial_) {
+    (parent.split_u ? halve_monomial_u : halve_monomial_v)(shape_, parent.coefficients, cut_,
+                                                           nets[0], nets[1]);
+    for (int side = 0; side < 2; ++side) {
+      half[side].coefficients = nets[side];
+      double* net = allocate(shape_.size());
+      bezier_from_monomial(shape_, nets[side], net);
+      half[side].homogeneous = net;
+    }
+  } else {
+    (parent.split_u ? halve_bezier_u : halve_bezier_v)(shape_, parent.homogeneous, cut_, nets[0],
+                                                       nets[1]);
+    for (int side = 0; side < 2; ++side) half[side].homogeneous = nets[side];
+  }
+  const int child = size();
+  cells_[at_index].child = child;
+  for (Cell& cell : half) {
+    finish(cell);
+    cells_.push_back(cell);
+  }
+  return child;
+}
+
+// The error of a coordinate of the hull. Halving takes convex combinations, and positive weights
+// bound |X| by w times the largest point, so in Bezier form the error of X / w is relative to
+// the points in space, however much the weights vary. Monomial coefficients have no such sign.
+double CellTree::rounding_of(const Cell& cell) const {
+  const int n = shape_.rows - 1, m = shape_.columns - 1;
+  const int degree = std::max(n, m);
+  if (!monomial_)
+    return (2 * halving_error(degree, cell.depth) + 8 * kRoundoff) * (hull_scale_ + origin_scale_);
+  const double error =
+      monomial_from_bezier_error(n, m) * net_scale_ +
+      (monomial_halving_error(degree, cell.depth) + bezier_from_monomial_error(n, m)) *
+          coefficient_scale_;
+  return rational_ ? (error / least_weight_) * (1 + hull_scale_) +
+                         8 * kRoundoff * (hull_scale_ + origin_scale_)
+                   : error + 8 * kRoundoff * (hull_scale_ + origin_scale_);
+}
+
+// Everything that follows from the net.
+void CellTree::finish(Cell& cell) {
+  if (part_ && cell.part == PartSide::Mixed) cell.part = part_(cell.u, cell.v);
+  make_hull(cell);
+  if (cell.depth == 0)
+    for (int i = 0; i < 3 * shape_.plane_size(); ++i)
+      hull_scale_ = std::max(hull_scale_, std::abs(cell.hull[i]));
+  cell.margin = rounding_of(cell);
+  for (int k = 0; k < 3; ++k) {
+    const Range range = range_of(cell.hull + k * shape_.plane_size(), shape_.plane_size());
+    cell.low[k] = range.low - cell.margin;
+    cell.high[k] = range.high + cell.margin;
+  }
+  cell.extent = distance(cell.low, cell.high);
+
+  const double* p = cell.hull;
+  const int size = shape_.plane_size(), last = size - 1, columns = shape_.columns;
+  const auto point = [&](int i) { return Vec3{p[i], p[i + size], p[i + 2 * size]}; };
+  const Vec3 across = point(last - columns + 1) - point(columns - 1);
+  cell.plane.normal = unit(cross(across, point(last) - point(0)));
+  const Vec3& normal = cell.plane.normal;
+  cell.plane.low = cell.plane.high = dot(normal, point(0));
+  for (int i = 1; i < size; ++i) {
+    const double height = normal[0] * p[i] + normal[1] * p[i + size] + normal[2] * p[i + 2 * size];
+    cell.plane.low = std::min(cell.plane.low, height);
+    cell.plane.high = std::max(cell.plane.high, height);
+  }
+  // |normal| <= 1 turns the margin of three coordinates into at most sqrt(3) of it.
+  cell.plane.low -= 2 * cell.margin;
+  cell.plane.high += 2 * cell.margin;
+
+  rational_ ? bound_rational_derivatives(cell) : bound_polynomial_derivatives(cell);
+  choose_direction(cell);
+}
+
+void CellTree::make_hull(Cell& cell) {
+  if (!rational_) {
+    cell.hull = cell.homogeneous;
+    return;
+  }
+  const int size = shape_.plane_size();
+  double* hull = allocate(3 * size);
+  const double* weight = cell.homogeneous + 3 * size;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < size; ++i) hull[k * size + i] = cell.homogeneous[k * size + i] / weight[i];
+  cell.hull = hull;
+}
+
+void CellTree::bound_polynomial_derivatives(Cell& cell) const {
+  const int n = shape_.rows - 1, m = shape_.columns - 1;
+  for (int k = 0; k < 3; ++k) {
+    const double* plane = cell.hull + k * shape_.plane_size();
+    const Range du = difference_range_u(plane, shape_.rows, shape_.columns);
+    const Range dv = difference_range_v(plane, shape_.rows, shape_.columns);
+    cell.du.middle[k] = 0.5 * n * (du.low + du.high);
+    cell.du.radius[k] = n * (0.5 * (du.high - du.low) + 2 * cell.margin);
+    cell.dv.middle[k] = 0.5 * m * (dv.low + dv.high);
+    cell.dv.radius[k] = m * (0.5 * (dv.high - dv.low) + 2 * cell.margin);
+  }
+}
+
+// With the origin O moved into the cell, X' = X - w O and S = X / w:
+//   S_u = (X'_u - (S - O) w_u) / w
+// so that the product, the loose term, is of second order in the cell's size.
+void CellTree::bound_rational_derivatives(Cell& cell) const {
+  const int rows = shape_.rows, columns = shape_.columns, size = shape_.plane_size();
+  const double* weight = cell.homogeneous + 3 * size;
+  Range w = range_of(weight, size);
+  const double spread = w.high / w.low;  // errors are relative to the largest weight
+  w = {w.low * (1 - kDerivativeSlack), w.high * (1 + kDerivativeSlack)};
+  const Range wu = scaled(difference_range_u(weight, rows, columns), rows - 1);
+  const Range wv = scaled(difference_range_v(weight, rows, columns), columns - 1);
+  std::array<double, (kMaxDegree + 1) * (kMaxDegree + 1)> moved;
+  for (int k = 0; k < 3; ++k) {
+    const double origin = 0.5 * (cell.low[k] + cell.high[k]);
+    const double* x = cell.homogeneous + k * size;
+    for (int i = 0; i < size; ++i) moved[static_cast<std::size_t>(i)] = x[i] - weight[i] * origin;
+    const Range offset{cell.low[k] - origin, cell.high[k] - origin};
+    const auto bound = [&](const Range& dx, const Range& dw, int degree) {
+      const Range product = times(offset, dw);
+      const Range quotient = divided({dx.low - product.high, dx.high - product.low}, w);
+      const double slack = 4 * degree * spread * cell.margin +
+                           kDerivativeSlack * std::max(std::abs(quotient.low), quotient.high);
+      return Range{quotient.low - slack, quotient.high + slack};
+    };
+    const Range du =
+        bound(scaled(difference_range_u(moved.data(), rows, columns), rows - 1), wu, rows - 1);
+    const Range dv = bound(scaled(difference_range_v(moved.data(), rows, columns), columns - 1), wv,
+                           columns - 1);
+    cell.du.middle[k] = 0.5 * (du.low + du.high);
+    cell.du.radius[k] = 0.5 * (du.high - du.low);
+    cell.dv.middle[k] = 0.5 * (dv.low + dv.high);
+    cell.dv.radius[k] = 0.5 * (dv.high - dv.low);
+  }
+}
+
+// Halve the direction along which the derivatives change most: second differences of the hull.
+// Extent counts a little, so that flat cells are halved across their longer side.
+void CellTree::choose_direction(Cell& cell) const {
+  constexpr double kExtentWeight = 0.05;
+  const int rows = shape_.rows, columns = shape_.columns, size = shape_.plane_size();
+  double along_u = 0, along_v = 0, twist = 0, length_u = 0, length_v = 0;
+  for (int k = 0; k < 3; ++k) {
+    const SecondDifferences largest =
+        largest_second_differences(cell.hull + k * size, rows, columns);
+    cell.second[0][k] = largest.uu;
+    cell.second[1][k] = largest.uv;
+    cell.second[2][k] = largest.vv;
+    along_u = std::max(along_u, largest.uu);
+    along_v = std::max(along_v, largest.vv);
+    twist = std::max(twist, largest.uv);
+    length_u = std::max(length_u, std::abs(cell.du.middle[k]) + cell.du.radius[k]);
+    length_v = std::max(length_v, std::abs(cell.dv.middle[k]) + cell.dv.radius[k]);
+  }
+  const int n = rows - 1, m = columns - 1;
+  along_u *= n * (n - 1);
+  along_v *= m * (m - 1);
+  cell.split_u = along_u + kExtentWeight * length_u >= along_v + kExtentWeight * length_v;
+  cell.bend = along_u + along_v + n * m * twist;
+}
+
+}  // namespace blossom

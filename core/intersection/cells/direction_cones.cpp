@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/cells/direction_cones.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "core/forms/evaluation.h"
+#include "core/subdivision/patch_subdivision.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kPowerSteps = 30;            // of the search for the main direction
+constexpr std::size_t kMostSampled = 128;  // patches, for the axes
+constexpr double kAngleSlack = 1e-12;      // radians, for the roundings of projected directions
+
+Vec3 low_of(const VectorBounds& b) { return b.middle - b.radius; }
+Vec3 high_of(const VectorBounds& b) { return b.middle + b.radius; }
+
+VectorBounds between(const Vec3& low, const Vec3& high) {
+  return {0.5 * (low + high), 0.5 * (high - low)};
+}
+
+// With a largest coordinate of 1 in the middle, so that no cell outweighs its neighbours.
+VectorBounds scaled_to_one(VectorBounds b) {
+  const double largest = max_norm(b.middle);
+  if (largest == 0 || !std::isfinite(1 / largest)) return b;
+  b.middle = b.middle * (1 / largest);
+  b.radius = b.radius * ((1 + 0x1p-50) / largest);
+  return b;
+}
+
+VectorBounds joined(const VectorBounds& a, const VectorBounds& b) {
+  Vec3 low = low_of(a), high = high_of(a);
+  for (int k = 0; k < 3; ++k) {
+    low[k] = std::min(low[k], low_of(b)[k]);
+    high[k] = std::max(high[k], high_of(b)[k]);
+  }
+  VectorBounds result = between(low, high);
+  result.radius = result.radius * (1 + 0x1p-50) + Vec3{0x1p-50, 0x1p-50, 0x1p-50};
+  return result;
+}
+
+struct Plane {
+  Vec3 e1, e2;
+};
+
+// Angles from the projected middle to the ends of the projected directions.
+struct Sector {
+  Vec2 middle;
+  double low = 0;
+  double high = 0;
+};
+
+std::optional<Sector> sector_in(const Plane& plane, const VectorBounds& b) {
+  Sector sector{{dot(plane.e1, b.middle), dot(plane.e2, b.middle)}};
+  const Vec2& m = sector.middle;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3 x = b.middle;
+    for (int k = 0; k < 3; ++k) x[k] += (corner >> k) % 2 == 0 ? b.radius[k] : -b.radius[k];
+    const Vec2 p{dot(plane.e1, x), dot(plane.e2, x)};
+    const double angle = std::atan2(m[0] * p[1] - m[1] * p[0], dot(m, p));
+    sector.low = std::min(sector.low, angle);
+    sector.high = std::max(sector.high, angle);
+  }
+  // A box that holds 0 shows a half-turn or more.
+  if (!(sector.high - sector.low < std::numbers::pi - kAngleSlack)) return std::nullopt;
+  return sector;
+}
+
+// The coordinate axis farthest from a direction.
+Vec3 perpendicular_axis(const Vec3& direction) {
+  int least = 0;
+  for (int k = 1; k < 3; ++k)
+    if (std::abs(direction[k]) < std::abs(direction[least])) least = k;
+  Vec3 axis{};
+  axis[least] = 1;
+  return axis;
+}
+
+bool is_injective_along(const Vec3& normal, const DirectionCones& cones) {
+  const Vec3 e1 = unit(cross(normal, perpendicular_axis(normal)));
+  const Plane plane{e1, cross(normal, e1)};
+  const auto u = sector_in(plane, cones.u), v = sector_in(plane, cones.v);
+  if (!u || !v) return false;
+  const double turn = std::atan2(u->middle[0] * v->middle[1] - u->middle[1] * v->middle[0],
+                                 dot(u->middle, v->middle));
+  if (turn > 0)
+    return turn + v->low - u->high > kAngleSlack &&
+           turn + v->high - u->low < std::numbers::pi - kAngleSlack;
+  return -turn - v->high + u->low > kAngleSlack &&
+         -turn - v->low + u->high < std::numbers::pi - kAngleSlack;
+}
+
+// --- cells
+
+struct Range {
+  double low = 1e300;
+  double high = -1e300;
+  void add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+  double middle() const { return 0.5 * (low + high); }
+  double radius() const { return 0.5 * (high - low); }
+};
+
+struct Range3 {
+  std::array<Range, 3> along;
+  void add(const Vec3& x) {
+    for (std::size_t k = 0; k < 3; ++k) along[k].add(x[static_cast<int>(k)]);
+  }
+};
+
+Vec3 in_axes(const Axes& axes, const Vec3& x) {
+  return {dot(axes[0], x), dot(axes[1], x), dot(axes[2], x)};
+}
+
+// Bounds of numerator - quotient * turn, the derivative of a quotient up to positive factors.
+VectorBounds derivative_direction(const Range3& numerator, const Range3& quotient,
+                                  const Range& turn, double slack) {
+  VectorBounds result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Range &n = numerator.along[k], &q = quotient.along[k];
+    const int axis = static_cast<int>(k);
+    result.middle[axis] = n.middle() - q.middle() * turn.middle();
+    result.radius[axis] = n.radius() + std::abs(q.middle()) * turn.radius() +
+                          q.radius() * (std::abs(turn.middle()) + turn.radius()) + slack;
+  }
+  return result;
+}
+
+RationalBezierPatch differences(const RationalBezierPatch& patch, bool by_u) {
+  const Grid<Vec4>& p = patch.points;
+  Grid<Vec4> steps(p.rows() - (by_u ? 1 : 0), p.columns() - (by_u ? 0 : 1));
+  for (int i = 0; i < steps.rows(); ++i)
+    for (int j = 0; j < steps.columns(); ++j)
+      steps(i, j) = (by_u ? p(i + 1, j) : p(i, j + 1)) - p(i, j);
+  return {steps};
+}
+
+RationalBezierPatch part(const RationalBezierPatch& patch, const Interval& u, const Interval& v) {
+  const bool whole = u.from == 0 && u.to == 1 && v.from == 0 && v.to == 1;
+  return whole ? patch : sub_patch(patch, u, v);
+}
+
+// S - O over a piece of a patch, O one of its points.
+struct Offsets {
+  Vec3 origin;
+  Range3 range;
+};
+
+Offsets offsets_of(const RationalBezierPatch& piece, const Axes& axes) {
+  Offsets offsets;
+  const auto points = piece.points.values();
+  offsets.origin = projected(points[points.size() / 2]);
+  for (const Vec4& p : points) offsets.range.add(in_axes(axes, projected(p) - offsets.origin));
+  return offsets;
+}
+
+// w S_u or w S_v without the degree: X_u - O w_u - (S - O) w_u. Without weights O and S do not
+// matter.
+VectorBounds direction(const RationalBezierPatch& slope, const Offsets& offsets, double scale,
+                       const Axes& axes) {
+  Range3 steps;
+  Range turn;
+  for (const Vec4& p : slope.points.values()) {
+    steps.add(in_axes(axes, Vec3{p[0], p[1], p[2]} - offsets.origin * p[3]));
+    turn.add(p[3]);
+  }
+  const int degree = std::max(slope.degree_u(), slope.degree_v()) + 1;
+  const double slack = 8 * subdivision_error(degree) * scale * (1 + scale);
+  return derivative_direction(steps, offsets.range, turn, slack);
+}
+
+// --- poles
+
+// A cell's homogeneous points seen from its pole: row r of them is r steps from the pole, which is
+// row 0; along each row runs the other parameter.
+class PoleNet {
+ public:
+  PoleNet(const CellTree& tree, const Cell& cell, PoleSide side, const Vec3& pole)
+      : cell_(cell), shape_(tree.shape()), side_(side), pole_(pole) {}
+
+  bool across_u() const { return side_ == PoleSide::LowU || side_ == PoleSide::HighU; }
+  int degree() const { return (across_u() ? shape_.rows : shape_.columns) - 1; }
+  int along() const { return across_u() ? shape_.columns : shape_.rows; }
+
+  double weight(int row, int i) const { return shape_.planes == 4 ? value(3, row, i) : 1; }
+
+  // w (S - P), divided by the distance to the pole: degree - 1 in that direction.
+  Vec3 from_pole(int row, int i) const {
+    const double w = weight(row, i);
+    Vec3 x;
+    for (int k = 0; k < 3; ++k) x[k] = value(k, row, i) - w * pole_[k];
+    return x * (static_cast<double>(degree()) / row);
+  }
+
+ private:
+  double value(int plane, int row, int i) const {
+    const bool low = side_ == PoleSide::LowU || side_ == PoleSide::LowV;
+    const int r = low ? row : degree() - row;
+    const int at = across_u() ? r * shape_.columns + i : i * shape_.columns + r;
+    return cell_.homogeneous[plane * shape_.plane_size() + at];
+  }
+
+  const Cell& cell_;
+  NetShape shape_;
+  PoleSide side_;
+  Vec3 pole_;
+};
+
+// Bounds of w T_u = (w T)_u - T w_u along the pole, without the degree.
+VectorBounds along_pole(const PoleNet& net, double margin, const Axes& axes) {
+  Range3 steps, quotient;
+  Range weight, turn;
+  for (int r = 0; r <= net.degree(); ++r)
+    for (int i = 0; i < net.along(); ++i) {
+      const double w = net.weight(r, i);
+      weight.add(w);
+      if (i > 0) turn.add(w - net.weight(r, i - 1));
+    }
+  for (int r = 1; r <= net.degree(); ++r)
+    for (int i = 0; i < net.along(); ++i) {
+      const Vec3 x = in_axes(axes, net.from_pole(r, i));
+      quotient.add(x * (1 / weight.low));
+      quotient.add(x * (1 / weight.high));
+      if (i > 0) steps.add(x - in_axes(axes, net.from_pole(r, i - 1)));
+    }
+  const double slack = 8 * net.degree() * (weight.high / weight.low) * weight.high * margin;
+  return derivative_direction(steps, quotient, turn, slack);
+}
+
+// Adds x x^T.
+void add_square(Grid<double>& sum, const Vec3& x) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) sum(i, j) += x[i] * x[j];
+}
+
+// The direction of the largest eigenvalue, by powers; any will do if there are several.
+Vec3 main_direction(const Grid<double>& square) {
+  Vec3 x = unit(Vec3{1, 0.7320508, 0.4142136});
+  for (int step = 0; step < kPowerSteps; ++step) {
+    Vec3 y;
+    for (int i = 0; i < 3; ++i)
+      y[i] = square(i, 0) * x[0] + square(i, 1) * x[1] + square(i, 2) * x[2];
+    if (!(norm(y) > 0)) return {0, 0, 1};
+    x = unit(y);
+  }
+  return x;
+}
+
+}  // namespace
+
+Axes axes_of(const BezierSurface& surface) {
+  Grid<double> square(3, 3);
+  const auto patches = surface.patches.values();
+  const std::size_t step = patches.size() / kMostSampled + 1;
+  for (std::size_t p = 0; p < patches.size(); p += step) {
+    const PatchJet middle = jet_at(patches[p], 0.5, 0.5, 1);
+    for (int i = 0; i < 4; ++i) {
+      const PatchJet corner = jet_at(patches[p], i % 2, i / 2, 1);
+      add_square(square, corner.u - middle.u);
+      add_square(square, corner.v - middle.v);
+    }
+  }
+  const Vec3 third = main_direction(square);
+  const Vec3 first = unit(cross(third, perpendicular_axis(third)));
+  return {first, cross(third, first), third};
+}
+
+SlopeNets slope_nets(const RationalBezierPatch& patch, bool rational) {
+  SlopeNets nets{patch, differences(patch, true), differences(patch, false), rational};
+  for (const Vec4& p : patch.points.values())
+    nets.scale = std::max({nets.scale, max_norm(p), max_norm(projected(p))});
+  return nets;
+}
+
+DirectionCones cones_of(const SlopeNets& nets, const Interval& u, const Interval& v,
+                        const Axes& axes) {
+  Offsets offsets{{}, {}};
+  if (nets.rational)
+    offsets = offsets_of(part(nets.points, u, v), axes);
+  else
+    offsets.range.add({});
+  return {scaled_to_one(direction(part(nets.u, u, v), offsets, nets.scale, axes)),
+          scaled_to_one(direction(part(nets.v, u, v), offsets, nets.scale, axes))};
+}
+
+DirectionCones cones_at_pole(const SlopeNets& nets, const CellTree& tree, const Cell& cell,
+                             PoleSide side, const Vec3& pole, const Axes& axes) {
+  DirectionCones cones = cones_of(nets, cell.u, cell.v, axes);
+  const PoleNet net(tree, cell, side, pole);
+  (net.across_u() ? cones.v : cones.u) = scaled_to_one(along_pole(net, cell.margin, axes));
+  return cones;
+}
+
+DirectionCones joined(const DirectionCones& a, const DirectionCones& b) {
+  return {joined(a.u, b.u), joined(a.v, b.v)};
+}
+
+bool is_injective(const DirectionCones& cones) {
+  const Vec3 mean = unit(cross(cones.u.middle, cones.v.middle));
+  // The axes as well: along the third, surfaces of heights are injective however steep.
+  for (const Vec3& normal : {mean, Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{1, 0, 0}})
+    if (normal != Vec3{} && is_injective_along(normal, cones)) return true;
+  return false;
+}
+
+bool meet_in_pole_only(const CellTree& tree_a, const Cell& a, PoleSide side_a,
+                       const CellTree& tree_b, const Cell& b, PoleSide side_b, const Vec3& pole) {
+  const auto vectors = [&](const CellTree& tree, const Cell& cell, PoleSide side) {
+    const PoleNet net(tree, cell, side, pole);
+    std::vector<Vec3> all;
+    for (int r = 1; r <= net.degree(); ++r)
+      for (int i = 0; i < net.along(); ++i)
+        all.push_back(net.from_pole(r, i) * (1 / net.weight(r, i)));
+    return all;
+  };
+  const auto mean = [](const std::vector<Vec3>& all) {
+    Vec3 sum;
+    for (const Vec3& x : all) sum = sum + unit(x);
+    return unit(sum);
+  };
+  const auto from_a = vectors(tree_a, a, side_a), from_b = vectors(tree_b, b, side_b);
+  const Vec3 normal = unit(mean(from_a) - mean(from_b));
+  const double slack = 8 * kMaxDegree * std::max(a.margin, b.margin);
+  return std::all_of(from_a.begin(), from_a.end(),
+                     [&](const Vec3& x) { return dot(normal, x) > slack; }) &&
+         std::all_of(from_b.begin(), from_b.end(),
+                     [&](const Vec3& x) { return dot(normal, x) < -slack; });
+}
+
+}  // namespace blossom

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The cells of a whole surface.
+
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/bounds/box_tree.h"
+#include "core/forms/surface.h"
+#include "core/intersection/cells/cell_tree.h"
+#include "core/intersection/options.h"
+#include "core/math/interval.h"
+
+namespace blossom {
+
+/// A surface as cell trees of its patches, made when first asked for.
+class SurfaceCells {
+ public:
+  /// part   what counts of the surface; empty: everything
+  SurfaceCells(const BezierSurface& surface, const Vec3& origin, CellForm form, double cut,
+               PartTest part = {});
+
+  CellTree& tree(int patch);
+
+  int patches() const { return static_cast<int>(trees_.size()); }
+  const BezierSurface& surface() const { return surface_; }
+  int span_u(int patch) const { return patch / surface_.patches.columns(); }
+  int span_v(int patch) const { return patch % surface_.patches.columns(); }
+  Interval knots_u(int patch) const;
+  Interval knots_v(int patch) const;
+
+  /// True if a point of a patch, in its own [0, 1]^2, lies outside of what counts of the surface.
+  bool outside(int patch, double u, double v) const;
+
+  /// True if a rectangle of it lies inside of what counts, as far as the caller's test knows.
+  bool inside(int patch, const Interval& u, const Interval& v) const;
+
+  /// Cells made so far, and their control points in memory.
+  long cells() const;
+  long stored_points() const;
+  bool monomial() const;
+
+ private:
+  PartSide part_of(int patch, const Interval& u, const Interval& v) const;
+
+  const BezierSurface& surface_;
+  Vec3 origin_;
+  CellForm form_;
+  double cut_;
+  PartTest part_;
+  std::vector<std::unique_ptr<CellTree>> trees_;
+};
+
+/// Box of all control points, as they are.
+Box hull_box(const BezierSurface& surface);
+
+/// Pairs of patches of two different surfaces whose boxes of control points, with rounding, meet.
+/// Their cell trees are made, by all threads.
+std::vector<std::array<int, 2>> meeting_patches(SurfaceCells& a, SurfaceCells& b);
+
+}  // namespace blossom

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Pairs of pieces that stay within tolerance of each other, as runs, points of contact, and cusps.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "core/intersection/contacts/contact_length.h"
+#include "core/intersection/curves/curve_assembly.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kSamples = 33;
+constexpr double kReachStep = 0.125;  // of a run
+constexpr int kSections = 50;         // golden ones, of a part of a run
+
+}  // namespace
+
+// Pieces that follow each other on both curves, as runs.
+void CurveAssembly::add_contacts(std::vector<CurveContact> contacts) {
+  std::sort(contacts.begin(), contacts.end(),
+            [](const CurveContact& x, const CurveContact& y) { return x.a.from < y.a.from; });
+  std::vector<std::size_t> root(contacts.size());
+  std::iota(root.begin(), root.end(), 0U);
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  std::vector<std::size_t> active;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::erase_if(active, [&](std::size_t k) { return contacts[k].a.to < contacts[i].a.from; });
+    for (const std::size_t k : active)
+      if (overlap(contacts[k].b, contacts[i].b)) root[find(i)] = find(k);
+    active.push_back(i);
+  }
+  std::vector<CurveContact> runs(contacts.size());
+  std::vector<bool> used(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const std::size_t r = find(i);
+    CurveContact& run = runs[r];
+    if (!used[r]) {
+      run = contacts[i];
+      used[r] = true;
+      continue;
+    }
+    run.a = {std::min(run.a.from, contacts[i].a.from), std::max(run.a.to, contacts[i].a.to)};
+    run.b = {std::min(run.b.from, contacts[i].b.from), std::max(run.b.to, contacts[i].b.to)};
+    run.neighbours = run.neighbours || contacts[i].neighbours;
+  }
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (used[r]) runs[r].neighbours ? add_cusp(runs[r]) : add_run(runs[r]);
+}
+
+// The ends of a run: where one of the curves ends, its foot on the other. A cell of b may reach to
+// an end that is far from a.
+CurveOverlap CurveAssembly::trimmed(const CurveContact& run) const {
+  CurveOverlap result{run.a, run.reversed ? Interval{run.b.to, run.b.from} : run.b, 0, false};
+  const Interval on_a = a_.curve().domain(), on_b = b_.curve().domain();
+  const auto settle = [&](double& at_a, double& at_b) {
+    if ((at_b == on_b.from || at_b == on_b.to) && at_a != on_a.from && at_a != on_a.to) {
+      const Vec3 end = b_.jet(b_.place(at_b)).point;
+      const SpanPoint foot = foot_along(a_, end, at_a);
+      if (distance(a_.jet(foot).point, end) <= 2 * tolerance_) {
+        at_a = a_.parameter(foot);
+        return;
+      }
+    }
+    at_b = b_.parameter(foot_along(b_, a_.jet(a_.place(at_a)).point, at_b));
+  };
+  settle(result.a.from, result.b.from);
+  settle(result.a.to, result.b.to);
+  return result;
+}
+
+// Feet along a run from its start, 0, to its end, 1, and beyond.
+CurveFoot CurveAssembly::foot_of(const CurveOverlap& run, double part) const {
+  CurveFoot foot;
+  foot.a = a_.place(at(run.a, part));
+  foot.jet_a = a_.jet(foot.a);
+  foot.b = foot_along(b_, foot.jet_a.point, at(run.b, part));
+  foot.jet_b = b_.jet(foot.b);
+  return foot;
+}
+
+// How far the curves stay within tolerance beyond the ends of a run, as parts of it: what was found
+// to be a crossing or proven apart there belongs to the contact all the same.
+Interval CurveAssembly::reach_of(const CurveOverlap& run) const {
+  const Interval domain = a_.curve().domain();
+  const auto reached = [&](double end, double step) {
+    for (;; step *= 1.5) {
+      const double parameter = at(run.a, end + step);
+      if (!(parameter >= domain.from && parameter <= domain.to)) return end;
+      if (norm(foot_of(run, end + step).gap()) > tolerance_) return end;
+      end += step;
+    }
+  };
+  return {reached(0, -kReachStep), reached(1, kReachStep)};
+}
+
+// The curves are one along most of a contact, or side by side.
+bool CurveAssembly::is_common(const CurveOverlap& run) const {
+  const Interval reach = reach_of(run);
+  std::array<double, kSamples> gaps{};
+  for (std::size_t i = 0; i < kSamples; ++i)
+    gaps[i] = norm(foot_of(run, at(reach, static_cast<double>(i) / (kSamples - 1))).gap());
+  return is_common_run(gaps, tolerance_, margin_);
+}
+
+// Where the curves are nearest to each other along a run, near a sample of it.
+CurveAssembly::Candidate CurveAssembly::nearest_in(const CurveOverlap& run, double sample) const {
+  constexpr double kGolden = 0.6180339887498949, kStep = 1.0 / (kSamples - 1);
+  const auto gap_at = [&](double part) { return norm(foot_of(run, part).gap()); };
+  double low = std::max(0.0, sample - kStep), high = std::min(1.0, sample + kStep);
+  double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+  double at_left = gap_at(left), at_right = gap_at(right);
+  // Where both gaps are roundings, so is all between.
+  for (int k = 0; k < kSections && std::max(at_left, at_right) > margin_; ++k) {
+    if (at_left < at_right) {
+      high = std::exchange(right, left);
+      at_right = at_left;
+      at_left = gap_at(left = high - kGolden * (high - low));
+    } else {
+      low = std::exchange(left, right);
+      at_left = at_right;
+      at_right = gap_at(right = low + kGolden * (high - low));
+    }
+  }
+  return candidate(foot_of(run, 0.5 * (left + right)));
+}
+
+void CurveAssembly::add_run(const CurveContact& contact) {
+  CurveOverlap run = trimmed(contact);
+  double run_length = 0, best = 0, least = std::numeric_limits<double>::infinity();
+  Vec3 last = a_.jet(a_.place(run.a.from)).point;
+  for (int i = 0; i < kSamples; ++i) {
+    const double part = static_cast<double>(i) / (kSamples - 1);
+    const CurveFoot foot = foot_of(run, part);
+    const double gap = norm(foot.gap());
+    if (gap < least) best = part;
+    least = std::min(least, gap);
+    run_length += distance(last, foot.jet_a.point);
+    last = foot.jet_a.point;
+    run.gap_high = std::max(run.gap_high, gap + margin_);
+  }
+  // Pieces of one line that follow each other keep to one strip, but meet in an end at most.
+  const bool strays = run.gap_high > 2 * (tolerance_ + margin_);
+  if (!strays && run_length > touch_length_ && is_common(run)) {
+    overlaps_.push_back(run);
+    std::erase_if(points_, [&](const Candidate& point) { return on_overlap(point); });
+    return;
+  }
+  Candidate touch = nearest_in(run, best);
+  if (itself_ && a_.stays_near(touch.at_a, touch.at_b, tolerance_)) return add_cusp(contact);
+  if (touch.gap.low > tolerance_ || on_overlap(touch) || beside_overlap(touch)) return;
+  touch.touch = true;
+  if (!strays) {
+    touch.half_length = 0.5 * run_length;
+    touch.box_a = run.a;
+    touch.box_b = increasing(run.b);
+  }
+  const Vec3 first = foot_of(run, 0).gap(), final = foot_of(run, 1).gap();
+  touch.crosses = a_.dimension() == 2 && dot(first, final) < 0;
+  for (Candidate& known : points_) {
+    if (!same(known, touch) && !are_one(known, touch.at_a, touch.at_b)) continue;
+    // A proven point says nothing about the rest of a run that goes on beyond it.
+    const bool all = a_.stays_near(known.at_a, run.a.from, tolerance_) &&
+                     a_.stays_near(known.at_a, run.a.to, tolerance_);
+    if (known.proven && !all) places_.push_back(place_of(touch));
+    if (!known.proven && touch.gap.high < known.gap.high) known = touch;
+    return;
+  }
+  points_.push_back(touch);
+}
+
+void CurveAssembly::add_cusp(const CurveContact& run) {
+  const double parameter = 0.5 * (std::max(run.a.from, run.b.from) + std::min(run.a.to, run.b.to));
+  const Vec3 point = a_.jet(a_.place(parameter)).point;
+  CurvePlace place{PlaceKind::Cusp, point, point, 0, 0, run.a, run.b};
+  for (const Interval& side : {run.a, run.b})
+    for (int i = 0; i < kSamples; ++i) {
+      const double part = static_cast<double>(i) / (kSamples - 1);
+      const Vec3 p = a_.jet(a_.place(at(side, part))).point;
+      for (int k = 0; k < a_.dimension(); ++k) {
+        place.box_low[k] = std::min(place.box_low[k], p[k] - tolerance_);
+        place.box_high[k] = std::max(place.box_high[k], p[k] + tolerance_);
+      }
+    }
+  place.gap_high = 2 * tolerance_;
+  places_.push_back(place);
+}
+
+}  // namespace blossom

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/queries/elementary_rays.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/ray_casting.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kTolerance = 1e-7;
+
+std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(it.Current()));
+  return faces;
+}
+
+// All kinds of faces, whole and in parts, with seams, poles and holes.
+std::vector<TopoDS_Face> all_kinds() {
+  const gp_Ax2 axes(gp_Pnt(0.3, -0.2, 0.1), gp_Dir(1, 2, 3));
+  std::vector<TopoDS_Face> all;
+  for (const TopoDS_Shape& shape :
+       {BRepPrimAPI_MakeBox(1, 2, 3).Shape(), BRepPrimAPI_MakeCylinder(axes, 1, 2).Shape(),
+        BRepPrimAPI_MakeCylinder(axes, 1, 2, 4).Shape(), BRepPrimAPI_MakeSphere(axes, 1.5).Shape(),
+        BRepPrimAPI_MakeSphere(axes, 1.5, -0.5, 1, 5).Shape(),
+        BRepPrimAPI_MakeTorus(axes, 2, 0.5).Shape(),
+        BRepPrimAPI_MakeTorus(axes, 2, 0.5, 2.0).Shape(),
+        BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, -1), gp_Pnt(2, 2, 1)).Shape(),
+                        BRepPrimAPI_MakeCylinder(1, 1).Shape())
+            .Shape()})
+    for (const TopoDS_Face& face : faces_of(shape)) {
+      all.push_back(face);
+      all.push_back(TopoDS::Face(face.Reversed()));
+    }
+  return all;
+}
+
+TEST(ElementaryRays, AgreeWithTheSearchForAllHits) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-3, 3), direction(-1, 1);
+  int asked = 0, answered = 0, met = 0;
+  for (const TopoDS_Face& face : all_kinds()) {
+    const auto quick = ElementaryFace::of(face, kTolerance);
+    if (!quick) continue;
+    const ShapeRays slow(std::vector{face}, kTolerance);
+    for (int i = 0; i < 100; ++i) {
+      const Ray ray{{place(random), place(random), place(random)},
+                    {direction(random), direction(random), direction(random)},
+                    i % 2 == 0 ? 0 : -std::numeric_limits<double>::infinity()};
+      ++asked;
+      auto hits = quick->hits(ray);
+      if (!hits) continue;
+      ++answered;
+      std::ranges::sort(*hits, {}, &ElementaryFace::Hit::parameter);
+      const std::vector<ShapeHit> expected = slow.all_hits(ray);
+      ASSERT_EQ(hits->size(), expected.size());
+      for (std::size_t k = 0; k < expected.size(); ++k, ++met) {
+        EXPECT_NEAR((*hits)[k].parameter, expected[k].hit.parameter, 1e-9);
+        EXPECT_LE(norm((*hits)[k].normal - expected[k].hit.normal), 1e-8);
+      }
+    }
+  }
+  EXPECT_GE(answered, 0.98 * asked);
+  EXPECT_GE(met, 0.05 * asked);
+}
+
+TEST(ElementaryRays, SayNothingNearWiresAndWhereTheyAreTangent) {
+  const auto top = [](const TopoDS_Shape& shape, int number) {
+    return ElementaryFace::of(faces_of(shape)[static_cast<std::size_t>(number)], kTolerance);
+  };
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(1, 2).Shape();
+  const auto side = top(cylinder, 0), disc = top(cylinder, 1);
+  EXPECT_EQ(disc->hits({{1 - 1e-8, 0, 9}, {0, 0, -1}}), std::nullopt);
+  EXPECT_EQ(disc->hits({{1 + 1e-8, 0, 9}, {0, 0, -1}}), std::nullopt);
+  EXPECT_EQ(disc->hits({{1 - 1e-6, 0, 9}, {0, 0, -1}})->size(), 1U);
+  EXPECT_EQ(disc->hits({{1 + 1e-6, 0, 9}, {0, 0, -1}})->size(), 0U);
+  EXPECT_EQ(side->hits({{9, 0, 1}, {-1, 0, 0}}), std::nullopt);  // through the seam
+  for (const double y : {1e-8, -1e-8}) EXPECT_EQ(side->hits({{9, y, 1}, {-1, 0, 0}}), std::nullopt);
+  EXPECT_EQ(side->hits({{9, 1e-5, 1}, {-1, 0, 0}})->size(), 2U);
+  for (const double y : {1 - 1e-9, 1.0, 1 + 1e-9})
+    EXPECT_EQ(side->hits({{9, y, 1}, {-1, 0, 0.01}}), std::nullopt);
+  EXPECT_EQ(side->hits({{9, 1.01, 1}, {-1, 0, 0.01}})->size(), 0U);
+  EXPECT_EQ(side->hits({{0.5, 0, 1}, {0, 0, 1}}), std::nullopt);  // parallel to the axis
+  EXPECT_EQ(disc->hits({{5, 0, 2}, {-1, 0, 1e-4}}), std::nullopt);
+  const auto ball = top(BRepPrimAPI_MakeSphere(1).Shape(), 0);
+  EXPECT_EQ(ball->hits({{0, 0, 9}, {0, 0, -1}}), std::nullopt);  // through the poles
+  const auto ring = top(BRepPrimAPI_MakeTorus(2, 0.5).Shape(), 0);
+  EXPECT_EQ(ring->hits({{2.3, -9, 0.1}, {0, 1, 0}})->size(), 2U);
+  EXPECT_EQ(ring->hits({{2.5, -9, 0}, {0, 1, 0}}), std::nullopt);
+  EXPECT_EQ(ring->hits({{0.1, -9, 0.1}, {0, 1, 0}})->size(), 4U);
+}
+
+TEST(ElementaryRays, AreForPlanesCylindersSpheresAndToriAlone) {
+  for (const TopoDS_Face& face : faces_of(BRepPrimAPI_MakeCone(1, 2, 3).Shape()))
+    EXPECT_EQ(ElementaryFace::of(face, kTolerance) == nullptr,
+              BRep_Tool::Surface(face)->IsKind(STANDARD_TYPE(Geom_ConicalSurface)));
+  EXPECT_EQ(ElementaryFace::of(faces_of(BRepPrimAPI_MakeTorus(1, 1).Shape())[0], kTolerance)
+                ->hits({{5, 5, 5}, {-1, -1.1, -0.9}}),
+            std::nullopt);
+}
+
+}  // namespace
+}  // namespace blossom::occt

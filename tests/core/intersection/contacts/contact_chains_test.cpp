@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/contacts/contact_chains.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/surface_intersection.h"
+#include "tests/core/tracing/surface_pairs.h"
+#include "tests/support/components.h"
+#include "tests/support/surface_changes.h"
+
+namespace blossom {
+namespace {
+
+// About the axis z.
+BezierSurface turned(const BezierSurface& surface, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  testing::Motion turn;
+  turn.rotation = {Vec3{c, -s, 0}, Vec3{s, c, 0}, Vec3{0, 0, 1}};
+  return moved(surface, turn);
+}
+
+// A torus touches the cylinder round it along its outer equator. Each surface's parameters jump at
+// its seam, so the circle is cut there: its images stay on the surfaces.
+TEST(ContactChains, EndWhereTheSeamOfASurfaceIs) {
+  const double pi = std::numbers::pi;
+  const BezierSurface a = testing::revolved(testing::circle(1, 0.4, -1, 2 * pi - 1, 4),
+                                            {-1, pi / 2 - 1, pi - 1, 1.5 * pi - 1, 2 * pi - 1},
+                                            ParameterLaw::Angle, 2 * pi, 4);
+  const BezierSurface b = turned(testing::cylinder(1.4, -1, 1), 1);
+
+  const SurfaceIntersection found = intersect(a, b);
+
+  EXPECT_EQ(found.status, Status::Tolerance);
+  ASSERT_FALSE(found.curves.empty());
+  double length = 0;
+  for (const IntersectionCurve& curve : found.curves) {
+    EXPECT_TRUE(curve.tangential);
+    EXPECT_FALSE(curve.closed);
+    EXPECT_LE(std::max({curve.deviation.a, curve.deviation.b, curve.deviation.between}), 1e-6);
+    length += curve.length;
+  }
+  EXPECT_NEAR(length, 2 * pi * 1.4, 1e-6);
+}
+
+// Four flat faces over the unit squares round the origin, at the height |x| - 0.8 |y|.
+BezierSurface kinked() {
+  BezierSurface surface{{-1, 0, 1}, {-1, 0, 1}};
+  surface.patches = Grid<RationalBezierPatch>(2, 2, {Grid<Vec4>(2, 2)});
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const double x = surface.u_knots[static_cast<std::size_t>((i + 1) / 2)];
+      const double y = surface.v_knots[static_cast<std::size_t>((j + 1) / 2)];
+      surface.patches(i / 2, j / 2).points(i % 2, j % 2) = {x, y, std::abs(x) - 0.8 * std::abs(y),
+                                                            1};
+    }
+  return surface;
+}
+
+// A plane through their corner meets all of them.
+TEST(ContactChains, MeetWhereFourKinkedPatchesHaveACorner) {
+  BezierSurface plane{{0, 1}, {0, 1}};
+  plane.patches = Grid<RationalBezierPatch>(1, 1, {Grid<Vec4>(2, 2)});
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      plane.patches(0, 0).points(i, j) = {4.0 * i - 2, 4.0 * j - 2, 0.2 * i - 0.1, 1};
+  testing::Random random = testing::seeded(0);
+  for (int row = 0; row < 20; ++row) {
+    const testing::Motion motion = testing::random_motion(random);
+    const BezierSurface a = moved(kinked(), motion), b = moved(turned(plane, row), motion);
+
+    for (const SurfaceIntersection& found : {intersect(a, b), intersect(b, a)}) {
+      EXPECT_EQ(found.status, Status::Tolerance);
+      EXPECT_EQ(testing::components(found), (testing::Components{.open = 4, .nodes = 1}));
+      ASSERT_EQ(found.places.size(), 1u);
+      EXPECT_EQ(found.places[0].kind, PlaceKind::Node);
+      EXPECT_LE(distance(found.nodes[0].point, motion.shift), 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace blossom
