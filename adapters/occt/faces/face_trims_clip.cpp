@@ -146,9 +146,10 @@ std::optional<double> at_corner(const FaceTrims& trims, const PlanarCurve& curve
   const Coedge &of_a = coedge_of(trims, a), &of_b = coedge_of(trims, b);
   if (a.loop != b.loop) return {};
   const auto passed = [&](int corner) -> std::optional<double> {
-    const PlanarFoot foot = nearest(curve, trims.corners[static_cast<std::size_t>(corner)]);
-    if (foot.distance > tolerance || foot.parameter < a.at || foot.parameter > b.at) return {};
-    return foot.parameter;
+    const Vec2& point = trims.corners[static_cast<std::size_t>(corner)];
+    const double at = std::clamp(nearest(curve, point).parameter, a.at, b.at);
+    if (distance(point_at(curve, at), point) > tolerance) return {};
+    return at;
   };
   std::optional<double> at;
   if (of_a.to == of_b.from) at = passed(of_a.to);

@@ -395,6 +395,24 @@ TEST(LeastDistance, MakesOnlyPartsThatMatter) {
   EXPECT_EQ(made_b, std::vector<int>{0});
 }
 
+TEST(ProvenToCross, IsNothingThatIsApproximated) {
+  RationalBezierPatch floor{Grid<Vec4>(2, 2)}, wall{Grid<Vec4>(2, 2)};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      floor.points(i, j) = {double(i), double(j), 0, 1};
+      wall.points(i, j) = {0.3, double(i), j - 0.4, 1};
+    }
+  BezierSurface exact = one_patch(wall), fitted = exact;
+  fitted.error = 1e-3;
+  const PreparedSet ground(MeasuredSet{{}, {}, {one_patch(floor)}});
+  const auto crosses = [&](const BezierSurface& other) {
+    return proven_to_cross(ground, 0, PreparedSet(MeasuredSet{{}, {}, {other}}), 0, {0.3, 0.5, 0},
+                           1e-6);
+  };
+  EXPECT_TRUE(crosses(exact));
+  EXPECT_FALSE(crosses(fitted));
+}
+
 TEST(LeastDistance, RefusesWhatIsNotThere) {
   const MeasuredSet point = measured(Vec3{0, 0, 0});
   EXPECT_THROW(least_distance({}, point), InvalidInput);

@@ -78,6 +78,25 @@ TEST(ClipToTrims, PeriodsOfTheSurfaceAreTakenOff) {
   expect_intervals(clip_to_trims(band, line({2 * kPi, 1}, {2 * kPi + 4, 1})), {{0.25, 0.75}});
 }
 
+// Between arc and diameter of a half disc, within tolerance of its corner: one meeting there,
+// however the curve runs.
+TEST(ClippedCurve, HasOneMeetingInTheCornerOfTwoEdgesThatItTouches) {
+  const gp_Circ circle(gp_Ax2(), 1);
+  const TopoDS_Wire wire =
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Pnt(-1, 0, 0), gp_Pnt(1, 0, 0)),
+                              BRepBuilderAPI_MakeEdge(circle, 0, kPi));
+  const FaceTrims trims = face_trims(BRepBuilderAPI_MakeFace(gp_Pln(), wire).Face());
+  const Vec2 below{1 - 1e-8 + 1e-5, -0.1}, above{1 - 1e-8 - 1e-5, 0.1};
+  for (const Spline2& cut : {line(below, above), line(above, below)}) {
+    const PlanarCurve curve = chart_curve(trims, cut);
+    const ClippedCurve found = clipped(trims, curve, 1e-7);
+    ASSERT_EQ(found.meetings.size(), 1);
+    const Vec2 point = point_at(curve, found.meetings[0].at);
+    EXPECT_NEAR(point[0] / trims.scale[0], 1, 2e-8);
+    EXPECT_NEAR(point[1] / trims.scale[1], 0, 1e-7);
+  }
+}
+
 TEST(FaceTrims, SidesOfASeamHaveCornersOfTheirOwn) {
   const FaceTrims trims = face_trims(
       BRepBuilderAPI_MakeFace(new Geom_CylindricalSurface(gp_Ax3(), 2), 0, 2 * kPi, 0, 3, 1e-7));

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -15,12 +16,16 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomAPI_Interpolate.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -83,6 +88,32 @@ TopoDS_Face saddle_with_a_bump() {
   return face;
 }
 
+// A spline through 17 points of a quarter circle, pulled up to a face, with the circle as its lower
+// edge: the two meet in all these points, and some 1e-5 apart between them.
+TopoDS_Face interpolated_quarter() {
+  constexpr int kSpans = 16;
+  const Handle(Geom_Circle) circle = new Geom_Circle(gp_Ax2(), 50);
+  const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, kSpans + 1);
+  const Handle(TColStd_HArray1OfReal) angles = new TColStd_HArray1OfReal(1, kSpans + 1);
+  for (int i = 0; i <= kSpans; ++i) {
+    angles->SetValue(i + 1, 0.5 * kPi * i / kSpans);
+    points->SetValue(i + 1, circle->Value(angles->Value(i + 1)));
+  }
+  GeomAPI_Interpolate spline(points, angles, Standard_False, 1e-9);
+  spline.Load(circle->DN(0, 1), circle->DN(0.5 * kPi, 1), Standard_False);
+  spline.Perform();
+  const Handle(Geom_Surface) wall = new Geom_SurfaceOfLinearExtrusion(spline.Curve(), gp::DZ());
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(wall, 0, 0.5 * kPi, 0, 10, 1e-7).Face();
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    double first = 0, last = 0;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(TopoDS::Edge(it.Current()), first, last);
+    const gp_Pnt from = curve->Value(first), to = curve->Value(last);
+    if (std::abs(from.Z()) + std::abs(to.Z()) < 1e-6)
+      BRep_Builder().UpdateEdge(TopoDS::Edge(it.Current()), circle, 1e-7);
+  }
+  return face;
+}
+
 // Of an edge's curves beyond its tolerance.
 double largest_excess(const TopoDS_Shape& shape) {
   double largest = 0;
@@ -102,6 +133,14 @@ TEST(RaisedTolerances, CoverTheDistancesOfCurves) {
   EXPECT_EQ(raised.vertices.Extent(), 1);
   EXPECT_NEAR(raised.largest(), 1.1e-4, 1e-9);
   EXPECT_LE(largest_excess(cylinder), 0);
+}
+
+TEST(RaisedTolerances, CoverDistancesBetweenInterpolatedPoints) {
+  const TopoDS_Face face = interpolated_quarter();
+  const RaisedTolerances raised = raise_tolerances(face);
+  EXPECT_EQ(raised.edges.Extent(), 1);
+  const double step = 0.5 * kPi / 16, between = 50 * std::pow(step, 4) / 384;
+  EXPECT_NEAR(raised.largest(), 1.1 * between, 0.1 * between);
 }
 
 TEST(RaisedTolerances, AreThoseThatAreTooSmallAlone) {
