@@ -263,8 +263,9 @@ class PairIntersector {
       trimmed = guarded("clipping a common region", [&] {
         return trimmed_overlaps(a, b, whole, left.tolerances.point, WorkLimit(left));
       });
-    } catch (const std::exception&) {
+    } catch (const std::exception& error) {
       trimmed.complete = false;
+      found.certificate.reasons.emplace_back(error.what());
     }
     found.overlaps = std::move(trimmed.regions);
     if (trimmed.complete) return;

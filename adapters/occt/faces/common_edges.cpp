@@ -215,7 +215,7 @@ void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t 
     if (box.IsOut(box_of(edge, reach_)) || std::any_of(lying.begin(), lying.end(), is_same))
       continue;
     const EdgeCurve curve = curve_of(edge);
-    if (CurveBeside(curve.curve, curve.range, feet).runs(reach_).empty()) continue;
+    if (CurveBeside(curve.curve, curve.range, feet).runs(reach_, reach_).empty()) continue;
     lying.push_back(edge);
     for (TopExp_Explorer it(in, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge own = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));

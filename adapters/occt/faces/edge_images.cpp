@@ -288,24 +288,31 @@ std::vector<Interval> CurveBeside::between_poles(const Interval& run) const {
   return parts;
 }
 
-bool CurveBeside::lies_on(double t, double reach) const {
-  const CurveJet at = jet(t, {});
-  return feet_.gap(at.point, at.uv) <= reach;
+bool CurveBeside::lies_on(double t, double reach, double past) const {
+  const Vec3 point = in_space(t).point;
+  const SurfaceFrame foot = frame_at(feet_.surface(), feet_.foot(point, {}));
+  const Vec3 off = point - foot.point;
+  if (norm(off) > reach) return false;
+  const Vec2 step = chart_step(foot, off);  // none, but where the foot stays on the border
+  return norm(step[0] * foot.du + step[1] * foot.dv) <= past;
 }
 
-std::vector<Interval> CurveBeside::runs(double reach) const {
+std::vector<Interval> CurveBeside::runs(double reach, double past) const {
   std::vector<Interval> runs;
+  // A curve that leaves over the border ends there, and not where the border is too far behind.
   const auto border = [&](double on, double off) {
+    const double sharp = kFitShare * kFitShare * past;
+    const double left = lies_on(on, reach, sharp) ? sharp : past;
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = 0.5 * (on + off);
-      (lies_on(middle, reach) ? on : off) = middle;
+      (lies_on(middle, reach, left) ? on : off) = middle;
     }
     return on;
   };
   double before = range_.from;
   for (int i = 0; i <= kEdgeSamples; ++i) {
     const double t = at(range_, static_cast<double>(i) / kEdgeSamples);
-    const bool on = lies_on(t, reach);
+    const bool on = lies_on(t, reach, past);
     const bool goes_on = !runs.empty() && runs.back().to == before;
     if (on && goes_on)
       runs.back().to = t;
@@ -429,7 +436,7 @@ std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet,
     if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
     const CurveBeside beside(edge, face, feet);
     const double allowed = std::max(tolerance, BRep_Tool::Tolerance(edge));
-    for (const Interval& run : beside.runs(reach))
+    for (const Interval& run : beside.runs(reach, allowed))
       for (const Interval& part : beside.between_poles(run))
         cuts.push_back(beside.fitted_cut(part, kFitShare * allowed, allowed));
   }

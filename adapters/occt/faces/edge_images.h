@@ -110,9 +110,9 @@ class CurveBeside {
   /// The parts of a run between the poles of the surface that it goes through.
   std::vector<Interval> between_poles(const Interval& run) const;
 
-  /// The parameters between which it is within reach of the surface: found from samples, ends
-  /// by halving.
-  std::vector<Interval> runs(double reach) const;
+  /// The parameters between which it is within reach of the surface and no farther past its border
+  /// than a given length: found from samples, ends by halving.
+  std::vector<Interval> runs(double reach, double past) const;
 
   /// Cubic pieces with the values and first derivatives of the curve, as many as they need to be
   /// as near to it as wanted, at most 512 between knots.
@@ -123,7 +123,7 @@ class CurveBeside {
   CurveJet in_space(double t) const;  // without its images
   Vec3 bend(double t) const;          // the second derivative
   CurveJet pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const;
-  bool lies_on(double t, double reach) const;
+  bool lies_on(double t, double reach, double past) const;
   std::vector<double> joints(const Interval& run) const;
   void add_knot_lines(const Interval& run, std::vector<double>& joints) const;
   FaceCut hermite_cut(const std::vector<double>& ends, double tolerance) const;

@@ -81,6 +81,14 @@ Handle(Geom_BezierSurface) hill() {
   return new Geom_BezierSurface(poles);
 }
 
+// The square from -1 to 1, which ends where its unit disc touches it.
+Handle(Geom_BezierSurface) tile() {
+  TColgp_Array2OfPnt poles(1, 2, 1, 2);
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) poles(i + 1, j + 1) = gp_Pnt(2 * i - 1, 2 * j - 1, 0);
+  return new Geom_BezierSurface(poles);
+}
+
 // The lens that two unit circles at a distance of 1 have in common.
 const double kLens = 2 * kPi / 3 - std::sqrt(3.0) / 2;
 
@@ -100,7 +108,12 @@ std::vector<Pair> pairs() {
   const Handle(Geom_BezierSurface) whole = hill(), part = hill();
   part->Segment(0.3, 1, 0, 0.7);
   const double lens_of_hill = 0.09 * (2 * std::acos(1 / 3.0) - 2 / 3.0 * std::sqrt(8.0) / 3);
+  const TopoDS_Wire wedge =
+      BRepBuilderAPI_MakePolygon(gp_Pnt(0, 0, 0), gp_Pnt(2, -1.2, 0), gp_Pnt(2, 1.2, 0), true);
+  const double sector = std::atan(0.6);
   return {
+      {"a disc of a tile and edges that leave it", chart_disc(tile(), 0.5, 0.5, 0.5),
+       BRepBuilderAPI_MakeFace(gp_Pln(), wedge), sector / 4, sector, 1},
       {"a disc in a square", square(0, 4), disc(2, 2, 1), kPi, kPi, 1},
       {"a disc over a side", square(0, 4), disc(4, 2, 1), kPi / 2, kPi / 2, 1},
       {"two discs", disc(0, 0, 1), disc(1, 0, 1), kLens, kLens, 1},
