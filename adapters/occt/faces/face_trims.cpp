@@ -132,14 +132,39 @@ Vec2 chart_scale(const Handle(Geom_Surface) & surface, const PlanarBox& box) {
           power_of_two(sum[1] / (kSamples * kSamples))};
 }
 
-double overshoot(const Handle(Geom_Surface) & surface, const FaceTrims& trims) {
-  Vec2 low, high;
-  surface->Bounds(low[0], high[0], low[1], high[1]);
+double past(const PlanarBox& box, const PlanarBox& bounds) {
   double most = 0;
   for (int k = 0; k < 2; ++k)
-    if (trims.period[k] == 0)
-      most = std::max({most, trims.scale[k] * low[k] - trims.box.low[k],
-                       trims.box.high[k] - trims.scale[k] * high[k]});
+    most = std::max({most, bounds.low[k] - box.low[k], box.high[k] - bounds.high[k]});
+  return most;
+}
+
+// How far a piece goes past the bounds, at most kOnBorder too much. Its control points may go far
+// beyond the piece, so it is halved as long as they tell of more than its ends.
+double farthest_past(const PlanarBezier& piece, const PlanarBox& bounds, double known, int halvings) {
+  const double most = past(box_of(piece.points), bounds);
+  for (const Vec3& end : {piece.points.front(), piece.points.back()})
+    known = std::max(known, past(box_of({&end, 1}), bounds));
+  if (most <= known + kOnBorder || halvings == 0) return std::max(most, known);
+  for (const Interval& half : {Interval{0, 0.5}, Interval{0.5, 1}})
+    known = farthest_past(bezier_piece(piece, half), bounds, known, halvings - 1);
+  return known;
+}
+
+double overshoot(const Handle(Geom_Surface) & surface, const FaceTrims& trims) {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  PlanarBox bounds;
+  surface->Bounds(bounds.low[0], bounds.high[0], bounds.low[1], bounds.high[1]);
+  for (int k = 0; k < 2; ++k) {
+    const bool periodic = trims.period[k] > 0;
+    bounds.low[k] = periodic ? -kEndless : trims.scale[k] * bounds.low[k];
+    bounds.high[k] = periodic ? kEndless : trims.scale[k] * bounds.high[k];
+  }
+  double most = 0;
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop)
+      for (const auto& span : coedge.curve.spans)
+        most = farthest_past(span.curve, bounds, most, kPointHalvings);
   return most;
 }
 

@@ -9,13 +9,17 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Ellipse.hxx>
 #include <Geom2d_Hyperbola.hxx>
 #include <Geom2d_OffsetCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
@@ -46,6 +50,23 @@ void expect_intervals(const std::vector<Interval>& found, const std::vector<Inte
     EXPECT_NEAR(found[i].from, wanted[i].from, 1e-9);
     EXPECT_NEAR(found[i].to, wanted[i].to, 1e-9);
   }
+}
+
+// The control points of a circle lie outside of it, and of the surface that it just fits in.
+TEST(FaceTrims, OvershootIsOfTheWireAndNotOfItsControlPoints) {
+  const Handle(Geom_Plane) plane = new Geom_Plane(gp_Pln());
+  const auto disc_in_a_square = [&](double half) {
+    const Handle(Geom_RectangularTrimmedSurface) bounded =
+        new Geom_RectangularTrimmedSurface(plane, -half, half, -half, half);
+    const Handle(Geom_Surface) square = GeomConvert::SurfaceToBSplineSurface(bounded);
+    const Handle(Geom2d_Curve) circle = new Geom2d_Circle(gp_Ax2d({0, 0}, {1, 0}), 1);
+    TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(circle, square);
+    BRepLib::BuildCurve3d(edge);
+    return TopoDS::Face(
+        BRepBuilderAPI_MakeFace(square, BRepBuilderAPI_MakeWire(edge).Wire()).Face());
+  };
+  EXPECT_LE(face_trims(disc_in_a_square(1)).overshoot, 1e-7);
+  EXPECT_NEAR(face_trims(disc_in_a_square(0.9)).overshoot, 0.1, 1e-7);
 }
 
 TEST(ClipToTrims, CurveInsideANaturalFaceIsWhole) {
