@@ -13,10 +13,10 @@
 #include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <Geom_Surface.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TopExp.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/forms/curve_breaks.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -70,12 +70,9 @@ double gap_at(const Curves& curves, double t) {
   return least;
 }
 
-template <class Adaptor>
-void add_knots(const Adaptor& curve, const Interval& range, std::vector<double>& knots) {
-  const int count = curve.NbIntervals(GeomAbs_CN);
-  TColStd_Array1OfReal values(1, count + 1);
-  curve.Intervals(values, GeomAbs_CN);
-  for (const double value : values) knots.push_back((value - range.from) / (range.to - range.from));
+void add_fractions(const std::vector<double>& breaks, const Interval& range,
+                   std::vector<double>& knots) {
+  for (const double value : breaks) knots.push_back((value - range.from) / (range.to - range.from));
 }
 
 bool is_arc(GeomAbs_CurveType type) {
@@ -102,10 +99,8 @@ bool are_arcs(const Curves& curves) {
 std::vector<double> sample_places(const Curves& curves) {
   std::vector<double> knots{0, 1};
   if (!curves.space.IsNull())
-    add_knots(GeomAdaptor_Curve(curves.space, curves.range.from, curves.range.to), curves.range,
-              knots);
-  add_knots(Geom2dAdaptor_Curve(curves.chart, curves.place.from, curves.place.to), curves.place,
-            knots);
+    add_fractions(breaks_of(curves.space, curves.range), curves.range, knots);
+  add_fractions(breaks_of(curves.chart, curves.place), curves.place, knots);
   std::sort(knots.begin(), knots.end());
   knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
   const int spans = static_cast<int>(knots.size()) - 1;
