@@ -6,11 +6,10 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include <BRep_Tool.hxx>
-#include <Geom2dAdaptor_Curve.hxx>
-#include <GeomAdaptor_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomProjLib.hxx>
 #include <Precision.hxx>
@@ -21,6 +20,7 @@
 
 #include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/forms/curve_breaks.h"
 
 namespace blossom::occt {
 namespace {
@@ -163,6 +163,18 @@ double SurfaceFeet::gap(const Vec3& point, const Vec2& uv) const {
   return distance(point, frame_at(surface_, uv).point);
 }
 
+double SurfaceFeet::clearance(const Vec3& point, const Vec2& uv) const {
+  const SurfaceFrame at = frame_at(surface_, uv);
+  double inside = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 2; ++k)
+    if (period_[k] == 0)
+      inside = std::min({inside, (uv[k] - low_[k]) * norm(k == 0 ? at.du : at.dv),
+                         (high_[k] - uv[k]) * norm(k == 0 ? at.du : at.dv)});
+  if (inside > 0) return inside;
+  const Vec2 step = chart_step(at, point - at.point);
+  return -norm(step[0] * at.du + step[1] * at.dv);
+}
+
 const SurfacePole* SurfaceFeet::pole_at(const Vec3& point) const {
   for (const SurfacePole& pole : poles_)
     if (distance(pole.point, point) <= tolerance_) return &pole;
@@ -288,39 +300,76 @@ std::vector<Interval> CurveBeside::between_poles(const Interval& run) const {
   return parts;
 }
 
-bool CurveBeside::lies_on(double t, double reach, double past) const {
+CurveBeside::Standing CurveBeside::standing(double t) const {
   const Vec3 point = in_space(t).point;
-  const SurfaceFrame foot = frame_at(feet_.surface(), feet_.foot(point, {}));
-  const Vec3 off = point - foot.point;
-  if (norm(off) > reach) return false;
-  const Vec2 step = chart_step(foot, off);  // none, but where the foot stays on the border
-  return norm(step[0] * foot.du + step[1] * foot.dv) <= past;
+  const Vec2 uv = feet_.foot(point, {});
+  return {point, feet_.gap(point, uv), feet_.clearance(point, uv)};
+}
+
+bool CurveBeside::lies_on(double t, const RunLimits& limits) const {
+  return limits.hold(standing(t));
+}
+
+// The end of a run between a parameter that belongs to it and one that does not. A curve that
+// leaves over the border ends there, and not where the border is too far behind.
+double CurveBeside::run_end(double on, double off, RunLimits limits) const {
+  const RunLimits sharp{limits.reach, kFitShare * kFitShare * limits.past};
+  if (lies_on(on, sharp)) limits = sharp;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (on + off);
+    (lies_on(middle, limits) ? on : off) = middle;
+  }
+  return on;
+}
+
+// Where between two parameters the curve is nearest to the border, or farthest past it.
+double CurveBeside::least_clearance(Interval around) const {
+  constexpr double kGolden = 0.381966011250105;
+  Interval inner{at(around, kGolden), at(around, 1 - kGolden)};
+  double from = standing(inner.from).clearance, to = standing(inner.to).clearance;
+  for (int i = 0; i < kHalvings; ++i) {
+    if (from < to) {
+      around.to = inner.to;
+      inner = {at(around, kGolden), inner.from};
+      to = from;
+      from = standing(inner.from).clearance;
+    } else {
+      around.from = inner.from;
+      inner = {inner.to, at(around, 1 - kGolden)};
+      from = to;
+      to = standing(inner.to).clearance;
+    }
+  }
+  return from < to ? inner.from : inner.to;
 }
 
 std::vector<Interval> CurveBeside::runs(double reach, double past) const {
+  const RunLimits limits{reach, past};
   std::vector<Interval> runs;
-  // A curve that leaves over the border ends there, and not where the border is too far behind.
-  const auto border = [&](double on, double off) {
-    const double sharp = kFitShare * kFitShare * past;
-    const double left = lies_on(on, reach, sharp) ? sharp : past;
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = 0.5 * (on + off);
-      (lies_on(middle, reach, left) ? on : off) = middle;
-    }
-    return on;
-  };
   double before = range_.from;
+  Standing there = standing(before);
   for (int i = 0; i <= kEdgeSamples; ++i) {
     const double t = at(range_, static_cast<double>(i) / kEdgeSamples);
-    const bool on = lies_on(t, reach, past);
+    const Standing here = standing(t);
+    const bool on = limits.hold(here);
     const bool goes_on = !runs.empty() && runs.back().to == before;
-    if (on && goes_on)
+    if (on && goes_on) {
+      // It may be past the border between two samples, if it does not run along it.
+      const auto [low, high] = std::minmax(there.clearance, here.clearance);
+      const bool may_leave = low < distance(there.point, here.point) && high > past;
+      const double out = may_leave ? least_clearance({before, t}) : before;
+      if (may_leave && !lies_on(out, limits)) {
+        runs.back().to = run_end(before, out, limits);
+        runs.push_back({run_end(t, out, limits), t});
+      }
       runs.back().to = t;
-    else if (on)
-      runs.push_back({i > 0 ? border(t, before) : t, t});
-    else if (goes_on)
-      runs.back().to = border(before, t);
+    } else if (on) {
+      runs.push_back({i > 0 ? run_end(t, before, limits) : t, t});
+    } else if (goes_on) {
+      runs.back().to = run_end(before, t, limits);
+    }
     before = t;
+    there = here;
   }
   std::erase_if(runs, [](const Interval& run) { return !(run.from < run.to); });
   return runs;
@@ -358,16 +407,9 @@ void CurveBeside::add_knot_lines(const Interval& run, std::vector<double>& joint
 // The ends of the run, and between them where the curve or its image is less than smooth.
 std::vector<double> CurveBeside::joints(const Interval& run) const {
   std::vector<double> at{run.from};
-  const auto add = [&](const auto& curve) {
-    TColStd_Array1OfReal ends(1, curve.NbIntervals(GeomAbs_CN) + 1);
-    curve.Intervals(ends, GeomAbs_CN);
-    for (const double end : ends)
-      if (end > run.from && end < run.to) at.push_back(end);
-  };
-  if (chart_.IsNull())
-    add(GeomAdaptor_Curve(curve_, range_.from, range_.to));
-  else
-    add(Geom2dAdaptor_Curve(chart_, range_.from, range_.to));
+  const std::vector<double> breaks =
+      chart_.IsNull() ? breaks_of(curve_, run) : breaks_of(chart_, run);
+  at.insert(at.end(), breaks.begin(), breaks.end());
   add_knot_lines(run, at);
   std::sort(at.begin(), at.end());
   const double least = kSamePlace * length(run);

@@ -63,6 +63,10 @@ class SurfaceFeet {
   /// The distance of a point from that at some parameters.
   double gap(const Vec3& point, const Vec2& uv) const;
 
+  /// How far a foot is from the border of the surface, model units; 0 or less on the border: then
+  /// how far past it the point is along the tangent plane.
+  double clearance(const Vec3& point, const Vec2& uv) const;
+
   /// The pole within tolerance of a point; null if there is none.
   const SurfacePole* pole_at(const Vec3& point) const;
   const std::vector<SurfacePole>& poles() const { return poles_; }
@@ -123,7 +127,19 @@ class CurveBeside {
   CurveJet in_space(double t) const;  // without its images
   Vec3 bend(double t) const;          // the second derivative
   CurveJet pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const;
-  bool lies_on(double t, double reach, double past) const;
+  struct Standing {
+    Vec3 point;
+    double gap = 0;        // to the surface
+    double clearance = 0;  // of its foot from the border, as SurfaceFeet has it
+  };
+  struct RunLimits {
+    double reach = 0, past = 0;
+    bool hold(const Standing& at) const { return at.gap <= reach && at.clearance >= -past; }
+  };
+  Standing standing(double t) const;
+  bool lies_on(double t, const RunLimits& limits) const;
+  double run_end(double on, double off, RunLimits limits) const;
+  double least_clearance(Interval around) const;
   std::vector<double> joints(const Interval& run) const;
   void add_knot_lines(const Interval& run, std::vector<double>& joints) const;
   FaceCut hermite_cut(const std::vector<double>& ends, double tolerance) const;

@@ -111,9 +111,17 @@ std::vector<Pair> pairs() {
   const TopoDS_Wire wedge =
       BRepBuilderAPI_MakePolygon(gp_Pnt(0, 0, 0), gp_Pnt(2, -1.2, 0), gp_Pnt(2, 1.2, 0), true);
   const double sector = std::atan(0.6);
+  // It leaves the tile on each side, and is back before long.
+  const double wide = 1.001, over = std::acos(1 / wide);
+  const double rounded = wide * wide * (kPi - 4 * over + 4 * std::sin(over) * std::cos(over));
+  const gp_Dir between(std::cos(kPi / 64), std::sin(kPi / 64), 0);
+  const TopoDS_Wire rim = BRepBuilderAPI_MakeWire(
+      BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp::Origin(), gp::DZ(), between), wide)));
   return {
       {"a disc of a tile and edges that leave it", chart_disc(tile(), 0.5, 0.5, 0.5),
        BRepBuilderAPI_MakeFace(gp_Pln(), wedge), sector / 4, sector, 1},
+      {"a disc a little wider than a tile", BRepBuilderAPI_MakeFace(tile(), 1e-7),
+       BRepBuilderAPI_MakeFace(gp_Pln(), rim), rounded / 4, rounded, 1},
       {"a disc in a square", square(0, 4), disc(2, 2, 1), kPi, kPi, 1},
       {"a disc over a side", square(0, 4), disc(4, 2, 1), kPi / 2, kPi / 2, 1},
       {"two discs", disc(0, 0, 1), disc(1, 0, 1), kLens, kLens, 1},
