@@ -12,6 +12,7 @@
 
 #include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/forms/edge_charts.h"
 #include "core/bounds/box_tree.h"
 #include "core/curve_intersection.h"
 
@@ -40,12 +41,12 @@ std::vector<Outline> outlines_of(const TopoDS_Face& face) {
   for (TopExp_Explorer part(face, TopAbs_EDGE); part.More(); part.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(part.Current());
     if (BRep_Tool::Degenerated(edge)) continue;
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) chart = BRep_Tool::CurveOnSurface(edge, face, first, last);
-    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+    Interval range;
+    const Handle(Geom2d_Curve) chart = chart_curve_of(edge, face, range);
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
     if (curve.IsNull() || chart.IsNull())
       throw BadModel("an edge has no curve in space or on its face");
-    outlines.push_back({bezier_spans(curve, {first, last}), chart, {}});
+    outlines.push_back({bezier_spans(curve, range), chart, {}});
     outlines.back().box = box_of(outlines.back().spans);
   }
   return outlines;

@@ -21,6 +21,7 @@
 #include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/forms/curve_breaks.h"
+#include "adapters/occt/forms/edge_charts.h"
 
 namespace blossom::occt {
 namespace {
@@ -194,7 +195,7 @@ Vec2 SurfaceFeet::bounded(Vec2 uv) const {
 
 CurveBeside::CurveBeside(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceFeet& feet)
     : feet_(feet), surface_(BRep_Tool::Surface(face)) {
-  chart_ = BRep_Tool::CurveOnSurface(edge, face, range_.from, range_.to);
+  chart_ = chart_curve_of(edge, face, range_);
   if (chart_.IsNull()) throw BadModel("an edge has no parametric curve on the face it bounds");
 }
 

@@ -18,6 +18,7 @@
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/faces/face_trims_detail.h"
+#include "adapters/occt/forms/edge_charts.h"
 #include "adapters/occt/forms/pcurves.h"
 #include "core/trimming/loops.h"
 
@@ -28,11 +29,11 @@ constexpr int kMostHalvings = 6;    // of a wire's span, to see whether it meets
 constexpr int kPointHalvings = 24;  // likewise a point: pieces are about as long as kOnBorder then
 
 Coedge coedge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  double first = 0, last = 0;
-  const Handle(Geom2d_Curve) pcurve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  Interval range;
+  const Handle(Geom2d_Curve) pcurve = chart_curve_of(edge, face, range);
   if (pcurve.IsNull()) throw BadModel("an edge has no parametric curve on the face it bounds");
   return {edge,
-          planar_curve(pcurve, {first, last}),
+          planar_curve(pcurve, range),
           {},
           BRep_Tool::Degenerated(edge),
           BRep_Tool::Tolerance(edge),

@@ -14,6 +14,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/errors.h"
+#include "adapters/occt/forms/edge_charts.h"
 
 namespace blossom::occt {
 namespace {
@@ -30,8 +31,8 @@ class EdgeOnFaces {
       : surface_a_(a, false), surface_b_(b, false) {
     space_ = BRep_Tool::Curve(edge, range_.from, range_.to);
     Interval ignored;
-    chart_a_ = BRep_Tool::CurveOnSurface(edge, a, ignored.from, ignored.to);
-    chart_b_ = BRep_Tool::CurveOnSurface(edge, b, ignored.from, ignored.to);
+    chart_a_ = chart_curve_of(edge, a, ignored);
+    chart_b_ = chart_curve_of(edge, b, ignored);
     if (space_.IsNull() || chart_a_.IsNull() || chart_b_.IsNull())
       throw BadModel("a shared edge has no curve in space or on a face");
   }

@@ -17,6 +17,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/forms/curve_breaks.h"
+#include "adapters/occt/forms/edge_charts.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -94,9 +95,18 @@ bool are_arcs(const Curves& curves) {
   return std::min(std::abs(along.X()), std::abs(along.Y())) <= kStraight;
 }
 
+// Straight lines on a plane, with parameters in one ratio: what is between them is largest at an
+// end.
+bool are_lines(const Curves& curves) {
+  return !curves.space.IsNull() && GeomAdaptor_Curve(curves.space).GetType() == GeomAbs_Line &&
+         GeomAdaptor_Surface(curves.surface).GetType() == GeomAbs_Plane &&
+         Geom2dAdaptor_Curve(curves.chart).GetType() == GeomAbs_Line;
+}
+
 // Fractions of the ranges, increasing, from 0 to 1. Curves are interpolated at simple fractions of
 // their spans, where gaps vanish, so samples lie elsewhere.
 std::vector<double> sample_places(const Curves& curves) {
+  if (are_lines(curves)) return {0, 1};
   std::vector<double> knots{0, 1};
   if (!curves.space.IsNull())
     add_fractions(breaks_of(curves.space, curves.range), curves.range, knots);
@@ -159,7 +169,7 @@ void measure_ends(const TopoDS_Edge& edge, const Curves& curves, EdgeGaps& gaps)
 Curves curves_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   Curves curves;
   curves.space = BRep_Tool::Curve(edge, curves.range.from, curves.range.to);
-  curves.chart = BRep_Tool::CurveOnSurface(edge, face, curves.place.from, curves.place.to);
+  curves.chart = chart_curve_of(edge, face, curves.place);
   curves.surface = BRep_Tool::Surface(face);
   return curves;
 }

@@ -25,6 +25,7 @@
 #include "adapters/occt/compounds.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/forms/edge_charts.h"
 #include "adapters/occt/shapes/edge_gaps.h"
 
 namespace blossom::occt {
@@ -186,8 +187,9 @@ double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
                    const TopTools_ListOfShape& faces) {
   const double end = BRep_Tool::Parameter(vertex, edge);
   const gp_Pnt point = BRep_Tool::Pnt(vertex);
-  double largest = 0, first = 0, last = 0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
+  double largest = 0;
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
   if (!curve.IsNull()) largest = point.Distance(curve->Value(end));
   for (const TopoDS_Shape& each : faces) {
     const TopoDS_Face face = TopoDS::Face(each);
@@ -196,7 +198,7 @@ double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
     for (const TopAbs_Orientation side : {TopAbs_FORWARD, TopAbs_REVERSED}) {
       if (side == TopAbs_REVERSED && !is_seam) continue;
       const Handle(Geom2d_Curve) chart =
-          BRep_Tool::CurveOnSurface(TopoDS::Edge(edge.Oriented(side)), face, first, last);
+          chart_curve_of(TopoDS::Edge(edge.Oriented(side)), face, range);
       if (chart.IsNull()) continue;
       const gp_Pnt2d uv = chart->Value(end);
       largest = std::max(largest, point.Distance(surface->Value(uv.X(), uv.Y())));

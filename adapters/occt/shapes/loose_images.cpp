@@ -28,6 +28,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/forms/edge_charts.h"
 #include "adapters/occt/shapes/edge_tolerances.h"
 #include "core/math/interval.h"
 
@@ -55,11 +56,11 @@ struct Use {
 std::optional<Use> use_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   Use use{edge, {}, {}, {}};
   if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) return std::nullopt;
-  double first = 0, last = 0;
-  use.chart = BRep_Tool::CurveOnSurface(edge, face, first, last);
+  Interval of_chart;
+  use.chart = chart_curve_of(edge, face, of_chart);
   use.curve = BRep_Tool::Curve(edge, use.range.from, use.range.to);
   if (use.chart.IsNull() || use.curve.IsNull()) return std::nullopt;
-  if (first != use.range.from || last != use.range.to) return std::nullopt;
+  if (of_chart.from != use.range.from || of_chart.to != use.range.to) return std::nullopt;
   return use;
 }
 

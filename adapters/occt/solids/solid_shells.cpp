@@ -23,6 +23,7 @@
 
 #include "adapters/occt/faces/edge_images.h"
 #include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/forms/edge_charts.h"
 #include "adapters/occt/splitting/trim_sides.h"
 
 namespace blossom::occt {
@@ -53,21 +54,21 @@ struct Corner {
 
 // At a use of an edge, in the middle of it. Faces that are tangential there bend apart.
 Corner corner_of(const EdgeUse& use, const TopoDS_Face& face) {
-  double first = 0, last = 0;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(use.edge, first, last);
-  const double middle = 0.5 * (first + last);
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(use.edge, range.from, range.to);
+  const double middle = at(range, 0.5);
   gp_Pnt point;
   gp_Vec along;
   curve->D1(middle, point, along);
-  const gp_Pnt2d uv = BRep_Tool::CurveOnSurface(use.edge, face, first, last)->Value(middle);
+  const gp_Pnt2d uv = chart_curve_of(use.edge, face, range)->Value(middle);
   const SurfaceFeet feet(face, Precision::Confusion());
-  const SurfaceFrame at = frame_at(feet.surface(), {uv.X(), uv.Y()});
+  const SurfaceFrame frame = frame_at(feet.surface(), {uv.X(), uv.Y()});
   const Vec3 direction = unit(Vec3{along.X(), along.Y(), along.Z()});
   const bool turned = (face.Orientation() == TopAbs_REVERSED) == use.forward;
-  const Vec3 left = cross(unit(cross(at.du, at.dv)), direction);
-  const double step = kStep * (last - first) * along.Magnitude() * (turned ? -1 : 1);
-  const Vec2 beside = feet.foot(at.point + step * left, Vec2{uv.X(), uv.Y()});
-  return {direction, frame_at(feet.surface(), beside).point - at.point};
+  const Vec3 left = cross(unit(cross(frame.du, frame.dv)), direction);
+  const double step = kStep * length(range) * along.Magnitude() * (turned ? -1 : 1);
+  const Vec2 beside = feet.foot(frame.point + step * left, Vec2{uv.X(), uv.Y()});
+  return {direction, frame_at(feet.surface(), beside).point - frame.point};
 }
 
 // Sets the angles about the edge, against the first use.

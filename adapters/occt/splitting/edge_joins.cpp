@@ -18,6 +18,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/errors.h"
+#include "adapters/occt/forms/edge_charts.h"
 #include "core/bounds/box_tree.h"
 
 namespace blossom::occt {
@@ -111,8 +112,7 @@ std::vector<std::optional<Fit>> best_fits(const std::vector<FreeEdge>& edges, do
 }  // namespace
 
 BorderImage::BorderImage(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-  const Handle(Geom2d_Curve) chart =
-      BRep_Tool::CurveOnSurface(edge, face, domain_.from, domain_.to);
+  const Handle(Geom2d_Curve) chart = chart_curve_of(edge, face, domain_);
   if (chart.IsNull()) throw BadModel("an edge has no curve in the chart of its face");
   curve_ = new Adaptor3d_CurveOnSurface(new Geom2dAdaptor_Curve(chart, domain_.from, domain_.to),
                                         new GeomAdaptor_Surface(BRep_Tool::Surface(face)));
