@@ -9,10 +9,10 @@
 #include <string>
 #include <utility>
 
-#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/area.h"
@@ -23,6 +23,7 @@
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/solid_stages.h"
+#include "adapters/occt/solids/solid_validity.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 
@@ -317,12 +318,21 @@ class TrueInputs {
   std::vector<TrimTool> tools_;
 };
 
+TopTools_MapOfShape faces_of(const TrimTool& part, const std::vector<TrimTool>& tools) {
+  TopTools_MapOfShape faces;
+  for (const TopoDS_Face& face : part.faces) faces.Add(face);
+  for (const TrimTool& tool : tools)
+    for (const TopoDS_Face& face : tool.faces) faces.Add(face);
+  return faces;
+}
+
 // Of the result alone: what is made on the way to it is measured, and goes into it or is gone.
-void check_solids(const WorkLimit& limit, SolidTrimResult& result) {
+void check_solids(const TopTools_MapOfShape& given, const WorkLimit& limit,
+                  SolidTrimResult& result) {
   guarded("checking solids", [&] {
     for (const TopoDS_Solid& solid : result.solids) {
       check_limit(&limit, "checking solids");
-      if (BRepCheck_Analyzer(solid).IsValid()) continue;
+      if (is_valid(solid, given)) continue;
       result.obstacles.emplace_back("a solid is not valid by BRepCheck");
       break;
     }
@@ -342,7 +352,7 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
                                                : divided(inputs, operation, work);
     note(work.told, result);
     result.tolerances = sound.told();
-    if (result.obstacles.empty()) check_solids(own_limit, result);
+    if (result.obstacles.empty()) check_solids(faces_of(part, tools), own_limit, result);
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
     if (own_limit.reached_after_search() != nullptr) result.status = Status::Stopped;

@@ -47,7 +47,7 @@ struct SolidFace {
 struct SolidTrimResult {
   Status status = Status::Complete;  ///< of the intersection
   Certificate certificate;
-  std::vector<TopoDS_Solid> solids;     ///< valid by BRepCheck; none if it is empty or refused
+  std::vector<TopoDS_Solid> solids;     ///< none if it is empty or refused
   std::vector<SolidFace> faces;         ///< of all solids
   std::vector<SolidVolumes> volumes;    ///< one for each step, of the two that were combined then
   std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
@@ -60,7 +60,9 @@ struct SolidTrimResult {
 /// Faces are split along each other, pieces on the wanted sides put together by their common edges
 /// into closed shells, and shells into solids: a shell that is turned inwards is a void of the
 /// smallest solid around it. Every edge has to be used as often in one direction as in the other,
-/// every solid to be valid, and volumes to add up; what `solid_pieces` refuses is refused.
+/// every solid with its shells and the faces that are new in it to be valid by BRepCheck, and
+/// volumes to add up; what `solid_pieces` refuses is refused. Faces that nothing reached are those
+/// of the inputs, as they were.
 ///
 /// Tools are taken one after the other: the part, and then the result so far, is combined with the
 /// next one, until the result is empty. To split, the tools are fused first. Solids of one input

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Whether solids that were put together are valid by BRepCheck.
+
+#pragma once
+
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS_Solid.hxx>
+
+namespace blossom::occt {
+
+/// What `BRepCheck_Analyzer` says of the solid, its shells and all faces but the known ones: those,
+/// with all that bounds them, are as they were given, and most of them a cut never reaches.
+///
+/// known   faces of inputs, in any orientation
+bool is_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known);
+
+}  // namespace blossom::occt
