@@ -48,8 +48,9 @@ struct Sample {
 using Integrand = std::function<Sample(const Vec3&, const Vec3&)>;
 
 // Along v it is constant where that is a length along parallel straight lines; along u it is
-// a + b cos u + c sin u where all turns about one axis with u: points and normals turn alike.
-enum class Lines { Any, Even, Turning };
+// a + b cos u + c sin u where all turns about one axis with u: points and normals turn alike. On a
+// plane it is one constant.
+enum class Lines { Any, Even, Turning, Constant };
 
 // The surface of a face, no farther than it goes. Splines, and what is swept from them, are taken
 // in Bezier form, since to look up spans and expand them anew for every point takes many times
@@ -118,7 +119,7 @@ std::vector<double> AreaSurface::knots(Along along) const {
 
 Lines AreaSurface::lines() const {
   switch (adaptor_.GetType()) {
-    case GeomAbs_Plane:
+    case GeomAbs_Plane: return Lines::Constant;
     case GeomAbs_Cylinder:
     case GeomAbs_SurfaceOfExtrusion: return Lines::Even;
     case GeomAbs_Cone:
@@ -214,6 +215,7 @@ class Density {
   }
 
   int inner() const { return inner_; }
+  bool is_constant() const { return lines_ == Lines::Constant; }
   /// For the whole integral: no sum can be better than the coordinates of the trims.
   double tolerance() const { return tolerance_; }
   const std::vector<double>& y_knots() const { return y_knots_; }
@@ -229,7 +231,8 @@ class Density {
     if (y < y_knots_.front() || y > y_knots_.back()) return sum;
     x = std::clamp(x, x_knots_.front(), x_knots_.back());
     if (x == x_knots_.front()) return sum;
-    if (lines_ == Lines::Even) return (x - x_knots_.front()) * sample_at(x, y).value;
+    if (lines_ == Lines::Even || lines_ == Lines::Constant)
+      return (x - x_knots_.front()) * sample_at(x, y).value;
     if (lines_ == Lines::Turning) return turning_strip(x, y);
     for (std::size_t i = 0; i + 1 < x_knots_.size(); ++i) {
       const double to = i + 2 == x_knots_.size() ? x : std::min(x_knots_[i + 1], x);
@@ -274,6 +277,15 @@ class Density {
   Lines lines_ = Lines::Any;
   double tolerance_ = 0;
 };
+
+// What a straight way adds where the density is constant: strips grow evenly along it.
+double straight(const Vec2& from, const Vec2& to, const FaceTrims& trims, const Density& density) {
+  const int x = density.inner(), y = 1 - x;
+  const Vec2 middle = 0.5 * (from + to);
+  return density.strip(middle[x] / trims.scale[x], middle[y] / trims.scale[y], density.height(),
+                       1) *
+         (to[y] - from[y]) / trims.scale[y];
+}
 
 // What a straight way adds, forward along it: gaps that tolerances leave in the wires.
 double across(const Vec2& from, const Vec2& to, const FaceTrims& trims, const Density& density) {
@@ -326,6 +338,11 @@ double along(const Coedge& coedge, const FaceTrims& trims, const Density& densit
   const double tolerance = density.tolerance();
   double sum = 0;
   for (const PlanarSpan& span : coedge.curve.spans) {
+    if (density.is_constant() && span.curve.degree() == 1) {
+      const Vec2 from = jet_at(span.curve, 0).point, to = jet_at(span.curve, 1).point;
+      sum += straight(from, to, trims, density);
+      continue;
+    }
     auto rate = [&](double t) {
       const PlanarJet jet = jet_at(span.curve, t);
       const double dy = jet.first[y] / trims.scale[y];

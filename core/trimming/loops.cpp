@@ -46,6 +46,11 @@ int ray_crossings(const Vec2& from, const Vec2& to, const Vec2& point) {
 double area_along(const PlanarPath& path, const Vec2& origin) {
   double sum = 0;
   for (const PlanarBezier& curve : path) {
+    if (curve.degree() == 1) {  // a triangle
+      const Vec2 from = jet_at(curve, 0).point, to = jet_at(curve, 1).point;
+      sum += 0.5 * cross(from - origin, to - from);
+      continue;
+    }
     auto rate = [&](double t) {
       const PlanarJet jet = jet_at(curve, t);
       return 0.5 * cross(jet.point - origin, jet.first);

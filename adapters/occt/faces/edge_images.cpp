@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <BRep_Tool.hxx>
+#include <ElSLib.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomProjLib.hxx>
 #include <Precision.hxx>
@@ -126,6 +127,7 @@ std::vector<SurfacePole> poles_of(const Handle(Geom_Surface) & surface) {
 
 SurfaceFeet::SurfaceFeet(const TopoDS_Face& face, double tolerance, PolledLimit* limit)
     : surface_(BRep_Tool::Surface(face)),
+      plane_(Handle(Geom_Plane)::DownCast(surface_)),
       finder_(new ShapeAnalysis_Surface(surface_)),
       tolerance_(tolerance),
       limit_(limit) {
@@ -140,6 +142,11 @@ SurfaceFeet::SurfaceFeet(const TopoDS_Face& face, double tolerance, PolledLimit*
 Vec2 SurfaceFeet::foot(const Vec3& point, const std::optional<Vec2>& near) const {
   if (limit_ && limit_->reached()) throw LimitReached();
   const gp_Pnt p(point[0], point[1], point[2]);
+  if (!plane_.IsNull()) {
+    Vec2 uv;
+    ElSLib::Parameters(plane_->Pln(), p, uv[0], uv[1]);
+    return uv;
+  }
   const gp_Pnt2d found = finder_->ValueOfUV(p, tolerance_);
   Vec2 uv{found.X(), found.Y()};
   for (int i = 0; i < kNewtonSteps; ++i) {

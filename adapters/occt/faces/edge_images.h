@@ -8,6 +8,7 @@
 
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_Plane.hxx>
 #include <Geom_Surface.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <TopoDS_Edge.hxx>
@@ -78,6 +79,7 @@ class SurfaceFeet {
   Vec2 bounded(Vec2 uv) const;
 
   Handle(Geom_Surface) surface_;
+  Handle(Geom_Plane) plane_;  // null if it is another surface
   Handle(ShapeAnalysis_Surface) finder_;
   double tolerance_;
   PolledLimit* limit_;

@@ -54,6 +54,8 @@ const PlanarSpan& span_at(const PlanarCurve& curve, double parameter) {
 // Homogeneous value and derivatives by the local parameter.
 std::array<Vec3, 3> homogeneous_jet(const PlanarBezier& curve, double t) {
   const int n = curve.degree();
+  if (n == 1)  // most wires of models
+    return {(1 - t) * curve.points[0] + t * curve.points[1], curve.points[1] - curve.points[0], {}};
   std::array<Vec3, kMaxDegree + 1> b;
   std::copy(curve.points.begin(), curve.points.end(), b.begin());
   const auto step = [&](int level) {
