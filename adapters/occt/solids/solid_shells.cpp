@@ -9,8 +9,8 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <utility>
 
-#include <BRepClass3d_SolidClassifier.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
@@ -21,9 +21,11 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 
+#include "adapters/occt/errors.h"
 #include "adapters/occt/faces/edge_images.h"
 #include "adapters/occt/faces/shared_limit.h"
 #include "adapters/occt/forms/edge_charts.h"
+#include "adapters/occt/solids/solid_rays.h"
 #include "adapters/occt/splitting/trim_sides.h"
 
 namespace blossom::occt {
@@ -32,6 +34,7 @@ namespace {
 // Faces that leave an edge in directions closer than this are not told apart. Radians.
 constexpr double kLeastAngle = 1e-6;
 constexpr const char* kMakingSolids = "making solids";
+constexpr int kAgreeing = 3;    // rays that have to agree that a void lies in a shell
 constexpr double kStep = 1e-3;  // of an edge's length: how far into a face is looked
 
 struct Shell {
@@ -195,6 +198,24 @@ std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string
   return all;
 }
 
+// Whether rays from a point agree that it lies in a closed shell.
+bool holds(const TopoDS_Shell& shell, const gp_Pnt& point) try {
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer it(shell, TopAbs_FACE); it.More(); it.Next())
+    faces.push_back(TopoDS::Face(it.Current()));
+  SolidRays rays(std::move(faces), Precision::Confusion());
+  int agreeing = 0;
+  for (const Vec3& direction : kRayDirections) {
+    const auto inside = rays.is_inside({point.X(), point.Y(), point.Z()}, direction);
+    if (!inside) continue;
+    if (!*inside) return false;
+    if (++agreeing == kAgreeing) return true;
+  }
+  return false;
+} catch (const BadModel&) {
+  return false;  // through such a face nothing can be told
+}
+
 // The smallest outer shell round a void; the number of shells if there is none.
 std::size_t around(const Shell& hollow, const std::vector<Shell>& shells) {
   const auto point =
@@ -203,11 +224,7 @@ std::size_t around(const Shell& hollow, const std::vector<Shell>& shells) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; point && i < shells.size(); ++i) {
     if (shells[i].volume <= -hollow.volume || shells[i].volume >= least) continue;
-    TopoDS_Solid solid;
-    BRep_Builder().MakeSolid(solid);
-    BRep_Builder().Add(solid, shells[i].shape);
-    const BRepClass3d_SolidClassifier classifier(solid, *point, Precision::Confusion());
-    if (classifier.State() != TopAbs_IN) continue;
+    if (!holds(shells[i].shape, *point)) continue;
     best = i;
     least = shells[i].volume;
   }
