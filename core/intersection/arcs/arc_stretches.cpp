@@ -21,9 +21,6 @@ const ArcStretch& ArcStretches::stretch(std::size_t number) {
       next.part.radius[along] *= 0.5;
       next.part.middle[along] += (number % 2 == 0 ? -1 : 1) * next.part.radius[along];
     }
-  } else {
-    next.empty = !narrow(next.part, graph_, along_, bounds_.column(along_), next.part.middle,
-                         model_.gap(next.part.middle));
   }
   narrow_stretch(next);
   made = next;
@@ -43,11 +40,10 @@ bool ArcStretches::narrow_again(std::size_t number) {
 void ArcStretches::narrow_stretch(ArcStretch& s) const {
   if (s.empty) return;
   const PairJet jet = model_.jet(s.part.middle);
-  s.bounds = model_.jacobian(jet, s.part);
-  const Minor minor = s.bounds->minor(along_);
-  if (!minor.regular) return;
-  s.empty = !narrow(s.part, minor, along_, s.bounds->column(along_), jet.place,
-                    {jet.gap, model_.rounding()});
+  const JacobianBounds means = model_.mean_jacobian(jet, s.part);
+  if (const Minor minor = means.minor(along_); minor.regular)
+    s.empty = !narrow(s.part, minor, along_, means.column(along_), jet.place,
+                      {jet.gap, model_.rounding()});
   if (!s.empty) s.bounds = model_.jacobian(jet, s.part);
 }
 

@@ -25,10 +25,9 @@ class ArcStretches {
  public:
   static constexpr std::size_t kCount = 16;  ///< twice as many as the shortest ones
 
-  /// graph   the regular minor that leaves the arc's parameter `along` out
-  /// All of them are used as long as this object is.
-  ArcStretches(const PairModel& model, const JacobianBounds& bounds, const Minor& graph, int along)
-      : model_(model), bounds_(bounds), graph_(graph), along_(along) {}
+  /// along   the arc's parameter
+  /// The model is used as long as this object is.
+  ArcStretches(const PairModel& model, int along) : model_(model), along_(along) {}
 
   const ArcStretch& stretch(std::size_t number);
 
@@ -39,8 +38,6 @@ class ArcStretches {
   void narrow_stretch(ArcStretch& s) const;
 
   const PairModel& model_;
-  const JacobianBounds& bounds_;
-  const Minor& graph_;
   const int along_;
   std::array<std::optional<ArcStretch>, kCount> made_;
 };

@@ -111,7 +111,6 @@ class PairBorder {
         a_(a),
         tree_b_(tree_b),
         b_(b),
-        bounds_(bounds),
         along_(along),
         graph_(bounds.minor(along)),
         box_(box_of(a, b)) {}
@@ -125,7 +124,7 @@ class PairBorder {
         if (!apart({axis, high})) met.push_back({axis, high});
     if (met.empty()) return true;
     model_.emplace(tree_a_, a_, tree_b_, b_);
-    arc_.emplace(*model_, bounds_, graph_, along_);
+    arc_.emplace(*model_, along_);
     std::vector<Point4> points;
     // What fails most comes first: faces that may hold more than one root.
     if (const ArcStretch& all = arc_->stretch(1); !all.empty)
@@ -375,7 +374,6 @@ class PairBorder {
   const Cell& a_;
   const CellTree& tree_b_;
   const Cell& b_;
-  const JacobianBounds& bounds_;
   const int along_;
   const Minor graph_;  // the minor that leaves `along` out
   const Box4 box_;

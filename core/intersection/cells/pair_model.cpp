@@ -89,9 +89,18 @@ BoundedVector PairModel::gap(const std::array<double, 4>& place) const {
 }
 
 JacobianBounds PairModel::jacobian(const PairJet& jet, const PairPart& part) const {
+  return jacobian_within(jet, part, 1);
+}
+
+JacobianBounds PairModel::mean_jacobian(const PairJet& jet, const PairPart& part) const {
+  return jacobian_within(jet, part, 0.5);
+}
+
+JacobianBounds PairModel::jacobian_within(const PairJet& jet, const PairPart& part,
+                                          double share) const {
   std::array<double, 4> reach;
   for (std::size_t i = 0; i < 4; ++i)
-    reach[i] = std::abs(part.middle[i] - jet.place[i]) + part.radius[i];
+    reach[i] = share * (std::abs(part.middle[i] - jet.place[i]) + part.radius[i]);
   const auto column = [&](std::size_t k, const Vec3& by_first, const Vec3& by_second) {
     const std::size_t first = k < 2 ? 0 : 2;
     const Vec3 change = reach[first] * by_first + reach[first + 1] * by_second;

@@ -43,12 +43,19 @@ class PairModel {
   /// The columns of J over a part of the pair, from what is known at some place near it.
   JacobianBounds jacobian(const PairJet& jet, const PairPart& part) const;
 
+  /// Their means on the straight ways from the jet's place, which is in the pair, to all of the
+  /// part: J is as far from the jet's as the second derivatives lead it in half of the way.
+  JacobianBounds mean_jacobian(const PairJet& jet, const PairPart& part) const;
+
   const Vec3& rounding() const { return rounding_; }
 
   /// Parameters in the patches' own [0, 1].
   std::array<double, 4> parameters(const std::array<double, 4>& place) const;
 
  private:
+  // With so much of the change on the way to the part.
+  JacobianBounds jacobian_within(const PairJet& jet, const PairPart& part, double share) const;
+
   const RationalBezierPatch& patch_a_;
   const RationalBezierPatch& patch_b_;
   std::array<Interval, 4> box_;
@@ -62,10 +69,10 @@ class PairModel {
 /// E its spread, every root at z is in p - C (F(p) + J_k (z_k - p_k)) +- E |z - p| (Krawczyk 1969),
 /// where column k of J is the one that the minor leaves out.
 ///
-/// column    k's bounds over the part and p
-/// place     p, in the part but for what the minor leaves out
-/// gap       F(p)
-/// returns   false if F vanishes nowhere in the part
+/// minor, column   of J's means on the straight ways from p to the part; bounds over both will do
+/// place           p, in the part but for what the minor leaves out
+/// gap             F(p)
+/// returns         false if F vanishes nowhere in the part
 bool narrow(PairPart& part, const Minor& minor, int left_out, const VectorBounds& column,
             const std::array<double, 4>& place, const BoundedVector& gap);
 

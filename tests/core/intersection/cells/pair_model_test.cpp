@@ -96,6 +96,38 @@ TEST_P(PairModels, BoundTheDerivativesInAPart) {
   }
 }
 
+// The means by the trapezoidal rule, whose error grows with the square of its steps.
+TEST_P(PairModels, BoundTheMeanDerivativesOnTheWayToAPart) {
+  const PatchesRow row = patches();
+  CellTree tree_a(row.a, row.rational, {}, CellForm::Bezier, kCut);
+  CellTree tree_b(row.b, row.rational, {}, CellForm::Bezier, kCut);
+  const int i = descend(tree_a, GetParam() % 9), j = descend(tree_b, GetParam() % 7);
+  const PairModel model(tree_a, tree_a[i], tree_b, tree_b[j]);
+  const PairPart part = random_part();
+  const auto start = place_in(part);
+
+  const JacobianBounds bounds = model.mean_jacobian(model.jet(start), part);
+
+  constexpr int kSteps = 64;
+  for (int sample = 0; sample < 20; ++sample) {
+    const auto stop = place_in(part);
+    std::array<Vec3, 4> mean{};
+    for (int step = 0; step <= kSteps; ++step) {
+      std::array<double, 4> z;
+      for (std::size_t k = 0; k < 4; ++k)
+        z[k] = start[k] + (stop[k] - start[k]) * step / kSteps;
+      const double weight = (step % kSteps == 0 ? 0.5 : 1.0) / kSteps;
+      const PairJet jet = model.jet(z);
+      for (std::size_t k = 0; k < 4; ++k) mean[k] += weight * jet.columns[k];
+    }
+    for (int k = 0; k < 4; ++k) {
+      VectorBounds wide = bounds.column(k);
+      wide.radius += 1e-3 * wide.radius;
+      EXPECT_TRUE(holds(wide, mean[static_cast<std::size_t>(k)])) << k;
+    }
+  }
+}
+
 // F with a shift that puts a root at a place chosen beforehand: narrowing has to keep it.
 TEST_P(PairModels, KeepRootsWhenAPartIsNarrowed) {
   const PatchesRow row = patches();
@@ -109,7 +141,8 @@ TEST_P(PairModels, KeepRootsWhenAPartIsNarrowed) {
     const auto root = place_in(part);
     const PairJet jet = model.jet(part.middle);
     const Vec3 shift = model.gap(root).value;
-    const JacobianBounds bounds = model.jacobian(jet, part);
+    const JacobianBounds bounds =
+        draw % 2 == 0 ? model.jacobian(jet, part) : model.mean_jacobian(jet, part);
     const int along = bounds.best_column();
     const Minor minor = bounds.minor(along);
     if (!minor.regular) continue;
@@ -169,9 +202,8 @@ TEST_P(PairModels, KeepTheArcInItsStretches) {
     const JacobianBounds bounds(a, b);
     const int along = bounds.certified_column();
     if (along < 0) continue;
-    const Minor graph = bounds.minor(along);
     const PairModel model(tree_a, a, tree_b, b);
-    ArcStretches arc(model, bounds, graph, along);
+    ArcStretches arc(model, along);
     const Box4 box = box_of(a, b);
     const auto off = [&](const PairPart& part, std::size_t k) {
       const double z = ((*root)[k] - at(box[k], 0.5)) / length(box[k]);
