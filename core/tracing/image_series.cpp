@@ -37,12 +37,18 @@ struct Step {
   int degree = 1;
 };
 
+double power(double x, int n) {
+  double result = 1;
+  for (; n > 0; --n) result *= x;
+  return result;
+}
+
 // Of Taylor's polynomial of degree n round a point, by one parameter within `reach` of it: how many
 // terms count; bounds on the others, their slope and all of them, by the size of the points.
 struct Kept {
   Kept(int n, double reach, double limit) : highest(n) {
     for (; highest > 1; --highest) {
-      const double factor = 2 * binomial(n, highest) * std::pow(2 * reach, highest - 1);
+      const double factor = 2 * binomial(n, highest) * power(2 * reach, highest - 1);
       if (!(rest + factor * reach <= limit)) break;
       rest += factor * reach;
       slope += highest * factor;
@@ -238,7 +244,7 @@ constexpr auto kBezierOfPower = [] {
 }();
 
 template <int K>
-std::vector<Vec3> bezier_points_of(const PowerSeries<Vec3>& series) {
+[[gnu::always_inline]] inline std::vector<Vec3> bezier_points_of(const PowerSeries<Vec3>& series) {
   std::vector<Vec3> points(K + 1);
   for (std::size_t k = 0; k <= K; ++k)
     for (std::size_t l = 0; l <= K; ++l) points[k] += kBezierOfPower<K>[k][l] * series.terms[l];
@@ -283,7 +289,7 @@ PowerSeries<double> power_series(std::span<const double> points) { return powers
 
 PowerSeries<Vec3> power_series(std::span<const Vec3> points) { return powers_of(points); }
 
-std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series, std::size_t degree) {
+BLOSSOM_HOT std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series, std::size_t degree) {
   return degree <= kShortSeriesDegree ? bezier_points_of<kShort>(series)
                                       : bezier_points_of<kLong>(series);
 }
@@ -296,8 +302,8 @@ ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
   const double size = std::max(std::max(net.size[0], net.size[1]), net.size[2]);
   const Step in_u(u), in_v(v);
   const double limit = 0.25 * negligible / std::max(size, 1e-300);
-  const double all_u = std::pow(1 + 2 * in_u.reach, net.n);
-  const double all_v = std::pow(1 + 2 * in_v.reach, net.m);
+  const double all_u = power(1 + 2 * in_u.reach, net.n);
+  const double all_v = power(1 + 2 * in_v.reach, net.m);
   const Kept kept_u(net.n, in_u.reach, limit / all_v), kept_v(net.m, in_v.reach, limit / all_u);
   double rows[(kMaxDegree + 1) * (kMaxDegree + 1)], columns[(kMaxDegree + 1) * (kMaxDegree + 1)];
   make_taylor_weights(net.n, kept_u.highest, u.terms[0], rows);

@@ -115,22 +115,21 @@ double power_of_two(double length) {
 
 // The mean lengths of the surface's derivatives over the box, rounded to powers of two.
 Vec2 chart_scale(const Handle(Geom_Surface) & surface, const PlanarBox& box) {
-  constexpr int kSamples = 5;
   // Keeps the polynomial of its last span, which a Bezier surface never leaves.
   const GeomAdaptor_Surface quick(surface);
   const bool one_span = quick.GetType() == GeomAbs_BezierSurface;
+  const int samples = one_span ? 3 : 5;  // each way
   Vec2 sum;
-  for (int i = 0; i < kSamples; ++i)
-    for (int j = 0; j < kSamples; ++j) {
-      const double u = at({box.low[0], box.high[0]}, (i + 0.5) / kSamples);
-      const double v = at({box.low[1], box.high[1]}, (j + 0.5) / kSamples);
+  for (int i = 0; i < samples; ++i)
+    for (int j = 0; j < samples; ++j) {
+      const double u = at({box.low[0], box.high[0]}, (i + 0.5) / samples);
+      const double v = at({box.low[1], box.high[1]}, (j + 0.5) / samples);
       gp_Pnt point;
       gp_Vec du, dv;
       one_span ? quick.D1(u, v, point, du, dv) : surface->D1(u, v, point, du, dv);
       sum += {du.Magnitude(), dv.Magnitude()};
     }
-  return {power_of_two(sum[0] / (kSamples * kSamples)),
-          power_of_two(sum[1] / (kSamples * kSamples))};
+  return {power_of_two(sum[0] / (samples * samples)), power_of_two(sum[1] / (samples * samples))};
 }
 
 double past(const PlanarBox& box, const PlanarBox& bounds) {

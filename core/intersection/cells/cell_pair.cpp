@@ -210,7 +210,7 @@ int JacobianBounds::certified_column() const {
   return any == minors.regular.end() ? -1 : static_cast<int>(any - minors.regular.begin());
 }
 
-Minor JacobianBounds::minor(int left_out) const {
+BLOSSOM_HOT Minor JacobianBounds::minor(int left_out) const {
   const auto kept = kept_columns(left_out);
   std::array<VectorBounds, 3> c;
   for (std::size_t i = 0; i < 3; ++i) c[i] = columns_[static_cast<std::size_t>(kept[i])];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/forms/evaluation.h"
+#include "core/math/four.h"
 
 namespace blossom {
 namespace {
@@ -96,7 +97,7 @@ JacobianBounds PairModel::mean_jacobian(const PairJet& jet, const PairPart& part
   return jacobian_within(jet, part, 0.5);
 }
 
-JacobianBounds PairModel::jacobian_within(const PairJet& jet, const PairPart& part,
+BLOSSOM_HOT JacobianBounds PairModel::jacobian_within(const PairJet& jet, const PairPart& part,
                                           double share) const {
   std::array<double, 4> reach;
   for (std::size_t i = 0; i < 4; ++i)
@@ -112,7 +113,7 @@ JacobianBounds PairModel::jacobian_within(const PairJet& jet, const PairPart& pa
        column(2, second_b_[0], second_b_[1]), column(3, second_b_[1], second_b_[2])});
 }
 
-bool narrow(PairPart& part, const Minor& minor, int left_out, const VectorBounds& column,
+BLOSSOM_HOT bool narrow(PairPart& part, const Minor& minor, int left_out, const VectorBounds& column,
             const std::array<double, 4>& place, const BoundedVector& gap) {
   const auto kept = kept_columns(left_out);
   const auto out = static_cast<std::size_t>(left_out);
