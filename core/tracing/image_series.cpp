@@ -60,8 +60,10 @@ struct Kept {
 };
 
 // Row i holds the weights of the control points in the i-th Taylor coefficient at t: differences
-// of the Bernstein polynomials of degree n - i.
-void make_taylor_weights(int n, int highest, double t, double* rows) {
+// of the Bernstein polynomials of degree n - i. The degree is N if that is not negative.
+template <int N = -1>
+[[gnu::always_inline]] inline void taylor_weights(int degree, int highest, double t, double* rows) {
+  const int n = N < 0 ? degree : N;
   double b[kMaxDegree + 1] = {1};
   for (int k = 0; k <= n; ++k) {
     const int i = n - k;
@@ -83,6 +85,10 @@ void make_taylor_weights(int n, int highest, double t, double* rows) {
     }
     if (k < n) b[k + 1] = carried;
   }
+}
+
+void make_taylor_weights(int n, int highest, double t, double* rows) {
+  n == 3 ? taylor_weights<3>(n, highest, t, rows) : taylor_weights(n, highest, t, rows);
 }
 
 struct Net {
@@ -113,15 +119,17 @@ BLOSSOM_HOT void make_net(const RationalBezierPatch& patch, const Vec3& origin, 
   net.m = patch.degree_v();
 }
 
-// Coefficient (i, j) of Taylor's polynomial, i <= rows and j <= columns.
-BLOSSOM_HOT void make_coefficients(const Net& net, const double* in_u, int rows, const double* in_v,
-                                   int columns, Four* a) {
-  const int width = net.m + 1;
-  Four line[kMaxDegree + 1];
+// Coefficient (i, j) of Taylor's polynomial, i <= rows and j <= columns; of the degrees (N, M) if
+// they are not negative.
+template <int N = -1, int M = -1>
+[[gnu::always_inline]] inline void coefficients(const Net& net, const double* in_u, int rows,
+                                                const double* in_v, int columns, Four* a) {
+  const int n = N < 0 ? net.n : N, width = 1 + (M < 0 ? net.m : M);
+  Four line[(M < 0 ? kMaxDegree : M) + 1];
   for (int i = 0; i <= rows; ++i) {
-    const double* wu = in_u + i * (net.n + 1);
+    const double* wu = in_u + i * (n + 1);
     for (int l = 0; l < width; ++l) line[l] = wu[0] * net.points[l];
-    for (int k = 1; k <= net.n; ++k)
+    for (int k = 1; k <= n; ++k)
       for (int l = 0; l < width; ++l) line[l] += wu[k] * net.points[k * width + l];
     for (int j = 0; j <= columns; ++j) {
       const double* wv = in_v + j * width;
@@ -130,6 +138,12 @@ BLOSSOM_HOT void make_coefficients(const Net& net, const double* in_u, int rows,
       a[i * (columns + 1) + j] = sum;
     }
   }
+}
+
+BLOSSOM_HOT void make_coefficients(const Net& net, const double* in_u, int rows, const double* in_v,
+                                   int columns, Four* a) {
+  net.n == 3 && net.m == 3 ? coefficients<3, 3>(net, in_u, rows, in_v, columns, a)
+                           : coefficients(net, in_u, rows, in_v, columns, a);
 }
 
 // B_k^n at t with every sign turned to plus, anywhere within `reach` of t: bounds the sum of the
@@ -175,6 +189,12 @@ template <int K, int D>
   }
 }
 
+// c times the J-th power, which has no terms below J, and none above J D.
+template <int K, int D, int J>
+[[gnu::always_inline]] inline void add_power(const Powers<K>& powers, const Four& c, Four* sum) {
+  for (int k = J; k <= std::min(K, J * D); ++k) sum[k] += powers.term[J][k] * c;
+}
+
 // Horner's scheme in u, its coefficients the sums over powers of v.
 template <int K, int D>
 [[gnu::always_inline]] inline void compose_to(const Four* a, int rows, int columns, const Step& u,
@@ -192,11 +212,14 @@ template <int K, int D>
         sum[k] = next;
       }
     }
-    for (int j = 0; j <= columns; ++j) {
-      const Four c = a[i * (columns + 1) + j];
-      for (int k = 0; k <= K; ++k) sum[k] += v.term[j][k] * c;
-      add_absolute(v.rest[j], c, rest);
-    }
+    const Four* c = a + i * (columns + 1);
+    sum[0] += c[0];
+    if (columns > 0) add_power<K, D, 1>(v, c[1], sum);
+    if (columns > 1) add_power<K, D, 2>(v, c[2], sum);
+    if (columns > 2) add_power<K, D, 3>(v, c[3], sum);
+    for (int j = 4; j <= columns; ++j)
+      for (int k = 4; k <= K; ++k) sum[k] += v.term[j][k] * c[j];
+    for (int j = 2; j <= columns; ++j) add_absolute(v.rest[j], c[j], rest);
   }
   std::copy_n(sum, K + 1, result);
 }
@@ -243,11 +266,24 @@ constexpr auto kBezierOfPower = [] {
   return m;
 }();
 
+// The even powers are the same at -x, the odd ones change their sign.
 template <int K>
 [[gnu::always_inline]] inline std::vector<Vec3> bezier_points_of(const PowerSeries<Vec3>& series) {
+  constexpr auto& kWeights = kBezierOfPower<K>;
   std::vector<Vec3> points(K + 1);
-  for (std::size_t k = 0; k <= K; ++k)
-    for (std::size_t l = 0; l <= K; ++l) points[k] += kBezierOfPower<K>[k][l] * series.terms[l];
+  Four terms[K + 1];
+  for (std::size_t l = 0; l <= K; ++l) {
+    const Vec3& x = series.terms[l];
+    terms[l] = Four{x[0], x[1], x[2], 0};
+  }
+  for (std::size_t k = 0; 2 * k <= K; ++k) {
+    Four even{}, odd{};
+    for (std::size_t l = 0; l <= K; l += 2) even += kWeights[k][l] * terms[l];
+    for (std::size_t l = 1; l <= K; l += 2) odd += kWeights[k][l] * terms[l];
+    const Four here = even + odd, there = even - odd;
+    points[k] = {here[0], here[1], here[2]};
+    points[K - k] = {there[0], there[1], there[2]};
+  }
   return points;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/errors.h"
+#include "core/tracing/seven.h"
 
 namespace blossom {
 namespace {
@@ -14,9 +15,30 @@ constexpr std::size_t kFixed = 3;  // poles at each end that its jet decides
 
 using Basis = std::array<double, kOrder>;
 
-// The six B-splines that are not zero on span `i` of simple knots, at a parameter in it.
+// sum weights[i] points[i] over one order of both.
+[[gnu::always_inline]] inline Vec7 sum_of(const Basis& weights, const Vec7* points) {
+  Seven sum;
+  for (std::size_t i = 0; i < kOrder; ++i) add(weights[i], points[i], sum);
+  Vec7 result;
+  store(sum, result);
+  return result;
+}
+
+// What the scheme divides by on span `i` of simple knots, inverted.
+using InverseWidths = std::array<std::array<double, kOrder>, kOrder>;
+
+InverseWidths inverse_widths(const std::vector<double>& flat, std::size_t span) {
+  InverseWidths result;
+  for (std::size_t j = 1; j < kOrder; ++j)
+    for (std::size_t r = 0; r < j; ++r)
+      result[j][r] = 1 / (flat[span + r + 1] - flat[span + r + 1 - j]);
+  return result;
+}
+
+// The six B-splines that are not zero on span `i`, at a parameter in it.
 // Source: Cox 1972, de Boor 1972, as a triangular scheme.
-Basis basis_at(const std::vector<double>& flat, std::size_t span, double t) {
+Basis basis_at(const std::vector<double>& flat, std::size_t span, const InverseWidths& inverse,
+               double t) {
   Basis basis{1};
   std::array<double, kOrder> left{}, right{};
   for (std::size_t j = 1; j < kOrder; ++j) {
@@ -24,7 +46,7 @@ Basis basis_at(const std::vector<double>& flat, std::size_t span, double t) {
     right[j] = flat[span + j] - t;
     double saved = 0;
     for (std::size_t r = 0; r < j; ++r) {
-      const double part = basis[r] / (right[r + 1] + left[j - r]);
+      const double part = basis[r] * inverse[j][r];
       basis[r] = saved + right[r + 1] * part;
       saved = left[j - r] * part;
     }
@@ -33,40 +55,68 @@ Basis basis_at(const std::vector<double>& flat, std::size_t span, double t) {
   return basis;
 }
 
-// A symmetric positive definite matrix with five diagonals below the main one, and seven right
-// hand sides. Row i holds the entries (i, i - 5 .. i).
+// The normal equations of a spline's poles: a symmetric positive definite matrix with five diagonals
+// below the main one, and seven right hand sides. Row i holds the entries (i, i - 5 .. i). The poles
+// at the ends are known: their rows are made, but not solved.
 class BandedSystem {
  public:
-  explicit BandedSystem(std::size_t size) : rows_(size), right_(size) {}
+  explicit BandedSystem(std::size_t poles) : rows_(poles), right_(poles) {}
 
-  double& entry(std::size_t i, std::size_t j) { return rows_[i][kFitDegree - (i - j)]; }
-  Vec7& right(std::size_t i) { return right_[i]; }
+  // Those of one span, whose poles begin with `from`: its B-splines and what is left at the checks.
+  [[gnu::always_inline]] void add_span(std::size_t from, const Basis* basis, const Vec7* rest) {
+    std::array<Basis, kOrder> products{};
+    std::array<Seven, kOrder> sums{};
+    for (std::size_t s = 0; s < kFitChecks.size(); ++s)
+      for (std::size_t i = 0; i < kOrder; ++i) {
+        for (std::size_t j = 0; j < kOrder; ++j) products[i][j] += basis[s][i] * basis[s][j];
+        add(basis[s][i], rest[s], sums[i]);
+      }
+    for (std::size_t i = 0; i < kOrder; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) entry(from + i, from + j) += products[i][j];
+      Vec7 sum;
+      store(sums[i], sum);
+      right_[from + i] += sum;
+    }
+  }
 
   // By Cholesky's factors, in place. Returns false when a pivot is not positive.
-  bool solve() {
-    const std::size_t n = rows_.size();
-    for (std::size_t i = 0; i < n; ++i)
+  [[gnu::always_inline]] bool solve() {
+    const std::size_t end = rows_.size() - kFixed;
+    for (std::size_t i = kFixed; i < end; ++i)
       for (std::size_t j = first(i); j <= i; ++j) {
         double sum = entry(i, j);
         for (std::size_t k = std::max(first(i), first(j)); k < j; ++k)
           sum -= entry(i, k) * entry(j, k);
         if (i == j && !(sum > 0)) return false;
-        entry(i, j) = i == j ? std::sqrt(sum) : sum / entry(j, j);
+        entry(i, j) = i == j ? 1 / std::sqrt(sum) : sum * entry(j, j);
       }
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = first(i); k < i; ++k) right_[i] -= entry(i, k) * right_[k];
-      right_[i] *= 1 / entry(i, i);
+    // The diagonal holds inverses.
+    for (std::size_t i = kFixed; i < end; ++i) {
+      for (std::size_t k = first(i); k < i; ++k) subtract(entry(i, k), k, i);
+      right_[i] *= entry(i, i);
     }
-    for (std::size_t i = n; i-- > 0;) {
-      for (std::size_t k = i + 1; k < std::min(n, i + kOrder); ++k)
-        right_[i] -= entry(k, i) * right_[k];
-      right_[i] *= 1 / entry(i, i);
+    for (std::size_t i = end; i-- > kFixed;) {
+      for (std::size_t k = i + 1; k < std::min(end, i + kOrder); ++k) subtract(entry(k, i), k, i);
+      right_[i] *= entry(i, i);
     }
     return true;
   }
 
+  const Vec7& solution(std::size_t i) const { return right_[i]; }
+
  private:
-  static std::size_t first(std::size_t i) { return i < kFitDegree ? 0 : i - kFitDegree; }
+  static std::size_t first(std::size_t i) {
+    return i < kFixed + kFitDegree ? kFixed : i - kFitDegree;
+  }
+
+  double& entry(std::size_t i, std::size_t j) { return rows_[i][kFitDegree - (i - j)]; }
+
+  [[gnu::always_inline]] void subtract(double factor, std::size_t from, std::size_t to) {
+    Seven x;
+    load(right_[to], x);
+    add(-factor, right_[from], x);
+    store(x, right_[to]);
+  }
 
   std::vector<std::array<double, kOrder>> rows_;
   std::vector<Vec7> right_;
@@ -85,14 +135,16 @@ Sampled sampled(const std::vector<QuinticPiece>& pieces, const std::vector<doubl
   result.basis.reserve(count);
   result.values.reserve(count);
   std::size_t piece = 0;
-  for (std::size_t span = 0; span + 1 < knots.size(); ++span)
+  for (std::size_t span = 0; span + 1 < knots.size(); ++span) {
+    const InverseWidths inverse = inverse_widths(flat, span + kFitDegree);
     for (const double fraction : kFitChecks) {
       const double t = at(Interval{knots[span], knots[span + 1]}, fraction);
       while (piece + 1 < pieces.size() && t > pieces[piece].place.to) ++piece;
       const Interval& place = pieces[piece].place;
       result.values.push_back(value_at(pieces[piece].points, (t - place.from) / length(place)));
-      result.basis.push_back(basis_at(flat, span + kFitDegree, t));
+      result.basis.push_back(basis_at(flat, span + kFitDegree, inverse, t));
     }
+  }
   return result;
 }
 
@@ -122,41 +174,29 @@ void fix_ends(const std::vector<QuinticPiece>& pieces, RunSpline& spline) {
   }
 }
 
-Vec7 sum_at(const std::vector<Vec7>& poles, std::size_t span, const Basis& basis) {
-  Vec7 sum = basis[0] * poles[span];
-  for (std::size_t i = 1; i < kOrder; ++i) sum += basis[i] * poles[span + i];
-  return sum;
-}
-
 // Least squares on what the poles leave. Poles that are near the curve lose less to rounding.
-void improve(const Sampled& samples, RunSpline& spline) {
-  const std::size_t unknown = spline.poles.size() - 2 * kFixed;
-  BandedSystem system(unknown);
-  for (std::size_t s = 0; s < samples.values.size(); ++s) {
-    const std::size_t span = s / kFitChecks.size();
-    const Basis& basis = samples.basis[s];
-    const Vec7 rest = samples.values[s] - sum_at(spline.poles, span, basis);
-    for (std::size_t i = 0; i < kOrder; ++i) {
-      if (span + i < kFixed || span + i >= kFixed + unknown) continue;
-      const std::size_t row = span + i - kFixed;
-      system.right(row) += basis[i] * rest;
-      for (std::size_t j = 0; j <= i; ++j)
-        if (span + j >= kFixed) system.entry(row, span + j - kFixed) += basis[i] * basis[j];
-    }
+BLOSSOM_HOT void improve(const Sampled& samples, RunSpline& spline) {
+  constexpr std::size_t kChecks = kFitChecks.size();
+  BandedSystem system(spline.poles.size());
+  for (std::size_t span = 0; span + 1 < spline.knots.size(); ++span) {
+    const Basis* basis = samples.basis.data() + span * kChecks;
+    std::array<Vec7, kChecks> rest;
+    for (std::size_t s = 0; s < kChecks; ++s)
+      rest[s] = samples.values[span * kChecks + s] - sum_of(basis[s], spline.poles.data() + span);
+    system.add_span(span, basis, rest.data());
   }
   if (!system.solve()) return;
-  for (std::size_t i = 0; i < unknown; ++i) spline.poles[kFixed + i] += system.right(i);
+  for (std::size_t i = kFixed; i + kFixed < spline.poles.size(); ++i)
+    spline.poles[i] += system.solution(i);
 }
 
 }  // namespace
 
-Vec7 value_at(const QuinticPoints& points, double t) {
+BLOSSOM_HOT Vec7 value_at(const QuinticPoints& points, double t) {
   const double s = 1 - t, s2 = s * s, t2 = t * t;
   const Basis basis{s2 * s2 * s,      5 * s2 * s2 * t, 10 * s2 * s * t2,
                     10 * s2 * t2 * t, 5 * s * t2 * t2, t2 * t2 * t};
-  Vec7 sum = basis[0] * points[0];
-  for (std::size_t i = 1; i < kOrder; ++i) sum += basis[i] * points[i];
-  return sum;
+  return sum_of(basis, points.data());
 }
 
 RunSpline least_squares_spline(const std::vector<QuinticPiece>& pieces,
@@ -180,7 +220,7 @@ RunSpline least_squares_spline(const std::vector<QuinticPiece>& pieces,
   for (std::size_t span = 0; span + 1 < knots.size(); ++span)
     for (const std::size_t check : kJudgedChecks)
       spline.values.push_back(
-          sum_at(spline.poles, span, samples.basis[span * kFitChecks.size() + check]));
+          sum_of(samples.basis[span * kFitChecks.size() + check], spline.poles.data() + span));
   return spline;
 }
 
