@@ -13,6 +13,7 @@
 #include "core/base/parallel.h"
 #include "core/forms/degree.h"
 #include "core/tracing/image_gap.h"
+#include "core/tracing/seven.h"
 #include "core/tracing/sites.h"
 
 namespace blossom {
@@ -48,13 +49,16 @@ QuinticPoints piece_of(const QuinticPoints& c, double from, double to) {
 
 // The Bezier points of the spline's span [flat[span], flat[span + 1]]: blossoms at its ends. Point
 // k takes the end k times, then the start; the first steps of all points are the same.
-QuinticPoints span_points(const std::vector<Vec7>& poles, const std::vector<double>& flat,
+BLOSSOM_HOT QuinticPoints span_points(const std::vector<Vec7>& poles, const std::vector<double>& flat,
                           std::size_t span) {
-  const auto step = [&](QuinticPoints& d, std::size_t r, double t) {
+  const auto step = [&](QuinticPoints& d, std::size_t r, double t) __attribute__((always_inline)) {
     for (std::size_t j = 5; j >= r; --j) {
       const double low = flat[span - 5 + j], high = flat[span + 1 + j - r];
       const double s = (t - low) / (high - low);
-      d[j] = (1 - s) * d[j - 1] + s * d[j];
+      Seven sum;
+      add(1 - s, d[j - 1], sum);
+      add(s, d[j], sum);
+      store(sum, d[j]);
     }
   };
   QuinticPoints result, at_end;
@@ -120,6 +124,15 @@ double proven_maximum(std::vector<ErrorForm> forms) {
     add(forms.size() - 1);
   }
   return heap.empty() ? 0 : heap.front().first;
+}
+
+BezierCurve difference(BezierCurve a, const BezierCurve& b) {
+  if (a.degree() != b.degree()) {
+    const int degree = std::max(a.degree(), b.degree());
+    return difference(elevated(a, degree), elevated(b, degree));
+  }
+  for (std::size_t k = 0; k < a.points.size(); ++k) a.points[k] -= b.points[k];
+  return a;
 }
 
 class Proof {
@@ -208,10 +221,7 @@ class Proof {
 
   // What the forms leave out is a part of either function.
   void add_forms(ImageGap&& a, ImageGap&& b) {
-    const int degree = std::max(a.form.degree(), b.form.degree());
-    BezierCurve between = elevated(a.form, degree);
-    const BezierCurve other = elevated(b.form, degree);
-    for (std::size_t k = 0; k < between.points.size(); ++k) between.points[k] -= other.points[k];
+    BezierCurve between = difference(a.form, b.form);
     forms_a_.push_back({std::move(a.form), 1 / (1 - a.relative), a.margin});
     forms_b_.push_back({std::move(b.form), 1 / (1 - b.relative), b.margin});
     const double margin = forms_a_.back().bound() * a.relative + a.margin +

@@ -165,24 +165,25 @@ BLOSSOM_HOT void make_local_size(const Net& net, const double* in_u, const doubl
       add_absolute(in_u[k] * in_v[l], net.points[k * (net.m + 1) + l], size);
 }
 
-// Powers of a step, of which K + 1 coefficients are kept; rest[j] bounds what is cut off the j-th.
+// Powers of a step from the first one on, of which K + 1 coefficients are kept; rest[j] bounds what is
+// cut off the j-th.
 template <int K>
 struct Powers {
   double term[kMaxDegree + 1][K + 1];
   double rest[kMaxDegree + 1];
 };
 
-// D is no less than the step's degree. So here and below: loops of a known length cost far less.
+// D is no less than the step's degree, and no more than K. So here and below: loops of a known length cost far less.
 template <int K, int D>
 [[gnu::always_inline]] inline void make_powers(const Step& step, int highest, Powers<K>& powers) {
-  std::fill_n(powers.term[0], (highest + 1) * (K + 1), 0.0);
-  powers.term[0][0] = 1;
-  powers.rest[0] = 0;
-  for (int j = 0; j < highest; ++j) {
+  for (int q = 0; q <= K; ++q) powers.term[1][q] = q <= D ? step.term[q] : 0;
+  powers.rest[1] = 0;
+  for (int j = 1; j < highest; ++j) {
     const double* from = powers.term[j];
     double* to = powers.term[j + 1];
+    std::fill_n(to, K + 1, 0.0);
     for (int p = 1; p <= D; ++p)
-      for (int q = 0; q + p <= K; ++q) to[q + p] += step.term[p] * from[q];
+      for (int q = 1; q + p <= K; ++q) to[q + p] += step.term[p] * from[q];
     double cut = powers.rest[j] * step.reach;
     for (int q = K + 1 - D; q <= K; ++q) cut += std::abs(from[q]) * step.beyond[K + 1 - q];
     powers.rest[j + 1] = cut;
