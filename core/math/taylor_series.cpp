@@ -259,8 +259,10 @@ TaylorSeries TaylorPowers::compose(const TaylorSeries& f) const {
 
 double value(const TaylorPolynomial& p, double x, double y) {
   double sum = 0;
+#pragma GCC unroll 8
   for (int i = K; i >= 0; --i) {
     double row = 0;
+#pragma GCC unroll 8
     for (int j = K - i; j >= 0; --j) row = row * y + p[taylor_index(i, j)];
     sum = sum * x + row;
   }

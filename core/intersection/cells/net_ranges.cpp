@@ -20,20 +20,21 @@ struct Ranges {
   }
 };
 
+[[gnu::always_inline]] inline void include(const Four& d, Ranges& ranges) {
+  ranges.low = d < ranges.low ? d : ranges.low;
+  ranges.high = d > ranges.high ? d : ranges.high;
+}
+
 // The values p[i + at[0]] w[0] + p[i + at[1]] w[1] + ... for i below count, for the weights of a
 // first or second difference. The last four overlap the ones before.
 template <int kTerms>
 [[gnu::always_inline]] inline void include(const double* p, int count, const int (&at)[kTerms],
                                            const double (&w)[kTerms], Ranges& ranges) {
-  const auto add = [&](const Four& d) {
-    ranges.low = d < ranges.low ? d : ranges.low;
-    ranges.high = d > ranges.high ? d : ranges.high;
-  };
   if (count < 4) {
     for (int i = 0; i < count; ++i) {
       double sum = 0;
       for (int k = 0; k < kTerms; ++k) sum += w[k] * p[i + at[k]];
-      add(Four{sum, sum, sum, sum});
+      include(Four{sum, sum, sum, sum}, ranges);
     }
     return;
   }
@@ -45,7 +46,38 @@ template <int kTerms>
       std::memcpy(&x, from + at[k], sizeof x);
       sum += w[k] * x;
     }
-    add(sum);
+    include(sum, ranges);
+  }
+}
+
+// The same for nets of 4 x 4 points, by far the most frequent: a row is a vector.
+[[gnu::always_inline]] inline void include_rows(const double* plane, Ranges& v) {
+  for (int i = 0; i < 4; ++i) {
+    Four x;
+    std::memcpy(&x, plane + 4 * i, sizeof x);
+    include(__builtin_shufflevector(x, x, 1, 2, 3, 3) - __builtin_shufflevector(x, x, 0, 1, 2, 2),
+            v);
+  }
+}
+
+[[gnu::always_inline]] inline void include_rows(const double* plane, Ranges& uu, Ranges& uv,
+                                                Ranges& vv) {
+  Four row[4];
+  std::memcpy(row, plane, sizeof row);
+  for (int i = 0; i < 2; ++i) include(row[i] - 2 * row[i + 1] + row[i + 2], uu);
+  for (int i = 0; i < 4; ++i) {
+    const Four x = row[i];
+    include(__builtin_shufflevector(x, x, 0, 1, 0, 1) -
+                2 * __builtin_shufflevector(x, x, 1, 2, 1, 2) +
+                __builtin_shufflevector(x, x, 2, 3, 2, 3),
+            vv);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Four x = row[i], y = row[i + 1];
+    include(__builtin_shufflevector(x, x, 0, 1, 2, 2) - __builtin_shufflevector(x, x, 1, 2, 3, 3) -
+                __builtin_shufflevector(y, y, 0, 1, 2, 2) +
+                __builtin_shufflevector(y, y, 1, 2, 3, 3),
+            uv);
   }
 }
 
@@ -61,6 +93,10 @@ BLOSSOM_HOT Range difference_range_u(const double* plane, int rows, int columns)
 
 BLOSSOM_HOT Range difference_range_v(const double* plane, int rows, int columns) {
   Ranges ranges(plane[1] - plane[0]);
+  if (rows == 4 && columns == 4) {
+    include_rows(plane, ranges);
+    return ranges.joined();
+  }
   for (int i = 0; i < rows; ++i) include(plane + i * columns, columns - 1, {0, 1}, {-1, 1}, ranges);
   return ranges.joined();
 }
@@ -70,6 +106,10 @@ BLOSSOM_HOT SecondRanges second_difference_ranges(const double* plane, int rows,
   Ranges uu(rows > 2 ? p[0] - 2 * p[columns] + p[2 * columns] : 0);
   Ranges uv(p[0] - p[1] - p[columns] + p[columns + 1]);
   Ranges vv(columns > 2 ? p[0] - 2 * p[1] + p[2] : 0);
+  if (rows == 4 && columns == 4) {
+    include_rows(plane, uu, uv, vv);
+    return {uu.joined(), uv.joined(), vv.joined()};
+  }
   include(plane, (rows - 2) * columns, {0, columns, 2 * columns}, {1, -2, 1}, uu);
   for (int i = 0; i < rows; ++i) {
     const double* row = plane + i * columns;
