@@ -12,6 +12,7 @@
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 #include "core/forms/degree.h"
+#include "core/math/power_series.h"
 #include "core/tracing/image_gap.h"
 #include "core/tracing/seven.h"
 #include "core/tracing/sites.h"
@@ -49,9 +50,9 @@ QuinticPoints piece_of(const QuinticPoints& c, double from, double to) {
 
 // The Bezier points of the spline's span [flat[span], flat[span + 1]]: blossoms at its ends. Point
 // k takes the end k times, then the start; the first steps of all points are the same.
-BLOSSOM_HOT QuinticPoints span_points(const std::vector<Vec7>& poles, const std::vector<double>& flat,
-                          std::size_t span) {
-  const auto step = [&](QuinticPoints& d, std::size_t r, double t) __attribute__((always_inline)) {
+BLOSSOM_HOT QuinticPoints span_points(const std::vector<Vec7>& poles,
+                                      const std::vector<double>& flat, std::size_t span) {
+  const auto step = [&](QuinticPoints & d, std::size_t r, double t) __attribute__((always_inline)) {
     for (std::size_t j = 5; j >= r; --j) {
       const double low = flat[span - 5 + j], high = flat[span + 1 + j - r];
       const double s = (t - low) / (high - low);
@@ -74,30 +75,37 @@ BLOSSOM_HOT QuinticPoints span_points(const std::vector<Vec7>& poles, const std:
 
 // A vector function in Bezier form whose length is to be bounded.
 struct ErrorForm {
-  BezierCurve form;
-  double factor = 1;  // the function is the form times at most this, and at least 1 / this
-  double margin = 0;
+  ErrorForm(const BezierCurve& form, double factor_, double margin_)
+      : count(form.points.size()), factor(factor_), margin(margin_) {
+    std::copy(form.points.begin(), form.points.end(), points.begin());
+  }
+
+  std::array<Vec3, kSeriesDegree + 1> points;
+  std::size_t count;
+  double factor;  // the function is the form times at most this, and at least 1 / this
+  double margin;
 
   double bound() const {
     double largest = 0;
-    for (const Vec3& p : form.points) largest = std::max(largest, dot(p, p));
+    for (std::size_t k = 0; k < count; ++k) largest = std::max(largest, dot(points[k], points[k]));
     return std::sqrt(largest) * factor * (1 + 0x1p-40) + margin;
   }
 
   // A value that it has.
   double seen() const {
-    return std::max(norm(form.points.front()), norm(form.points.back())) / factor;
+    return std::sqrt(
+               std::max(dot(points[0], points[0]), dot(points[count - 1], points[count - 1]))) /
+           factor;
   }
 };
 
 // Splits a form at the middle: de Casteljau's triangle.
 ErrorForm cut_off_first_half(ErrorForm& form) {
   ErrorForm first = form;
-  std::vector<Vec3>& p = form.form.points;
-  const std::size_t n = p.size() - 1;
-  for (std::size_t k = 0; k <= n; ++k) {
-    first.form.points[k] = p[0];
-    for (std::size_t i = 0; i + k < n; ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
+  auto& p = form.points;
+  for (std::size_t k = 0; k < form.count; ++k) {
+    first.points[k] = p[0];
+    for (std::size_t i = 0; i + k + 1 < form.count; ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
   }
   return first;
 }
@@ -221,12 +229,11 @@ class Proof {
 
   // What the forms leave out is a part of either function.
   void add_forms(ImageGap&& a, ImageGap&& b) {
-    BezierCurve between = difference(a.form, b.form);
-    forms_a_.push_back({std::move(a.form), 1 / (1 - a.relative), a.margin});
-    forms_b_.push_back({std::move(b.form), 1 / (1 - b.relative), b.margin});
+    forms_a_.emplace_back(a.form, 1 / (1 - a.relative), a.margin);
+    forms_b_.emplace_back(b.form, 1 / (1 - b.relative), b.margin);
     const double margin = forms_a_.back().bound() * a.relative + a.margin +
                           forms_b_.back().bound() * b.relative + b.margin;
-    forms_between_.push_back({std::move(between), 1, margin});
+    forms_between_.emplace_back(difference(std::move(a.form), b.form), 1, margin);
   }
 
   void sample(const QuinticPoints& piece) {

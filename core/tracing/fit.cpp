@@ -283,6 +283,9 @@ class Fitter {
     curve.curve = {kFitDegree, joined.knots, joined.multiplicities, {}};
     curve.chart_a = {kFitDegree, joined.knots, joined.multiplicities, {}};
     curve.chart_b = {kFitDegree, joined.knots, joined.multiplicities, {}};
+    for (auto* points : {&curve.chart_a.points, &curve.chart_b.points})
+      points->reserve(joined.poles.size());
+    curve.curve.points.reserve(joined.poles.size());
     for (const Vec7& pole : joined.poles) {
       curve.curve.points.push_back(space(pole));
       curve.chart_a.points.push_back(chart_a(pole));

@@ -111,7 +111,13 @@ std::vector<FlatKnots::Span> FlatKnots::spans(const Interval& range) const {
 SpanForm::SpanForm(const FlatKnots& knots, const FlatKnots::Span& span) : degree_(knots.degree()) {
   const int n = degree_;
   std::vector<double> near;  // the knots that count
+  near.reserve(static_cast<std::size_t>(2 * n));
   for (int i = span.index - n + 1; i <= span.index + n; ++i) near.push_back(knots.knot(i));
+  // Between knots of full multiplicity the poles are the Bezier points.
+  const auto middle = near.begin() + n;
+  if (std::count(near.begin(), middle, span.place.from) == n &&
+      std::count(middle, near.end(), span.place.to) == n)
+    return;
   alphas_.reserve(static_cast<std::size_t>(n * (n + 1) / 2 * (n + 1)));
   for (int k = 0; k <= n; ++k)
     for (int r = 1; r <= n; ++r) {
@@ -126,6 +132,10 @@ SpanForm::SpanForm(const FlatKnots& knots, const FlatKnots::Span& span) : degree
 
 void SpanForm::bezier_points(const Vec4* poles, Vec4* points) const {
   const int n = degree_;
+  if (alphas_.empty()) {
+    std::copy(poles, poles + n + 1, points);
+    return;
+  }
   Vec4 d[kMaxDegree + 1];
   const double* alpha = alphas_.data();
   for (int k = 0; k <= n; ++k) {

@@ -79,7 +79,7 @@ class SpanForm {
 
  private:
   int degree_;
-  std::vector<double> alphas_;  // by point, step and place, in the order of use
+  std::vector<double> alphas_;  // by point, step and place, in the order of use; none: all 0 or 1
 };
 
 /// Bezier points of w(t) (cos, sin, 1) over one span of an arc of the unit circle.

@@ -43,6 +43,7 @@ class Graph {
   Graph(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
         const std::vector<ContactChain>& contacts)
       : found_(found), a_(a), b_(b) {
+    points_.reserve(2 * found.arcs.size());
     for (const FoundArc& arc : found.arcs)
       for (const Point4& x : {arc.arc.from, arc.arc.to})
         points_.push_back(over_surfaces(a, b, arc.patch_a, arc.patch_b, x));
@@ -87,6 +88,8 @@ class Graph {
       return p[0] + 0.6180339887 * p[1] + 0.4142135623 * p[2] + 0.2360679774 * p[3];
     };
     std::vector<std::pair<double, std::size_t>> order;
+    order.reserve(points_.size());
+    ends_.reserve(points_.size());
     for (std::size_t e = 0; e < points_.size(); ++e)
       if (!found_.arcs[e / 2].dropped) order.emplace_back(value(e), e);
     std::sort(order.begin(), order.end());
@@ -99,7 +102,7 @@ class Graph {
         }
       if (vertex_[e] < 0) {
         vertex_[e] = static_cast<int>(ends_.size());
-        ends_.emplace_back();
+        ends_.emplace_back().reserve(2);
       }
       ends_[static_cast<std::size_t>(vertex_[e])].push_back(e);
     }
@@ -162,6 +165,7 @@ class Graph {
   // An arc across the corner of a cell may be so short that its ends are one point. Its neighbours
   // join there without it.
   void drop_shortest(const std::vector<ContactChain>& contacts) {
+    dropped_.reserve(found_.arcs.size());
     for (const FoundArc& arc : found_.arcs) dropped_.push_back(arc.dropped);
     std::vector<bool> arm(found_.arcs.size(), false);
     for (const ContactChain& contact : contacts)
