@@ -9,6 +9,7 @@
 
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Geom_Surface.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
@@ -113,23 +114,39 @@ double power_of_two(double length) {
   return length > 0 && std::isfinite(length) ? std::exp2(std::round(std::log2(length))) : 1.0;
 }
 
+// The derivatives of a polynomial patch by their control points.
+Vec2 chart_scale(const Geom_BezierSurface& patch) {
+  const TColgp_Array2OfPnt& p = patch.Poles();
+  const int rows = p.ColLength(), columns = p.RowLength();
+  Vec2 sum;
+  for (int i = 1; i <= rows; ++i)
+    for (int j = 1; j <= columns; ++j) {
+      if (i < rows) sum[0] += p(i, j).Distance(p(i + 1, j));
+      if (j < columns) sum[1] += p(i, j).Distance(p(i, j + 1));
+    }
+  return {power_of_two(sum[0] / columns), power_of_two(sum[1] / rows)};
+}
+
 // The mean lengths of the surface's derivatives over the box, rounded to powers of two.
 Vec2 chart_scale(const Handle(Geom_Surface) & surface, const PlanarBox& box) {
+  constexpr int kSamples = 5;
+  const auto patch = Handle(Geom_BezierSurface)::DownCast(surface);
+  if (!patch.IsNull() && !patch->IsURational() && !patch->IsVRational()) return chart_scale(*patch);
   // Keeps the polynomial of its last span, which a Bezier surface never leaves.
   const GeomAdaptor_Surface quick(surface);
   const bool one_span = quick.GetType() == GeomAbs_BezierSurface;
-  const int samples = one_span ? 3 : 5;  // each way
   Vec2 sum;
-  for (int i = 0; i < samples; ++i)
-    for (int j = 0; j < samples; ++j) {
-      const double u = at({box.low[0], box.high[0]}, (i + 0.5) / samples);
-      const double v = at({box.low[1], box.high[1]}, (j + 0.5) / samples);
+  for (int i = 0; i < kSamples; ++i)
+    for (int j = 0; j < kSamples; ++j) {
+      const double u = at({box.low[0], box.high[0]}, (i + 0.5) / kSamples);
+      const double v = at({box.low[1], box.high[1]}, (j + 0.5) / kSamples);
       gp_Pnt point;
       gp_Vec du, dv;
       one_span ? quick.D1(u, v, point, du, dv) : surface->D1(u, v, point, du, dv);
       sum += {du.Magnitude(), dv.Magnitude()};
     }
-  return {power_of_two(sum[0] / (samples * samples)), power_of_two(sum[1] / (samples * samples))};
+  return {power_of_two(sum[0] / (kSamples * kSamples)),
+          power_of_two(sum[1] / (kSamples * kSamples))};
 }
 
 double past(const PlanarBox& box, const PlanarBox& bounds) {
