@@ -86,24 +86,24 @@ LocalForm local(const QuinticPoints& piece, int coordinate, ParameterLaw law, co
   LocalForm result = local_form(c, law, span, kSeriesChartDegree);
   // A local parameter of an angle grows at most twice as fast as that of a line.
   result.rounding += 2 * (rounding + 4 * kUnit) * largest / length(span);
-  const auto [low, high] =
-      std::minmax_element(result.form.points.begin(), result.form.points.end());
-  result.rounding += power_rounding(result.form.degree()) * (*high - *low) + 2 * kUnit;
+  const auto [low, high] = std::ranges::minmax(result.points());
+  result.rounding += power_rounding(result.degree) * (high - low) + 2 * kUnit;
   return result;
 }
 
 // How far numbers leave [0, 1].
 double stray(std::span<const double> numbers) {
-  const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
-  return std::max({0.0, -*low, *high - 1});
+  const auto [low, high] = std::ranges::minmax(numbers);
+  return std::max({0.0, -low, high - 1});
 }
 
 // Ends and middle of a form.
-std::array<double, 3> values_of(const BezierFunction& form) {
-  std::vector<double> p = form.points;
-  for (std::size_t level = p.size() - 1; level > 0; --level)
-    for (std::size_t i = 0; i < level; ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
-  return {form.points.front(), p.front(), form.points.back()};
+std::array<double, 3> values_of(const LocalForm& form) {
+  auto p = form.coefficients;
+  for (int level = form.degree; level > 0; --level)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(level); ++i)
+      p[i] = 0.5 * (p[i] + p[i + 1]);
+  return {form.points().front(), p.front(), form.points().back()};
 }
 
 Vec3 in_space(const Vec4& p) { return {p[0], p[1], p[2]}; }
@@ -159,7 +159,7 @@ std::optional<ImageGap> ImageGaps::on(const QuinticPoints& piece, int halvings) 
   const LocalForm u = local(piece, first_, surface_.u_law, knots(surface_.u_knots, i), rounding);
   const LocalForm v =
       local(piece, first_ + 1, surface_.v_law, knots(surface_.v_knots, j), rounding);
-  const double stray_u = stray(u.form.points), stray_v = stray(v.form.points);
+  const double stray_u = stray(u.points()), stray_v = stray(v.points());
   if (!(std::max(stray_u, stray_v) <= kStray)) return {};
   std::optional<ImageGap> result;
   if (short_series_) result = composed(patch, u, v, piece, rounding, kShortSeriesDegree);
@@ -174,7 +174,7 @@ std::optional<ImageGap> ImageGaps::on(const QuinticPoints& piece, int halvings) 
     // Beside a line that the curve touches the control points alone stray: halving ends that.
     if (halvings < kStrayHalvings &&
         margin > std::max(kFormError, kRestShare * largest_norm(result->form.points)) &&
-        stray_u + stray_v > kFalseStray * (stray(values_of(u.form)) + stray(values_of(v.form))))
+        stray_u + stray_v > kFalseStray * (stray(values_of(u)) + stray(values_of(v))))
       return {};
     result->margin += margin;
   }
@@ -189,8 +189,8 @@ std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, co
   std::array<Vec3, 6> points;
   for (std::size_t k = 0; k < points.size(); ++k) points[k] = space(piece[k]) - origin;
   const PowerSeries<Vec3> curve = power_series(points);
-  const ImageSeries series = image_series(patch, origin, power_series(u.form.points),
-                                          power_series(v.form.points), kFormError, degree);
+  const ImageSeries series = image_series(patch, origin, power_series(u.points()),
+                                          power_series(v.points()), kFormError, degree);
   ImageGap result;
   double inverse = 1;
   PowerSeries<Vec3> gap;

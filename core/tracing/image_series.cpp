@@ -165,15 +165,16 @@ BLOSSOM_HOT void make_local_size(const Net& net, const double* in_u, const doubl
       add_absolute(in_u[k] * in_v[l], net.points[k * (net.m + 1) + l], size);
 }
 
-// Powers of a step from the first one on, of which K + 1 coefficients are kept; rest[j] bounds what is
-// cut off the j-th.
+// Powers of a step from the first one on, of which K + 1 coefficients are kept; rest[j] bounds what
+// is cut off the j-th.
 template <int K>
 struct Powers {
   double term[kMaxDegree + 1][K + 1];
   double rest[kMaxDegree + 1];
 };
 
-// D is no less than the step's degree, and no more than K. So here and below: loops of a known length cost far less.
+// D is no less than the step's degree, and no more than K. So here and below: loops of a known
+// length cost far less.
 template <int K, int D>
 [[gnu::always_inline]] inline void make_powers(const Step& step, int highest, Powers<K>& powers) {
   for (int q = 0; q <= K; ++q) powers.term[1][q] = q <= D ? step.term[q] : 0;
@@ -306,25 +307,36 @@ constexpr std::array<PowerWeights, kChartDegree + 1> kPowerOfBezier = [] {
   return all;
 }();
 
-// Of points less the first one.
-template <class Point>
-PowerSeries<Point> powers_of(std::span<const Point> points) {
-  const std::size_t n = points.size() - 1;
-  assert(n <= kChartDegree);
+// Of points less the first one; of degree N if that is not negative.
+template <class Point, int N = -1>
+[[gnu::always_inline]] inline void add_powers(std::span<const Point> points,
+                                              std::array<Point, kSeriesDegree + 1>& terms) {
+  const std::size_t n = N < 0 ? points.size() - 1 : N;
   std::array<Point, kChartDegree + 1> p;
   for (std::size_t i = 1; i <= n; ++i) p[i] = points[i] - points[0];
-  PowerSeries<Point> result;
   for (std::size_t k = 0; k <= n; ++k)
-    for (std::size_t i = 1; i <= n; ++i) result.terms[k] += kPowerOfBezier[n][k][i] * p[i];
-  result.terms[0] += points[0];
+    for (std::size_t i = 1; i <= n; ++i) terms[k] += kPowerOfBezier[n][k][i] * p[i];
+  terms[0] += points[0];
+}
+
+template <class Point>
+[[gnu::always_inline]] inline PowerSeries<Point> powers_of(std::span<const Point> points) {
+  assert(points.size() <= kChartDegree + 1);
+  PowerSeries<Point> result;
+  points.size() == kLinearDegree + 1 ? add_powers<Point, kLinearDegree>(points, result.terms)
+                                     : add_powers<Point>(points, result.terms);
   return result;
 }
 
 }  // namespace
 
-PowerSeries<double> power_series(std::span<const double> points) { return powers_of(points); }
+BLOSSOM_HOT PowerSeries<double> power_series(std::span<const double> points) {
+  return powers_of(points);
+}
 
-PowerSeries<Vec3> power_series(std::span<const Vec3> points) { return powers_of(points); }
+BLOSSOM_HOT PowerSeries<Vec3> power_series(std::span<const Vec3> points) {
+  return powers_of(points);
+}
 
 BLOSSOM_HOT std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series, std::size_t degree) {
   return degree <= kShortSeriesDegree ? bezier_points_of<kShort>(series)

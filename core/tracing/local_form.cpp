@@ -118,11 +118,11 @@ LocalForm angle_form(const std::array<double, 6>& parameters, const Interval& sp
     largest = std::max(largest, std::abs(values.back()));
   }
   LocalForm result;
-  for (const auto& row : rule.matrix) {
-    const auto i = static_cast<double>(result.form.points.size());
-    double sum = at(ends, i / degree);
-    for (std::size_t j = 0; j < values.size(); ++j) sum += row[j] * values[j];
-    result.form.points.push_back(sum);
+  result.degree = degree;
+  for (std::size_t i = 0; i < rule.matrix.size(); ++i) {
+    double sum = at(ends, static_cast<double>(i) / degree);
+    for (std::size_t j = 0; j < values.size(); ++j) sum += rule.matrix[i][j] * values[j];
+    result.coefficients[i] = sum;
   }
   const double size = 1 + std::max(std::abs(ends.from), std::abs(ends.to));
   result.rounding = (16 * size + 2 * degree * largest) * kUnit * rule.norm;
@@ -133,8 +133,8 @@ LocalForm angle_form(const std::array<double, 6>& parameters, const Interval& sp
 
 LocalForm linear_form(const std::array<double, 6>& parameters, const Interval& span) {
   LocalForm result;
-  result.form.points.reserve(parameters.size());
-  for (const double p : parameters) result.form.points.push_back((p - span.from) / length(span));
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    result.coefficients[i] = (parameters[i] - span.from) / length(span);
   return result;
 }
 

@@ -8,8 +8,8 @@
 #pragma once
 
 #include <array>
+#include <span>
 
-#include "core/forms/function.h"
 #include "core/forms/surface.h"
 
 namespace blossom {
@@ -18,9 +18,15 @@ namespace blossom {
 inline constexpr int kAngleDegree = 8;
 
 struct LocalForm {
-  BezierFunction form;  ///< degree 5 for a line, the wanted one for an angle
+  std::array<double, kAngleDegree + 1> coefficients{};
+  int degree = 5;       ///< for a line, the wanted one for an angle
   double error = 0;     ///< bound on the distance to the true local parameter; infinite at worst
   double rounding = 0;  ///< bound on what rounding adds, in the local parameter
+
+  /// Bezier points over [0, 1].
+  std::span<const double> points() const {
+    return std::span(coefficients).first(static_cast<std::size_t>(degree) + 1);
+  }
 };
 
 /// The local parameter of a span along a chart coordinate.

@@ -148,7 +148,8 @@ Coordinate local_coordinate(const Fit& fit, int k, const Interval& span, Paramet
   std::array<double, 6> parameters;
   std::ranges::copy(own.points, parameters.begin());
   const LocalForm form = local_form(parameters, law, span, kFitDegree);
-  result.points = form.form.points;
+  const auto points = form.points();
+  result.points.assign(points.begin(), points.end());
   result.error += form.error + form.rounding;
   return result;
 }
