@@ -55,9 +55,9 @@ Basis basis_at(const std::vector<double>& flat, std::size_t span, const InverseW
   return basis;
 }
 
-// The normal equations of a spline's poles: a symmetric positive definite matrix with five diagonals
-// below the main one, and seven right hand sides. Row i holds the entries (i, i - 5 .. i). The poles
-// at the ends are known: their rows are made, but not solved.
+// The normal equations of a spline's poles: a symmetric positive definite matrix with five
+// diagonals below the main one, and seven right hand sides. Row i holds the entries (i, i - 5 ..
+// i). The poles at the ends are known: their rows are made, but not solved.
 class BandedSystem {
  public:
   explicit BandedSystem(std::size_t poles) : rows_(poles), right_(poles) {}

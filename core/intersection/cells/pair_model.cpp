@@ -98,7 +98,7 @@ JacobianBounds PairModel::mean_jacobian(const PairJet& jet, const PairPart& part
 }
 
 BLOSSOM_HOT JacobianBounds PairModel::jacobian_within(const PairJet& jet, const PairPart& part,
-                                          double share) const {
+                                                      double share) const {
   std::array<double, 4> reach;
   for (std::size_t i = 0; i < 4; ++i)
     reach[i] = share * (std::abs(part.middle[i] - jet.place[i]) + part.radius[i]);
@@ -113,8 +113,9 @@ BLOSSOM_HOT JacobianBounds PairModel::jacobian_within(const PairJet& jet, const 
        column(2, second_b_[0], second_b_[1]), column(3, second_b_[1], second_b_[2])});
 }
 
-BLOSSOM_HOT bool narrow(PairPart& part, const Minor& minor, int left_out, const VectorBounds& column,
-            const std::array<double, 4>& place, const BoundedVector& gap) {
+BLOSSOM_HOT bool narrow(PairPart& part, const Minor& minor, int left_out,
+                        const VectorBounds& column, const std::array<double, 4>& place,
+                        const BoundedVector& gap) {
   const auto kept = kept_columns(left_out);
   const auto out = static_cast<std::size_t>(left_out);
   const double step = part.middle[out] - place[out], reach = part.radius[out];

@@ -114,8 +114,7 @@ TEST_P(PairModels, BoundTheMeanDerivativesOnTheWayToAPart) {
     std::array<Vec3, 4> mean{};
     for (int step = 0; step <= kSteps; ++step) {
       std::array<double, 4> z;
-      for (std::size_t k = 0; k < 4; ++k)
-        z[k] = start[k] + (stop[k] - start[k]) * step / kSteps;
+      for (std::size_t k = 0; k < 4; ++k) z[k] = start[k] + (stop[k] - start[k]) * step / kSteps;
       const double weight = (step % kSteps == 0 ? 0.5 : 1.0) / kSteps;
       const PairJet jet = model.jet(z);
       for (std::size_t k = 0; k < 4; ++k) mean[k] += weight * jet.columns[k];
