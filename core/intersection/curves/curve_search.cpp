@@ -40,6 +40,11 @@ bool first_is_larger(const CurvePair& pair) {
   return spread(pair.a) >= spread(pair.b);
 }
 
+double sine_between(const CurveFoot& foot) {
+  const Vec3 &p = foot.jet_a.first, &q = foot.jet_b.first;
+  return norm(cross(p, q)) / (norm(p) * norm(q));
+}
+
 bool meet(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
 
 // Both cones within less than a right angle of one direction: all tangents of the two pieces have
@@ -139,18 +144,15 @@ void CurveSearch::examine(int index_a, int index_b) {
   const bool joined = itself_ && are_neighbours(pair.a, pair.b);
   if (joined && turns_little(pair.a, pair.b, 1)) return;
   if (!joined) {
+    if (const auto points = line_points(pair, tolerance_, longest_valley_))
+      return add_points(pair, *points);
     const auto sine = least_sine(pair);
     if (sine && settle(pair, *sine)) {
       ++found_.certified;
       return;
     }
     const auto valley = sine ? std::nullopt : valley_points(pair, tolerance_, longest_valley_);
-    if (valley && !valley->contact) {
-      found_.points.insert(found_.points.end(), valley->points.begin(),
-                           valley->points.begin() + valley->count);
-      ++found_.certified;
-      return;
-    }
+    if (valley && !valley->contact) return add_points(pair, *valley);
     // Of one curve the contact may be the beginning of a cusp, which is told as a whole.
     if (valley && !itself_) return add_contact(pair, valley->a, valley->b, found_.contacts);
   }
@@ -166,6 +168,18 @@ void CurveSearch::examine(int index_a, int index_b) {
   const bool first = first_is_larger(pair);
   // Neighbours on one curve are never apart where they join.
   if (itself_ || !clip(index_a, index_b, lines)) halve(index_a, index_b, first);
+}
+
+void CurveSearch::add_points(const CurvePair& pair, const ValleyPoints& points) {
+  ++found_.certified;
+  for (int i = 0; i < points.count; ++i) {
+    ValleyPoint point = points.points[static_cast<std::size_t>(i)];
+    if (!point.touch) {
+      const double rounding = 4 * pair.margin() / sine_between(point.foot);
+      point.foot = at_common_end(pair, point.foot, rounding);
+    }
+    found_.points.push_back(point);
+  }
 }
 
 // Leaves the parts of both cells that may be near each other, if that is less than halves would.

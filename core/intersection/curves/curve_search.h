@@ -56,6 +56,7 @@ class CurveSearch {
   bool is_shared(const CurvePair& pair) const;
   bool are_neighbours(const CurveCell& a, const CurveCell& b) const;
   CurveFoot at_common_end(const CurvePair& pair, const CurveFoot& foot, double rounding) const;
+  void add_points(const CurvePair& pair, const ValleyPoints& points);
   bool settle(const CurvePair& pair, double sine);
   bool settle_outside(const CurvePair& pair, CurveFoot foot);
   void add_contact(const CurvePair& pair, std::vector<CurveContact>& list);

@@ -14,11 +14,10 @@ constexpr double kNearlyOne = 0.97;  // least cosine between the axes
 constexpr double kMostOf = 0.5;      // of the tolerance, at the ends of a contact
 constexpr int kSolveSteps = 12;      // of Newton's method for the place with a given x
 constexpr double kNearX = 1e-8;      // of a cell; of what is left third powers do not matter
-constexpr double kNoise = 1e-3;      // a gap this part of the bound on its error is 0
-constexpr double kBorder = 1e-9;     // fraction of the range; what is this far outside counts, too
 // Graphs are steeper than e by an angle of which this is the secant at most, and distances shorter
 // than gaps by that: cones of kNarrow round axes that are kNearlyOne from each other.
 constexpr double kSteep = 1.2;
+constexpr double kParameterSlack = 1e-14;
 
 // One graph's value, slope and curvature over x.
 struct GraphPoint {
@@ -43,8 +42,13 @@ class Valley {
       return is_monotone() && decide_crossing() ? result_ : side_of_tolerance();
     }
     half_length_ = std::sqrt(2 * (tolerance_ + error_) / least_bend_);
-    if (!decide()) return std::nullopt;
-    return result_;
+    // In space the third direction may still bring together what the gap keeps apart.
+    const double beyond = pair_.dimension() == 2 ? 0 : tolerance_;
+    const bool decided = convex_points(
+        side_at(low_), side_at(high_), {tolerance_, error_, least_bend_, most_bend_, 1, beyond},
+        [&](double x, const Side& near) { return side_at(x, near); },
+        [&](const Side& side, bool touch) { return add(side, touch); });
+    return decided ? std::optional(result_) : std::nullopt;
   }
 
  private:
@@ -142,7 +146,9 @@ class Valley {
     const Side low = side_at(low_), high = side_at(high_);
     const Side &above = low.gap > high.gap ? low : high, &below = low.gap > high.gap ? high : low;
     const double least = std::max(error_, kMostOf * tolerance_);
-    return above.gap > least && below.gap < -least && add(zero(above, below), false);
+    if (!(above.gap > least && below.gap < -least)) return false;
+    const auto from_last = [&, last = above](double x) mutable { return last = side_at(x, last); };
+    return add(zero_between(above, below, from_last, detail::kConvexNoise * error_), false);
   }
 
   // |h(x) - h(c)| <= |h'(c)| w + most |h''| w^2 / 2 within w of the middle c of the range.
@@ -162,7 +168,8 @@ class Valley {
   // Between two parameters and a little beyond, so that stretches of neighbours meet: seen along
   // axes of their own they end where points within tolerance of each other are apart.
   Interval stretch(double from, double to, const CurveCell& cell) const {
-    const double slack = length(cell.local) * std::max(kBorder, 4 * tolerance_ / cell.extent);
+    const double slack =
+        length(cell.local) * std::max(detail::kConvexBorder, 4 * tolerance_ / cell.extent);
     return {std::max(cell.local.from, std::min(from, to) - slack),
             std::min(cell.local.to, std::max(from, to) + slack)};
   }
@@ -254,43 +261,6 @@ class Valley {
     point.gap = {std::max(0.0, gap - error), gap + error};
   }
 
-  Side zero(const Side& above, const Side& below) const {
-    const auto from_last = [&, last = above](double x) mutable { return last = side_at(x, last); };
-    return zero_between(above, below, from_last, kNoise * error_);
-  }
-
-  // A zero between the border `side` of the range and the least value, if there is one.
-  bool add_zero(const Side& side, const Side& least) {
-    if (side.gap < -error_) return true;
-    if (side.gap <= error_) return add(side, false);
-    return add(zero(side, least), false);
-  }
-
-  bool decide() {
-    const Side low = side_at(low_), high = side_at(high_);
-    const double slack = most_bend_ * kBorder * (high_ - low_);
-    if (low.slope < slack && high.slope > -slack) {
-      const auto from_last = [&, last = low](double x) mutable { return last = side_at(x, last); };
-      const Side bottom = least_between(low, high, from_last);
-      if (bottom.gap > tolerance_ + error_) return true;
-      const double depth = std::max(0.0, -bottom.gap - error_);
-      const bool one_point = 2 * std::sqrt(2 * depth / least_bend_) <= tolerance_;
-      if (bottom.gap >= -error_ || one_point) return add(bottom, true);
-      return add_zero(low, bottom) && add_zero(high, bottom);
-    }
-    return decide_monotone(low.slope >= slack ? low : high, low.slope >= slack ? high : low);
-  }
-
-  // The gap grows from `lower` to `upper`.
-  bool decide_monotone(const Side& lower, const Side& upper) {
-    if (lower.gap > error_)  // in space the third direction may still bring them together
-      return pair_.dimension() == 2 || lower.gap > tolerance_ + error_;
-    if (upper.gap < -error_) return pair_.dimension() == 2 || upper.gap < -tolerance_ - error_;
-    if (lower.gap >= -error_) return add(lower, false);
-    if (upper.gap <= error_) return add(upper, false);
-    return add(zero(upper, lower), false);
-  }
-
   const CurvePair& pair_;
   double tolerance_;
   double longest_;
@@ -306,7 +276,158 @@ class Valley {
   ValleyPoints result_;
 };
 
+// A straight cell and a bent one; x is the bent one's parameter, the gap its distance from the
+// line.
+class LineValley {
+ public:
+  LineValley(const CurvePair& pair, bool line_is_a, double tolerance, double longest)
+      : pair_(pair),
+        line_is_a_(line_is_a),
+        line_tree_(line_is_a ? pair.tree_a : pair.tree_b),
+        curve_tree_(line_is_a ? pair.tree_b : pair.tree_a),
+        line_(line_is_a ? pair.a : pair.b),
+        curve_(line_is_a ? pair.b : pair.a),
+        tolerance_(tolerance),
+        longest_(longest),
+        degree_(curve_.points - 1) {
+    const Vec3& e = line_.axis;
+    normal_ = {-e[1], e[0], 0};
+    level_ = 0.5 * (line_.across.low + line_.across.high);
+    start_ = e[0] * line_.hull[0] + e[1] * line_.hull[2];
+    length_ = e[0] * line_.hull[1] + e[1] * line_.hull[3] - start_;
+    error_ = pair.margin() + 2 * curve_.margin + 0.5 * (line_.across.high - line_.across.low);
+  }
+
+  std::optional<ValleyPoints> points() {
+    const auto [slope, bend] = curve_tree_.derivative_ranges(curve_, normal_);
+    const ValueRange along = curve_tree_.derivative_ranges(curve_, line_.axis)[0];
+    speed_ = std::hypot(magnitude(slope), magnitude(along));
+    if (!(speed_ > 0)) return std::nullopt;
+    sign_ = bend.low > 0 || (!(bend.high < 0) && slope.low > 0) ? 1 : -1;
+    const ValueRange bends = sign_ > 0 ? bend : ValueRange{-bend.high, -bend.low};
+    least_bend_ = bends.low;
+    most_bend_ = bends.high;
+    for (int i = 0; i <= degree_; ++i)
+      values_[i] = sign_ * (normal_[0] * curve_.hull[i] +
+                            normal_[1] * curve_.hull[degree_ + 1 + i] - level_);
+    const bool decided = is_convex() ? decide_convex() : decide_crossing(least_of(slope));
+    return decided ? std::optional(result_) : std::nullopt;
+  }
+
+ private:
+  struct Side {
+    double x, gap, slope, bend;
+  };
+
+  static double magnitude(const ValueRange& a) {
+    return std::max(std::abs(a.low), std::abs(a.high));
+  }
+  static double least_of(const ValueRange& a) { return std::max({0.0, a.low, -a.high}); }
+
+  // Contacts are no longer than what others do not look for.
+  bool is_convex() const {
+    return least_bend_ > 0 && least_bend_ * longest_ * longest_ >= 8 * tolerance_ * speed_ * speed_;
+  }
+
+  bool decide_convex() {
+    half_length_ = speed_ * std::sqrt(2 * (tolerance_ + error_) / least_bend_);
+    return convex_points(
+        side_at(0), side_at(1), {tolerance_, error_, least_bend_, most_bend_, speed_},
+        [&](double x, const Side&) { return side_at(x); },
+        [&](const Side& side, bool touch) { return add(side, touch); });
+  }
+
+  // The distance only grows or only falls, and all of the contact is inside.
+  bool decide_crossing(double least_slope) {
+    half_length_ = speed_ * (tolerance_ + error_) / least_slope;
+    if (!(least_slope > 8 * error_ && 2 * half_length_ <= longest_)) return false;
+    const Side low = side_at(0), high = side_at(1);
+    const double least = std::max(error_, kMostOf * tolerance_);
+    const Side &above = low.gap > high.gap ? low : high, &below = low.gap > high.gap ? high : low;
+    if (!(above.gap > least && below.gap < -least)) return false;
+    const auto place = [&](double x) { return side_at(x); };
+    return add(zero_between(above, below, place, detail::kConvexNoise * error_), false);
+  }
+
+  Side side_at(double x) const {
+    std::array<double, kMaxDegree + 1> c;
+    std::copy_n(values_.begin(), degree_ + 1, c.begin());
+    const double rest = 1 - x, n = degree_;
+    const auto step = [&](int count) {
+      for (int i = 0; i < count; ++i) c[i] = rest * c[i] + x * c[i + 1];
+    };
+    for (int count = degree_; count > 2; --count) step(count);
+    const double bend = n * (n - 1) * (c[2] - 2 * c[1] + c[0]);
+    step(2);
+    return {x, rest * c[0] + x * c[1], n * (c[1] - c[0]),
+            std::clamp(bend, least_bend_, most_bend_)};
+  }
+
+  // How far from a computed zero or least value an exact zero may be, by x.
+  double reach(const Side& side) const {
+    const double slope = std::abs(side.slope);
+    if (!(least_bend_ > 0)) return 2 * error_ / slope;
+    const bool simple = slope * slope > 8 * error_ * most_bend_;
+    return simple ? 2 * error_ / slope : 4 * std::sqrt(error_ / least_bend_);
+  }
+
+  // What lies beyond the ends of the line is nothing: ends of curves are examined apart, and other
+  // cells go on beyond an end of this one.
+  bool add(const Side& side, bool touch) {
+    SpanPoint on_curve{curve_.span, at(curve_.local, side.x)};
+    CurveJet jet = curve_tree_.jet(on_curve);
+    const double rest = dot(normal_, jet.point) - level_;
+    if (!touch && std::abs(rest) > 0.5 * pair_.margin()) {  // of the cell's net, not of the curve
+      const double step = rest / dot(normal_, jet.first);
+      if (!(std::abs(step) <= reach(side))) return false;
+      on_curve.t = std::clamp(on_curve.t - step, 0.0, 1.0);
+      jet = curve_tree_.jet(on_curve);
+    }
+    const double part = (dot(line_.axis, jet.point) - start_) / length_;
+    const double slack = (speed_ * reach(side) + error_) / length_ + kParameterSlack;
+    if (part < -slack || part > 1 + slack) return true;
+    const SpanPoint on_line{line_.span, std::clamp(at(line_.local, part), 0.0, 1.0)};
+    const CurveJet line_jet = line_tree_.jet(on_line);
+    ValleyPoint& point = result_.points[static_cast<std::size_t>(result_.count++)];
+    point.foot = line_is_a_ ? CurveFoot{on_line, on_curve, line_jet, jet}
+                            : CurveFoot{on_curve, on_line, jet, line_jet};
+    point.touch = touch;
+    const bool apart = touch && side.gap > error_;
+    point.gap = {apart ? side.gap - error_ : 0, apart ? side.gap + error_ : error_};
+    point.half_length = half_length_;
+    return true;
+  }
+
+  const CurvePair& pair_;
+  bool line_is_a_;
+  const CurveTree& line_tree_;
+  const CurveTree& curve_tree_;
+  const CurveCell& line_;
+  const CurveCell& curve_;
+  double tolerance_;
+  double longest_;
+  int degree_;
+  Vec3 normal_;
+  double level_ = 0;               // of the line along the normal
+  double start_ = 0, length_ = 0;  // of the line along its axis
+  double error_ = 0;               // of a gap
+  double speed_ = 0;               // bound on the bent cell's
+  double sign_ = 1;
+  double least_bend_ = 0, most_bend_ = 0;
+  double half_length_ = 0;
+  std::array<double, kMaxDegree + 1> values_;  // the gap's coefficients
+  ValleyPoints result_;
+};
+
 }  // namespace
+
+std::optional<ValleyPoints> line_points(const CurvePair& pair, double tolerance, double longest) {
+  if (pair.dimension() != 2) return std::nullopt;
+  if (pair.tree_a.curve().rational || pair.tree_b.curve().rational) return std::nullopt;
+  const bool line_a = pair.a.points == 2, line_b = pair.b.points == 2;
+  if (line_a == line_b || (line_a ? pair.a : pair.b).axis == Vec3{}) return std::nullopt;
+  return LineValley(pair, line_a, tolerance, longest).points();
+}
 
 std::optional<ValleyPoints> valley_points(const CurvePair& pair, double tolerance, double longest) {
   return Valley(pair, tolerance, longest).points();

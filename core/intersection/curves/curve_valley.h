@@ -42,4 +42,12 @@ struct ValleyPoints {
 ///            third direction by more than rounding
 std::optional<ValleyPoints> valley_points(const CurvePair& pair, double tolerance, double longest);
 
+/// The same in the plane for a straight cell and a polynomial one, without a common direction: the
+/// distance h(t) of the second curve from the line is a polynomial in its Bernstein form.
+///
+/// returns    nothing as well if neither cell is of degree 1, or both are
+///
+/// Source: Sederberg and Nishita 1990, for the distance.
+std::optional<ValleyPoints> line_points(const CurvePair& pair, double tolerance, double longest);
+
 }  // namespace blossom

@@ -15,6 +15,9 @@ namespace blossom {
 namespace detail {
 inline constexpr int kConvexSteps = 60;          // of the safeguarded searches
 inline constexpr double kConvexSettled = 1e-13;  // steps this small, as part of the range, are last
+inline constexpr double kConvexNoise = 1e-3;     // a gap this part of the bound on its error is 0
+// Fraction of the range; a least value this far outside counts, too.
+inline constexpr double kConvexBorder = 1e-9;
 }  // namespace detail
 
 /// The place of the least value between two sides whose slopes have different signs.
@@ -56,6 +59,50 @@ Side zero_between(Side above, Side below, At at, double noise) {
     (side.gap > 0 ? above : below) = side;
   }
   return side;
+}
+
+/// What is known of the gap of two curves where it is proven convex.
+struct ConvexGap {
+  double tolerance;   ///< least values up to this count as touches, model units
+  double error;       ///< bound on the error of a gap, model units
+  double least_bend;  ///< of the second derivative by x; positive
+  double most_bend;
+  double stretch = 1;  ///< bound on the length along the curves over a unit of x, model units
+  /// Where the gap ends above 0 or below it, this far at least, nothing else brings the curves
+  /// together.
+  double beyond = 0;
+};
+
+/// The zeros of a convex gap and its least value within tolerance, all there are between two sides.
+///
+/// at       makes a side from x and a side near it
+/// add      takes a side and whether it is a touch, else a zero; false: it is not decided
+/// returns  false if it is not decided
+template <class Side, class At, class Add>
+bool convex_points(const Side& low, const Side& high, const ConvexGap& known, At at, Add add) {
+  const auto from = [&](const Side& first) {
+    return [&at, last = first](double x) mutable { return last = at(x, last); };
+  };
+  const auto add_zero = [&](const Side& side, const Side& least) {
+    if (side.gap < -known.error) return true;
+    if (side.gap <= known.error) return add(side, false);
+    return add(zero_between(side, least, from(side), detail::kConvexNoise * known.error), false);
+  };
+  const double slack = known.most_bend * detail::kConvexBorder * (high.x - low.x);
+  if (high.slope > -slack && low.slope < slack) {
+    const Side bottom = least_between(low, high, from(low));
+    if (bottom.gap > known.tolerance + known.error) return true;
+    const double depth = std::max(0.0, -bottom.gap - known.error);
+    const double apart = 2 * std::sqrt(2 * depth / known.least_bend) * known.stretch;
+    if (bottom.gap >= -known.error || apart <= known.tolerance) return add(bottom, true);
+    return add_zero(low, bottom) && add_zero(high, bottom);
+  }
+  const bool grows = low.slope >= slack;
+  const Side &lower = grows ? low : high, &upper = grows ? high : low;
+  if (lower.gap > known.error) return lower.gap > known.beyond + known.error;
+  if (upper.gap < -known.error) return upper.gap < -known.beyond - known.error;
+  if (lower.gap >= -known.error) return add(lower, false);
+  return add_zero(upper, lower);
 }
 
 }  // namespace blossom

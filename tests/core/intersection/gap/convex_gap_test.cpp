@@ -46,5 +46,25 @@ TEST(ConvexGap, ZerosOnBothSidesAreFoundInAFewSteps) {
   }
 }
 
+TEST(ConvexGap, DepthTellsZerosFromTouches) {
+  const auto kinds = [](double depth) {
+    const Cubic gap{0.4, depth};
+    int zeros = 0, touches = 0;
+    EXPECT_TRUE(convex_points(
+        gap(0), gap(1), {1e-7, 1e-15, 1, 4}, [&](double x, const Side&) { return gap(x); },
+        [&](const Side&, bool touch) {
+          ++(touch ? touches : zeros);
+          return true;
+        }));
+    return 10 * touches + zeros;
+  };
+  EXPECT_EQ(kinds(1e-2), 2);
+  EXPECT_EQ(kinds(1e-10), 2);
+  EXPECT_EQ(kinds(1e-16), 10);
+  EXPECT_EQ(kinds(-5e-8), 10);
+  EXPECT_EQ(kinds(-5e-7), 0);
+  EXPECT_EQ(kinds(0.3), 1);
+}
+
 }  // namespace
 }  // namespace blossom
