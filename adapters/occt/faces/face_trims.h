@@ -85,6 +85,10 @@ struct ClippedCurve {
   bool complete = true;          ///< false when the search for meetings ran out of its budget
 };
 
+/// What touches a wire with a radius of curvature r keeps within a tolerance t for sqrt(8 r t).
+/// What does so longer than this runs along the wire.
+double longest_touch(const FaceTrims& trims, double tolerance);
+
 /// Clips a curve in chart coordinates, where it lies (no periods are added).
 /// tolerance   distance that counts as meeting, chart coordinates
 ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double tolerance);

@@ -44,12 +44,6 @@ bool on_run(const ClippedCurve& found, double parameter) {
   });
 }
 
-// What touches a wire with a radius of curvature r keeps within a tolerance t for sqrt(8 r t). What
-// does so longer than this runs along the wire.
-double longest_touch(const FaceTrims& trims, double tolerance) {
-  return 4 * std::sqrt(tolerance * norm(trims.box.high - trims.box.low));
-}
-
 void append(std::vector<Interval>& intervals, const Interval& next) {
   if (!intervals.empty() && intervals.back().to >= next.from)
     intervals.back().to = std::max(intervals.back().to, next.to);
@@ -256,6 +250,10 @@ std::vector<Interval> parts_in(const FaceTrims& trims, const PlanarCurve& curve)
 }
 
 }  // namespace
+
+double longest_touch(const FaceTrims& trims, double tolerance) {
+  return 4 * std::sqrt(tolerance * norm(trims.box.high - trims.box.low));
+}
 
 ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double tolerance) {
   ClippedCurve found;

@@ -179,6 +179,11 @@ double EdgeSplits::parameter(const TopoDS_Edge& edge, int split) const {
   return split == kFirst ? first : last;
 }
 
+bool EdgeSplits::is_known(const TopoDS_Edge& edge, int split) const {
+  const Record* of = find(edge);
+  return of == nullptr || of->splits[static_cast<std::size_t>(split)].face.IsNull();
+}
+
 int EdgeSplits::count(const TopoDS_Edge& edge) const {
   const Record* of = find(edge);
   return of != nullptr ? static_cast<int>(of->splits.size()) : 2;

@@ -59,6 +59,10 @@ class EdgeSplits {
   /// The edge's own parameter of a split.
   double parameter(const TopoDS_Edge& edge, int split) const;
 
+  /// Whether a split is a vertex of the edge or no face asked for it first: edges that meet, which
+  /// tell where more exactly than cuts do.
+  bool is_known(const TopoDS_Edge& edge, int split) const;
+
   /// How many splits an edge has, its own vertices among them.
   int count(const TopoDS_Edge& edge) const;
 

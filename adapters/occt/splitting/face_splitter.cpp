@@ -3,9 +3,11 @@
 #include "adapters/occt/splitting/face_splitter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -171,10 +173,47 @@ double FaceSplitter::obliqueness(const Strand& strand, const TrimMeeting& meetin
   return sine * kMostDisagreement > size ? std::max(1.0, size / sine) : kMostDisagreement;
 }
 
+// A cut that keeps to an edge, as far as the two faces can tell, from a vertex that was known on it
+// to a meeting beside that: by what cut and edge are off it meets the edge in the vertex alone.
+bool FaceSplitter::add_known_stop(Strand& strand, const TrimMeeting& meeting) {
+  const Coedge& of = coedge(meeting.loop, meeting.coedge);
+  if (BRep_Tool::Degenerated(of.edge)) return false;
+  const double least_sine = cuts_[static_cast<std::size_t>(strand.cut)].least_sine;
+  const double allowed = reach(strand) / std::max(least_sine, 1 / kMostDisagreement);
+  const Vec2 met = point_at(strand.curve, meeting.at);
+  std::optional<PlanarFoot> best;
+  int known = -1;
+  for (int split = 0; split < splits_.count(of.edge); ++split) {
+    if (!splits_.is_known(of.edge, split)) continue;
+    const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
+    const double length = distance(point, met);
+    if (length > longest_touch(trims_, reach(strand))) continue;
+    const PlanarFoot foot = nearest(strand.curve, point);
+    if (foot.distance > std::max(allowed, 8 * reach(strand))) continue;
+    const bool keeps = std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75}, [&](double part) {
+      const Vec2 on_cut = point_at(strand.curve, at(Interval{foot.parameter, meeting.at}, part));
+      return nearest(of.curve, on_cut).distance <= allowed;
+    });
+    if (!keeps || (best && distance(met, point_at(strand.curve, best->parameter)) <= length))
+      continue;
+    best = foot;
+    known = split;
+  }
+  if (!best) return false;
+  const int vertex = vertex_at_split(meeting.loop, meeting.coedge, known);
+  strand.stops.emplace_back(best->parameter, vertex);
+  const Vec3 from = point_at(cuts_[static_cast<std::size_t>(strand.cut)].curve, meeting.at);
+  const gp_Pnt place = BRep_Tool::Pnt(splits_.vertex(of.edge, known));
+  const double moved = distance(from, Vec3{place.X(), place.Y(), place.Z()});
+  if (moved > reach(strand)) splits_.widen(of.edge, known, kMargin * moved);
+  return true;
+}
+
 void FaceSplitter::add_wire_stops(Strand& strand) {
   check_limit(limit_, kDividing);
   ClippedCurve found = clipped(trims_, strand.curve, reach(strand));
   for (const TrimMeeting& meeting : found.meetings) {
+    if (add_known_stop(strand, meeting)) continue;
     const int vertex = vertex_of(meeting, 0, obliqueness(strand, meeting));
     strand.stops.emplace_back(meeting.at, vertex);
     widen_touch(strand, meeting, vertex);
@@ -201,7 +240,7 @@ void FaceSplitter::add_end_stop(Strand& strand, double end) {
       nearest_meeting = {
           end, static_cast<int>(loop), static_cast<int>(i), foot.parameter, {end, end}};
     }
-  if (std::isfinite(least))
+  if (std::isfinite(least) && !add_known_stop(strand, nearest_meeting))
     strand.stops.emplace_back(end, vertex_of(nearest_meeting, kObliqueness * least,
                                              obliqueness(strand, nearest_meeting)));
 }

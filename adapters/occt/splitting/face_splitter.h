@@ -159,6 +159,7 @@ class FaceSplitter {
   void widen_touch(const Strand& strand, const TrimMeeting& meeting, int vertex);
   void add_wire_stops(Strand& strand);
   void add_end_stop(Strand& strand, double end);
+  bool add_known_stop(Strand& strand, const TrimMeeting& meeting);
   bool has_stop(const Strand& strand, double at) const;
   void add_crossings();
   void finish_stops(Strand& strand);

@@ -31,7 +31,8 @@ using Maker = std::function<TopoDS_Shape()>;
 
 constexpr double kPi = std::numbers::pi;
 const gp_Pnt kOrigin(0, 0, 0);
-constexpr double kOverEllipses = 5e-8;  // of volumes, by the integrals of Open CASCADE
+constexpr double kOverEllipses = 5e-8;    // of volumes, by the integrals of Open CASCADE
+constexpr double kOverHyperbolas = 5e-8;  // of volumes, above curves that are fitted
 
 TopoDS_Shape whole_cube() {
   static const TopoDS_Shape shape = box(kOrigin, {1, 1, 1});
@@ -150,6 +151,27 @@ TopoDS_Shape rounded_cube() {
   }
   return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Shape(), gp_Vec(0, 0, 1))
       .Shape();
+}
+
+// A cube with a hollow whose seam goes through (0.25, 0, 0).
+TopoDS_Shape hollow_cube() {
+  const gp_Pnt centre(0.25, 0.25, 0);
+  const gp_Ax2 place(centre, gp::DZ(), gp_Dir(0, -1, 0));
+  return BRepAlgoAPI_Cut(box({-0.25, -0.25, -0.5}, {0.75, 0.75, 0.5}),
+                         BRepPrimAPI_MakeSphere(place, 0.25).Shape())
+      .Shape();
+}
+
+// What a plane 0.25 from its axis leaves of a frustum one unit high with radii from 0.5 to 0.25: 4
+// times the integral of a disc without its segment over the radius.
+double flattened_frustum() {
+  constexpr double kOff = 0.25, kLarge = 0.5;
+  const double half_chord = std::sqrt(kLarge * kLarge - kOff * kOff);
+  const double product = kOff * half_chord;
+  const double logarithm = kOff * kOff / 2 * std::log((kLarge + half_chord) / kOff);
+  const double segments = kLarge * kLarge * kLarge / 3 * std::acos(kOff / kLarge) -
+                          kOff / 3 * (product + logarithm) - kOff * (product - logarithm);
+  return kPi / 3 * (0.25 + 0.125 + 0.0625) - 4 * segments;
 }
 
 TopoDS_Shape two_boxes() {
@@ -305,6 +327,8 @@ std::vector<SolidContact> cone_and_ring_contacts() {
       {"HalfRings", half_ring, turning(half_ring, gp::DZ(), kPi)},
       {"RingInABall", ball(kOrigin, 1), ring(kOrigin, 0.75, 0.25), wide_ring},
       {"ConeAtARim", cone({0, 0, -0.5}, 0.5, 0, 1), cone({0, 0.25, 0}, 0.5, 0.25, 1), kPi / 96},
+      {"FrustumAtTwoRims", boxed({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}),
+       cone({0.25, 0, -0.5}, 0.5, 0.25, 1), flattened_frustum(), kOverHyperbolas},
   };
 }
 
@@ -318,6 +342,8 @@ std::vector<SolidContact> hole_and_corner_contacts() {
       {"FlushAtAnInnerCorner", two_boxes, boxed({2, 0, 2}, {3, 2, 3}), 2},
       {"RoundedCubeInCube", whole_cube, rounded_cube, 1 - 0.25 * 0.25 * (4 - kPi)},
       {"CubeOnRoundedCube", rounded_cube, boxed({1, 0, 0}, {2, 1, 1})},
+      {"CubeFlushWithRoundedCube", rounded_cube, boxed({0, 0, 0.5}, {1, 1, 1.5}),
+       0.5 * (1 - 0.25 * 0.25 * (4 - kPi))},
   };
 }
 
@@ -327,6 +353,14 @@ std::vector<SolidContact> spline_contacts() {
       {"SplineCubeInCube", whole_cube, splines(boxed({0.5, 0, 0.5}, {2, 1, 1})), 0.25},
       {"SplineRodOnAPlate", whole_plate, splines(rod({0, 0, 1}, 0.5, 1))},
       {"SplineRodInRod", rod(kOrigin, 1, 1), splines(rod({0, 0, 0.5}, 1, 1)), kPi / 2, 1e-7},
+  };
+}
+
+std::vector<SolidContact> touching_edges() {
+  const Maker tall = cone({0, 0, -0.5}, 0.5, 0.25, 1);
+  return {
+      {"RingAtTheSeamOfAHollow", ring(kOrigin, 0.375, 0.125), hollow_cube},
+      {"FrustumAtTheRimOfACone", cone({0, 0, -0.5}, 0.5, 0, 1), turning(tall, gp::DY(), kPi / 2)},
   };
 }
 

@@ -34,6 +34,9 @@ std::vector<SolidContact> cone_and_ring_contacts();
 std::vector<SolidContact> hole_and_corner_contacts();
 std::vector<SolidContact> spline_contacts();
 
+/// Solids that cross each other, with edges that touch; what they have in common is left out.
+std::vector<SolidContact> touching_edges();
+
 TopoDS_Shape box(const gp_Pnt& from, const gp_Pnt& to);
 
 /// A shape turned about an axis through the origin; angles in radians.
