@@ -158,7 +158,8 @@ double past(const PlanarBox& box, const PlanarBox& bounds) {
 
 // How far a piece goes past the bounds, at most kOnBorder too much. Its control points may go far
 // beyond the piece, so it is halved as long as they tell of more than its ends.
-double farthest_past(const PlanarBezier& piece, const PlanarBox& bounds, double known, int halvings) {
+double farthest_past(const PlanarBezier& piece, const PlanarBox& bounds, double known,
+                     int halvings) {
   const double most = past(box_of(piece.points), bounds);
   for (const Vec3& end : {piece.points.front(), piece.points.back()})
     known = std::max(known, past(box_of({&end, 1}), bounds));

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include <BRepCheck_Analyzer.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -37,6 +38,7 @@ const std::map<std::string, occt::SolidOperation> kOperations = {
 
 struct Timed {
   occt::SolidTrimResult made;
+  std::vector<std::string> invalid;  // faces of the result that were given so
   std::optional<WatertightPieces> watertight;
   double seconds = 0;
 };
@@ -77,6 +79,20 @@ occt::Model model_of(const std::string& text) {
 
 using Models = std::vector<occt::Model>;
 
+// Faces that nothing reached are those of the inputs, and may be invalid as they were given.
+std::vector<std::string> invalid_as_given(const SolidTrim& options,
+                                          const occt::SolidTrimResult& made) {
+  std::vector<std::string> told;
+  for (const occt::SolidFace& face : made.faces) {
+    if (BRepCheck_Analyzer(face.face).IsValid()) continue;
+    const std::string& file =
+        face.tool < 0 ? options.part : options.tools[static_cast<std::size_t>(face.tool)];
+    told.push_back("face " + std::to_string(face.from + 1) + " of " + file +
+                   " is not valid by BRepCheck, and in the result as it was given");
+  }
+  return told;
+}
+
 Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models& tools) {
   Progress progress("combining solids", options.common.quiet);
   const IntersectionOptions engine = intersection_options(options.engine, progress);
@@ -84,7 +100,8 @@ Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models
   std::vector<occt::TrimTool> others;
   for (const occt::Model& tool : tools) others.push_back(occt::trim_tool(tool.shape()));
   const auto start = std::chrono::steady_clock::now();
-  Timed result{occt::trim_solids(solid, others, kOperations.at(options.operation), engine), {}, 0};
+  Timed result{
+      occt::trim_solids(solid, others, kOperations.at(options.operation), engine), {}, {}, 0};
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
@@ -92,6 +109,7 @@ Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models
     make_watertight(result, options.engine, seconds());
   stop_if_interrupted();
   result.seconds = seconds();
+  result.invalid = invalid_as_given(options, result.made);
   return result;
 }
 
@@ -136,6 +154,7 @@ Json report_of(const SolidTrim& options, const Timed& timed, bool written) {
           {"obstacles", timed.made.obstacles},
           {"thin", timed.made.thin},
           {"tolerances", timed.made.tolerances},
+          {"invalid", timed.invalid},
           {"watertight", timed.watertight ? to_json(*timed.watertight) : Json(nullptr)},
           {"certificate", to_json(timed.made.certificate)}};
 }
@@ -165,6 +184,7 @@ std::string summary(const SolidTrim& options, const Timed& timed) {
   if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
   for (const std::string& thin : timed.made.thin) text << "  " << thin << "\n";
+  for (const std::string& invalid : timed.invalid) text << "  " << invalid << "\n";
   for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
   return text.str();
 }

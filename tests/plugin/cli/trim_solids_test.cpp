@@ -8,16 +8,21 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <utility>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
+#include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
 #include "adapters/occt/shapes.h"
@@ -185,6 +190,24 @@ TEST_F(TrimSolidsCommand, WritesNothingWhenTheIntersectionWasStopped) {
   EXPECT_EQ(run.code, 4);
   EXPECT_NE(run.err.find("is not written"), std::string::npos) << run.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "out.step"));
+}
+
+// Top and bottom have an outline that crosses itself, far from the ball.
+TEST_F(TrimSolidsCommand, TellsOfInvalidFacesThatItKeeps) {
+  BRepBuilderAPI_MakePolygon outline;
+  for (const auto& [x, y] :
+       {std::pair{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}, {0.2, 4.2}, {0.2, 3.9}})
+    outline.Add(gp_Pnt(x, y, 0));
+  outline.Close();
+  const TopoDS_Face bottom = BRepBuilderAPI_MakeFace(gp_Pln(), outline.Wire());
+  write(BRepPrimAPI_MakePrism(bottom, gp_Vec(0, 0, 3)).Shape(), "crossed.brep");
+  write(BRepPrimAPI_MakeSphere(gp_Pnt(4, 1.5, 1.5), 1).Shape(), "knob.brep");
+  const Finished run = blossom({"trim", folder / "crossed.brep", folder / "knob.brep", "--solid",
+                                "cut", "--json", folder / "cut.json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(json::parse(testing::text_of(folder / "cut.json"))["invalid"].size(), 2U);
+  EXPECT_NE(run.out.find("is not valid by BRepCheck, and in the result as it was given"),
+            std::string::npos);
 }
 
 TEST_F(TrimSolidsCommand, SaysThatNothingIsCommon) {

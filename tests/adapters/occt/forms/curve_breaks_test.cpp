@@ -42,8 +42,7 @@ TEST(CurveBreaks, ArePeriodicSplinesKnotsInAnyRange) {
 TEST(CurveBreaks, AreThoseOfTheCurveUnderATrim) {
   const Handle(Geom2d_Curve) trimmed = new Geom2d_TrimmedCurve(circle(), 0.5, 3);
   expect_at(breaks_of(trimmed, {0.5, 3}), {kTurn / 3});
-  const Handle(Geom_Curve) whole =
-      GeomConvert::CurveToBSplineCurve(new Geom_Circle(gp_Ax2(), 1));
+  const Handle(Geom_Curve) whole = GeomConvert::CurveToBSplineCurve(new Geom_Circle(gp_Ax2(), 1));
   expect_at(breaks_of(whole, {1, 3}), {kTurn / 3});
   expect_at(breaks_of(Handle(Geom_Curve)(new Geom_Circle(gp_Ax2(), 1)), {1, 3}), {});
 }
