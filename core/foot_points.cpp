@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/bounds/patch_boxes.h"
 #include "core/forms/degree.h"
 #include "core/forms/derivatives.h"
 #include "core/forms/evaluation.h"
@@ -310,7 +311,7 @@ FootPoint open_surface(const BezierSurface& surface, int number, const Vec3& poi
   foot.at.point = point_at(surface, foot.at.uv);
   foot.distance = distance(foot.at.point, point);
   foot.status = Status::Stopped;
-  foot.size = diagonal(hull_box(surface));
+  foot.size = diagonal(PatchBoxes(surface).all());
   return foot;
 }
 

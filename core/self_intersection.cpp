@@ -12,16 +12,18 @@ namespace blossom {
 
 SurfaceIntersection self_intersect(const BezierSurface& surface,
                                    const IntersectionOptions& options) {
-  validate(surface, "surface");
   if (!(options.tolerances.point > 0) || !std::isfinite(options.tolerances.point))
     throw InvalidInput("self_intersect: the point tolerance must be positive and finite");
   if (options.threads < 0) throw InvalidInput("self_intersect: the number of threads is negative");
-  const GluedBorders glued = glued_borders(surface);
-  BezierSurface marked = surface;
-  marked.closed_u = glued.seam_u;
-  marked.closed_v = glued.seam_v;
   SurfaceIntersection result;
-  with_threads(options.threads, [&] { result = assembled(marked, marked, options); });
+  with_threads(options.threads, [&] {
+    validate(surface, "surface");
+    const GluedBorders glued = glued_borders(surface);
+    BezierSurface marked = surface;
+    marked.closed_u = glued.seam_u;
+    marked.closed_v = glued.seam_v;
+    result = assembled(marked, marked, options);
+  });
   return result;
 }
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/parallel.h"
-#include "core/bounds/box_tree.h"
+#include "core/bounds/patch_boxes.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/arcs/arc_chains.h"
 #include "core/intersection/arcs/chain_scraps.h"
@@ -42,21 +42,20 @@ constexpr double kWorstOfSize = 1e-4;
 // Tolerances: two cells no larger than one, whose boxes meet, hold no points farther apart.
 constexpr double kThinGap = 2;
 
-constexpr std::size_t kPatchesAlone = 1024;  // so few patches are bounded by one thread
-constexpr std::size_t kFitsAtOnce = 32;      // chains, until it is asked whether to go on
-
-std::array<Box, 2> hull_boxes(const BezierSurface& a, const BezierSurface& b) {
-  std::array<Box, 2> boxes;
-  const std::size_t patches = a.patches.values().size() + b.patches.values().size();
-  parallel_for(2, patches > kPatchesAlone ? 1 : 2,
-               [&](std::size_t i) { boxes[i] = hull_box(i == 0 ? a : b); });
-  return boxes;
-}
+constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to go on
 
 class Assembly {
  public:
   Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options)
-      : Assembly(a, b, options, hull_boxes(a, b)) {}
+      : a_(a),
+        b_(b),
+        options_(options),
+        limit_(options),
+        boxes_a_(a),
+        boxes_b_(itself() ? boxes_a_ : PatchBoxes(b)),
+        size_(std::max(diagonal(boxes_a_.all()), diagonal(boxes_b_.all()))),
+        origin_(0.5 * (boxes_a_.all().low + boxes_a_.all().high)),
+        known_(options.known, origin_) {}
 
   SurfaceIntersection run() {
     SurfaceCells cells_a(a_, origin_, options_.form, kCut, options_.part_a);
@@ -66,23 +65,15 @@ class Assembly {
       return joined_from(cells_a, cells_a);
     }
     SurfaceCells cells_b(b_, origin_, options_.form, kCut, options_.part_b);
-    found_ = search_pairs(cells_a, cells_b, size_, known_, options_);
+    std::vector<StartPair> pairs;
+    for (const auto& [i, j] : meeting_patches(boxes_a_, boxes_b_)) pairs.push_back({i, 0, j, 0});
+    found_ = search_pairs(cells_a, cells_b, pairs, size_, known_, options_);
     drop_beside_known(cells_a);
     result_.certificate = found_.certificate;
     return joined_from(cells_a, cells_b);
   }
 
  private:
-  Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options,
-           const std::array<Box, 2>& boxes)
-      : a_(a),
-        b_(b),
-        options_(options),
-        limit_(options),
-        size_(std::max(diagonal(boxes[0]), diagonal(boxes[1]))),
-        origin_(0.5 * (boxes[0].low + boxes[0].high)),
-        known_(options.known, origin_) {}
-
   bool itself() const { return &a_ == &b_; }
 
   SurfaceIntersection joined_from(SurfaceCells& cells_a, SurfaceCells& cells_b) {
@@ -479,6 +470,7 @@ class Assembly {
   const BezierSurface& b_;
   const IntersectionOptions& options_;
   const WorkLimit limit_;
+  const PatchBoxes boxes_a_, boxes_b_;
   const double size_;
   const Vec3 origin_;
   const KnownCurves known_;

@@ -78,13 +78,15 @@ SurfaceIntersection at_best_tolerance(const BezierSurface& a, const BezierSurfac
 
 SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
                               const IntersectionOptions& options) {
-  validate(a, "a");
-  validate(b, "b");
   if (!(options.tolerances.point > 0) || !std::isfinite(options.tolerances.point))
     throw InvalidInput("intersect: the point tolerance must be positive and finite");
   if (options.threads < 0) throw InvalidInput("intersect: the number of threads is negative");
   SurfaceIntersection result;
-  with_threads(options.threads, [&] { result = at_best_tolerance(a, b, options); });
+  with_threads(options.threads, [&] {
+    validate(a, "a");
+    validate(b, "b");
+    result = at_best_tolerance(a, b, options);
+  });
   return result;
 }
 

@@ -77,8 +77,12 @@ Vec3 Quadric::gradient(const Vec3& x) const {
   return result;
 }
 
+bool may_lie_on_quadric(const RationalBezierPatch& patch) {
+  return std::max(patch.degree_u(), patch.degree_v()) <= kHighest;
+}
+
 std::optional<Quadric> quadric_of(const RationalBezierPatch& patch) {
-  if (patch.degree_u() > kHighest || patch.degree_v() > kHighest) return std::nullopt;
+  if (!may_lie_on_quadric(patch)) return std::nullopt;
   std::vector<Vec3> points;
   for (int i = 0; i <= kSamples; ++i)
     for (int j = 0; j <= kSamples; ++j)

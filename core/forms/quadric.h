@@ -24,6 +24,9 @@ struct Quadric {
   Vec3 gradient(const Vec3& x) const;
 };
 
+/// False of degrees for which `quadric_of` finds nothing.
+bool may_lie_on_quadric(const RationalBezierPatch& patch);
+
 /// The quadric on which a patch lies, with a gradient of length about 1 in the patch's middle, so
 /// that values are about distances.
 ///

@@ -2,15 +2,19 @@
 #include "core/forms/surface.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <span>
 #include <string>
 
 #include "core/base/errors.h"
+#include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom {
 namespace {
+
+constexpr std::size_t kPatchGrain = 256;  // that one thread validates in a row
 
 // tan(alpha / 2): the range of the stereographic parameter of an arc is [-k, k].
 double arc_range(const Interval& span) { return std::tan(0.25 * length(span)); }
@@ -34,8 +38,8 @@ void validate_knots(const std::vector<double>& knots, int spans, const char* nam
       refuse(name, std::string("the knots in ") + direction + " are not finite and increasing");
 }
 
-// Without branches, for large surfaces are looked at by one thread. False too of some sound points
-// near the largest double, which are then looked at one by one.
+// Without branches. False too of some sound points near the largest double, which are then looked
+// at one by one.
 bool are_plainly_sound(std::span<const Vec4> points) {
   double not_a_number = 0, least_weight = 1;
   for (const Vec4& p : points) {
@@ -45,12 +49,15 @@ bool are_plainly_sound(std::span<const Vec4> points) {
   return not_a_number == 0 && least_weight > 0;
 }
 
+bool has_sound_degrees(const RationalBezierPatch& patch) {
+  return std::min(patch.degree_u(), patch.degree_v()) >= 1 &&
+         std::max(patch.degree_u(), patch.degree_v()) <= kMaxDegree;
+}
+
 void validate_patch(const RationalBezierPatch& patch, const char* name) {
-  const int degree = std::max(patch.degree_u(), patch.degree_v());
-  if (std::min(patch.degree_u(), patch.degree_v()) < 1 || degree > kMaxDegree)
+  if (!has_sound_degrees(patch))
     refuse(name, "degrees must be in 1.." + std::to_string(kMaxDegree) + ", got " +
                      std::to_string(patch.degree_u()) + " x " + std::to_string(patch.degree_v()));
-  if (are_plainly_sound(patch.points.values())) return;
   for (const Vec4& p : patch.points.values()) {
     for (int k = 0; k < 4; ++k)
       if (!std::isfinite(p[k])) refuse(name, "a control point is not finite");
@@ -98,7 +105,14 @@ void validate(const BezierSurface& surface, const char* name) {
   if (surface.patches.empty()) refuse(name, "it has no patches");
   validate_knots(surface.u_knots, surface.patches.rows(), name, "u");
   validate_knots(surface.v_knots, surface.patches.columns(), name, "v");
-  for (const RationalBezierPatch& patch : surface.patches.values()) validate_patch(patch, name);
+  const auto patches = surface.patches.values();
+  std::atomic<bool> sound = true;
+  parallel_for(patches.size(), kPatchGrain, [&](std::size_t i) {
+    if (!has_sound_degrees(patches[i]) || !are_plainly_sound(patches[i].points.values()))
+      sound.store(false, std::memory_order_relaxed);
+  });
+  if (!sound)  // the first one that is not tells what is wrong
+    for (const RationalBezierPatch& patch : patches) validate_patch(patch, name);
   if (!(surface.error >= 0)) refuse(name, "its error bound is not a number");
 }
 

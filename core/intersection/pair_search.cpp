@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -108,19 +108,25 @@ class Search {
         bands_(options.tolerances.point),
         one_is_whole_(is_whole_quadric(a, bands_) || is_whole_quadric(b, bands_)) {}
 
-  void add(const StartPair& pair) {
-    const auto [known, added] =
-        place_.try_emplace({pair.patch_a, pair.patch_b}, static_cast<int>(places_.size()));
-    stack_.push_back({known->second, pair.cell_a, pair.cell_b, -1});
-    if (!added) return;
-    CellTree &tree_a = a_.tree(pair.patch_a), &tree_b = b_.tree(pair.patch_b);
-    places_.push_back({pair.patch_a, pair.patch_b, &tree_a, &tree_b,
-                       SharedCells(tree_a, tree_b, options_.tolerances.point),
-                       QuadricPair(tree_a, tree_b, bands_, !itself() && one_is_whole_, size_)});
+  void begin(const std::vector<StartPair>& pairs) {
+    make_trees(a_, b_, pairs);
+    std::unordered_map<long, int> place;  // of two patches
+    if (!itself()) places_.reserve(pairs.size());
+    for (const StartPair& pair : pairs) {
+      const long key = static_cast<long>(pair.patch_a) * b_.patches() + pair.patch_b;
+      const auto [known, added] = place.try_emplace(key, static_cast<int>(places_.size()));
+      stack_.push_back({known->second, pair.cell_a, pair.cell_b, -1});
+      if (!added) continue;
+      CellTree &tree_a = a_.tree(pair.patch_a), &tree_b = b_.tree(pair.patch_b);
+      places_.push_back({pair.patch_a, pair.patch_b, &tree_a, &tree_b,
+                         SharedCells(tree_a, tree_b, options_.tolerances.point),
+                         QuadricPair(tree_a, tree_b, bands_, !itself() && one_is_whole_, size_)});
+    }
   }
 
   void run() {
     std::vector<Pair> batch;
+    stored_points_ = a_.stored_points() + b_.stored_points();
     while (!stack_.empty()) {
       const auto first =
           stack_.end() - static_cast<std::ptrdiff_t>(std::min(kBatch, stack_.size()));
@@ -136,8 +142,7 @@ class Search {
     if (result_.stopped) return true;
     examined_ += static_cast<long>(pairs);
     if (examined_ > options_.budget) return stop("the budget of cell pairs is spent");
-    if (a_.stored_points() + b_.stored_points() > kMostStored)
-      return stop("the memory for cells is spent");
+    if (stored_points_ > kMostStored) return stop("the memory for cells is spent");
     if (const char* reason = limit_.reached()) return stop(reason);
     return false;
   }
@@ -409,13 +414,18 @@ class Search {
 
   // The cells of a batch in the order of its pairs, those of both surfaces at the same time.
   void halve_pairs() {
+    std::array<long, 2> added{};  // control points
     const auto halve = [&](bool of_a) {
-      for (const auto& [pair, halves_a] : halvings_)
-        if (halves_a == of_a)
-          of_a ? place_of(pair).tree_a->split(pair.cell_a)
-               : place_of(pair).tree_b->split(pair.cell_b);
+      for (const auto& [pair, halves_a] : halvings_) {
+        if (halves_a != of_a) continue;
+        CellTree& tree = of_a ? *place_of(pair).tree_a : *place_of(pair).tree_b;
+        const int cells = tree.size();
+        tree.split(of_a ? pair.cell_a : pair.cell_b);
+        added[of_a] += (tree.size() - cells) * static_cast<long>(tree.shape().plane_size());
+      }
     };
     parallel_for(2, itself() ? 2 : 1, [&](std::size_t i) { halve(i == 0); });
+    stored_points_ += (added[0] + added[1]) * (itself() ? 2 : 1);
     for (const auto& [pair, halves_a] : halvings_) {
       const int child = halves_a ? cell_a(pair).child : cell_b(pair).child;
       for (int half = 0; half < 2; ++half)
@@ -448,8 +458,8 @@ class Search {
   PairSearchResult& result_;
   const WorkLimit limit_;
   long examined_ = 0;
+  long stored_points_ = 0;
   std::vector<PatchPair> places_;
-  std::map<std::array<int, 2>, int> place_;  // of two patches
   QuadricBands bands_;
   const bool one_is_whole_;  // of the surfaces, of a quadric
   std::vector<Pair> stack_;
@@ -471,28 +481,17 @@ SurfaceBorders upper_borders(const SurfaceCells& a, int patch_a, const Cell& cel
            last(cell_b.v, b.span_v(patch_b), sb.patches.columns(), sb.closed_v)}};
 }
 
-PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
-                              const KnownCurves& known, const IntersectionOptions& options) {
+PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs,
+                              double size, const KnownCurves& known,
+                              const IntersectionOptions& options) {
   PairSearchResult result;
   Search search(a, b, size, known, options, result);
-  for (const auto& [i, j] : meeting_patches(a, b)) search.add({i, 0, j, 0});
+  search.begin(pairs);
   search.run();
   drop_repeated_arcs(result, a, b, size, options.tolerances.point);
-  (a.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += a.cells();
-  (b.monomial() ? result.certificate.cells_monomial : result.certificate.cells_bezier) += b.cells();
-  return result;
-}
-
-PairSearchResult search_within(SurfaceCells& cells, const std::vector<StartPair>& pairs,
-                               double size, const KnownCurves& known,
-                               const IntersectionOptions& options) {
-  PairSearchResult result;
-  Search search(cells, cells, size, known, options, result);
-  for (const StartPair& pair : pairs) search.add(pair);
-  search.run();
-  drop_repeated_arcs(result, cells, cells, size, options.tolerances.point);
   Certificate& certificate = result.certificate;
-  (cells.monomial() ? certificate.cells_monomial : certificate.cells_bezier) += cells.cells();
+  (a.monomial() ? certificate.cells_monomial : certificate.cells_bezier) += a.cells();
+  if (&a != &b) (b.monomial() ? certificate.cells_monomial : certificate.cells_bezier) += b.cells();
   return result;
 }
 

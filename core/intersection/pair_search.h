@@ -63,14 +63,6 @@ struct CriticalPair {
   bool shared = false;    ///< the patches are proven to be parts of one surface
 };
 
-/// A pair of cells that a search begins with.
-struct StartPair {
-  int patch_a = 0;
-  int cell_a = 0;
-  int patch_b = 0;
-  int cell_b = 0;
-};
-
 struct PairSearchResult {
   std::vector<FoundArc> arcs;
   std::vector<std::array<std::size_t, 2>> joins;  ///< ends of arcs, 2 * arc + side, that are one
@@ -89,14 +81,11 @@ struct PairSearchResult {
 SurfaceBorders upper_borders(const SurfaceCells& a, int patch_a, const Cell& cell_a,
                              const SurfaceCells& b, int patch_b, const Cell& cell_b);
 
-/// Examines all pairs of patches of the two surfaces.
+/// Examines pairs of cells of two surfaces, or of one that do not touch in its parameters.
+/// pairs     all that may meet
 /// size      of the surfaces, model units
-PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, double size,
-                              const KnownCurves& known, const IntersectionOptions& options);
-
-/// Examines pairs of cells of one surface that do not touch in its parameters.
-PairSearchResult search_within(SurfaceCells& cells, const std::vector<StartPair>& pairs,
-                               double size, const KnownCurves& known,
-                               const IntersectionOptions& options);
+PairSearchResult search_pairs(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs,
+                              double size, const KnownCurves& known,
+                              const IntersectionOptions& options);
 
 }  // namespace blossom

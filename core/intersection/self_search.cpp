@@ -22,7 +22,7 @@ PairSearchResult search_itself(SurfaceCells& cells, const Vec3& origin, double s
   IntersectionOptions left = options;
   if (options.time_limit > 0)
     left.time_limit = std::max(kLeastSeconds, options.time_limit - spent.count());
-  PairSearchResult found = search_within(cells, pairs.apart, size, known, left);
+  PairSearchResult found = search_pairs(cells, cells, pairs.apart, size, known, left);
   found.critical.insert(found.critical.end(), pairs.singular.begin(), pairs.singular.end());
   found.stopped = found.stopped || pairs.stopped;
   Certificate& certificate = found.certificate;

@@ -84,10 +84,10 @@ FaceList::FaceList(const std::vector<TopoDS_Face>& faces, std::string name, doub
     wanted[i] = hulls_[i].points.empty();
   });
   convert(wanted);
-  for (std::size_t i = 0; i < size(); ++i) {
+  parallel_for(size(), kGrain, [&](std::size_t i) {
     if (wanted[i]) hulls_[i].points = corners(data_[i].box);
     boxes_[i] = box_of(hulls_[i]);
-  }
+  });
 }
 
 BezierSurface FaceList::unevenly_cut(std::size_t i) const {

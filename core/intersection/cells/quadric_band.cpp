@@ -170,6 +170,7 @@ bool QuadricBand::misses(const Cell& cell, const NetShape& shape) const {
 }
 
 const QuadricBand* QuadricBands::of(const CellTree& tree) {
+  if (!may_lie_on_quadric(tree.patch())) return nullptr;
   const auto [known, added] = bands_.try_emplace(&tree);
   if (added) known->second = QuadricBand::of(tree, tolerance_);
   return known->second ? &*known->second : nullptr;

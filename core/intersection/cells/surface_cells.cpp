@@ -11,29 +11,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kPatchesAlone = 1024;     // boxes of so few patches are one thread's work
 constexpr std::size_t kTreeGrain = 16;  // trees that one thread makes in a row
-
-Box hull_box(const RationalBezierPatch& patch) {
-  Box box;
-  for (const Vec4& p : patch.points.values()) {
-    const Vec3 x = projected(p);
-    box = joined(box, {x, x});
-  }
-  return box;
-}
-
-// With as much rounding as cells allow for themselves.
-std::vector<Box> patch_boxes(const BezierSurface& surface) {
-  constexpr double kRounding = 16 * 0x1p-53;
-  std::vector<Box> boxes;
-  boxes.reserve(surface.patches.values().size());
-  for (const RationalBezierPatch& patch : surface.patches.values()) {
-    const Box box = hull_box(patch);
-    boxes.push_back(widened(box, kRounding * std::max(max_norm(box.low), max_norm(box.high))));
-  }
-  return boxes;
-}
 
 }  // namespace
 
@@ -95,29 +73,15 @@ bool SurfaceCells::monomial() const {
                      [](const auto& t) { return t && t->monomial(); });
 }
 
-Box hull_box(const BezierSurface& surface) {
-  Box box;
-  for (const RationalBezierPatch& patch : surface.patches.values())
-    box = joined(box, hull_box(patch));
-  return box;
-}
-
-std::vector<std::array<int, 2>> meeting_patches(SurfaceCells& a, SurfaceCells& b) {
-  const auto both = [&](std::size_t i) -> SurfaceCells& { return i == 0 ? a : b; };
-  std::array<BoxTree, 2> boxes{BoxTree({}), BoxTree({})};
-  parallel_for(2, a.patches() + b.patches() > kPatchesAlone ? 1 : 2,
-               [&](std::size_t i) { boxes[i] = BoxTree(patch_boxes(both(i).surface())); });
-  std::vector<std::array<int, 2>> pairs;
-  boxes[0].for_each_meeting(boxes[1], [&](int i, int j) { pairs.push_back({i, j}); });
-  std::array<std::vector<int>, 2> met;
-  for (std::size_t side = 0; side < 2; ++side) {
-    for (const auto& pair : pairs) met[side].push_back(pair[side]);
-    std::sort(met[side].begin(), met[side].end());
-    met[side].erase(std::unique(met[side].begin(), met[side].end()), met[side].end());
-    parallel_for(met[side].size(), kTreeGrain,
-                 [&](std::size_t k) { both(side).tree(met[side][k]); });
+void make_trees(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs) {
+  for (int StartPair::*const side : {&StartPair::patch_a, &StartPair::patch_b}) {
+    SurfaceCells& cells = side == &StartPair::patch_a ? a : b;
+    std::vector<int> patches;
+    for (const StartPair& pair : pairs) patches.push_back(pair.*side);
+    std::sort(patches.begin(), patches.end());
+    patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+    parallel_for(patches.size(), kTreeGrain, [&](std::size_t k) { cells.tree(patches[k]); });
   }
-  return pairs;
 }
 
 }  // namespace blossom

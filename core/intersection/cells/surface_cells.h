@@ -3,11 +3,9 @@
 
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
-#include "core/bounds/box_tree.h"
 #include "core/forms/surface.h"
 #include "core/intersection/cells/cell_tree.h"
 #include "core/intersection/options.h"
@@ -53,11 +51,15 @@ class SurfaceCells {
   std::vector<std::unique_ptr<CellTree>> trees_;
 };
 
-/// Box of all control points, as they are.
-Box hull_box(const BezierSurface& surface);
+/// A pair of cells that a search begins with.
+struct StartPair {
+  int patch_a = 0;
+  int cell_a = 0;
+  int patch_b = 0;
+  int cell_b = 0;
+};
 
-/// Pairs of patches of two different surfaces whose boxes of control points, with rounding, meet.
-/// Their cell trees are made, by all threads.
-std::vector<std::array<int, 2>> meeting_patches(SurfaceCells& a, SurfaceCells& b);
+/// Makes the trees of the patches of pairs, by all threads.
+void make_trees(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs);
 
 }  // namespace blossom

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/bounds/patch_boxes.h"
 #include "core/intersection/pair_search.h"
 #include "tests/core/tracing/surface_pairs.h"
 
@@ -17,7 +18,10 @@ class SmoothRuns : public ::testing::TestWithParam<testing::SurfacePair> {
     const Vec3 origin;
     SurfaceCells a(GetParam().a, origin, CellForm::Auto, kCut);
     SurfaceCells b(GetParam().b, origin, CellForm::Auto, kCut);
-    const PairSearchResult found = search_pairs(a, b, 1, KnownCurves({}, {}), {});
+    std::vector<StartPair> pairs;
+    for (const auto& [i, j] : meeting_patches(PatchBoxes(GetParam().a), PatchBoxes(GetParam().b)))
+      pairs.push_back({i, 0, j, 0});
+    const PairSearchResult found = search_pairs(a, b, pairs, 1, KnownCurves({}, {}), {});
     std::vector<Clump> clumps;
     const std::vector<Chain> chains = chains_of(found, a, b, {}, clumps);
     ASSERT_FALSE(chains.empty());

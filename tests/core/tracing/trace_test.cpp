@@ -18,7 +18,7 @@ class TracedLoop : public ::testing::Test {
   testing::CubicPair pair_ = testing::cubic_pair(testing::loop(0.43, 0.57, 0.2));
   SurfaceCells a_{pair_.a, {0.5, 0.5, 0}, CellForm::Auto, 0.4865};
   SurfaceCells b_{pair_.b, {0.5, 0.5, 0}, CellForm::Auto, 0.4865};
-  PairSearchResult found_ = search_pairs(a_, b_, 1, KnownCurves({}, {}), {});
+  PairSearchResult found_ = search_pairs(a_, b_, {{0, 0, 0, 0}}, 1, KnownCurves({}, {}), {});
   std::vector<Clump> clumps_;
   std::vector<Chain> chains_ = chains_of(found_, a_, b_, {}, clumps_);
 };

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/bounds/patch_boxes.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/base/parallel.h"
+#include "core/forms/evaluation.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kBlock = 4;                   // so many boxes a side have one above them
+constexpr std::size_t kPatchGrain = 256;    // patches, and
+constexpr std::size_t kBlockGrain = 64;     // blocks that one thread bounds in a row
+constexpr double kRounding = 16 * 0x1p-53;  // of the coordinates: as much as cells allow for
+
+Box hull_box(const RationalBezierPatch& patch, bool rational) {
+  Box box;
+  const auto hold = [&box](const Vec3& x) { box = joined(box, {x, x}); };
+  if (rational)
+    for (const Vec4& p : patch.points.values()) hold(projected(p));
+  else
+    for (const Vec4& p : patch.points.values()) hold({p[0], p[1], p[2]});
+  return box;
+}
+
+Grid<Box> patch_boxes(const BezierSurface& surface) {
+  Grid<Box> boxes(surface.patches.rows(), surface.patches.columns());
+  parallel_for(boxes.values().size(), kPatchGrain, [&](std::size_t i) {
+    boxes.values()[i] = hull_box(surface.patches.values()[i], surface.rational);
+  });
+  return boxes;
+}
+
+Grid<Box> blocks_of(const Grid<Box>& boxes) {
+  const auto count = [](int n) { return (n + kBlock - 1) / kBlock; };
+  Grid<Box> blocks(count(boxes.rows()), count(boxes.columns()));
+  parallel_for(blocks.values().size(), kBlockGrain, [&](std::size_t k) {
+    const int block = static_cast<int>(k);
+    const int row = kBlock * (block / blocks.columns());
+    const int column = kBlock * (block % blocks.columns());
+    Box box;
+    for (int i = row; i < std::min(row + kBlock, boxes.rows()); ++i)
+      for (int j = column; j < std::min(column + kBlock, boxes.columns()); ++j)
+        box = joined(box, boxes(i, j));
+    blocks.values()[k] = box;
+  });
+  return blocks;
+}
+
+// A box of some level.
+struct Block {
+  std::size_t level;
+  int row;
+  int column;
+};
+
+double longest_side(const Box& box) {
+  return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
+}
+
+// Walks down two hierarchies; the longer box is divided first.
+class Meeting {
+ public:
+  Meeting(const std::vector<Grid<Box>>& a, const std::vector<Grid<Box>>& b)
+      : a_(a), b_(b), margin_(margin_of(a) + margin_of(b)) {}
+
+  std::vector<std::array<int, 2>> run() {
+    const Block p{a_.size() - 1, 0, 0}, q{b_.size() - 1, 0, 0};
+    if (meet(widened(box(a_, p), margin_), box(b_, q))) descend(p, q);
+    return std::move(found_);
+  }
+
+ private:
+  static const Box& box(const std::vector<Grid<Box>>& levels, const Block& block) {
+    return levels[block.level](block.row, block.column);
+  }
+
+  static double margin_of(const std::vector<Grid<Box>>& levels) {
+    const Box& all = levels.back()(0, 0);
+    return kRounding * std::max(max_norm(all.low), max_norm(all.high));
+  }
+
+  // Of boxes that meet.
+  void descend(const Block& p, const Block& q) {
+    const Box &box_p = box(a_, p), &box_q = box(b_, q);
+    if (p.level == 0 && q.level == 0) {
+      found_.push_back({p.row * a_[0].columns() + p.column, q.row * b_[0].columns() + q.column});
+    } else if (q.level == 0 || (p.level > 0 && longest_side(box_p) >= longest_side(box_q))) {
+      for_each_part(a_, p, widened(box_q, margin_), [&](const Block& part) { descend(part, q); });
+    } else {
+      for_each_part(b_, q, widened(box_p, margin_), [&](const Block& part) { descend(p, part); });
+    }
+  }
+
+  // Those parts that meet a box.
+  template <class Visit>
+  static void for_each_part(const std::vector<Grid<Box>>& levels, const Block& block,
+                            const Box& near, Visit visit) {
+    const Grid<Box>& parts = levels[block.level - 1];
+    const int row = kBlock * block.row, column = kBlock * block.column;
+    for (int i = row; i < std::min(row + kBlock, parts.rows()); ++i)
+      for (int j = column; j < std::min(column + kBlock, parts.columns()); ++j)
+        if (meet(parts(i, j), near)) visit({block.level - 1, i, j});
+  }
+
+  const std::vector<Grid<Box>>& a_;
+  const std::vector<Grid<Box>>& b_;
+  const double margin_;
+  std::vector<std::array<int, 2>> found_;
+};
+
+}  // namespace
+
+PatchBoxes::PatchBoxes(const BezierSurface& surface) {
+  levels_.push_back(patch_boxes(surface));
+  while (levels_.back().values().size() > 1) levels_.push_back(blocks_of(levels_.back()));
+}
+
+std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b) {
+  return Meeting(a.levels_, b.levels_).run();
+}
+
+}  // namespace blossom

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The boxes of a surface's patches and of ever larger blocks of them.
+//
+// Patches lie in a grid already, so blocks of it are a hierarchy that needs no sorting: it takes as
+// long as looking at the control points once.
+
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/bounds/box_tree.h"
+#include "core/forms/surface.h"
+#include "core/math/grid.h"
+
+namespace blossom {
+
+class PatchBoxes {
+ public:
+  /// Boxes of the control points, as they are; made by all threads.
+  explicit PatchBoxes(const BezierSurface& surface);
+
+  /// Box of all control points.
+  const Box& all() const { return levels_.back()(0, 0); }
+
+  /// Pairs of patches of two surfaces, numbered row after row, whose boxes meet. A surface that
+  /// comes this close to another one is not missed for the rounding of cells (`margin` of a Cell).
+  friend std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b);
+
+ private:
+  std::vector<Grid<Box>> levels_;  // of patches, of blocks of those, and so on up to one box
+};
+
+std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b);
+
+}  // namespace blossom
