@@ -17,6 +17,7 @@
 #include "core/intersection/contacts/contact_chains.h"
 #include "core/intersection/contacts/contact_reach.h"
 #include "core/intersection/contacts/critical_places.h"
+#include "core/intersection/contacts/smooth_neighbours.h"
 #include "core/intersection/found_places.h"
 #include "core/intersection/overlaps.h"
 #include "core/intersection/pair_search.h"
@@ -42,6 +43,7 @@ constexpr double kWorstOfSize = 1e-4;
 // Tolerances: two cells no larger than one, whose boxes meet, hold no points farther apart.
 constexpr double kThinGap = 2;
 
+constexpr const char* kSharedBorder = "the surfaces touch along a common border";
 constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to go on
 
 class Assembly {
@@ -67,9 +69,12 @@ class Assembly {
     SurfaceCells cells_b(b_, origin_, options_.form, kCut, options_.part_b);
     std::vector<StartPair> pairs;
     for (const auto& [i, j] : meeting_patches(boxes_a_, boxes_b_)) pairs.push_back({i, 0, j, 0});
+    const NeighbourContacts neighbours = take_neighbours(cells_a, cells_b, pairs);
     found_ = search_pairs(cells_a, cells_b, pairs, size_, known_, options_);
+    add(neighbours, found_);
     drop_beside_known(cells_a);
     result_.certificate = found_.certificate;
+    if (!neighbours.arcs.empty()) weaken(Status::Tolerance, kSharedBorder);
     return joined_from(cells_a, cells_b);
   }
 
@@ -213,7 +218,7 @@ class Assembly {
       arc.arc.tangential = arc.arc.iso = true;
       found_.arcs.push_back(arc);
     }
-    weaken(Status::Tolerance, "the surfaces touch along a common border");
+    weaken(Status::Tolerance, kSharedBorder);
   }
 
   void add_corner_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const FoundGraze& graze) {

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/contacts/smooth_neighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/forms/evaluation.h"
+#include "core/intersection/cells/cell_pair.h"
+#include "core/intersection/cells/direction_cones.h"
+
+namespace blossom {
+namespace {
+
+constexpr double kSmoothSine = 1e-3;  // of the angle between normals all along a border
+constexpr int kNormals = 5;           // that are compared along it
+constexpr int kDeepest = 12;          // halvings of a patch in a proof, and
+constexpr int kMostPairs = 1024;      // pairs of cells
+constexpr double kSlack = 1e-12;      // of directions of length about 1, for roundings
+
+constexpr std::array kCorners{Vec2{0, 0}, Vec2{0, 1}, Vec2{1, 0}, Vec2{1, 1}};
+
+// A place in the square of a patch: a corner, or a side if only the coordinate `across` counts.
+struct Side {
+  std::size_t across = 0;  // u or v is constant,
+  bool high = false;       // at 1 rather than 0
+
+  double value() const { return high ? 1 : 0; }
+  std::size_t along() const { return 1 - across; }
+  Vec2 at(double t) const {
+    Vec2 x;
+    x[static_cast<int>(across)] = value();
+    x[static_cast<int>(along())] = t;
+    return x;
+  }
+};
+
+struct CommonSide {
+  Side a, b;
+  bool reversed = false;  // b's runs the other way
+
+  double on_b(double t) const { return reversed ? 1 - t : t; }
+};
+
+struct CommonCorner {
+  Vec2 a, b;
+};
+
+const Vec4& corner_point(const RationalBezierPatch& patch, const Vec2& corner) {
+  const Grid<Vec4>& net = patch.points;
+  return net(corner[0] > 0 ? net.rows() - 1 : 0, corner[1] > 0 ? net.columns() - 1 : 0);
+}
+
+std::vector<Vec4> side_points(const RationalBezierPatch& patch, const Side& side) {
+  const Grid<Vec4>& net = patch.points;
+  std::vector<Vec4> points;
+  if (side.across == 0)
+    for (int j = 0; j < net.columns(); ++j)
+      points.push_back(net(side.high ? net.rows() - 1 : 0, j));
+  else
+    for (int i = 0; i < net.rows(); ++i)
+      points.push_back(net(i, side.high ? net.columns() - 1 : 0));
+  return points;
+}
+
+// The sides of a patch on the border of its surface; where that is closed there is none.
+std::vector<Side> outer_sides(const SurfaceCells& cells, int patch) {
+  const BezierSurface& surface = cells.surface();
+  const std::array at{cells.span_u(patch), cells.span_v(patch)};
+  const std::array spans{surface.patches.rows(), surface.patches.columns()};
+  const std::array closed{surface.closed_u, surface.closed_v};
+  std::vector<Side> sides;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (closed[k]) continue;
+    if (at[k] == 0) sides.push_back({k, false});
+    if (at[k] == spans[k] - 1) sides.push_back({k, true});
+  }
+  return sides;
+}
+
+const RationalBezierPatch& patch_of(const SurfaceCells& cells, int patch) {
+  return cells.surface().patches.values()[static_cast<std::size_t>(patch)];
+}
+
+// The derivatives of a patch at a place on its border, by the direction from the first patch to the
+// second: that of the first one leads to the border, that of the second one away from it.
+struct Slopes {
+  Vec3 u, v, normal;
+};
+
+Slopes slopes_at(const RationalBezierPatch& patch, const Vec2& x, bool leads_away) {
+  const PatchJet jet = jet_at(patch, x[0], x[1], 1);
+  const auto sign = [&](double t) { return (t == 1) == leads_away ? -1.0 : 1.0; };
+  return {sign(x[0]) * jet.u, sign(x[1]) * jet.v, cross(jet.u, jet.v)};
+}
+
+bool is_smooth(const Slopes& p, const Slopes& q) {
+  return norm(cross(p.normal, q.normal)) < kSmoothSine * norm(p.normal) * norm(q.normal);
+}
+
+VectorBounds turned(const VectorBounds& x, bool back) {
+  return back ? VectorBounds{-x.middle, x.radius} : x;
+}
+
+Interval hull(const Interval& x, const Interval& y) {
+  return {std::min(x.from, y.from), std::max(x.to, y.to)};
+}
+
+Interval hull(const Interval& x, double t) { return hull(x, Interval{t, t}); }
+
+// Two patches, and the proof that they meet in what they have in common alone.
+class Neighbours {
+ public:
+  Neighbours(SurfaceCells& a, int patch_a, SurfaceCells& b, int patch_b)
+      : a_(patch_of(a, patch_a)), b_(patch_of(b, patch_b)) {
+    const std::vector<Side> of_a = outer_sides(a, patch_a), of_b = outer_sides(b, patch_b);
+    if (of_a.empty() || of_b.empty()) return;
+    find_corners(of_a, of_b);
+    if (corners_.empty()) return;
+    find_sides(of_a, of_b);
+  }
+
+  // True if there is something in common and one patch goes on in the other there, with the same
+  // normals; otherwise there is nothing to prove.
+  bool go_on_smoothly() const {
+    return !(sides_.empty() && corners_.empty()) &&
+           std::ranges::all_of(sides_, [&](const CommonSide& s) { return goes_on(s); }) &&
+           std::ranges::all_of(corners_, [&](const CommonCorner& c) { return goes_on(c); });
+  }
+
+  // How many pairs of cells it took; nothing if it is not proven.
+  std::optional<int> proof(CellTree& tree_a, CellTree& tree_b, const Axes& axes) {
+    tree_a_ = &tree_a;
+    tree_b_ = &tree_b;
+    axes_ = axes;
+    slopes_a_ = slope_nets(tree_a.patch(), tree_a.shape().planes == 4);
+    slopes_b_ = slope_nets(tree_b.patch(), tree_b.shape().planes == 4);
+    return prove(0, 0) ? std::optional(pairs_) : std::nullopt;
+  }
+
+  const std::vector<CommonSide>& sides() const { return sides_; }
+  const std::vector<CommonCorner>& corners() const { return corners_; }
+
+ private:
+  static bool is_on(const Vec2& corner, const Side& side) {
+    return corner[static_cast<int>(side.across)] == side.value();
+  }
+
+  void find_corners(const std::vector<Side>& of_a, const std::vector<Side>& of_b) {
+    const auto is_outer = [](const Vec2& corner, const std::vector<Side>& sides) {
+      return std::ranges::any_of(sides, [&](const Side& side) { return is_on(corner, side); });
+    };
+    for (const Vec2& p : kCorners)
+      for (const Vec2& q : kCorners)
+        if (is_outer(p, of_a) && is_outer(q, of_b) && corner_point(a_, p) == corner_point(b_, q))
+          corners_.push_back({p, q});
+  }
+
+  // The ends of common sides are no corners of their own.
+  void find_sides(const std::vector<Side>& of_a, const std::vector<Side>& of_b) {
+    for (const Side& a : of_a)
+      for (const Side& b : of_b) {
+        const std::vector<Vec4> p = side_points(a_, a);
+        std::vector<Vec4> q = side_points(b_, b);
+        if (p == q) sides_.push_back({a, b, false});
+        std::ranges::reverse(q);
+        if (p == q) sides_.push_back({a, b, true});
+      }
+    std::erase_if(corners_, [&](const CommonCorner& corner) {
+      return std::ranges::any_of(sides_, [&](const CommonSide& side) {
+        return is_on(corner.a, side.a) && is_on(corner.b, side.b);
+      });
+    });
+  }
+
+  bool goes_on(const CommonSide& side) const {
+    for (int k = 0; k < kNormals; ++k) {
+      const double t = k / (kNormals - 1.0);
+      const Slopes p = slopes_at(a_, side.a.at(t), false);
+      const Slopes q = slopes_at(b_, side.b.at(side.on_b(t)), true);
+      const Vec3 along = unit(side.a.across == 0 ? p.v : p.u);
+      const Vec3 to = side.a.across == 0 ? p.u : p.v, from = side.b.across == 0 ? q.u : q.v;
+      const bool on = dot(to - along * dot(to, along), from - along * dot(from, along)) > 0;
+      if (!on || !is_smooth(p, q)) return false;
+    }
+    return true;
+  }
+
+  bool goes_on(const CommonCorner& corner) const {
+    const Slopes p = slopes_at(a_, corner.a, false), q = slopes_at(b_, corner.b, true);
+    const Vec3 way = unit(p.u) + unit(p.v) + unit(q.u) + unit(q.v);
+    return is_smooth(p, q) && dot(way, p.u) > 0 && dot(way, p.v) > 0 && dot(way, q.u) > 0 &&
+           dot(way, q.v) > 0;
+  }
+
+  bool prove(int index_a, int index_b) {
+    if (++pairs_ > kMostPairs) return false;
+    const Cell a = (*tree_a_)[index_a], b = (*tree_b_)[index_b];
+    if (a.part == PartSide::Outside || b.part == PartSide::Outside ||
+        separated(a, b, tree_a_->shape().plane_size(), tree_b_->shape().plane_size()))
+      return true;
+    const auto proves = [&](const auto& common) { return meet_only_in(common, a, b); };
+    if (std::ranges::any_of(sides_, proves) || std::ranges::any_of(corners_, proves)) return true;
+    if (a.depth >= kDeepest && b.depth >= kDeepest) return false;
+    const bool of_a = b.depth >= kDeepest || (a.depth < kDeepest && a.extent >= b.extent);
+    const int child = of_a ? tree_a_->split(index_a) : tree_b_->split(index_b);
+    return of_a ? prove(child, index_b) && prove(child + 1, index_b)
+                : prove(index_a, child) && prove(index_a, child + 1);
+  }
+
+  // Across the side, from a to b, nothing turns back.
+  bool meet_only_in(const CommonSide& side, const Cell& a, const Cell& b) const {
+    std::array over_a{a.u, a.v}, over_b{b.u, b.v};
+    const Interval along_b = over_b[side.b.along()];
+    over_a[side.a.across] = hull(over_a[side.a.across], side.a.value());
+    over_b[side.b.across] = hull(over_b[side.b.across], side.b.value());
+    over_a[side.a.along()] =
+        hull(hull(over_a[side.a.along()], side.on_b(along_b.from)), side.on_b(along_b.to));
+    const auto p = slopes(slopes_a_, over_a), q = slopes(slopes_b_, over_b);
+    return is_injective(
+        joined(DirectionCones{p[side.a.along()], turned(p[side.a.across], !side.a.high)},
+               DirectionCones{turned(q[side.b.along()], side.reversed),
+                              turned(q[side.b.across], side.b.high)}));
+  }
+
+  // Some direction grows from a to the corner and on to b.
+  bool meet_only_in(const CommonCorner& corner, const Cell& a, const Cell& b) const {
+    const auto p = slopes(slopes_a_, {hull(a.u, corner.a[0]), hull(a.v, corner.a[1])});
+    const auto q = slopes(slopes_b_, {hull(b.u, corner.b[0]), hull(b.v, corner.b[1])});
+    const std::array steps{turned(p[0], corner.a[0] == 0), turned(p[1], corner.a[1] == 0),
+                           turned(q[0], corner.b[0] == 1), turned(q[1], corner.b[1] == 1)};
+    Vec3 way;
+    for (const VectorBounds& step : steps) way = way + unit(step.middle);
+    way = unit(way);
+    return std::ranges::all_of(steps, [&](const VectorBounds& step) {
+      double least = dot(way, step.middle);
+      for (int k = 0; k < 3; ++k) least -= std::abs(way[k]) * step.radius[k];
+      return least > kSlack;
+    });
+  }
+
+  std::array<VectorBounds, 2> slopes(const SlopeNets& nets,
+                                     const std::array<Interval, 2>& over) const {
+    const DirectionCones cones = cones_of(nets, over[0], over[1], axes_);
+    return {cones.u, cones.v};
+  }
+
+  const RationalBezierPatch& a_;
+  const RationalBezierPatch& b_;
+  CellTree* tree_a_ = nullptr;
+  CellTree* tree_b_ = nullptr;
+  std::vector<CommonSide> sides_;
+  std::vector<CommonCorner> corners_;
+  Axes axes_;
+  SlopeNets slopes_a_, slopes_b_;
+  int pairs_ = 0;
+};
+
+Point4 place_of(const Vec2& a, const Vec2& b) { return {a[0], a[1], b[0], b[1]}; }
+
+FoundArc arc_along(const CommonSide& side, int patch_a, int patch_b) {
+  FoundArc arc{patch_a, patch_b, {}, {}, {-1, -1}};
+  arc.arc.from = place_of(side.a.at(0), side.b.at(side.on_b(0)));
+  arc.arc.to = place_of(side.a.at(1), side.b.at(side.on_b(1)));
+  for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = arc.arc.to[k] - arc.arc.from[k];
+  arc.arc.tangential = arc.arc.iso = true;
+  return arc;
+}
+
+}  // namespace
+
+NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs) {
+  NeighbourContacts found;
+  std::optional<Axes> axes;
+  std::erase_if(pairs, [&](const StartPair& pair) {
+    Neighbours neighbours(a, pair.patch_a, b, pair.patch_b);
+    if (!neighbours.go_on_smoothly()) return false;
+    if (!axes) axes = axes_of(a.surface());
+    const std::optional<int> cells =
+        neighbours.proof(a.tree(pair.patch_a), b.tree(pair.patch_b), *axes);
+    if (!cells) return false;
+    found.excluded += *cells;
+    for (const CommonSide& side : neighbours.sides())
+      found.arcs.push_back(arc_along(side, pair.patch_a, pair.patch_b));
+    for (const CommonCorner& corner : neighbours.corners())
+      found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(corner.a, corner.b)});
+    return true;
+  });
+  return found;
+}
+
+void add(const NeighbourContacts& neighbours, PairSearchResult& found) {
+  found.arcs.insert(found.arcs.end(), neighbours.arcs.begin(), neighbours.arcs.end());
+  found.grazes.insert(found.grazes.end(), neighbours.grazes.begin(), neighbours.grazes.end());
+  found.certificate.excluded += neighbours.excluded;
+}
+
+}  // namespace blossom

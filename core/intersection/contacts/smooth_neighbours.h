@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Patches at which two surfaces go on smoothly into each other, across a border or a corner.
+//
+// Beside a border that both surfaces have, their cells come as close to each other as they like,
+// and nearly flat: neither boxes nor normals tell them apart, on any scale. But what makes them
+// neighbours proves that they have nothing else in common: from a point of one cell a path leads
+// to the border, along it and on into the other cell, on which no parameter turns back, so the
+// proof that one surface does not meet itself (`cells/direction_cones.h`) holds for two. Through a
+// corner such a path goes straight on, and it is enough that some direction grows all along it.
+//
+// Borders and corners are common when their control points are the same numbers.
+
+#pragma once
+
+#include <vector>
+
+#include "core/intersection/cells/surface_cells.h"
+#include "core/intersection/pair_search.h"
+
+namespace blossom {
+
+/// What neighbours have in common.
+struct NeighbourContacts {
+  std::vector<FoundArc> arcs;      ///< along borders
+  std::vector<FoundGraze> grazes;  ///< corners
+  long excluded = 0;               ///< pairs of cells proven to have nothing else in common
+};
+
+/// Takes out the pairs of patches that are proven to meet in a common outer border or corner of
+/// both surfaces alone, where they have common normals, to 1e-3.
+///
+/// pairs   of whole patches of two different surfaces, their trees made
+/// cost    few pairs of cells where patches do not turn far; no more than 1024
+NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs);
+
+/// Adds them to what the search over the other pairs found.
+void add(const NeighbourContacts& neighbours, PairSearchResult& found);
+
+}  // namespace blossom

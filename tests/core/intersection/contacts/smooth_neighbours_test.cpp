@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/intersection/contacts/smooth_neighbours.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "core/forms/evaluation.h"
+#include "core/subdivision/patch_subdivision.h"
+#include "core/surface_intersection.h"
+
+namespace blossom {
+namespace {
+
+BezierSurface surface_of(const RationalBezierPatch& patch) {
+  BezierSurface surface{{0, 1}, {0, 1}};
+  surface.patches = Grid<RationalBezierPatch>(1, 1);
+  surface.patches(0, 0) = patch;
+  return surface;
+}
+
+// Half of a tube of radius 1, by a cubic: from v = 0 at y = 0 to v = 1 at y = 0, upper or lower.
+RationalBezierPatch half_tube(double side) {
+  constexpr double kBow = 4.0 / 3;
+  RationalBezierPatch patch{Grid<Vec4>(4, 4)};
+  const std::array<Vec2, 4> profile{Vec2{1, 0}, Vec2{1, side * kBow}, Vec2{-1, side * kBow},
+                                    Vec2{-1, 0}};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const Vec2& p = profile[static_cast<std::size_t>(j)];
+      patch.points(i, j) = {p[0], p[1], 0.9 * i + 0.2 * i * i, 1};
+    }
+  return patch;
+}
+
+RationalBezierPatch wavy() {
+  RationalBezierPatch patch{Grid<Vec4>(4, 4)};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      patch.points(i, j) = {i + 0.1 * j, j - 0.07 * i * i, std::sin(2.3 * i + j), 1};
+  return patch;
+}
+
+// The patch seen with u and v turned round or exchanged.
+RationalBezierPatch turned(const RationalBezierPatch& patch, int way) {
+  RationalBezierPatch result = patch;
+  const Grid<Vec4>& net = patch.points;
+  const int n = net.rows() - 1;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) {
+      const int k = (way & 1) != 0 ? n - i : i, l = (way & 2) != 0 ? n - j : j;
+      result.points(i, j) = (way & 4) != 0 ? net(l, k) : net(k, l);
+    }
+  return result;
+}
+
+class Turned : public ::testing::TestWithParam<int> {};
+
+TEST_P(Turned, HalvesMeetInTheirBorder) {
+  const RationalBezierPatch whole = wavy();
+  const BezierSurface a = surface_of(sub_patch(whole, {0, 0.5}, {0, 1}));
+  const BezierSurface b = surface_of(turned(sub_patch(whole, {0.5, 1}, {0, 1}), GetParam()));
+  const SurfaceIntersection found = intersect(a, b);
+  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_EQ(found.certificate.critical, 0);
+  ASSERT_EQ(found.curves.size(), 1u);
+  EXPECT_TRUE(found.points.empty() && found.places.empty());
+  const IntersectionCurve& curve = found.curves.front();
+  EXPECT_TRUE(curve.tangential);
+  EXPECT_LE(std::max(curve.deviation.a, curve.deviation.b), 1e-7);
+  for (const double t : {0.0, 0.3, 1.0}) {
+    const Vec3 x = point_at(curve.curve, at(curve.curve.domain(), t));
+    EXPECT_LE(
+        distance(x, point_at(a, {1, point_at(curve.chart_a, at(curve.curve.domain(), t))[1]})),
+        1e-7);
+  }
+}
+
+TEST_P(Turned, QuartersMeetInTheirCorner) {
+  const RationalBezierPatch whole = wavy();
+  const BezierSurface a = surface_of(sub_patch(whole, {0, 0.5}, {0, 0.5}));
+  const BezierSurface b = surface_of(turned(sub_patch(whole, {0.5, 1}, {0.5, 1}), GetParam()));
+  const SurfaceIntersection found = intersect(a, b);
+  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_EQ(found.certificate.critical, 0);
+  EXPECT_TRUE(found.curves.empty());
+  ASSERT_EQ(found.points.size(), 1u);
+  EXPECT_LE(distance(found.points.front().point, point_at(whole, 0.5, 0.5)), 1e-12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, Turned, ::testing::Range(0, 8));
+
+// Neither half is small: the proof needs parts of them.
+TEST(SmoothNeighbours, HalvesOfATubeMeetInBothBorders) {
+  const SurfaceIntersection found = intersect(surface_of(half_tube(1)), surface_of(half_tube(-1)));
+  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_EQ(found.certificate.critical, 0);
+  EXPECT_EQ(found.curves.size(), 2u);
+}
+
+// A sheet that turns back in its border lies beside the other one, not behind it.
+TEST(SmoothNeighbours, OneFoldedBackIsNone) {
+  const RationalBezierPatch whole = wavy();
+  const RationalBezierPatch half = sub_patch(whole, {0, 0.5}, {0, 1});
+  RationalBezierPatch folded = half;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j) folded.points(i, j)[2] += 0.02 * (3 - i) * (3 - i) * (2 - i);
+  std::vector<StartPair> pairs{{0, 0, 0, 0}};
+  const BezierSurface a = surface_of(half), b = surface_of(folded);
+  SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
+  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs).arcs.empty());
+  EXPECT_EQ(pairs.size(), 1u);
+}
+
+// A third arm of the second surface comes back through the first one: the border is not all.
+TEST(SmoothNeighbours, OneThatComesBackIsSearched) {
+  RationalBezierPatch a{Grid<Vec4>(2, 2)}, b{Grid<Vec4>(5, 2)};
+  for (int j = 0; j < 2; ++j) {
+    a.points(0, j) = {-3, 1.0 * j, 0, 1};
+    a.points(1, j) = {0, 1.0 * j, 0, 1};
+    const std::array<Vec2, 5> loop{Vec2{0, 0}, Vec2{4, 0}, Vec2{2, 6}, Vec2{-3, 3}, Vec2{-1, -2}};
+    for (int i = 0; i < 5; ++i) {
+      const Vec2& p = loop[static_cast<std::size_t>(i)];
+      b.points(i, j) = {p[0], 1.0 * j, p[1], 1};
+    }
+  }
+  std::vector<StartPair> pairs{{0, 0, 0, 0}};
+  const BezierSurface of_a = surface_of(a), of_b = surface_of(b);
+  SurfaceCells cells_a(of_a, {}, CellForm::Auto, 0.4865);
+  SurfaceCells cells_b(of_b, {}, CellForm::Auto, 0.4865);
+  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs).arcs.empty());
+  EXPECT_EQ(pairs.size(), 1u);
+}
+
+}  // namespace
+}  // namespace blossom
