@@ -260,14 +260,23 @@ class Sampler {
 
   bool late() const { return work_ != nullptr && work_->late_after_search(); }
 
+  // Round a surface that one patch closes a whole loop may be one link: its ends are one point, its
+  // middle is another.
+  bool is_point(const Step& step, const Site& start, const Site& stop) const {
+    const double shortest = kShortest * wanted_;
+    if (step.length > shortest) return false;
+    if (std::isnan(step.length)) return true;
+    const double half_way = 0.5 * (start.station + stop.station);
+    return distance(tracer_.at(half_way, true).point, start.point.point) <= shortest;
+  }
+
   // The last site of the run is at the start. A piece that is nearly good enough is so in halves.
   void refine(const Site& start, const Site& stop, int depth) {
     const Step step = step_between(start, stop);
     const double error = error_of(step.piece, start, stop, kProbes);
     const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
-    const bool short_enough = !(step.length > kShortest * wanted_);
-    if ((error <= limit_ && turn <= kLongestTurn) || short_enough || depth >= kDeepest ||
-        count_ >= most_pieces_ || late())
+    if ((error <= limit_ && turn <= kLongestTurn) || depth >= kDeepest || count_ >= most_pieces_ ||
+        late() || is_point(step, start, stop))
       return append(step, error, stop);
     const double station = 0.5 * (start.station + stop.station);
     const Site middle{station, 0, 0, tracer_.at(station, true)};

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <numbers>
 
 #include "core/surface_intersection.h"
 #include "tests/core/tracing/surface_pairs.h"
@@ -36,6 +38,49 @@ TEST(Fit, OfAStraightLineIsOneSpan) {
   ASSERT_EQ(found.curves.size(), 1u);
   EXPECT_EQ(found.curves[0].curve.points.size(), 6u);
   EXPECT_NEAR(found.curves[0].length, 1, 1e-14);
+}
+
+// The unit cylinder from z = -1 to 1 as one patch: the square of a complex quadratic in u over its
+// norm goes round the whole circle.
+BezierSurface cylinder_of_one_patch() {
+  constexpr std::array<Vec3, 6> kCircle{{{1, 0, 1},
+                                         {0.2, 0.8, 0.2},
+                                         {-0.6, 0.4, 0.2},
+                                         {-0.6, -0.4, 0.2},
+                                         {0.2, -0.8, 0.2},
+                                         {1, 0, 1}}};
+  Grid<Vec4> net(6, 2);
+  for (int i = 0; i < 6; ++i) {
+    const auto& [x, y, w] = kCircle[static_cast<std::size_t>(i)].coordinates;
+    net(i, 0) = {x, y, -w, w};
+    net(i, 1) = {x, y, w, w};
+  }
+  BezierSurface surface{{0, 1}, {0, 1}};
+  surface.rational = true;
+  surface.patches = Grid<RationalBezierPatch>(1, 1, RationalBezierPatch{net});
+  return surface;
+}
+
+// The ends of its only link are one point.
+TEST(Fit, OfALoopInOnePatchGoesRound) {
+  const BezierSurface tube = cylinder_of_one_patch();
+  BezierSurface saddle = testing::plane({-20, -21, -2.5}, {40, 1, 3}, {-2, 41, 2});
+  const BezierSurface plane = saddle;
+  saddle.patches(0, 0).points(0, 1)[2] -= 5;
+  saddle.patches(0, 0).points(1, 1)[2] += 5;
+
+  for (const BezierSurface& other : {plane, saddle})
+    for (const bool exchanged : {false, true}) {
+      const auto found = exchanged ? intersect(other, tube) : intersect(tube, other);
+
+      EXPECT_EQ(found.status, Status::Complete);
+      ASSERT_EQ(found.curves.size(), 1u);
+      const IntersectionCurve& curve = found.curves[0];
+      EXPECT_EQ(curve.curve.points.front(), curve.curve.points.back());
+      EXPECT_GT(curve.length, 2 * std::numbers::pi);
+      EXPECT_LT(curve.length, 2.1 * std::numbers::pi);
+      EXPECT_LE(std::max({curve.deviation.a, curve.deviation.b, curve.deviation.between}), 1e-7);
+    }
 }
 
 class FitOf : public ::testing::TestWithParam<SurfacePair> {};
