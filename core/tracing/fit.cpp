@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <optional>
 
-#include "core/base/parallel.h"
 #include "core/tracing/conic_fit.h"
 #include "core/tracing/deviation.h"
 #include "core/tracing/sites.h"
@@ -30,8 +28,6 @@ constexpr double kWorthARound = 0.85;     // of the knots at most, or no further
 constexpr double kLeastError = 1e-12;     // of the wanted, to guess from: below it is rounding
 constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kLeastSamples = 49;
-constexpr std::size_t kRunGrain = 4;    // runs, and
-constexpr std::size_t kSpanGrain = 32;  // spans of a run's spline that one thread judges in a row
 constexpr double kLastStep = 1e-8;  // of the size: Newton's step from there to a sample is exact
 
 // Traced points leave a conic by rounding alone: so much of the curve's length and of the size.
@@ -255,33 +251,26 @@ class Fitter {
 
   // The largest gap at the checks of every span as a part of the wanted accuracy.
   std::vector<double> span_errors(const SmoothRun& run, const RunSpline& spline) const {
-    std::vector<double> errors(spline.knots.size() - 1, 0.0), sines;
+    std::vector<double> errors(spline.knots.size() - 1, 0.0);
     std::size_t site = 0;
-    for (std::size_t span = 0; span < errors.size(); ++span) {
+    for (std::size_t i = 0; i < spline.values.size(); ++i) {
+      const std::size_t span = i / kJudgedChecks.size();
       while (site + 2 < run.sites.size() && run.sites[site + 1].parameter < spline.knots[span])
         ++site;
-      sines.push_back(std::min(run.sites[site].point.sine, run.sites[site + 1].point.sine));
+      const double sine = std::min(run.sites[site].point.sine, run.sites[site + 1].point.sine);
+      const double t = at(Interval{spline.knots[span], spline.knots[span + 1]},
+                          kFitChecks[kJudgedChecks[i % kJudgedChecks.size()]]);
+      const Gaps gaps = gaps_at(a_, b_, spline.values[i], conic(), t);
+      errors[span] = std::max(errors[span], relative_gap(gaps, wanted_, sine));
     }
-    parallel_for(errors.size(), kSpanGrain, [&](std::size_t span) {
-      for (std::size_t k = 0; k < kJudgedChecks.size(); ++k) {
-        const double t =
-            at(Interval{spline.knots[span], spline.knots[span + 1]}, kFitChecks[kJudgedChecks[k]]);
-        const Vec7& value = spline.values[span * kJudgedChecks.size() + k];
-        const Gaps gaps = gaps_at(a_, b_, value, conic(), t);
-        errors[span] = std::max(errors[span], relative_gap(gaps, wanted_, sines[span]));
-      }
-    });
     return errors;
   }
 
   void write_splines(IntersectionCurve& curve) const {
-    std::vector<std::optional<RunSpline>> splines(runs_.size());
-    parallel_for(runs_.size(), kRunGrain, [&](std::size_t i) { splines[i] = fit(runs_[i]); });
     JoinedSpline joined;
-    for (std::size_t i = 0; i < runs_.size(); ++i) {
-      const SmoothRun& run = runs_[i];
-      if (splines[i]) {
-        append(joined, *splines[i], run.multiplicity);
+    for (const SmoothRun& run : runs_) {
+      if (const auto spline = fit(run)) {
+        append(joined, *spline, run.multiplicity);
         continue;
       }
       for (const QuinticPiece& piece : run.pieces)
