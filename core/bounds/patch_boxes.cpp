@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
@@ -11,6 +12,7 @@ namespace blossom {
 namespace {
 
 constexpr int kBlock = 4;                   // so many boxes a side have one above them
+constexpr std::size_t kFewPatches = 1024;
 constexpr std::size_t kPatchGrain = 256;    // patches, and
 constexpr std::size_t kBlockGrain = 64;     // blocks that one thread bounds in a row
 constexpr double kRounding = 16 * 0x1p-53;  // of the coordinates: as much as cells allow for
@@ -47,6 +49,14 @@ Grid<Box> blocks_of(const Grid<Box>& boxes) {
     blocks.values()[k] = box;
   });
   return blocks;
+}
+
+// Of a few boxes a tree is as quick, and its halves are nearly as thin as the boxes allow.
+BoxTree tree_of(std::span<const Box> patches) {
+  std::vector<Box> boxes;
+  for (const Box& box : patches)
+    boxes.push_back(widened(box, kRounding * std::max(max_norm(box.low), max_norm(box.high))));
+  return BoxTree(boxes);
 }
 
 // A box of some level.
@@ -119,7 +129,12 @@ PatchBoxes::PatchBoxes(const BezierSurface& surface) {
 }
 
 std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b) {
-  return Meeting(a.levels_, b.levels_).run();
+  if (std::max(a.patches().size(), b.patches().size()) > kFewPatches)
+    return Meeting(a.levels_, b.levels_).run();
+  std::vector<std::array<int, 2>> pairs;
+  tree_of(a.patches()).for_each_meeting(tree_of(b.patches()),
+                                        [&](int i, int j) { pairs.push_back({i, j}); });
+  return pairs;
 }
 
 }  // namespace blossom

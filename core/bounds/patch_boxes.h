@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/bounds/box_tree.h"
@@ -28,6 +29,8 @@ class PatchBoxes {
   friend std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b);
 
  private:
+  std::span<const Box> patches() const { return levels_.front().values(); }
+
   std::vector<Grid<Box>> levels_;  // of patches, of blocks of those, and so on up to one box
 };
 
