@@ -37,29 +37,38 @@ struct Arm {
   double angle = 0;      ///< in (-pi, pi]
   double curvature = 0;  ///< to the left positive
   double secant = 0;     ///< turn from the direction to a point farther on, to the left positive
-  const PlanarBezier* piece = nullptr;  ///< its first one that leads away
-  double length = 0;                    ///< of that one's chord
+  const PlanarPath* path = nullptr;
+  std::size_t lead = 0;  ///< its first piece that leads away, counted from the vertex
+  Vec2 start{};          ///< where that begins
+
+  bool reversed() const { return walk % 2 == 1; }
 };
+
+// Pieces of a path counted from one of its ends.
+const PlanarBezier& piece_from(const PlanarPath& path, bool reversed, std::size_t i) {
+  return path[reversed ? path.size() - 1 - i : i];
+}
 
 // The first piece that leads away from an end of a path: what shorter ones do there is noise, as
 // where a span of a surface has the width of rounding.
-const PlanarBezier& leading_piece(const PlanarPath& path, bool reversed) {
+std::size_t leading_piece(const PlanarPath& path, bool reversed) {
   const Vec2 end = reversed ? end_of(path) : start_of(path);
   double size = 0;
   for (const PlanarBezier& curve : path)
     size =
         std::max(size, distance(projected(curve.points.back()), projected(curve.points.front())));
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const PlanarBezier& curve = path[reversed ? path.size() - 1 - i : i];
+    const PlanarBezier& curve = piece_from(path, reversed, i);
     const Vec2 far = projected(reversed ? curve.points.front() : curve.points.back());
-    if (distance(far, end) > kNoise * size) return curve;
+    if (distance(far, end) > kNoise * size) return i;
   }
-  return reversed ? path.back() : path.front();
+  return 0;
 }
 
 Arm arm_of(const ChartArc& arc, Walk walk) {
   const bool reversed = walk % 2 == 1;
-  const PlanarBezier& curve = leading_piece(arc.path, reversed);
+  const std::size_t lead = leading_piece(arc.path, reversed);
+  const PlanarBezier& curve = piece_from(arc.path, reversed, lead);
   const double sign = reversed ? -1 : 1;
   const double start = reversed ? 1 : 0;
   const PlanarJet jet = jet_at(curve, start);
@@ -72,19 +81,37 @@ Arm arm_of(const ChartArc& arc, Walk walk) {
     direction = jet_at(curve, reversed ? 1 - 1e-4 : 1e-4).point - jet.point;
   return {walk,      std::atan2(direction[1], direction[0]),
           curvature, std::atan2(cross(direction, far), dot(direction, far)),
-          &curve,    distance(projected(curve.points.front()), projected(curve.points.back()))};
+          &arc.path, lead,
+          jet.point};
 }
 
-// How far to the left of a direction an arm is, so far from the vertex along it.
+Vec2 direction_of(const Arm& arm) { return {std::cos(arm.angle), std::sin(arm.angle)}; }
+
+// The piece of an arm that is so far from the vertex along a direction; null if the arm ends or
+// turns back before. The first ones may be short, as a crossing may lie beside a knot.
+const PlanarBezier* piece_at(const Arm& arm, const Vec2& along, double distance) {
+  double before = 0;
+  for (std::size_t i = arm.lead; i < arm.path->size(); ++i) {
+    const PlanarBezier& piece = piece_from(*arm.path, arm.reversed(), i);
+    const Vec2 far = projected(arm.reversed() ? piece.points.front() : piece.points.back());
+    const double reached = dot(far - arm.start, along);
+    if (reached >= distance) return &piece;
+    if (reached <= before) return nullptr;
+    before = reached;
+  }
+  return nullptr;
+}
+
+// How far to the left of a direction an arm is, so far from the vertex along it, which it reaches.
 double offset_at(const Arm& arm, const Vec2& along, double distance) {
-  double t = arm.walk % 2 == 1 ? 1 : 0;
-  const Vec2 start = jet_at(*arm.piece, t).point;
+  const PlanarBezier& piece = *piece_at(arm, along, distance);
+  double t = arm.reversed() ? 1 : 0;
   for (int i = 0; i < kSteps; ++i) {
-    const PlanarJet jet = jet_at(*arm.piece, t);
-    t = std::clamp(t + (distance - dot(jet.point - start, along)) / dot(jet.first, along), 0.0,
+    const PlanarJet jet = jet_at(piece, t);
+    t = std::clamp(t + (distance - dot(jet.point - arm.start, along)) / dot(jet.first, along), 0.0,
                    1.0);
   }
-  return cross(along, jet_at(*arm.piece, t).point - start);
+  return cross(along, jet_at(piece, t).point - arm.start);
 }
 
 // How far from the vertex the order of two neighbouring arms is to be read, if they touch there and
@@ -94,14 +121,14 @@ double touch_length(const Arm& right, const Arm& left, double tolerance) {
   const double turn = left.angle - right.angle, bend = right.curvature - left.curvature;
   if (turn <= 0 || turn * turn > 2 * bend * tolerance) return 0;
   const double length = 4 * turn / bend;
-  if (length > std::min(right.length, left.length)) return 0;
-  const Vec2 along{std::cos(right.angle), std::sin(right.angle)};
+  const Vec2 along = direction_of(right);
+  if (!piece_at(right, along, length) || !piece_at(left, along, length)) return 0;
   return offset_at(left, along, length) < offset_at(right, along, length) ? length : 0;
 }
 
 // Orders arms of about one direction from right to left, so far from the vertex.
 void order_at(double distance, std::span<Arm> arms) {
-  const Vec2 along{std::cos(arms.front().angle), std::sin(arms.front().angle)};
+  const Vec2 along = direction_of(arms.front());
   std::vector<std::pair<double, Arm>> placed;
   for (const Arm& arm : arms) placed.emplace_back(offset_at(arm, along, distance), arm);
   std::sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) {
@@ -142,8 +169,9 @@ void order(std::vector<Arm>& arms, double tolerance) {
       touch = std::max(touch, length);
     }
     const std::span<Arm> alike = std::span(arms).subspan(low, high - low);
-    const bool all_reach = std::all_of(alike.begin(), alike.end(),
-                                       [&](const Arm& arm) { return arm.length >= touch; });
+    const Vec2 along = direction_of(alike.front());
+    const bool all_reach = std::ranges::all_of(
+        alike, [&](const Arm& arm) { return piece_at(arm, along, touch) != nullptr; });
     if (touch > 0 && all_reach)
       order_at(touch, alike);
     else

@@ -127,11 +127,17 @@ Vec2 chart_scale(const Geom_BezierSurface& patch) {
   return {power_of_two(sum[0] / columns), power_of_two(sum[1] / rows)};
 }
 
+// Of a Bezier patch.
+bool covers_most(const PlanarBox& box) {
+  return std::min(box.high[0] - box.low[0], box.high[1] - box.low[1]) >= 0.5;
+}
+
 // The mean lengths of the surface's derivatives over the box, rounded to powers of two.
 Vec2 chart_scale(const Handle(Geom_Surface) & surface, const PlanarBox& box) {
   constexpr int kSamples = 5;
   const auto patch = Handle(Geom_BezierSurface)::DownCast(surface);
-  if (!patch.IsNull() && !patch->IsURational() && !patch->IsVRational()) return chart_scale(*patch);
+  if (!patch.IsNull() && !patch->IsURational() && !patch->IsVRational() && covers_most(box))
+    return chart_scale(*patch);
   // Keeps the polynomial of its last span, which a Bezier surface never leaves.
   const GeomAdaptor_Surface quick(surface);
   const bool one_span = quick.GetType() == GeomAbs_BezierSurface;

@@ -42,7 +42,7 @@ struct FaceTrims {
   Vec2 scale;                 ///< chart coordinates per parameter
   Vec2 period;                ///< of the surface, chart coordinates; 0 for none
   PlanarBox box;              ///< of all loops
-  double overshoot = 0;       ///< how far the box exceeds the surface's own bounds
+  double overshoot = 0;       ///< how far the loops go past the surface's own bounds
   bool natural = false;       ///< one loop, round the border of the box
 };
 

@@ -33,7 +33,8 @@ void add_inside(double value, const Interval& range, std::vector<double>& breaks
 template <class Spline>
 void add_knots(const Spline& curve, const Interval& range, std::vector<double>& breaks) {
   const double period = curve.IsPeriodic() ? curve.Period() : 0;
-  for (int i = curve.FirstUKnotIndex(); i <= curve.LastUKnotIndex(); ++i) {
+  const int last = curve.LastUKnotIndex() - (period > 0 ? 1 : 0);  // the first one again
+  for (int i = curve.FirstUKnotIndex(); i <= last; ++i) {
     const double knot = curve.Knot(i);
     if (period == 0) {
       add_inside(knot, range, breaks);

@@ -104,7 +104,8 @@ Handle(Geom2d_Curve)
   if (!plane.IsNull() && !keeps_chart_curve(edge, surface, place))
     if (const Handle(Geom2d_Curve) chart = in_plane(edge, plane, place, range); !chart.IsNull())
       return chart;
-  return BRep_Tool::CurveOnSurface(edge, surface, place, range.from, range.to);
+  // By the face: of a seam, the side depends on how that is turned.
+  return BRep_Tool::CurveOnSurface(edge, face, range.from, range.to);
 }
 
 bool keeps_chart_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {

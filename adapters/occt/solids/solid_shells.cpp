@@ -198,8 +198,8 @@ std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string
   return all;
 }
 
-// Whether rays from a point agree that it lies in a closed shell.
-bool holds(const TopoDS_Shell& shell, const gp_Pnt& point) try {
+// Whether a point lies in a closed shell; nothing if rays cannot tell.
+std::optional<bool> holds(const TopoDS_Shell& shell, const gp_Pnt& point) try {
   std::vector<TopoDS_Face> faces;
   for (TopExp_Explorer it(shell, TopAbs_FACE); it.More(); it.Next())
     faces.push_back(TopoDS::Face(it.Current()));
@@ -211,12 +211,13 @@ bool holds(const TopoDS_Shell& shell, const gp_Pnt& point) try {
     if (!*inside) return false;
     if (++agreeing == kAgreeing) return true;
   }
-  return false;
+  return std::nullopt;
 } catch (const BadModel&) {
-  return false;  // through such a face nothing can be told
+  return std::nullopt;  // through such a face nothing can be told
 }
 
-// The smallest outer shell round a void; the number of shells if there is none.
+// The smallest outer shell round a void; the number of shells if there is none, or if it is not
+// known which.
 std::size_t around(const Shell& hollow, const std::vector<Shell>& shells) {
   const auto point =
       point_inside(TopoDS::Face(TopExp_Explorer(hollow.shape, TopAbs_FACE).Current()));
@@ -224,7 +225,9 @@ std::size_t around(const Shell& hollow, const std::vector<Shell>& shells) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; point && i < shells.size(); ++i) {
     if (shells[i].volume <= -hollow.volume || shells[i].volume >= least) continue;
-    if (!holds(shells[i].shape, *point)) continue;
+    const std::optional<bool> inside = holds(shells[i].shape, *point);
+    if (!inside) return shells.size();
+    if (!*inside) continue;
     best = i;
     least = shells[i].volume;
   }
@@ -248,7 +251,7 @@ std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std:
     check_limit(limit, kMakingSolids);
     const std::size_t outer = around(shell, shells);
     if (outer == shells.size()) {
-      obstacle = "a shell is turned inwards, but no solid is round it";
+      obstacle = "a shell is turned inwards, but it is not known which solid is round it";
       return {};
     }
     builder.Add(by_shell[outer], shell.shape);

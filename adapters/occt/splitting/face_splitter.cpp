@@ -202,9 +202,18 @@ bool FaceSplitter::add_known_stop(Strand& strand, const TrimMeeting& meeting) {
   if (!best) return false;
   const int vertex = vertex_at_split(meeting.loop, meeting.coedge, known);
   strand.stops.emplace_back(best->parameter, vertex);
-  const Vec3 from = point_at(cuts_[static_cast<std::size_t>(strand.cut)].curve, meeting.at);
+  const Interval domain = strand.curve.domain();
+  if (meeting.at == domain.from || meeting.at == domain.to) {  // no loose end stays there
+    strand.stops.emplace_back(meeting.at, vertex);
+    Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
+    at.blur = std::max(at.blur, kMargin * distance(at.point, met));
+  }
   const gp_Pnt place = BRep_Tool::Pnt(splits_.vertex(of.edge, known));
-  const double moved = distance(from, Vec3{place.X(), place.Y(), place.Z()});
+  double moved = 0;
+  for (const double t : {meeting.at, meeting.touch.from, meeting.touch.to}) {
+    const Vec3 from = point_at(cuts_[static_cast<std::size_t>(strand.cut)].curve, t);
+    moved = std::max(moved, distance(from, Vec3{place.X(), place.Y(), place.Z()}));
+  }
   if (moved > reach(strand)) splits_.widen(of.edge, known, kMargin * moved);
   return true;
 }

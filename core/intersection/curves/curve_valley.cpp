@@ -379,7 +379,7 @@ class LineValley {
     const double rest = dot(normal_, jet.point) - level_;
     if (!touch && std::abs(rest) > 0.5 * pair_.margin()) {  // of the cell's net, not of the curve
       const double step = rest / dot(normal_, jet.first);
-      if (!(std::abs(step) <= reach(side))) return false;
+      if (!(std::abs(step) <= reach(side) * length(curve_.local))) return false;
       on_curve.t = std::clamp(on_curve.t - step, 0.0, 1.0);
       jet = curve_tree_.jet(on_curve);
     }
@@ -388,9 +388,12 @@ class LineValley {
     if (part < -slack || part > 1 + slack) return true;
     const SpanPoint on_line{line_.span, std::clamp(at(line_.local, part), 0.0, 1.0)};
     const CurveJet line_jet = line_tree_.jet(on_line);
+    const CurveFoot foot = line_is_a_ ? CurveFoot{on_line, on_curve, line_jet, jet}
+                                      : CurveFoot{on_curve, on_line, jet, line_jet};
+    // A line may end before the place: less than the slack, but farther than the tolerance.
+    if (norm(foot.gap()) > tolerance_ + 2 * error_) return false;
     ValleyPoint& point = result_.points[static_cast<std::size_t>(result_.count++)];
-    point.foot = line_is_a_ ? CurveFoot{on_line, on_curve, line_jet, jet}
-                            : CurveFoot{on_curve, on_line, jet, line_jet};
+    point.foot = foot;
     point.touch = touch;
     const bool apart = touch && side.gap > error_;
     point.gap = {apart ? side.gap - error_ : 0, apart ? side.gap + error_ : error_};

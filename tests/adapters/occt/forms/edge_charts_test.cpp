@@ -107,6 +107,13 @@ TEST(EdgeCharts, OfOtherSurfacesAndCurvesAreOpenCascadesOwn) {
   EXPECT_EQ(expect_as_occt_has_them(face), 2);
 }
 
+// Of the two curves of a seam the one that the face's turn asks for.
+TEST(EdgeCharts, OfSeamsFollowTheTurnOfTheFace) {
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(2, 3).Shape();
+  EXPECT_EQ(expect_as_occt_has_them(rod), 6);
+  EXPECT_EQ(expect_as_occt_has_them(rod.Reversed()), 6);
+}
+
 // What leaves the plane is not taken for something in it.
 TEST(EdgeCharts, OfEdgesThatLeaveThePlaneAreOpenCascadesOwn) {
   TopoDS_Face face = outline_on(gp_Ax3());

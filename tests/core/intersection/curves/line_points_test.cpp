@@ -104,6 +104,20 @@ TEST(LinePoints, CommonEndOfALineAndACurveIsProven) {
   EXPECT_EQ(found.points[0].b, 0);
 }
 
+// The line ends 50 tolerances before the place where it would graze the curve. There it is as near
+// to the curve beside it.
+TEST(LinePoints, FootIsNotTakenBeyondTheEndOfALine) {
+  const CurveSpans curve = parabola(0.5, 0.5, 1e-3);
+  const CurveSpans line = bezier({{-0.400005, 0, 0}, {0.499995, 0, 0}});
+  for (const bool swapped : {false, true}) {
+    const CurveIntersection found = swapped ? intersect(line, curve) : intersect(curve, line);
+    ASSERT_EQ(found.points.size(), 1U);
+    const CurvePoint& at = found.points.front();
+    const double on_curve = swapped ? at.b : at.a, on_line = swapped ? at.a : at.b;
+    EXPECT_LE(distance(point_at(curve, on_curve), point_at(line, on_line)), kTolerance);
+  }
+}
+
 TEST(LinePoints, CuspIsNotCutUp) {
   const CurveSpans cusp = bezier({{-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {1, 1, 0}});
   const double x = 0.01;
