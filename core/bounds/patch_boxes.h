@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The boxes of a surface's patches and of ever larger blocks of them.
 //
-// Patches lie in a grid already, so blocks of it are a hierarchy that needs no sorting: it takes as
-// long as looking at the control points once.
+// Patches lie in a grid already, so of large surfaces blocks of it are the hierarchy, which needs no
+// sorting: it takes as long as looking at the control points once. Small ones take a tree.
 
 #pragma once
 

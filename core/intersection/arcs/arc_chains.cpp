@@ -218,7 +218,8 @@ class Graph {
     if (at_end(2, grid_b.rows()) || at_end(3, grid_b.columns())) return CurveEnd::BorderB;
     const FoundArc& arc = found_.arcs[end / 2];
     const Point4& x = end_of(found_, end);
-    if (a_.outside(arc.patch_a, x[0], x[1]) || b_.outside(arc.patch_b, x[2], x[3]))
+    if (a_.outside(arc.patch_a, {x[0], x[0]}, {x[1], x[1]}) ||
+        b_.outside(arc.patch_b, {x[2], x[2]}, {x[3], x[3]}))
       return CurveEnd::Trim;
     return std::nullopt;
   }

@@ -39,8 +39,8 @@ PartSide SurfaceCells::part_of(int patch, const Interval& u, const Interval& v) 
   return part_(own(surface_.u_law, knots_u(patch), u), own(surface_.v_law, knots_v(patch), v));
 }
 
-bool SurfaceCells::outside(int patch, double u, double v) const {
-  return part_ && part_of(patch, {u, u}, {v, v}) == PartSide::Outside;
+bool SurfaceCells::outside(int patch, const Interval& u, const Interval& v) const {
+  return part_ && part_of(patch, u, v) == PartSide::Outside;
 }
 
 bool SurfaceCells::inside(int patch, const Interval& u, const Interval& v) const {

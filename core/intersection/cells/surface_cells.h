@@ -29,10 +29,9 @@ class SurfaceCells {
   Interval knots_u(int patch) const;
   Interval knots_v(int patch) const;
 
-  /// True if a point of a patch, in its own [0, 1]^2, lies outside of what counts of the surface.
-  bool outside(int patch, double u, double v) const;
-
-  /// True if a rectangle of it lies inside of what counts, as far as the caller's test knows.
+  /// True if a rectangle of a patch, in its own [0, 1]^2, lies outside of what counts of the
+  /// surface, as far as the caller's test knows; likewise inside.
+  bool outside(int patch, const Interval& u, const Interval& v) const;
   bool inside(int patch, const Interval& u, const Interval& v) const;
 
   /// Cells made so far, and their control points in memory.

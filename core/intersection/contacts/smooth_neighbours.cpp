@@ -21,13 +21,18 @@ constexpr double kSlack = 1e-12;      // of directions of length about 1, for ro
 
 constexpr std::array kCorners{Vec2{0, 0}, Vec2{0, 1}, Vec2{1, 0}, Vec2{1, 1}};
 
-// A place in the square of a patch: a corner, or a side if only the coordinate `across` counts.
+// A side of the square of a patch.
 struct Side {
   std::size_t across = 0;  // u or v is constant,
   bool high = false;       // at 1 rather than 0
 
   double value() const { return high ? 1 : 0; }
   std::size_t along() const { return 1 - across; }
+  std::array<Interval, 2> range() const {
+    std::array<Interval, 2> range{Interval{0, 1}, Interval{0, 1}};
+    range[across] = {value(), value()};
+    return range;
+  }
   Vec2 at(double t) const {
     Vec2 x;
     x[static_cast<int>(across)] = value();
@@ -129,18 +134,19 @@ class Neighbours {
            std::ranges::all_of(corners_, [&](const CommonCorner& c) { return goes_on(c); });
   }
 
-  // How many pairs of cells it took; nothing if it is not proven.
-  std::optional<int> proof(CellTree& tree_a, CellTree& tree_b, const Axes& axes) {
+  // Whether it is proven, for the parts that count. The certificate tells what it took.
+  bool proof(CellTree& tree_a, CellTree& tree_b, const Axes& axes) {
     tree_a_ = &tree_a;
     tree_b_ = &tree_b;
     axes_ = axes;
     slopes_a_ = slope_nets(tree_a.patch(), tree_a.shape().planes == 4);
     slopes_b_ = slope_nets(tree_b.patch(), tree_b.shape().planes == 4);
-    return prove(0, 0) ? std::optional(pairs_) : std::nullopt;
+    return prove(0, 0);
   }
 
   const std::vector<CommonSide>& sides() const { return sides_; }
   const std::vector<CommonCorner>& corners() const { return corners_; }
+  const Certificate& certificate() const { return certificate_; }
 
  private:
   static bool is_on(const Vec2& corner, const Side& side) {
@@ -197,11 +203,15 @@ class Neighbours {
   bool prove(int index_a, int index_b) {
     if (++pairs_ > kMostPairs) return false;
     const Cell a = (*tree_a_)[index_a], b = (*tree_b_)[index_b];
-    if (a.part == PartSide::Outside || b.part == PartSide::Outside ||
-        separated(a, b, tree_a_->shape().plane_size(), tree_b_->shape().plane_size()))
-      return true;
+    if (a.part == PartSide::Outside || b.part == PartSide::Outside) return true;
     const auto proves = [&](const auto& common) { return meet_only_in(common, a, b); };
-    if (std::ranges::any_of(sides_, proves) || std::ranges::any_of(corners_, proves)) return true;
+    if (separated(a, b, tree_a_->shape().plane_size(), tree_b_->shape().plane_size()) ||
+        std::ranges::any_of(sides_, proves) || std::ranges::any_of(corners_, proves)) {
+      ++certificate_.excluded;
+      certificate_.depth = std::max({certificate_.depth, a.depth, b.depth});
+      certificate_.rounding_bound = std::max({certificate_.rounding_bound, a.margin, b.margin});
+      return true;
+    }
     if (a.depth >= kDeepest && b.depth >= kDeepest) return false;
     const bool of_a = b.depth >= kDeepest || (a.depth < kDeepest && a.extent >= b.extent);
     const int child = of_a ? tree_a_->split(index_a) : tree_b_->split(index_b);
@@ -254,8 +264,13 @@ class Neighbours {
   std::vector<CommonCorner> corners_;
   Axes axes_;
   SlopeNets slopes_a_, slopes_b_;
-  int pairs_ = 0;
+  int pairs_ = 0;  // tried
+  Certificate certificate_;
 };
+
+std::array<Interval, 2> range_at(const Vec2& x) {
+  return {Interval{x[0], x[0]}, Interval{x[1], x[1]}};
+}
 
 Point4 place_of(const Vec2& a, const Vec2& b) { return {a[0], a[1], b[0], b[1]}; }
 
@@ -270,21 +285,31 @@ FoundArc arc_along(const CommonSide& side, int patch_a, int patch_b) {
 
 }  // namespace
 
-NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs) {
+NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs,
+                                  const WorkLimit& limit) {
   NeighbourContacts found;
   std::optional<Axes> axes;
   std::erase_if(pairs, [&](const StartPair& pair) {
     Neighbours neighbours(a, pair.patch_a, b, pair.patch_b);
-    if (!neighbours.go_on_smoothly()) return false;
+    if (!neighbours.go_on_smoothly() || limit.reached() != nullptr) return false;
     if (!axes) axes = axes_of(a.surface());
-    const std::optional<int> cells =
-        neighbours.proof(a.tree(pair.patch_a), b.tree(pair.patch_b), *axes);
-    if (!cells) return false;
-    found.excluded += *cells;
+    if (!neighbours.proof(a.tree(pair.patch_a), b.tree(pair.patch_b), *axes)) return false;
+    const Certificate& proven = neighbours.certificate();
+    found.certificate.excluded += proven.excluded;
+    found.certificate.depth = std::max(found.certificate.depth, proven.depth);
+    found.certificate.rounding_bound =
+        std::max(found.certificate.rounding_bound, proven.rounding_bound);
+    const auto counts = [&](const std::array<Interval, 2>& of_a,
+                            const std::array<Interval, 2>& of_b) {
+      return !a.outside(pair.patch_a, of_a[0], of_a[1]) &&
+             !b.outside(pair.patch_b, of_b[0], of_b[1]);
+    };
     for (const CommonSide& side : neighbours.sides())
-      found.arcs.push_back(arc_along(side, pair.patch_a, pair.patch_b));
+      if (counts(side.a.range(), side.b.range()))
+        found.arcs.push_back(arc_along(side, pair.patch_a, pair.patch_b));
     for (const CommonCorner& corner : neighbours.corners())
-      found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(corner.a, corner.b)});
+      if (counts(range_at(corner.a), range_at(corner.b)))
+        found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(corner.a, corner.b)});
     return true;
   });
   return found;
@@ -293,7 +318,10 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
 void add(const NeighbourContacts& neighbours, PairSearchResult& found) {
   found.arcs.insert(found.arcs.end(), neighbours.arcs.begin(), neighbours.arcs.end());
   found.grazes.insert(found.grazes.end(), neighbours.grazes.begin(), neighbours.grazes.end());
-  found.certificate.excluded += neighbours.excluded;
+  Certificate& of = found.certificate;
+  of.excluded += neighbours.certificate.excluded;
+  of.depth = std::max(of.depth, neighbours.certificate.depth);
+  of.rounding_bound = std::max(of.rounding_bound, neighbours.certificate.rounding_bound);
 }
 
 }  // namespace blossom

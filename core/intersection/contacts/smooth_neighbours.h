@@ -16,6 +16,7 @@
 
 #include "core/intersection/cells/surface_cells.h"
 #include "core/intersection/pair_search.h"
+#include "core/intersection/work_limit.h"
 
 namespace blossom {
 
@@ -23,15 +24,19 @@ namespace blossom {
 struct NeighbourContacts {
   std::vector<FoundArc> arcs;      ///< along borders
   std::vector<FoundGraze> grazes;  ///< corners
-  long excluded = 0;               ///< pairs of cells proven to have nothing else in common
+  Certificate certificate;         ///< of the pairs of cells that have nothing else in common
 };
 
 /// Takes out the pairs of patches that are proven to meet in a common outer border or corner of
-/// both surfaces alone, where they have common normals, to 1e-3.
+/// both surfaces alone, where samples have common normals, to 1e-3. What lies outside of the parts
+/// that count is not looked at and not reported.
 ///
-/// pairs   of whole patches of two different surfaces, their trees made
-/// cost    few pairs of cells where patches do not turn far; no more than 1024
-NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs);
+/// pairs   of whole patches of two different surfaces
+/// limit   asked before each pair that may be taken; when it is reached no more are
+/// cost    few pairs of cells where patches do not turn far; no more than 1024 for a pair of
+/// patches
+NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs,
+                                  const WorkLimit& limit);
 
 /// Adds them to what the search over the other pairs found.
 void add(const NeighbourContacts& neighbours, PairSearchResult& found);

@@ -100,6 +100,20 @@ TEST(SmoothNeighbours, HalvesOfATubeMeetInBothBorders) {
   EXPECT_EQ(found.curves.size(), 2u);
 }
 
+// What the halves have in common is outside of the part of one of them.
+TEST(SmoothNeighbours, BorderOutsideOfAPartIsNotReported) {
+  const RationalBezierPatch whole = wavy();
+  IntersectionOptions options;
+  options.part_a = [](const Interval& u, const Interval&) {
+    return u.from > 0.8 ? PartSide::Outside : u.to < 0.8 ? PartSide::Inside : PartSide::Mixed;
+  };
+  const SurfaceIntersection found =
+      intersect(surface_of(sub_patch(whole, {0, 0.5}, {0, 1})),
+                surface_of(sub_patch(whole, {0.5, 1}, {0, 1})), options);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.curves.empty() && found.points.empty() && found.places.empty());
+}
+
 // A sheet that turns back in its border lies beside the other one, not behind it.
 TEST(SmoothNeighbours, OneFoldedBackIsNone) {
   const RationalBezierPatch whole = wavy();
@@ -110,7 +124,8 @@ TEST(SmoothNeighbours, OneFoldedBackIsNone) {
   std::vector<StartPair> pairs{{0, 0, 0, 0}};
   const BezierSurface a = surface_of(half), b = surface_of(folded);
   SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
-  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs).arcs.empty());
+  EXPECT_TRUE(
+      take_neighbours(cells_a, cells_b, pairs, WorkLimit(IntersectionOptions{})).arcs.empty());
   EXPECT_EQ(pairs.size(), 1u);
 }
 
@@ -130,7 +145,8 @@ TEST(SmoothNeighbours, OneThatComesBackIsSearched) {
   const BezierSurface of_a = surface_of(a), of_b = surface_of(b);
   SurfaceCells cells_a(of_a, {}, CellForm::Auto, 0.4865);
   SurfaceCells cells_b(of_b, {}, CellForm::Auto, 0.4865);
-  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs).arcs.empty());
+  EXPECT_TRUE(
+      take_neighbours(cells_a, cells_b, pairs, WorkLimit(IntersectionOptions{})).arcs.empty());
   EXPECT_EQ(pairs.size(), 1u);
 }
 
