@@ -44,6 +44,18 @@ class PairModels : public ::testing::TestWithParam<int> {
     return cell;
   }
 
+  // A cell of each patch.
+  struct RandomCells {
+    explicit RandomCells(PairModels& of)
+        : a(of.descend(tree_a, GetParam() % 9)), b(of.descend(tree_b, GetParam() % 7)) {}
+
+    PatchesRow row = patches();
+    CellTree tree_a{row.a, row.rational, {}, CellForm::Bezier, kCut};
+    CellTree tree_b{row.b, row.rational, {}, CellForm::Bezier, kCut};
+    int a, b;
+    PairModel model{tree_a, tree_a[a], tree_b, tree_b[b]};
+  };
+
   // The cell that holds a point, after so many halvings.
   static int cell_at(CellTree& tree, double u, double v, int halvings) {
     int cell = 0;
@@ -80,11 +92,8 @@ bool holds(const VectorBounds& bounds, const Vec3& x) {
 }
 
 TEST_P(PairModels, BoundTheDerivativesInAPart) {
-  const PatchesRow row = patches();
-  CellTree tree_a(row.a, row.rational, {}, CellForm::Bezier, kCut);
-  CellTree tree_b(row.b, row.rational, {}, CellForm::Bezier, kCut);
-  const int i = descend(tree_a, GetParam() % 9), j = descend(tree_b, GetParam() % 7);
-  const PairModel model(tree_a, tree_a[i], tree_b, tree_b[j]);
+  const RandomCells cells(*this);
+  const PairModel& model = cells.model;
   const PairPart part = random_part();
 
   const JacobianBounds bounds = model.jacobian(model.jet(place_in(part)), part);
@@ -98,11 +107,8 @@ TEST_P(PairModels, BoundTheDerivativesInAPart) {
 
 // The means by the trapezoidal rule, whose error grows with the square of its steps.
 TEST_P(PairModels, BoundTheMeanDerivativesOnTheWayToAPart) {
-  const PatchesRow row = patches();
-  CellTree tree_a(row.a, row.rational, {}, CellForm::Bezier, kCut);
-  CellTree tree_b(row.b, row.rational, {}, CellForm::Bezier, kCut);
-  const int i = descend(tree_a, GetParam() % 9), j = descend(tree_b, GetParam() % 7);
-  const PairModel model(tree_a, tree_a[i], tree_b, tree_b[j]);
+  const RandomCells cells(*this);
+  const PairModel& model = cells.model;
   const PairPart part = random_part();
   const auto start = place_in(part);
 
