@@ -19,7 +19,8 @@ namespace {
 constexpr double kToleranceShare = 0.3;   // of the wanted tolerance, left to one fit
 constexpr double kLengthShare = 5e-7;     // of a curve's length: small loops keep theirs to 1e-6
 constexpr double kGaps = 16;              // no fit is asked for less: half of a sampling's share
-constexpr double kRounding = 1e-12;       // of the size: no fit is asked for more
+constexpr double kRounding = 1e-12;       // of the size: no fit is asked for more, nor
+constexpr double kRoundings = 0x1p-46;    // of the coordinates: far from the origin they are coarse
 constexpr double kSamplingShare = 0.125;  // of the fit's error, left to the pieces it is made from
 constexpr int kMostRounds = 8;            // of choosing knots
 constexpr double kAim = 0.7;              // part of the wanted accuracy that knots are chosen for
@@ -163,13 +164,7 @@ class Fitter {
  public:
   Fitter(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b,
          const FitOptions& options)
-      : tracer_(tracer),
-        a_(a),
-        b_(b),
-        options_(options),
-        wanted_(std::max(
-            {std::min(kToleranceShare * options.tolerance, kLengthShare * tracer.stations().back()),
-             kRounding * options.size, kGaps * options.gap})) {}
+      : tracer_(tracer), a_(a), b_(b), options_(options), wanted_(wanted()) {}
 
   IntersectionCurve run() {
     const double whole = tracer_.stations().back();
@@ -177,7 +172,7 @@ class Fitter {
     if (conic_) {
       IntersectionCurve curve = fitted_curve();
       const Deviation& d = curve.deviation;
-      if (std::max(d.a, d.b) <= kConicDeviation * std::max(wanted_, d.between)) return curve;
+      if (std::max(d.a, d.b) <= kConicDeviation * std::max(wanted_.gap, d.between)) return curve;
       conic_.reset();
     }
     return fitted_curve();
@@ -185,6 +180,16 @@ class Fitter {
 
  private:
   bool late() const { return options_.work != nullptr && options_.work->late_after_search(); }
+
+  Agreement wanted() const {
+    double largest = 0;
+    for (const Vec3& x : tracer_.known_points()) largest = std::max(largest, max_norm(x));
+    const double rounding = kRoundings * largest;
+    const double length = tracer_.stations().back();
+    return {std::max({std::min(kToleranceShare * options_.tolerance, kLengthShare * length),
+                      kRounding * options_.size, kGaps * options_.gap, rounding}),
+            rounding};
+  }
 
   const Conic* conic() const { return conic_ ? &*conic_ : nullptr; }
 
@@ -362,7 +367,7 @@ class Fitter {
   const BezierSurface& a_;
   const BezierSurface& b_;
   const FitOptions& options_;
-  const double wanted_;  // agreement of the three images, model units
+  const Agreement wanted_;
   std::optional<Conic> conic_;
   std::vector<SmoothRun> runs_;
 };

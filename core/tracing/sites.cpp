@@ -163,8 +163,8 @@ double distance_from(const QuinticPiece& piece, const Vec3& point) {
 
 class Sampler {
  public:
-  Sampler(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b, double wanted,
-          double limit, const Conic* conic, const WorkLimit* work)
+  Sampler(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b,
+          const Agreement& wanted, double limit, const Conic* conic, const WorkLimit* work)
       : tracer_(tracer), a_(a), b_(b), wanted_(wanted), limit_(limit), conic_(conic), work_(work) {}
 
   std::vector<SmoothRun> run() {
@@ -232,7 +232,7 @@ class Sampler {
 
   // A loop ends in its first point, exactly; at a seam only in space.
   void close(CurvePoint& last, const CurvePoint& first) const {
-    if (distance(last.point, first.point) > kSamePoint * wanted_) return;
+    if (distance(last.point, first.point) > kSamePoint * wanted_.gap) return;
     last.point = first.point;
     if (distance(last.a, first.a) <= kSameParameter * norm(first.a)) last.a = first.a;
     if (distance(last.b, first.b) <= kSameParameter * norm(first.b)) last.b = first.b;
@@ -263,7 +263,7 @@ class Sampler {
   // Round a surface that one patch closes a whole loop may be one link: its ends are one point, its
   // middle is another.
   bool is_point(const Step& step, const Site& start, const Site& stop) const {
-    const double shortest = kShortest * wanted_;
+    const double shortest = kShortest * wanted_.gap;
     if (step.length > shortest) return false;
     if (std::isnan(step.length)) return true;
     const double half_way = 0.5 * (start.station + stop.station);
@@ -281,7 +281,8 @@ class Sampler {
     const double station = 0.5 * (start.station + stop.station);
     const Site middle{station, 0, 0, tracer_.at(station, true)};
     // All three images may agree on another branch: the true middle point has to be near.
-    const double off = distance_from(step.piece, middle.point.point) * middle.point.sine / wanted_;
+    const double off =
+        distance_from(step.piece, middle.point.point) * middle.point.sine / wanted_.gap;
     const double worst = std::max(error, off);
     const bool halves = turn <= kLongestTurn && worst <= 32 * limit_;
     for (const auto& [from, to] : {std::pair{&start, &middle}, std::pair{&middle, &stop}})
@@ -319,7 +320,7 @@ class Sampler {
   void append(Step step, double error, Site stop) {
     SmoothRun& run = runs_.back();
     ++count_;
-    if (!(step.length > kNoLength * wanted_)) {  // both ends in one point, or no point
+    if (!(step.length > kNoLength * wanted_.gap)) {  // both ends in one point, or no point
       run.sites.back().station = stop.station;
       return;
     }
@@ -337,7 +338,8 @@ class Sampler {
   const ChainTracer& tracer_;
   const BezierSurface& a_;
   const BezierSurface& b_;
-  const double wanted_, limit_;
+  const Agreement wanted_;
+  const double limit_;
   const Conic* conic_;
   const WorkLimit* work_;
   std::size_t count_ = 0;
@@ -364,13 +366,13 @@ Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x, cons
   return {off + distance(point, on_a), off + distance(point, on_b), distance(on_a, on_b)};
 }
 
-double relative_gap(const Gaps& gaps, double wanted, double sine) {
-  const double between = gaps.between / std::clamp(sine, kLeastSine, 1.0);
-  return std::max({gaps.a, gaps.b, between}) / wanted;
+double relative_gap(const Gaps& gaps, const Agreement& wanted, double sine) {
+  const double between = std::max(wanted.gap * std::clamp(sine, kLeastSine, 1.0), wanted.rounding);
+  return std::max(std::max(gaps.a, gaps.b) / wanted.gap, gaps.between / between);
 }
 
 std::vector<SmoothRun> smooth_runs(const ChainTracer& tracer, const BezierSurface& a,
-                                   const BezierSurface& b, double wanted, double limit,
+                                   const BezierSurface& b, const Agreement& wanted, double limit,
                                    const Conic* conic, const WorkLimit* work) {
   return Sampler(tracer, a, b, wanted, limit, conic, work).run();
 }

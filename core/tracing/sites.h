@@ -46,21 +46,27 @@ Vec2 chart_b(const Vec7& x);
 Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x,
              const Conic* conic = nullptr, double parameter = 0);
 
-/// The gaps as a part of the wanted accuracy; at a small angle between the surfaces, whose sine
+/// What is asked of the three images. Model units.
+struct Agreement {
+  double gap;           ///< wanted
+  double rounding = 0;  ///< of coordinates, at most the gap: nothing closer is ever asked for
+};
+
+/// The gaps as a part of those wanted; at a small angle between the surfaces, whose sine
 /// is given, the images of the charts have to be closer. 1 is just good enough.
-double relative_gap(const Gaps& gaps, double wanted, double sine);
+double relative_gap(const Gaps& gaps, const Agreement& wanted, double sine);
 
 /// The sites of a chain. Pieces are halved until the gaps of their images, and the distance of
-/// the piece's middle to the traced one, are below `limit` times `wanted`.
+/// the piece's middle to the traced one, are below `limit` times the wanted ones.
 ///
-/// wanted    agreement of the three images, model units
+/// wanted    agreement of the three images
 /// limit     1: the pieces are as good as wanted
 /// conic     what the curve is in space, which gives the parameter; null: that is arc length
 /// work      when to give up; null: never
 /// returns   in order, each with a piece or more; nothing if the chain has no length, it is late or
 ///           the conic's parameter does not grow along the chain
 std::vector<SmoothRun> smooth_runs(const ChainTracer& tracer, const BezierSurface& a,
-                                   const BezierSurface& b, double wanted, double limit,
+                                   const BezierSurface& b, const Agreement& wanted, double limit,
                                    const Conic* conic = nullptr, const WorkLimit* work = nullptr);
 
 }  // namespace blossom

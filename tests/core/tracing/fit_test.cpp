@@ -31,6 +31,22 @@ TEST(Fit, OfALoopTakesFewPoles) {
   EXPECT_LE(std::max({curve.deviation.a, curve.deviation.b, curve.deviation.between}), 1e-7);
 }
 
+// There coordinates are multiples of 6e-11, and crossings at small angles no more precise than some
+// hundred times that: more knots would fit nothing but rounding.
+TEST(Fit, OfALoopFarFromTheOriginTakesFewPoles) {
+  testing::CubicPair pair = testing::cubic_pair(testing::loop(0.43, 0.57, 0.001));
+  for (BezierSurface* surface : {&pair.a, &pair.b})
+    for (Vec4& p : surface->patches(0, 0).points.values()) p += Vec4{3e5, 2e5, -1e5, 0};
+
+  const SurfaceIntersection found = intersect(pair.a, pair.b);
+
+  ASSERT_EQ(found.curves.size(), 1u);
+  const IntersectionCurve& curve = found.curves[0];
+  EXPECT_LE(curve.curve.points.size(), 60u);
+  EXPECT_TRUE(curve.closed);
+  EXPECT_LE(std::max({curve.deviation.a, curve.deviation.b, curve.deviation.between}), 1e-7);
+}
+
 TEST(Fit, OfAStraightLineIsOneSpan) {
   const auto found = intersect(testing::plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}),
                                testing::plane({0.3, -1, -1}, {0, 3, 0}, {0, 0, 2}));

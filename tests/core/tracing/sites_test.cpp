@@ -33,19 +33,19 @@ class SmoothRuns : public ::testing::TestWithParam<testing::SurfacePair> {
 TEST_P(SmoothRuns, HavePiecesAsGoodAsWanted) {
   for (const double wanted : {1e-6, 1e-9})
     each_chain([&](const ChainTracer& tracer) {
-      for (const SmoothRun& run : smooth_runs(tracer, GetParam().a, GetParam().b, wanted, 0.125))
+      for (const SmoothRun& run : smooth_runs(tracer, GetParam().a, GetParam().b, {wanted}, 0.125))
         for (std::size_t i = 0; i < run.pieces.size(); ++i)
           for (int k = 1; k < 20; ++k) {
             const Vec7 x = value_at(run.pieces[i].points, k / 20.0);
             const double sine = std::min(run.sites[i].point.sine, run.sites[i + 1].point.sine);
-            EXPECT_LE(relative_gap(gaps_at(GetParam().a, GetParam().b, x), wanted, sine), 0.4);
+            EXPECT_LE(relative_gap(gaps_at(GetParam().a, GetParam().b, x), {wanted}, sine), 0.4);
           }
     });
 }
 
 TEST_P(SmoothRuns, FollowEachOther) {
   each_chain([&](const ChainTracer& tracer) {
-    const auto runs = smooth_runs(tracer, GetParam().a, GetParam().b, 1e-7, 0.125);
+    const auto runs = smooth_runs(tracer, GetParam().a, GetParam().b, {1e-7}, 0.125);
     EXPECT_EQ(runs.front().sites.front().station, 0);
     EXPECT_EQ(runs.back().sites.back().station, tracer.stations().back());
     double reached = 0;
