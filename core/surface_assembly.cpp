@@ -69,7 +69,9 @@ class Assembly {
     SurfaceCells cells_b(b_, origin_, options_.form, kCut, options_.part_b);
     std::vector<StartPair> pairs;
     for (const auto& [i, j] : meeting_patches(boxes_a_, boxes_b_)) pairs.push_back({i, 0, j, 0});
-    const NeighbourContacts neighbours = take_neighbours(cells_a, cells_b, pairs, limit_);
+    const NeighbourContacts neighbours =
+        take_neighbours(cells_a, cells_b, pairs, options_.tolerances.point, limit_);
+    shared_gap_ = neighbours.gap;
     found_ = search_pairs(cells_a, cells_b, pairs, size_, known_, options_);
     add(neighbours, found_);
     drop_beside_known(cells_a);

@@ -18,6 +18,14 @@ constexpr int kPowerSteps = 30;            // of the search for the main directi
 constexpr std::size_t kMostSampled = 128;  // patches, for the axes
 constexpr double kAngleSlack = 1e-12;      // radians, for the roundings of projected directions
 
+// Paths that jump by d: projected, a U and b V are no longer than d / sin(kRoom) where a U +- b V
+// is no longer than d. In cones narrower than a right angle the sum of steps is no shorter than
+// their lengths' sum over the square root of 2, and each step in space at most the square root of 2
+// over kShown times as long. So a part of the path is no longer than 2 / (sin(kRoom) kShown) times
+// d: kJumpReach.
+constexpr double kRoom = 0.01;  // radians
+constexpr double kShown = 0.1;
+
 Vec3 low_of(const VectorBounds& b) { return b.middle - b.radius; }
 Vec3 high_of(const VectorBounds& b) { return b.middle + b.radius; }
 
@@ -49,11 +57,13 @@ struct Plane {
   Vec3 e1, e2;
 };
 
-// Angles from the projected middle to the ends of the projected directions.
+// Angles from the projected middle to the ends of the projected directions, and how much of their
+// length the projection leaves them at least.
 struct Sector {
   Vec2 middle;
   double low = 0;
   double high = 0;
+  double shown = 1;
 };
 
 std::optional<Sector> sector_in(const Plane& plane, const VectorBounds& b) {
@@ -66,6 +76,8 @@ std::optional<Sector> sector_in(const Plane& plane, const VectorBounds& b) {
     const double angle = std::atan2(m[0] * p[1] - m[1] * p[0], dot(m, p));
     sector.low = std::min(sector.low, angle);
     sector.high = std::max(sector.high, angle);
+    sector.shown =
+        std::min(sector.shown, std::abs(p[0]) + std::abs(p[1]) > 0 ? norm(p) / norm(x) : 0);
   }
   // A box that holds 0 shows a half-turn or more.
   if (!(sector.high - sector.low < std::numbers::pi - kAngleSlack)) return std::nullopt;
@@ -82,18 +94,30 @@ Vec3 perpendicular_axis(const Vec3& direction) {
   return axis;
 }
 
-bool is_injective_along(const Vec3& normal, const DirectionCones& cones) {
+bool admits_jump(const Sector& sector) {
+  return sector.high - sector.low < std::numbers::pi / 2 && sector.shown > kShown;
+}
+
+bool is_injective_along(const Vec3& normal, const DirectionCones& cones, bool may_jump) {
   const Vec3 e1 = unit(cross(normal, perpendicular_axis(normal)));
   const Plane plane{e1, cross(normal, e1)};
   const auto u = sector_in(plane, cones.u), v = sector_in(plane, cones.v);
   if (!u || !v) return false;
+  if (may_jump && !(admits_jump(*u) && admits_jump(*v))) return false;
+  const double room = may_jump ? kRoom : kAngleSlack;
   const double turn = std::atan2(u->middle[0] * v->middle[1] - u->middle[1] * v->middle[0],
                                  dot(u->middle, v->middle));
   if (turn > 0)
-    return turn + v->low - u->high > kAngleSlack &&
-           turn + v->high - u->low < std::numbers::pi - kAngleSlack;
-  return -turn - v->high + u->low > kAngleSlack &&
-         -turn - v->low + u->high < std::numbers::pi - kAngleSlack;
+    return turn + v->low - u->high > room && turn + v->high - u->low < std::numbers::pi - room;
+  return -turn - v->high + u->low > room && -turn - v->low + u->high < std::numbers::pi - room;
+}
+
+bool is_injective(const DirectionCones& cones, bool may_jump) {
+  const Vec3 mean = unit(cross(cones.u.middle, cones.v.middle));
+  // The axes as well: along the third, surfaces of heights are injective however steep.
+  for (const Vec3& normal : {mean, Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{1, 0, 0}})
+    if (normal != Vec3{} && is_injective_along(normal, cones, may_jump)) return true;
+  return false;
 }
 
 // --- cells
@@ -303,13 +327,9 @@ DirectionCones joined(const DirectionCones& a, const DirectionCones& b) {
   return {joined(a.u, b.u), joined(a.v, b.v)};
 }
 
-bool is_injective(const DirectionCones& cones) {
-  const Vec3 mean = unit(cross(cones.u.middle, cones.v.middle));
-  // The axes as well: along the third, surfaces of heights are injective however steep.
-  for (const Vec3& normal : {mean, Vec3{0, 0, 1}, Vec3{0, 1, 0}, Vec3{1, 0, 0}})
-    if (normal != Vec3{} && is_injective_along(normal, cones)) return true;
-  return false;
-}
+bool is_injective(const DirectionCones& cones) { return is_injective(cones, false); }
+
+bool is_injective_with_jump(const DirectionCones& cones) { return is_injective(cones, true); }
 
 bool meet_in_pole_only(const CellTree& tree_a, const Cell& a, PoleSide side_a,
                        const CellTree& tree_b, const Cell& b, PoleSide side_b, const Vec3& pole) {

@@ -69,6 +69,14 @@ DirectionCones joined(const DirectionCones& a, const DirectionCones& b);
 /// Between points of one pole nothing is claimed.
 bool is_injective(const DirectionCones& cones);
 
+/// What a path may jump by, where `is_injective_with_jump` holds: two points that have one image
+/// are then both within this many times the jump of where it is.
+inline constexpr double kJumpReach = 2000;
+
+/// As `is_injective`, for paths that jump once in space: the cones are apart by some angle, narrow,
+/// and seen from aside they look long enough.
+bool is_injective_with_jump(const DirectionCones& cones);
+
 /// True if two cells with sides in the same pole have nothing but the pole in common: a plane
 /// through the pole is between them.
 bool meet_in_pole_only(const CellTree& tree_a, const Cell& a, PoleSide side_a,

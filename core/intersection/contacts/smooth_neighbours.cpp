@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "core/forms/evaluation.h"
 #include "core/intersection/cells/cell_pair.h"
@@ -13,11 +14,13 @@
 namespace blossom {
 namespace {
 
-constexpr double kSmoothSine = 1e-3;  // of the angle between normals all along a border
-constexpr int kNormals = 5;           // that are compared along it
-constexpr int kDeepest = 12;          // halvings of a patch in a proof, and
-constexpr int kMostPairs = 1024;      // pairs of cells
-constexpr double kSlack = 1e-12;      // of directions of length about 1, for roundings
+constexpr double kSmoothSine = 1e-3;         // of the angle between normals all along a border
+constexpr int kNormals = 5;                  // that are compared along it
+constexpr int kDeepest = 12;                 // halvings of a patch in a proof, and
+constexpr int kMostPairs = 1024;             // pairs of cells
+constexpr double kSlack = 1e-12;             // of directions of length about 1, for roundings
+constexpr double kWeightRounding = 0x1p-50;  // of quotients of weights, and
+constexpr double kPointRounding = 0x1p-49;   // of distances, of the largest coordinate
 
 constexpr std::array kCorners{Vec2{0, 0}, Vec2{0, 1}, Vec2{1, 0}, Vec2{1, 1}};
 
@@ -44,12 +47,14 @@ struct Side {
 struct CommonSide {
   Side a, b;
   bool reversed = false;  // b's runs the other way
+  double gap = 0;         // between points of one parameter
 
   double on_b(double t) const { return reversed ? 1 - t : t; }
 };
 
 struct CommonCorner {
   Vec2 a, b;
+  double gap = 0;
 };
 
 const Vec4& corner_point(const RationalBezierPatch& patch, const Vec2& corner) {
@@ -117,8 +122,9 @@ Interval hull(const Interval& x, double t) { return hull(x, Interval{t, t}); }
 // Two patches, and the proof that they meet in what they have in common alone.
 class Neighbours {
  public:
-  Neighbours(SurfaceCells& a, int patch_a, SurfaceCells& b, int patch_b)
-      : a_(patch_of(a, patch_a)), b_(patch_of(b, patch_b)) {
+  // nearest   borders this near each other are common
+  Neighbours(SurfaceCells& a, int patch_a, SurfaceCells& b, int patch_b, double nearest)
+      : a_(patch_of(a, patch_a)), b_(patch_of(b, patch_b)), nearest_(nearest) {
     const std::vector<Side> of_a = outer_sides(a, patch_a), of_b = outer_sides(b, patch_b);
     if (of_a.empty() || of_b.empty()) return;
     find_corners(of_a, of_b);
@@ -159,8 +165,9 @@ class Neighbours {
     };
     for (const Vec2& p : kCorners)
       for (const Vec2& q : kCorners)
-        if (is_outer(p, of_a) && is_outer(q, of_b) && corner_point(a_, p) == corner_point(b_, q))
-          corners_.push_back({p, q});
+        if (is_outer(p, of_a) && is_outer(q, of_b))
+          if (const auto gap = gap_between({&corner_point(a_, p), 1}, {&corner_point(b_, q), 1}))
+            corners_.push_back({p, q, *gap});
   }
 
   // The ends of common sides are no corners of their own.
@@ -169,15 +176,34 @@ class Neighbours {
       for (const Side& b : of_b) {
         const std::vector<Vec4> p = side_points(a_, a);
         std::vector<Vec4> q = side_points(b_, b);
-        if (p == q) sides_.push_back({a, b, false});
-        std::ranges::reverse(q);
-        if (p == q) sides_.push_back({a, b, true});
+        for (const bool reversed : {false, true}) {
+          if (reversed) std::ranges::reverse(q);
+          if (const auto gap = gap_between(p, q)) sides_.push_back({a, b, reversed, *gap});
+        }
       }
     std::erase_if(corners_, [&](const CommonCorner& corner) {
       return std::ranges::any_of(sides_, [&](const CommonSide& side) {
         return is_on(corner.a, side.a) && is_on(corner.b, side.b);
       });
     });
+  }
+
+  // A bound on the distance of points of one parameter, if the curves are near enough.
+  std::optional<double> gap_between(std::span<const Vec4> p, std::span<const Vec4> q) const {
+    if (p.size() != q.size()) return std::nullopt;
+    if (std::ranges::equal(p, q)) return 0.0;
+    const Vec3 centre = projected(q[0]);
+    double gap = 0, radius = 0, change = 0, largest = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      gap = std::max(gap, distance(projected(p[i]), projected(q[i])));
+      if (!(gap <= nearest_)) return std::nullopt;
+      radius = std::max(radius, distance(projected(q[i]), centre));
+      largest = std::max(largest, max_norm(projected(q[i])));
+      change = std::max(change, std::abs(p[i][3] * q[0][3] / (q[i][3] * p[0][3]) - 1));
+    }
+    change += kWeightRounding;
+    gap += 2 * change / (1 - std::min(change, 0.5)) * radius + kPointRounding * largest;
+    return gap <= nearest_ ? std::optional(gap) : std::nullopt;
   }
 
   bool goes_on(const CommonSide& side) const {
@@ -219,7 +245,7 @@ class Neighbours {
                 : prove(index_a, child) && prove(index_a, child + 1);
   }
 
-  // Across the side, from a to b, nothing turns back.
+  // Across the side, from a to b, nothing turns back. The path runs along it in a.
   bool meet_only_in(const CommonSide& side, const Cell& a, const Cell& b) const {
     std::array over_a{a.u, a.v}, over_b{b.u, b.v};
     const Interval along_b = over_b[side.b.along()];
@@ -228,10 +254,11 @@ class Neighbours {
     over_a[side.a.along()] =
         hull(hull(over_a[side.a.along()], side.on_b(along_b.from)), side.on_b(along_b.to));
     const auto p = slopes(slopes_a_, over_a), q = slopes(slopes_b_, over_b);
-    return is_injective(
+    const DirectionCones cones =
         joined(DirectionCones{p[side.a.along()], turned(p[side.a.across], !side.a.high)},
                DirectionCones{turned(q[side.b.along()], side.reversed),
-                              turned(q[side.b.across], side.b.high)}));
+                              turned(q[side.b.across], side.b.high)});
+    return side.gap > 0 ? is_injective_with_jump(cones) : is_injective(cones);
   }
 
   // Some direction grows from a to the corner and on to b.
@@ -246,7 +273,8 @@ class Neighbours {
     return std::ranges::all_of(steps, [&](const VectorBounds& step) {
       double least = dot(way, step.middle);
       for (int k = 0; k < 3; ++k) least -= std::abs(way[k]) * step.radius[k];
-      return least > kSlack;
+      const double longest = norm(step.middle) + norm(step.radius);
+      return least > (corner.gap > 0 ? std::max(kSlack, longest / kJumpReach) : kSlack);
     });
   }
 
@@ -258,6 +286,7 @@ class Neighbours {
 
   const RationalBezierPatch& a_;
   const RationalBezierPatch& b_;
+  const double nearest_;
   CellTree* tree_a_ = nullptr;
   CellTree* tree_b_ = nullptr;
   std::vector<CommonSide> sides_;
@@ -286,11 +315,11 @@ FoundArc arc_along(const CommonSide& side, int patch_a, int patch_b) {
 }  // namespace
 
 NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs,
-                                  const WorkLimit& limit) {
+                                  double tolerance, const WorkLimit& limit) {
   NeighbourContacts found;
   std::optional<Axes> axes;
   std::erase_if(pairs, [&](const StartPair& pair) {
-    Neighbours neighbours(a, pair.patch_a, b, pair.patch_b);
+    Neighbours neighbours(a, pair.patch_a, b, pair.patch_b, tolerance / kJumpReach);
     if (!neighbours.go_on_smoothly() || limit.reached() != nullptr) return false;
     if (!axes) axes = axes_of(a.surface());
     if (!neighbours.proof(a.tree(pair.patch_a), b.tree(pair.patch_b), *axes)) return false;
@@ -305,11 +334,15 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
              !b.outside(pair.patch_b, of_b[0], of_b[1]);
     };
     for (const CommonSide& side : neighbours.sides())
-      if (counts(side.a.range(), side.b.range()))
+      if (counts(side.a.range(), side.b.range())) {
         found.arcs.push_back(arc_along(side, pair.patch_a, pair.patch_b));
+        found.gap = std::max(found.gap, side.gap);
+      }
     for (const CommonCorner& corner : neighbours.corners())
-      if (counts(range_at(corner.a), range_at(corner.b)))
+      if (counts(range_at(corner.a), range_at(corner.b))) {
         found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(corner.a, corner.b)});
+        found.gap = std::max(found.gap, corner.gap);
+      }
     return true;
   });
   return found;

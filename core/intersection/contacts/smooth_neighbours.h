@@ -8,7 +8,8 @@
 // proof that one surface does not meet itself (`cells/direction_cones.h`) holds for two. Through a
 // corner such a path goes straight on, and it is enough that some direction grows all along it.
 //
-// Borders and corners are common when their control points are the same numbers.
+// Borders and corners are common when their control points are the same, or so near each other
+// that paths which jump across prove it of all points farther than the tolerance from them.
 
 #pragma once
 
@@ -24,6 +25,7 @@ namespace blossom {
 struct NeighbourContacts {
   std::vector<FoundArc> arcs;      ///< along borders
   std::vector<FoundGraze> grazes;  ///< corners
+  double gap = 0;                  ///< between the surfaces there, model units
   Certificate certificate;         ///< of the pairs of cells that have nothing else in common
 };
 
@@ -31,12 +33,13 @@ struct NeighbourContacts {
 /// both surfaces alone, where samples have common normals, to 1e-3. What lies outside of the parts
 /// that count is not looked at and not reported.
 ///
-/// pairs   of whole patches of two different surfaces
-/// limit   asked before each pair that may be taken; when it is reached no more are
-/// cost    few pairs of cells where patches do not turn far; no more than 1024 for a pair of
+/// pairs      of whole patches of two different surfaces
+/// tolerance  model units: what they have in common lies within it of what is reported
+/// limit      asked before each pair that may be taken; when it is reached no more are
+/// cost       few pairs of cells where patches do not turn far; no more than 1024 for a pair of
 /// patches
 NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs,
-                                  const WorkLimit& limit);
+                                  double tolerance, const WorkLimit& limit);
 
 /// Adds them to what the search over the other pairs found.
 void add(const NeighbourContacts& neighbours, PairSearchResult& found);

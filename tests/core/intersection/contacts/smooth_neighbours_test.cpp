@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/forms/evaluation.h"
+#include "core/intersection/cells/direction_cones.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/surface_intersection.h"
 
@@ -100,6 +101,61 @@ TEST(SmoothNeighbours, HalvesOfATubeMeetInBothBorders) {
   EXPECT_EQ(found.curves.size(), 2u);
 }
 
+// The surface with every coordinate moved by up to `most`.
+BezierSurface shaken(BezierSurface surface, double most) {
+  int k = 0;
+  for (Vec4& p : surface.patches(0, 0).points.values())
+    for (int axis = 0; axis < 3; ++axis) p[axis] += most * std::sin(1.0 + 7.0 * k++);
+  return surface;
+}
+
+// As of a file that was written with so many digits.
+TEST(SmoothNeighbours, MayHaveBordersThatRoundingMoved) {
+  const RationalBezierPatch whole = wavy();
+  const BezierSurface a = surface_of(sub_patch(whole, {0, 0.5}, {0, 1}));
+  const BezierSurface half = surface_of(sub_patch(whole, {0.5, 1}, {0, 1}));
+  for (const double most : {1e-15, 1e-12, 2e-11}) {
+    const SurfaceIntersection found = intersect(a, shaken(half, most));
+    EXPECT_EQ(found.status, Status::Tolerance);
+    EXPECT_EQ(found.certificate.critical, 0) << most;
+    ASSERT_EQ(found.curves.size(), 1u);
+    EXPECT_TRUE(found.points.empty() && found.places.empty());
+  }
+}
+
+TEST(SmoothNeighbours, MayHaveCornersThatRoundingMoved) {
+  const RationalBezierPatch whole = wavy();
+  BezierSurface b = surface_of(sub_patch(whole, {0.5, 1}, {0.5, 1}));
+  for (Vec4& p : b.patches(0, 0).points.values()) p -= Vec4{1e-12, 1e-12, 0, 0};
+  const SurfaceIntersection found = intersect(surface_of(sub_patch(whole, {0, 0.5}, {0, 0.5})), b);
+  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_EQ(found.certificate.critical, 0);
+  EXPECT_EQ(found.points.size(), 1u);
+}
+
+// Beyond that nothing is proven by paths that jump: the search has to look.
+TEST(SmoothNeighbours, BordersFartherApartAreSearched) {
+  const RationalBezierPatch whole = wavy();
+  const BezierSurface a = surface_of(sub_patch(whole, {0, 0.5}, {0, 1}));
+  const BezierSurface b = shaken(surface_of(sub_patch(whole, {0.5, 1}, {0, 1})), 1e-9);
+  std::vector<StartPair> pairs{{0, 0, 0, 0}};
+  SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
+  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}))
+                  .arcs.empty());
+  EXPECT_EQ(pairs.size(), 1u);
+}
+
+// Cones so near each other that a jump of 1 may be made up for far from it.
+TEST(DirectionCones, APathMayJumpWhereConesAreWellApart) {
+  const Vec3 thin{1e-4, 1e-4, 1e-4};
+  const auto at_angle = [&](double angle) {
+    return DirectionCones{{{1, 0, 0}, thin}, {{std::cos(angle), std::sin(angle), 0}, thin}};
+  };
+  EXPECT_TRUE(is_injective(at_angle(2e-3)));
+  EXPECT_FALSE(is_injective_with_jump(at_angle(2e-3)));
+  EXPECT_TRUE(is_injective_with_jump(at_angle(0.1)));
+}
+
 // What the halves have in common is outside of the part of one of them.
 TEST(SmoothNeighbours, BorderOutsideOfAPartIsNotReported) {
   const RationalBezierPatch whole = wavy();
@@ -124,8 +180,8 @@ TEST(SmoothNeighbours, OneFoldedBackIsNone) {
   std::vector<StartPair> pairs{{0, 0, 0, 0}};
   const BezierSurface a = surface_of(half), b = surface_of(folded);
   SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
-  EXPECT_TRUE(
-      take_neighbours(cells_a, cells_b, pairs, WorkLimit(IntersectionOptions{})).arcs.empty());
+  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}))
+                  .arcs.empty());
   EXPECT_EQ(pairs.size(), 1u);
 }
 
@@ -145,8 +201,8 @@ TEST(SmoothNeighbours, OneThatComesBackIsSearched) {
   const BezierSurface of_a = surface_of(a), of_b = surface_of(b);
   SurfaceCells cells_a(of_a, {}, CellForm::Auto, 0.4865);
   SurfaceCells cells_b(of_b, {}, CellForm::Auto, 0.4865);
-  EXPECT_TRUE(
-      take_neighbours(cells_a, cells_b, pairs, WorkLimit(IntersectionOptions{})).arcs.empty());
+  EXPECT_TRUE(take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}))
+                  .arcs.empty());
   EXPECT_EQ(pairs.size(), 1u);
 }
 
