@@ -24,8 +24,13 @@ struct Weights {
   for (int i = 0; i <= k; ++i) b[i] = c[static_cast<std::size_t>(i)] * (up[i] * down[n - k + i]);
 }
 
-// The weights of a derivative from those of the degree below: n (b_(i-1) - b_i).
+// The weights of a derivative from those of the degree below: n (b_(i-1) - b_i). Of degree 0 there
+// is none below.
 [[gnu::always_inline]] inline void differentiate(int n, const double* lower, double* d) {
+  if (n == 0) {
+    d[0] = 0;
+    return;
+  }
   d[0] = -n * lower[0];
   for (int i = 1; i < n; ++i) d[i] = n * (lower[i - 1] - lower[i]);
   d[n] = n * lower[n - 1];
