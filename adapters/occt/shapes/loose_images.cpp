@@ -2,7 +2,9 @@
 #include "adapters/occt/shapes/loose_images.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <BRepCheck_Analyzer.hxx>
@@ -22,6 +24,8 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
@@ -166,34 +170,92 @@ RemadeImages remake(const TopoDS_Face& face, const TopTools_IndexedMapOfShape& u
   return made;
 }
 
-// Lowers the tolerance of an edge or vertex, unless a face is less valid for it.
-template <class Part>
-void lower(const Part& part, double needed, const TopTools_ListOfShape& faces) {
-  const double given = part->Tolerance();
-  if (needed >= given) return;
-  const auto are_valid = [&] {
-    return std::all_of(faces.begin(), faces.end(),
-                       [](const TopoDS_Shape& face) { return BRepCheck_Analyzer(face).IsValid(); });
-  };
-  part->Tolerance(needed);
-  if (are_valid()) return;
-  part->Tolerance(given);
-  if (!are_valid()) part->Tolerance(needed);
-}
-
 using Users = TopTools_IndexedDataMapOfShapeListOfShape;
 
-void tighten_edges(const TopTools_IndexedMapOfShape& remade, const Users& faces_of) {
+// Lowers the tolerances of edges and vertices, unless a face is less valid for it.
+class Lowering {
+ public:
+  // needed   asked again whenever the tolerance is lowered
+  template <class Part>
+  void add(const Handle(Part) & part, std::function<double()> needed,
+           const TopTools_ListOfShape& faces) {
+    const auto set = [part](double tolerance) { part->Tolerance(tolerance); };
+    parts_.push_back({std::move(needed), set, part->Tolerance(), faces});
+    lower(parts_.back());
+  }
+
+  // To check each face once is enough where none is less valid; what bounds the others is lowered
+  // again one by one.
+  void settle() {
+    TopTools_IndexedMapOfShape invalid;
+    for (const Part& part : parts_)
+      for (const TopoDS_Shape& face : part.faces)
+        if (checked_.Add(face) && !BRepCheck_Analyzer(face).IsValid()) invalid.Add(face);
+    std::erase_if(parts_, [&](const Part& part) {
+      return std::none_of(part.faces.begin(), part.faces.end(),
+                          [&](const TopoDS_Shape& face) { return invalid.Contains(face); });
+    });
+    for (const Part& part : parts_) part.set(part.given);
+    for (const Part& part : parts_)
+      if (lower(part) && !are_valid(part.faces)) {
+        part.set(part.given);
+        if (!are_valid(part.faces)) lower(part);
+      }
+  }
+
+ private:
+  struct Part {
+    std::function<double()> needed;
+    std::function<void(double)> set;
+    double given;
+    TopTools_ListOfShape faces;
+  };
+
+  static bool lower(const Part& part) {
+    const double needed = part.needed();
+    if (needed < part.given) part.set(needed);
+    return needed < part.given;
+  }
+
+  static bool are_valid(const TopTools_ListOfShape& faces) {
+    return std::all_of(faces.begin(), faces.end(),
+                       [](const TopoDS_Shape& face) { return BRepCheck_Analyzer(face).IsValid(); });
+  }
+
+  std::vector<Part> parts_;
+  TopTools_MapOfShape checked_;
+};
+
+void tighten_edges(const TopTools_IndexedMapOfShape& remade, const Users& faces_of,
+                   Lowering& lowering) {
   for (int i = 1; i <= remade.Extent(); ++i) {
     const TopoDS_Edge edge = TopoDS::Edge(remade(i));
     const TopTools_ListOfShape& faces = faces_of.FindFromKey(edge);
-    lower(Handle(BRep_TEdge)::DownCast(edge.TShape()), needed_tolerance(edge, faces), faces);
+    const double needed = needed_tolerance(edge, faces);
+    lowering.add(
+        Handle(BRep_TEdge)::DownCast(edge.TShape()), [needed] { return needed; }, faces);
   }
+}
+
+// What the ends of the edges at a vertex ask for.
+double needed_at(const TopoDS_Vertex& vertex, const TopTools_ListOfShape& edges,
+                 const Users& faces_of) {
+  double needed = Precision::Confusion();
+  for (const TopoDS_Shape& each : edges) {
+    const TopoDS_Edge edge = TopoDS::Edge(each);
+    if (!faces_of.Contains(edge)) continue;
+    const auto& own = faces_of.FindFromKey(edge);
+    for (TopoDS_Iterator end(edge.Oriented(TopAbs_FORWARD)); end.More(); end.Next())
+      if (end.Value().IsSame(vertex))
+        needed = std::max({needed, BRep_Tool::Tolerance(edge),
+                           distance_at(TopoDS::Vertex(end.Value()), edge, own)});
+  }
+  return kMargin * needed;
 }
 
 // Those of the remade edges.
 void tighten_vertices(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& remade,
-                      const Users& faces_of) {
+                      const Users& faces_of, Lowering& lowering) {
   TopTools_IndexedMapOfShape ends;
   for (int i = 1; i <= remade.Extent(); ++i) TopExp::MapShapes(remade(i), TopAbs_VERTEX, ends);
   Users edges, faces;
@@ -202,18 +264,11 @@ void tighten_vertices(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShap
   for (int i = 1; i <= ends.Extent(); ++i) {
     const TopoDS_Vertex vertex = TopoDS::Vertex(ends(i));
     if (BRep_Tool::Tolerance(vertex) <= kLoose) continue;
-    double needed = Precision::Confusion();
-    for (const TopoDS_Shape& each : edges.FindFromKey(vertex)) {
-      const TopoDS_Edge edge = TopoDS::Edge(each);
-      if (!faces_of.Contains(edge)) continue;
-      const auto& own = faces_of.FindFromKey(edge);
-      for (TopoDS_Iterator end(edge.Oriented(TopAbs_FORWARD)); end.More(); end.Next())
-        if (end.Value().IsSame(vertex))
-          needed = std::max({needed, BRep_Tool::Tolerance(edge),
-                             distance_at(TopoDS::Vertex(end.Value()), edge, own)});
-    }
-    lower(Handle(BRep_TVertex)::DownCast(vertex.TShape()), kMargin * needed,
-          faces.FindFromKey(vertex));
+    const TopTools_ListOfShape at = edges.FindFromKey(vertex);
+    lowering.add(
+        Handle(BRep_TVertex)::DownCast(vertex.TShape()),
+        [vertex, at, &faces_of] { return needed_at(vertex, at, faces_of); },
+        faces.FindFromKey(vertex));
   }
 }
 
@@ -239,8 +294,10 @@ RemadeImages remake_loose_images(const TopoDS_Shape& shape,
   if (all.count == 0) return all;
   Users faces_of;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
-  tighten_edges(remade, faces_of);
-  tighten_vertices(shape, remade, faces_of);
+  Lowering lowering;
+  tighten_edges(remade, faces_of, lowering);
+  tighten_vertices(shape, remade, faces_of, lowering);
+  lowering.settle();
   return all;
 }
 
