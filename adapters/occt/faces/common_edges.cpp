@@ -115,6 +115,12 @@ std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, double reach
   return all;
 }
 
+Box box_of(const Spline& curve) {
+  Box box;
+  for (const Vec3& p : curve.points) box = joined(box, {p, p});
+  return box;
+}
+
 bool is_near(const Vec3& point, const std::vector<BoxedEdge>& edges, double reach) {
   return std::any_of(edges.begin(), edges.end(), [&](const BoxedEdge& each) {
     return meet(each.box, {point, point}) &&
@@ -237,6 +243,30 @@ void CommonEdges::meet(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   }
 }
 
+void CommonEdges::add_touches(const FaceIntersection& pair) {
+  touch(pair, Of::A);
+  touch(pair, Of::B);
+}
+
+void CommonEdges::touch(const FaceIntersection& pair, Of whose) {
+  const TopoDS_Face& a = a_[static_cast<std::size_t>(pair.face_a)];
+  const TopoDS_Face& b = b_[static_cast<std::size_t>(pair.face_b)];
+  const TopoDS_Face &of = whose == Of::A ? a : b, &other = whose == Of::A ? b : a;
+  for (const BoxedEdge& each : boxed(edges_of(of), reach_)) {
+    const bool reached =
+        std::ranges::any_of(pair.found.curves, [&](const IntersectionCurve& curve) {
+          return blossom::meet(each.box, box_of(curve.curve));
+        });
+    if (!reached) continue;
+    const std::size_t known = touches_.size();
+    for (const CurveSurfacePoint& point : intersect(each.edge, other, options_).points)
+      if (point.tangential) touches_.push_back({each.edge, point.t});
+    if (touches_.size() == known) continue;
+    for (const TopoDS_Edge& border : edges_of(other))  // where it may touch as well
+      whose == Of::A ? meet(each.edge, border) : meet(border, each.edge);
+  }
+}
+
 std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair) const {
   const auto face_a = static_cast<std::size_t>(pair.face_a);
   const auto face_b = static_cast<std::size_t>(pair.face_b);
@@ -262,6 +292,7 @@ void CommonEdges::split(EdgeSplits& splits) const {
     const int a = splits.add(of.a, of.at_a, {}), b = splits.add(of.b, of.at_b, {});
     splits.unite(splits.vertex(of.a, a), splits.vertex(of.b, b));
   }
+  for (const EdgeTouch& of : touches_) splits.add(of.edge, of.at, {});
 }
 
 void CommonEdges::match(EdgeSplits& splits) const {

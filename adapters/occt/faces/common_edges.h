@@ -33,6 +33,12 @@ struct EdgesAlong {
   Interval at_b;  ///< the parameters of b at the ends of `at_a`; may decrease
 };
 
+/// A point in which an edge is tangential to a face of the other shape.
+struct EdgeTouch {
+  TopoDS_Edge edge;
+  double at = 0;
+};
+
 /// A common point of two edges.
 struct EdgesMeeting {
   TopoDS_Edge a, b;
@@ -48,6 +54,12 @@ class CommonEdges {
   /// curves run along some, or some seem to lie in the other face.
   void add(const FaceIntersection& pair);
 
+  /// Looks for places in which edges of one face touch the other one: curves that cross edges there
+  /// keep so near to them that they cannot tell where. Edges that the pair's curves stay clear of
+  /// are left out.
+  /// throws   BadModel as `intersect`
+  void add_touches(const FaceIntersection& pair);
+
   /// The curves of the pair that run along an edge which lies in the other face; their place among
   /// the pair's.
   std::vector<std::size_t> curves_along(const FaceIntersection& pair) const;
@@ -56,7 +68,7 @@ class CommonEdges {
   const std::vector<std::vector<TopoDS_Edge>>& in_a() const { return in_a_; }
   const std::vector<std::vector<TopoDS_Edge>>& in_b() const { return in_b_; }
 
-  /// Splits edges where they meet, and unites their vertices.
+  /// Splits edges where they meet, and unites their vertices; and where they touch faces.
   void split(EdgeSplits& splits) const;
 
   /// Splits edges that run along each other at the same places. No more than once all that cuts ask
@@ -75,6 +87,7 @@ class CommonEdges {
   enum class Of { A, B };
   void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
+  void touch(const FaceIntersection& pair, Of whose);
   const std::vector<TopoDS_Face>& a_;
   const std::vector<TopoDS_Face>& b_;
   IntersectionOptions options_;
@@ -84,6 +97,7 @@ class CommonEdges {
   std::set<std::pair<int, int>> looked_;  // pairs of edges
   std::vector<EdgesMeeting> meetings_;
   std::vector<EdgesAlong> along_;
+  std::vector<EdgeTouch> touches_;
 };
 
 }  // namespace blossom::occt

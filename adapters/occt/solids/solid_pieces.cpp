@@ -356,8 +356,11 @@ bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, cons
   }
 }
 
+// Whether edges are searched for places in which they touch faces. Most solids do without.
+enum class EdgeTouches { LeftOut, Sought };
+
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options,
-                      Extent extent, ArcCuts cuts, Untold& untold) {
+                      Extent extent, ArcCuts cuts, EdgeTouches touches, Untold& untold) {
   SolidPieces result;
   const WorkLimit limit(options);
   Side side_a("part", a, limit), side_b("tool", b, limit);
@@ -367,7 +370,10 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
   result.status = found.status;
   result.certificate = found.certificate;
   CommonEdges common(a.faces, b.faces, options);
-  for (const FaceIntersection& pair : found.pairs) common.add(pair);
+  for (const FaceIntersection& pair : found.pairs) {
+    common.add(pair);
+    if (touches == EdgeTouches::Sought) common.add_touches(pair);
+  }
   for (const FaceIntersection& pair : found.pairs)
     add_curves(pair, common, tolerance, side_a, side_b, uses, result, untold);
   if (result.status == Status::Stopped && result.obstacles.empty())
@@ -408,19 +414,21 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
 SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
   const SharedLimit limit(options);
   Untold untold;
-  SolidPieces found = pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even, untold);
+  SolidPieces found =
+      pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even, EdgeTouches::LeftOut, untold);
   if (found.obstacles.empty()) return found;
   // Borders of surfaces that do not go on are easier to tell from those of others where these end
   // in the same place, and curves are easier to follow where they do not go along borders of
   // patches or through their corners.
-  for (const auto& [extent, cuts] : {std::pair{Extent::Trims, ArcCuts::Even},
+  for (const auto& [extent, cuts] : {std::pair{Extent::Beyond, ArcCuts::Even},
+                                     {Extent::Trims, ArcCuts::Even},
                                      {Extent::Beyond, ArcCuts::Uneven},
                                      {Extent::Trims, ArcCuts::Uneven}}) {
     if (limit.is_reached()) break;
     IntersectionOptions left = limit.remaining();
     left.threads = options.threads;
     Untold again;
-    SolidPieces other = pieces_of(a, b, left, extent, cuts, again);
+    SolidPieces other = pieces_of(a, b, left, extent, cuts, EdgeTouches::Sought, again);
     if (other.obstacles.empty()) return other;
   }
   // The search for where cuts break off has no limit of its own.

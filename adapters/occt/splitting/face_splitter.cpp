@@ -14,6 +14,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 
 #include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/splitting/cut_crossings.h"
 
 namespace blossom::occt {
 namespace {
@@ -284,11 +285,15 @@ void FaceSplitter::add_crossings() {
       Strand &a = strands_[i], &b = strands_[k];
       if (!boxes_meet(box_of(a.curve), box_of(b.curve), tolerance_)) continue;
       check_limit(limit_, kDividing);
-      const PlanarCrossings common = crossings(a.curve, b.curve, std::max(reach(a), reach(b)));
-      for (const PlanarCrossing& crossing : common.points) {
+      const double widest = std::max(reach(a), reach(b));
+      const CutCrossings common =
+          cut_crossings(a.curve, b.curve, widest, longest_touch(trims_, widest));
+      for (const CutCrossing& crossing : common.nodes) {
         const int node = node_near(crossing.point);
-        a.stops.emplace_back(crossing.a, node);
-        b.stops.emplace_back(crossing.b, node);
+        Vertex& at = vertices_[static_cast<std::size_t>(node)];
+        at.blur = std::max(at.blur, crossing.blur);
+        for (const double t : crossing.a) a.stops.emplace_back(t, node);
+        for (const double t : crossing.b) b.stops.emplace_back(t, node);
       }
       if (!common.complete) note(a.cut, "runs so close to another cut that not all nodes are sure");
     }
@@ -337,7 +342,8 @@ std::vector<CutStop> FaceSplitter::stops(int cut) const {
   return found;
 }
 
-// The place of the stop nearest to a parameter, -1 if none is within reach.
+// The place of the stop nearest to a parameter, -1 if none is within reach, or within the blur of
+// its vertex.
 int FaceSplitter::stop_near(const Strand& strand, double parameter, double reach) const {
   const Vec2 point = point_at(strand.curve, parameter);
   int nearest = -1;
@@ -345,7 +351,8 @@ int FaceSplitter::stop_near(const Strand& strand, double parameter, double reach
   for (std::size_t i = 0; i < strand.stops.size(); ++i) {
     const double own = strand.stops[i].first;
     const double gap = distance(point_at(strand.curve, own), point);
-    if (gap >= least || !is_near(strand.curve, own, parameter, reach)) continue;
+    const double blur = vertices_[static_cast<std::size_t>(strand.stops[i].second)].blur;
+    if (gap >= least || !is_near(strand.curve, own, parameter, std::max(reach, blur))) continue;
     least = gap;
     nearest = static_cast<int>(i);
   }

@@ -356,11 +356,27 @@ std::vector<SolidContact> spline_contacts() {
   };
 }
 
+// Edges that touch edges, or faces inside.
 std::vector<SolidContact> touching_edges() {
   const Maker tall = cone({0, 0, -0.5}, 0.5, 0.25, 1);
+  const double half = 0.25 * std::sqrt(3.0);
+  const Maker hexagon = prism({{0.5, 0, -0.5},
+                               {0.25, half, -0.5},
+                               {-0.25, half, -0.5},
+                               {-0.5, 0, -0.5},
+                               {-0.25, -half, -0.5},
+                               {0.25, -half, -0.5}},
+                              {0, 0, 1});
+  const Maker octant = [] {
+    return BRepPrimAPI_MakeSphere(gp_Ax2(), 0.5, 0, kPi / 2, kPi / 2).Shape();
+  };
   return {
       {"RingAtTheSeamOfAHollow", ring(kOrigin, 0.375, 0.125), hollow_cube},
       {"FrustumAtTheRimOfACone", cone({0, 0, -0.5}, 0.5, 0, 1), turning(tall, gp::DY(), kPi / 2)},
+      {"PrismEdgesInABall", ball(kOrigin, 0.5), turning(hexagon, gp::DX(), 0.7)},
+      {"PrismEdgesInARing", ring(kOrigin, 0.375, 0.125), hexagon},
+      {"PrismEdgesInARod", rod({0, 0, -0.5}, 0.5, 1), turning(hexagon, gp::DX(), kPi / 2)},
+      {"PrismEdgesAtACorner", turning(hexagon, gp::DY(), kPi / 4), turning(octant, gp::DZ(), kPi)},
   };
 }
 

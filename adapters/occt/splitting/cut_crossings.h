@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where two cuts of a face cross each other, with those that touch told from those that cross
+// twice.
+
+#pragma once
+
+#include <vector>
+
+#include "core/intersection/curves/planar_crossings.h"
+
+namespace blossom::occt {
+
+/// A node of two cuts. At the end of a closed cut it has two parameters.
+struct CutCrossing {
+  std::vector<double> a, b;
+  Vec2 point;
+  double blur = 0;  ///< how far from the point the cuts cross as well, by what they are off
+};
+
+struct CutCrossings {
+  std::vector<CutCrossing> nodes;
+  bool complete = true;  ///< as PlanarCrossings
+};
+
+/// The nodes of two cuts. Crossings between which the cuts keep within tolerance of each other, no
+/// farther apart than a touch may take, are one node: half way, or where a closed cut begins.
+///
+/// tolerance  distance in the chart, positive
+/// longest    of a touch, in the chart
+CutCrossings cut_crossings(const PlanarCurve& a, const PlanarCurve& b, double tolerance,
+                           double longest);
+
+}  // namespace blossom::occt

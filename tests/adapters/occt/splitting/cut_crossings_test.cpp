@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/splitting/cut_crossings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kTolerance = 1e-7;
+constexpr double kLongest = 1e-2;
+
+// y = x^2 - depth over [-1, 1], by x.
+PlanarCurve parabola(double depth) {
+  return planar_curve({2, {-1, 1}, {3, 3}, {{-1, 1 - depth}, {0, -1 - depth}, {1, 1 - depth}}});
+}
+
+// y = 0 by x.
+PlanarCurve axis() { return planar_line({-1, 0}, {1, 0}, {-1, 1}); }
+
+// Closed, of two cubics: from the parabola's bottom, round its middle above and back.
+PlanarCurve drop(double depth) {
+  return planar_curve(
+      {3,
+       {0, 1, 2},
+       {4, 3, 4},
+       {{0, -depth}, {0.5, -depth}, {1, 1}, {0, 1}, {-1, 1}, {-0.5, -depth}, {0, -depth}}});
+}
+
+CutCrossings found(const PlanarCurve& a, const PlanarCurve& b, double longest = kLongest) {
+  return cut_crossings(a, b, kTolerance, longest);
+}
+
+TEST(CutCrossings, AreOneWhereCutsKeepTogether) {
+  constexpr double kDepth = 1e-9;
+  const auto nodes = found(parabola(kDepth), axis()).nodes;
+  ASSERT_EQ(nodes.size(), 1u);
+  ASSERT_EQ(nodes[0].a.size(), 1u);
+  EXPECT_NEAR(nodes[0].a[0], 0, 1e-9);
+  EXPECT_NEAR(nodes[0].b[0], 0, 1e-9);
+  EXPECT_GE(nodes[0].blur, std::sqrt(kDepth));  // where they cross
+  EXPECT_LE(nodes[0].blur, 1.2 * std::sqrt(kDepth));
+}
+
+TEST(CutCrossings, AreTwoWhereCutsPartOrKeepTogetherTooLong) {
+  EXPECT_EQ(found(parabola(1e-6), axis()).nodes.size(), 2u);
+  EXPECT_EQ(found(parabola(1e-9), axis(), 1e-5).nodes.size(), 2u);
+}
+
+TEST(CutCrossings, OverTheEndOfAClosedCutHaveBothItsEnds) {
+  for (const bool swapped : {false, true}) {
+    const auto nodes = swapped ? found(axis(), drop(1e-9)).nodes : found(drop(1e-9), axis()).nodes;
+    ASSERT_EQ(nodes.size(), 1u);
+    const auto& closed = swapped ? nodes[0].b : nodes[0].a;
+    const auto& straight = swapped ? nodes[0].a : nodes[0].b;
+    EXPECT_EQ(closed, (std::vector<double>{0, 2}));
+    ASSERT_EQ(straight.size(), 1u);
+    EXPECT_NEAR(straight[0], 0, 1e-9);
+  }
+}
+
+TEST(CutCrossings, ThatCrossEachOtherHaveNoBlur) {
+  const auto nodes = found(planar_line({-1, -1}, {1, 1}, {0, 1}), axis()).nodes;
+  ASSERT_EQ(nodes.size(), 1u);
+  EXPECT_EQ(nodes[0].blur, 0);
+}
+
+}  // namespace
+}  // namespace blossom::occt
