@@ -233,8 +233,8 @@ void FaceSplitter::add_wire_stops(Strand& strand) {
   add_inner_stops(strand);
 }
 
-// A cut may stop at the natural border of the surface while the wire leaves it, by as much as the
-// tolerance of its edge allows, or because the surface goes on there; its end is taken to the wire.
+// A cut may stop at the natural border of the surface while the wire leaves it, by as much as both
+// tolerances allow, or because the surface goes on there; its end is taken to the wire.
 void FaceSplitter::add_end_stop(Strand& strand, double end) {
   if (has_stop(strand, end)) return;
   const Vec2 point = point_at(strand.curve, end);
@@ -244,8 +244,9 @@ void FaceSplitter::add_end_stop(Strand& strand, double end) {
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
       const Coedge& of = trims_.loops[loop][i];
       const PlanarFoot foot = nearest(of.curve, point);
-      const double reach = std::max(BRep_Tool::Tolerance(of.edge), kMargin * trims_.overshoot);
-      if (foot.distance >= least || foot.distance > reach) continue;
+      const double allowed =
+          std::max(BRep_Tool::Tolerance(of.edge) + reach(strand), kMargin * trims_.overshoot);
+      if (foot.distance >= least || foot.distance > allowed) continue;
       least = foot.distance;
       nearest_meeting = {
           end, static_cast<int>(loop), static_cast<int>(i), foot.parameter, {end, end}};

@@ -82,6 +82,13 @@ TEST(FaceSplitter, CutShortByLessThanTheToleranceStillDivides) {
   expect_sound(face, split_face(face, {line_cut(face, {1, 6e-8}, {1, 4 - 6e-8})}), 2);
 }
 
+// The edge is off by up to its tolerance, and the cut by its own.
+TEST(FaceSplitter, CutShortByLessThanBothTolerancesStillDivides) {
+  const TopoDS_Face face = square();
+  expect_sound(face, split_face(face, {line_cut(face, {1, 1.6e-7}, {1, 4 - 1.6e-7})}), 2);
+  EXPECT_EQ(split_face(face, {line_cut(face, {1, 2.4e-7}, {1, 4 - 2.4e-7})}).pieces.size(), 1u);
+}
+
 TEST(FaceSplitter, CutThatEndsInsideIsLeftOutWithANote) {
   const TopoDS_Face face = square();
   const FaceSplit split = split_face(face, {line_cut(face, {1, 0}, {1, 3.9})});
