@@ -30,6 +30,9 @@ namespace {
 
 constexpr double kMargin = 1.1;
 constexpr int kEvenPoints = 8;  // of a curve that may keep to edges
+// What touches with a radius r keeps within a tolerance t for sqrt(8 r t); the stretch in which it
+// is found is a few times longer.
+constexpr double kLongestTouch = 16;
 
 struct EdgeCurve {
   Handle(Geom_Curve) curve;
@@ -57,6 +60,17 @@ Foot foot_on(const EdgeCurve& of, const gp_Pnt& point) {
   const GeomAPI_ProjectPointOnCurve found(point, of.curve, of.range.from, of.range.to);
   if (found.NbPoints() > 0) consider(found.LowerDistanceParameter(), found.LowerDistance());
   return best;
+}
+
+// Whether a stretch is no longer than that of a touch may be, with a radius as long as the curve:
+// what stays near for longer touches in no place of its own.
+bool is_short(const EdgeCurve& of, const Interval& stretch, double tolerance) {
+  const auto chord = [&](const Interval& range) {
+    const gp_Pnt middle = of.curve->Value(at(range, 0.5));
+    return middle.Distance(of.curve->Value(range.from)) +
+           middle.Distance(of.curve->Value(range.to));
+  };
+  return chord(stretch) <= kLongestTouch * std::sqrt(tolerance * chord(of.range));
 }
 
 std::vector<TopoDS_Edge> edges_of(const TopoDS_Face& face) {
@@ -259,8 +273,10 @@ void CommonEdges::touch(const FaceIntersection& pair, Of whose) {
         });
     if (!reached) continue;
     const std::size_t known = touches_.size();
+    const EdgeCurve curve = curve_of(each.edge);
     for (const CurveSurfacePoint& point : intersect(each.edge, other, options_).points)
-      if (point.tangential) touches_.push_back({each.edge, point.t});
+      if (point.tangential && is_short(curve, point.box_t, options_.tolerances.point))
+        touches_.push_back({each.edge, point.t});
     if (touches_.size() == known) continue;
     for (const TopoDS_Edge& border : edges_of(other))  // where it may touch as well
       whose == Of::A ? meet(each.edge, border) : meet(border, each.edge);
