@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/math/sign_change.h"
+
 namespace blossom {
 namespace {
 
 constexpr double kNarrowest = 1e-10;  // an interval with an undecided root this short gives up
-constexpr int kBisections = 60;
+constexpr double kRootWidth = 0x1p-52;
 constexpr double kCut = 0.4865;  // off the middle, where roots like to sit
 
 constexpr std::size_t kTerms = kPolynomialDegree + 1;
@@ -63,7 +65,7 @@ class RootSearch {
     const PolynomialRange values = range_of(b);
     if (values.low > error_ || values.high < -error_) return true;
     if (is_monotone(b, to - from) && std::abs(b.front()) > error_ && std::abs(b.back()) > error_) {
-      if ((b.front() > 0) != (b.back() > 0)) roots.push_back({bisect(from, to), b.front() < 0});
+      if ((b.front() > 0) != (b.back() > 0)) roots.push_back(root(b.front(), b.back(), from, to));
       return true;
     }
     if (to - from < kNarrowest) return false;
@@ -85,13 +87,13 @@ class RootSearch {
     return rises || falls;
   }
 
-  double bisect(double from, double to) const {
-    const bool above = value(p_, from) > 0;
-    for (int i = 0; i < kBisections; ++i) {
-      const double middle = 0.5 * (from + to);
-      ((value(p_, middle) > 0) == above ? from : to) = middle;
-    }
-    return 0.5 * (from + to);
+  IsolatedRoot root(double first, double last, double from, double to) const {
+    const auto f = [this](double t) { return value(p_, t); };
+    const bool rises = first < 0;
+    const SignChange ends = rises ? SignChange{from, to} : SignChange{to, from};
+    const auto [below, above] =
+        narrowed(f, ends, std::min(first, last), std::max(first, last), kRootWidth);
+    return {0.5 * (below + above), rises};
   }
 
   const Polynomial& p_;

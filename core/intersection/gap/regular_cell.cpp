@@ -7,13 +7,14 @@
 #include "core/intersection/cells/turned_axes.h"
 #include "core/intersection/contacts/contact_points.h"
 #include "core/intersection/gap/model_points.h"
+#include "core/math/sign_change.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kMostTurn = 1;     // tangent of the angle by which a branch may leave its axis
-constexpr double kStepTurn = 0.25;  // likewise, of an arc: longer branches are cut
-constexpr int kBisections = 40;
+constexpr double kMostTurn = 1;         // tangent of the angle by which a branch may leave its axis
+constexpr double kStepTurn = 0.25;      // likewise, of an arc: longer branches are cut
+constexpr double kRootWidth = 0x1p-40;  // of the cell
 
 struct BorderRoot {
   double w, z;
@@ -86,13 +87,12 @@ class RegularReader {
 
   // The zero on the line w = const.
   std::optional<Point4> on_line(double w) const {
-    double low = axes_.chord_end(w, 0), high = axes_.chord_end(w, 1);
-    if (!(value(gap_, w, low) < 0 && value(gap_, w, high) > 0)) return std::nullopt;
-    for (int i = 0; i < kBisections; ++i) {
-      const double middle = 0.5 * (low + high);
-      (value(gap_, w, middle) < 0 ? low : high) = middle;
-    }
-    return curve_point(patch_a_, patch_b_, points_.at(w, low), points_.line(), points_.reach());
+    const auto gap = [&](double z) { return value(gap_, w, z); };
+    const double low = axes_.chord_end(w, 0), high = axes_.chord_end(w, 1);
+    const double low_gap = gap(low), high_gap = gap(high);
+    if (!(low_gap < 0 && high_gap > 0)) return std::nullopt;
+    const double z = narrowed(gap, {low, high}, low_gap, high_gap, kRootWidth).below;
+    return curve_point(patch_a_, patch_b_, points_.at(w, z), points_.line(), points_.reach());
   }
 
   const RationalBezierPatch& patch_a_;

@@ -7,6 +7,7 @@
 #include "core/forms/evaluation.h"
 #include "core/intersection/gap/model_points.h"
 #include "core/intersection/gap/valley_labels.h"
+#include "core/math/sign_change.h"
 
 namespace blossom {
 namespace {
@@ -17,6 +18,7 @@ constexpr int kBranchSteps = 6;
 constexpr double kTurn = 0.5;  // cosine: chords of a branch that turn more are looked at
 constexpr std::size_t kMostBranchPoints = 24;
 constexpr int kContactSteps = 4;
+constexpr double kRootWidth = 0x1p-51;  // of the cell
 
 // The slope of a gap, by w, that is slow.
 double slow_slope(const RationalBezierPatch& patch, const Cell& a, const Vec2& w_axis,
@@ -278,14 +280,14 @@ class Reader {
   // The zero below or above the valley at w, within the cell.
   std::optional<Point4> branch_point(double w, int side) const {
     const auto valley = shape_.valley_at(w);
-    if (!valley || !(value(shape_.gap, w, *valley) < 0)) return std::nullopt;
-    double inner = *valley, outer = shape_.chord_end(w, side);
-    if (!(value(shape_.gap, w, outer) > 0)) return std::nullopt;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (inner + outer);
-      (value(shape_.gap, w, middle) < 0 ? inner : outer) = middle;
-    }
-    return curve_point(patch_a_, patch_b_, points_.at(w, outer), points_.line(), points_.reach());
+    if (!valley) return std::nullopt;
+    const auto gap = [&](double z) { return value(shape_.gap, w, z); };
+    const double valley_gap = gap(*valley);
+    if (!(valley_gap < 0)) return std::nullopt;
+    const double outer = shape_.chord_end(w, side), outer_gap = gap(outer);
+    if (!(outer_gap > 0)) return std::nullopt;
+    const double z = narrowed(gap, {*valley, outer}, valley_gap, outer_gap, kRootWidth).above;
+    return curve_point(patch_a_, patch_b_, points_.at(w, z), points_.line(), points_.reach());
   }
 
   std::optional<Point4> polished_fold(double w) const {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/sign_change.h"
+
 namespace blossom {
 namespace {
 
@@ -19,6 +21,7 @@ constexpr int kDepthSamples = 8;
 constexpr double kSure = 2;  // errors: a gap larger than this has a sure sign
 constexpr std::array kCuts{0.4865, 0.4231, 0.5617};  // of a piece: where it may be halved
 constexpr double kShortestPiece = 1e-9;              // of the cell
+constexpr double kFoldWidth = 0x1p-51;               // likewise: how near the sign changes
 
 std::vector<ValleyPiece> merged(const std::vector<ValleyPiece>& pieces) {
   std::vector<ValleyPiece> result;
@@ -189,15 +192,18 @@ bool ValleyLabels::add_fold(double from, double to, std::vector<ValleyPiece>& pi
   const double error = shape_.error[0];
   if (std::abs(m0) <= kSure * error || std::abs(m1) <= kSure * error || (m0 > 0) == (m1 > 0))
     return false;
-  double a = from, b = to;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (a + b);
-    const auto z = shape_.valley_at(middle);
-    if (!z) return false;
-    ((value(shape_.gap, middle, *z) > 0) == (m0 > 0) ? a : b) = middle;
-  }
-  pieces.push_back({from, a, m0 > 0 ? ValleyLabel::Above : ValleyLabel::Below});
-  pieces.push_back({a, to, m1 > 0 ? ValleyLabel::Above : ValleyLabel::Below});
+  bool lost = false;
+  const auto depth = [&](double w) {
+    const auto z = shape_.valley_at(w);
+    lost = lost || !z;
+    return z ? value(shape_.gap, w, *z) : 0;
+  };
+  const bool falls = m0 > 0;
+  const SignChange ends = falls ? SignChange{to, from} : SignChange{from, to};
+  const double fold = narrowed(depth, ends, std::min(m0, m1), std::max(m0, m1), kFoldWidth).below;
+  if (lost) return false;
+  pieces.push_back({from, fold, falls ? ValleyLabel::Above : ValleyLabel::Below});
+  pieces.push_back({fold, to, falls ? ValleyLabel::Below : ValleyLabel::Above});
   return true;
 }
 

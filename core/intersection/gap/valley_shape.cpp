@@ -8,6 +8,7 @@ namespace blossom {
 namespace {
 
 constexpr double kLeastBend = 0.1;  // of the largest bend across the valley
+constexpr double kLastMove = 1e-9;  // of Newton's method, which leaves about its square
 
 // Where the valley is looked for on [-1, 1]: Chebyshev's nodes, and the coefficients of the cubics
 // that are 1 at one of them and 0 at the others.
@@ -66,7 +67,7 @@ std::optional<double> ValleyShape::valley_at(double w) const {
     const double move = value(gap_z, w, z) / value(gap_zz, w, z);
     z -= move;
     if (!(std::abs(z) < 2 * reach)) return std::nullopt;
-    if (std::abs(move) < 1e-15) break;
+    if (std::abs(move) < kLastMove) break;
   }
   return z;
 }
