@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -110,29 +109,46 @@ ErrorForm cut_off_first_half(ErrorForm& form) {
   return first;
 }
 
-// A bound on the largest length of all forms: the form with the largest bound is halved until
-// that is hardly more than a value that occurs.
-double proven_maximum(std::vector<ErrorForm> forms) {
-  std::vector<std::pair<double, std::size_t>> heap;
-  double seen = 0;
-  const auto add = [&](std::size_t i) {
-    heap.push_back({forms[i].bound(), i});
-    std::push_heap(heap.begin(), heap.end());
-    seen = std::max(seen, forms[i].seen());
-  };
-  for (std::size_t i = 0; i < forms.size(); ++i) add(i);
-  for (int step = 0; step < kMostHalvings && !heap.empty(); ++step) {
-    const auto [bound, worst] = heap.front();
-    const double margin = forms[worst].margin;
-    if (bound - margin <= kSlack * seen || bound <= 2 * margin) break;
-    std::pop_heap(heap.begin(), heap.end());
-    heap.pop_back();
-    forms.push_back(cut_off_first_half(forms[worst]));
-    add(worst);
-    add(forms.size() - 1);
+// Forms of which the largest length is asked. One whose bound is no more than a value that occurs
+// decides nothing and is not kept: most are not.
+class ErrorForms {
+ public:
+  void add(const ErrorForm& form) { add(form, form.bound()); }
+
+  void add(const ErrorForm& form, double bound) {
+    if (bound <= seen_) return;
+    seen_ = std::max(seen_, form.seen());
+    heap_.push_back({bound, forms_.size()});
+    std::push_heap(heap_.begin(), heap_.end());
+    forms_.push_back(form);
   }
-  return heap.empty() ? 0 : heap.front().first;
-}
+
+  void add(const ErrorForms& other) {
+    for (const auto& [bound, i] : other.heap_) add(other.forms_[i], bound);
+  }
+
+  std::size_t size() const { return forms_.size(); }
+
+  // A bound on the largest length of all forms: the form with the largest bound is halved until
+  // that is hardly more than a value that occurs.
+  double proven_maximum() && {
+    for (int step = 0; step < kMostHalvings && !heap_.empty(); ++step) {
+      const auto [bound, worst] = heap_.front();
+      ErrorForm second = forms_[worst];
+      if (bound - second.margin <= kSlack * seen_ || bound <= 2 * second.margin) break;
+      std::pop_heap(heap_.begin(), heap_.end());
+      heap_.pop_back();
+      add(cut_off_first_half(second));
+      add(second);
+    }
+    return heap_.empty() ? seen_ : heap_.front().first;
+  }
+
+ private:
+  std::vector<ErrorForm> forms_;
+  std::vector<std::pair<double, std::size_t>> heap_;  // bounds, and of which form
+  double seen_ = 0;                                   // the largest value known to occur
+};
 
 BezierCurve difference(BezierCurve a, const BezierCurve& b) {
   if (a.degree() != b.degree()) {
@@ -191,13 +207,10 @@ class Proof {
   }
 
   // What another part of the curve gave.
-  void add(Proof&& other) {
-    const auto append = [](std::vector<ErrorForm>& to, std::vector<ErrorForm>& from) {
-      to.insert(to.end(), std::move_iterator(from.begin()), std::move_iterator(from.end()));
-    };
-    append(forms_a_, other.forms_a_);
-    append(forms_b_, other.forms_b_);
-    append(forms_between_, other.forms_between_);
+  void add(const Proof& other) {
+    forms_a_.add(other.forms_a_);
+    forms_b_.add(other.forms_b_);
+    forms_between_.add(other.forms_between_);
     result_.a = std::max(result_.a, other.result_.a);
     result_.b = std::max(result_.b, other.result_.b);
     result_.between = std::max(result_.between, other.result_.between);
@@ -211,7 +224,7 @@ class Proof {
     const std::array bounds{&result_.a, &result_.b, &result_.between};
     parallel_for(forms.size(), forms_a_.size() < kLeastShared ? forms.size() : 1,
                  [&](std::size_t k) {
-                   *bounds[k] = std::max(*bounds[k], proven_maximum(std::move(*forms[k])));
+                   *bounds[k] = std::max(*bounds[k], std::move(*forms[k]).proven_maximum());
                  });
     result_.a += conic_error_;
     result_.b += conic_error_;
@@ -229,11 +242,13 @@ class Proof {
 
   // What the forms leave out is a part of either function.
   void add_forms(ImageGap&& a, ImageGap&& b) {
-    forms_a_.emplace_back(a.form, 1 / (1 - a.relative), a.margin);
-    forms_b_.emplace_back(b.form, 1 / (1 - b.relative), b.margin);
-    const double margin = forms_a_.back().bound() * a.relative + a.margin +
-                          forms_b_.back().bound() * b.relative + b.margin;
-    forms_between_.emplace_back(difference(std::move(a.form), b.form), 1, margin);
+    const ErrorForm on_a(a.form, 1 / (1 - a.relative), a.margin);
+    const ErrorForm on_b(b.form, 1 / (1 - b.relative), b.margin);
+    const double bound_a = on_a.bound(), bound_b = on_b.bound();
+    forms_a_.add(on_a, bound_a);
+    forms_b_.add(on_b, bound_b);
+    const double margin = bound_a * a.relative + a.margin + bound_b * b.relative + b.margin;
+    forms_between_.add({difference(std::move(a.form), b.form), 1, margin});
   }
 
   void sample(const QuinticPoints& piece) {
@@ -251,7 +266,7 @@ class Proof {
   const BezierSurface& surface_a_;
   const BezierSurface& surface_b_;
   ImageGaps a_, b_;
-  std::vector<ErrorForm> forms_a_, forms_b_, forms_between_;
+  ErrorForms forms_a_, forms_b_, forms_between_;
   Deviation result_;
   double conic_error_ = 0;  // of the polynomials that stand for the conic
   bool unprovable_ = false;
@@ -291,7 +306,7 @@ Deviation proven_deviation(const IntersectionCurve& curve, const BezierSurface& 
       curve.conic ? proofs[i].add_span(points, range, *curve.conic) : proofs[i].add_span(points);
     }
   });
-  for (std::size_t i = 1; i < proofs.size(); ++i) proofs.front().add(std::move(proofs[i]));
+  for (std::size_t i = 1; i < proofs.size(); ++i) proofs.front().add(proofs[i]);
   return std::move(proofs.front()).bounds();
 }
 
