@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "core/intersection/cells/net_ranges.h"
 #include "core/math/four.h"
 
 namespace blossom {
@@ -23,38 +24,20 @@ bool boxes_apart(const Cell& a, const Cell& b) {
   return false;
 }
 
-struct Heights {
-  double low;
-  double high;
-};
-
-BLOSSOM_HOT Heights heights(const double* p, int count, double nx, double ny, double nz) {
-  const double* y = p + count;
-  const double* z = y + count;
-  double low = nx * p[0] + ny * y[0] + nz * z[0];
-  double high = low;
-  for (int i = 1; i < count; ++i) {
-    const double h = nx * p[i] + ny * y[i] + nz * z[i];
-    low = h < low ? h : low;
-    high = h > high ? h : high;
-  }
-  return {low, high};
-}
-
 // Heights of a cell over another one's plane, margin included; |normal| <= 1.
-Heights heights_over(const FatPlane& plane, const Cell& cell, int points) {
-  const Heights h = heights(cell.hull, points, plane.normal[0], plane.normal[1], plane.normal[2]);
+Range heights_over(const FatPlane& plane, const Cell& cell, int points) {
+  const Range h = height_range(cell.hull, points, plane.normal);
   return {h.low - 2 * cell.margin, h.high + 2 * cell.margin};
 }
 
 bool above_or_below(const FatPlane& plane, const Cell& cell, int points) {
-  const Heights h = heights_over(plane, cell, points);
+  const Range h = heights_over(plane, cell, points);
   return h.low > plane.high || h.high < plane.low;
 }
 
 bool slab_holds(const FatPlane& plane, const Cell& cell, int points, double thickness) {
   if (plane.normal == Vec3{}) return false;
-  const Heights h = heights_over(plane, cell, points);
+  const Range h = heights_over(plane, cell, points);
   return std::max(h.high, plane.high) - std::min(h.low, plane.low) <= thickness;
 }
 
@@ -163,8 +146,7 @@ bool separated(const Cell& a, const Cell& b, int points_a, int points_b) {
 
 bool separated_along(const Vec3& normal, const Cell& a, const Cell& b, int points_a, int points_b) {
   const Vec3 n = unit(normal);
-  const Heights ha = heights_over({n, 0, 0}, a, points_a),
-                hb = heights_over({n, 0, 0}, b, points_b);
+  const Range ha = heights_over({n, 0, 0}, a, points_a), hb = heights_over({n, 0, 0}, b, points_b);
   return ha.low > hb.high || ha.high < hb.low;
 }
 

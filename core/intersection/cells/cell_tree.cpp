@@ -14,15 +14,6 @@ constexpr int kMostBlock = 1 << 15;  // doubles per block of the arena
 constexpr double kRoundoff = 0x1p-53;
 constexpr double kDerivativeSlack = 1e-13;  // covers the few roundings of a difference of bounds
 
-Range range_of(const double* values, int count) {
-  Range range{values[0], values[0]};
-  for (int i = 1; i < count; ++i) {
-    range.low = std::min(range.low, values[i]);
-    range.high = std::max(range.high, values[i]);
-  }
-  return range;
-}
-
 // Interval products and quotients, padded for their rounding.
 Range times(const Range& a, const Range& b) {
   const double p[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
@@ -159,7 +150,7 @@ void CellTree::finish(Cell& cell) {
       hull_scale_ = std::max(hull_scale_, std::abs(cell.hull[i]));
   cell.margin = rounding_of(cell);
   for (int k = 0; k < 3; ++k) {
-    const Range range = range_of(cell.hull + k * shape_.plane_size(), shape_.plane_size());
+    const Range range = value_range(cell.hull + k * shape_.plane_size(), shape_.plane_size());
     cell.low[k] = range.low - cell.margin;
     cell.high[k] = range.high + cell.margin;
   }
@@ -171,15 +162,10 @@ void CellTree::finish(Cell& cell) {
   const Vec3 across = point(last - columns + 1) - point(columns - 1);
   cell.plane.normal = unit(cross(across, point(last) - point(0)));
   const Vec3& normal = cell.plane.normal;
-  cell.plane.low = cell.plane.high = dot(normal, point(0));
-  for (int i = 1; i < size; ++i) {
-    const double height = normal[0] * p[i] + normal[1] * p[i + size] + normal[2] * p[i + 2 * size];
-    cell.plane.low = std::min(cell.plane.low, height);
-    cell.plane.high = std::max(cell.plane.high, height);
-  }
+  const Range heights = height_range(p, size, normal);
   // |normal| <= 1 turns the margin of three coordinates into at most sqrt(3) of it.
-  cell.plane.low -= 2 * cell.margin;
-  cell.plane.high += 2 * cell.margin;
+  cell.plane.low = heights.low - 2 * cell.margin;
+  cell.plane.high = heights.high + 2 * cell.margin;
 
   rational_ ? bound_rational_derivatives(cell) : bound_polynomial_derivatives(cell);
   choose_direction(cell);
@@ -217,7 +203,7 @@ void CellTree::bound_polynomial_derivatives(Cell& cell) const {
 void CellTree::bound_rational_derivatives(Cell& cell) const {
   const int rows = shape_.rows, columns = shape_.columns, size = shape_.plane_size();
   const double* weight = cell.homogeneous + 3 * size;
-  Range w = range_of(weight, size);
+  Range w = value_range(weight, size);
   const double spread = w.high / w.low;  // errors are relative to the largest weight
   w = {w.low * (1 - kDerivativeSlack), w.high * (1 + kDerivativeSlack)};
   const Range wu = scaled(difference_range_u(weight, rows, columns), rows - 1);

@@ -85,6 +85,18 @@ double largest(const Range& range) { return std::max(-range.low, range.high); }
 
 }  // namespace
 
+BLOSSOM_HOT Range value_range(const double* values, int count) {
+  Ranges ranges(values[0]);
+  include(values, count, {0}, {1}, ranges);
+  return ranges.joined();
+}
+
+BLOSSOM_HOT Range height_range(const double* points, int count, const Vec3& normal) {
+  Ranges ranges(normal[0] * points[0] + normal[1] * points[count] + normal[2] * points[2 * count]);
+  include(points, count, {0, count, 2 * count}, {normal[0], normal[1], normal[2]}, ranges);
+  return ranges.joined();
+}
+
 BLOSSOM_HOT Range difference_range_u(const double* plane, int rows, int columns) {
   Ranges ranges(plane[columns] - plane[0]);
   include(plane, (rows - 1) * columns, {0, columns}, {-1, 1}, ranges);

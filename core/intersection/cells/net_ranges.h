@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Ranges of differences between neighbouring control points, one coordinate at a time.
+// Ranges of control points, and of differences between neighbouring ones, one coordinate at a time.
 //
 // A plane holds rows x columns values, row-major; both at least 2. Rows go with u.
 
 #pragma once
+
+#include "core/math/vec.h"
 
 namespace blossom {
 
@@ -11,6 +13,12 @@ struct Range {
   double low = 0;
   double high = 0;
 };
+
+/// Of numbers, at least one.
+Range value_range(const double* values, int count);
+
+/// Of the heights normal . p of points, given as three planes of `count` coordinates.
+Range height_range(const double* points, int count, const Vec3& normal);
 
 /// Of the differences between neighbours along u (in one column) or v (in one row).
 Range difference_range_u(const double* plane, int rows, int columns);

@@ -15,6 +15,28 @@ namespace {
 using testing::seeded;
 using testing::uniform;
 
+TEST(NetRanges, OfValuesAndHeightsHoldAllAndNoMore) {
+  auto random = seeded(4);
+  const Vec3 normal{0.6, -0.48, 0.64};
+  for (int count = 1; count <= 20; ++count) {
+    std::vector<double> p(static_cast<std::size_t>(3 * count));
+    for (double& x : p) x = uniform(random, -1, 1);
+    const auto at = [&](int axis, int i) { return p[static_cast<std::size_t>(axis * count + i)]; };
+    Range values{9, -9}, heights{9, -9};
+    for (int i = 0; i < count; ++i) {
+      const double h = normal[0] * at(0, i) + normal[1] * at(1, i) + normal[2] * at(2, i);
+      values = {std::min(values.low, at(0, i)), std::max(values.high, at(0, i))};
+      heights = {std::min(heights.low, h), std::max(heights.high, h)};
+    }
+    const Range found = value_range(p.data(), count),
+                found_h = height_range(p.data(), count, normal);
+    EXPECT_EQ(found.low, values.low);
+    EXPECT_EQ(found.high, values.high);
+    EXPECT_NEAR(found_h.low, heights.low, 1e-15);
+    EXPECT_NEAR(found_h.high, heights.high, 1e-15);
+  }
+}
+
 TEST(NetRanges, AreThoseOfAllDifferences) {
   auto random = seeded(3);
   for (int rows = 2; rows <= 7; ++rows)
