@@ -16,6 +16,8 @@ constexpr int kSamples = 2 * kHighest;  // so that q(S), of twice the degree, va
 constexpr std::size_t kTerms = 10;
 constexpr double kNoPivot = 1e-11;  // relative to the first one: a row of zeros
 constexpr double kPivot = 1e-7;     // likewise, not of zeros
+constexpr double kFlat = 1e-11;     // of a patch's diagonal: in a plane
+constexpr double kWide = 1e-3;      // of its square: the corners span a plane well
 
 using Row = std::array<double, kTerms>;
 
@@ -58,6 +60,22 @@ std::optional<Row> kernel_of(std::vector<Row> rows) {
   return kernel;
 }
 
+// Whether the control points, and so the patch, are in a plane but for a part of their size far
+// below what a pivot needs: on many quadrics. Only told where the corners say which plane.
+bool is_flat(const RationalBezierPatch& patch) {
+  const auto& net = patch.points;
+  const auto point = [](const Vec4& p) { return Vec3{p[0], p[1], p[2]} * (1 / p[3]); };
+  const int last_row = net.rows() - 1, last_column = net.columns() - 1;
+  const Vec3 origin = point(net(0, 0));
+  const Vec3 diagonal = point(net(last_row, last_column)) - origin;
+  const Vec3 normal = cross(diagonal, point(net(last_row, 0)) - point(net(0, last_column)));
+  const double length = norm(normal), size = norm(diagonal);
+  if (!(length > kWide * size * size)) return false;
+  return std::ranges::all_of(net.values(), [&](const Vec4& p) {
+    return p[3] > 0 && std::abs(dot(normal, point(p) - origin)) <= kFlat * size * length;
+  });
+}
+
 }  // namespace
 
 double Quadric::value(const Vec4& x) const {
@@ -82,7 +100,7 @@ bool may_lie_on_quadric(const RationalBezierPatch& patch) {
 }
 
 std::optional<Quadric> quadric_of(const RationalBezierPatch& patch) {
-  if (!may_lie_on_quadric(patch)) return std::nullopt;
+  if (!may_lie_on_quadric(patch) || is_flat(patch)) return std::nullopt;
   std::vector<Vec3> points;
   for (int i = 0; i <= kSamples; ++i)
     for (int j = 0; j <= kSamples; ++j)
