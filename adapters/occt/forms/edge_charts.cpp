@@ -108,6 +108,13 @@ Handle(Geom2d_Curve)
   return BRep_Tool::CurveOnSurface(edge, face, range.from, range.to);
 }
 
+Handle(Geom2d_Curve) plane_curve_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  TopLoc_Location place;
+  const auto plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face, place));
+  Interval range;
+  return plane.IsNull() ? nullptr : in_plane(edge, plane, place, range);
+}
+
 bool keeps_chart_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   TopLoc_Location place;
   const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, place);

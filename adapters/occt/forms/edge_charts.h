@@ -20,6 +20,10 @@ namespace blossom::occt {
 Handle(Geom2d_Curve)
     chart_curve_of(const TopoDS_Edge& edge, const TopoDS_Face& face, Interval& range);
 
+/// The same for a line, circle or ellipse in the plane of a face, whether or not one is stored;
+/// null for every other curve or surface. Its parameter is that of the curve in space.
+Handle(Geom2d_Curve) plane_curve_of(const TopoDS_Edge& edge, const TopoDS_Face& face);
+
 /// Whether the edge keeps a curve in the parameters of the face's surface.
 bool keeps_chart_curve(const TopoDS_Edge& edge, const TopoDS_Face& face);
 

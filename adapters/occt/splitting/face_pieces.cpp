@@ -13,6 +13,7 @@
 #include <TopoDS_Wire.hxx>
 
 #include "adapters/occt/curves.h"
+#include "adapters/occt/forms/edge_charts.h"
 #include "adapters/occt/splitting/face_splitter.h"
 
 namespace blossom::occt {
@@ -73,6 +74,18 @@ const TopoDS_Vertex& FaceSplitter::shape_of(int vertex, const Strand& strand, do
   return of.shape;
 }
 
+// The curve of an edge that has none in the parameters yet: on a plane that of its conic, if it is
+// one, which is of the same kind; else what was found with the cut.
+Handle(Geom2d_Curve) FaceSplitter::chart_of(const TopoDS_Edge& edge, const Strand& strand) const {
+  const FaceCut& cut = cuts_[static_cast<std::size_t>(strand.cut)];
+  if (cut.conic)
+    if (Handle(Geom2d_Curve) flat = plane_curve_of(edge, trims_.face); !flat.IsNull()) return flat;
+  Spline2 chart = cut.chart;
+  const Vec2 shift{strand.shift[0] / trims_.scale[0], strand.shift[1] / trims_.scale[1]};
+  for (Vec2& point : chart.points) point += shift;
+  return to_occt(chart);
+}
+
 // One edge for both neighbours. Its curves are the whole cut's; only its range is its own.
 TopoDS_Edge FaceSplitter::cut_edge(const Strand& strand, const Interval& range, int from, int to) {
   const FaceCut& cut = cuts_[static_cast<std::size_t>(strand.cut)];
@@ -81,14 +94,11 @@ TopoDS_Edge FaceSplitter::cut_edge(const Strand& strand, const Interval& range, 
   const double tolerance =
       std::max({Precision::Confusion(), cut.tolerance,
                 kMargin * deviation(cut, BRep_Tool::Surface(trims_.face), range)});
-  Spline2 chart = cut.chart;
-  const Vec2 shift{strand.shift[0] / trims_.scale[0], strand.shift[1] / trims_.scale[1]};
-  for (Vec2& point : chart.points) point += shift;
   const BRep_Builder builder;
   TopoDS_Edge edge;
   const Handle(Geom_Curve) in_space = cut.conic ? to_occt(*cut.conic) : to_occt(cut.curve);
   builder.MakeEdge(edge, in_space, tolerance);
-  builder.UpdateEdge(edge, to_occt(chart), raw, location, tolerance);
+  builder.UpdateEdge(edge, chart_of(edge, strand), raw, location, tolerance);
   builder.Range(edge, range.from, range.to);
   const TopoDS_Vertex first = shape_of(from, strand, range.from);
   const TopoDS_Vertex last = shape_of(to, strand, range.to);

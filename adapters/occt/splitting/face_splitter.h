@@ -197,6 +197,7 @@ class FaceSplitter {
   bool add_cut_arc(const Strand& strand, const std::pair<double, int>& from,
                    const std::pair<double, int>& to);
   TopoDS_Edge cut_edge(const Strand& strand, const Interval& at, int from, int to);
+  Handle(Geom2d_Curve) chart_of(const TopoDS_Edge& edge, const Strand& strand) const;
   const TopoDS_Vertex& shape_of(int vertex, const Strand& strand, double parameter);
 
   void make_edge(int arc);
