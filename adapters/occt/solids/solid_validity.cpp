@@ -16,6 +16,7 @@
 #include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/forms/edge_charts.h"
+#include "adapters/occt/solids/polygon_faces.h"
 
 namespace blossom::occt {
 namespace {
@@ -78,7 +79,8 @@ class FacesToCheck {
 bool new_faces_are_valid(const TopoDS_Solid& solid, const TopTools_MapOfShape& known) {
   FacesToCheck faces;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
-    if (!known.Contains(it.Current())) faces.add(TopoDS::Face(it.Current()));
+    if (!known.Contains(it.Current()) && !is_sound_polygon(TopoDS::Face(it.Current())))
+      faces.add(TopoDS::Face(it.Current()));
   return faces.all().NbChildren() == 0 || BRepCheck_Analyzer(faces.all()).IsValid();
 }
 
