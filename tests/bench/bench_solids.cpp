@@ -207,9 +207,10 @@ constexpr std::array kCopies{Copy{"c1", 23, 0.06}, Copy{"c2", 2, 0.004}};
 
 struct Totals {
   int jobs = 0, right = 0, usable = 0, their_right = 0, their_usable = 0;
+  int unread = 0;  // files
 };
 
-void run_file(const std::string& file, const Settings& settings, Totals& totals) {
+void run_file(const std::string& file, const Settings& settings, Totals& totals) try {
   const TopoDS_Shape part = occt::read_model(file).shape();
   const Vec3 apex = sized_by_box(part).middle;
   for (const Copy& copy : kCopies) {
@@ -234,6 +235,9 @@ void run_file(const std::string& file, const Settings& settings, Totals& totals)
     if (ours.usable() && theirs.usable())
       std::printf("%-24s ratio of times %.2f\n", name.c_str(), theirs.seconds() / ours.seconds());
   }
+} catch (const occt::BadModel& error) {
+  ++totals.unread;
+  std::printf("%s\n", error.what());
 }
 
 std::optional<Settings> settings_from(int argc, char** argv) {
@@ -266,8 +270,9 @@ int run_all(const Settings& settings) {
   if (settings.peer)
     std::printf("; Open CASCADE: %d right, %d wrong, %d without a result", totals.their_right,
                 totals.their_usable - totals.their_right, totals.jobs - totals.their_usable);
+  if (totals.unread > 0) std::printf("; %d files that cannot be read", totals.unread);
   std::printf("\n");
-  return totals.usable > totals.right ? 1 : 0;
+  return totals.usable > totals.right || totals.unread > 0 ? 1 : 0;
 }
 
 }  // namespace
