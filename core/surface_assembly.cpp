@@ -43,6 +43,9 @@ constexpr double kWorstOfSize = 1e-4;
 // Tolerances: two cells no larger than one, whose boxes meet, hold no points farther apart.
 constexpr double kThinGap = 2;
 
+// Narrower common regions are not told from contacts; times the root of tolerance and size.
+constexpr double kRegionWidth = 3;
+
 constexpr const char* kSharedBorder = "the surfaces touch along a common border";
 constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to go on
 
@@ -158,9 +161,13 @@ class Assembly {
     if (std::ranges::find(reasons, WorkLimit::kCancelled) != reasons.end()) return;
     std::vector<CriticalPair> thin(found_.critical);
     std::erase_if(thin, [](const CriticalPair& pair) { return !pair.thin; });
-    const auto is_large = [&](const Clump& c) { return diagonal(c.box) > kPointClump * size_; };
-    if (std::ranges::none_of(clumps_of(thin), is_large)) return;
     const double tolerance = options_.tolerances.point;
+    const auto is_large = [&](const Clump& c) {
+      const double width = diagonal(c.box);
+      return width > kPointClump * size_ ||
+             (width > kRegionWidth * std::sqrt(tolerance * size_) && meets_border(c, thin));
+    };
+    if (std::ranges::none_of(clumps_of(thin), is_large)) return;
     const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_, limit_);
     if (overlaps.stopped != nullptr) stop_at_limit(overlaps.stopped);
     for (const OverlapRegion& region : overlaps.regions) add_overlap(cells_a, cells_b, region);
@@ -431,7 +438,8 @@ class Assembly {
       if (!clump.singular) place.gap_high = kThinGap * options_.tolerances.point;
       place.kind = clump.singular ? PlaceKind::Cusp : PlaceKind::Tangential;
     }
-    const bool coincides = clump.thin && holds_area(clump);
+    // Where the area has a border of its own it is a region already.
+    const bool coincides = clump.thin && holds_area(clump, found_.critical);
     if (coincides) {
       place.kind = PlaceKind::Overlap;
       result_.overlaps.push_back({{}, place.gap_high});
@@ -445,16 +453,6 @@ class Assembly {
       weaken(Status::Tolerance, "the surface is singular, or nearly, in the listed places");
     else
       weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
-  }
-
-  // True if the surfaces are proven to be one over an area of the clump, not just along a border.
-  // Where that has a border of its own it is a region already.
-  bool holds_area(const Clump& clump) const {
-    constexpr double kWidth = 1e-6;  // of a patch
-    return std::any_of(clump.pairs.begin(), clump.pairs.end(), [&](int i) {
-      const CriticalPair& pair = found_.critical[static_cast<std::size_t>(i)];
-      return pair.shared && length(pair.box[0]) > kWidth && length(pair.box[1]) > kWidth;
-    });
   }
 
   void add_known_curves() {

@@ -102,4 +102,20 @@ void join_singular(std::vector<Clump>& clumps, double tolerance) {
   std::erase_if(clumps, [](const Clump& clump) { return clump.pairs.empty(); });
 }
 
+bool meets_border(const Clump& clump, const std::vector<CriticalPair>& pairs) {
+  return std::ranges::any_of(clump.pairs, [&](int i) {
+    const CriticalPair& pair = pairs[static_cast<std::size_t>(i)];
+    return std::ranges::any_of(pair.box,
+                               [](const Interval& t) { return t.from <= 0 || t.to >= 1; });
+  });
+}
+
+bool holds_area(const Clump& clump, const std::vector<CriticalPair>& pairs) {
+  constexpr double kWidth = 1e-6;  // of a patch
+  return std::ranges::any_of(clump.pairs, [&](int i) {
+    const CriticalPair& pair = pairs[static_cast<std::size_t>(i)];
+    return pair.shared && length(pair.box[0]) > kWidth && length(pair.box[1]) > kWidth;
+  });
+}
+
 }  // namespace blossom

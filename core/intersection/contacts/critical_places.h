@@ -29,4 +29,11 @@ std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs);
 /// a pinch point two sheets of the surface are within tolerance, too.
 void join_singular(std::vector<Clump>& clumps, double tolerance);
 
+/// True if some pair of the clump reaches a border of its patches. A common region ends at such
+/// borders; a contact within both surfaces keeps away from them.
+bool meets_border(const Clump& clump, const std::vector<CriticalPair>& pairs);
+
+/// True if the surfaces are proven to be one over an area of the clump, not just along a border.
+bool holds_area(const Clump& clump, const std::vector<CriticalPair>& pairs);
+
 }  // namespace blossom

@@ -191,6 +191,19 @@ TEST(Overlaps, SmallCornerOfASquareIsFoundBetweenSamples) {
   EXPECT_NEAR(area(found.overlaps[0]), depth * depth, 1e-9);
 }
 
+TEST(Overlaps, SmallPieceOfASurfaceIsNoContactPoint) {
+  const BezierSurface a = piece({0, 1}, {0, 1});
+  for (const double width : {2e-3, 7e-3, 9e-3}) {
+    SCOPED_TRACE(width);
+    const BezierSurface b = piece({0.79, 0.79 + width}, {0.31, 0.31 + width});
+
+    const SurfaceIntersection found = intersect(a, b);
+
+    expect_one_overlap(found, a, b);
+    EXPECT_NEAR(area(found.overlaps[0]), width * width, 1e-3 * width * width);
+  }
+}
+
 TEST(Overlaps, SquaresWithACommonBorderShareACurveOnly) {
   const BezierSurface a = piece({0, 0.5}, {0, 1}), b = piece({0.5, 1}, {0.2, 0.8});
 
