@@ -159,6 +159,9 @@ class PairBorder {
                        [](const auto& s) { return s[0] || s[1]; });
   }
 
+  // Where an arc that seems to run along a face, but bends away from it, is nearest to it.
+  const std::optional<Point4>& touch() const { return nearest_; }
+
   // The border that the arcs run along and a neighbour has, too: an upper one if there is.
   void set_shared_border(const SurfaceBorders& borders, CellArc& arc) const {
     for (std::size_t i = 0; i < 4; ++i)
@@ -262,6 +265,8 @@ class PairBorder {
     for (std::size_t number = ArcStretches::kCount / 2; number < ArcStretches::kCount; ++number)
       if (const ArcStretch& s = arc_->stretch(number); !s.empty && off(s.part, face)) return false;
     int on_face = 0;
+    double least = 2 * kSamePoint;
+    Interval slopes{1e300, -1e300};
     for (std::size_t number = ArcStretches::kCount / 2; number < ArcStretches::kCount; ++number) {
       const ArcStretch& s = arc_->stretch(number);
       if (s.empty) continue;
@@ -270,10 +275,17 @@ class PairBorder {
       if (!x) return false;
       if (!inside(*x)) continue;
       const double slack = std::max(kBorderSlack, noise_at(*x)[index(face.axis)]);
-      if (std::abs((*x)[index(face.axis)] - place_of(face)) > slack || leaves(*x, face.axis))
-        return false;
+      const double distance = std::abs((*x)[index(face.axis)] - place_of(face));
+      if (distance > slack || leaves(*x, face.axis)) return false;
       ++on_face;
+      const Point4 t = tangent_of(jacobian_at(*x), along_);
+      const double slope = t[index(face.axis)] / t[index(along_)];
+      slopes = {std::min(slopes.from, slope), std::max(slopes.to, slope)};
+      if (distance >= least) continue;
+      least = distance;
+      nearest_ = *x;
     }
+    if (length(slopes) * length(box_[index(along_)]) <= kRootNoise) nearest_.reset();
     return on_face > 1;
   }
 
@@ -380,6 +392,7 @@ class PairBorder {
   std::optional<PairModel> model_;
   std::optional<ArcStretches> arc_;
   std::size_t undecided_ = 0;                     // the last stretch that was
+  std::optional<Point4> nearest_;                 // to a face that the arc bends away from
   std::array<std::array<bool, 2>, 4> sliding_{};  // by parameter, low and high face
   std::array<std::array<bool, 2>, 4> met_{};      // likewise: the arc may cross the face
 };
@@ -422,6 +435,8 @@ std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const Cel
   PairBorder border(tree_a, a, tree_b, b, bounds, along);
   std::vector<Root> roots;
   if (!border.find(roots)) return std::nullopt;
+  // An arc that touches the box from outside does not enter it: rounding decides whether they meet.
+  if (roots.empty() && border.touch()) return PairArcs{{}, false, {*border.touch()}};
   const auto k = static_cast<std::size_t>(along);
   std::ranges::sort(roots, {}, [k](const Root& root) { return root.x[k]; });
   PairArcs found;
