@@ -35,8 +35,10 @@ SignChange narrowed(const Function& f, SignChange at, double f_below, double f_a
     const double off = std::abs(middle - secant) - truncation * size * size;
     // An end that is the zero itself must not hold up the other one.
     const double most = std::max(0.5 * (std::min(widest, 2 * size - width) - size), 0.0);
-    const double x = middle - inwards * std::clamp(off, 0.0, most);
-    if (x == at.below || x == at.above) break;
+    const auto is_end = [&](double x) { return x == at.below || x == at.above; };
+    double x = middle - inwards * std::clamp(off, 0.0, most);
+    if (is_end(x)) x = middle;  // few doubles are left on this side; there may be many on the other
+    if (is_end(x)) break;
     const double y = f(x);
     (y < 0 ? at.below : at.above) = x;
     (y < 0 ? f_below : f_above) = y;

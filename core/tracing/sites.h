@@ -48,8 +48,9 @@ Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x,
 
 /// What is asked of the three images. Model units.
 struct Agreement {
-  double gap;           ///< wanted
-  double rounding = 0;  ///< of coordinates, at most the gap: nothing closer is ever asked for
+  double gap;  ///< wanted
+  double rounding =
+      0;  ///< of coordinates, at most the gap: at no angle the images have to be closer
 };
 
 /// The gaps as a part of those wanted; at a small angle between the surfaces, whose sine

@@ -47,7 +47,7 @@ template <int kOrder>
   }
   bernstein(n, n, up, down, w.value);
   if (kOrder > 0) {
-    below[0] = 1;  // of degree 0 too
+    below[0] = 0;  // of degree 0 there are none
     if (n > 0) bernstein(n - 1, n, up, down, below);
     differentiate(n, below, w.first);
   }

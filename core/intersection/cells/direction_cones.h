@@ -69,9 +69,9 @@ DirectionCones joined(const DirectionCones& a, const DirectionCones& b);
 /// Between points of one pole nothing is claimed.
 bool is_injective(const DirectionCones& cones);
 
-/// What a path may jump by, where `is_injective_with_jump` holds: two points that have one image
-/// are then both within this many times the jump of where it is.
-inline constexpr double kJumpReach = 2000;
+/// Where `is_injective_with_jump` holds and two points have one image, the part in u of a path that
+/// joins them, and that in v, is no longer in space than so many times what it jumps by.
+inline constexpr double kJumpReach = 2001;
 
 /// As `is_injective`, for paths that jump once in space: the cones are apart by some angle, narrow,
 /// and seen from aside they look long enough.

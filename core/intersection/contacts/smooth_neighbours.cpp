@@ -197,9 +197,12 @@ class Neighbours {
     for (std::size_t i = 0; i < p.size(); ++i) {
       gap = std::max(gap, distance(projected(p[i]), projected(q[i])));
       if (!(gap <= nearest_)) return std::nullopt;
-      radius = std::max(radius, distance(projected(q[i]), centre));
-      largest = std::max(largest, max_norm(projected(q[i])));
-      change = std::max(change, std::abs(p[i][3] * q[0][3] / (q[i][3] * p[0][3]) - 1));
+      for (const Vec4& x : {p[i], q[i]}) {
+        radius = std::max(radius, distance(projected(x), centre));
+        largest = std::max(largest, max_norm(projected(x)));
+      }
+      const double quotient = p[i][3] * q[0][3] / (q[i][3] * p[0][3]);
+      change = std::max({change, std::abs(quotient - 1), std::abs(1 / quotient - 1)});
     }
     change += kWeightRounding;
     gap += 2 * change / (1 - std::min(change, 0.5)) * radius + kPointRounding * largest;

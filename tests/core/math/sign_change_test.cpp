@@ -11,20 +11,22 @@ namespace blossom {
 namespace {
 
 constexpr double kWidth = 0x1p-51;
-constexpr int kHalvings = 52;  // of an interval of length 2 until it is that short
+constexpr int kHalvings = 52;         // of an interval of length 2 until it is that short
+constexpr double kSpacing = 0x1p-53;  // of doubles from 1/2 to 1
 
 struct Counted {
   SignChange ends;
   int steps = 0;
 };
 
-Counted counted(const std::function<double(double)>& f, double below, double above) {
+Counted counted(const std::function<double(double)>& f, double below, double above,
+                double width = kWidth) {
   Counted result;
   const auto count = [&](double x) {
     ++result.steps;
     return f(x);
   };
-  result.ends = narrowed(count, {below, above}, f(below), f(above), kWidth);
+  result.ends = narrowed(count, {below, above}, f(below), f(above), width);
   return result;
 }
 
@@ -58,6 +60,20 @@ TEST(SignChange, TakesAStepMoreThanHalvingAtWorst) {
 
     EXPECT_LE(std::abs(found.ends.above - found.ends.below), kWidth);
     EXPECT_LE(found.steps, kHalvings + 2);
+  }
+}
+
+// Beside the zero there is no more than a double left between an end and where a step may lead.
+TEST(SignChange, IsNarrowedToTwoSpacingsOfDoubles) {
+  for (int i = 0; i < 2000; ++i) {
+    const double zero = 0.5 + 0.5 * std::fmod(0.61803398874989 * i, 1.0);
+    const double bend = 0.1 + std::fmod(0.754877666 * i, 1.0);
+    const auto f = [&](double x) { return std::expm1(bend * (x - zero)) / bend; };
+
+    const Counted found = counted(f, -1, 1, 2 * kSpacing);
+
+    EXPECT_LE(std::abs(found.ends.above - found.ends.below), 2 * kSpacing) << zero << ' ' << bend;
+    EXPECT_LE(found.steps, 14);
   }
 }
 
