@@ -263,24 +263,32 @@ void CommonEdges::add_touches(const FaceIntersection& pair) {
 }
 
 void CommonEdges::touch(const FaceIntersection& pair, Of whose) {
+  if (pair.found.curves.empty()) return;
   const TopoDS_Face& a = a_[static_cast<std::size_t>(pair.face_a)];
   const TopoDS_Face& b = b_[static_cast<std::size_t>(pair.face_b)];
-  const TopoDS_Face &of = whose == Of::A ? a : b, &other = whose == Of::A ? b : a;
-  for (const BoxedEdge& each : boxed(edges_of(of), reach_)) {
+  const int face = whose == Of::A ? pair.face_b + 1 : -pair.face_a - 1;
+  for (const BoxedEdge& each : boxed(edges_of(whose == Of::A ? a : b), reach_)) {
     const bool reached =
         std::ranges::any_of(pair.found.curves, [&](const IntersectionCurve& curve) {
           return blossom::meet(each.box, box_of(curve.curve));
         });
-    if (!reached) continue;
-    const std::size_t known = touches_.size();
-    const EdgeCurve curve = curve_of(each.edge);
-    for (const CurveSurfacePoint& point : intersect(each.edge, other, options_).points)
-      if (point.tangential && is_short(curve, point.box_t, options_.tolerances.point))
-        touches_.push_back({each.edge, point.t});
-    if (touches_.size() == known) continue;
-    for (const TopoDS_Edge& border : edges_of(other))  // where it may touch as well
-      whose == Of::A ? meet(each.edge, border) : meet(border, each.edge);
+    if (reached && touched_.emplace(edges_.Add(each.edge), face).second)
+      touch(each.edge, whose == Of::A ? b : a, whose);
   }
+}
+
+void CommonEdges::touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of whose) {
+  if (limit_.is_reached()) return;
+  const std::size_t known = touches_.size();
+  const EdgeCurve curve = curve_of(edge);
+  IntersectionOptions left = limit_.remaining();
+  left.threads = options_.threads;
+  for (const CurveSurfacePoint& point : intersect(edge, face, left).points)
+    if (point.tangential && is_short(curve, point.box_t, options_.tolerances.point))
+      touches_.push_back({edge, point.t});
+  if (touches_.size() == known) return;
+  for (const TopoDS_Edge& border : edges_of(face))  // where it may touch as well
+    whose == Of::A ? meet(edge, border) : meet(border, edge);
 }
 
 std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair) const {

@@ -16,6 +16,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/faces/shared_limit.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/splitting/edge_splits.h"
 #include "adapters/occt/splitting/edge_union.h"
@@ -56,7 +57,7 @@ class CommonEdges {
 
   /// Looks for places in which edges of one face touch the other one: curves that cross edges there
   /// keep so near to them that they cannot tell where. Edges that the pair's curves stay clear of
-  /// are left out.
+  /// are left out. With no time left it does nothing.
   /// throws   BadModel as `intersect`
   void add_touches(const FaceIntersection& pair);
 
@@ -88,13 +89,16 @@ class CommonEdges {
   void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
   void touch(const FaceIntersection& pair, Of whose);
+  void touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of whose);
   const std::vector<TopoDS_Face>& a_;
   const std::vector<TopoDS_Face>& b_;
   IntersectionOptions options_;
+  const SharedLimit limit_{options_};
   double reach_;
   std::vector<std::vector<TopoDS_Edge>> in_a_, in_b_;
-  TopTools_IndexedMapOfShape edges_;      // of both
-  std::set<std::pair<int, int>> looked_;  // pairs of edges
+  TopTools_IndexedMapOfShape edges_;       // of both
+  std::set<std::pair<int, int>> looked_;   // pairs of edges
+  std::set<std::pair<int, int>> touched_;  // edges of a, faces of b from 1; of b, of a from -1 down
   std::vector<EdgesMeeting> meetings_;
   std::vector<EdgesAlong> along_;
   std::vector<EdgeTouch> touches_;

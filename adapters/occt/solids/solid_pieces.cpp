@@ -359,14 +359,14 @@ bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, cons
 // Whether edges are searched for places in which they touch faces. Most solids do without.
 enum class EdgeTouches { LeftOut, Sought };
 
-SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options,
-                      Extent extent, ArcCuts cuts, EdgeTouches touches, Untold& untold) {
+// found   of the faces
+SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
+                      EdgeTouches touches, const IntersectionOptions& options, Untold& untold) {
   SolidPieces result;
   const WorkLimit limit(options);
   Side side_a("part", a, limit), side_b("tool", b, limit);
   std::vector<CurveUse> uses;
   const double tolerance = options.tolerances.point;
-  const ShapeIntersection found = intersect(a.faces, b.faces, options, extent, cuts);
   result.status = found.status;
   result.certificate = found.certificate;
   CommonEdges common(a.faces, b.faces, options);
@@ -413,22 +413,30 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const IntersectionOp
 
 SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
   const SharedLimit limit(options);
+  const auto left = [&] {
+    IntersectionOptions rest = limit.remaining();
+    rest.threads = options.threads;
+    return rest;
+  };
   Untold untold;
-  SolidPieces found =
-      pieces_of(a, b, options, Extent::Beyond, ArcCuts::Even, EdgeTouches::LeftOut, untold);
+  const ShapeIntersection first =
+      intersect(a.faces, b.faces, options, Extent::Beyond, ArcCuts::Even);
+  SolidPieces found = pieces_of(a, b, first, EdgeTouches::LeftOut, left(), untold);
   if (found.obstacles.empty()) return found;
+  const auto again = [&](const ShapeIntersection& faces) {
+    Untold ignored;
+    return pieces_of(a, b, faces, EdgeTouches::Sought, left(), ignored);
+  };
+  if (!limit.is_reached())
+    if (SolidPieces other = again(first); other.obstacles.empty()) return other;
   // Borders of surfaces that do not go on are easier to tell from those of others where these end
   // in the same place, and curves are easier to follow where they do not go along borders of
   // patches or through their corners.
-  for (const auto& [extent, cuts] : {std::pair{Extent::Beyond, ArcCuts::Even},
-                                     {Extent::Trims, ArcCuts::Even},
+  for (const auto& [extent, cuts] : {std::pair{Extent::Trims, ArcCuts::Even},
                                      {Extent::Beyond, ArcCuts::Uneven},
                                      {Extent::Trims, ArcCuts::Uneven}}) {
     if (limit.is_reached()) break;
-    IntersectionOptions left = limit.remaining();
-    left.threads = options.threads;
-    Untold again;
-    SolidPieces other = pieces_of(a, b, left, extent, cuts, EdgeTouches::Sought, again);
+    SolidPieces other = again(intersect(a.faces, b.faces, left(), extent, cuts));
     if (other.obstacles.empty()) return other;
   }
   // The search for where cuts break off has no limit of its own.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace blossom::occt {
 namespace {
@@ -45,53 +44,101 @@ bool keeps_to(const PlanarCurve& curve, const Stretch& of, const PlanarCurve& ot
   });
 }
 
-// Half way; both ends of the curve where the stretch leads over its end.
-std::vector<double> touch_at(const PlanarCurve& curve, const Stretch& of) {
-  const Interval domain = curve.domain();
-  if (of.over_end) return {domain.from, domain.to};
-  return {at(of.at, 0.5)};
+bool holds_part_of(const Stretch& stretch, const Interval& run) {
+  if (stretch.over_end) return run.to > stretch.at.to || run.from < stretch.at.from;
+  return run.from < stretch.at.to && run.to > stretch.at.from;
 }
 
-// The one place in which cuts touch that cross twice; none if they do not keep together.
-std::optional<CutCrossing> one_touch(const PlanarCurve& a, const PlanarCurve& b,
-                                     const CutCrossing& first, const CutCrossing& second,
-                                     double tolerance, double longest) {
-  const Stretch on_a = stretch(a, first.a.front(), second.a.front(), tolerance);
-  const Stretch on_b = stretch(b, first.b.front(), second.b.front(), tolerance);
-  if (chords(a, on_a) > longest || chords(b, on_b) > longest || !keeps_to(a, on_a, b, tolerance) ||
-      !keeps_to(b, on_b, a, tolerance))
-    return {};
-  CutCrossing touch{touch_at(a, on_a), touch_at(b, on_b), {}};
-  touch.point = on_b.over_end ? point_at(b, touch.b.front()) : point_at(a, touch.a.front());
-  touch.blur = kMargin * std::max(first.blur + distance(touch.point, first.point),
-                                  second.blur + distance(touch.point, second.point));
-  return touch;
-}
+class Nodes {
+ public:
+  Nodes(const PlanarCurve& a, const PlanarCurve& b, double tolerance, double longest)
+      : a_(a),
+        b_(b),
+        tolerance_(tolerance),
+        longest_(longest),
+        common_(crossings(a, b, tolerance)) {}
+
+  CutCrossings found() const {
+    std::vector<Chain> chains;
+    for (const PlanarCrossing& point : common_.points) {
+      if (!chains.empty() && are_one(chains.back().first, point))
+        chains.back().last = point;
+      else
+        chains.push_back({point, point});
+    }
+    if (chains.size() > 1 && goes_over_end(chains.back().first, chains.front().last) &&
+        are_one(chains.back().first, chains.front().last)) {
+      chains.front().first = chains.back().first;
+      chains.pop_back();
+    }
+    CutCrossings found{{}, common_.complete};
+    for (const Chain& chain : chains) found.nodes.push_back(node_of(chain));
+    return found;
+  }
+
+ private:
+  // Crossings that are one node, along a.
+  struct Chain {
+    PlanarCrossing first, last;
+  };
+
+  Stretch on_a(const PlanarCrossing& p, const PlanarCrossing& q) const {
+    return stretch(a_, p.a, q.a, tolerance_);
+  }
+  Stretch on_b(const PlanarCrossing& p, const PlanarCrossing& q) const {
+    return stretch(b_, p.b, q.b, tolerance_);
+  }
+
+  bool goes_over_end(const PlanarCrossing& p, const PlanarCrossing& q) const {
+    return on_a(p, q).over_end;
+  }
+
+  // Whether the cuts keep together between them, and are not known to share a run.
+  bool are_one(const PlanarCrossing& p, const PlanarCrossing& q) const {
+    const Stretch of_a = on_a(p, q), of_b = on_b(p, q);
+    return chords(a_, of_a) <= longest_ && chords(b_, of_b) <= longest_ &&
+           keeps_to(a_, of_a, b_, tolerance_) && keeps_to(b_, of_b, a_, tolerance_) &&
+           std::ranges::none_of(common_.overlaps, [&](const PlanarOverlap& run) {
+             return holds_part_of(of_a, run.a);
+           });
+  }
+
+  // Half way on a, and what is nearest to that on b; where one is closed and ends in the stretch,
+  // that end decides.
+  CutCrossing node_of(const Chain& chain) const {
+    const auto& [first, last] = chain;
+    if (first.a == last.a && first.b == last.b) return {{first.a}, {first.b}, first.point};
+    const Stretch of_a = on_a(first, last), of_b = on_b(first, last);
+    const auto ends = [](const PlanarCurve& curve) {
+      return std::vector{curve.domain().from, curve.domain().to};
+    };
+    CutCrossing node;
+    if (of_b.over_end) node.b = ends(b_);
+    if (of_a.over_end) node.a = ends(a_);
+    if (of_b.over_end && !of_a.over_end) {
+      node.point = point_at(b_, node.b.front());
+      node.a = {nearest(a_, node.point).parameter};
+    } else {
+      if (!of_a.over_end) node.a = {at(of_a.at, 0.5)};
+      node.point = point_at(a_, node.a.front());
+      if (!of_b.over_end) node.b = {nearest(b_, node.point).parameter};
+    }
+    node.blur =
+        kMargin * std::max(distance(node.point, first.point), distance(node.point, last.point));
+    return node;
+  }
+
+  const PlanarCurve& a_;
+  const PlanarCurve& b_;
+  const double tolerance_, longest_;
+  const PlanarCrossings common_;
+};
 
 }  // namespace
 
 CutCrossings cut_crossings(const PlanarCurve& a, const PlanarCurve& b, double tolerance,
                            double longest) {
-  const PlanarCrossings common = crossings(a, b, tolerance);
-  CutCrossings found{{}, common.complete};
-  auto& nodes = found.nodes;
-  const auto joined = [&](const CutCrossing& first, const CutCrossing& second) {
-    return one_touch(a, b, first, second, tolerance, longest);
-  };
-  for (const PlanarCrossing& point : common.points) {
-    const CutCrossing node{{point.a}, {point.b}, point.point};
-    const auto touch = nodes.empty() ? std::nullopt : joined(nodes.back(), node);
-    if (touch)
-      nodes.back() = *touch;
-    else
-      nodes.push_back(node);
-  }
-  if (nodes.size() < 2) return found;
-  if (const auto touch = joined(nodes.back(), nodes.front())) {  // round the end of a
-    nodes.front() = *touch;
-    nodes.pop_back();
-  }
-  return found;
+  return Nodes(a, b, tolerance, longest).found();
 }
 
 }  // namespace blossom::occt

@@ -284,9 +284,9 @@ void FaceSplitter::add_crossings() {
   for (std::size_t i = 0; i < strands_.size(); ++i)
     for (std::size_t k = i + 1; k < strands_.size(); ++k) {
       Strand &a = strands_[i], &b = strands_[k];
-      if (!boxes_meet(box_of(a.curve), box_of(b.curve), tolerance_)) continue;
-      check_limit(limit_, kDividing);
       const double widest = std::max(reach(a), reach(b));
+      if (!boxes_meet(box_of(a.curve), box_of(b.curve), widest)) continue;
+      check_limit(limit_, kDividing);
       const CutCrossings common =
           cut_crossings(a.curve, b.curve, widest, longest_touch(trims_, widest));
       for (const CutCrossing& crossing : common.nodes) {

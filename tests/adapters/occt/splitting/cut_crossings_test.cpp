@@ -60,6 +60,32 @@ TEST(CutCrossings, OverTheEndOfAClosedCutHaveBothItsEnds) {
   }
 }
 
+// The same loop, from another place of the touch.
+TEST(CutCrossings, HaveOnePlaceOnBothCutsWhereverAClosedOneBegins) {
+  constexpr double kDepth = 1e-9;
+  const double start = 0.9 * std::sqrt(kDepth);
+  const PlanarCurve loop = planar_curve({2,
+                                         {0, 1, 2, 3},
+                                         {3, 2, 2, 3},
+                                         {{start, start * start - kDepth},
+                                          {0.5 * (start + 1), start - kDepth},
+                                          {1, 1 - kDepth},
+                                          {0, 3},
+                                          {-1, 1 - kDepth},
+                                          {0.5 * (start - 1), -start - kDepth},
+                                          {start, start * start - kDepth}}});
+  const auto nodes = found(loop, axis()).nodes;
+  ASSERT_EQ(nodes.size(), 1u);
+  EXPECT_EQ(nodes[0].a, (std::vector<double>{0, 3}));
+  ASSERT_EQ(nodes[0].b.size(), 1u);
+  EXPECT_LE(distance(point_at(axis(), nodes[0].b[0]), point_at(loop, 0)), kTolerance);
+}
+
+TEST(CutCrossings, AreNotTheEndsOfARunThatCutsShare) {
+  const PlanarCurve left = planar_line({-1, 0}, {0.004, 0}, {0, 1});
+  EXPECT_EQ(found(left, planar_line({0, 0}, {1, 0}, {0, 1})).nodes.size(), 2u);
+}
+
 TEST(CutCrossings, ThatCrossEachOtherHaveNoBlur) {
   const auto nodes = found(planar_line({-1, -1}, {1, 1}, {0, 1}), axis()).nodes;
   ASSERT_EQ(nodes.size(), 1u);
