@@ -9,6 +9,7 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kMargin = 1.1;
+constexpr double kShared = 1e-4;  // of the tolerance: so near each other are cuts that share a run
 
 // From one parameter of a curve to another, over the end of a closed one where that is shorter.
 struct Stretch {
@@ -99,8 +100,15 @@ class Nodes {
     return chords(a_, of_a) <= longest_ && chords(b_, of_b) <= longest_ &&
            keeps_to(a_, of_a, b_, tolerance_) && keeps_to(b_, of_b, a_, tolerance_) &&
            std::ranges::none_of(common_.overlaps, [&](const PlanarOverlap& run) {
-             return holds_part_of(of_a, run.a);
+             return holds_part_of(of_a, run.a) && is_shared(run);
            });
+  }
+
+  // Beside a touch the distance grows as its square.
+  bool is_shared(const PlanarOverlap& run) const {
+    return std::ranges::all_of(std::array{0.25, 0.75}, [&](double part) {
+      return nearest(b_, point_at(a_, at(run.a, part))).distance <= kShared * tolerance_;
+    });
   }
 
   // Half way on a, and what is nearest to that on b; where one is closed and ends in the stretch,
