@@ -11,9 +11,9 @@
 // A line for each job, as a row of a table. "Free" are sides with one piece where the model has
 // none, "many" those with more than two. CGAL looks at meshes: of N parts a side that neighbours
 // share; of more where triangles cross, and which of these crossings are the model's own
-// (watertight_meshes.h); and Open CASCADE's. It says whether they are manifold, closed, and counts
-// pairs of triangles that cross. Seconds are processor time of the cut, and of the pieces with
-// their checks. --keep writes the shapes as .brep.
+// (watertight_meshes.h); and Open CASCADE's, of the faces as given, too. It says whether they are
+// manifold, closed, and counts pairs of triangles that cross. Seconds are processor time of the
+// cut, and of the pieces with their checks. --keep writes the shapes as .brep.
 
 #include <algorithm>
 #include <array>
@@ -235,7 +235,7 @@ std::string told(const WatertightMeshes& meshes) {
     text += ": " + std::to_string(meshes.of_model) + " of the model, " +
             std::to_string(meshes.at_edges) + " at edges, " + std::to_string(meshes.others) +
             " others";
-  text += " | " + told(meshes.first);
+  text += " | " + told(meshes.given) + " | " + told(meshes.first);
   if (meshes.last.deflection < meshes.first.deflection) text += "; " + told(meshes.last);
   return text;
 }
@@ -280,8 +280,8 @@ std::optional<Settings> settings_from(int argc, char** argv) {
 
 int run_all(const Settings& settings) {
   std::printf(
-      "| job | result | samples | refined | BRepMesh | free, many | within | "
-      "faces, patches, triangles | s |\n|---|---|---|---|---|---|---:|---|---|\n");
+      "| job | result | samples | refined | given | BRepMesh | free, many | within | "
+      "faces, patches, triangles | s |\n|---|---|---|---|---|---|---|---:|---|---|\n");
   int unsound = 0;
   for (const std::string& file : settings.files) {
     const occt::Model model = occt::read_model(file);

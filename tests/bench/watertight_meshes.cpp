@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <Standard_Failure.hxx>
 
 #include "adapters/occt/intersection.h"
@@ -133,11 +134,17 @@ OcctMesh occt_mesh(const TopoDS_Shape& shape, double diagonal, double deflection
 
 // Finer where two curved sides with the same ends have no node between, or walls are nearer to each
 // other than the deflection.
-void check_occt(const occt::WatertightShape& made, WatertightMeshes& result) {
+void check_occt(const occt::WatertightShape& made, const std::vector<TopoDS_Face>& given,
+                WatertightMeshes& result) {
   const TopoDS_Shape& shape = made.shape;
   Box box;  // quicker than that of the shape, and near enough
   for (const Vec3& vertex : made.pieces.vertices) box = joined(box, at(vertex));
   const double diagonal = blossom::diagonal(box);
+  TopoDS_Compound faces;
+  BRep_Builder builder;
+  builder.MakeCompound(faces);
+  for (const TopoDS_Face& face : given) builder.Add(faces, face);
+  result.given = occt_mesh(faces, diagonal, kDeflection);
   result.first = result.last = occt_mesh(shape, diagonal, kDeflection);
   for (int finer = 0; finer < kMostFiner; ++finer) {
     const OcctMesh& mesh = result.last;
@@ -152,7 +159,7 @@ WatertightMeshes watertight_meshes(const occt::WatertightShape& made,
                                    const std::vector<TopoDS_Face>& given, int parts) {
   WatertightMeshes result;
   check_samples(made, given, parts, result);
-  check_occt(made, result);
+  check_occt(made, given, result);
   return result;
 }
 

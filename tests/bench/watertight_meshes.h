@@ -30,6 +30,7 @@ struct WatertightMeshes {
   /// By BRepMesh_IncrementalMesh, at a deflection of 1e-3 of the diagonal, and at the finest that
   /// was tried as long as the mesh was no manifold or facets crossed.
   OcctMesh first, last;
+  OcctMesh given;  ///< of the faces that the shape was made of, at the first deflection
 };
 
 /// given   the faces that the shape was made of, in their order
