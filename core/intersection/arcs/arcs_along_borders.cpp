@@ -11,6 +11,7 @@
 
 #include "core/forms/evaluation.h"
 #include "core/intersection/arcs/exact_borders.h"
+#include "core/intersection/arcs/regular_contact.h"
 
 namespace blossom {
 namespace {
@@ -171,12 +172,13 @@ class ArcsOnLines {
 
 }  // namespace
 
-void drop_repeated_arcs(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
-                        double size, double shortest) {
+void drop_repeated_arcs(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double size,
+                        double shortest) {
   if (found.along_border) {
     ExactBorders exact(a.surface(), b.surface());
-    found.along_border = std::ranges::any_of(
-        found.arcs, [&](const FoundArc& arc) { return arc.arc.slides && !exact.hold(arc); });
+    found.along_border = std::ranges::any_of(found.arcs, [&](const FoundArc& arc) {
+      return arc.arc.slides && !runs_regularly(arc, a, b) && !exact.hold(arc);
+    });
   }
   const auto shares = [](const FoundArc& arc) { return arc.arc.shared_border >= 0; };
   if (std::none_of(found.arcs.begin(), found.arcs.end(), shares)) return;

@@ -9,13 +9,14 @@ namespace blossom {
 
 /// Leaves one of the arcs along a border that pairs on both sides of it have. Rounding may put the
 /// curve beyond the border for both sides, for one or for none: so neither of them answers alone.
-/// `found.along_border` is left only if some arc along a border is not exactly that border.
+/// `found.along_border` is left only if some arc along a border is neither exactly that border nor
+/// proven to be one arc of both sides (`regular_contact.h`).
 ///
 /// size       of the surfaces, model units
 /// shortest   arcs along upper borders no longer than this are left to the neighbours, which may
 /// have
 ///            a contact there, as at a pole; model units
-void drop_repeated_arcs(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
-                        double size, double shortest);
+void drop_repeated_arcs(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double size,
+                        double shortest);
 
 }  // namespace blossom
