@@ -1,11 +1,34 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/base/parallel.h"
 
+#include <utility>
+
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
 namespace blossom {
+namespace {
+
+// True on a thread that is in an arena of its call's own and in no task: while it waits there, it
+// may help with whatever is under way.
+thread_local bool helps_with_all = false;
+
+// Sets that mark, and puts back what was there.
+class HelpMark {
+ public:
+  explicit HelpMark(bool helps) : before_(std::exchange(helps_with_all, helps)) {}
+  ~HelpMark() { helps_with_all = before_; }
+  HelpMark(const HelpMark&) = delete;
+  HelpMark& operator=(const HelpMark&) = delete;
+
+  bool before() const { return before_; }
+
+ private:
+  const bool before_;
+};
+
+}  // namespace
 
 void start_threads(int threads) {
   if (threads != 1) parallel_for(64, 1, [](std::size_t) {});
@@ -14,22 +37,31 @@ void start_threads(int threads) {
 void with_threads(int threads, const std::function<void()>& work) {
   if (threads <= 0) return work();
   oneapi::tbb::task_arena arena(threads);
-  arena.execute(work);
+  arena.execute([&] {
+    const HelpMark mark(true);
+    work();
+  });
 }
 
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(std::size_t)>& task) {
-  if (count <= grain) {
+  if (count <= grain || oneapi::tbb::this_task_arena::max_concurrency() == 1) {
     for (std::size_t i = 0; i < count; ++i) task(i);
     return;
   }
-  // Isolated, so that a thread that waits here does not begin with another call's work.
-  oneapi::tbb::this_task_arena::isolate([&] {
+  const auto run = [&] {
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, count, grain),
                               [&](const auto& range) {
                                 for (std::size_t i = range.begin(); i < range.end(); ++i) task(i);
                               });
-  });
+  };
+  // Isolated, so that a thread that waits here does not begin with another call's work; but not at
+  // the outermost call, where that would keep it from calls in the last tasks of its own.
+  const HelpMark mark(false);
+  if (mark.before())
+    run();
+  else
+    oneapi::tbb::this_task_arena::isolate(run);
 }
 
 }  // namespace blossom
