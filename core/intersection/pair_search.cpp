@@ -29,8 +29,7 @@ constexpr double kSlabRoundings = 8;
 constexpr int kDeepest = 60;              // halvings of a patch: 2^-30 in each direction
 constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
 constexpr std::size_t kBatch = 128;       // pairs examined at the same time
-constexpr std::size_t kPairGrain = 16;    // pairs, and
-constexpr std::size_t kArcsGrain = 4;     // certified pairs that one thread examines in a row
+constexpr std::size_t kPairGrain = 4;     // pairs that one thread examines in a row
 constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
 
 // Cells of one surface no farther apart than this many of their widths are near each other in it.
@@ -88,6 +87,7 @@ struct Finding {
   Verdict verdict = Verdict::Mixed;
   int along = -1;                    // of a regular pair
   std::optional<SharedPart> part{};  // of a coincident one
+  std::optional<PairArcs> arcs{};    // of a regular pair that is certified
 };
 
 // Pairs are examined in batches: those of one batch at the same time, for they only read the cells;
@@ -166,23 +166,16 @@ class Search {
       return;
     }
     findings_.resize(pairs.size());
-    parallel_for(pairs.size(), kPairGrain, [&](std::size_t i) { findings_[i] = look(pairs[i]); });
-    std::vector<std::size_t> regular;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (findings_[i].verdict == Verdict::Regular) regular.push_back(i);
-    std::vector<std::optional<PairArcs>> arcs(regular.size());
-    parallel_for(regular.size(), kArcsGrain, [&](std::size_t k) {
-      arcs[k] = arcs_of(pairs[regular[k]], findings_[regular[k]].along);
+    parallel_for(pairs.size(), kPairGrain, [&](std::size_t i) {
+      findings_[i] = look(pairs[i]);
+      if (findings_[i].verdict == Verdict::Regular)
+        findings_[i].arcs = arcs_of(pairs[i], findings_[i].along);
     });
-    auto held = arcs.begin();
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const bool certified = findings_[i].verdict == Verdict::Regular;
-      apply(pairs[i], findings_[i], certified ? *held++ : std::nullopt);
-    }
+    for (std::size_t i = 0; i < pairs.size(); ++i) apply(pairs[i], std::move(findings_[i]));
     halve_pairs();
   }
 
-  // What a pair proves by its bounds alone.
+  // What a pair proves by its bounds alone; of a regular one its arcs are not looked for.
   Finding look(const Pair& pair) const {
     const PatchPair& place = place_of(pair);
     const Cell &a = cell_a(pair), &b = cell_b(pair);
@@ -263,7 +256,7 @@ class Search {
                    upper_borders(a_, place.patch_a, a, b_, place.patch_b, b), along);
   }
 
-  void apply(Pair pair, const Finding& finding, std::optional<PairArcs> held) {
+  void apply(Pair pair, Finding&& finding) {
     PatchPair& place = place_of(pair);
     const Cell &a = cell_a(pair), &b = cell_b(pair);
     Certificate& certificate = result_.certificate;
@@ -279,8 +272,8 @@ class Search {
       return;
     }
     if (finding.part) return settle_shared(place, *finding.part);
-    if (held) {
-      place.certified.push_back({pair.cell_a, pair.cell_b, box_of(a, b), std::move(*held)});
+    if (finding.arcs) {
+      place.certified.push_back({pair.cell_a, pair.cell_b, box_of(a, b), std::move(*finding.arcs)});
       return;
     }
     const bool over = finding.verdict == Verdict::Over, beside = finding.verdict == Verdict::Beside;
