@@ -11,10 +11,11 @@
 namespace blossom {
 namespace {
 
-constexpr int kBlock = 4;                   // so many boxes a side have one above them
+constexpr int kBlock = 4;  // so many boxes a side have one above them
 constexpr std::size_t kFewPatches = 1024;
 constexpr std::size_t kPatchGrain = 256;    // patches, and
 constexpr std::size_t kBlockGrain = 64;     // blocks that one thread bounds in a row
+constexpr std::size_t kLeastShared = 64;    // pairs of blocks, to share out
 constexpr double kRounding = 16 * 0x1p-53;  // of the coordinates: as much as cells allow for
 
 Box hull_box(const RationalBezierPatch& patch, bool rational) {
@@ -70,19 +71,47 @@ double longest_side(const Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
 }
 
+using Pairs = std::vector<std::array<int, 2>>;
+
 // Walks down two hierarchies; the longer box is divided first.
 class Meeting {
  public:
   Meeting(const std::vector<Grid<Box>>& a, const std::vector<Grid<Box>>& b)
       : a_(a), b_(b), margin_(margin_of(a) + margin_of(b)) {}
 
-  std::vector<std::array<int, 2>> run() {
-    const Block p{a_.size() - 1, 0, 0}, q{b_.size() - 1, 0, 0};
-    if (meet(widened(box(a_, p), margin_), box(b_, q))) descend(p, q);
-    return std::move(found_);
+  // The order is that of a walk by one thread.
+  Pairs run() const {
+    const std::vector<BlockPair> blocks = meeting_blocks();
+    std::vector<Pairs> found(blocks.size());
+    parallel_for(blocks.size(), 1, [&](std::size_t k) { descend(blocks[k], found[k]); });
+    Pairs all;
+    for (const Pairs& part : found) all.insert(all.end(), part.begin(), part.end());
+    return all;
   }
 
  private:
+  struct BlockPair {
+    Block p, q;
+  };
+
+  // Enough of them for all threads, if there are any more.
+  std::vector<BlockPair> meeting_blocks() const {
+    std::vector<BlockPair> blocks;
+    const Block p{a_.size() - 1, 0, 0}, q{b_.size() - 1, 0, 0};
+    if (meet(widened(box(a_, p), margin_), box(b_, q))) blocks.push_back({p, q});
+    while (!blocks.empty() && blocks.size() < kLeastShared &&
+           !std::ranges::all_of(blocks, are_patches)) {
+      std::vector<BlockPair> parts;
+      for (const BlockPair& pair : blocks)
+        are_patches(pair) ? parts.push_back(pair)
+                          : divide(pair, [&](const BlockPair& part) { parts.push_back(part); });
+      blocks = std::move(parts);
+    }
+    return blocks;
+  }
+
+  static bool are_patches(const BlockPair& pair) { return pair.p.level == 0 && pair.q.level == 0; }
+
   static const Box& box(const std::vector<Grid<Box>>& levels, const Block& block) {
     return levels[block.level](block.row, block.column);
   }
@@ -93,15 +122,22 @@ class Meeting {
   }
 
   // Of boxes that meet.
-  void descend(const Block& p, const Block& q) {
+  void descend(const BlockPair& pair, Pairs& found) const {
+    const auto& [p, q] = pair;
+    if (are_patches(pair))
+      found.push_back({p.row * a_[0].columns() + p.column, q.row * b_[0].columns() + q.column});
+    else
+      divide(pair, [&](const BlockPair& part) { descend(part, found); });
+  }
+
+  template <class Visit>
+  void divide(const BlockPair& pair, Visit visit) const {
+    const auto& [p, q] = pair;
     const Box &box_p = box(a_, p), &box_q = box(b_, q);
-    if (p.level == 0 && q.level == 0) {
-      found_.push_back({p.row * a_[0].columns() + p.column, q.row * b_[0].columns() + q.column});
-    } else if (q.level == 0 || (p.level > 0 && longest_side(box_p) >= longest_side(box_q))) {
-      for_each_part(a_, p, widened(box_q, margin_), [&](const Block& part) { descend(part, q); });
-    } else {
-      for_each_part(b_, q, widened(box_p, margin_), [&](const Block& part) { descend(p, part); });
-    }
+    if (q.level == 0 || (p.level > 0 && longest_side(box_p) >= longest_side(box_q)))
+      for_each_part(a_, p, widened(box_q, margin_), [&](const Block& part) { visit({part, q}); });
+    else
+      for_each_part(b_, q, widened(box_p, margin_), [&](const Block& part) { visit({p, part}); });
   }
 
   // Those parts that meet a box.
@@ -118,7 +154,6 @@ class Meeting {
   const std::vector<Grid<Box>>& a_;
   const std::vector<Grid<Box>>& b_;
   const double margin_;
-  std::vector<std::array<int, 2>> found_;
 };
 
 }  // namespace
@@ -132,8 +167,9 @@ std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const Patch
   if (std::max(a.patches().size(), b.patches().size()) > kFewPatches)
     return Meeting(a.levels_, b.levels_).run();
   std::vector<std::array<int, 2>> pairs;
-  tree_of(a.patches()).for_each_meeting(tree_of(b.patches()),
-                                        [&](int i, int j) { pairs.push_back({i, j}); });
+  tree_of(a.patches()).for_each_meeting(tree_of(b.patches()), [&](int i, int j) {
+    pairs.push_back({i, j});
+  });
   return pairs;
 }
 
