@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/base/parallel.h"
 #include "core/tracing/conic_fit.h"
 #include "core/tracing/deviation.h"
 #include "core/tracing/sites.h"
@@ -29,7 +30,8 @@ constexpr double kWorthARound = 0.93;     // of the knots at most, or no further
 constexpr double kLeastError = 1e-12;     // of the wanted, to guess from: below it is rounding
 constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kLeastSamples = 49;
-constexpr double kLastStep = 1e-8;  // of the size: Newton's step from there to a sample is exact
+constexpr std::size_t kRunGrain = 8;  // runs that one thread fits in a row
+constexpr double kLastStep = 1e-8;    // of the size: Newton's step from there to a sample is exact
 
 // Traced points leave a conic by rounding alone: so much of the curve's length and of the size.
 constexpr double kConicOfLength = 1e-11;
@@ -272,10 +274,13 @@ class Fitter {
   }
 
   void write_splines(IntersectionCurve& curve) const {
+    std::vector<std::optional<RunSpline>> splines(runs_.size());
+    parallel_for(runs_.size(), kRunGrain, [&](std::size_t i) { splines[i] = fit(runs_[i]); });
     JoinedSpline joined;
-    for (const SmoothRun& run : runs_) {
-      if (const auto spline = fit(run)) {
-        append(joined, *spline, run.multiplicity);
+    for (std::size_t i = 0; i < runs_.size(); ++i) {
+      const SmoothRun& run = runs_[i];
+      if (splines[i]) {
+        append(joined, *splines[i], run.multiplicity);
         continue;
       }
       for (const QuinticPiece& piece : run.pieces)

@@ -479,6 +479,7 @@ std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells
 
 std::vector<FoundGraze> lone_grazes(const PairSearchResult& found, const SurfaceCells& a,
                                     const SurfaceCells& b) {
+  if (found.grazes.empty()) return {};
   std::vector<Point4> known;
   for (const FoundArc& arc : found.arcs)
     for (const Point4& x : {arc.arc.from, arc.arc.to})
