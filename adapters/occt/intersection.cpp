@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 #include "adapters/occt/errors.h"
@@ -92,6 +94,16 @@ class PairIntersector {
     else
       search(result);
     return result;
+  }
+
+  // Grows with the time that a pair takes.
+  std::size_t size_of(const std::pair<int, int>& pair) const {
+    const auto points = [](const FaceData& data) {
+      const auto& patches = data.surface.patches;
+      return patches.values().size() * patches(0, 0).points.values().size();
+    };
+    return points(faces_a_.data(static_cast<std::size_t>(pair.first))) *
+           points(faces_b_.data(static_cast<std::size_t>(pair.second)));
   }
 
   // What is known of a pair's faces in the other order, where both are copies of each other's.
@@ -298,6 +310,15 @@ std::vector<std::size_t> exchanged_places(const FaceCopies& copies, const FacePa
   return places;
 }
 
+// The places of pairs, large ones first: the last one may be the work of one thread alone.
+std::vector<std::size_t> largest_first(const PairIntersector& intersector, const FacePairs& pairs) {
+  std::vector<std::size_t> sizes, order(pairs.size());
+  for (const auto& pair : pairs) sizes.push_back(intersector.size_of(pair));
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater{}, [&](std::size_t k) { return sizes[k]; });
+  return order;
+}
+
 // The sense of a boundary follows the normal of the first face.
 bool has_boundary(const FaceIntersection& pair) {
   return std::ranges::any_of(pair.found.overlaps,
@@ -309,7 +330,9 @@ ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopi
                               const FacePairs& pairs) {
   std::vector<FaceIntersection> found(pairs.size());
   const std::vector<std::size_t> places = exchanged_places(copies, pairs);
-  parallel_for(pairs.size(), 1, [&](std::size_t k) {
+  const std::vector<std::size_t> order = largest_first(intersector, pairs);
+  parallel_for(pairs.size(), 1, [&](std::size_t i) {
+    const std::size_t k = order[i];
     if (places[k] == k) found[k] = intersector.of(pairs[k]);
   });
   parallel_for(pairs.size(), 1, [&](std::size_t k) {
