@@ -353,13 +353,26 @@ ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopi
   return result;
 }
 
-// Pairs of faces whose hulls have boxes that meet.
+// Stable, by counting.
+//
+// key   of a pair: less than `count`
+template <class Key>
+FacePairs sorted_by(const FacePairs& pairs, std::size_t count, Key key) {
+  std::vector<std::size_t> places(count + 1);
+  for (const auto& pair : pairs) ++places[static_cast<std::size_t>(key(pair)) + 1];
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  FacePairs sorted(pairs.size());
+  for (const auto& pair : pairs) sorted[places[static_cast<std::size_t>(key(pair))]++] = pair;
+  return sorted;
+}
+
+// Pairs of faces whose hulls have boxes that meet, in increasing order.
 FacePairs meeting_pairs(const FaceList& a, const FaceList& b) {
   FacePairs pairs;
   BoxTree(a.boxes()).for_each_meeting(BoxTree(b.boxes()),
                                       [&](int i, int j) { pairs.emplace_back(i, j); });
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  pairs = sorted_by(pairs, b.size(), [](const auto& pair) { return pair.second; });
+  return sorted_by(pairs, a.size(), [](const auto& pair) { return pair.first; });
 }
 
 // Converts the faces of the pairs, and leaves those whose surfaces have boxes that meet. The lists

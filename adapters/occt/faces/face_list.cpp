@@ -90,6 +90,10 @@ FaceList::FaceList(const std::vector<TopoDS_Face>& faces, std::string name, doub
   });
 }
 
+FaceList::~FaceList() {
+  parallel_for(size(), kGrain, [&](std::size_t i) { data_[i] = {}; });
+}
+
 BezierSurface FaceList::unevenly_cut(std::size_t i) const {
   return face_data(faces_[i], tolerance_, extent_, ArcCuts::Uneven).surface;
 }

@@ -24,6 +24,10 @@ class FaceList {
   ///          has the face's place in the list
   FaceList(const std::vector<TopoDS_Face>& faces, std::string name, double tolerance, Extent extent,
            ArcCuts cuts = ArcCuts::Even);
+  /// By all threads.
+  ~FaceList();
+  FaceList(const FaceList&) = delete;
+  FaceList& operator=(const FaceList&) = delete;
 
   std::size_t size() const { return faces_.size(); }
   const TopoDS_Face& face(std::size_t i) const { return faces_[i]; }
