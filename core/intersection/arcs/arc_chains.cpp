@@ -480,22 +480,18 @@ std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells
 std::vector<FoundGraze> lone_grazes(const PairSearchResult& found, const SurfaceCells& a,
                                     const SurfaceCells& b) {
   if (found.grazes.empty()) return {};
-  std::vector<Point4> ends;
-  ends.reserve(2 * found.arcs.size());
+  std::vector<Point4> known;  // sorted
   for (const FoundArc& arc : found.arcs)
     for (const Point4& x : {arc.arc.from, arc.arc.to})
-      ends.push_back(over_surfaces(a, b, arc.patch_a, arc.patch_b, x));
-  std::sort(ends.begin(), ends.end());
-  std::vector<Point4> known;
+      known.push_back(over_surfaces(a, b, arc.patch_a, arc.patch_b, x));
+  std::ranges::sort(known);
   std::vector<FoundGraze> lone;
   for (const FoundGraze& graze : found.grazes) {
     const Point4 p = over_surfaces(a, b, graze.patch_a, graze.patch_b, graze.x);
-    const auto is_here = [&](const Point4& q) { return same(p, q); };
-    auto end =
-        std::ranges::lower_bound(ends, p[0] - 2 * kJoin, {}, [](const Point4& q) { return q[0]; });
-    while (end != ends.end() && (*end)[0] <= p[0] + 2 * kJoin && !is_here(*end)) ++end;
-    if ((end != ends.end() && is_here(*end)) || std::ranges::any_of(known, is_here)) continue;
-    known.push_back(p);
+    auto near = std::ranges::lower_bound(known, Point4{p[0] - 2 * kJoin});
+    while (near != known.end() && (*near)[0] <= p[0] + 2 * kJoin && !same(p, *near)) ++near;
+    if (near != known.end() && same(p, *near)) continue;
+    known.insert(std::ranges::lower_bound(known, p), p);
     lone.push_back(graze);
   }
   return lone;
