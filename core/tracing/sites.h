@@ -48,9 +48,8 @@ Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x,
 
 /// What is asked of the three images. Model units.
 struct Agreement {
-  double gap;  ///< wanted
-  double rounding =
-      0;  ///< of coordinates, at most the gap: at no angle the images have to be closer
+  double gap;           ///< wanted
+  double rounding = 0;  ///< of coordinates; the images need not be closer at any angle
 };
 
 /// The gaps as a part of those wanted; at a small angle between the surfaces, whose sine

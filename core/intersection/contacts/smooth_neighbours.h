@@ -36,8 +36,7 @@ struct NeighbourContacts {
 /// pairs      of whole patches of two different surfaces
 /// tolerance  model units: what they have in common lies within it of what is reported
 /// limit      asked before each pair that may be taken; when it is reached no more are
-/// cost       few pairs of cells where patches do not turn far; no more than 1024 for a pair of
-/// patches
+/// cost       few pairs of cells where patches do not turn far; at most 1024 for each pair
 NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs,
                                   double tolerance, const WorkLimit& limit);
 
