@@ -214,7 +214,7 @@ TEST(EqualFaces, MovedALittleAreSearched) {
   for (const Solid& solid : solids()) {
     SCOPED_TRACE(solid.name);
     const ShapeIntersection found =
-        intersect(faces_of(solid.shape), faces_of(solid.shape.Moved(little)), {.time_limit = 1});
+        intersect(faces_of(solid.shape), faces_of(solid.shape.Moved(little)), {.time_limit = 20});
     for (const FaceIntersection& pair : found.pairs) EXPECT_TRUE(pair.equal_edges.empty());
     EXPECT_NE(found.status, Status::Stopped);
   }
