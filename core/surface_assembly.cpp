@@ -190,7 +190,7 @@ class Assembly {
       }
     }
     overlap.boundary = joined_loops(loops);
-    for (const CriticalPair& pair : taken(cells_a, region)) {
+    for (const CriticalPair& pair : taken(Coincidence(region, cells_a))) {
       box = joined(box, {pair.low + origin_, pair.high + origin_});
       widen(place, parameters_of(cells_a, cells_b, pair));
       place.gap_low = 0;
@@ -206,18 +206,17 @@ class Assembly {
   }
 
   // The critical pairs in a region or along a border, taken out of the search's.
-  template <class Coincidence>
-  std::vector<CriticalPair> taken(const SurfaceCells& cells_a, const Coincidence& coincidence) {
+  std::vector<CriticalPair> taken(const Coincidence& coincidence) {
     const auto rest = std::stable_partition(
         found_.critical.begin(), found_.critical.end(),
-        [&](const CriticalPair& pair) { return !pair.thin || !holds(coincidence, cells_a, pair); });
+        [&](const CriticalPair& pair) { return !pair.thin || !coincidence.holds(pair); });
     const std::vector<CriticalPair> result(rest, found_.critical.end());
     found_.critical.erase(rest, found_.critical.end());
     return result;
   }
 
   void add_shared_border(const SurfaceCells& cells_a, const SharedBorder& border) {
-    taken(cells_a, border);
+    taken(Coincidence(border, cells_a));
     for (std::size_t i = 0; i + 1 < border.path.size(); ++i) {
       const ContactPoint &p = border.path[i], &q = border.path[i + 1];
       shared_gap_ = std::max({shared_gap_, p.gap, q.gap});

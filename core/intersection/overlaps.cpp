@@ -40,18 +40,27 @@ Vec2 unwrapped(Vec2 p, const Vec2& near, const Vec2& period) {
   return p;
 }
 
-std::vector<Vec2> unwrapped(const SurfaceCells& a, const BoundaryLoop& loop) {
+using Polygon = std::vector<Vec2>;
+
+Polygon unwrapped(const SurfaceCells& a, const std::vector<ContactPoint>& path) {
   const Vec2 period = periods(a.surface());
-  std::vector<Vec2> polygon;
-  for (const ContactPoint& p : loop) {
+  Polygon polygon;
+  polygon.reserve(path.size());
+  for (const ContactPoint& p : path) {
     const Vec2 x = over_surface(a, p);
     polygon.push_back(polygon.empty() ? x : unwrapped(x, polygon.back(), period));
   }
   return polygon;
 }
 
+std::vector<Polygon> unwrapped(const SurfaceCells& a, const std::vector<BoundaryLoop>& loops) {
+  std::vector<Polygon> polygons;
+  for (const BoundaryLoop& loop : loops) polygons.push_back(unwrapped(a, loop));
+  return polygons;
+}
+
 // Crossings of a polygon with the ray from a point along the positive direction `axis`.
-int crossings(const std::vector<Vec2>& polygon, const Vec2& from, int axis) {
+int crossings(const Polygon& polygon, const Vec2& from, int axis) {
   int count = 0;
   for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
     const Vec2 &p = polygon[i], &q = polygon[i + 1];
@@ -64,31 +73,27 @@ int crossings(const std::vector<Vec2>& polygon, const Vec2& from, int axis) {
 }
 
 // True if a point of the chart lies between the loops.
-bool encloses(const std::vector<BoundaryLoop>& loops, const SurfaceCells& a, const Vec2& point) {
-  const Vec2 period = periods(a.surface());
+bool encloses(const std::vector<Polygon>& loops, const Vec2& period, const Vec2& point) {
   const int axis = period[1] > 0 && period[0] == 0 ? 0 : 1;
   const double shift = period[1 - axis];
+  const int most = shift > 0 ? 2 : 0;
   int count = 0;
-  for (const BoundaryLoop& loop : loops) {
-    const std::vector<Vec2> polygon = unwrapped(a, loop);
-    const int most = shift > 0 ? 2 : 0;
+  for (const Polygon& loop : loops)
     for (int i = -most; i <= most; ++i) {
       Vec2 moved = point;
       moved[1 - axis] += i * shift;
-      count += crossings(polygon, moved, axis);
+      count += crossings(loop, moved, axis);
     }
-  }
   return count % 2 == 1;
 }
 
 bool meets_box(const Vec2& p, const Vec2& q, const Vec2& low, const Vec2& high) {
   double from = 0, to = 1;
+  for (int k = 0; k < 2; ++k)
+    if (std::max(p[k], q[k]) < low[k] || std::min(p[k], q[k]) > high[k]) return false;
   for (int k = 0; k < 2; ++k) {
     const double d = q[k] - p[k];
-    if (d == 0) {
-      if (p[k] < low[k] || p[k] > high[k]) return false;
-      continue;
-    }
+    if (d == 0) continue;
     const double s = (low[k] - p[k]) / d, t = (high[k] - p[k]) / d;
     from = std::max(from, std::min(s, t));
     to = std::min(to, std::max(s, t));
@@ -96,23 +101,29 @@ bool meets_box(const Vec2& p, const Vec2& q, const Vec2& low, const Vec2& high) 
   return from <= to;
 }
 
-// True if a path runs through the grown cell of a pair.
-bool runs_through(const std::vector<ContactPoint>& path, const SurfaceCells& a,
-                  const CriticalPair& pair) {
-  const Vec2 span{static_cast<double>(a.span_u(pair.patch_a)),
-                  static_cast<double>(a.span_v(pair.patch_a))};
-  Vec2 low, high, middle;
-  for (int k = 0; k < 2; ++k) {
-    const Interval& box = pair.box[static_cast<std::size_t>(k)];
-    low[k] = span[k] + box.from - kGrown * length(box);
-    high[k] = span[k] + box.to + kGrown * length(box);
-    middle[k] = span[k] + at(box, 0.5);
+// The place of a pair over a.
+struct Footprint {
+  Footprint(const SurfaceCells& a, const CriticalPair& pair) {
+    const Vec2 span{static_cast<double>(a.span_u(pair.patch_a)),
+                    static_cast<double>(a.span_v(pair.patch_a))};
+    for (int k = 0; k < 2; ++k) {
+      const Interval& box = pair.box[static_cast<std::size_t>(k)];
+      low[k] = span[k] + box.from;
+      high[k] = span[k] + box.to;
+      middle[k] = span[k] + at(box, 0.5);
+    }
   }
-  const Vec2 period = periods(a.surface());
+
+  Vec2 low, high, middle;
+};
+
+// True if a path runs through the grown cell of a pair.
+bool runs_through(const Polygon& path, const Vec2& period, const Footprint& place) {
+  const Vec2 margin = kGrown * (place.high - place.low);
+  const Vec2 low = place.low - margin, high = place.high + margin;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Vec2 p = unwrapped(over_surface(a, path[i]), middle, period);
-    const Vec2 q = unwrapped(over_surface(a, path[i + 1]), p, period);
-    if (meets_box(p, q, low, high)) return true;
+    const Vec2 p = unwrapped(path[i], place.middle, period);
+    if (meets_box(p, p + (path[i + 1] - path[i]), low, high)) return true;
   }
   return false;
 }
@@ -239,9 +250,9 @@ class OverlapFinder {
   bool is_held(const std::vector<ContactPoint>& path) const {
     for (const std::size_t quarter : {1, 2, 3}) {
       const std::size_t i = std::min(quarter * path.size() / 4, path.size() - 2);
-      const std::vector<ContactPoint> part{path[i], path[i + 1]};
+      const Coincidence part(SharedBorder{{path[i], path[i + 1]}}, a_);
       if (std::none_of(coincident_.begin(), coincident_.end(),
-                       [&](const CriticalPair& pair) { return runs_through(part, a_, pair); }))
+                       [&](const CriticalPair& pair) { return part.holds(pair); }))
         return false;
     }
     return true;
@@ -354,7 +365,7 @@ class OverlapFinder {
   };
 
   ChartLoop charted(BoundaryLoop loop) {
-    const std::vector<Vec2> polygon = unwrapped(a_, loop);
+    const Polygon polygon = unwrapped(a_, loop);
     ChartLoop chart;
     for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
       chart.area += 0.5 * (polygon[i][0] * polygon[i + 1][1] - polygon[i][1] * polygon[i + 1][0]);
@@ -385,7 +396,7 @@ class OverlapFinder {
     for (ChartLoop& hole : holes) {
       int best = -1;
       for (std::size_t i = 0; i < result_.regions.size(); ++i)
-        if (encloses(result_.regions[i].loops, a_, hole.inside) &&
+        if (encloses(unwrapped(a_, result_.regions[i].loops), periods(a_.surface()), hole.inside) &&
             (best < 0 || areas[i] < areas[static_cast<std::size_t>(best)]))
           best = static_cast<int>(i);
       if (best >= 0)
@@ -432,16 +443,18 @@ Overlaps find_overlaps(SurfaceCells& a, SurfaceCells& b,
   return OverlapFinder(a, b, coincident, tolerance, size, limit).run();
 }
 
-bool holds(const OverlapRegion& region, const SurfaceCells& a, const CriticalPair& pair) {
-  for (const BoundaryLoop& loop : region.loops)
-    if (runs_through(loop, a, pair)) return true;
-  return encloses(region.loops, a,
-                  {a.span_u(pair.patch_a) + at(pair.box[0], 0.5),
-                   a.span_v(pair.patch_a) + at(pair.box[1], 0.5)});
-}
+Coincidence::Coincidence(const OverlapRegion& region, const SurfaceCells& a)
+    : a_(a), paths_(unwrapped(a, region.loops)), is_region_(true) {}
 
-bool holds(const SharedBorder& border, const SurfaceCells& a, const CriticalPair& pair) {
-  return runs_through(border.path, a, pair);
+Coincidence::Coincidence(const SharedBorder& border, const SurfaceCells& a)
+    : a_(a), paths_{unwrapped(a, border.path)}, is_region_(false) {}
+
+bool Coincidence::holds(const CriticalPair& pair) const {
+  const Vec2 period = periods(a_.surface());
+  const Footprint place(a_, pair);
+  return std::ranges::any_of(
+             paths_, [&](const Polygon& path) { return runs_through(path, period, place); }) ||
+         (is_region_ && encloses(paths_, period, place.middle));
 }
 
 }  // namespace blossom

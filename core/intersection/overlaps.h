@@ -51,10 +51,19 @@ Overlaps find_overlaps(SurfaceCells& a, SurfaceCells& b,
                        const std::vector<CriticalPair>& coincident, double tolerance, double size,
                        const WorkLimit& limit);
 
-/// True if the pair's place on a lies in the region or meets its boundary.
-bool holds(const OverlapRegion& region, const SurfaceCells& a, const CriticalPair& pair);
+/// A region or a shared border as polygons over a, to ask which pairs belong to it.
+class Coincidence {
+ public:
+  Coincidence(const OverlapRegion& region, const SurfaceCells& a);
+  Coincidence(const SharedBorder& border, const SurfaceCells& a);
 
-/// True if the border runs through the pair's place on a.
-bool holds(const SharedBorder& border, const SurfaceCells& a, const CriticalPair& pair);
+  /// True if the pair's place on a lies in the region or meets its boundary or the border.
+  bool holds(const CriticalPair& pair) const;
+
+ private:
+  const SurfaceCells& a_;
+  std::vector<std::vector<Vec2>> paths_;  // without jumps over seams
+  bool is_region_;
+};
 
 }  // namespace blossom

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/bounds/patch_boxes.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/contacts/contact_points.h"
 
@@ -23,8 +24,9 @@ constexpr double kSnapReach = 1e-3;  // fraction of a span
 constexpr double kChord = 5e-5;      // from the curve; fraction of the size
 constexpr int kMostRefinements = 8;
 constexpr std::size_t kLinkPoints = 16;
-constexpr double kBeside = 3;  // times sqrt(tolerance * size)
-constexpr double kOff = 0.05;  // beside a knot line, fraction of a patch
+constexpr double kBeside = 3;           // times sqrt(tolerance * size)
+constexpr double kBoxRounding = 1e-14;  // of the size and the coordinates
+constexpr double kOff = 0.05;           // beside a knot line, fraction of a patch
 
 Vec3 derivative(const PatchJet& jet, int k) { return k == 0 ? jet.u : jet.v; }
 
@@ -57,7 +59,11 @@ BorderFollower::BorderFollower(SurfaceCells& own, SurfaceCells& other,
       starts_(static_cast<std::size_t>(other.patches())),
       tolerance_(tolerance),
       size_(size),
-      limit_(limit) {}
+      near_other_(PatchBoxes(other.surface()).all()),
+      limit_(limit) {
+  near_other_ = widened({near_other_.low - other.origin(), near_other_.high - other.origin()},
+                        2 * tolerance + kBoxRounding * (size + max_norm(other.origin())));
+}
 
 int BorderFollower::spans(const BorderLine& line) const {
   const auto& patches = own_.surface().patches;
@@ -131,6 +137,7 @@ const std::vector<BorderFollower::Start>& BorderFollower::starts(int patch) {
 // The best of the feet that Newton's method finds from the nearest points of a grid.
 bool BorderFollower::search(BorderProbe& at) {
   const Vec3 p = point(at);
+  if (!meet({p, p}, near_other_)) return false;
   std::vector<std::pair<double, const Start*>> nearest;
   for (const int patch : others_[static_cast<std::size_t>(at.patch)])
     for (const Start& start : starts(patch)) nearest.emplace_back(distance(p, start.point), &start);

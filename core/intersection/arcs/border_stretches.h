@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/bounds/box_tree.h"
 #include "core/intersection/pair_search.h"
 #include "core/intersection/work_limit.h"
 
@@ -124,6 +125,7 @@ class BorderFollower {
   std::vector<std::vector<Start>> starts_;  // by patch of other
   double tolerance_;
   double size_;
+  Box near_other_;  // what is within tolerance of `other`, relative to the origin
   PolledLimit& limit_;
 };
 

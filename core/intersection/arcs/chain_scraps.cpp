@@ -60,6 +60,7 @@ int contact_with(const Chain& chain, const Box& box, const std::vector<ContactCh
 void drop_scraps(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
                  std::vector<ContactChain>& contacts, const std::vector<Clump>& clumps,
                  double tolerance) {
+  if (contacts.empty()) return;
   for (const Chain& chain : chains_of(found, a, b, contacts, clumps)) {
     const int contact = contact_with(chain, end_box(a, found, chain), contacts, tolerance);
     if (contact < 0) continue;

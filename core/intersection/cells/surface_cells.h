@@ -24,6 +24,7 @@ class SurfaceCells {
 
   int patches() const { return static_cast<int>(trees_.size()); }
   const BezierSurface& surface() const { return surface_; }
+  const Vec3& origin() const { return origin_; }  ///< of the trees
   int span_u(int patch) const { return patch / surface_.patches.columns(); }
   int span_v(int patch) const { return patch % surface_.patches.columns(); }
   Interval knots_u(int patch) const;
