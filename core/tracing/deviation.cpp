@@ -26,6 +26,7 @@ constexpr int kUnprovenSamples = 33;      // of a piece without a bound
 constexpr double kEndOfPiece = 1e-9;      // cuts so near an end of a span are none
 constexpr std::size_t kSpansOfProof = 8;  // that one thread proves in a row
 constexpr std::size_t kLeastShared = 16;  // forms whose bounds are worth sharing out
+constexpr std::size_t kUsualForms = 16;   // that are kept: memory for them at once
 constexpr double kConicError = 5e-11;     // model units: of a conic's polynomials
 constexpr double kConicRounding = 16 * 0x1p-53;
 
@@ -74,37 +75,30 @@ BLOSSOM_HOT QuinticPoints span_points(const std::vector<Vec7>& poles,
 
 // A vector function in Bezier form whose length is to be bounded.
 struct ErrorForm {
-  ErrorForm(const BezierCurve& form, double factor_, double margin_)
-      : count(form.points.size()), factor(factor_), margin(margin_) {
-    std::copy(form.points.begin(), form.points.end(), points.begin());
-  }
-
-  std::array<Vec3, kSeriesDegree + 1> points;
-  std::size_t count;
+  SeriesForm form;
   double factor;  // the function is the form times at most this, and at least 1 / this
   double margin;
 
   double bound() const {
     double largest = 0;
-    for (std::size_t k = 0; k < count; ++k) largest = std::max(largest, dot(points[k], points[k]));
+    for (const Vec3& p : form.points()) largest = std::max(largest, dot(p, p));
     return std::sqrt(largest) * factor * (1 + 0x1p-40) + margin;
   }
 
   // A value that it has.
   double seen() const {
-    return std::sqrt(
-               std::max(dot(points[0], points[0]), dot(points[count - 1], points[count - 1]))) /
-           factor;
+    const Vec3 &first = form.points().front(), &last = form.points().back();
+    return std::sqrt(std::max(dot(first, first), dot(last, last))) / factor;
   }
 };
 
 // Splits a form at the middle: de Casteljau's triangle.
-ErrorForm cut_off_first_half(ErrorForm& form) {
-  ErrorForm first = form;
-  auto& p = form.points;
-  for (std::size_t k = 0; k < form.count; ++k) {
-    first.points[k] = p[0];
-    for (std::size_t i = 0; i + k + 1 < form.count; ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
+ErrorForm cut_off_first_half(ErrorForm& whole) {
+  ErrorForm first = whole;
+  const std::span<Vec3> p = whole.form.points();
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    first.form.values[k] = p[0];
+    for (std::size_t i = 0; i + k + 1 < p.size(); ++i) p[i] = 0.5 * (p[i] + p[i + 1]);
   }
   return first;
 }
@@ -118,6 +112,10 @@ class ErrorForms {
   void add(const ErrorForm& form, double bound) {
     if (bound <= seen_) return;
     seen_ = std::max(seen_, form.seen());
+    if (forms_.empty()) {
+      forms_.reserve(kUsualForms);
+      heap_.reserve(kUsualForms);
+    }
     heap_.push_back({bound, forms_.size()});
     std::push_heap(heap_.begin(), heap_.end());
     forms_.push_back(form);
@@ -150,13 +148,21 @@ class ErrorForms {
   double seen_ = 0;                                   // the largest value known to occur
 };
 
-BezierCurve difference(BezierCurve a, const BezierCurve& b) {
-  if (a.degree() != b.degree()) {
-    const int degree = std::max(a.degree(), b.degree());
-    return difference(elevated(a, degree), elevated(b, degree));
-  }
-  for (std::size_t k = 0; k < a.points.size(); ++k) a.points[k] -= b.points[k];
-  return a;
+SeriesForm of_degree(const SeriesForm& form, std::size_t degree) {
+  const BezierCurve curve =
+      elevated(BezierCurve{{form.points().begin(), form.points().end()}}, static_cast<int>(degree));
+  SeriesForm result;
+  result.count = curve.points.size();
+  std::ranges::copy(curve.points, result.values.begin());
+  return result;
+}
+
+SeriesForm difference(const SeriesForm& a, const SeriesForm& b) {
+  if (a.count < b.count) return difference(of_degree(a, b.count - 1), b);
+  if (b.count < a.count) return difference(a, of_degree(b, a.count - 1));
+  SeriesForm result = a;
+  for (std::size_t k = 0; k < a.count; ++k) result.values[k] -= b.values[k];
+  return result;
 }
 
 class Proof {
@@ -234,21 +240,21 @@ class Proof {
  private:
   void add_piece(const QuinticPoints& piece, int depth) {
     auto a = a_.on(piece, depth), b = a ? b_.on(piece, depth) : std::optional<ImageGap>{};
-    if (a && b) return add_forms(std::move(*a), std::move(*b));
+    if (a && b) return add_forms(*a, *b);
     if (depth == kDeepest || unprovable_) return sample(piece);
     add_piece(piece_of(piece, 0, 0.5), depth + 1);
     add_piece(piece_of(piece, 0.5, 1), depth + 1);
   }
 
   // What the forms leave out is a part of either function.
-  void add_forms(ImageGap&& a, ImageGap&& b) {
-    const ErrorForm on_a(a.form, 1 / (1 - a.relative), a.margin);
-    const ErrorForm on_b(b.form, 1 / (1 - b.relative), b.margin);
+  void add_forms(const ImageGap& a, const ImageGap& b) {
+    const ErrorForm on_a{a.form, 1 / (1 - a.relative), a.margin};
+    const ErrorForm on_b{b.form, 1 / (1 - b.relative), b.margin};
     const double bound_a = on_a.bound(), bound_b = on_b.bound();
     forms_a_.add(on_a, bound_a);
     forms_b_.add(on_b, bound_b);
     const double margin = bound_a * a.relative + a.margin + bound_b * b.relative + b.margin;
-    forms_between_.add({difference(std::move(a.form), b.form), 1, margin});
+    forms_between_.add({difference(a.form, b.form), 1, margin});
   }
 
   void sample(const QuinticPoints& piece) {

@@ -26,7 +26,7 @@ constexpr double kSamplingShare = 0.125;  // of the fit's error, left to the pie
 constexpr int kMostRounds = 8;            // of choosing knots
 constexpr double kAim = 0.7;              // part of the wanted accuracy that knots are chosen for
 constexpr int kMovingRounds = 2;          // then knots stay, and are only added
-constexpr double kWorthARound = 0.93;     // of the knots at most, or no further round is made
+constexpr double kWorthARound = 0.9;      // of the knots at most, or no further round is made
 constexpr double kLeastError = 1e-12;     // of the wanted, to guess from: below it is rounding
 constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kLeastSamples = 49;
@@ -364,8 +364,12 @@ class Fitter {
     const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
     const double bend = std::max({norm(start.point.second), norm(stop.point.second), turn / width});
     const double by_sag = width * std::sqrt(bend / (6 * sag));
-    const double by_count = static_cast<double>(kLeastSamples) * width / whole;
-    return static_cast<int>(std::ceil(std::clamp(std::max(by_sag, by_count), 1.0, 1e4)));
+    // Of as many as the whole curve gets: rounding up in every piece would make more of them.
+    const auto reached = [&](const Site& site) {
+      return std::floor(static_cast<double>(kLeastSamples) * site.length / whole);
+    };
+    const double by_count = reached(stop) - reached(start);
+    return static_cast<int>(std::clamp(std::max(std::ceil(by_sag), by_count), 1.0, 1e4));
   }
 
   const ChainTracer& tracer_;

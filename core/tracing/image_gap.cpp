@@ -173,7 +173,7 @@ std::optional<ImageGap> ImageGaps::on(const QuinticPoints& piece, int halvings) 
     const double margin = 3.3 * (stray_u * around.u + stray_v * around.v);
     // Beside a line that the curve touches the control points alone stray: halving ends that.
     if (halvings < kStrayHalvings &&
-        margin > std::max(kFormError, kRestShare * largest_norm(result->form.points)) &&
+        margin > std::max(kFormError, kRestShare * largest_norm(result->form.points())) &&
         stray_u + stray_v > kFalseStray * (stray(values_of(u)) + stray(values_of(v))))
       return {};
     result->margin += margin;
@@ -202,8 +202,8 @@ std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, co
   } else {
     gap = difference(series.image, curve);
   }
-  result.form.points = bezier_points(gap, degree);
-  const double seen = largest_norm(result.form.points);
+  result.form = bezier_form(gap, degree);
+  const double seen = largest_norm(result.form.points());
   const double reach = norm(absolute_sum(curve));
   // (X / w)' = (X' - (X / w) w') / w.
   const auto slope = [&](const Vec4& by) {

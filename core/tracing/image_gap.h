@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/forms/surface.h"
+#include "core/tracing/image_series.h"
 #include "core/tracing/local_form.h"
 #include "core/tracing/spline_fit.h"
 
@@ -21,7 +22,7 @@ namespace blossom {
 
 /// E(t) = S(p(t)) - C(t) on a piece: |E - form| <= relative |E| + margin.
 struct ImageGap {
-  BezierCurve form;     ///< model units
+  SeriesForm form;      ///< model units
   double relative = 0;  ///< below 1
   double margin = 0;    ///< model units; rounding included
 };

@@ -270,9 +270,10 @@ constexpr auto kBezierOfPower = [] {
 
 // The even powers are the same at -x, the odd ones change their sign.
 template <int K>
-[[gnu::always_inline]] inline std::vector<Vec3> bezier_points_of(const PowerSeries<Vec3>& series) {
+[[gnu::always_inline]] inline SeriesForm bezier_form_of(const PowerSeries<Vec3>& series) {
   constexpr auto& kWeights = kBezierOfPower<K>;
-  std::vector<Vec3> points(K + 1);
+  SeriesForm form;
+  form.count = K + 1;
   Four terms[K + 1];
   for (std::size_t l = 0; l <= K; ++l) {
     const Vec3& x = series.terms[l];
@@ -283,10 +284,10 @@ template <int K>
     for (std::size_t l = 0; l <= K; l += 2) even += kWeights[k][l] * terms[l];
     for (std::size_t l = 1; l <= K; l += 2) odd += kWeights[k][l] * terms[l];
     const Four here = even + odd, there = even - odd;
-    points[k] = {here[0], here[1], here[2]};
-    points[K - k] = {there[0], there[1], there[2]};
+    form.values[k] = {here[0], here[1], here[2]};
+    form.values[K - k] = {there[0], there[1], there[2]};
   }
-  return points;
+  return form;
 }
 
 // Row k holds the weights of the points of a form of degree n in its coefficient of x^k: 2^-k
@@ -338,9 +339,9 @@ BLOSSOM_HOT PowerSeries<Vec3> power_series(std::span<const Vec3> points) {
   return powers_of(points);
 }
 
-BLOSSOM_HOT std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series, std::size_t degree) {
-  return degree <= kShortSeriesDegree ? bezier_points_of<kShort>(series)
-                                      : bezier_points_of<kLong>(series);
+BLOSSOM_HOT SeriesForm bezier_form(const PowerSeries<Vec3>& series, std::size_t degree) {
+  return degree <= kShortSeriesDegree ? bezier_form_of<kShort>(series)
+                                      : bezier_form_of<kLong>(series);
 }
 
 ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,

@@ -7,8 +7,9 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
-#include <vector>
 
 #include "core/forms/patch.h"
 #include "core/math/power_series.h"
@@ -30,10 +31,17 @@ PowerSeries<Vec3> power_series(std::span<const Vec3> points);
 
 constexpr double power_rounding(int degree) { return (degree + 4.0) * (1 << degree) * 0x1p-53; }
 
-/// Bezier points over t in [0, 1] of the terms up to a degree, which is kSeriesDegree or
-/// kShortSeriesDegree.
-std::vector<Vec3> bezier_points(const PowerSeries<Vec3>& series,
-                                std::size_t degree = kSeriesDegree);
+/// A Bezier form over t in [0, 1] of at most kSeriesDegree, without memory of its own.
+struct SeriesForm {
+  std::array<Vec3, kSeriesDegree + 1> values;
+  std::size_t count = 0;
+
+  std::span<Vec3> points() { return {values.data(), count}; }
+  std::span<const Vec3> points() const { return {values.data(), count}; }
+};
+
+/// The terms up to a degree, which is kSeriesDegree or kShortSeriesDegree.
+SeriesForm bezier_form(const PowerSeries<Vec3>& series, std::size_t degree = kSeriesDegree);
 
 /// The homogeneous image (X - w origin, w) of a chart curve.
 struct ImageSeries {

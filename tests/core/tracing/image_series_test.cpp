@@ -54,7 +54,8 @@ TEST(PowerSeries, BezierPointsGiveTheTermsBack) {
     series.terms[k] = {std::cos(static_cast<double>(k)), 1 / (1 + static_cast<double>(k)),
                        k == 3 ? 1.0 : 0.0};
   for (const std::size_t degree : {kSeriesDegree, kShortSeriesDegree}) {
-    const BezierCurve curve{bezier_points(series, degree)};
+    const SeriesForm form = bezier_form(series, degree);
+    const BezierCurve curve{{form.points().begin(), form.points().end()}};
     ASSERT_EQ(curve.points.size(), degree + 1);
     for (int i = 0; i <= 16; ++i) {
       std::vector<Vec3> p = curve.points;
