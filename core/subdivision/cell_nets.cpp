@@ -236,6 +236,19 @@ BLOSSOM_KERNEL void all_to_bezier(int rows, int columns, int planes, const doubl
   }
 }
 
+BLOSSOM_KERNEL void all_to_monomial(int rows, int columns, int planes, const double* net,
+                                    double* coefficients) {
+  const int size = rows * columns;
+  double work[kMaxPlane], half[kMaxPlane];
+  for (int k = 0; k < planes; ++k) {
+    std::copy_n(net + k * size, size, work);
+    to_monomial(rows, columns, work, half);
+    transpose(rows, columns, half, work);
+    to_monomial(columns, rows, work, half);
+    transpose(columns, rows, half, coefficients + k * size);
+  }
+}
+
 }  // namespace
 
 // Frequent sizes get a version of their own, in which the compiler knows them.
@@ -281,16 +294,9 @@ BLOSSOM_HOT void bezier_from_monomial(const NetShape& shape, const double* coeff
   BLOSSOM_FOR_SIZES(all_to_bezier, coefficients, net);
 }
 
-void monomial_from_bezier(const NetShape& shape, const double* net, double* coefficients) {
-  const int rows = shape.rows, columns = shape.columns, size = shape.plane_size();
-  double work[kMaxPlane], half[kMaxPlane];
-  for (int k = 0; k < shape.planes; ++k) {
-    std::copy_n(net + k * size, size, work);
-    to_monomial(rows, columns, work, half);
-    transpose(rows, columns, half, work);
-    to_monomial(columns, rows, work, half);
-    transpose(columns, rows, half, coefficients + k * size);
-  }
+BLOSSOM_HOT void monomial_from_bezier(const NetShape& shape, const double* net,
+                                      double* coefficients) {
+  BLOSSOM_FOR_SIZES(all_to_monomial, net, coefficients);
 }
 
 }  // namespace blossom

@@ -26,11 +26,12 @@ std::vector<Scalar> powers(const Scalar& x, int highest) {
 }
 
 /// B_0^n(t) .. B_n^n(t) by the triangle of affine combinations, which keeps small values
-/// accurate: for t in [0, 1] each has at most 3n roundings, relative to itself.
+/// accurate: for t in [0, 1] each has at most 3n roundings, relative to itself. `values` is used
+/// again, so that a row of calls allocates once.
 template <class Scalar>
-std::vector<Scalar> bernstein(int n, const Scalar& t) {
+void bernstein(int n, const Scalar& t, std::vector<Scalar>& values) {
   const Scalar rest = Scalar(1) - t;
-  std::vector<Scalar> values(index(n + 1), Scalar(0));
+  values.resize(index(n + 1));
   values[0] = Scalar(1);
   for (int level = 1; level <= n; ++level) {
     values[index(level)] = t * values[index(level - 1)];
@@ -41,6 +42,12 @@ std::vector<Scalar> bernstein(int n, const Scalar& t) {
     }
     values[0] = rest * values[0];
   }
+}
+
+template <class Scalar>
+std::vector<Scalar> bernstein(int n, const Scalar& t) {
+  std::vector<Scalar> values;
+  bernstein(n, t, values);
   return values;
 }
 
@@ -68,9 +75,12 @@ Grid<Scalar> monomial_matrix(int n, const IntervalOf<Scalar>& interval) {
 template <class Scalar>
 Grid<Scalar> subdivision_matrix(int n, const IntervalOf<Scalar>& piece) {
   Grid<Scalar> matrix(n + 1, n + 1);
+  std::vector<Scalar> at_a, at_b;
+  at_a.reserve(index(n + 1));
+  at_b.reserve(index(n + 1));
   for (int nu = 0; nu <= n; ++nu) {
-    const std::vector<Scalar> at_b = bernstein(nu, piece.to);
-    const std::vector<Scalar> at_a = bernstein(n - nu, piece.from);
+    bernstein(nu, piece.to, at_b);
+    bernstein(n - nu, piece.from, at_a);
     for (int i = 0; i <= n; ++i) {
       Scalar sum(0);
       for (int k = std::max(0, i + nu - n); k <= std::min(i, nu); ++k)
