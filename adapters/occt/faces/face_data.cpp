@@ -46,12 +46,27 @@ bool goes_on(const GeomAdaptor_Surface& surface) {
   }
 }
 
+// Of straight wires the ends are the box; of others the control points may lie outside of it.
+ParameterBox box_of(const TopoDS_Face& face, const FaceTrims& trims) {
+  const auto is_straight = [](const Coedge& coedge) {
+    return std::ranges::all_of(coedge.curve.spans,
+                               [](const PlanarSpan& span) { return span.curve.degree() <= 1; });
+  };
+  for (const auto& loop : trims.loops)
+    if (!std::ranges::all_of(loop, is_straight)) return parameter_box(face);
+  // The scales are powers of two, so this is what the curves have.
+  const auto side = [&](int k) {
+    return Interval{trims.box.low[k] / trims.scale[k], trims.box.high[k] / trims.scale[k]};
+  };
+  return parameter_box(face, {side(0), side(1)});
+}
+
 // Trims that are no rectangle touch their box, and what runs along them would touch the border of
 // the surface. So it goes on beyond it, as may those that are one; then they have to be clipped.
 BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double tolerance, ArcCuts cuts,
                          FaceTrims& trims) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  ParameterBox box = parameter_box(face);
+  ParameterBox box = box_of(face, trims);
   if ((!trims.natural || extent == Extent::Beyond) && goes_on(GeomAdaptor_Surface(surface))) {
     const ParameterBox own = box;
     Interval u, v;

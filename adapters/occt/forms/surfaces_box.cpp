@@ -77,17 +77,24 @@ Interval fitted(Interval range, const Direction& direction) {
 
 ParameterBox parameter_box(const TopoDS_Face& face) {
   if (face.IsNull()) throw BadModel("there is no face");
+  return guarded("measuring a face", [&] {
+    ParameterBox box;
+    // Where the face is placed does not matter, but chains of placements take most of the time.
+    const TopoDS_Face unplaced = TopoDS::Face(face.Located(TopLoc_Location()));
+    if (!BRep_Tool::Surface(unplaced).IsNull())
+      BRepTools::UVBounds(unplaced, box.u.from, box.u.to, box.v.from, box.v.to);
+    return parameter_box(face, box);
+  });
+}
+
+ParameterBox parameter_box(const TopoDS_Face& face, const ParameterBox& of_wires) {
   TopLoc_Location location;
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
   if (surface.IsNull()) throw BadModel("the face has no surface");
   return guarded("measuring a face", [&] {
     const Handle(Geom_Surface) basis = basis_of(surface);
-    ParameterBox box;
-    // Where the face is placed does not matter, but chains of placements take most of the time.
-    const TopoDS_Face unplaced = TopoDS::Face(face.Located(TopLoc_Location()));
-    BRepTools::UVBounds(unplaced, box.u.from, box.u.to, box.v.from, box.v.to);
-    box.u = fitted(box.u, direction_of(*basis, true));
-    box.v = fitted(box.v, direction_of(*basis, false));
+    const ParameterBox box{fitted(of_wires.u, direction_of(*basis, true)),
+                           fitted(of_wires.v, direction_of(*basis, false))};
     const Interval endless{-1e100, 1e100};
     checked_range(box.u, endless, "the face's parameter box in u");
     checked_range(box.v, endless, "the face's parameter box in v");

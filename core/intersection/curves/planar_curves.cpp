@@ -145,7 +145,9 @@ PlanarCurve planar_curve(const Spline2& spline) {
 }
 
 PlanarCurve planar_line(const Vec2& from, const Vec2& to, const Interval& place) {
-  return {{{{{{from[0], from[1], 1}, {to[0], to[1], 1}}}, place, ParameterLaw::Linear}}};
+  PlanarCurve line;
+  line.spans.push_back({{{{from[0], from[1], 1}, {to[0], to[1], 1}}}, place, ParameterLaw::Linear});
+  return line;
 }
 
 PlanarCurve transformed(PlanarCurve curve, const Vec2& scale, const Vec2& shift) {
