@@ -42,7 +42,11 @@ class Graph {
  public:
   Graph(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
         const std::vector<ContactChain>& contacts)
-      : found_(found), a_(a), b_(b) {
+      : found_(found),
+        a_(a),
+        b_(b),
+        spans_{a.surface().patches.rows(), a.surface().patches.columns(),
+               b.surface().patches.rows(), b.surface().patches.columns()} {
     points_.reserve(2 * found.arcs.size());
     for (const FoundArc& arc : found.arcs)
       for (const Point4& x : {arc.arc.from, arc.arc.to})
@@ -60,7 +64,7 @@ class Graph {
     std::vector<ArcEnd> ends;
     for (std::size_t e = 0; e < points_.size(); ++e)
       if (!dropped_[e / 2] && contact_of_[e] < 0 && ends_at(e).size() != 2 &&
-          (!on_border(e) || runs_along_seam(e)) && !is_swapped(e))
+          (!on_border(e) || runs_along_border(e)) && !is_swapped(e))
         ends.push_back(e);
     return ends;
   }
@@ -205,17 +209,16 @@ class Graph {
     return std::find(found_.swapped.begin(), found_.swapped.end(), end) != found_.swapped.end();
   }
 
+  // True if parameter i is at the first or last end of its range.
+  bool at_border(std::size_t end, std::size_t i) const {
+    return points_[end][i] <= kJoin || points_[end][i] >= spans_[i] - kJoin;
+  }
+
   // The surface on whose border an end of a single arc lies.
   std::optional<CurveEnd> on_border(std::size_t end) const {
     if (ends_at(end).size() != 1) return std::nullopt;
-    const Point4& p = points_[end];
-    const auto at_end = [&](std::size_t i, int spans) {
-      return p[i] <= kJoin || p[i] >= spans - kJoin;
-    };
-    const auto& grid_a = a_.surface().patches;
-    const auto& grid_b = b_.surface().patches;
-    if (at_end(0, grid_a.rows()) || at_end(1, grid_a.columns())) return CurveEnd::BorderA;
-    if (at_end(2, grid_b.rows()) || at_end(3, grid_b.columns())) return CurveEnd::BorderB;
+    if (at_border(end, 0) || at_border(end, 1)) return CurveEnd::BorderA;
+    if (at_border(end, 2) || at_border(end, 3)) return CurveEnd::BorderB;
     const FoundArc& arc = found_.arcs[end / 2];
     const Point4& x = end_of(found_, end);
     if (a_.outside(arc.patch_a, {x[0], x[0]}, {x[1], x[1]}) ||
@@ -224,19 +227,15 @@ class Graph {
     return std::nullopt;
   }
 
-  // An arc that runs along a seam lies on that border all the way: it is no reason to end there.
-  bool runs_along_seam(std::size_t end) const {
+  // An arc that runs along a border lies on it all the way: it is no reason to end there.
+  bool runs_along_border(std::size_t end) const {
     const BezierSurface &a = a_.surface(), &b = b_.surface();
     const std::array closed{a.closed_u, a.closed_v, b.closed_u, b.closed_v};
-    const std::array spans{a.patches.rows(), a.patches.columns(), b.patches.rows(),
-                           b.patches.columns()};
     bool along = false;
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto at_end = [&](std::size_t e) {
-        return points_[e][i] <= kJoin || points_[e][i] >= spans[i] - kJoin;
-      };
-      if (!at_end(end)) continue;
-      if (!closed[i] || std::abs(points_[end][i] - points_[end ^ 1][i]) > kJoin) return false;
+      if (!at_border(end, i)) continue;
+      if (!closed[i] && !found_.arcs[end / 2].arc.slides) return false;
+      if (std::abs(points_[end][i] - points_[end ^ 1][i]) > kJoin) return false;
       along = true;
     }
     return along;
@@ -275,6 +274,7 @@ class Graph {
   const PairSearchResult& found_;
   const SurfaceCells& a_;
   const SurfaceCells& b_;
+  const std::array<int, 4> spans_;  // by parameter
   std::vector<Point4> points_;
   std::vector<int> vertex_;                     // of an end
   std::vector<std::vector<std::size_t>> ends_;  // of a vertex

@@ -10,6 +10,7 @@
 #include "core/surface_intersection.h"
 #include "tests/core/tracing/surface_pairs.h"
 #include "tests/support/components.h"
+#include "tests/support/cubic_family.h"
 #include "tests/support/surface_changes.h"
 
 namespace blossom {
@@ -79,6 +80,28 @@ TEST(ContactChains, MeetWhereFourKinkedPatchesHaveACorner) {
       EXPECT_EQ(found.places[0].kind, PlaceKind::Node);
       EXPECT_LE(distance(found.nodes[0].point, motion.shift), 1e-12);
     }
+  }
+}
+
+// The surfaces meet along the border x = 0 of the first one, and along y = p - x / 10.
+TEST(ContactChains, MeetWhereABranchEndsOnOneAlongABorder) {
+  for (const double p : {0.125, 0.366, 0.655, 0.875}) {
+    SCOPED_TRACE(p);
+    const testing::Cubic h = testing::linear(0, 1, 0) * testing::linear(-p, 0.1, 1);
+    const BezierSurface a = testing::graph(testing::base_cubic() + h, {0, 0}, {1, 0}, {0, 1});
+    for (const BezierSurface& b :
+         {testing::graph(testing::base_cubic(), {0, 0}, {1, 0}, {0, 1}),
+          testing::graph(testing::base_cubic(), {-0.6, 0.3}, {1.6, -1.2}, {1.2, 1.6})})
+      for (const SurfaceIntersection& found : {intersect(a, b), intersect(b, a)}) {
+        EXPECT_EQ(testing::components(found), (testing::Components{.open = 3, .nodes = 1}));
+        ASSERT_EQ(found.nodes.size(), 1u);
+        const Vec3 node{0, p, testing::base_cubic()(0, p)};
+        EXPECT_LE(distance(found.nodes[0].point, node), 1e-9);
+        for (const IntersectionCurve& curve : found.curves)
+          EXPECT_LE(std::min(distance(curve.samples.front().point, node),
+                             distance(curve.samples.back().point, node)),
+                    1e-9);
+      }
   }
 }
 
