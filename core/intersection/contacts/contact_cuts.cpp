@@ -56,7 +56,8 @@ class Cutter {
   // By how much a point lies inside; negative outside.
   static double depth_inside(const Point4& x) { return std::min({x[2], 1 - x[2], x[3], 1 - x[3]}); }
 
-  // Where a path crosses the patch's border between two of its points.
+  // Where a path crosses the patch's border between two of its points. One that runs along another
+  // border is beside it by rounding, which is no crossing.
   template <class PointIn>
   std::optional<Point4> crossing(const Point4& in, const Point4& out,
                                  const PointIn& point_in) const {
@@ -66,7 +67,7 @@ class Cutter {
     for (const std::size_t k : {std::size_t{2}, std::size_t{3}})
       for (const double end : {0.0, 1.0}) {
         const double f = (end - in[k]) / (out[k] - in[k]);
-        const bool beyond = end == 0 ? out[k] < end : out[k] > end;
+        const bool beyond = end == 0 ? out[k] < -kOnBorder : out[k] > 1 + kOnBorder;
         if (beyond && f < first) {
           first = f;
           axis = k;

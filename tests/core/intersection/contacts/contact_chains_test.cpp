@@ -47,6 +47,25 @@ TEST(ContactChains, EndWhereTheSeamOfASurfaceIs) {
   EXPECT_NEAR(length, 2 * pi * 1.4, 1e-6);
 }
 
+// A cylinder touches the torus round it along the inner equator, a border of the torus's patches.
+// Over one patch of the cylinder it passes a corner of those.
+TEST(ContactChains, GoOnAlongABorderPastTheCornersOfPatches) {
+  const BezierSurface torus = testing::torus(1, 0.4);
+  for (const double angle : {0.3, 0.5443, 0.7, 1.2, 1.5}) {
+    SCOPED_TRACE(angle);
+    const BezierSurface cylinder = turned(testing::cylinder(0.6, -0.7, 0.8), angle);
+    for (const SurfaceIntersection& found :
+         {intersect(cylinder, torus), intersect(torus, cylinder)}) {
+      double length = 0;
+      for (const IntersectionCurve& curve : found.curves) {
+        EXPECT_TRUE(curve.tangential);
+        length += curve.length;
+      }
+      EXPECT_NEAR(length, 1.2 * std::numbers::pi, 1e-6);
+    }
+  }
+}
+
 // Four flat faces over the unit squares round the origin, at the height |x| - 0.8 |y|.
 BezierSurface kinked() {
   BezierSurface surface{{-1, 0, 1}, {-1, 0, 1}};
