@@ -6,13 +6,16 @@
 
 #include <vector>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Line.hxx>
+#include <Geom_Curve.hxx>
 #include <Geom_Plane.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -89,7 +92,9 @@ TEST(PolygonFaces, WithRingsThatCrossOrNestAreNot) {
   expect_unsound(face_of({kSquare, hole(5, 1, 1)}));
   expect_unsound(face_of({kSquare, hole(1, 1, 2), hole(1.5, 1.5, 1)}));
   expect_unsound(face_of({hole(1, 1, 2)}));
-  expect_unsound(face_of({kSquare, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}}));
+  const Points turned{{1, 1}, {2, 1}, {2, 2}, {1, 2}};
+  expect_unsound(face_of({kSquare, turned}));
+  expect_unsound(face_of({turned, kSquare}));
 }
 
 TEST(PolygonFaces, OpenWiresAreNot) {
@@ -100,6 +105,21 @@ TEST(PolygonFaces, OpenWiresAreNot) {
   for (const gp_Pnt2d& p : kSquare) open.Add(in_space(p));
   builder.Add(face, open.Wire());
   EXPECT_FALSE(is_sound_polygon(face));
+
+  // One that ends where it starts, but in a vertex of its own.
+  TopoDS_Face doubled;
+  builder.MakeFace(doubled, new Geom_Plane(kAxes), 1e-7);
+  const auto vertex_at = [](const gp_Pnt2d& p) {
+    return BRepBuilderAPI_MakeVertex(in_space(p)).Vertex();
+  };
+  BRepBuilderAPI_MakePolygon apart;
+  for (const gp_Pnt2d& p : kSquare) apart.Add(vertex_at(p));
+  TopoDS_Wire wire = apart.Wire();
+  const TopoDS_Edge last =
+      BRepBuilderAPI_MakeEdge(apart.LastVertex(), vertex_at(kSquare.front())).Edge();
+  builder.Add(wire, last);
+  builder.Add(doubled, wire);
+  EXPECT_FALSE(is_sound_polygon(doubled));
 }
 
 TEST(PolygonFaces, OffTheirVerticesPlaneOrCurvesAreNot) {
@@ -125,6 +145,44 @@ TEST(PolygonFaces, OffTheirVerticesPlaneOrCurvesAreNot) {
     else
       expect_unsound(stored);
   }
+}
+
+void set_vertex_tolerances(const TopoDS_Face& face, double tolerance) {
+  for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More(); it.Next())
+    BRep_Builder().UpdateVertex(TopoDS::Vertex(it.Current()), tolerance);
+}
+
+// The first edge's line moved in space, along directions of the axes.
+void move_first_edge(const TopoDS_Face& face, const gp_Vec& by, double tolerance) {
+  const TopoDS_Edge edge = first_edge(face);
+  double from = 0, to = 0;
+  const auto line = Handle(Geom_Curve)::DownCast(BRep_Tool::Curve(edge, from, to)->Translated(by));
+  BRep_Builder().UpdateEdge(edge, line, tolerance);
+}
+
+// A large tolerance of the vertices does not excuse a curve, nor one of an edge its vertices.
+TEST(PolygonFaces, AreHeldByEachToleranceOfItsOwn) {
+  const TopoDS_Face chart_off = face_of({kSquare});
+  set_vertex_tolerances(chart_off, 1e-3);
+  expect_sound(chart_off);
+  TopLoc_Location place;
+  const Handle(Geom_Surface) plane = BRep_Tool::Surface(chart_off, place);
+  BRep_Builder().UpdateEdge(first_edge(chart_off), new Geom2d_Line({0, 1e-5}, {1, 0}), plane, place,
+                            1e-7);
+  expect_unsound(chart_off);
+
+  const TopoDS_Face line_off = face_of({kSquare});
+  move_first_edge(line_off, gp_Vec(kAxes.Direction()) * 1e-5, 1e-3);
+  EXPECT_FALSE(is_sound_polygon(line_off));
+}
+
+// At an acute corner sides a gap apart cross farther away than the gap.
+TEST(PolygonFaces, WithSidesThatCrossNearAnAcuteCornerAreNot) {
+  const TopoDS_Face face = face_of({{{0, 0}, {4, 0}, {4, 0.2}}});
+  set_vertex_tolerances(face, 1e-5);
+  expect_sound(face);
+  move_first_edge(face, gp_Vec(kAxes.YDirection()) * 1e-6, 1e-7);
+  EXPECT_FALSE(is_sound_polygon(face));
 }
 
 TEST(PolygonFaces, OfOtherCurvesAndSurfacesNothingIsSaid) {
