@@ -137,7 +137,6 @@ const std::vector<BorderFollower::Start>& BorderFollower::starts(int patch) {
 // The best of the feet that Newton's method finds from the nearest points of a grid.
 bool BorderFollower::search(BorderProbe& at) {
   const Vec3 p = point(at);
-  if (!meet({p, p}, near_other_)) return false;
   std::vector<std::pair<double, const Start*>> nearest;
   for (const int patch : others_[static_cast<std::size_t>(at.patch)])
     for (const Start& start : starts(patch)) nearest.emplace_back(distance(p, start.point), &start);
@@ -154,9 +153,12 @@ bool BorderFollower::search(BorderProbe& at) {
   return best.has_value();
 }
 
+// The foot as far as it may be within the tolerance.
 bool BorderFollower::probe(BorderProbe& at, const Foot* near) {
   if (limit_.reached()) return false;
-  return (near && follow(at, *near) && at.foot.gap <= tolerance_) || search(at);
+  if (near && follow(at, *near) && at.foot.gap <= tolerance_) return true;
+  const Vec3 p = point(at);
+  return meet({p, p}, near_other_) && search(at);
 }
 
 // The borders of the other surface on which a foot lies.

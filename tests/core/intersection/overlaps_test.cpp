@@ -271,6 +271,32 @@ TEST(Overlaps, APatchThatDiffersIsAHoleInTheOverlap) {
   }
 }
 
+// Beside its edge the bump is within the tolerance of the flat square for a while, and soon outside
+// of its box, which has no height unless the scene is turned.
+TEST(Overlaps, APatchThatPartsSlowlyIsAHoleInTheOverlap) {
+  BezierSurface a = square_with_bump();
+  Grid<Vec4> net(7, 7);
+  for (int k = 0; k < 7; ++k)
+    for (int l = 0; l < 7; ++l)
+      net(k, l) = {1 + k / 6.0, 1 + l / 6.0, k == 3 && l == 3 ? 2.0 : 0.0, 1};
+  a.patches(1, 1) = {net};
+  BezierSurface b = square({1.5, 1.5}, 1.5, 0);
+  for (const bool turned : {false, true}) {
+    if (turned)
+      for (BezierSurface* surface : {&a, &b})
+        for (RationalBezierPatch& patch : surface->patches.values())
+          for (Vec4& p : patch.points.values())
+            p = {0.8 * p[0] - 0.6 * p[2], p[1], 0.6 * p[0] + 0.8 * p[2], p[3]};
+    for (const bool exchanged : {false, true}) {
+      SCOPED_TRACE(exchanged);
+      const SurfaceIntersection found = exchanged ? intersect(b, a) : intersect(a, b);
+
+      ASSERT_EQ(found.overlaps.size(), 1u);
+      EXPECT_NEAR(area(found.overlaps[0]) / (turned ? 0.8 : 1), 8, 0.1);
+    }
+  }
+}
+
 TEST(Overlaps, AKnotLineInsideAnOverlapBoundsNothing) {
   BezierSurface a = square_with_bump();
   for (Vec4& p : a.patches(1, 1).points.values()) p[2] = 0;
