@@ -60,7 +60,7 @@ BezierSurface bezier_surface(const TopoDS_Face& face, double tolerance = 1e-7);
 /// throws   BadModel if the face has no surface or the box is empty or not finite
 ParameterBox parameter_box(const TopoDS_Face& face);
 
-/// The same where the box of the wires' parametric curves is known.
+/// The same where the box of the wires' parametric curves, in the surface's parameters, is known.
 ParameterBox parameter_box(const TopoDS_Face& face, const ParameterBox& of_wires);
 
 /// The surface as one B-spline surface (knots of the grid, full inner multiplicity).

@@ -30,8 +30,9 @@ constexpr double kWorthARound = 0.9;      // of the knots at most, or no further
 constexpr double kLeastError = 1e-12;     // of the wanted, to guess from: below it is rounding
 constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kLeastSamples = 49;
-constexpr std::size_t kRunGrain = 8;  // runs that one thread fits in a row
-constexpr double kLastStep = 1e-8;    // of the size: Newton's step from there to a sample is exact
+constexpr double kCountRounding = 1e-9;  // of samples
+constexpr std::size_t kRunGrain = 8;     // runs that one thread fits in a row
+constexpr double kLastStep = 1e-8;  // of the size: Newton's step from there to a sample is exact
 
 // Traced points leave a conic by rounding alone: so much of the curve's length and of the size.
 constexpr double kConicOfLength = 1e-11;
@@ -366,7 +367,7 @@ class Fitter {
     const double by_sag = width * std::sqrt(bend / (6 * sag));
     // Of as many as the whole curve gets: rounding up in every piece would make more of them.
     const auto reached = [&](const Site& site) {
-      return std::floor(static_cast<double>(kLeastSamples) * site.length / whole);
+      return std::floor(static_cast<double>(kLeastSamples) * site.length / whole + kCountRounding);
     };
     const double by_count = reached(stop) - reached(start);
     return static_cast<int>(std::clamp(std::max(std::ceil(by_sag), by_count), 1.0, 1e4));

@@ -88,6 +88,7 @@ ParameterBox parameter_box(const TopoDS_Face& face) {
 }
 
 ParameterBox parameter_box(const TopoDS_Face& face, const ParameterBox& of_wires) {
+  if (face.IsNull()) throw BadModel("there is no face");
   TopLoc_Location location;
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face, location);
   if (surface.IsNull()) throw BadModel("the face has no surface");

@@ -64,12 +64,14 @@ class Cutter {
     double first = 2;
     std::size_t axis = 2;
     double goal = 0;
+    bool begun = true;  // beyond the border, but within kOnBorder of it, at `in` already
     for (const std::size_t k : {std::size_t{2}, std::size_t{3}})
       for (const double end : {0.0, 1.0}) {
         const double f = (end - in[k]) / (out[k] - in[k]);
         const bool beyond = end == 0 ? out[k] < -kOnBorder : out[k] > 1 + kOnBorder;
-        if (beyond && f < first) {
-          first = f;
+        if (beyond && (f < 0 ? begun && first > 1 : begun || f < first)) {
+          begun = f < 0;
+          first = std::max(f, 0.0);
           axis = k;
           goal = end;
         }
