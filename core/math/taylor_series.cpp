@@ -17,6 +17,9 @@ constexpr double kRoundoff = 2e-15;  // of a majorant: covers the sums that make
 
 constexpr std::size_t start(int degree) { return taylor_index(degree, 0); }
 
+// Of a lambda, so that it follows a function of several versions.
+#define INLINED __attribute__((always_inline))
+
 // Factor of z^k after d derivatives.
 constexpr double falling(int k, int d) {
   double product = 1;
@@ -26,7 +29,7 @@ constexpr double falling(int k, int d) {
 
 // Calls f with the constants First..Last, in this order.
 template <int First, int Last, class F>
-void for_constants(const F& f) {
+[[gnu::always_inline]] inline void for_constants(const F& f) {
   if constexpr (First <= Last) {
     f(std::integral_constant<int, First>());
     for_constants<First + 1, Last>(f);
@@ -36,9 +39,10 @@ void for_constants(const F& f) {
 // The terms of total degree `Degree` of a b, where a and b have none below `LeastA` and `LeastB`.
 // All loops are of fixed length.
 template <int Degree, int LeastA = 0, int LeastB = 0>
-std::array<double, Degree + 1> product_terms(const TaylorPolynomial& a, const TaylorPolynomial& b) {
+[[gnu::always_inline]] inline std::array<double, Degree + 1> product_terms(
+    const TaylorPolynomial& a, const TaylorPolynomial& b) {
   std::array<double, Degree + 1> sum{};
-  for_constants<LeastA, Degree - LeastB>([&]<int P>(std::integral_constant<int, P>) {
+  for_constants<LeastA, Degree - LeastB>([&]<int P>(std::integral_constant<int, P>) INLINED {
     for (std::size_t i = 0; i <= P; ++i)
       for (std::size_t j = 0; j <= Degree - P; ++j)
         sum[i + j] += a[start(P) + i] * b[start(Degree - P) + j];
@@ -48,31 +52,39 @@ std::array<double, Degree + 1> product_terms(const TaylorPolynomial& a, const Ta
 
 TaylorPolynomial times(const TaylorPolynomial& a, const TaylorPolynomial& b) {
   TaylorPolynomial c;
-  for_constants<0, K>([&]<int Degree>(std::integral_constant<int, Degree>) {
+  for_constants<0, K>([&]<int Degree>(std::integral_constant<int, Degree>) INLINED {
     const auto terms = product_terms<Degree>(a, b);
     std::copy(terms.begin(), terms.end(), c.begin() + start(Degree));
   });
   return c;
 }
 
-std::array<double, 4> product_totals(const std::array<double, 4>& a,
-                                     const std::array<double, 4>& b) {
+[[gnu::always_inline]] inline std::array<double, 4> product_totals(const std::array<double, 4>& a,
+                                                                   const std::array<double, 4>& b) {
   return {a[0] * b[0], a[1] * b[0] + a[0] * b[1], a[2] * b[0] + 2 * a[1] * b[1] + a[0] * b[2],
           a[3] * b[0] + 3 * a[2] * b[1] + 3 * a[1] * b[2] + a[0] * b[3]};
 }
 
 // The majorant of terms that nothing is left out of.
-void add_majorants(TaylorSeries& f) {
-  for (int k = 0; k <= K; ++k) {
-    double& sum = f.low[static_cast<std::size_t>(k)];
-    for (int j = 0; j <= k; ++j) sum += std::abs(f.terms[start(k) + static_cast<std::size_t>(j)]);
-    for (int d = 0; d < 4; ++d) f.total[static_cast<std::size_t>(d)] += falling(k, d) * sum;
-  }
+[[gnu::always_inline]] inline void make_majorants(TaylorSeries& f) {
+  f.total = {};
+  for_constants<0, K>([&]<int Degree>(std::integral_constant<int, Degree>) INLINED {
+    double sum = 0;
+    for (std::size_t j = 0; j <= Degree; ++j) sum += std::abs(f.terms[start(Degree) + j]);
+    f.low[Degree] = sum;
+    for (int d = 0; d < 4; ++d) f.total[static_cast<std::size_t>(d)] += falling(Degree, d) * sum;
+  });
 }
 
-void add_product_majorants(TaylorSeries& c, const TaylorSeries& a, const TaylorSeries& b) {
-  for (std::size_t i = 0; i <= K; ++i)
-    for (std::size_t j = 0; i + j <= K; ++j) c.low[i + j] += a.low[i] * b.low[j];
+// The majorant of a b from degree LeastA + LeastB on, where a and b have none below.
+template <int LeastA = 0, int LeastB = 0>
+[[gnu::always_inline]] inline void make_product_majorants(TaylorSeries& c, const TaylorSeries& a,
+                                                          const TaylorSeries& b) {
+  for_constants<LeastA + LeastB, K>([&]<int Degree>(std::integral_constant<int, Degree>) INLINED {
+    double sum = 0;
+    for (std::size_t i = LeastA; i <= Degree - LeastB; ++i) sum += a.low[i] * b.low[Degree - i];
+    c.low[Degree] = sum;
+  });
   c.total = product_totals(a.total, b.total);
 }
 
@@ -111,24 +123,24 @@ double TaylorSeries::tail(int d) const {
 }
 
 TaylorSeries taylor_series(const double* c, int rows, int columns) {
-  TaylorSeries f;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) {
-      const double value = c[i * columns + j];
-      if (i + j <= K) {
-        f.terms[taylor_index(i, j)] = value;
-        f.low[static_cast<std::size_t>(i + j)] += std::abs(value);
-      }
-      for (int d = 0; d < 4; ++d)
-        f.total[static_cast<std::size_t>(d)] += falling(i + j, d) * std::abs(value);
+  TaylorSeries f{};
+  for (int k = 0; k <= rows + columns - 2; ++k) {
+    double sum = 0;
+    for (int i = std::max(0, k - columns + 1); i <= std::min(k, rows - 1); ++i) {
+      const double value = c[i * columns + k - i];
+      if (k <= K) f.terms[taylor_index(i, k - i)] = value;
+      sum += std::abs(value);
     }
+    if (k <= K) f.low[static_cast<std::size_t>(k)] = sum;
+    for (int d = 0; d < 4; ++d, sum *= k + 1 - d) f.total[static_cast<std::size_t>(d)] += sum;
+  }
   return f;
 }
 
 TaylorSeries taylor_series(const TaylorPolynomial& polynomial) {
   TaylorSeries f;
   f.terms = polynomial;
-  add_majorants(f);
+  make_majorants(f);
   return f;
 }
 
@@ -156,7 +168,7 @@ TaylorSeries operator*(double s, TaylorSeries a) {
 TaylorSeries operator*(const TaylorSeries& a, const TaylorSeries& b) {
   TaylorSeries c;
   c.terms = times(a.terms, b.terms);
-  add_product_majorants(c, a, b);
+  make_product_majorants(c, a, b);
   return c;
 }
 
@@ -164,7 +176,7 @@ TaylorSeries reciprocal(const TaylorSeries& f, bool& exists) {
   const double f0 = f.terms[0];
   const double rest = f.total[0] - f.low[0];
   exists = std::isfinite(1 / f0) && rest < 0.999 * std::abs(f0);
-  TaylorSeries r;
+  TaylorSeries r{};
   if (!exists) return r;
   // With f = f0 (1 + d): r (1 + d) = 1 / f0, degree by degree.
   TaylorPolynomial d{};
@@ -190,60 +202,80 @@ TaylorSeries reciprocal(const TaylorSeries& f, bool& exists) {
   return r;
 }
 
+namespace {
+
+struct PowersOf {
+  std::array<const TaylorPolynomial*, 2> right, bent;
+  std::array<TaylorSeries, kTaylorTerms>& powers;
+};
+
 // The terms of one degree of all powers, which are made of lower ones of x and y, and with them
 // those of x and y.
 template <int Degree>
-void TaylorPowers::solve_degree(const std::array<const TaylorPolynomial*, 2>& right,
-                                const std::array<const TaylorPolynomial*, 2>& bent) {
+[[gnu::always_inline]] inline void solve_degree(const PowersOf& of) {
+  auto& powers = of.powers;
   std::array<std::array<double, Degree + 1>, 2> solved;
   for (std::size_t c = 0; c < 2; ++c)
-    std::copy_n(right[c]->begin() + start(Degree), Degree + 1, solved[c].begin());
-  for_constants<2, Degree>([&]<int M>(std::integral_constant<int, M>) {
+    for (std::size_t k = 0; k <= Degree; ++k) solved[c][k] = (*of.right[c])[start(Degree) + k];
+  for_constants<2, Degree>([&]<int M>(std::integral_constant<int, M>) INLINED {
     for (int j = 0; j <= M; ++j) {
       const std::size_t at = taylor_index(M - j, j);
-      const TaylorSeries& factor = powers_[j < M ? 1 : 2];
-      const TaylorSeries& below = powers_[j < M ? taylor_index(M - 1 - j, j) : start(M) - 1];
+      const TaylorSeries& factor = powers[j < M ? 1 : 2];
+      const TaylorSeries& below = powers[j < M ? taylor_index(M - 1 - j, j) : start(M) - 1];
       const auto sum = product_terms<Degree, 1, M - 1>(factor.terms, below.terms);
-      std::copy(sum.begin(), sum.end(), powers_[at].terms.begin() + start(Degree));
+      for (std::size_t k = 0; k <= Degree; ++k) powers[at].terms[start(Degree) + k] = sum[k];
       for (std::size_t c = 0; c < 2; ++c)
-        for (std::size_t k = 0; k <= Degree; ++k) solved[c][k] -= (*bent[c])[at] * sum[k];
+        for (std::size_t k = 0; k <= Degree; ++k) solved[c][k] -= (*of.bent[c])[at] * sum[k];
     }
   });
   for (std::size_t c = 0; c < 2; ++c)
-    std::copy(solved[c].begin(), solved[c].end(), powers_[c + 1].terms.begin() + start(Degree));
+    for (std::size_t k = 0; k <= Degree; ++k) powers[c + 1].terms[start(Degree) + k] = solved[c][k];
 }
+
+BLOSSOM_HOT void solve_powers(const PowersOf& of) {
+  auto& powers = of.powers;
+  powers[0] = {};
+  powers[0].terms[0] = powers[0].low[0] = powers[0].total[0] = 1;
+  powers[1].terms[0] = powers[2].terms[0] = 0;
+  for_constants<1, K>([&]<int Degree>(std::integral_constant<int, Degree>)
+                          INLINED { solve_degree<Degree>(of); });
+  make_majorants(powers[1]);
+  make_majorants(powers[2]);
+  for_constants<2, K>([&]<int M>(std::integral_constant<int, M>) INLINED {
+    for (int j = 0; j <= M; ++j) {
+      const TaylorSeries& below = powers[j < M ? taylor_index(M - 1 - j, j) : start(M) - 1];
+      make_product_majorants<1, M - 1>(powers[taylor_index(M - j, j)], powers[j < M ? 1 : 2],
+                                       below);
+    }
+  });
+}
+
+// f of the powers but for what f leaves out.
+BLOSSOM_HOT void add_composed(const std::array<TaylorSeries, kTaylorTerms>& powers,
+                              const TaylorSeries& f, TaylorSeries& sum) {
+  // A power of total degree M has no terms below it.
+  for_constants<0, K>([&]<int M>(std::integral_constant<int, M>) INLINED {
+    for (std::size_t i = start(M); i < start(M + 1); ++i) {
+      const TaylorSeries& power = powers[i];
+      const double factor = f.terms[i], size = std::abs(factor);
+      for (std::size_t k = start(M); k < sum.terms.size(); ++k)
+        sum.terms[k] += factor * power.terms[k];
+      for (std::size_t k = M; k < sum.low.size(); ++k) sum.low[k] += size * power.low[k];
+      for (std::size_t k = 0; k < sum.total.size(); ++k) sum.total[k] += size * power.total[k];
+    }
+  });
+}
+
+}  // namespace
 
 TaylorPowers::TaylorPowers(const TaylorPolynomial& u, const TaylorPolynomial& v,
                            const TaylorPolynomial& p, const TaylorPolynomial& q) {
-  powers_[0].terms[0] = 1;
-  powers_[0].low[0] = 1;
-  powers_[0].total[0] = 1;
-  for_constants<1, K>([&]<int Degree>(std::integral_constant<int, Degree>) {
-    solve_degree<Degree>({&u, &v}, {&p, &q});
-  });
-  add_majorants(powers_[1]);
-  add_majorants(powers_[2]);
-  for (int m = 2; m <= K; ++m)
-    for (int j = 0; j <= m; ++j) {
-      TaylorSeries& power = powers_[taylor_index(m - j, j)];
-      const TaylorSeries& factor = powers_[j < m ? 1 : 2];
-      const TaylorSeries& below = powers_[j < m ? taylor_index(m - 1 - j, j) : start(m) - 1];
-      add_product_majorants(power, factor, below);
-    }
+  solve_powers({{&u, &v}, {&p, &q}, powers_});
 }
 
 TaylorSeries TaylorPowers::compose(const TaylorSeries& f) const {
-  TaylorSeries r;
-  // A power of total degree M has no terms below it.
-  for_constants<0, K>([&]<int M>(std::integral_constant<int, M>) {
-    for (std::size_t i = start(M); i < start(M + 1); ++i) {
-      const TaylorSeries& power = powers_[i];
-      const double factor = f.terms[i], size = std::abs(factor);
-      for (std::size_t k = start(M); k < r.terms.size(); ++k) r.terms[k] += factor * power.terms[k];
-      for (std::size_t k = M; k < r.low.size(); ++k) r.low[k] += size * power.low[k];
-      for (std::size_t k = 0; k < r.total.size(); ++k) r.total[k] += size * power.total[k];
-    }
-  });
+  TaylorSeries r{};
+  add_composed(powers_, f, r);
   // The terms f leaves out, by the chain rule on their bounds.
   const auto most = [&](std::size_t d) {
     return std::max(powers_[1].total[d], powers_[2].total[d]);

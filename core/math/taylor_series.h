@@ -28,10 +28,11 @@ constexpr std::size_t taylor_index(int i, int j) {
 /// A polynomial of total degree kTaylorDegree.
 using TaylorPolynomial = std::array<double, kTaylorTerms>;
 
+/// Not initialised unless by braces.
 struct TaylorSeries {
-  TaylorPolynomial terms{};
-  std::array<double, kTaylorDegree + 1> low{};  ///< majorant coefficients up to kTaylorDegree
-  std::array<double, 4> total{};                ///< f^(1), f^'(1), f^''(1), f^'''(1)
+  TaylorPolynomial terms;
+  std::array<double, kTaylorDegree + 1> low;  ///< majorant coefficients up to kTaylorDegree
+  std::array<double, 4> total;                ///< f^(1), f^'(1), f^''(1), f^'''(1)
 
   /// Bound on the d-th directional derivative, d = 0..3, of the terms left out.
   double tail(int d) const;
@@ -69,11 +70,7 @@ class TaylorPowers {
   TaylorSeries compose(const TaylorSeries& f) const;
 
  private:
-  template <int Degree>
-  void solve_degree(const std::array<const TaylorPolynomial*, 2>& right,
-                    const std::array<const TaylorPolynomial*, 2>& bent);
-
-  std::array<TaylorSeries, kTaylorTerms> powers_;
+  std::array<TaylorSeries, kTaylorTerms> powers_;  // terms and `low` from their own degree on
 };
 
 /// Value and partial derivatives.

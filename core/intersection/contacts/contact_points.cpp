@@ -33,14 +33,16 @@ bool solve(System& m) {
     for (std::size_t r = c + 1; r < 4; ++r)
       if (std::abs(m[r][c]) > std::abs(m[pivot][c])) pivot = r;
     if (m[pivot][c] == 0) return false;
-    std::swap(m[c], m[pivot]);
-    for (std::size_t r = 0; r < 4; ++r) {
-      if (r == c) continue;
+    if (pivot != c) std::swap(m[c], m[pivot]);
+    for (std::size_t r = c + 1; r < 4; ++r) {
       const double factor = m[r][c] / m[c][c];
-      for (std::size_t k = c; k < 5; ++k) m[r][k] -= factor * m[c][k];
+      for (std::size_t k = c + 1; k < 5; ++k) m[r][k] -= factor * m[c][k];
     }
   }
-  for (std::size_t r = 0; r < 4; ++r) m[r][4] /= m[r][r];
+  for (std::size_t r = 4; r-- > 0;) {
+    for (std::size_t k = r + 1; k < 4; ++k) m[r][4] -= m[r][k] * m[k][4];
+    m[r][4] /= m[r][r];
+  }
   return true;
 }
 

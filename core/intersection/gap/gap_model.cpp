@@ -73,9 +73,19 @@ std::optional<SurfaceSeries> series_of(const NetShape& shape, const double* net,
   return result;
 }
 
+Vec3 absolute(const Vec3& x) { return {std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}; }
+
 TaylorSeries along(const Vec3& direction, const SurfaceSeries& surface) {
-  return direction[0] * surface.point[0] + direction[1] * surface.point[1] +
-         direction[2] * surface.point[2];
+  const auto& [x, y, z] = surface.point;
+  const auto sum = [](const Vec3& factor, const auto& a, const auto& b, const auto& c, auto& to) {
+    for (std::size_t i = 0; i < to.size(); ++i)
+      to[i] = factor[0] * a[i] + factor[1] * b[i] + factor[2] * c[i];
+  };
+  TaylorSeries result;
+  sum(direction, x.terms, y.terms, z.terms, result.terms);
+  sum(absolute(direction), x.low, y.low, z.low, result.low);
+  sum(absolute(direction), x.total, y.total, z.total, result.total);
+  return result;
 }
 
 void planes_of(const RationalBezierPatch& patch, const NetShape& shape, double* planes) {
@@ -93,8 +103,6 @@ Interval widened(const Interval& x, double part) {
 bool within(const Interval& inner, const Interval& outer) {
   return inner.from >= outer.from && inner.to <= outer.to;
 }
-
-Vec3 absolute(const Vec3& x) { return {std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}; }
 
 // Largest distance of row . S_u (or S_v) from `middle` over a polynomial patch.
 double derivative_spread(const RationalBezierPatch& patch, const Vec3& row, double middle,
