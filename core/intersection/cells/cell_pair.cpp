@@ -13,7 +13,7 @@ namespace {
 
 // Nearly parallel pairs are this flat: the sines of the angles by which the derivatives of both
 // cells turn, added.
-constexpr double kFlat = 0.15;
+constexpr double kFlat = 0.3;
 
 constexpr double kInverseRoundoff = 1e-14;  // relative, of a 3 x 3 inverse times its matrix
 constexpr int kPowerSteps = 4;              // towards the Perron vector of the spread
