@@ -45,8 +45,8 @@ struct Solver {
 
 /// Arguments: CASES_FOLDER OUT_FOLDER [--limit SECONDS] [--only PREFIX]. Every solver meets every
 /// case in a process of its own, one after the other, so that all see the same machine. Writes
-/// OUT_FOLDER/<solver>.jsonl; `seconds` is the median of five calls (of one above 0.2 s),
-/// `seconds_first` the first call's.
+/// OUT_FOLDER/<solver>.jsonl; `seconds` is the median of five calls, or of as many as take
+/// 30 ms together (of one above 0.2 s), `seconds_first` the first call's.
 /// returns   the exit code of the program
 int run_cases(int argc, char** argv, const std::vector<Solver>& solvers);
 
