@@ -19,6 +19,7 @@ constexpr double kBesideValley = 1e-3;  // likewise: half the step of a differen
 constexpr double kReach = 0.5;          // fraction of a patch
 constexpr double kAtAnAngle = 1e-4;     // sine: from there on Newton's method takes a step or two
 constexpr int kStepsBeside = 3;
+constexpr double kPole = 1e-8;  // a derivative this much shorter than the other one is none
 
 // The line that a tangential arc is part of.
 TouchLine touch_line(const FoundArc& arc) {
@@ -38,6 +39,11 @@ Vec2 rates(const Vec3& su, const Vec3& sv, const Vec3& direction) {
   const Vec3 n = cross(su, sv);
   const double square = dot(n, n);
   return {dot(cross(direction, sv), n) / square, dot(cross(su, direction), n) / square};
+}
+
+bool is_pole(const PatchJet& jet) {
+  const double du = norm(jet.u), dv = norm(jet.v);
+  return std::min(du, dv) <= kPole * std::max(du, dv);
 }
 
 Vec3 second_form(const PatchJet& jet, const Vec2& rate) {
@@ -118,8 +124,8 @@ CurvePoint ChainTracer::at(double station, bool after) const {
   const double width = stations_[link + 1] - stations_[link];
   const double fraction = std::clamp((station - stations_[link]) / width, 0.0, 1.0);
   CurvePoint p = on_link(link, fraction);
-  const int arc = chain_.links[link].arc;
-  const bool to_pole = found_.arcs[static_cast<std::size_t>(arc)].to_pole;
+  const FoundArc& arc = found_.arcs[static_cast<std::size_t>(chain_.links[link].arc)];
+  const bool to_pole = arc.to_pole || ((arc.arc.iso || arc.arc.tangential) && p.sine == 0);
   const bool is_end = fraction <= 0 || fraction >= 1;
   const bool finite = std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second));
   if (finite && p.sine > kLeastSine && !(to_pole && is_end)) return p;
@@ -133,10 +139,12 @@ CurvePoint ChainTracer::at(double station, bool after) const {
     return 3 * (q1.*member - q2.*member) + q3.*member;
   };
   p.sine = std::max(extrapolated(&CurvePoint::sine), 0.0);
-  p.first = unit(extrapolated(&CurvePoint::first));
-  p.second = extrapolated(&CurvePoint::second);
-  p.a_first = extrapolated(&CurvePoint::a_first);
-  p.a_second = extrapolated(&CurvePoint::a_second);
+  if (!arc.arc.iso) {  // of which a tells the rest
+    p.first = unit(extrapolated(&CurvePoint::first));
+    p.second = extrapolated(&CurvePoint::second);
+    p.a_first = extrapolated(&CurvePoint::a_first);
+    p.a_second = extrapolated(&CurvePoint::a_second);
+  }
   p.b_first = extrapolated(&CurvePoint::b_first);
   p.b_second = extrapolated(&CurvePoint::b_second);
   const double width_here = distance(q3.point, p.point);
@@ -242,7 +250,7 @@ CurvePoint ChainTracer::differentiate_iso(const FoundArc& arc, const Point4& x,
   result.point = p.point + origin_;
   result.first = d * rate_a[along];
   result.second = dd * (rate_a[along] * rate_a[along]) + d * second_a[along];
-  result.sine = 1;
+  result.sine = is_pole(q) ? 0 : 1;
   const Vec2 rate_b = rates(q.u, q.v, result.first);
   const Vec2 second_b = rates(q.u, q.v, result.second - second_form(q, rate_b));
   to_own(a_.surface(), a_.knots_u(arc.patch_a), a_.knots_v(arc.patch_a), x[0], x[1], rate_a,
@@ -290,7 +298,9 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
   result.first = here.tangent;
   result.second = (r1.tangent - r0.tangent) * (1 / width);
   result.second = result.second - here.tangent * dot(result.second, here.tangent);
-  result.sine = 1;
+  const bool at_pole =
+      is_pole(jet_at(patch_a, x[0], x[1], 1)) || is_pole(jet_at(patch_b, x[2], x[3], 1));
+  result.sine = at_pole ? 0 : 1;
   to_own(a_.surface(), a_.knots_u(arc.patch_a), a_.knots_v(arc.patch_a), x[0], x[1], here.a,
          (r1.a - r0.a) * (1 / width), result.a, result.a_first, result.a_second);
   to_own(b_.surface(), b_.knots_u(arc.patch_b), b_.knots_v(arc.patch_b), x[2], x[3], here.b,

@@ -9,11 +9,11 @@
 namespace blossom {
 namespace {
 
-constexpr double kErrorShare = 0.25;    // of the tolerance: most error of a gap called a contact
-constexpr double kContactGap = 2;       // tolerances: gaps up to this may be called a contact
-constexpr double kBorderGap = 1.5;      // the same where the valley crosses a border
+constexpr double kErrorShare = 0.25;   // of the tolerance: most error of a gap called a contact
+constexpr double kContactGap = 2;      // tolerances: gaps up to this may be called a contact
+constexpr double kBorderGap = 1.5;     // the same where the valley crosses a border
 constexpr double kEdgeGap = 1.0 / 64;  // tolerances: gap along an edge that counts as contact
-constexpr double kAcross = 0.7;         // cosine: a direction that crosses an edge
+constexpr double kAcross = 0.7;        // cosine: a direction that crosses an edge
 constexpr int kMostPieces = 400;
 constexpr int kMostExactPieces = 40;
 constexpr double kShallow = 1.0 / 64;  // of the tolerance: depth of what is no contact
