@@ -286,9 +286,9 @@ class Errors(unittest.TestCase):
 
 
 class LongWork(unittest.TestCase):
-    """Two patches of degree 12 whose bumps stay within 1e-4 of each other."""
+    """Two patches of degree 24 that come ever nearer to each other towards the middle."""
 
-    HARD = (waves(12, 0.5, 0), waves(12, 0.5, 1e-5))
+    HARD = (waves(24, 0.5, 0), waves(24, 0.25, 0))
     OPTIONS = {"tolerance": 1e-10, "budget": 10**9}
 
     def test_a_time_limit_stops_it(self):
