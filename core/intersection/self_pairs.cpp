@@ -197,7 +197,7 @@ class SelfPairSearch {
   DirectionCones cell_cones(int patch, const Cell& c) const {
     const auto side = pole_side(patch, c);
     const SlopeNets& nets = slopes_[static_cast<std::size_t>(patch)];
-    return side ? cones_at_pole(nets, cells_.tree(patch), c, *side, pole(*side), axes_)
+    return side ? cones_at_pole(nets, c.u, c.v, *side, pole(*side), axes_)
                 : cones_of(nets, c.u, c.v, axes_);
   }
 
@@ -279,7 +279,11 @@ class SelfPairSearch {
     const auto side_a = pole_side(block(a).patch, cell(a));
     const auto side_b = pole_side(block(b).patch, cell(b));
     if (!side_a || !side_b || norm(pole(*side_a) - pole(*side_b)) > 0) return false;
-    if (meet_in_pole_only(tree(a), cell(a), *side_a, tree(b), cell(b), *side_b, pole(*side_a))) {
+    const auto at_pole = [&](const Part& part, PoleSide side) {
+      const SlopeNets& nets = slopes_[static_cast<std::size_t>(block(part).patch)];
+      return PolePart{nets, cell(part).u, cell(part).v, side};
+    };
+    if (meet_in_pole_only(at_pole(a, *side_a), at_pole(b, *side_b), pole(*side_a))) {
       ++result_.excluded;
       return true;
     }

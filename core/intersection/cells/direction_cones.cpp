@@ -203,43 +203,52 @@ VectorBounds direction(const RationalBezierPatch& slope, const Offsets& offsets,
 
 // --- poles
 
-// A cell's homogeneous points seen from its pole: row r of them is r steps from the pole, which is
-// row 0; along each row runs the other parameter.
+// The homogeneous points of a rectangle seen from its pole: row r of them is r steps from the pole,
+// which is row 0; along each row runs the other parameter.
 class PoleNet {
  public:
-  PoleNet(const CellTree& tree, const Cell& cell, PoleSide side, const Vec3& pole)
-      : cell_(cell), shape_(tree.shape()), side_(side), pole_(pole) {}
+  PoleNet(const PolePart& of, const Vec3& pole)
+      : points_(part(of.nets.points, of.u, of.v).points),
+        rational_(of.nets.rational),
+        across_u_(of.side == PoleSide::LowU || of.side == PoleSide::HighU),
+        low_(of.side == PoleSide::LowU || of.side == PoleSide::LowV),
+        pole_(pole) {
+    double heaviest = 0;
+    for (const Vec4& p : of.nets.points.points.values()) heaviest = std::max(heaviest, p[3]);
+    rounding_ = subdivision_error(std::max(points_.rows(), points_.columns()) - 1) * of.nets.scale *
+                (1 + heaviest);
+  }
 
-  bool across_u() const { return side_ == PoleSide::LowU || side_ == PoleSide::HighU; }
-  int degree() const { return (across_u() ? shape_.rows : shape_.columns) - 1; }
-  int along() const { return across_u() ? shape_.columns : shape_.rows; }
+  bool across_u() const { return across_u_; }
+  int degree() const { return (across_u_ ? points_.rows() : points_.columns()) - 1; }
+  int along() const { return across_u_ ? points_.columns() : points_.rows(); }
 
-  double weight(int row, int i) const { return shape_.planes == 4 ? value(3, row, i) : 1; }
+  double weight(int row, int i) const { return rational_ ? point(row, i)[3] : 1; }
 
   // w (S - P), divided by the distance to the pole: degree - 1 in that direction.
   Vec3 from_pole(int row, int i) const {
-    const double w = weight(row, i);
-    Vec3 x;
-    for (int k = 0; k < 3; ++k) x[k] = value(k, row, i) - w * pole_[k];
-    return x * (static_cast<double>(degree()) / row);
+    const Vec4& p = point(row, i);
+    return (Vec3{p[0], p[1], p[2]} - weight(row, i) * pole_) *
+           (static_cast<double>(degree()) / row);
   }
+
+  // Of a coordinate of w (S - P).
+  double rounding() const { return rounding_; }
 
  private:
-  double value(int plane, int row, int i) const {
-    const bool low = side_ == PoleSide::LowU || side_ == PoleSide::LowV;
-    const int r = low ? row : degree() - row;
-    const int at = across_u() ? r * shape_.columns + i : i * shape_.columns + r;
-    return cell_.homogeneous[plane * shape_.plane_size() + at];
+  const Vec4& point(int row, int i) const {
+    const int r = low_ ? row : degree() - row;
+    return across_u_ ? points_(r, i) : points_(i, r);
   }
 
-  const Cell& cell_;
-  NetShape shape_;
-  PoleSide side_;
+  Grid<Vec4> points_;
+  bool rational_, across_u_, low_;
   Vec3 pole_;
+  double rounding_ = 0;
 };
 
 // Bounds of w T_u = (w T)_u - T w_u along the pole, without the degree.
-VectorBounds along_pole(const PoleNet& net, double margin, const Axes& axes) {
+VectorBounds along_pole(const PoleNet& net, const Axes& axes) {
   Range3 steps, quotient;
   Range weight, turn;
   for (int r = 0; r <= net.degree(); ++r)
@@ -255,7 +264,7 @@ VectorBounds along_pole(const PoleNet& net, double margin, const Axes& axes) {
       quotient.add(x * (1 / weight.high));
       if (i > 0) steps.add(x - in_axes(axes, net.from_pole(r, i - 1)));
     }
-  const double slack = 8 * net.degree() * (weight.high / weight.low) * weight.high * margin;
+  const double slack = 8 * net.degree() * (weight.high / weight.low) * net.rounding();
   return derivative_direction(steps, quotient, turn, slack);
 }
 
@@ -315,11 +324,11 @@ DirectionCones cones_of(const SlopeNets& nets, const Interval& u, const Interval
           scaled_to_one(direction(part(nets.v, u, v), offsets, nets.scale, axes))};
 }
 
-DirectionCones cones_at_pole(const SlopeNets& nets, const CellTree& tree, const Cell& cell,
+DirectionCones cones_at_pole(const SlopeNets& nets, const Interval& u, const Interval& v,
                              PoleSide side, const Vec3& pole, const Axes& axes) {
-  DirectionCones cones = cones_of(nets, cell.u, cell.v, axes);
-  const PoleNet net(tree, cell, side, pole);
-  (net.across_u() ? cones.v : cones.u) = scaled_to_one(along_pole(net, cell.margin, axes));
+  DirectionCones cones = cones_of(nets, u, v, axes);
+  const PoleNet net({nets, u, v, side}, pole);
+  (net.across_u() ? cones.v : cones.u) = scaled_to_one(along_pole(net, axes));
   return cones;
 }
 
@@ -331,14 +340,12 @@ bool is_injective(const DirectionCones& cones) { return is_injective(cones, fals
 
 bool is_injective_with_jump(const DirectionCones& cones) { return is_injective(cones, true); }
 
-bool meet_in_pole_only(const CellTree& tree_a, const Cell& a, PoleSide side_a,
-                       const CellTree& tree_b, const Cell& b, PoleSide side_b, const Vec3& pole) {
-  const auto vectors = [&](const CellTree& tree, const Cell& cell, PoleSide side) {
-    const PoleNet net(tree, cell, side, pole);
+bool meet_in_pole_only(const PolePart& a, const PolePart& b, const Vec3& pole, double sine) {
+  // Each up to a positive factor, which does not matter.
+  const auto vectors = [](const PoleNet& net) {
     std::vector<Vec3> all;
     for (int r = 1; r <= net.degree(); ++r)
-      for (int i = 0; i < net.along(); ++i)
-        all.push_back(net.from_pole(r, i) * (1 / net.weight(r, i)));
+      for (int i = 0; i < net.along(); ++i) all.push_back(net.from_pole(r, i));
     return all;
   };
   const auto mean = [](const std::vector<Vec3>& all) {
@@ -346,13 +353,15 @@ bool meet_in_pole_only(const CellTree& tree_a, const Cell& a, PoleSide side_a,
     for (const Vec3& x : all) sum = sum + unit(x);
     return unit(sum);
   };
-  const auto from_a = vectors(tree_a, a, side_a), from_b = vectors(tree_b, b, side_b);
+  const PoleNet net_a(a, pole), net_b(b, pole);
+  const auto from_a = vectors(net_a), from_b = vectors(net_b);
   const Vec3 normal = unit(mean(from_a) - mean(from_b));
-  const double slack = 8 * kMaxDegree * std::max(a.margin, b.margin);
-  return std::all_of(from_a.begin(), from_a.end(),
-                     [&](const Vec3& x) { return dot(normal, x) > slack; }) &&
-         std::all_of(from_b.begin(), from_b.end(),
-                     [&](const Vec3& x) { return dot(normal, x) < -slack; });
+  const auto beside = [&](const std::vector<Vec3>& all, const Vec3& to, const PoleNet& net) {
+    const double slack = 8 * net.degree() * net.rounding();
+    return std::ranges::all_of(
+        all, [&](const Vec3& x) { return dot(to, x) > slack + sine * (norm(x) + slack); });
+  };
+  return beside(from_a, normal, net_a) && beside(from_b, -normal, net_b);
 }
 
 }  // namespace blossom

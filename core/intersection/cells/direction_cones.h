@@ -57,9 +57,9 @@ SlopeNets slope_nets(const RationalBezierPatch& patch, bool rational);
 DirectionCones cones_of(const SlopeNets& nets, const Interval& u, const Interval& v,
                         const Axes& axes);
 
-/// Of a cell with one side in a pole.
-/// pole      its point, relative to the tree's origin
-DirectionCones cones_at_pole(const SlopeNets& nets, const CellTree& tree, const Cell& cell,
+/// Over a rectangle with one side in a pole.
+/// pole      its point, as the points of the net
+DirectionCones cones_at_pole(const SlopeNets& nets, const Interval& u, const Interval& v,
                              PoleSide side, const Vec3& pole, const Axes& axes);
 
 /// The smallest that hold both.
@@ -77,9 +77,16 @@ inline constexpr double kJumpReach = 2001;
 /// and seen from aside they look long enough.
 bool is_injective_with_jump(const DirectionCones& cones);
 
-/// True if two cells with sides in the same pole have nothing but the pole in common: a plane
+/// A rectangle of a patch with a side in a pole.
+struct PolePart {
+  const SlopeNets& nets;
+  Interval u, v;
+  PoleSide side;
+};
+
+/// True if two rectangles with sides in the same pole have nothing but the pole in common: a plane
 /// through the pole is between them.
-bool meet_in_pole_only(const CellTree& tree_a, const Cell& a, PoleSide side_a,
-                       const CellTree& tree_b, const Cell& b, PoleSide side_b, const Vec3& pole);
+/// sine      of the angle between the plane and what leads from the pole to their points, at least
+bool meet_in_pole_only(const PolePart& a, const PolePart& b, const Vec3& pole, double sine = 0);
 
 }  // namespace blossom

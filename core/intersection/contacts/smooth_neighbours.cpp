@@ -10,6 +10,7 @@
 #include "core/forms/evaluation.h"
 #include "core/intersection/cells/cell_pair.h"
 #include "core/intersection/cells/direction_cones.h"
+#include "core/intersection/contacts/patch_sides.h"
 
 namespace blossom {
 namespace {
@@ -21,28 +22,6 @@ constexpr int kMostPairs = 1024;             // pairs of cells
 constexpr double kSlack = 1e-12;             // of directions of length about 1, for roundings
 constexpr double kWeightRounding = 0x1p-50;  // of quotients of weights, and
 constexpr double kPointRounding = 0x1p-49;   // of distances, of the largest coordinate
-
-constexpr std::array kCorners{Vec2{0, 0}, Vec2{0, 1}, Vec2{1, 0}, Vec2{1, 1}};
-
-// A side of the square of a patch.
-struct Side {
-  std::size_t across = 0;  // u or v is constant,
-  bool high = false;       // at 1 rather than 0
-
-  double value() const { return high ? 1 : 0; }
-  std::size_t along() const { return 1 - across; }
-  std::array<Interval, 2> range() const {
-    std::array<Interval, 2> range{Interval{0, 1}, Interval{0, 1}};
-    range[across] = {value(), value()};
-    return range;
-  }
-  Vec2 at(double t) const {
-    Vec2 x;
-    x[static_cast<int>(across)] = value();
-    x[static_cast<int>(along())] = t;
-    return x;
-  }
-};
 
 struct CommonSide {
   Side a, b;
@@ -57,37 +36,11 @@ struct CommonCorner {
   double gap = 0;
 };
 
-const Vec4& corner_point(const RationalBezierPatch& patch, const Vec2& corner) {
-  const Grid<Vec4>& net = patch.points;
-  return net(corner[0] > 0 ? net.rows() - 1 : 0, corner[1] > 0 ? net.columns() - 1 : 0);
-}
-
-std::vector<Vec4> side_points(const RationalBezierPatch& patch, const Side& side) {
-  const Grid<Vec4>& net = patch.points;
-  std::vector<Vec4> points;
-  if (side.across == 0)
-    for (int j = 0; j < net.columns(); ++j)
-      points.push_back(net(side.high ? net.rows() - 1 : 0, j));
-  else
-    for (int i = 0; i < net.rows(); ++i)
-      points.push_back(net(i, side.high ? net.columns() - 1 : 0));
-  return points;
-}
-
-// The sides of a patch on the border of its surface; where that is closed there is none.
-std::vector<Side> outer_sides(const SurfaceCells& cells, int patch) {
-  const BezierSurface& surface = cells.surface();
-  const std::array at{cells.span_u(patch), cells.span_v(patch)};
-  const std::array spans{surface.patches.rows(), surface.patches.columns()};
-  const std::array closed{surface.closed_u, surface.closed_v};
-  std::vector<Side> sides;
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (closed[k]) continue;
-    if (at[k] == 0) sides.push_back({k, false});
-    if (at[k] == spans[k] - 1) sides.push_back({k, true});
-  }
-  return sides;
-}
+// Sides in one pole.
+struct CommonPole {
+  Side a, b;
+  double gap = 0;
+};
 
 const RationalBezierPatch& patch_of(const SurfaceCells& cells, int patch) {
   return cells.surface().patches.values()[static_cast<std::size_t>(patch)];
@@ -129,14 +82,16 @@ class Neighbours {
     if (of_a.empty() || of_b.empty()) return;
     find_corners(of_a, of_b);
     if (corners_.empty()) return;
+    find_poles(of_a, of_b);
     find_sides(of_a, of_b);
   }
 
   // True if there is something in common and one patch goes on in the other there, with the same
   // normals; otherwise there is nothing to prove.
   bool go_on_smoothly() const {
-    return !(sides_.empty() && corners_.empty()) &&
+    return !(sides_.empty() && corners_.empty() && poles_.empty()) && longest_jump() <= nearest_ &&
            std::ranges::all_of(sides_, [&](const CommonSide& s) { return goes_on(s); }) &&
+           std::ranges::all_of(poles_, [&](const CommonPole& p) { return is_apart(p); }) &&
            std::ranges::all_of(corners_, [&](const CommonCorner& c) { return goes_on(c); });
   }
 
@@ -147,14 +102,37 @@ class Neighbours {
     axes_ = axes;
     slopes_a_ = slope_nets(tree_a.patch(), tree_a.shape().planes == 4);
     slopes_b_ = slope_nets(tree_b.patch(), tree_b.shape().planes == 4);
+    for (const CommonPole& common : poles_) {
+      const Vec3 pole = projected(side_points(tree_a.patch(), common.a).front());
+      put_pole(slopes_a_, at_poles_a_, common.a, pole);
+      put_pole(slopes_b_, at_poles_b_, common.b, pole);
+    }
     return prove(0, 0);
   }
 
   const std::vector<CommonSide>& sides() const { return sides_; }
   const std::vector<CommonCorner>& corners() const { return corners_; }
+  const std::vector<CommonPole>& poles() const { return poles_; }
+  // Whether a common side runs into the pole.
+  bool ends_side(const CommonPole& pole) const {
+    return std::ranges::any_of(sides_, [&](const CommonSide& side) {
+      return side.a.across != pole.a.across && side.b.across != pole.b.across;
+    });
+  }
   const Certificate& certificate() const { return certificate_; }
 
  private:
+  struct Pole {
+    Side side;
+    Vec3 point;
+  };
+
+  static void put_pole(SlopeNets& nets, std::vector<Pole>& poles, const Side& side,
+                       const Vec3& pole) {
+    nets = slope_nets(with_pole(nets.points, side, pole), nets.rational);
+    poles.push_back({side, pole});
+  }
+
   static bool is_on(const Vec2& corner, const Side& side) {
     return corner[static_cast<int>(side.across)] == side.value();
   }
@@ -170,10 +148,44 @@ class Neighbours {
             corners_.push_back({p, q, *gap});
   }
 
+  // The proof is about patches whose poles are exact, so a path jumps by what their points moved.
+  // What is a pole is no side, and its ends are no corners.
+  void find_poles(const std::vector<Side>& of_a, const std::vector<Side>& of_b) {
+    for (const Side& a : of_a) {
+      const Vec3 pole = projected(side_points(a_, a).front());
+      const auto moved_a = pole_gap(a_, a, pole, nearest_);
+      if (!moved_a) continue;
+      for (const Side& b : of_b)
+        if (const auto moved_b = pole_gap(b_, b, pole, nearest_)) {
+          poles_.push_back({a, b, *moved_a + *moved_b});
+          moved_ += *moved_a + *moved_b;
+        }
+    }
+    std::erase_if(corners_, [&](const CommonCorner& corner) {
+      return std::ranges::any_of(poles_, [&](const CommonPole& pole) {
+        return is_on(corner.a, pole.a) && is_on(corner.b, pole.b);
+      });
+    });
+  }
+
+  // No path jumps by more.
+  double longest_jump() const {
+    double gap = 0;
+    for (const CommonSide& side : sides_) gap = std::max(gap, side.gap);
+    for (const CommonCorner& corner : corners_) gap = std::max(gap, corner.gap);
+    return gap + moved_;
+  }
+
+  bool is_pole(const Side& a, const Side& b) const {
+    return std::ranges::any_of(poles_,
+                               [&](const CommonPole& pole) { return pole.a == a || pole.b == b; });
+  }
+
   // The ends of common sides are no corners of their own.
   void find_sides(const std::vector<Side>& of_a, const std::vector<Side>& of_b) {
     for (const Side& a : of_a)
       for (const Side& b : of_b) {
+        if (is_pole(a, b)) continue;
         const std::vector<Vec4> p = side_points(a_, a);
         std::vector<Vec4> q = side_points(b_, b);
         for (const bool reversed : {false, true}) {
@@ -212,6 +224,9 @@ class Neighbours {
   bool goes_on(const CommonSide& side) const {
     for (int k = 0; k < kNormals; ++k) {
       const double t = k / (kNormals - 1.0);
+      if (std::ranges::any_of(poles_,
+                              [&](const auto& pole) { return is_on(side.a.at(t), pole.a); }))
+        continue;
       const Slopes p = slopes_at(a_, side.a.at(t), false);
       const Slopes q = slopes_at(b_, side.b.at(side.on_b(t)), true);
       const Vec3 along = unit(side.a.across == 0 ? p.v : p.u);
@@ -219,6 +234,18 @@ class Neighbours {
       const bool on = dot(to - along * dot(to, along), from - along * dot(from, along)) > 0;
       if (!on || !is_smooth(p, q)) return false;
     }
+    return true;
+  }
+
+  // Whether the inner ways that lead away from the pole are different ones.
+  bool is_apart(const CommonPole& pole) const {
+    const auto way = [](const RationalBezierPatch& patch, const Side& side, int k) {
+      const Slopes slopes = slopes_at(patch, side.at((k + 0.5) / kNormals), true);
+      return unit(side.across == 0 ? slopes.u : slopes.v);
+    };
+    for (int i = 0; i < kNormals; ++i)
+      for (int j = 0; j < kNormals; ++j)
+        if (!(distance(way(a_, pole.a, i), way(b_, pole.b, j)) > kSmoothSine)) return false;
     return true;
   }
 
@@ -235,7 +262,8 @@ class Neighbours {
     if (a.part == PartSide::Outside || b.part == PartSide::Outside) return true;
     const auto proves = [&](const auto& common) { return meet_only_in(common, a, b); };
     if (separated(a, b, tree_a_->shape().plane_size(), tree_b_->shape().plane_size()) ||
-        std::ranges::any_of(sides_, proves) || std::ranges::any_of(corners_, proves)) {
+        std::ranges::any_of(sides_, proves) || std::ranges::any_of(corners_, proves) ||
+        std::ranges::any_of(poles_, proves)) {
       ++certificate_.excluded;
       certificate_.depth = std::max({certificate_.depth, a.depth, b.depth});
       certificate_.rounding_bound = std::max({certificate_.rounding_bound, a.margin, b.margin});
@@ -256,18 +284,19 @@ class Neighbours {
     over_b[side.b.across] = hull(over_b[side.b.across], side.b.value());
     over_a[side.a.along()] =
         hull(hull(over_a[side.a.along()], side.on_b(along_b.from)), side.on_b(along_b.to));
-    const auto p = slopes(slopes_a_, over_a), q = slopes(slopes_b_, over_b);
+    const auto p = slopes(slopes_a_, at_poles_a_, over_a);
+    const auto q = slopes(slopes_b_, at_poles_b_, over_b);
     const DirectionCones cones =
         joined(DirectionCones{p[side.a.along()], turned(p[side.a.across], !side.a.high)},
                DirectionCones{turned(q[side.b.along()], side.reversed),
                               turned(q[side.b.across], side.b.high)});
-    return side.gap > 0 ? is_injective_with_jump(cones) : is_injective(cones);
+    return side.gap + moved_ > 0 ? is_injective_with_jump(cones) : is_injective(cones);
   }
 
   // Some direction grows from a to the corner and on to b.
   bool meet_only_in(const CommonCorner& corner, const Cell& a, const Cell& b) const {
-    const auto p = slopes(slopes_a_, {hull(a.u, corner.a[0]), hull(a.v, corner.a[1])});
-    const auto q = slopes(slopes_b_, {hull(b.u, corner.b[0]), hull(b.v, corner.b[1])});
+    const auto p = slopes(slopes_a_, at_poles_a_, {hull(a.u, corner.a[0]), hull(a.v, corner.a[1])});
+    const auto q = slopes(slopes_b_, at_poles_b_, {hull(b.u, corner.b[0]), hull(b.v, corner.b[1])});
     const std::array steps{turned(p[0], corner.a[0] == 0), turned(p[1], corner.a[1] == 0),
                            turned(q[0], corner.b[0] == 1), turned(q[1], corner.b[1] == 1)};
     Vec3 way;
@@ -277,13 +306,35 @@ class Neighbours {
       double least = dot(way, step.middle);
       for (int k = 0; k < 3; ++k) least -= std::abs(way[k]) * step.radius[k];
       const double longest = norm(step.middle) + norm(step.radius);
-      return least > (corner.gap > 0 ? std::max(kSlack, longest / kJumpReach) : kSlack);
+      return least > (corner.gap + moved_ > 0 ? std::max(kSlack, longest / kJumpReach) : kSlack);
     });
   }
 
-  std::array<VectorBounds, 2> slopes(const SlopeNets& nets,
+  // What leads from the pole to a on one side of a plane, what leads to b on the other. Both are at
+  // an angle with it, so that points which a jump makes one are near the pole.
+  bool meet_only_in(const CommonPole& pole, const Cell& a, const Cell& b) const {
+    const auto at_pole = [](const SlopeNets& nets, const Side& side, const Cell& cell) {
+      std::array over{cell.u, cell.v};
+      over[side.across] = hull(over[side.across], side.value());
+      return PolePart{nets, over[0], over[1], pole_side(side)};
+    };
+    const auto exact =
+        std::ranges::find_if(at_poles_a_, [&](const Pole& x) { return x.side == pole.a; });
+    return meet_in_pole_only(at_pole(slopes_a_, pole.a, a), at_pole(slopes_b_, pole.b, b),
+                             exact->point, 1 / kJumpReach);
+  }
+
+  // Of a rectangle, at a pole those of the directions from there. At two poles nothing is known.
+  std::array<VectorBounds, 2> slopes(const SlopeNets& nets, const std::vector<Pole>& poles,
                                      const std::array<Interval, 2>& over) const {
-    const DirectionCones cones = cones_of(nets, over[0], over[1], axes_);
+    const auto at_pole = std::ranges::find_if(poles, [&](const Pole& pole) {
+      const Interval& across = over[pole.side.across];
+      return across.from <= pole.side.value() && pole.side.value() <= across.to;
+    });
+    const DirectionCones cones =
+        at_pole == poles.end() ? cones_of(nets, over[0], over[1], axes_)
+                               : cones_at_pole(nets, over[0], over[1], pole_side(at_pole->side),
+                                               at_pole->point, axes_);
     return {cones.u, cones.v};
   }
 
@@ -294,6 +345,9 @@ class Neighbours {
   CellTree* tree_b_ = nullptr;
   std::vector<CommonSide> sides_;
   std::vector<CommonCorner> corners_;
+  std::vector<CommonPole> poles_;
+  double moved_ = 0;  // by points of both patches together, to be poles
+  std::vector<Pole> at_poles_a_, at_poles_b_;
   Axes axes_;
   SlopeNets slopes_a_, slopes_b_;
   int pairs_ = 0;  // tried
@@ -345,6 +399,11 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
       if (counts(range_at(corner.a), range_at(corner.b))) {
         found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(corner.a, corner.b)});
         found.gap = std::max(found.gap, corner.gap);
+      }
+    for (const CommonPole& pole : neighbours.poles())
+      if (!neighbours.ends_side(pole) && counts(pole.a.range(), pole.b.range())) {
+        found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(pole.a.at(0), pole.b.at(0))});
+        found.gap = std::max(found.gap, pole.gap);
       }
     return true;
   });

@@ -101,6 +101,84 @@ TEST(SmoothNeighbours, HalvesOfATubeMeetInBothBorders) {
   EXPECT_EQ(found.curves.size(), 2u);
 }
 
+// Two quarters of a cone from its apex, v = 0, to a circle of radius 1 at this height: from `turn`
+// quarters on.
+BezierSurface half_cone(int turn, double height, const Vec3& apex = {}) {
+  constexpr double kWeight = std::numbers::sqrt2 / 2;
+  BezierSurface surface{{0, 1, 2}, {0, 1}};
+  surface.patches = Grid<RationalBezierPatch>(2, 1);
+  for (int k = 0; k < 2; ++k) {
+    const double angle = (turn + k) * std::numbers::pi / 2;
+    const Vec2 x{std::cos(angle), std::sin(angle)}, y{-x[1], x[0]};
+    RationalBezierPatch patch{Grid<Vec4>(3, 2)};
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 p = (i < 2 ? x : Vec2{}) + (i > 0 ? y : Vec2{});
+      const double w = i == 1 ? kWeight : 1;
+      patch.points(i, 0) = {w * apex[0], w * apex[1], w * apex[2], w};
+      patch.points(i, 1) = {w * (apex[0] + p[0]), w * (apex[1] + p[1]), w * (apex[2] + height), w};
+    }
+    surface.patches(k, 0) = patch;
+  }
+  surface.rational = true;
+  return surface;
+}
+
+int taken(const BezierSurface& a, const BezierSurface& b) {
+  std::vector<StartPair> pairs;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) pairs.push_back({i, 0, j, 0});
+  SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
+  take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}));
+  return 4 - static_cast<int>(pairs.size());
+}
+
+// Quarters beside each other meet in a line that ends in the apex, those across there alone.
+TEST(SmoothNeighbours, HalvesOfAConeMeetInTwoLinesAndTheApex) {
+  for (const double height : {0.1, 1.0, 5.0})
+    for (const Vec3& apex : {Vec3{}, Vec3{0.3, 17.1, -2.9}}) {
+      const BezierSurface a = half_cone(0, height, apex), b = half_cone(2, height, apex);
+      EXPECT_EQ(taken(a, b), 4) << height;
+      const SurfaceIntersection found = intersect(a, b);
+      EXPECT_EQ(found.status, Status::Tolerance);
+      EXPECT_EQ(found.certificate.critical, 0);
+      double length = 0;
+      for (const IntersectionCurve& curve : found.curves) length += curve.length;
+      EXPECT_NEAR(length, 2 * std::hypot(1, height), 1e-7);
+      EXPECT_TRUE(found.points.empty() && found.places.empty());
+    }
+}
+
+// Each quarter has one that it coincides with: nothing is proven of that.
+TEST(SmoothNeighbours, QuartersOfAConeThatCoincideAreSearched) {
+  EXPECT_LE(taken(half_cone(0, 1), half_cone(0, 1)), 2);
+  EXPECT_LE(taken(half_cone(0, 1), half_cone(1, 1)), 3);
+}
+
+// Of cones about the same axis that open to both sides no parts meet but in the apex.
+TEST(SmoothNeighbours, ConesTipToTipMeetInTheirApex) {
+  const SurfaceIntersection found = intersect(half_cone(0, 1), half_cone(0, -1));
+  EXPECT_EQ(found.certificate.critical, 0);
+  EXPECT_TRUE(found.curves.empty());
+  ASSERT_EQ(found.points.size(), 1u);
+  EXPECT_LE(norm(found.points.front().point), 1e-12);
+}
+
+// A bulge leads the way back through the other cone.
+TEST(SmoothNeighbours, ConeThatComesBackIsSearched) {
+  BezierSurface b{{0, 1}, {0, 1}};
+  b.patches = Grid<RationalBezierPatch>(1, 1);
+  RationalBezierPatch patch{Grid<Vec4>(3, 4)};
+  const std::array<Vec2, 4> profile{Vec2{0, 0}, Vec2{0, -1}, Vec2{1.5, -1}, Vec2{0.5, 1.5}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const Vec2& p = profile[static_cast<std::size_t>(j)];
+      patch.points(i, j) = {p[0], (i - 1) * 0.1 * j, p[1], 1};
+    }
+  b.patches(0, 0) = patch;
+  const SurfaceIntersection found = intersect(half_cone(3, 1), b);
+  EXPECT_GE(found.curves.size(), 1u);
+}
+
 // The surface with every coordinate moved by up to `most`.
 BezierSurface shaken(BezierSurface surface, double most) {
   int k = 0;
