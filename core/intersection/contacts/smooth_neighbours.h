@@ -8,6 +8,10 @@
 // proof that one surface does not meet itself (`cells/direction_cones.h`) holds for two. Through a
 // corner such a path goes straight on, and it is enough that some direction grows all along it.
 //
+// Borders that are one point, as the apex of two half cones, are taken for exactly that point: the
+// parts around it meet in the borders that end there, or, on either side of a plane through it, in
+// it alone.
+//
 // Borders and corners are common when their control points are the same, or so near each other
 // that paths which jump across prove it of all points farther than the tolerance from them.
 
@@ -24,12 +28,12 @@ namespace blossom {
 /// What neighbours have in common.
 struct NeighbourContacts {
   std::vector<FoundArc> arcs;      ///< along borders
-  std::vector<FoundGraze> grazes;  ///< corners
+  std::vector<FoundGraze> grazes;  ///< corners and poles
   double gap = 0;                  ///< between the surfaces there, model units
   Certificate certificate;         ///< of the pairs of cells that have nothing else in common
 };
 
-/// Takes out the pairs of patches that are proven to meet in a common outer border or corner of
+/// Takes out the pairs of patches that are proven to meet in a common outer border, corner or pole of
 /// both surfaces alone, where samples have common normals, to 1e-3. What lies outside of the parts
 /// that count is not looked at and not reported.
 ///
