@@ -38,9 +38,11 @@ void to_bezier(const double (&f)[4], double (&b)[4]) {
   b[3] = (f[1] + 4 * f[2] + f[3]) / 6;
 }
 
+using Height = std::function<double(double, double)>;
+
 // A bicubic C2 B-spline height field over the unit square with n x n spans; control heights are
 // samples of a smooth function, so that the shape does not depend on n.
-BezierSurface height_field(int n, double (*height)(double, double)) {
+BezierSurface height_field(int n, const Height& height) {
   BezierSurface surface;
   for (int i = 0; i <= n; ++i) surface.u_knots.push_back(static_cast<double>(i) / n);
   surface.v_knots = surface.u_knots;
@@ -73,12 +75,9 @@ double saddle(double u, double v) { return 0.1 * (u - 0.5) * (v - 0.4) + 0.03 * 
 
 // Bumps of both signs, m in each direction: they cross half of their height in m^2 / 2 loops.
 BezierSurface bumps(int spans, int m) {
-  BezierSurface surface = height_field(spans, wave);
-  for (RationalBezierPatch& patch : surface.patches.values())
-    for (Vec4& p : patch.points.values())
-      p[2] =
-          0.2 / m * std::sin(std::numbers::pi * m * p[0]) * std::sin(std::numbers::pi * m * p[1]);
-  return surface;
+  return height_field(spans, [m](double u, double v) {
+    return 0.2 / m * std::sin(std::numbers::pi * m * u) * std::sin(std::numbers::pi * m * v);
+  });
 }
 
 BezierSurface flat(double height) {
@@ -142,7 +141,7 @@ Growth of_surfaces(const char* family, int size, const BezierSurface& a, const B
 
 // A height field of 4 n x 4 n spans as n x n faces, wider by a part of itself: so borders of one
 // field do not lie over those of another.
-std::vector<TopoDS_Face> faces_of_field(int n, double (*height)(double, double), double wider) {
+std::vector<TopoDS_Face> faces_of_field(int n, const Height& height, double wider) {
   BezierSurface whole = height_field(4 * n, height);
   for (RationalBezierPatch& patch : whole.patches.values())
     for (Vec4& p : patch.points.values())
