@@ -7,8 +7,12 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "core/base/parallel.h"
 #include "core/math/four.h"
 
 namespace blossom {
@@ -17,6 +21,10 @@ namespace {
 constexpr int kDeepest = 12;               // halvings of a link
 constexpr std::size_t kMostPieces = 5000;  // where sampling ends whatever the accuracy: this, and
 constexpr std::size_t kPiecesOfLink = 32;  // so many more for each link
+constexpr std::size_t kUsualPieces = 4;    // of a link: more take another allocation
+constexpr std::size_t kLinksAtOnce = 256;  // refined ahead of being joined
+constexpr std::size_t kLinkGrain = 4;      // links that one thread refines in a row,
+constexpr std::size_t kJointGrain = 8;     // and stations that it looks at
 constexpr double kShortest = 0.1;          // of the wanted accuracy: no piece needs to be shorter
 constexpr double kNoLength = 1e-4;         // likewise: a piece shorter than this is a point
 constexpr double kLongestTurn = 1.0;       // radians of the tangent in one piece
@@ -168,22 +176,92 @@ class Sampler {
       : tracer_(tracer), a_(a), b_(b), wanted_(wanted), limit_(limit), conic_(conic), work_(work) {}
 
   std::vector<SmoothRun> run() {
-    const std::vector<double>& stations = tracer_.stations();
-    const CurvePoint first = tracer_.at(stations.front(), true);
-    begin_run({stations.front(), first_parameter(first), 0, first});
-    for (std::size_t i = 1; i < stations.size(); ++i) {
-      Site next{stations[i], 0, 0, tracer_.at(stations[i], false)};
-      const bool last = i + 1 == stations.size();
-      if (last) close(next.point, runs_.front().sites.front().point);
-      refine(Site(runs_.back().sites.back()), next, 0);
-      if (!last && (may_break(next.point) || turns_back(next))) break_here();
-      if (late() || stands_still_) return {};
-    }
+    const std::size_t links = tracer_.stations().size() - 1;
+    const double station = tracer_.stations().front();
+    const CurvePoint first = tracer_.at(station, true);
+    begin_run({station, first_parameter(first), 0, first});
+    last_.stop = runs_.front().sites.front();
+    for (std::size_t from = 0; from < links; from += kLinksAtOnce)
+      if (!add_links(from, std::min(from + kLinksAtOnce, links))) return {};
     drop_empty_runs();
     return std::move(runs_);
   }
 
  private:
+  // Where a derivative jumps: the point that a new run begins with.
+  struct Break {
+    CurvePoint point;
+    int multiplicity;
+  };
+
+  // Where a link ends.
+  struct Joint {
+    Site stop;
+    bool may_break = false;
+    std::optional<Break> next;  // after `stop`
+
+    Site start() const { return {stop.station, 0, 0, next ? next->point : stop.point}; }
+  };
+
+  // A piece that ends at a site.
+  struct Refined {
+    Step step;
+    double error;
+    Site stop;
+  };
+
+  struct RefinedLink {
+    std::size_t most;  // pieces; from there on all are good enough
+    std::vector<Refined> pieces;
+  };
+
+  // Links are refined by all threads, each from where the one before should end, and joined in
+  // order. Those that begin elsewhere or take many pieces are refined again then, so that the
+  // result is that of one thread. False if the sampling has to end.
+  bool add_links(std::size_t from, std::size_t to) {
+    std::vector<Joint> joints(to - from + 1);
+    joints[0] = last_;
+    parallel_for(to - from, kJointGrain,
+                 [&](std::size_t k) { joints[k + 1] = joint_at(from + k + 1); });
+    if (to + 1 == tracer_.stations().size())
+      close(joints.back().stop.point, runs_.front().sites.front().point);
+    std::vector<RefinedLink> ahead(to - from);
+    parallel_for(to - from, kLinkGrain, [&](std::size_t k) {
+      ahead[k] = refined(joints[k].start(), joints[k + 1].stop, kPiecesOfLink);
+    });
+    for (std::size_t k = 0; k + from < to; ++k) {
+      add_link(std::move(ahead[k]), joints[k + 1]);
+      if (late() || stands_still_) return false;
+    }
+    last_ = joints.back();
+    return true;
+  }
+
+  void add_link(RefinedLink&& link, const Joint& joint) {
+    const std::size_t most = most_pieces_ - std::min(count_, most_pieces_);
+    if (!is_at_stop_ || link.pieces.size() >= std::min(link.most, most))
+      link = refined(Site(last_site()), joint.stop, most);
+    for (const Refined& piece : link.pieces) append(piece);
+    if (!joint.may_break) return;
+    if (const auto next = is_at_stop_ ? joint.next : break_at(last_site())) {
+      runs_.back().multiplicity = next->multiplicity;
+      Site site = last_site();
+      site.point = next->point;
+      begin_run(site);
+    }
+  }
+
+  Joint joint_at(std::size_t index) const {
+    const std::vector<double>& stations = tracer_.stations();
+    Joint joint{{stations[index], 0, 0, tracer_.at(stations[index], false)}, false, {}};
+    const bool last = index + 1 == stations.size();
+    joint.may_break = !last && (may_break(joint.stop.point) || turns_back(joint.stop));
+    if (joint.may_break) joint.next = break_at(joint.stop);
+    return joint;
+  }
+
+  const Site& last_site() const { return runs_.back().sites.back(); }
+
   // Of a circle it is 0 but for rounding.
   double first_parameter(const CurvePoint& first) const {
     constexpr double kRounding = 1e-14;
@@ -193,15 +271,12 @@ class Sampler {
 
   void begin_run(const Site& site) { runs_.push_back({{site}, {}, {}, 0}); }
 
-  // Begins a new run where a derivative may jump. Both have one point, and the derivatives in
-  // common that agree.
-  void break_here() {
-    Site site = runs_.back().sites.back();
+  // Both runs have one point, and the derivatives in common that agree.
+  std::optional<Break> break_at(const Site& site) const {
     const CurvePoint& before = site.point;
     CurvePoint after = tracer_.at(site.station, true);
     const int found = multiplicity(before, after);
-    if (found == kFitDegree - 2 && !on_line_knot(before)) return;
-    runs_.back().multiplicity = found;
+    if (found == kFitDegree - 2 && !on_line_knot(before)) return {};
     after.point = before.point;
     after.a = before.a;
     after.b = before.b;
@@ -215,8 +290,7 @@ class Sampler {
       after.a_second = before.a_second;
       after.b_second = before.b_second;
     }
-    site.point = after;
-    begin_run(site);
+    return Break{after, found};
   }
 
   // Links without any length leave nothing behind but the knot's multiplicity.
@@ -270,14 +344,21 @@ class Sampler {
     return distance(tracer_.at(half_way, true).point, start.point.point) <= shortest;
   }
 
-  // The last site of the run is at the start. A piece that is nearly good enough is so in halves.
-  void refine(const Site& start, const Site& stop, int depth) {
+  RefinedLink refined(const Site& start, const Site& stop, std::size_t most) const {
+    RefinedLink link{most, {}};
+    link.pieces.reserve(kUsualPieces);
+    refine(start, stop, 0, link);
+    return link;
+  }
+
+  // A piece that is nearly good enough is so in halves.
+  void refine(const Site& start, const Site& stop, int depth, RefinedLink& link) const {
     const Step step = step_between(start, stop);
     const double error = error_of(step.piece, start, stop, kProbes);
     const double turn = std::acos(std::clamp(dot(start.point.first, stop.point.first), -1.0, 1.0));
-    if ((error <= limit_ && turn <= kLongestTurn) || depth >= kDeepest || count_ >= most_pieces_ ||
-        late() || is_point(step, start, stop))
-      return append(step, error, stop);
+    if ((error <= limit_ && turn <= kLongestTurn) || depth >= kDeepest ||
+        link.pieces.size() >= link.most || late() || is_point(step, start, stop))
+      return link.pieces.push_back({step, error, stop});
     const double station = 0.5 * (start.station + stop.station);
     const Site middle{station, 0, 0, tracer_.at(station, true)};
     // All three images may agree on another branch: the true middle point has to be near.
@@ -286,15 +367,16 @@ class Sampler {
     const double worst = std::max(error, off);
     const bool halves = turn <= kLongestTurn && worst <= 32 * limit_;
     for (const auto& [from, to] : {std::pair{&start, &middle}, std::pair{&middle, &stop}})
-      if (!halves || !append_half(*from, *to, worst / 64)) refine(*from, *to, depth + 1);
+      if (!halves || !refine_half(*from, *to, worst / 64, link))
+        refine(*from, *to, depth + 1, link);
   }
 
   // `expected` is the error by its order; the piece tells whether it is.
-  bool append_half(const Site& start, const Site& stop, double expected) {
+  bool refine_half(const Site& start, const Site& stop, double expected, RefinedLink& link) const {
     const Step step = step_between(start, stop);
     const double error = error_of(step.piece, start, stop, kMiddleProbe);
     if (error > limit_) return false;
-    append(step, std::max(error, expected), stop);
+    link.pieces.push_back({step, std::max(error, expected), stop});
     return true;
   }
 
@@ -317,21 +399,23 @@ class Sampler {
     return error;
   }
 
-  void append(Step step, double error, Site stop) {
+  void append(const Refined& refined) {
     SmoothRun& run = runs_.back();
     ++count_;
-    if (!(step.length > kNoLength * wanted_.gap)) {  // both ends in one point, or no point
-      run.sites.back().station = stop.station;
+    is_at_stop_ = refined.step.length > kNoLength * wanted_.gap;
+    if (!is_at_stop_) {  // both ends in one point, or no point
+      run.sites.back().station = refined.stop.station;
       return;
     }
-    QuinticPiece& piece = step.piece;
+    QuinticPiece piece = refined.step.piece;
     const double from = run.sites.back().parameter;
     stands_still_ = stands_still_ || !(from + length(piece.place) > from);
     piece.place = {from, from + length(piece.place)};
+    Site stop = refined.stop;
     stop.parameter = piece.place.to;
-    stop.length = run.sites.back().length + step.length;
+    stop.length = run.sites.back().length + refined.step.length;
     run.pieces.push_back(piece);
-    run.errors.push_back(error);
+    run.errors.push_back(refined.error);
     run.sites.push_back(stop);
   }
 
@@ -345,6 +429,8 @@ class Sampler {
   std::size_t count_ = 0;
   const std::size_t most_pieces_ = kMostPieces + kPiecesOfLink * tracer_.stations().size();
   bool stands_still_ = false;  // the parameter, somewhere along the chain
+  bool is_at_stop_ = true;     // the last site is where its link ends
+  Joint last_;                 // of the links so far
   std::vector<SmoothRun> runs_;
 };
 
