@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
+#include <limits>
 #include <span>
 
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
+#include "core/math/four.h"
 
 namespace blossom {
 namespace {
@@ -18,13 +21,26 @@ constexpr std::size_t kBlockGrain = 64;     // blocks that one thread bounds in 
 constexpr std::size_t kLeastShared = 64;    // pairs of blocks, to share out
 constexpr double kRounding = 16 * 0x1p-53;  // of the coordinates: as much as cells allow for
 
+// All four coordinates at a time, the weights for nothing.
+BLOSSOM_HOT Box polynomial_hull_box(std::span<const Vec4> points) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Four low{kFar, kFar, kFar, kFar}, high = -low;
+  for (const Vec4& p : points) {
+    Four x;
+    std::memcpy(&x, &p, sizeof x);
+    low = x < low ? x : low;
+    high = high < x ? x : high;
+  }
+  return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
+}
+
 Box hull_box(const RationalBezierPatch& patch, bool rational) {
+  if (!rational) return polynomial_hull_box(patch.points.values());
   Box box;
-  const auto hold = [&box](const Vec3& x) { box = joined(box, {x, x}); };
-  if (rational)
-    for (const Vec4& p : patch.points.values()) hold(projected(p));
-  else
-    for (const Vec4& p : patch.points.values()) hold({p[0], p[1], p[2]});
+  for (const Vec4& p : patch.points.values()) {
+    const Vec3 x = projected(p);
+    box = joined(box, {x, x});
+  }
   return box;
 }
 

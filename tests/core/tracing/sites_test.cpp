@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/parallel.h"
 #include "core/bounds/patch_boxes.h"
 #include "core/intersection/pair_search.h"
 #include "tests/core/tracing/surface_pairs.h"
@@ -59,6 +60,25 @@ TEST_P(SmoothRuns, FollowEachOther) {
         EXPECT_EQ(run.sites[i].point.point, space(run.pieces[i].points.front()));
         EXPECT_EQ(run.sites[i + 1].point.point, space(run.pieces[i].points.back()));
       }
+    }
+  });
+}
+
+TEST_P(SmoothRuns, AreTheSameForAnyNumberOfThreads) {
+  each_chain([&](const ChainTracer& tracer) {
+    std::vector<SmoothRun> by_one, by_four;
+    const auto runs = [&] {
+      return smooth_runs(tracer, GetParam().a, GetParam().b, {1e-9}, 0.125);
+    };
+    with_threads(1, [&] { by_one = runs(); });
+    with_threads(4, [&] { by_four = runs(); });
+    ASSERT_EQ(by_one.size(), by_four.size());
+    for (std::size_t k = 0; k < by_one.size(); ++k) {
+      EXPECT_EQ(by_one[k].multiplicity, by_four[k].multiplicity);
+      EXPECT_EQ(by_one[k].errors, by_four[k].errors);
+      ASSERT_EQ(by_one[k].pieces.size(), by_four[k].pieces.size());
+      for (std::size_t i = 0; i < by_one[k].pieces.size(); ++i)
+        EXPECT_EQ(by_one[k].pieces[i].points, by_four[k].pieces[i].points);
     }
   });
 }
