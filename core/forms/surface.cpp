@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <span>
 #include <string>
 
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
+#include "core/math/four.h"
 
 namespace blossom {
 namespace {
@@ -38,15 +40,16 @@ void validate_knots(const std::vector<double>& knots, int spans, const char* nam
       refuse(name, std::string("the knots in ") + direction + " are not finite and increasing");
 }
 
-// Without branches. False too of some sound points near the largest double, which are then looked
-// at one by one.
-bool are_plainly_sound(std::span<const Vec4> points) {
-  double not_a_number = 0, least_weight = 1;
+// Without branches: 0 times what is not finite is not 0.
+BLOSSOM_HOT bool are_sound(std::span<const Vec4> points) {
+  Four zeros{}, least{1, 1, 1, 1};
   for (const Vec4& p : points) {
-    not_a_number += 0 * (p[0] + p[1] + p[2] + p[3]);
-    least_weight = p[3] < least_weight ? p[3] : least_weight;
+    Four x;
+    std::memcpy(&x, &p, sizeof x);
+    zeros += 0 * x;
+    least = x < least ? x : least;
   }
-  return not_a_number == 0 && least_weight > 0;
+  return zeros[0] + zeros[1] + zeros[2] + zeros[3] == 0 && least[3] > 0;
 }
 
 bool has_sound_degrees(const RationalBezierPatch& patch) {
@@ -108,7 +111,7 @@ void validate(const BezierSurface& surface, const char* name) {
   const auto patches = surface.patches.values();
   std::atomic<bool> sound = true;
   parallel_for(patches.size(), kPatchGrain, [&](std::size_t i) {
-    if (!has_sound_degrees(patches[i]) || !are_plainly_sound(patches[i].points.values()))
+    if (!has_sound_degrees(patches[i]) || !are_sound(patches[i].points.values()))
       sound.store(false, std::memory_order_relaxed);
   });
   if (!sound)  // the first one that is not tells what is wrong
