@@ -8,7 +8,9 @@
 #include "core/forms/evaluation.h"
 #include "core/forms/products.h"
 #include "core/intersection/contacts/contact_points.h"
+#include "core/subdivision/bulk_bounds.h"
 #include "core/subdivision/patch_subdivision.h"
+#include "core/subdivision/subdivision_matrix.h"
 
 namespace blossom {
 namespace {
@@ -17,9 +19,11 @@ constexpr double kReach = 0.75;     // of Newton's method, fraction of a patch
 constexpr double kStep = 1.0 / 16;  // along a, fraction of a patch
 constexpr double kStepB = 1.0 / 8;  // along b
 constexpr double kLeastStep = 1e-6;
-constexpr double kBeyond = 0.5;       // how far b is extended
-constexpr double kStraight = 1e-7;    // an iso-line of a that strays less on b is one of b
-constexpr double kLeastWidth = 1e-4;  // of a domain
+constexpr double kBeyond = 0.5;           // how far b is extended
+constexpr double kStraight = 1e-7;        // an iso-line of a that strays less on b is one of b
+constexpr double kLeastWidth = 1e-4;      // of a domain
+constexpr double kPowerError = 0x1p-48;   // of products of powers, relative to them
+constexpr double kGrowthError = 0x1p-46;  // of a piece beyond the patch
 
 double gap_at(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x) {
   return distance(point_at(a, x[0], x[1]), point_at(b, x[2], x[3]));
@@ -81,8 +85,7 @@ std::optional<Direction> direction_of(const RationalBezierPatch& a, const Ration
 }
 
 // b over the chart's domain in a's parameters: control points times powers of the ratios.
-RationalBezierPatch mapped(const RationalBezierPatch& b, const SharedChart& chart) {
-  RationalBezierPatch piece = sub_patch(b, chart.s.to, chart.t.to);
+RationalBezierPatch mapped(RationalBezierPatch piece, const SharedChart& chart) {
   const int n = piece.degree_u(), m = piece.degree_v();
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= m; ++j)
@@ -97,7 +100,6 @@ RationalBezierPatch mapped(const RationalBezierPatch& b, const SharedChart& char
 struct Homogeneous {
   BezierFunction2 weight;
   BezierPatch point;
-  double largest_weight = 0, least_weight = 1e300, largest_point = 0;
 };
 
 Homogeneous parts_of(const RationalBezierPatch& patch) {
@@ -108,30 +110,47 @@ Homogeneous parts_of(const RationalBezierPatch& patch) {
       const Vec4& p = patch.points(i, j);
       parts.weight.points(i, j) = p[3];
       parts.point.points(i, j) = {p[0], p[1], p[2]};
-      parts.largest_weight = std::max(parts.largest_weight, std::abs(p[3]));
-      parts.least_weight = std::min(parts.least_weight, p[3]);
-      parts.largest_point = std::max(parts.largest_point, max_norm(parts.point.points(i, j)));
     }
   return parts;
 }
 
-// Bound on the distance of two patches at equal parameters, rounding included. `growth` is that of
-// the rounding of their nets.
-double distance_bound(const RationalBezierPatch& a, const RationalBezierPatch& b, double growth) {
+// How far control points are from the origin; infinite if a weight is not positive.
+double reach_of(const RationalBezierPatch& patch) {
+  double reach = 0;
+  for (const Vec4& p : patch.points.values())
+    reach = p[3] > 0 ? std::max(reach, norm(Vec3{p[0], p[1], p[2]}) / p[3]) : 1e300;
+  return reach;
+}
+
+// Bound on the distance of two patches at equal parameters: a quotient of two forms is at most the
+// largest quotient of their coefficients if those of the divisor are positive. A coefficient that
+// is a sum of positive multiples of w x is rounded relative to that of w times the reach of x,
+// which is not that of the pieces: a small one near the origin may be of a patch that reaches far.
+double distance_bound(const RationalBezierPatch& a, const RationalBezierPatch& b, double reach) {
   const Homogeneous p = parts_of(a), q = parts_of(b);
-  if (!(p.least_weight > 0 && q.least_weight > 0)) return 1e300;
   const BezierPatch left = product(q.weight, p.point), right = product(p.weight, q.point);
   const BezierFunction2 weight = product(p.weight, q.weight);
-  double worst = 0, least = 1e300;
-  for (std::size_t i = 0; i < left.points.values().size(); ++i) {
-    worst = std::max(worst, norm(left.points.values()[i] - right.points.values()[i]));
-    least = std::min(least, weight.points.values()[i]);
-  }
-  const double scale = q.largest_weight * p.largest_point + p.largest_weight * q.largest_point;
-  const double error =
+  double worst = 0;
+  for (std::size_t i = 0; i < left.points.values().size(); ++i)
+    worst = std::max(worst, norm(left.points.values()[i] - right.points.values()[i]) /
+                                weight.points.values()[i]);
+  const int degree = std::max({a.degree_u(), a.degree_v(), b.degree_u(), b.degree_v()});
+  const double rounding =
       product_error(std::min(a.degree_u(), b.degree_u()), std::min(a.degree_v(), b.degree_v())) +
-      growth;
-  return (worst + 2 * error * scale) / least;
+      subdivision_error(degree) + kPowerError;
+  return worst + 4 * rounding * reach;
+}
+
+// Bound on what rounding moves points of a piece beyond the patch's own parameters. At t the
+// weights of a point add up to |t| + |1 - t| for each degree.
+double error_beyond(const RationalBezierPatch& patch, const RationalBezierPatch& piece,
+                    const Interval& s, const Interval& t, double reach) {
+  const double growth = bezier_growth(patch.degree_u(), s) * bezier_growth(patch.degree_v(), t);
+  if (growth <= 1) return 0;
+  double largest = 0, least = 1e300;
+  for (const Vec4& p : patch.points.values()) largest = std::max(largest, p[3]);
+  for (const Vec4& p : piece.points.values()) least = std::min(least, p[3]);
+  return kGrowthError * growth * largest / least * reach;
 }
 
 Interval range(const LinearRational& f, const Interval& x) {
@@ -170,14 +189,13 @@ std::optional<SharedChart> shared_chart(const RationalBezierPatch& a, const Rati
   chart.s = (chart.transposed ? along_v : along_u)->map;
   chart.t = (chart.transposed ? along_u : along_v)->map;
   chart.domain = {along_u->map.from, along_v->map.from};
-  // At t the weights of a point add up to |t| + |1 - t| for each degree.
-  const auto weights = [](const Interval& t) {
-    return std::max(std::abs(t.from) + std::abs(1 - t.from), std::abs(t.to) + std::abs(1 - t.to));
-  };
-  const double growth = std::pow(weights(chart.s.to), b.degree_u()) *
-                        std::pow(weights(chart.t.to), b.degree_v()) * 0x1p-48;
-  const RationalBezierPatch piece = sub_patch(a, chart.domain[0], chart.domain[1]);
-  if (!(distance_bound(piece, mapped(b, chart), growth) <= tolerance)) return std::nullopt;
+  const RationalBezierPatch of_a = sub_patch(a, chart.domain[0], chart.domain[1]);
+  const RationalBezierPatch of_b = sub_patch(b, chart.s.to, chart.t.to);
+  const double reach =
+      std::max(reach_of(a), reach_of(of_a)) + std::max(reach_of(b), reach_of(of_b));
+  if (!(reach < 1e300)) return std::nullopt;
+  const double error = error_beyond(b, of_b, chart.s.to, chart.t.to, reach);
+  if (!(distance_bound(of_a, mapped(of_b, chart), reach) + error <= tolerance)) return std::nullopt;
   return chart;
 }
 

@@ -65,6 +65,18 @@ TEST(SharedChart, RefusesSurfacesThatOnlyTouch) {
   EXPECT_TRUE(shared_chart(a, bent, {0.05, 0.05, 0.05, 0.05}, 1e-4));
 }
 
+// A small piece near the origin of a patch that reaches far has the digits of the far points.
+TEST(SharedChart, GivesNoFinerProofThanThePatchIsRounded) {
+  RationalBezierPatch whole = base_patch();
+  for (Vec4& p : whole.points.values())
+    for (int k = 0; k < 3; ++k) p[k] = 1e8 * (p[k] - (k < 2 ? 0.5 : 0.0));
+  const Interval middle{0.5, 0.5 + 1e-8};
+  const RationalBezierPatch piece = sub_patch(whole, middle, middle);
+  const Point4 near{0.5, 0.5, middle.from, middle.from};
+  EXPECT_FALSE(shared_chart(piece, whole, near, 2e-7));
+  EXPECT_TRUE(shared_chart(piece, whole, near, 1e-5));
+}
+
 TEST(SharedChart, RefusesAPieceThatIsTurnedInTheChart) {
   const auto pair = testing::cubic_pair(testing::constant(0));
   EXPECT_FALSE(
