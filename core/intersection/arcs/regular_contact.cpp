@@ -9,7 +9,6 @@
 
 #include "core/bounds/box_tree.h"
 #include "core/intersection/cells/cell_pair.h"
-#include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
 namespace {
@@ -58,20 +57,13 @@ Bounds hull(const Bounds& p, const Bounds& q) {
 
 // Over a part of a patch.
 Bounds bounds_over(SurfaceCells& cells, int patch, const Interval& u, const Interval& v) {
-  const CellTree& tree = cells.tree(patch);
-  const CellTree part(sub_patch(tree.patch(), u, v), tree.shape().planes == 4, {}, CellForm::Bezier,
-                      0.5);
-  const int degree = std::max(tree.shape().rows, tree.shape().columns) - 1;
-  const double spread = tree.weight_spread();
-  const double rounding =
-      2 * degree * subdivision_error(degree) * tree.scale() * spread * spread * spread;
-  const Vec3 more{rounding, rounding, rounding};
-  const auto scaled = [&](const VectorBounds& bounds, double width) {
-    return VectorBounds{bounds.middle * (1 / width), (bounds.radius + more) * (1 / width)};
+  const CellTree part = cells.tree(patch).piece(u, v);
+  const auto scaled = [](const VectorBounds& bounds, double width) {
+    return VectorBounds{bounds.middle * (1 / width), bounds.radius * (1 / width)};
   };
   return {scaled(part[0].du, length(u) * length(cells.knots_u(patch))),
           scaled(part[0].dv, length(v) * length(cells.knots_v(patch))),
-          {part[0].low - more, part[0].high + more}};
+          {part[0].low, part[0].high}};
 }
 
 // Over a whole rectangle, which may reach over the seam of a closed surface; nothing if it reaches

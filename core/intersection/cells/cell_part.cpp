@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/intersection/cells/cell_part.h"
 
-#include "core/subdivision/patch_subdivision.h"
-
 namespace blossom {
 namespace {
 
@@ -29,11 +27,9 @@ Cell part_of(const CellTree& tree, const Cell& cell, const Interval& u, const In
   Cell part = cell;
   part.u = {at(cell.u, u.from), at(cell.u, u.to)};
   part.v = {at(cell.v, v.from), at(cell.v, v.to)};
-  const CellTree cells(sub_patch(tree.patch(), part.u, part.v), tree.shape().planes == 4, {},
-                       CellForm::Bezier, 0.5);
-  const Vec3 margin{cell.margin, cell.margin, cell.margin};
-  part.low = cells[0].low - margin;
-  part.high = cells[0].high + margin;
+  const CellTree cells = tree.piece(part.u, part.v);
+  part.low = cells[0].low;
+  part.high = cells[0].high;
   part.du = cells[0].du;
   part.dv = cells[0].dv;
   return part;

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "core/intersection/cells/net_ranges.h"
+#include "core/subdivision/bulk_bounds.h"
+#include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
 namespace {
@@ -30,12 +32,17 @@ Range scaled(const Range& a, double s) { return {a.low * s, a.high * s}; }
 
 CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin,
                    CellForm form, double cut, PartTest part)
+    : CellTree(patch, rational, origin, form, cut, std::move(part),
+               4 * kRoundoff * max_norm(origin)) {}
+
+CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin,
+                   CellForm form, double cut, PartTest part, double given_rounding)
     : patch_(patch),
       shape_{patch.points.rows(), patch.points.columns(), rational ? 4 : 3},
       rational_(rational),
       part_(std::move(part)),
       cut_(cut),
-      origin_scale_(max_norm(origin)) {
+      given_rounding_(given_rounding) {
   for (Vec4& p : patch_.points.values())
     for (int k = 0; k < 3; ++k) p[k] -= p[3] * origin[k];
 
@@ -124,21 +131,46 @@ int CellTree::split(int index) {
   return child;
 }
 
+CellTree CellTree::piece(const Interval& u, const Interval& v) const {
+  const RationalBezierPatch part = sub_patch(patch_, u, v);
+  return CellTree(part, rational_, {}, CellForm::Bezier, 0.5, {}, piece_rounding(part, u, v));
+}
+
+// Inside, points of the piece are means of those of the patch; outside, sums with weights whose
+// sizes add up to the growth.
+double CellTree::piece_rounding(const RationalBezierPatch& piece, const Interval& u,
+                                const Interval& v) const {
+  const int n = shape_.rows - 1, m = shape_.columns - 1;
+  const double error = subdivision_error(std::max(n, m));
+  const double given = given_rounding_ + 4 * kRoundoff * hull_scale_;
+  const double growth = bezier_growth(n, u) * bezier_growth(m, v);
+  if (growth <= 1) return given + 2 * error * hull_scale_;
+  double least = 1e300, reach = 0;
+  for (const Vec4& p : piece.points.values()) {
+    if (!(p[3] > 0)) return 1e300;
+    least = std::min(least, p[3]);
+    reach = std::max(reach, max_norm(Vec3{p[0], p[1], p[2]}) / p[3]);
+  }
+  const double largest = weight_spread_ * least_weight_;
+  return growth * largest / least * (given + 2 * error * (hull_scale_ + reach));
+}
+
 // The error of a coordinate of the hull. Halving takes convex combinations, and positive weights
 // bound |X| by w times the largest point, so in Bezier form the error of X / w is relative to
-// the points in space, however much the weights vary. Monomial coefficients have no such sign.
+// the points in space, however much the weights vary. The patch is relative to its origin, so only
+// its move there was rounded relative to the distance of that. Monomial coefficients have no such
+// sign.
 double CellTree::rounding_of(const Cell& cell) const {
   const int n = shape_.rows - 1, m = shape_.columns - 1;
   const int degree = std::max(n, m);
   if (!monomial_)
-    return (2 * halving_error(degree, cell.depth) + 8 * kRoundoff) * (hull_scale_ + origin_scale_);
+    return (2 * halving_error(degree, cell.depth) + 8 * kRoundoff) * hull_scale_ + given_rounding_;
   const double error =
       monomial_from_bezier_error(n, m) * net_scale_ +
       (monomial_halving_error(degree, cell.depth) + bezier_from_monomial_error(n, m)) *
           coefficient_scale_;
-  return rational_ ? (error / least_weight_) * (1 + hull_scale_) +
-                         8 * kRoundoff * (hull_scale_ + origin_scale_)
-                   : error + 8 * kRoundoff * (hull_scale_ + origin_scale_);
+  const double of_net = rational_ ? (error / least_weight_) * (1 + hull_scale_) : error;
+  return of_net + 8 * kRoundoff * hull_scale_ + given_rounding_;
 }
 
 // Everything that follows from the net.

@@ -59,6 +59,10 @@ class CellTree {
   CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin, CellForm form,
            double cut, PartTest part = {});
 
+  /// The cells of a piece of the patch in Bezier form, halved in the middle; outside of [0, 1] it
+  /// is extended. Their bounds hold for the patch as it was given.
+  CellTree piece(const Interval& u, const Interval& v) const;
+
   const Cell& operator[](int index) const { return cells_[static_cast<std::size_t>(index)]; }
 
   /// Index of the lower half of a cell, made if it is not there. Invalidates references.
@@ -74,8 +78,16 @@ class CellTree {
   int size() const { return static_cast<int>(cells_.size()); }
   const NetShape& shape() const { return shape_; }
 
+  /// Bound on the rounding of a coordinate of a piece of `patch()` in space, that of its move to
+  /// the origin included; infinite if a weight of the piece is not positive.
+  double piece_rounding(const RationalBezierPatch& piece, const Interval& u,
+                        const Interval& v) const;
+
   /// The patch, relative to the origin.
   const RationalBezierPatch& patch() const { return patch_; }
+
+  /// Bound on the rounding of a coordinate of `patch()` in space, before any halving.
+  double given_rounding() const { return given_rounding_; }
 
   /// Largest absolute coordinate of its control points in space, model units.
   double scale() const { return hull_scale_; }
@@ -84,6 +96,8 @@ class CellTree {
   double weight_spread() const { return weight_spread_; }
 
  private:
+  CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin, CellForm form,
+           double cut, PartTest part, double given_rounding);
   double* allocate(int count);
   void finish(Cell& cell);
   double rounding_of(const Cell& cell) const;
@@ -98,7 +112,7 @@ class CellTree {
   PartTest part_;
   bool monomial_ = false;
   double cut_;
-  double origin_scale_;
+  double given_rounding_;
   double net_scale_ = 0;          // largest absolute value of the net
   double hull_scale_ = 0;         // largest absolute coordinate of a control point in space
   double coefficient_scale_ = 0;  // largest sum of absolute coefficients over the planes

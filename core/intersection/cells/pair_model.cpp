@@ -29,10 +29,11 @@ std::array<Vec3, 3> largest_second(const CellTree& tree, const Cell& cell) {
           m * (m - 1) * (cell.second[2] + rounding)};
 }
 
-// Of a point: of sums over both directions, and the quotient by the weight.
+// Of a point: of sums over both directions, the quotient by the weight, and the patch's own move.
 double rounding_of(const CellTree& tree) {
   const NetShape& shape = tree.shape();
-  return (evaluation_error(shape.rows) + evaluation_error(shape.columns)) * tree.scale();
+  return (evaluation_error(shape.rows) + evaluation_error(shape.columns)) * tree.scale() +
+         tree.given_rounding();
 }
 
 // Of a derivative by the patch's parameters.

@@ -16,7 +16,6 @@
 #include "core/intersection/gap/gap_model.h"
 #include "core/intersection/gap/regular_cell.h"
 #include "core/intersection/gap/valley.h"
-#include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
 namespace {
@@ -76,8 +75,7 @@ class ContactSearch {
         std::any_of(task_.parts_b.begin(), task_.parts_b.end(),
                     [&](const auto& part) { return overlap(part[0], s) && overlap(part[1], t); });
     if (!matters) return;
-    CellTree cells(sub_patch(tree_b_.patch(), s, t), tree_b_.shape().planes == 4, {},
-                   CellForm::Bezier, 0.5);
+    CellTree cells = tree_b_.piece(s, t);
     if (const auto graph = widened_chart(s, t, depth)) {
       Chart chart{claims_.add_chart({graph->wide_s, graph->wide_t}), *graph, std::move(cells)};
       for (const int cell : task_.cells_a) examine(cell, chart);
@@ -262,8 +260,7 @@ class ContactSearch {
     };
     const Interval s = clipped(foot[0]), t = clipped(foot[1]);
     if (!(s.from < s.to && t.from < t.to)) return false;
-    const CellTree cells(sub_patch(tree_b_.patch(), s, t), tree_b_.shape().planes == 4, {},
-                         CellForm::Bezier, 0.5);
+    const CellTree cells = tree_b_.piece(s, t);
     Cell b = cells[0];
     b.u = s;
     b.v = t;

@@ -6,7 +6,6 @@
 
 #include "core/intersection/cells/cell_bend.h"
 #include "core/intersection/gap/convex_gap.h"
-#include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
 namespace {
@@ -78,10 +77,8 @@ class Valley {
       region_[k] = {at(region_[k], hull.from), at(region_[k], hull.to)};
       if (!is_within(region_[k], {-kBeyond, 1 + kBeyond})) return std::nullopt;
     }
-    const CellTree extended(sub_patch(tree_.patch(), region_[0], region_[1]),
-                            tree_.shape().planes == 4, {}, CellForm::Bezier, 0.5);
-    Cell whole = extended[0];
-    whole.margin += cell_.margin;
+    const CellTree extended = tree_.piece(region_[0], region_[1]);
+    const Cell whole = extended[0];
     if (!make_frame(whole) || !runs_along()) return std::nullopt;
     const auto middle = first_foot();
     if (!middle) return std::nullopt;

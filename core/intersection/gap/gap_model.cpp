@@ -19,7 +19,7 @@ constexpr int kFootSteps = 12;
 
 using Planes = std::array<double, 4 * (kMaxDegree + 1) * (kMaxDegree + 1)>;
 
-// A surface over a square as three series, with the rounding of their values.
+// A surface over a square as three series, with the rounding of their values, but not of the net.
 struct SurfaceSeries {
   std::array<TaylorSeries, 3> point;
   double rounding = 0;  // model units
@@ -241,10 +241,10 @@ std::optional<GapModel> model_in(const Frame& frame, const Foot& foot, double hs
 std::optional<GraphChart> graph_chart(const CellTree& tree, const Interval& s, const Interval& t,
                                       double widening) {
   GraphChart chart{s, t, widened(s, widening), widened(t, widening), {}, {}, {}, {}, {}};
-  const RationalBezierPatch wide = sub_patch(tree.patch(), chart.wide_s, chart.wide_t);
+  const CellTree cells = tree.piece(chart.wide_s, chart.wide_t);
+  const RationalBezierPatch& wide = cells.patch();
   for (const Vec4& p : wide.points.values())
     if (!(p[3] > 0)) return std::nullopt;
-  const CellTree cells(wide, tree.shape().planes == 4, {}, CellForm::Bezier, 0.5);
   const VectorBounds &du = cells[0].du, &dv = cells[0].dv;
   chart.normal = unit(cross(du.middle, dv.middle));
   chart.e1 = unit(du.middle);
@@ -307,7 +307,8 @@ std::optional<GapModel> gap_model(const CellTree& tree_a, const Cell& a, const C
   if (!within(box_s, chart.wide_s) || !within(box_t, chart.wide_t)) return std::nullopt;
 
   Planes net;
-  planes_of(sub_patch(tree_b.patch(), box_s, box_t), tree_b.shape(), net.data());
+  const RationalBezierPatch round_foot = sub_patch(tree_b.patch(), box_s, box_t);
+  planes_of(round_foot, tree_b.shape(), net.data());
   const auto surface_b = series_of(tree_b.shape(), net.data(), nullptr);
   if (!surface_b) return std::nullopt;
   frame.q = {(1 / hs) * along(to_s, *surface_b), (1 / ht) * along(to_t, *surface_b)};
@@ -326,7 +327,8 @@ std::optional<GapModel> gap_model(const CellTree& tree_a, const Cell& a, const C
   frame.height_a = along(chart.normal, *surface_a);
   frame.height_b = along(chart.normal, *surface_b);
   frame.plane_scale = std::max(norm(to_s) / hs, norm(to_t) / ht) * 1.5;
-  frame.rounding = 2 * (surface_a->rounding + surface_b->rounding);
+  frame.rounding = 2 * (surface_a->rounding + a.margin + surface_b->rounding +
+                        tree_b.piece_rounding(round_foot, box_s, box_t));
   frame.degree = surface_a->degree + surface_b->degree;
   return model_in(frame, foot, hs, ht);
 }
