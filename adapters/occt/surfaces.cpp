@@ -7,9 +7,12 @@
 #include <cmath>
 
 #include <BRep_Tool.hxx>
+#include <Geom_CylindricalSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
 #include <Geom_SweptSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <Precision.hxx>
 
 #include "adapters/occt/errors.h"
@@ -106,6 +109,21 @@ ParameterBox natural_bounds(const Geom_Surface& surface) {
   return bounds;
 }
 
+namespace {
+
+void check_radius(const Geom_Surface& surface) {
+  double radius = 1;
+  if (const auto* sphere = dynamic_cast<const Geom_SphericalSurface*>(&surface))
+    radius = sphere->Radius();
+  else if (const auto* cylinder = dynamic_cast<const Geom_CylindricalSurface*>(&surface))
+    radius = cylinder->Radius();
+  else if (const auto* torus = dynamic_cast<const Geom_ToroidalSurface*>(&surface))
+    radius = torus->MinorRadius();
+  if (!(radius > 0)) throw BadModel("its radius is " + std::to_string(radius));
+}
+
+}  // namespace
+
 void check_numbers(const Geom_Surface& surface) {
   if (const auto* bezier = dynamic_cast<const Geom_BezierSurface*>(&surface)) {
     check_poles(*bezier);
@@ -122,6 +140,7 @@ void check_numbers(const Geom_Surface& surface) {
       check_numbers(*swept->BasisCurve());
     else
       check_finite(surface.Value(0.5, 0.5).XYZ(), "a number of the surface");
+    check_radius(surface);
   }
 }
 

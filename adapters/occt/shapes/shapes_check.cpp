@@ -126,11 +126,27 @@ void check_iges(std::string_view text) {
   }
 }
 
+/// No table of a text BREP file has more entries than the text has lines: Open CASCADE would look
+/// for as many as a damaged number says.
+void check_brep_tables(std::string_view text) {
+  const long lines = std::count(text.begin(), text.end(), '\n');
+  for (const std::string_view name : {"Locations", "Curve2ds", "Curves", "Polygon3D",
+                                      "PolygonOnTriangulations", "Surfaces", "Triangulations"}) {
+    const std::size_t start = text.find("\n" + std::string(name) + " ");
+    if (start == std::string_view::npos) continue;
+    const Number count = leading_number(text.substr(start + name.size() + 2));
+    if (!count.found || count.value < 0 || count.value > lines)
+      throw BadModel("is damaged: it cannot have as many entries as its table '" +
+                     std::string(name) + "' says");
+  }
+}
+
 /// A text BREP file ends with its shapes, each closed by a star, and the whole's place and
 /// orientation ("+1 0").
 void check_brep(std::string_view text) {
   if (text.find("CASCADE Topology V") == std::string_view::npos)
     throw BadModel("is no BREP text file");
+  check_brep_tables(text);
   constexpr std::string_view kShapes = "\nTShapes ";
   const std::size_t start = text.rfind(kShapes);
   if (start == std::string_view::npos) throw BadModel("is cut off: it has no shapes section");

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Models from STEP, IGES and BREP files.
 
+#include <cmath>
 #include <fstream>
+#include <new>
 #include <sstream>
 #include <string>
 #include <utility>
 
+#include <BRep_CurveRepresentation.hxx>
+#include <BRep_ListOfCurveRepresentation.hxx>
+#include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_BezierCurve.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESControl_Controller.hxx>
 #include <IGESData_GlobalSection.hxx>
@@ -79,21 +87,63 @@ void named(const char* kind, int number, Check&& check) {
   }
 }
 
+void check_tolerance(double tolerance) {
+  if (!(std::isfinite(tolerance) && tolerance >= 0))
+    throw BadModel("its tolerance is " + std::to_string(tolerance));
+}
+
 void check_face(const TopoDS_Face& face, const std::string& notes) {
   TopLoc_Location location;
   const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
   if (surface.IsNull())
     throw BadModel(notes.empty() ? "it has no surface" : "its surface cannot be read: " + notes);
   check_numbers(*surface);
+  check_tolerance(BRep_Tool::Tolerance(face));
+}
+
+void check_planar_numbers(const Geom2d_Curve& curve) {
+  const auto check = [](const gp_Pnt2d& point, double weight) {
+    check_finite({point.X(), point.Y(), 0}, "a point of its curve in a face's parameters");
+    check_weight(weight, "a weight of its curve in a face's parameters");
+  };
+  if (const auto* spline = dynamic_cast<const Geom2d_BSplineCurve*>(&curve)) {
+    for (int i = 1; i <= spline->NbPoles(); ++i) check(spline->Pole(i), spline->Weight(i));
+    for (int i = 1; i <= spline->NbKnots(); ++i)
+      check_finite({spline->Knot(i), 0, 0}, "a knot of its curve in a face's parameters");
+  } else if (const auto* bezier = dynamic_cast<const Geom2d_BezierCurve*>(&curve)) {
+    for (int i = 1; i <= bezier->NbPoles(); ++i) check(bezier->Pole(i), bezier->Weight(i));
+  } else if (const auto* trimmed = dynamic_cast<const Geom2d_TrimmedCurve*>(&curve)) {
+    check_planar_numbers(*trimmed->BasisCurve());
+  } else {
+    check(curve.Value(0.5), 1);
+  }
+}
+
+void check_curves_in_faces(const TopoDS_Edge& edge) {
+  const auto* shape = dynamic_cast<const BRep_TEdge*>(edge.TShape().get());
+  if (shape == nullptr) return;
+  for (const Handle(BRep_CurveRepresentation) & curve : shape->Curves()) {
+    if (!curve->IsCurveOnSurface() || curve->PCurve().IsNull()) continue;
+    check_planar_numbers(*curve->PCurve());
+    if (curve->IsCurveOnClosedSurface() && !curve->PCurve2().IsNull())
+      check_planar_numbers(*curve->PCurve2());
+  }
 }
 
 void check_edge(const TopoDS_Edge& edge) {
+  check_tolerance(BRep_Tool::Tolerance(edge));
+  check_curves_in_faces(edge);
   TopLoc_Location location;
   double first = 0, last = 0;
   const Handle(Geom_Curve)& curve = BRep_Tool::Curve(edge, location, first, last);
   if (curve.IsNull()) return;
   check_numbers(*curve);
   check_finite({first, last, 0}, "its range");
+}
+
+void check_vertex(const TopoDS_Vertex& vertex) {
+  check_finite(BRep_Tool::Pnt(vertex).XYZ(), "its point");
+  check_tolerance(BRep_Tool::Tolerance(vertex));
 }
 
 /// Every face has a surface, and all numbers of surfaces, curves and points are numbers.
@@ -107,8 +157,7 @@ void check_geometry(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape&
     named("edge", i, [&] { check_edge(TopoDS::Edge(edges(i))); });
   TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
   for (int i = 1; i <= vertices.Extent(); ++i)
-    named("vertex", i,
-          [&] { check_finite(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))).XYZ(), "its point"); });
+    named("vertex", i, [&] { check_vertex(TopoDS::Vertex(vertices(i))); });
 }
 
 void tell(const RaisedTolerances& raised, const std::filesystem::path& file) {
@@ -164,6 +213,8 @@ Model read_model(const std::filesystem::path& file) {
     });
   } catch (const std::runtime_error& error) {
     throw BadModel(file.string() + ": " + error.what());
+  } catch (const std::bad_alloc&) {
+    throw BadModel(file.string() + ": asks for more memory than there is; perhaps it is damaged");
   }
   model.impl_->file = file;
   return model;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shapes.h"
@@ -176,6 +177,52 @@ TEST(ReadingBrep, NamesTheEdgeWhoseNumbersAreNone) {
   const std::string text = sample(".brep");
   testing::write_content(folder / "edge.brep", replaced(text, "\n1 0 0 0 ", "\n1 0 nan 0 "));
   EXPECT_EQ(refusal(folder / "edge.brep"), "edge 1: a number of the curve is not finite");
+}
+
+// The sample with another entry for the first line or plane of a table.
+std::string with_entry(const std::string& table, const std::string& entry) {
+  const std::string text = sample(".brep");
+  const std::size_t first = text.find("\n1 ", text.find("\n" + table + " ") + 1) + 1;
+  return std::string(text).replace(first, text.find('\n', first) - first, entry);
+}
+
+TEST(ReadingBrep, NamesTheEdgeWhoseCurveInAFaceHasNoNumbers) {
+  const Folder folder;
+  Model model;
+  model.add(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), "box");
+  write_model(model, folder / "box.brep");
+  std::string text = testing::content(folder / "box.brep");
+  const std::size_t first = text.find("\n1 ", text.find("\nCurve2ds ")) + 1;
+  text.replace(first, text.find('\n', first) - first, "1 nan 0 1 0 ");
+  testing::write_content(folder / "edge.brep", text);
+  EXPECT_NE(refusal(folder / "edge.brep")
+                .find(": a point of its curve in a face's parameters is not finite"),
+            std::string::npos)
+      << refusal(folder / "edge.brep");
+}
+
+TEST(ReadingBrep, NamesTheFaceWhoseRadiusIsZero) {
+  const Folder folder;
+  testing::write_content(folder / "ball.brep",
+                         with_entry("Surfaces", "4 0 0 0 0 0 1 1 0 0 0 1 0 0 "));
+  EXPECT_NE(refusal(folder / "ball.brep").find(": its radius is 0.0"), std::string::npos)
+      << refusal(folder / "ball.brep");
+}
+
+TEST(ReadingBrep, NamesTheTableWithMoreEntriesThanTheFileHasLines) {
+  const Folder folder;
+  testing::write_content(folder / "many.brep",
+                         replaced(sample(".brep"), "\nCurves ", "\nCurves 20000000"));
+  EXPECT_EQ(refusal(folder / "many.brep"),
+            "is damaged: it cannot have as many entries as its table 'Curves' says");
+}
+
+TEST(ReadingBrep, NamesTheFileThatAsksForTooManyPoints) {
+  const Folder folder;
+  testing::write_content(folder / "huge.brep",
+                         with_entry("Surfaces", "9 0 0 0 0 1 1 2000000000 2000000000 2 2 0 0 0 "));
+  EXPECT_NE(refusal(folder / "huge.brep").find("memory"), std::string::npos)
+      << refusal(folder / "huge.brep");
 }
 
 TEST(ReadingBrep, RefusesFilesWhoseParameterCurvesAreLost) {
