@@ -33,9 +33,9 @@ struct NeighbourContacts {
   Certificate certificate;         ///< of the pairs of cells that have nothing else in common
 };
 
-/// Takes out the pairs of patches that are proven to meet in a common outer border, corner or pole of
-/// both surfaces alone, where samples have common normals, to 1e-3. What lies outside of the parts
-/// that count is not looked at and not reported.
+/// Takes out the pairs of patches that are proven to meet in a common outer border, corner or pole
+/// of both surfaces alone, where samples have common normals, to 1e-3. What lies outside of the
+/// parts that count is not looked at and not reported.
 ///
 /// pairs      of whole patches of two different surfaces
 /// tolerance  model units: what they have in common lies within it of what is reported
