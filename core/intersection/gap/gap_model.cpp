@@ -42,19 +42,43 @@ double conversion_error(const NetShape& shape, const double* coefficients, const
          4 * kRoundoff * scale;
 }
 
+// The net relative to a centre, and what rounding does to its numbers.
+double move(const NetShape& shape, const double* net, const Vec3& centre, double* moved) {
+  const int size = shape.plane_size();
+  double heaviest = 1, largest = 0;
+  for (int i = 0; i < size; ++i) {
+    const double weight = shape.planes == 4 ? net[3 * size + i] : 1;
+    heaviest = std::max(heaviest, weight);
+    for (int k = 0; k < 3; ++k) {
+      largest = std::max(largest, std::abs(net[k * size + i]));
+      moved[k * size + i] = net[k * size + i] - weight * centre[k];
+    }
+    if (shape.planes == 4) moved[3 * size + i] = weight;
+  }
+  return kRoundoff * (3 * heaviest * max_norm(centre) + largest);
+}
+
+// Relative to `centre`: near it the quotient by the weight has small terms, and so small majorants.
 std::optional<SurfaceSeries> series_of(const NetShape& shape, const double* net,
-                                       const double* coefficients) {
-  Planes made;
+                                       const double* coefficients, const Vec3& centre) {
+  Planes made, moved;
+  SurfaceSeries result;
+  if (centre != Vec3{}) {
+    result.rounding = move(shape, net, centre, moved.data());
+    net = moved.data();
+    coefficients = nullptr;
+  }
   if (coefficients == nullptr) {
     monomial_from_bezier(shape, net, made.data());
     coefficients = made.data();
   }
-  SurfaceSeries result;
+  const double of_move = result.rounding;
   result.degree = shape.rows + shape.columns - 2;
   const int size = shape.plane_size();
   for (int k = 0; k < 3; ++k) {
     const double* plane = coefficients + k * size;
-    result.rounding = std::max(result.rounding, conversion_error(shape, plane, net + k * size));
+    result.rounding =
+        std::max(result.rounding, of_move + conversion_error(shape, plane, net + k * size));
     result.point[static_cast<std::size_t>(k)] = taylor_series(plane, shape.rows, shape.columns);
   }
   if (shape.planes == 3) return result;
@@ -277,11 +301,14 @@ bool may_have_model(const Cell& a, const GraphChart& chart) {
 
 std::optional<GapModel> gap_model(const CellTree& tree_a, const Cell& a, const CellTree& tree_b,
                                   const GraphChart& chart) {
-  const auto surface_a = series_of(tree_a.shape(), a.homogeneous, a.coefficients);
+  const bool rational = tree_a.shape().planes == 4 || tree_b.shape().planes == 4;
+  const Vec3 centre = rational ? point_at(tree_a.patch(), at(a.u, 0.5), at(a.v, 0.5)) : Vec3{};
+  const auto surface_a = series_of(tree_a.shape(), a.homogeneous, a.coefficients, centre);
   if (!surface_a) return std::nullopt;
-  const Vec3 middle{surface_a->point[0].terms[0], surface_a->point[1].terms[0],
-                    surface_a->point[2].terms[0]};
+  const Vec3 middle = centre + Vec3{surface_a->point[0].terms[0], surface_a->point[1].terms[0],
+                                    surface_a->point[2].terms[0]};
   const Foot foot = foot_of(tree_b, chart, middle);
+  const Vec3 at_foot = foot.jet.point - centre;
   const Matrix2& j = foot.jacobian;
   const double det = j.determinant();
   if (!std::isfinite(1 / det)) return std::nullopt;
@@ -291,8 +318,8 @@ std::optional<GapModel> gap_model(const CellTree& tree_a, const Cell& a, const C
 
   Frame frame;
   frame.a = {along(to_s, *surface_a), along(to_t, *surface_a)};
-  frame.a[0] = frame.a[0] - taylor_series(TaylorPolynomial{dot(to_s, foot.jet.point)});
-  frame.a[1] = frame.a[1] - taylor_series(TaylorPolynomial{dot(to_t, foot.jet.point)});
+  frame.a[0] = frame.a[0] - taylor_series(TaylorPolynomial{dot(to_s, at_foot)});
+  frame.a[1] = frame.a[1] - taylor_series(TaylorPolynomial{dot(to_t, at_foot)});
   const auto reach = [](const TaylorSeries& f) {
     double sum = f.tail(0);
     for (const double c : f.terms) sum += std::abs(c);
@@ -309,12 +336,12 @@ std::optional<GapModel> gap_model(const CellTree& tree_a, const Cell& a, const C
   Planes net;
   const RationalBezierPatch round_foot = sub_patch(tree_b.patch(), box_s, box_t);
   planes_of(round_foot, tree_b.shape(), net.data());
-  const auto surface_b = series_of(tree_b.shape(), net.data(), nullptr);
+  const auto surface_b = series_of(tree_b.shape(), net.data(), nullptr, centre);
   if (!surface_b) return std::nullopt;
   frame.q = {(1 / hs) * along(to_s, *surface_b), (1 / ht) * along(to_t, *surface_b)};
   frame.a = {(1 / hs) * frame.a[0], (1 / ht) * frame.a[1]};
-  frame.q[0].terms[0] -= dot(to_s, foot.jet.point) / hs;
-  frame.q[1].terms[0] -= dot(to_t, foot.jet.point) / ht;
+  frame.q[0].terms[0] -= dot(to_s, at_foot) / hs;
+  frame.q[1].terms[0] -= dot(to_t, at_foot) / ht;
   frame.q[0].terms[1] -= 1;
   frame.q[1].terms[2] -= 1;
   for (TaylorSeries* f : {&frame.q[0], &frame.q[1], &frame.a[0], &frame.a[1]}) {
