@@ -21,6 +21,7 @@
 
 #include "adapters/occt/errors.h"
 #include "plugin/cli/exit_code.h"
+#include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 
 namespace blossom::cli {
@@ -64,6 +65,12 @@ std::string positive_number(const std::string& text) {
   } catch (const std::exception&) {  // no number: answered below
   }
   return "'" + text + "' is no positive number";
+}
+
+// Through links and other spellings, too; no file is the same as one that is not there.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(a, b, ignored);
 }
 
 }  // namespace
@@ -115,12 +122,16 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
   return result;
 }
 
-void check_outputs(const CommonOptions& options, Outputs outputs) {
+void check_outputs(const CommonOptions& options, const std::vector<std::string>& inputs,
+                   Outputs outputs) {
   std::set<std::filesystem::path> seen;
   for (const std::string* file : {&options.output, &options.json, &options.picture}) {
     if (file->empty() || (file == &options.json && *file == "-")) continue;
     if (!seen.insert(std::filesystem::absolute(*file).lexically_normal()).second)
       throw UsageError(*file + ": two outputs cannot be the same file");
+    for (const std::string& input : inputs)
+      if (same_file(parse_input(input).file, *file))
+        throw UsageError(*file + ": is an input, which the output would replace");
     require_writable(*file);
   }
   if (options.output.empty()) return;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <CLI/App.hpp>
 
@@ -46,8 +47,11 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
 enum class Outputs { Models, ModelsAndNets };
 
 /// Looks at the outputs before any work is done.
-/// throws    UsageError if two outputs are the same file or -o has an unknown ending;
-///           occt::Failure if one is a folder or lies in a folder that cannot be written
-void check_outputs(const CommonOptions& options, Outputs outputs = Outputs::Models);
+/// inputs    as the user wrote them
+/// throws    UsageError if an output is an input, two outputs are the same file, -o has an unknown
+///           ending, or as parse_input; occt::Failure if one is a folder or lies in a folder that
+///           cannot be written
+void check_outputs(const CommonOptions& options, const std::vector<std::string>& inputs,
+                   Outputs outputs = Outputs::Models);
 
 }  // namespace blossom::cli

@@ -137,7 +137,7 @@ void write_outputs(const Input& a, const Input& b, const StripCommand& command,
 }
 
 int run(const StripCommand& command) {
-  check_outputs(command.common);
+  check_outputs(command.common, {command.a, command.b});
   const Input a = read_one_face(command.a);
   const Input b = read_one_face(command.b);
   stop_if_interrupted();

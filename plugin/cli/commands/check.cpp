@@ -194,7 +194,7 @@ std::string check_text(const Input& input, const occt::Soundness& found) {
 int run(const Options& options) {
   CommonOptions outputs;
   outputs.json = options.json;
-  check_outputs(outputs);
+  check_outputs(outputs, {options.input});
   const Input input = read_input(options.input);
   stop_if_interrupted();
   const bool whole = static_cast<int>(input.numbers.size()) == input.model.face_count();

@@ -194,7 +194,7 @@ std::string summary(const Options& options, const Made& made) {
 }
 
 int run(const Options& options) {
-  check_outputs(options.common, Outputs::ModelsAndNets);
+  check_outputs(options.common, {options.input}, Outputs::ModelsAndNets);
   const bool to_nets = is_net_file(options.common.output);
   const Form form = options.to.empty() ? Form::AsItIs : kTargets.at(options.to);
   if (form == Form::Monomial && !to_nets)

@@ -188,7 +188,7 @@ struct Options {
 int run(const Options& options) {
   CommonOptions outputs;
   outputs.json = options.json;
-  check_outputs(outputs);
+  check_outputs(outputs, {options.input});
   const Input input = read_input(options.input, Faces::Optional);
   const ModelFacts facts = model_facts(input);
   stop_if_interrupted();

@@ -20,7 +20,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-  check_outputs(options.intersect.common);
+  check_outputs(options.intersect.common, {options.a, options.b});
   start_threads(options.intersect.engine.threads);
   const Input a = read_input(options.a);
   Input b = read_input(options.b);

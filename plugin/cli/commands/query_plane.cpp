@@ -148,7 +148,7 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
 }
 
 int run(const Options& options) {
-  check_outputs(options.common);
+  check_outputs(options.common, {options.input});
   start_threads(options.engine.threads);
   Answer answer;
   answer.plane = plane_of(options);

@@ -20,7 +20,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-  check_outputs(options.intersect.common);
+  check_outputs(options.intersect.common, {options.input});
   start_threads(options.intersect.engine.threads);
   const Input input = read_input(options.input);
   stop_if_interrupted();

@@ -139,7 +139,7 @@ void write_outputs(NetInput& input, const Options& options, const Timed& timed) 
 }
 
 int run(const Options& options) {
-  check_outputs(options.common, Outputs::ModelsAndNets);
+  check_outputs(options.common, {options.input}, Outputs::ModelsAndNets);
   const Cut cut = cut_of(options);
   NetInput input =
       read_net_input(options.input, options.interval.empty() ? Take::Faces : Take::Edges);

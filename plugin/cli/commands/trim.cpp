@@ -226,7 +226,10 @@ int run_solid(const Options& options) {
 int run(const Options& options) {
   if (!options.solid.empty()) return run_solid(options);
   if (options.keep.empty()) throw UsageError("trim needs --keep, or --solid for solids");
-  check_outputs(options.common, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
+  std::vector<std::string> files = options.tools;
+  files.push_back(options.part);
+  check_outputs(options.common, files,
+                options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   trim_options(options.keep);  // a wrong word is told before a long reading
   start_threads(options.engine.threads);
   Inputs inputs{read_input(options.part), {}};

@@ -234,7 +234,10 @@ std::string reason_of(const occt::SolidTrimResult& made) {
 bool is_solid_operation(const std::string& word) { return kOperations.contains(word); }
 
 int trim_solids(const SolidTrim& options) {
-  check_outputs(options.common, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
+  std::vector<std::string> files = options.tools;
+  files.push_back(options.part);
+  check_outputs(options.common, files,
+                options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   start_threads(options.engine.threads);
   occt::Model part = model_of(options.part);
   Models tools;

@@ -197,6 +197,33 @@ TEST_F(BadOutput, FailureKeepsWhatWasThere) {
   EXPECT_TRUE(testing::text_of(folder / "out.step") == old);
 }
 
+// Also through another spelling, a link, and with faces chosen.
+TEST_F(BadOutput, NeverReplacesAnInput) {
+  const std::string bowl = folder / "bowl.brep", lid = folder / "lid.step";
+  const std::string old_bowl = testing::text_of(bowl), old_lid = testing::text_of(lid);
+  const std::string dotted = folder / "./lid.step", link = folder / "link.brep";
+  std::filesystem::create_symlink(bowl, link);
+  const std::vector<std::vector<std::string>> calls = {
+      {"intersect", bowl, lid, "-o", bowl},
+      {"intersect", bowl, lid, "--json", lid},
+      {"trim", bowl, lid, "--keep", "all", "-o", dotted},
+      {"trim", bowl, lid, "--solid", "cut", "-o", bowl},
+      {"blend", "strip", bowl + "#1", lid, "-o", bowl},
+      {"self-intersect", lid, "--picture", lid},
+      {"query", "plane", bowl, "--point", "0,0,0", "--normal", "0,0,1", "-o", bowl},
+      {"subdivide", bowl + "#1", "--levels", "1", "-o", link},
+      {"convert", lid, "-o", lid},
+      {"check", bowl, "--json", bowl},
+      {"info", bowl, "--json", bowl}};
+  for (const std::vector<std::string>& call : calls) {
+    const Finished run = blossom(call);
+    EXPECT_EQ(run.code, 2) << call.front();
+    EXPECT_NE(run.err.find("is an input"), std::string::npos) << call.front() << ": " << run.err;
+    EXPECT_TRUE(testing::text_of(bowl) == old_bowl) << call.front();
+    EXPECT_TRUE(testing::text_of(lid) == old_lid) << call.front();
+  }
+}
+
 TEST_F(BadOutput, FullDiskIsAFailure) {
   const Finished run = blossom(
       {"intersect", folder / "bowl.brep", folder / "lid.step", "--json", "-"}, "", "/dev/full");
