@@ -12,8 +12,8 @@ namespace blossom {
 namespace {
 
 constexpr int K = kTaylorDegree;
-constexpr int kDegree = 3 * K;
-constexpr int kPadded = kDegree + 2;
+constexpr int kDegree = AlongCurve::kDegree;
+constexpr int kPadded = AlongCurve::kPadded;
 constexpr int kFours = kPadded / 4;
 static_assert(kPadded % 4 == 0);
 
@@ -62,23 +62,34 @@ BLOSSOM_HOT void compose(const TaylorPolynomial& p, const std::array<double, 2>&
   }
 }
 
-BLOSSOM_HOT PolynomialRange bernstein_range(const double* c) {
+BLOSSOM_HOT void bernstein_from_powers(const Row& powers, Row& result) {
   Four b[kFours] = {};
-  for (int i = 0; i <= kDegree; ++i) {
-    const double* row = kBernstein[static_cast<std::size_t>(i)].data();
+  for (int i = 0; i <= kDegree; ++i)
     for (int k = 0; k < kFours; ++k) {
       Four r;
-      std::memcpy(&r, row + 4 * k, sizeof r);
-      b[k] += c[i] * r;
+      std::memcpy(&r, kBernstein[static_cast<std::size_t>(i)].data() + 4 * k, sizeof r);
+      b[k] += powers[static_cast<std::size_t>(i)] * r;
+    }
+  std::memcpy(result.data(), b, sizeof b);
+}
+
+// De Casteljau's triangle: its left and its right side.
+BLOSSOM_HOT void cut(const Row& whole, double t, Row& before, Row& after) {
+  std::array<double, kPadded + 1> row{};
+  std::copy(whole.begin(), whole.end(), row.begin());
+  for (std::size_t i = 0; i <= kDegree; ++i) {
+    before[i] = row[0];
+    after[kDegree - i] = row[kDegree - i];
+    for (std::size_t k = 0; k + i < kDegree; k += 4) {
+      Four p, q;
+      std::memcpy(&p, row.data() + k, sizeof p);
+      std::memcpy(&q, row.data() + k + 1, sizeof q);
+      p += t * (q - p);
+      std::memcpy(row.data() + k, &p, sizeof p);
     }
   }
-  Four low = b[0], high = b[0];
-  for (int k = 1; k < kFours; ++k) {
-    low = b[k] < low ? b[k] : low;
-    high = b[k] > high ? b[k] : high;
-  }
-  return {std::min(std::min(low[0], low[1]), std::min(low[2], low[3])),
-          std::max(std::max(high[0], high[1]), std::max(high[2], high[3]))};
+  before.back() = before[kDegree];
+  after.back() = after[kDegree];
 }
 
 }  // namespace
@@ -90,10 +101,32 @@ TaylorCurve::TaylorCurve(const std::array<double, 2>& x, const std::array<double
       for (std::size_t l = 0; l < y.size(); ++l) y_powers_[j][k + l] += y_powers_[j - 1][k] * y[l];
 }
 
-PolynomialRange TaylorCurve::range(const TaylorPolynomial& p) const {
-  Row coefficients{};
-  compose(p, x_, y_powers_, coefficients.data());
-  return bernstein_range(coefficients.data());
+AlongCurve TaylorCurve::along(const TaylorPolynomial& p) const {
+  Row powers{};
+  compose(p, x_, y_powers_, powers.data());
+  AlongCurve result;
+  bernstein_from_powers(powers, result.coefficients);
+  return result;
+}
+
+PolynomialRange AlongCurve::range() const {
+  Four low, high;
+  std::memcpy(&low, coefficients.data(), sizeof low);
+  high = low;
+  for (std::size_t k = 4; k < kPadded; k += 4) {
+    Four c;
+    std::memcpy(&c, coefficients.data() + k, sizeof c);
+    low = c < low ? c : low;
+    high = c > high ? c : high;
+  }
+  return {std::min(std::min(low[0], low[1]), std::min(low[2], low[3])),
+          std::max(std::max(high[0], high[1]), std::max(high[2], high[3]))};
+}
+
+std::array<AlongCurve, 2> AlongCurve::parts(double t) const {
+  std::array<AlongCurve, 2> result;
+  cut(coefficients, t, result[0].coefficients, result[1].coefficients);
+  return result;
 }
 
 }  // namespace blossom

@@ -65,10 +65,11 @@ bool is_flat(const ValleyShape& shape, const TaylorPolynomial& gap, double toler
   z[taylor_index(0, 1)] = 1;
   const auto place = shape.along(z, -shape.reach, shape.reach);
   if (!place || largest(place->range) + place->off > kBeyond * shape.reach) return false;
-  const auto slope = shape.bounds_on(-shape.reach, shape.reach);
+  const auto stretch = shape.stretch(-shape.reach, shape.reach);
   const auto value = shape.along(gap, -shape.reach, shape.reach);
-  if (!slope || !value) return false;
-  const double steepest = std::max(std::abs(slope->low), std::abs(slope->high));
+  if (!stretch || !value) return false;
+  const ValleyBounds slope = shape.bounds_on(*stretch);
+  const double steepest = std::max(std::abs(slope.low), std::abs(slope.high));
   // The cubic gap c z^3 / 6 reaches the tolerance at this z.
   const double c = shape.bend_low, band = std::cbrt(6 * tolerance / c);
   const double beside = (steepest + 0.5 * shape.bend_high * value->off * value->off) * value->off;

@@ -111,15 +111,17 @@ bool ValleyLabels::add_roots(std::size_t edge, double from, double to) {
 bool ValleyLabels::label_valley() {
   for (std::size_t i = 0; i < crossings_.size(); i += 2) {
     const BorderEvent &in = crossings_[i], &out = crossings_[i + 1];
+    const auto whole = shape_.stretch(in.w, out.w);
+    if (!whole) return false;
     std::vector<ValleyPiece> pieces;
     // By signs alone where that is possible, so that shallow loops stay loops.
     exact_ = !in.contact && !out.contact;
     pieces_left_ = kMostExactPieces;
-    if (!exact_ || !label(in.w, out.w, in, out, pieces) || !beyond_tolerance(merged(pieces))) {
+    if (!exact_ || !label(*whole, in, out, pieces) || !beyond_tolerance(merged(pieces))) {
       exact_ = false;
       pieces.clear();
       pieces_left_ = kMostPieces;
-      if (!label(in.w, out.w, in, out, pieces)) return false;
+      if (!label(*whole, in, out, pieces)) return false;
     }
     if (in.contact != (pieces.front().label == ValleyLabel::Contact)) return false;
     if (out.contact != (pieces.back().label == ValleyLabel::Contact)) return false;
@@ -143,35 +145,45 @@ bool ValleyLabels::beyond_tolerance(const std::vector<ValleyPiece>& pieces) cons
   return true;
 }
 
-bool ValleyLabels::label(double from, double to, const BorderEvent& in, const BorderEvent& out,
-                         std::vector<ValleyPiece>& pieces) {
+bool ValleyLabels::label(const ValleyStretch& stretch, const BorderEvent& in,
+                         const BorderEvent& out, std::vector<ValleyPiece>& pieces) {
+  const double from = stretch.from, to = stretch.to;
   if (--pieces_left_ < 0 || to - from < kShortestPiece) return false;
-  const auto bounds = shape_.bounds_on(from, to);
-  if (!bounds) return false;
+  const ValleyBounds bounds = shape_.bounds_on(stretch);
   const bool first = from == in.w, last = to == out.w;
   const bool touches_contact = (first && in.contact) || (last && out.contact);
   const bool touches_other = (first && !in.contact) || (last && !out.contact);
-  const bool fast = bounds->slope_low > slow_slope_ || bounds->slope_high < -slow_slope_;
-  const bool monotone = bounds->slope_low > 0 || bounds->slope_high < 0;
+  const bool fast = bounds.slope_low > slow_slope_ || bounds.slope_high < -slow_slope_;
+  const bool monotone = bounds.slope_low > 0 || bounds.slope_high < 0;
   // Where the gap changes fast its sign counts, elsewhere the tolerance does.
   const double sure = exact_ || fast || touches_other ? 0 : tolerance_;
-  if (!touches_contact && bounds->low > sure) {
+  if (!touches_contact && bounds.low > sure) {
     pieces.push_back({from, to, ValleyLabel::Above});
     return true;
   }
-  if (!touches_contact && bounds->high < -sure) {
+  if (!touches_contact && bounds.high < -sure) {
     pieces.push_back({from, to, ValleyLabel::Below});
     return true;
   }
   if (!touches_contact && (fast || exact_) && monotone && add_fold(from, to, pieces)) return true;
   const double most = kContactGap * tolerance_;
   if (!exact_ && !touches_other && shape_.error[0] <= kErrorShare * tolerance_ &&
-      bounds->low >= -most && bounds->high <= most) {
+      bounds.low >= -most && bounds.high <= most) {
     pieces.push_back({from, to, ValleyLabel::Contact});
     return true;
   }
-  const double cut = cut_between(from, to);
-  return label(from, cut, in, out, pieces) && label(cut, to, in, out, pieces);
+  return label_parts(stretch, in, out, pieces);
+}
+
+bool ValleyLabels::label_parts(const ValleyStretch& stretch, const BorderEvent& in,
+                               const BorderEvent& out, std::vector<ValleyPiece>& pieces) {
+  const auto parts = stretch.parts(cut_between(stretch.from, stretch.to));
+  const bool coarse = shape_.is_coarse(stretch);
+  for (const ValleyStretch& part : parts) {
+    const auto own = coarse ? shape_.stretch(part.from, part.to) : part;
+    if (!own || !label(*own, in, out, pieces)) return false;
+  }
+  return true;
 }
 
 // A fold too near a cut could not be told from the cut: signs at cuts are sure if they can be.
@@ -194,7 +206,7 @@ bool ValleyLabels::add_fold(double from, double to, std::vector<ValleyPiece>& pi
     return false;
   bool lost = false;
   const auto depth = [&](double w) {
-    const auto z = shape_.valley_at(w);
+    const auto z = shape_.valley_at(w, *z0);
     lost = lost || !z;
     return z ? value(shape_.gap, w, *z) : 0;
   };

@@ -55,8 +55,10 @@ class ValleyLabels {
   bool add_roots(std::size_t edge, double from, double to);
   bool label_valley();
   bool beyond_tolerance(const std::vector<ValleyPiece>& pieces) const;
-  bool label(double from, double to, const BorderEvent& in, const BorderEvent& out,
+  bool label(const ValleyStretch& stretch, const BorderEvent& in, const BorderEvent& out,
              std::vector<ValleyPiece>& pieces);
+  bool label_parts(const ValleyStretch& stretch, const BorderEvent& in, const BorderEvent& out,
+                   std::vector<ValleyPiece>& pieces);
   double cut_between(double from, double to) const;
   bool add_fold(double from, double to, std::vector<ValleyPiece>& pieces) const;
 

@@ -8,6 +8,7 @@ namespace blossom {
 namespace {
 
 constexpr double kLeastBend = 0.1;  // of the largest bend across the valley
+constexpr double kCoarse = 0.125;   // see `is_coarse`
 constexpr double kLastMove = 1e-9;  // of Newton's method, which leaves about its square
 
 // Where the valley is looked for on [-1, 1]: Chebyshev's nodes, and the coefficients of the cubics
@@ -61,8 +62,8 @@ std::optional<ValleyShape> ValleyShape::of(const GapModel& model) {
 }
 
 // The valley at w by Newton's method; nothing if it leaves the range of the cell.
-std::optional<double> ValleyShape::valley_at(double w) const {
-  double z = 0;
+std::optional<double> ValleyShape::valley_at(double w, double near) const {
+  double z = near;
   for (int step = 0; step < 30; ++step) {
     const double move = value(gap_z, w, z) / value(gap_zz, w, z);
     z -= move;
@@ -86,25 +87,47 @@ std::optional<TaylorCurve> ValleyShape::cubic_over(double from, double to) const
 
 // How far the derivative across is from 0 along the cubic.
 double ValleyShape::rest_along(const TaylorCurve& cubic) const {
-  const PolynomialRange off = cubic.range(gap_z);
+  const PolynomialRange off = cubic.along(gap_z).range();
   return std::max(std::abs(off.low), std::abs(off.high)) + error[1];
 }
 
-std::optional<ValleyBounds> ValleyShape::bounds_on(double from, double to) const {
+std::array<ValleyStretch, 2> ValleyStretch::parts(double cut) const {
+  const double t = (cut - from) / (to - from);
+  const auto gaps = gap.parts(t), slopes = slope.parts(t);
+  return {ValleyStretch{from, cut, gaps[0], slopes[0], rest},
+          ValleyStretch{cut, to, gaps[1], slopes[1], rest}};
+}
+
+std::optional<ValleyStretch> ValleyShape::stretch(double from, double to) const {
   const auto cubic = cubic_over(from, to);
   if (!cubic) return std::nullopt;
-  const PolynomialRange values = cubic->range(gap), slope = cubic->range(gap_w);
-  const double rest = rest_along(*cubic);
-  const double slack = twist * rest / bend_low + error[1];
-  return ValleyBounds{values.low - rest * rest / (2 * bend_low) - error[0], values.high + error[0],
-                      slope.low - slack, slope.high + slack};
+  return ValleyStretch{from, to, cubic->along(gap), cubic->along(gap_w), rest_along(*cubic)};
+}
+
+ValleyBounds ValleyShape::bounds_on(const ValleyStretch& stretch) const {
+  const PolynomialRange values = stretch.gap.range(), slope = stretch.slope.range();
+  const auto [depth, tilt] = off_valley(stretch);
+  return {values.low - depth - error[0], values.high + error[0], slope.low - tilt - error[1],
+          slope.high + tilt + error[1]};
+}
+
+bool ValleyShape::is_coarse(const ValleyStretch& stretch) const {
+  const PolynomialRange values = stretch.gap.range(), slope = stretch.slope.range();
+  const auto [depth, tilt] = off_valley(stretch);
+  return stretch.rest > 2 * error[1] && (depth > kCoarse * (values.high - values.low) ||
+                                         tilt > kCoarse * (slope.high - slope.low));
+}
+
+// How far the gap and its slope along the curve may be from those of the valley.
+std::array<double, 2> ValleyShape::off_valley(const ValleyStretch& stretch) const {
+  return {stretch.rest * stretch.rest / (2 * bend_low), twist * stretch.rest / bend_low};
 }
 
 std::optional<ValleyShape::Along> ValleyShape::along(const TaylorPolynomial& f, double from,
                                                      double to) const {
   const auto cubic = cubic_over(from, to);
   if (!cubic) return std::nullopt;
-  return Along{cubic->range(f), rest_along(*cubic) / bend_low};
+  return Along{cubic->along(f).range(), rest_along(*cubic) / bend_low};
 }
 
 }  // namespace blossom

@@ -22,6 +22,16 @@ struct ValleyBounds {
   double slope_low, slope_high;  ///< of m'
 };
 
+/// The gap and its slope by w along a curve close to the valley, from one w to another.
+struct ValleyStretch {
+  double from, to;
+  AlongCurve gap, slope;
+  double rest;  ///< largest derivative across the valley, along the curve
+
+  /// At `cut` between its ends.
+  std::array<ValleyStretch, 2> parts(double cut) const;
+};
+
 struct ValleyShape : TurnedAxes {
   double bend_low = 0, bend_high = 0;  ///< of the second derivative by z; bend_low > 0
   double twist = 0;                    ///< bound on the mixed derivative
@@ -32,9 +42,18 @@ struct ValleyShape : TurnedAxes {
   static std::optional<ValleyShape> of(const GapModel& model);
 
   /// z of the valley at w; nothing if it leaves the range of the cell.
-  std::optional<double> valley_at(double w) const;
+  ///
+  /// near   where it may be, for speed
+  std::optional<double> valley_at(double w, double near = 0) const;
 
-  std::optional<ValleyBounds> bounds_on(double from, double to) const;
+  /// Nothing if the valley leaves the range of the cell.
+  std::optional<ValleyStretch> stretch(double from, double to) const;
+
+  ValleyBounds bounds_on(const ValleyStretch& stretch) const;
+
+  /// True if the curve of a stretch is the reason why its bounds are wide: a curve of their own
+  /// serves its parts better.
+  bool is_coarse(const ValleyStretch& stretch) const;
 
   /// Range of a function of w, z along a curve close to the valley, and how far z of that curve is
   /// at most from the valley; nothing if the valley leaves the range of the cell.
@@ -47,6 +66,7 @@ struct ValleyShape : TurnedAxes {
  private:
   std::optional<TaylorCurve> cubic_over(double from, double to) const;
   double rest_along(const TaylorCurve& cubic) const;
+  std::array<double, 2> off_valley(const ValleyStretch& stretch) const;
 };
 
 }  // namespace blossom

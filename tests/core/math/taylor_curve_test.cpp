@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "tests/support/random.h"
 
@@ -20,10 +21,10 @@ TEST(TaylorCurve, KnowsTheRangeOfACoordinate) {
   TaylorPolynomial x{}, y{};
   x[taylor_index(1, 0)] = 1;
   y[taylor_index(0, 1)] = 1;
-  EXPECT_NEAR(curve.range(x).low, 0.25, 1e-15);
-  EXPECT_NEAR(curve.range(x).high, 0.75, 1e-15);
-  EXPECT_NEAR(curve.range(y).low, -1, 1e-15);
-  EXPECT_NEAR(curve.range(y).high, 3, 1e-15);
+  EXPECT_NEAR(curve.along(x).range().low, 0.25, 1e-15);
+  EXPECT_NEAR(curve.along(x).range().high, 0.75, 1e-15);
+  EXPECT_NEAR(curve.along(y).range().low, -1, 1e-15);
+  EXPECT_NEAR(curve.along(y).range().high, 3, 1e-15);
 }
 
 class TaylorCurveProperty : public ::testing::TestWithParam<int> {};
@@ -35,7 +36,7 @@ TEST_P(TaylorCurveProperty, BoundsHoldAndAreHardlyWiderThanTheValues) {
   const std::array y{number(0.4), number(0.3), number(0.1), number(0.1)};
   TaylorPolynomial p{};
   for (double& c : p) c = number(1);
-  const PolynomialRange range = TaylorCurve(x, y).range(p);
+  const PolynomialRange range = TaylorCurve(x, y).along(p).range();
   double low = 1e300, high = -1e300;
   for (int i = 0; i <= 200; ++i) {
     const double t = -1 + i / 100.0;
@@ -47,6 +48,33 @@ TEST_P(TaylorCurveProperty, BoundsHoldAndAreHardlyWiderThanTheValues) {
   EXPECT_LE(range.low, low + rounding);
   EXPECT_GE(range.high, high - rounding);
   EXPECT_LE(range.high - range.low, 1.2 * (high - low) + rounding);
+}
+
+TEST_P(TaylorCurveProperty, PartsAreThePolynomialBeforeAndAfterTheCut) {
+  Random random = seeded(GetParam());
+  const auto number = [&](double size) { return uniform(random, -size, size); };
+  TaylorPolynomial p{};
+  for (double& c : p) c = number(1);
+  const TaylorCurve curve({number(0.5), number(0.5)}, {number(0.4), number(0.3), number(0.1), 0});
+  const AlongCurve whole = curve.along(p);
+  const double t = uniform(random, 0.1, 0.9);
+  const auto parts = whole.parts(t);
+  const auto last = AlongCurve::kDegree;
+  EXPECT_EQ(parts[0].coefficients[0], whole.coefficients[0]);
+  EXPECT_EQ(parts[1].coefficients[last], whole.coefficients[last]);
+  // Blossoms at t: each coefficient of a part is a value of the whole's polar form.
+  const auto polar = [&](std::size_t at_t, std::size_t at_end) {
+    std::vector<double> c(whole.coefficients.begin(), whole.coefficients.begin() + last + 1);
+    for (std::size_t n = last, k = 0; n > 0; --n, ++k) {
+      const double x = k < at_t ? t : k < at_t + at_end ? 1 : 0;
+      for (std::size_t i = 0; i < n; ++i) c[i] = (1 - x) * c[i] + x * c[i + 1];
+    }
+    return c[0];
+  };
+  for (std::size_t i = 0; i <= last; ++i) {
+    EXPECT_NEAR(parts[0].coefficients[i], polar(i, 0), 1e-13);
+    EXPECT_NEAR(parts[1].coefficients[i], polar(last - i, i), 1e-13);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, TaylorCurveProperty, ::testing::Range(0, 24));
