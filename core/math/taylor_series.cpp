@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/math/four.h"
+#include "core/math/quadratic.h"
 
 namespace blossom {
 namespace {
@@ -390,6 +391,16 @@ BLOSSOM_HOT TaylorRange range(const TaylorPolynomial& p, double rx, double ry) {
   for (int k = 1; k < 4; ++k)
     result = {std::min(result.low, least[k]), std::max(result.high, most[k])};
   return result;
+}
+
+TaylorRange close_range(const TaylorPolynomial& p) {
+  const TaylorRange all = range(p, 1, 1);
+  const PolynomialRange quadratic =
+      range(Quadratic{p[0], p[1], p[2], p[3], p[4], p[5]}, {-1, 1}, {-1, 1});
+  double rest = 0, size = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) (i < 6 ? size : rest) += std::abs(p[i]);
+  rest += kRoundoff * (size + rest);
+  return {std::max(all.low, quadratic.low - rest), std::min(all.high, quadratic.high + rest)};
 }
 
 }  // namespace blossom

@@ -91,4 +91,8 @@ struct TaylorRange {
 };
 TaylorRange range(const TaylorPolynomial& p, double rx, double ry);
 
+/// The same on [-1, 1]^2, and no wider than what its quadratic part takes exactly and the size of
+/// the rest: Bernstein coefficients know little of where a quadratic is least.
+TaylorRange close_range(const TaylorPolynomial& p);
+
 }  // namespace blossom

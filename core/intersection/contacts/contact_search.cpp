@@ -185,7 +185,7 @@ class ContactSearch {
     const Cell a = tree_a_[index];
     const GraphChart& graph = chart.graph;
     const Box2 foot = foot_box(model);
-    const TaylorRange gap = range(model.gap, 1, 1);
+    const TaylorRange gap = close_range(model.gap);
     const double error = model.gap_error[0];
     const bool outside = !overlap(foot[0], graph.s) || !overlap(foot[1], graph.t);
     if (outside || gap.low > error + tolerance() || gap.high < -error - tolerance()) {
