@@ -12,6 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/intersection/arcs/arcs_along_borders.h"
 #include "core/intersection/cells/cell_pair.h"
+#include "core/intersection/cells/pair_model.h"
 #include "core/intersection/cells/quadric_pair.h"
 #include "core/intersection/cells/shared_cells.h"
 #include "core/intersection/contacts/contact_search.h"
@@ -201,7 +202,8 @@ class Search {
         known_.hold_common({a.low, a.high}, {b.low, b.high}))
       return {Verdict::Known};
     if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b)))
-      return {Verdict::Parallel};
+      return {PairModel(*place.tree_a, a, *place.tree_b, b).apart() ? Verdict::Apart
+                                                                    : Verdict::Parallel};
     if (!itself() && !place.shared.is_known() && place.quadrics.touch_all_over(a, b))
       return {place.quadrics.cover_each_other(a, b) ? Verdict::Over : Verdict::Beside};
     return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};

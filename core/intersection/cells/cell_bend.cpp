@@ -90,18 +90,29 @@ SecondValues rational_seconds(const Cell& cell, const NetShape& shape, const Wei
           quotient(x.vv, sum(vv, vv), w.second.vv)};
 }
 
+// A second difference of the net is off by four of its margins.
+SecondDerivatives polynomial_seconds(const Cell& cell, const NetShape& shape) {
+  const int n = shape.rows - 1, m = shape.columns - 1;
+  const auto scaled_up = [&](const VectorBounds& difference, double factor) {
+    VectorBounds bound{factor * difference.middle, factor * difference.radius};
+    for (int k = 0; k < 3; ++k)
+      bound.radius[k] += 4 * factor * cell.margin + kSlack * std::abs(bound.middle[k]);
+    return bound;
+  };
+  return {scaled_up(cell.second[0], n * (n - 1)), scaled_up(cell.second[1], n * m),
+          scaled_up(cell.second[2], m * (m - 1))};
+}
+
 }  // namespace
 
 SecondDerivatives second_derivatives(const Cell& cell, const NetShape& shape) {
-  const bool rational = shape.planes == 4;
-  const Weights weights = rational ? weights_of(cell, shape) : Weights{};
+  if (shape.planes == 3) return polynomial_seconds(cell, shape);
+  const Weights weights = weights_of(cell, shape);
   const int degree = std::max(shape.rows, shape.columns) - 1;
-  const double spread = rational ? weights.spread * weights.spread : 1;
-  const double rounding = 16.0 * degree * degree * spread * cell.margin;
+  const double rounding = 16.0 * degree * degree * weights.spread * weights.spread * cell.margin;
   SecondDerivatives bounds;
   for (int k = 0; k < 3; ++k) {
-    const SecondValues values = rational ? rational_seconds(cell, shape, weights, k)
-                                         : seconds_of(cell.hull + k * shape.plane_size(), shape);
+    const SecondValues values = rational_seconds(cell, shape, weights, k);
     const auto set = [&](VectorBounds& bound, const ValueRange& range) {
       bound.middle[k] = 0.5 * (range.low + range.high);
       bound.radius[k] = 0.5 * (range.high - range.low) + rounding + kSlack * magnitude(range);

@@ -271,14 +271,15 @@ void CellTree::choose_direction(Cell& cell) const {
   const int rows = shape_.rows, columns = shape_.columns, size = shape_.plane_size();
   double along_u = 0, along_v = 0, twist = 0, length_u = 0, length_v = 0;
   for (int k = 0; k < 3; ++k) {
-    const SecondDifferences largest =
-        largest_second_differences(cell.hull + k * size, rows, columns);
-    cell.second[0][k] = largest.uu;
-    cell.second[1][k] = largest.uv;
-    cell.second[2][k] = largest.vv;
-    along_u = std::max(along_u, largest.uu);
-    along_v = std::max(along_v, largest.vv);
-    twist = std::max(twist, largest.uv);
+    const SecondRanges ranges = second_difference_ranges(cell.hull + k * size, rows, columns);
+    const auto largest = [&](const Range& range, VectorBounds& second) {
+      second.middle[k] = 0.5 * (range.low + range.high);
+      second.radius[k] = 0.5 * (range.high - range.low);
+      return std::max(-range.low, range.high);
+    };
+    along_u = std::max(along_u, largest(ranges.uu, cell.second[0]));
+    twist = std::max(twist, largest(ranges.uv, cell.second[1]));
+    along_v = std::max(along_v, largest(ranges.vv, cell.second[2]));
     length_u = std::max(length_u, std::abs(cell.du.middle[k]) + cell.du.radius[k]);
     length_v = std::max(length_v, std::abs(cell.dv.middle[k]) + cell.dv.radius[k]);
   }

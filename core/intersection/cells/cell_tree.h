@@ -45,10 +45,10 @@ struct Cell {
   double margin = 0;                     ///< rounding of a hull coordinate, model units
   Vec3 low, high;                        ///< box of the hull, margin included
   FatPlane plane;
-  VectorBounds du, dv;           ///< derivatives by the cell's own [0, 1] parameters
-  std::array<Vec3, 3> second{};  ///< largest differences uu, uv, vv of the hull, by coordinate
-  double bend = 0;               ///< how far it is from flat and affine, model units
-  double extent = 0;             ///< diagonal of the box
+  VectorBounds du, dv;                   ///< derivatives by the cell's own [0, 1] parameters
+  std::array<VectorBounds, 3> second{};  ///< differences uu, uv, vv of the hull as computed
+  double bend = 0;                       ///< how far it is from flat and affine, model units
+  double extent = 0;                     ///< diagonal of the box
 };
 
 class CellTree {

@@ -2,8 +2,10 @@
 #include "core/intersection/cells/net_ranges.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
+#include "core/forms/curve.h"
 #include "core/math/four.h"
 
 namespace blossom {
@@ -81,6 +83,14 @@ template <int kTerms>
   }
 }
 
+// Bernstein coefficient number i, by this degree, of x and of x^2 for x in [-1/2, 1/2].
+double first_power(int i, int degree) { return static_cast<double>(i) / degree - 0.5; }
+
+double second_power(int i, int degree) {
+  const double square = degree > 1 ? i * (i - 1.0) / (degree * (degree - 1.0)) : 0;
+  return square - static_cast<double>(i) / degree + 0.25;
+}
+
 double largest(const Range& range) { return std::max(-range.low, range.high); }
 
 }  // namespace
@@ -95,6 +105,33 @@ BLOSSOM_HOT Range height_range(const double* points, int count, const Vec3& norm
   Ranges ranges(normal[0] * points[0] + normal[1] * points[count] + normal[2] * points[2 * count]);
   include(points, count, {0, count, 2 * count}, {normal[0], normal[1], normal[2]}, ranges);
   return ranges.joined();
+}
+
+BLOSSOM_HOT Range height_range(const double* points, int rows, int columns, const Vec3& normal,
+                               const Quadratic& less) {
+  std::array<double, kMaxDegree + 1> y, only_y;  // by columns: y, and what does not go with x
+  for (int j = 0; j < columns; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    y[at] = first_power(j, columns - 1);
+    only_y[at] = less.constant + less.y * y[at] + less.yy * second_power(j, columns - 1);
+  }
+  const int size = rows * columns;
+  const auto rest = [&](int row, int column, double by_x, double x) {
+    const double* p = points + row * columns + column;
+    const auto at = static_cast<std::size_t>(column);
+    return normal[0] * p[0] + normal[1] * p[size] + normal[2] * p[2 * size] -
+           (only_y[at] + by_x + less.xy * x * y[at]);
+  };
+  Range all{1e300, -1e300};
+  for (int i = 0; i < rows; ++i) {
+    const double x = first_power(i, rows - 1);
+    const double by_x = less.x * x + less.xx * second_power(i, rows - 1);
+    for (int j = 0; j < columns; ++j) {
+      const double h = rest(i, j, by_x, x);
+      all = {std::min(all.low, h), std::max(all.high, h)};
+    }
+  }
+  return all;
 }
 
 BLOSSOM_HOT Range difference_range_u(const double* plane, int rows, int columns) {

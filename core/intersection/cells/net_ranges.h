@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "core/math/quadratic.h"
 #include "core/math/vec.h"
 
 namespace blossom {
@@ -19,6 +20,11 @@ Range value_range(const double* values, int count);
 
 /// Of the heights normal . p of points, given as three planes of `count` coordinates.
 Range height_range(const double* points, int count, const Vec3& normal);
+
+/// Of what is left of such heights, as a polynomial's Bernstein coefficients, when those of another
+/// one are taken away; its x and y are in [-1/2, 1/2] over the net.
+Range height_range(const double* points, int rows, int columns, const Vec3& normal,
+                   const Quadratic& less);
 
 /// Of the differences between neighbours along u (in one column) or v (in one row).
 Range difference_range_u(const double* plane, int rows, int columns);

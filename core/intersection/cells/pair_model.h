@@ -31,6 +31,7 @@ struct PairJet {
   std::array<Vec3, 4> columns;
 };
 
+/// What it is made from is used as long as this object is.
 class PairModel {
  public:
   PairModel(const CellTree& tree_a, const Cell& a, const CellTree& tree_b, const Cell& b);
@@ -39,6 +40,10 @@ class PairModel {
 
   /// F, rounding included.
   BoundedVector gap(const std::array<double, 4>& place) const;
+
+  /// True if F vanishes nowhere in the pair since, to second order, the one surface lies above the
+  /// other where they are over each other. Tells more than planes do where both bend alike.
+  bool apart() const;
 
   /// The columns of J over a part of the pair, from what is known at some place near it.
   JacobianBounds jacobian(const PairJet& jet, const PairPart& part) const;
@@ -56,13 +61,14 @@ class PairModel {
   // With so much of the change on the way to the part.
   JacobianBounds jacobian_within(const PairJet& jet, const PairPart& part, double share) const;
 
-  const RationalBezierPatch& patch_a_;
-  const RationalBezierPatch& patch_b_;
+  const CellTree &tree_a_, &tree_b_;
+  const Cell &a_, &b_;
   std::array<Interval, 4> box_;
-  JacobianBounds whole_;                     // over the pair
-  std::array<Vec3, 3> second_a_, second_b_;  // largest uu, uv, vv over the cells
-  Vec3 rounding_;                            // of F
-  std::array<Vec3, 4> slope_rounding_;       // of the columns of J
+  JacobianBounds whole_;                   // over the pair
+  SecondDerivatives second_a_, second_b_;  // over the cells
+  std::array<Vec3, 3> most_a_, most_b_;    // largest uu, uv, vv of them
+  Vec3 rounding_;                          // of F
+  std::array<Vec3, 4> slope_rounding_;     // of the columns of J
 };
 
 /// Narrows a part to where F may vanish in it. With C the inverse of the middle of a minor of J and

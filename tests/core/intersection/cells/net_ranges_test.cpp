@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/support/random.h"
@@ -35,6 +36,42 @@ TEST(NetRanges, OfValuesAndHeightsHoldAllAndNoMore) {
     EXPECT_NEAR(found_h.low, heights.low, 1e-15);
     EXPECT_NEAR(found_h.high, heights.high, 1e-15);
   }
+}
+
+// A net of the quadratic itself leaves nothing; one of twice it leaves its own coefficients.
+TEST(NetRanges, OfHeightsLessAQuadraticAreThoseOfTheRest) {
+  auto random = seeded(5);
+  const Vec3 normal{0, 0, 1};
+  for (int rows = 2; rows <= 5; ++rows)
+    for (int columns = 2; columns <= 5; ++columns) {
+      Quadratic f;
+      for (double* c : {&f.constant, &f.x, &f.y, &f.xy}) *c = uniform(random, -1, 1);
+      if (rows > 2) f.xx = uniform(random, -1, 1);
+      if (columns > 2) f.yy = uniform(random, -1, 1);
+      // The polar form: coefficient i takes i of the arguments 1/2 and the others -1/2.
+      const auto powers = [](int i, int n) {
+        const double sum = i - 0.5 * n;
+        return std::pair{sum / n, n > 1 ? (sum * sum - 0.25 * n) / (n * (n - 1)) : 0};
+      };
+      const int size = rows * columns;
+      std::vector<double> p(static_cast<std::size_t>(3 * size));
+      Range own{9, -9};
+      for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+          const auto [x, xx] = powers(i, rows - 1);
+          const auto [y, yy] = powers(j, columns - 1);
+          const double h = f.constant + f.x * x + f.y * y + f.xx * xx + f.xy * x * y + f.yy * yy;
+          p[static_cast<std::size_t>(2 * size + i * columns + j)] = h;
+          own = {std::min(own.low, h), std::max(own.high, h)};
+        }
+      const Range rest = height_range(p.data(), rows, columns, normal, f);
+      EXPECT_NEAR(rest.low, 0, 1e-15);
+      EXPECT_NEAR(rest.high, 0, 1e-15);
+      for (double& h : p) h *= 2;
+      const Range half = height_range(p.data(), rows, columns, normal, f);
+      EXPECT_NEAR(half.low, own.low, 1e-15);
+      EXPECT_NEAR(half.high, own.high, 1e-15);
+    }
 }
 
 TEST(NetRanges, AreThoseOfAllDifferences) {

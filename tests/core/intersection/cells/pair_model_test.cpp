@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <vector>
 
 #include "core/intersection/arcs/arc_stretches.h"
 #include "core/intersection/arcs/border_roots.h"
@@ -188,6 +189,59 @@ TEST_P(PairModels, TellWhereNoRootIs) {
         narrow(part, minor, along, bounds.column(along), jet.place, {1e3 * far, model.rounding()}));
   }
   EXPECT_GT(told, 0);
+}
+
+RationalBezierPatch moved(RationalBezierPatch patch, const Vec3& by) {
+  for (Vec4& p : patch.points.values())
+    for (int k = 0; k < 3; ++k) p[k] += p[3] * by[k];
+  return patch;
+}
+
+// b is moved so that it meets a at a place chosen beforehand, near to the origin and far from it.
+TEST_P(PairModels, AreNotApartWhereTheyMeet) {
+  const Vec3 far = GetParam() % 3 == 0 ? Vec3{1e4, -2e4, 3e4} : Vec3{};
+  const PatchesRow row = patches();
+  const RationalBezierPatch a = moved(row.a, far), b = moved(row.b, far);
+  CellTree tree_a(a, row.rational, {}, CellForm::Bezier, kCut);
+  CellTree tree_b(b, row.rational, {}, CellForm::Bezier, kCut);
+  for (int draw = 0; draw < 40; ++draw) {
+    const int i = descend(tree_a, draw % 12), j = descend(tree_b, draw % 11);
+    const PairModel model(tree_a, tree_a[i], tree_b, tree_b[j]);
+    const auto root = place_in(PairPart{});
+    CellTree tree(moved(b, model.gap(root).value), row.rational, {}, CellForm::Bezier, kCut);
+    const int there = cell_at(tree, at(tree_b[j].u, 0.5), at(tree_b[j].v, 0.5), tree_b[j].depth);
+    EXPECT_FALSE(PairModel(tree_a, tree_a[i], tree, tree[there]).apart());
+  }
+}
+
+// One surface above the other: cells whose boxes and planes leave it open.
+TEST(PairModel, TellsApartWhatBendsAlike) {
+  const CubicPair pair = cubic_pair(testing::linear(0.01, 0.002, -0.001));
+  CellTree tree_a(pair.a.patches(0, 0), false, {}, CellForm::Bezier, kCut);
+  CellTree tree_b(pair.b.patches(0, 0), false, {}, CellForm::Bezier, kCut);
+  const int points = tree_a.shape().plane_size();
+  int open = 0, told = 0;
+  const auto leaves = [](CellTree& tree, int halvings) {
+    std::vector<int> cells{0};
+    for (int i = 0; i < halvings; ++i) {
+      std::vector<int> halves;
+      for (const int cell : cells) {
+        const int child = tree.split(cell);
+        halves.insert(halves.end(), {child, child + 1});
+      }
+      cells = halves;
+    }
+    return cells;
+  };
+  const std::vector<int> cells_a = leaves(tree_a, 6), cells_b = leaves(tree_b, 6);
+  for (const int i : cells_a)
+    for (const int j : cells_b) {
+      if (separated(tree_a[i], tree_b[j], points, points)) continue;
+      ++open;
+      told += PairModel(tree_a, tree_a[i], tree_b, tree_b[j]).apart();
+    }
+  EXPECT_GT(open, 50);
+  EXPECT_GT(told, open / 2);
 }
 
 // Points of the arc found by Newton's method lie in each stretch that has their parameter, however
