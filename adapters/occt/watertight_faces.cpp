@@ -37,6 +37,13 @@ BezierTriangle turned(const BezierTriangle& triangle, std::size_t first) {
   return result;
 }
 
+// Bound on the distance of its half patch.
+double half_error(const BezierTriangle& triangle) {
+  double largest = 0;  // coordinate
+  for (const Vec3& p : triangle.points) largest = std::max(largest, max_norm(p));
+  return std::sqrt(3.0) * half_patch_error(triangle.degree) * largest;
+}
+
 }  // namespace
 
 PieceFaces::PieceFaces(const WatertightPieces& pieces) : pieces_(pieces) {
@@ -57,9 +64,8 @@ TopoDS_Face PieceFaces::face_of(const WatertightPiece& piece) {
   }
   if (const auto plane = plane_of(pieces_, piece, kInPlane, kNarrow))
     return flat_face(piece, *plane);
-  if (height_of(*triangle) >= kSlender)
-    if (const auto diagonal = longest_inner_side(piece))
-      return half_face(piece, *triangle, *diagonal);
+  if (const auto diagonal = diagonal_of(piece, *triangle))
+    return half_face(piece, *triangle, *diagonal);
   return collapsed_face(piece, *triangle);
 }
 
@@ -84,10 +90,7 @@ TopoDS_Face PieceFaces::flat_face(const WatertightPiece& piece, const PiecePlane
 // other.
 TopoDS_Face PieceFaces::half_face(const WatertightPiece& piece, const BezierTriangle& triangle,
                                   std::size_t diagonal) {
-  double largest = 0;  // coordinate
-  for (const Vec3& p : triangle.points)
-    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
-  flattened_ = std::max(flattened_, std::sqrt(3.0) * half_patch_error(triangle.degree) * largest);
+  flattened_ = std::max(flattened_, half_error(triangle));
   begin(half_patch(turned(triangle, diagonal)));
   add_side(piece, (diagonal + 2) % 3, 0);  // c to a along v = 0
   std::vector<Vec2> ends{{1, 0}, {0, 1}};
@@ -112,15 +115,45 @@ const WatertightSide& PieceFaces::side_of_piece(const WatertightPiece& piece, st
   return pieces_.sides[index(piece.sides[k])];
 }
 
-// None if a side is a point or all are on edges, whose points are to be those of the surface, too.
+bool PieceFaces::has_point(const WatertightPiece& piece) const {
+  return std::ranges::any_of(piece.sides,
+                             [&](int k) { return pieces_.sides[index(k)].curve.points.empty(); });
+}
+
+double PieceFaces::length_of(const WatertightPiece& piece, std::size_t k) const {
+  const BezierCurve& curve = side_of_piece(piece, k).curve;
+  return distance(curve.points.front(), curve.points.back());
+}
+
+// Meshers put nodes inside of slender collapsed patches, too, which lie off the chords of both long
+// sides by more than these are apart. An edge may be the diagonal there, if only rounding parts it
+// from the patch.
+std::optional<std::size_t> PieceFaces::diagonal_of(const WatertightPiece& piece,
+                                                   const BezierTriangle& triangle) const {
+  if (has_point(piece)) return std::nullopt;
+  if (height_of(triangle) >= kSlender) return longest_inner_side(piece);
+  const std::size_t shortest = shortest_side(piece);
+  const bool only_rounding = half_error(triangle) <= kInPlane;
+  if (length_of(piece, shortest) == 0 ||
+      (side_of_piece(piece, shortest).edge >= 0 && !only_rounding))
+    return std::nullopt;
+  return shortest;
+}
+
+std::size_t PieceFaces::shortest_side(const WatertightPiece& piece) const {
+  std::size_t shortest = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (length_of(piece, k) < length_of(piece, shortest)) shortest = k;
+  return shortest;
+}
+
+// None if all are on edges, whose points are to be those of the surface, too.
 std::optional<std::size_t> PieceFaces::longest_inner_side(const WatertightPiece& piece) const {
   std::optional<std::size_t> longest;
   double most = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const WatertightSide& side = side_of_piece(piece, k);
-    if (side.curve.points.empty()) return std::nullopt;
-    const double size = distance(side.curve.points.front(), side.curve.points.back());
-    if (side.edge >= 0 || size <= most) continue;
+    const double size = length_of(piece, k);
+    if (side_of_piece(piece, k).edge >= 0 || size <= most) continue;
     most = size;
     longest = k;
   }

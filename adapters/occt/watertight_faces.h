@@ -25,8 +25,8 @@ namespace blossom::occt {
 ///   a face on a plane, where it is flat to half of the edges' tolerance;
 ///   or else the half of a patch on one side of the diagonal, which is its longest side inside of a
 ///   face of the model; sides on edges have the points of the patch's rows;
-///   or, if one of its sides is a point, all are on edges or it is slender, a patch with one
-///   collapsed side.
+///   of a slender one the diagonal is the shortest side, so that its parameters are not slender;
+///   or, if one of its sides is a point or all are on edges, a patch with one collapsed side.
 class PieceFaces {
  public:
   explicit PieceFaces(const WatertightPieces& pieces);
@@ -40,7 +40,7 @@ class PieceFaces {
   static constexpr double kTolerance = Tolerances{}.point;
   static constexpr double kInPlane = 0.5 * kTolerance;
   static constexpr double kNarrow = 100 * kTolerance;  // no mesher finds triangles in less than 1
-  static constexpr double kSlender = 2 * kNarrow;      // nor beside diagonals in less than 2
+  static constexpr double kSlender = 2 * kNarrow;      // nor beside long diagonals in less than 2
 
   TopoDS_Face flat_face(const WatertightPiece& piece, const PiecePlane& plane);
   TopoDS_Face half_face(const WatertightPiece& piece, const BezierTriangle& triangle,
@@ -48,6 +48,11 @@ class PieceFaces {
   TopoDS_Face collapsed_face(const WatertightPiece& piece, const BezierTriangle& triangle);
 
   const WatertightSide& side_of_piece(const WatertightPiece& piece, std::size_t k) const;
+  bool has_point(const WatertightPiece& piece) const;
+  double length_of(const WatertightPiece& piece, std::size_t k) const;
+  std::optional<std::size_t> diagonal_of(const WatertightPiece& piece,
+                                         const BezierTriangle& triangle) const;
+  std::size_t shortest_side(const WatertightPiece& piece) const;
   std::optional<std::size_t> longest_inner_side(const WatertightPiece& piece) const;
   std::size_t first_corner(const WatertightPiece& piece) const;
 

@@ -12,13 +12,16 @@
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -26,6 +29,7 @@
 
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
+#include "adapters/occt/watertight_faces.h"
 #include "core/blossom/triangle_composition.h"
 #include "tests/adapters/occt/shapes_files.h"
 
@@ -199,6 +203,41 @@ TEST(Watertight, DoesNotJoinFacesThatAreTurnedAgainstEachOther) {
   of_two.erase(-1);              // inside of faces
   EXPECT_EQ(of_one.size(), 8u);  // four edges, twice
   EXPECT_EQ(of_two.size(), 8u);
+}
+
+// A triangle on z = x y + x (1 - x) / 20; its side at x = 1 is as long as the width, about.
+WatertightPieces sliver(double width, int edge_of_short_side) {
+  WatertightPieces pieces;
+  pieces.vertices = {{1, 0, 0}, {1, width, width}, {0, 0, 0}};
+  BezierTriangle form{2, {}};
+  for (int nu = 0; nu <= 2; ++nu)
+    for (int mu = 0; nu + mu <= 2; ++mu) {
+      const double x = 0.5 * (nu + mu), y = 0.5 * mu;            // of the control points' places
+      const double blossom = 0.5 * ((nu * mu) + mu * (mu - 1));  // of x y / width
+      form.points.push_back({x, width * y, width * blossom + (2 - nu - mu) * (nu + mu) / 40.0});
+    }
+  WatertightPiece piece{0, form, {0, 1, 2}, {0, 1, 2}, {true, true, true}, 0};
+  for (int k = 0; k < 3; ++k)
+    pieces.sides.push_back(
+        {k == 0 ? edge_of_short_side : -1, k, (k + 1) % 3, side_of(form, k, (k + 1) % 3)});
+  pieces.pieces.push_back(std::move(piece));
+  return pieces;
+}
+
+// Nodes inside, off the chords of both long sides, would stick out through the facets beside them.
+TEST(Watertight, ASliverIsMeshedWithoutNodesInside) {
+  for (const int edge : {-1, 7}) {
+    const WatertightPieces pieces = sliver(1.4e-5, edge);
+    PieceFaces writer(pieces);
+    const TopoDS_Face face = writer.face_of(pieces.pieces.front());
+    EXPECT_TRUE(BRepCheck_Analyzer(face).IsValid());
+    EXPECT_LE(writer.flattened(), 1e-13);
+    const BRepMesh_IncrementalMesh mesher(face, 0.1);
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
+    ASSERT_FALSE(mesh.IsNull());
+    EXPECT_EQ(mesh->NbTriangles(), 1) << "edge " << edge;
+  }
 }
 
 // A face of a real model that takes several rounds of dividing its edges.
