@@ -171,19 +171,26 @@ TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of,
   return edge;
 }
 
-bool FaceSplitter::lies_in_surface(const EdgePiece& piece, const SurfaceFeet& feet) const {
+// What does not, but begins or ends on a border, may leave a surface that ends beside the face.
+bool FaceSplitter::lies_in_face(const EdgePiece& piece, const SurfaceFeet& feet) const {
   double first = 0, last = 0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(piece.edge, first, last);
-  for (const double part : {0.5, 0.2, 0.8}) {
-    const gp_Pnt point = curve->Value(at(piece.range, part));
-    if (std::abs(feet.height({point.X(), point.Y(), point.Z()})) > kReach * tolerance_)
-      return false;
-  }
-  return true;
+  const auto point = [&](double part) {
+    const gp_Pnt of = curve->Value(at(piece.range, part));
+    return Vec3{of.X(), of.Y(), of.Z()};
+  };
+  for (const double part : {0.5, 0.2, 0.8})
+    if (std::abs(feet.height(point(part))) > kReach * tolerance_) return false;
+  const Vec2 uv = feet.foot(point(0.5), {});
+  Vec2 chart{uv[0] * trims_.scale[0], uv[1] * trims_.scale[1]};
+  for (int k = 0; k < 2; ++k)
+    if (const double period = trims_.period[k]; period > 0)
+      chart[k] -= period * std::floor((chart[k] - trims_.box.low[k]) / period);
+  return is_inside(trims_, chart);
 }
 
 void FaceSplitter::add_laid_arc(const EdgePiece& piece, const SurfaceFeet& feet) {
-  if (!lies_in_surface(piece, feet)) return;
+  if (!lies_in_face(piece, feet)) return;
   const LaidCurve of = laid_curve(piece.edge, feet);
   const auto vertex = [&](const TopoDS_Vertex& shape, const Vec2& point) {
     if (const int known = vertex_of_shape(shape, point); known >= 0) return known;

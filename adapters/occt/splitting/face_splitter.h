@@ -186,7 +186,7 @@ class FaceSplitter {
   void lay_in_pole(const TopoDS_Edge& edge, int loop, int index);
   LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceFeet& feet) const;
   TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift) const;
-  bool lies_in_surface(const EdgePiece& piece, const SurfaceFeet& feet) const;
+  bool lies_in_face(const EdgePiece& piece, const SurfaceFeet& feet) const;
   bool lies_on_wire(const PlanarCurve& curve) const;
   std::vector<int> imprints_among(const std::vector<int>& arcs, OpenCuts open) const;
 

@@ -348,11 +348,14 @@ std::vector<SolidContact> hole_and_corner_contacts() {
 }
 
 std::vector<SolidContact> spline_contacts() {
+  const Maker corner =
+      prism({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}}, {0, 0, 1});
   return {
       {"SplineCubeOnCube", whole_cube, splines(boxed({1, 0, 0.5}, {2, 1, 1}))},
       {"SplineCubeInCube", whole_cube, splines(boxed({0.5, 0, 0.5}, {2, 1, 1})), 0.25},
       {"SplineRodOnAPlate", whole_plate, splines(rod({0, 0, 1}, 0.5, 1))},
       {"SplineRodInRod", rod(kOrigin, 1, 1), splines(rod({0, 0, 0.5}, 1, 1)), kPi / 2, 1e-7},
+      {"BarLeavingASplineCorner", splines(corner), boxed({1, 1.2, 0}, {2.1, 1.8, 1})},
   };
 }
 
