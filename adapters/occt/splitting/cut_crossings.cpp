@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace blossom::occt {
 namespace {
@@ -17,11 +18,14 @@ struct Stretch {
   bool over_end = false;
 };
 
+bool is_closed(const PlanarCurve& curve, double tolerance) {
+  const Interval domain = curve.domain();
+  return distance(point_at(curve, domain.from), point_at(curve, domain.to)) <= tolerance;
+}
+
 Stretch stretch(const PlanarCurve& curve, double s, double t, double tolerance) {
-  const Interval domain = curve.domain(), at{std::min(s, t), std::max(s, t)};
-  const bool closed =
-      distance(point_at(curve, domain.from), point_at(curve, domain.to)) <= tolerance;
-  return {at, closed && 2 * length(at) > length(domain)};
+  const Interval at{std::min(s, t), std::max(s, t)};
+  return {at, 2 * length(at) > length(curve.domain()) && is_closed(curve, tolerance)};
 }
 
 double parameter(const PlanarCurve& curve, const Stretch& of, double part) {
@@ -50,6 +54,16 @@ bool holds_part_of(const Stretch& stretch, const Interval& run) {
   return run.from < stretch.at.to && run.to > stretch.at.from;
 }
 
+// The ends of a stretch at which the curve itself ends.
+std::vector<double> ends_in(const PlanarCurve& curve, const Stretch& of) {
+  const Interval domain = curve.domain();
+  if (of.over_end) return {domain.from, domain.to};
+  std::vector<double> ends;
+  if (of.at.from == domain.from) ends.push_back(domain.from);
+  if (of.at.to == domain.to) ends.push_back(domain.to);
+  return ends;
+}
+
 class Nodes {
  public:
   Nodes(const PlanarCurve& a, const PlanarCurve& b, double tolerance, double longest)
@@ -57,7 +71,11 @@ class Nodes {
         b_(b),
         tolerance_(tolerance),
         longest_(longest),
-        common_(crossings(a, b, tolerance)) {}
+        common_(crossings(a, b, tolerance)) {
+    add_ends(a, b, [](double end, double at) { return std::pair(end, at); });
+    add_ends(b, a, [](double end, double at) { return std::pair(at, end); });
+    std::ranges::stable_sort(common_.points, {}, &PlanarCrossing::a);
+  }
 
   CutCrossings found() const {
     std::vector<Chain> chains;
@@ -82,6 +100,18 @@ class Nodes {
   struct Chain {
     PlanarCrossing first, last;
   };
+
+  // The ends of an open curve that lie on the other one, of which a crossing beside may be told.
+  template <class InOrder>
+  void add_ends(const PlanarCurve& curve, const PlanarCurve& other, const InOrder& in_order) {
+    if (common_.points.empty() || is_closed(curve, tolerance_)) return;
+    for (const double end : {curve.domain().from, curve.domain().to}) {
+      const PlanarFoot foot = nearest(other, point_at(curve, end));
+      if (foot.distance > tolerance_) continue;
+      const auto [on_a, on_b] = in_order(end, foot.parameter);
+      common_.points.push_back({on_a, on_b, point_at(a_, on_a), false});
+    }
+  }
 
   Stretch on_a(const PlanarCrossing& p, const PlanarCrossing& q) const {
     return stretch(a_, p.a, q.a, tolerance_);
@@ -111,35 +141,36 @@ class Nodes {
     });
   }
 
-  // Half way on a, and what is nearest to that on b; where one is closed and ends in the stretch,
-  // that end decides.
+  // Half way on a, and what is nearest to that on b; where one of them ends in the stretch, or is
+  // closed and begins there, that end decides. What goes no farther than the stretch has no end.
   CutCrossing node_of(const Chain& chain) const {
     const auto& [first, last] = chain;
     if (first.a == last.a && first.b == last.b) return {{first.a}, {first.b}, first.point};
     const Stretch of_a = on_a(first, last), of_b = on_b(first, last);
-    const auto ends = [](const PlanarCurve& curve) {
-      return std::vector{curve.domain().from, curve.domain().to};
-    };
-    CutCrossing node;
-    if (of_b.over_end) node.b = ends(b_);
-    if (of_a.over_end) node.a = ends(a_);
-    if (of_b.over_end && !of_a.over_end) {
+    CutCrossing node{end_in(a_, of_a), end_in(b_, of_b), {}};
+    if (node.a.empty() && !node.b.empty()) {
       node.point = point_at(b_, node.b.front());
       node.a = {nearest(a_, node.point).parameter};
     } else {
-      if (!of_a.over_end) node.a = {at(of_a.at, 0.5)};
+      if (node.a.empty()) node.a = {at(of_a.at, 0.5)};
       node.point = point_at(a_, node.a.front());
-      if (!of_b.over_end) node.b = {nearest(b_, node.point).parameter};
+      if (node.b.empty()) node.b = {nearest(b_, node.point).parameter};
     }
     node.blur =
         kMargin * std::max(distance(node.point, first.point), distance(node.point, last.point));
     return node;
   }
 
+  static std::vector<double> end_in(const PlanarCurve& curve, const Stretch& of) {
+    std::vector<double> ends = ends_in(curve, of);
+    if (!of.over_end && ends.size() > 1) ends.clear();
+    return ends;
+  }
+
   const PlanarCurve& a_;
   const PlanarCurve& b_;
   const double tolerance_, longest_;
-  const PlanarCrossings common_;
+  PlanarCrossings common_;
 };
 
 }  // namespace

@@ -23,8 +23,9 @@ struct CutCrossings {
 };
 
 /// The nodes of two cuts. Crossings between which the cuts keep within tolerance of each other, no
-/// farther apart than a touch may take, are one node: half way, or where a closed cut begins. The
-/// ends of runs that cuts share are none.
+/// farther apart than a touch may take, are one node: half way, or where a cut ends there. So are
+/// an end that lies on the other cut and a crossing beside it. The ends of runs that cuts share are
+/// none.
 ///
 /// tolerance  distance in the chart, positive
 /// longest    of a touch, in the chart

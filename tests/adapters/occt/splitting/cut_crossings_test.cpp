@@ -81,6 +81,30 @@ TEST(CutCrossings, HaveOnePlaceOnBothCutsWhereverAClosedOneBegins) {
   EXPECT_LE(distance(point_at(axis(), nodes[0].b[0]), point_at(loop, 0)), kTolerance);
 }
 
+// As two curves do that leave a common corner side by side: by what they are off, they cross again.
+TEST(CutCrossings, AreTheEndsOfCutsThatKeepTogetherFromThere) {
+  constexpr double kDepth = 1e-9;
+  const double start = -std::sqrt(kDepth) / 8;
+  const PlanarCurve bent = planar_curve(
+      {2,
+       {0, 1},
+       {3, 3},
+       {{start, start * start - kDepth}, {0.5 * (start + 1), start - kDepth}, {1, 1 - kDepth}}});
+  const PlanarCurve straight = planar_line({start, 0}, {1, 0}, {0, 1});
+  for (const bool swapped : {false, true}) {
+    const auto nodes = swapped ? found(straight, bent).nodes : found(bent, straight).nodes;
+    ASSERT_EQ(nodes.size(), 1u);
+    EXPECT_EQ(nodes[0].a, std::vector<double>{0});
+    EXPECT_EQ(nodes[0].b, std::vector<double>{0});
+    EXPECT_GE(nodes[0].blur, std::sqrt(kDepth) - start);
+  }
+  const auto on_axis = found(axis(), bent).nodes;
+  ASSERT_EQ(on_axis.size(), 1u);
+  EXPECT_EQ(on_axis[0].b, std::vector<double>{0});
+  ASSERT_EQ(on_axis[0].a.size(), 1u);
+  EXPECT_LE(distance(point_at(axis(), on_axis[0].a[0]), point_at(bent, 0)), kTolerance);
+}
+
 TEST(CutCrossings, AreNotTheEndsOfARunThatCutsShare) {
   const PlanarCurve left = planar_line({-1, 0}, {0.004, 0}, {0, 1});
   EXPECT_EQ(found(left, planar_line({0, 0}, {1, 0}, {0, 1})).nodes.size(), 2u);
