@@ -238,8 +238,26 @@ void add_touches(const PlanarCurve& curve, const std::vector<double>& points,
       inside.push_back({t, t});
 }
 
+// Four pieces of each span.
+std::vector<double> quarters(const PlanarCurve& curve) {
+  std::vector<double> at;
+  for (const PlanarSpan& span : curve.spans)
+    for (const double part : {0.0, 0.25, 0.5, 0.75}) at.push_back(blossom::at(span.place, part));
+  at.push_back(curve.domain().to);
+  return at;
+}
+
+// Whether all of a curve keeps to wires. Where it meets them does not matter then, and takes long
+// to find out for one that is about as far from them as may count as a meeting.
+bool is_along_wires(const FaceTrims& trims, const PlanarCurve& curve) {
+  if (!kept_tolerance(trims, curve, curve.domain())) return false;
+  const std::vector<char> along = along_wires(trims, curve, {}, quarters(curve));
+  return std::find(along.begin(), along.end(), 0) == along.end();
+}
+
 // What of a curve lies inside or touches wires, where it lies.
 std::vector<Interval> parts_in(const FaceTrims& trims, const PlanarCurve& curve) {
+  if (is_along_wires(trims, curve)) return {curve.domain()};
   const ClippedCurve found = clipped(trims, curve, kOnBorder);
   std::vector<Interval> parts = inside_of(trims, curve, found, true);
   std::vector<double> meetings;
@@ -295,10 +313,7 @@ std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart
 bool runs_along_wires(const FaceTrims& trims, const Spline2& chart) {
   if (trims.natural) return false;
   const PlanarCurve curve = chart_curve(trims, chart);
-  std::vector<double> at;
-  for (const PlanarSpan& span : curve.spans)
-    for (const double part : {0.0, 0.25, 0.5, 0.75}) at.push_back(blossom::at(span.place, part));
-  at.push_back(curve.domain().to);
+  const std::vector<double> at = quarters(curve);
   for (const Vec2& shift : period_shifts(trims, curve)) {
     const std::vector<char> along = along_wires(trims, transformed(curve, {1, 1}, shift), {}, at);
     if (std::find(along.begin(), along.end(), 1) != along.end()) return true;

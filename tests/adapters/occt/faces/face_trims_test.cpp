@@ -99,14 +99,59 @@ TEST(ClipToTrims, PeriodsOfTheSurfaceAreTakenOff) {
   expect_intervals(clip_to_trims(band, line({2 * kPi, 1}, {2 * kPi + 4, 1})), {{0.25, 0.75}});
 }
 
-// Between arc and diameter of a half disc, within tolerance of its corner: one meeting there,
-// however the curve runs.
-TEST(ClippedCurve, HasOneMeetingInTheCornerOfTwoEdgesThatItTouches) {
+// Of radius 1, above the x-axis.
+TopoDS_Face half_disc() {
   const gp_Circ circle(gp_Ax2(), 1);
   const TopoDS_Wire wire =
       BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Pnt(-1, 0, 0), gp_Pnt(1, 0, 0)),
                               BRepBuilderAPI_MakeEdge(circle, 0, kPi));
-  const FaceTrims trims = face_trims(BRepBuilderAPI_MakeFace(gp_Pln(), wire).Face());
+  return BRepBuilderAPI_MakeFace(gp_Pln(), wire);
+}
+
+// A spline round the origin, over [0, 1], from 0.2 to 3 radians: radius 1, 32 waves of this height,
+// and a bump of another one over the middle fifth.
+Spline2 waves_round_origin(double height, double bump) {
+  constexpr int kSpans = 256;
+  const auto place = [&](double t) {
+    const double across = std::max(0.0, 1 - std::abs(t - 0.5) / 0.1);
+    const double radius = 1 + height * std::cos(64 * kPi * t) + bump * across * across;
+    const double angle = 0.2 + 2.8 * t;
+    return Vec2{radius * std::cos(angle), radius * std::sin(angle)};
+  };
+  const auto slope = [&](double t) { return (0.5 / 1e-6) * (place(t + 1e-6) - place(t - 1e-6)); };
+  Spline2 spline{3, {}, {}, {place(0)}};
+  for (int i = 0; i <= kSpans; ++i) {
+    spline.knots.push_back(static_cast<double>(i) / kSpans);
+    spline.multiplicities.push_back(i == 0 || i == kSpans ? 4 : 3);
+    if (i == kSpans) break;
+    const double from = spline.knots.back(), to = (i + 1.0) / kSpans, third = (to - from) / 3;
+    spline.points.push_back(place(from) + third * slope(from));
+    spline.points.push_back(place(to) - third * slope(to));
+    spline.points.push_back(place(to));
+  }
+  return spline;
+}
+
+// About as far from the edge as may count as a meeting, with the edge's own tolerance of 1e-7.
+TEST(ClipToTrims, CurveThatWeavesAlongAWireIsWhole) {
+  const TopoDS_Face face = half_disc();
+  expect_intervals(clip_to_trims(face, waves_round_origin(1.2e-7, 0)), {{0, 1}});
+  expect_intervals(clip_to_trims(face, waves_round_origin(3e-8, 0)), {{0, 1}});
+}
+
+TEST(ClipToTrims, CurveThatWeavesAlongAWireIsCutWhereItLeavesIt) {
+  const std::vector<Interval> parts = clip_to_trims(half_disc(), waves_round_origin(1.2e-7, 1e-3));
+  ASSERT_EQ(parts.size(), 2u);
+  EXPECT_EQ(parts[0].from, 0);
+  EXPECT_NEAR(parts[0].to, 0.4, 0.005);
+  EXPECT_NEAR(parts[1].from, 0.6, 0.005);
+  EXPECT_EQ(parts[1].to, 1);
+}
+
+// Between arc and diameter of a half disc, within tolerance of its corner: one meeting there,
+// however the curve runs.
+TEST(ClippedCurve, HasOneMeetingInTheCornerOfTwoEdgesThatItTouches) {
+  const FaceTrims trims = face_trims(half_disc());
   const Vec2 below{1 - 1e-8 + 1e-5, -0.1}, above{1 - 1e-8 - 1e-5, 0.1};
   for (const Spline2& cut : {line(below, above), line(above, below)}) {
     const PlanarCurve curve = chart_curve(trims, cut);
