@@ -17,6 +17,7 @@
 #include "core/intersection/cells/shared_cells.h"
 #include "core/intersection/contacts/contact_search.h"
 #include "core/intersection/gap/gap_model.h"
+#include "core/intersection/start_pairs.h"
 #include "core/intersection/work_limit.h"
 
 namespace blossom {
@@ -41,6 +42,7 @@ struct Pair {
   int cell_a;
   int cell_b;
   int along;  // >= 0: already certified over this parameter, halved for its border only
+  bool near;  // known not to be apart by boxes or planes
 };
 
 struct Halving {
@@ -110,14 +112,17 @@ class Search {
         one_is_whole_(is_whole_quadric(a, bands_) || is_whole_quadric(b, bands_)) {}
 
   void begin(const std::vector<StartPair>& pairs) {
-    make_trees(a_, b_, pairs);
-    std::unordered_map<long, int> place;  // of two patches
-    if (!itself()) places_.reserve(pairs.size());
-    for (const StartPair& pair : pairs) {
+    const NearPairs near = near_pairs(a_, b_, pairs);
+    result_.certificate = near.certificate;
+    examined_ = near.certificate.excluded;
+    std::unordered_map<long, int> known;  // patches of one surface come again
+    if (!itself()) places_.reserve(near.pairs.size());
+    for (const StartPair& pair : near.pairs) {
+      const int next = static_cast<int>(places_.size());
       const long key = static_cast<long>(pair.patch_a) * b_.patches() + pair.patch_b;
-      const auto [known, added] = place.try_emplace(key, static_cast<int>(places_.size()));
-      stack_.push_back({known->second, pair.cell_a, pair.cell_b, -1});
-      if (!added) continue;
+      const int place = itself() ? known.try_emplace(key, next).first->second : next;
+      stack_.push_back({place, pair.cell_a, pair.cell_b, -1, true});
+      if (place < next) continue;
       CellTree &tree_a = a_.tree(pair.patch_a), &tree_b = b_.tree(pair.patch_b);
       places_.push_back({pair.patch_a, pair.patch_b, &tree_a, &tree_b,
                          SharedCells(tree_a, tree_b, options_.tolerances.point),
@@ -182,8 +187,7 @@ class Search {
     const Cell &a = cell_a(pair), &b = cell_b(pair);
     const int points_a = place.tree_a->shape().plane_size();
     const int points_b = place.tree_b->shape().plane_size();
-    if (a.part == PartSide::Outside || b.part == PartSide::Outside) return {Verdict::Apart};
-    if (separated(a, b, points_a, points_b)) return {Verdict::Apart};
+    if (!pair.near && are_apart(*place.tree_a, a, *place.tree_b, b)) return {Verdict::Apart};
     if (known_.hold({a.low, a.high}) || known_.hold({b.low, b.high})) return {Verdict::Known};
     if (const auto part = place.shared.part(a, b)) return {Verdict::Coincident, -1, part};
     if (place.quadrics.is_one())
@@ -424,8 +428,8 @@ class Search {
     for (const auto& [pair, halves_a] : halvings_) {
       const int child = halves_a ? cell_a(pair).child : cell_b(pair).child;
       for (int half = 0; half < 2; ++half)
-        stack_.push_back(halves_a ? Pair{pair.place, child + half, pair.cell_b, pair.along}
-                                  : Pair{pair.place, pair.cell_a, child + half, pair.along});
+        stack_.push_back(halves_a ? Pair{pair.place, child + half, pair.cell_b, pair.along, false}
+                                  : Pair{pair.place, pair.cell_a, child + half, pair.along, false});
     }
     halvings_.clear();
   }

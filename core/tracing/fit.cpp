@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/tracing/conic_fit.h"
@@ -32,6 +33,7 @@ constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kLeastSamples = 49;
 constexpr double kCountRounding = 1e-9;  // of samples
 constexpr std::size_t kRunGrain = 8;     // runs that one thread fits in a row
+constexpr std::size_t kSampleGrain = 8;  // pieces that it takes samples on
 constexpr double kLastStep = 1e-8;  // of the size: Newton's step from there to a sample is exact
 
 // Traced points leave a conic by rounding alone: so much of the curve's length and of the size.
@@ -331,19 +333,40 @@ class Fitter {
     const auto add_site = [&](const Site& site) {
       add({site.point.point, site.point.a, site.point.b}, site.point.sine, site.parameter);
     };
-    add_site(runs_.front().sites.front());
+    std::vector<std::pair<const SmoothRun*, std::size_t>> pieces;
     for (const SmoothRun& run : runs_)
-      for (std::size_t k = 0; k < run.pieces.size(); ++k) {
-        const Site &start = run.sites[k], &stop = run.sites[k + 1];
-        const int count = samples_between(start, stop, sag, curve.length);
-        for (int i = 1; i < count; ++i) {
-          const double fraction = i / static_cast<double>(count);
-          const CrossingPoint sample = sample_on(run, k, fraction);
-          add(sample.point, sample.sine, at(Interval{start.parameter, stop.parameter}, fraction));
-        }
-        add_site(stop);
+      for (std::size_t k = 0; k < run.pieces.size(); ++k) pieces.emplace_back(&run, k);
+    std::vector<std::vector<CrossingPoint>> inner(pieces.size());
+    parallel_for(pieces.size(), kSampleGrain, [&](std::size_t i) {
+      const auto& [run, k] = pieces[i];
+      inner[i] = samples_inside(
+          *run, k, samples_between(run->sites[k], run->sites[k + 1], sag, curve.length));
+    });
+    add_site(runs_.front().sites.front());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const auto& [run, k] = pieces[i];
+      const Site &start = run->sites[k], &stop = run->sites[k + 1];
+      for (std::size_t j = 0; j < inner[i].size(); ++j) {
+        const double fraction = fraction_of(j, inner[i].size());
+        add(inner[i][j].point, inner[i][j].sine,
+            at(Interval{start.parameter, stop.parameter}, fraction));
       }
+      add_site(stop);
+    }
     curve.least_angle = std::asin(std::min(curve.least_angle, 1.0));
+  }
+
+  // Place of a point among so many inside of a piece.
+  static double fraction_of(std::size_t index, std::size_t inside) {
+    return static_cast<double>(index + 1) / static_cast<double>(inside + 1);
+  }
+
+  std::vector<CrossingPoint> samples_inside(const SmoothRun& run, std::size_t piece,
+                                            int parts) const {
+    std::vector<CrossingPoint> samples(static_cast<std::size_t>(parts - 1));
+    for (std::size_t j = 0; j < samples.size(); ++j)
+      samples[j] = sample_on(run, piece, fraction_of(j, samples.size()));
+    return samples;
   }
 
   // A piece that is as good as wanted is so near the curve that there is no need to trace it again.

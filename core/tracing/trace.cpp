@@ -5,12 +5,14 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/contacts/contact_points.h"
 
 namespace blossom {
 namespace {
 
+constexpr std::size_t kLinkGrain = 16;  // whose points one thread finds in a row
 constexpr double kBeside = 1e-3;        // fraction of a link
 constexpr double kBesidePole = 0.02;    // likewise; the rounding of derivatives grows by its cube
 constexpr double kStraight = 0.9;       // cosine: a tangent farther from its chord is none
@@ -97,15 +99,21 @@ class SurfaceParameters {
 ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
                          const Vec3& origin, const Chain& chain)
     : found_(found), a_(a), b_(b), origin_(origin), chain_(chain) {
-  stations_.push_back(0);
-  for (const ChainLink& link : chain.links) {
-    const FoundArc& arc = found.arcs[static_cast<std::size_t>(link.arc)];
+  struct LinkPoints {
+    Vec3 from, middle, to;
+  };
+  std::vector<LinkPoints> points(chain.links.size());
+  parallel_for(points.size(), kLinkGrain, [&](std::size_t i) {
+    const FoundArc& arc = found.arcs[static_cast<std::size_t>(chain.links[i].arc)];
     const auto& patch = a.tree(arc.patch_a).patch();
     const auto at_point = [&](const Point4& x) { return point_at(patch, x[0], x[1]); };
-    const Vec3 from = at_point(arc.arc.from), to = at_point(arc.arc.to);
-    const Vec3 middle = at_point(parameters_on(arc, 0.5));
+    points[i] = {at_point(arc.arc.from), at_point(parameters_on(arc, 0.5)), at_point(arc.arc.to)};
+  });
+  stations_.push_back(0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& [from, middle, to] = points[i];
     const double sum = distance(from, middle) + distance(middle, to);
-    if (!known_points_.empty()) known_points_.push_back(origin + (link.forward ? from : to));
+    if (i > 0) known_points_.push_back(origin + (chain.links[i].forward ? from : to));
     known_points_.push_back(origin + middle);
     stations_.push_back(stations_.back() + std::max(sum, 1e-300));
   }

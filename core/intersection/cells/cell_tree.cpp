@@ -42,7 +42,8 @@ CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& 
       rational_(rational),
       part_(std::move(part)),
       cut_(cut),
-      given_rounding_(given_rounding) {
+      given_rounding_(given_rounding),
+      block_(2 * shape_.size() + (rational ? 3 * shape_.plane_size() : 0)) {
   for (Vec4& p : patch_.points.values())
     for (int k = 0; k < 3; ++k) p[k] -= p[3] * origin[k];
 
@@ -77,7 +78,10 @@ CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& 
   monomial_ =
       form == CellForm::Monomial ||
       (form == CellForm::Auto && monomial_bound < halving_error(std::max(n, m), 20) * net_scale_);
-  if (monomial_) root.coefficients = coefficients;
+  if (monomial_)
+    root.coefficients = coefficients;
+  else
+    free_in_block_ += shape_.size();  // the last to be taken
   finish(root);
   cells_.push_back(root);
 }

@@ -121,7 +121,7 @@ class CellTree {
   std::vector<Cell> cells_;
   std::vector<std::unique_ptr<double[]>> blocks_;
   int free_in_block_ = 0;
-  int block_ = 1 << 10;  // doubles of the next block; they grow, since many trees stay small
+  int block_;  // doubles of the next block; the first holds the whole patch, then they grow
 };
 
 }  // namespace blossom

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -23,13 +22,29 @@ SurfaceCells::SurfaceCells(const BezierSurface& surface, const Vec3& origin, Cel
 
 CellTree& SurfaceCells::tree(int patch) {
   auto& tree = trees_[static_cast<std::size_t>(patch)];
-  if (tree) return *tree;
+  if (!tree) {
+    tree = made_tree(patch);
+    made_.push_back(patch);
+  }
+  return *tree;
+}
+
+void SurfaceCells::make_trees(const std::vector<int>& patches) {
+  std::vector<int> missing;
+  for (const int patch : patches)
+    if (!trees_[static_cast<std::size_t>(patch)]) missing.push_back(patch);
+  parallel_for(missing.size(), kTreeGrain, [&](std::size_t k) {
+    trees_[static_cast<std::size_t>(missing[k])] = made_tree(missing[k]);
+  });
+  made_.insert(made_.end(), missing.begin(), missing.end());
+}
+
+std::unique_ptr<CellTree> SurfaceCells::made_tree(int patch) const {
   PartTest part;
   if (part_)
     part = [this, patch](const Interval& u, const Interval& v) { return part_of(patch, u, v); };
-  tree = std::make_unique<CellTree>(surface_.patches.values()[static_cast<std::size_t>(patch)],
+  return std::make_unique<CellTree>(surface_.patches.values()[static_cast<std::size_t>(patch)],
                                     surface_.rational, origin_, form_, cut_, std::move(part));
-  return *tree;
 }
 
 PartSide SurfaceCells::part_of(int patch, const Interval& u, const Interval& v) const {
@@ -58,30 +73,23 @@ Interval SurfaceCells::knots_v(int patch) const {
 }
 
 long SurfaceCells::cells() const {
-  return std::accumulate(trees_.begin(), trees_.end(), 0L,
-                         [](long sum, const auto& t) { return t ? sum + t->size() : sum; });
+  long sum = 0;
+  for (const int patch : made_) sum += trees_[static_cast<std::size_t>(patch)]->size();
+  return sum;
 }
 
 long SurfaceCells::stored_points() const {
-  return std::accumulate(trees_.begin(), trees_.end(), 0L, [](long sum, const auto& t) {
-    return t ? sum + static_cast<long>(t->size()) * t->shape().plane_size() : sum;
-  });
+  long sum = 0;
+  for (const int patch : made_) {
+    const CellTree& tree = *trees_[static_cast<std::size_t>(patch)];
+    sum += static_cast<long>(tree.size()) * tree.shape().plane_size();
+  }
+  return sum;
 }
 
 bool SurfaceCells::monomial() const {
-  return std::any_of(trees_.begin(), trees_.end(),
-                     [](const auto& t) { return t && t->monomial(); });
-}
-
-void make_trees(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs) {
-  for (int StartPair::*const side : {&StartPair::patch_a, &StartPair::patch_b}) {
-    SurfaceCells& cells = side == &StartPair::patch_a ? a : b;
-    std::vector<int> patches;
-    for (const StartPair& pair : pairs) patches.push_back(pair.*side);
-    std::sort(patches.begin(), patches.end());
-    patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
-    parallel_for(patches.size(), kTreeGrain, [&](std::size_t k) { cells.tree(patches[k]); });
-  }
+  return std::ranges::any_of(
+      made_, [&](int patch) { return trees_[static_cast<std::size_t>(patch)]->monomial(); });
 }
 
 }  // namespace blossom

@@ -22,6 +22,9 @@ class SurfaceCells {
 
   CellTree& tree(int patch);
 
+  /// Makes the trees of patches, each named once, that are not there yet, by all threads.
+  void make_trees(const std::vector<int>& patches);
+
   int patches() const { return static_cast<int>(trees_.size()); }
   const BezierSurface& surface() const { return surface_; }
   const Vec3& origin() const { return origin_; }  ///< of the trees
@@ -42,6 +45,7 @@ class SurfaceCells {
 
  private:
   PartSide part_of(int patch, const Interval& u, const Interval& v) const;
+  std::unique_ptr<CellTree> made_tree(int patch) const;
 
   const BezierSurface& surface_;
   Vec3 origin_;
@@ -49,6 +53,7 @@ class SurfaceCells {
   double cut_;
   PartTest part_;
   std::vector<std::unique_ptr<CellTree>> trees_;
+  std::vector<int> made_;  // patches whose tree is there
 };
 
 /// A pair of cells that a search begins with.
@@ -58,8 +63,5 @@ struct StartPair {
   int patch_b = 0;
   int cell_b = 0;
 };
-
-/// Makes the trees of the patches of pairs, by all threads.
-void make_trees(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs);
 
 }  // namespace blossom

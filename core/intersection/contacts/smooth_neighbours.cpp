@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/cells/cell_pair.h"
 #include "core/intersection/cells/direction_cones.h"
@@ -19,6 +20,7 @@ constexpr double kSmoothSine = 1e-3;         // of the angle between normals all
 constexpr int kNormals = 5;                  // that are compared along it
 constexpr int kDeepest = 12;                 // halvings of a patch in a proof, and
 constexpr int kMostPairs = 1024;             // pairs of cells
+constexpr std::size_t kPairGrain = 128;      // pairs that one thread looks at in a row
 constexpr double kSlack = 1e-12;             // of directions of length about 1, for roundings
 constexpr double kWeightRounding = 0x1p-50;  // of quotients of weights, and
 constexpr double kPointRounding = 0x1p-49;   // of distances, of the largest coordinate
@@ -373,11 +375,17 @@ FoundArc arc_along(const CommonSide& side, int patch_a, int patch_b) {
 
 NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs,
                                   double tolerance, const WorkLimit& limit) {
+  const auto neighbours_of = [&](const StartPair& pair) {
+    return Neighbours(a, pair.patch_a, b, pair.patch_b, tolerance / kJumpReach);
+  };
+  std::vector<char> smooth(pairs.size());
+  parallel_for(pairs.size(), kPairGrain,
+               [&](std::size_t i) { smooth[i] = neighbours_of(pairs[i]).go_on_smoothly(); });
   NeighbourContacts found;
   std::optional<Axes> axes;
-  std::erase_if(pairs, [&](const StartPair& pair) {
-    Neighbours neighbours(a, pair.patch_a, b, pair.patch_b, tolerance / kJumpReach);
-    if (!neighbours.go_on_smoothly() || limit.reached() != nullptr) return false;
+  const auto is_settled = [&](const StartPair& pair) {
+    if (limit.reached() != nullptr) return false;
+    Neighbours neighbours = neighbours_of(pair);
     if (!axes) axes = axes_of(a.surface());
     if (!neighbours.proof(a.tree(pair.patch_a), b.tree(pair.patch_b), *axes)) return false;
     const Certificate& proven = neighbours.certificate();
@@ -406,7 +414,12 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
         found.gap = std::max(found.gap, pole.gap);
       }
     return true;
-  });
+  };
+  std::vector<StartPair> others;
+  others.reserve(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (!smooth[i] || !is_settled(pairs[i])) others.push_back(pairs[i]);
+  pairs = std::move(others);
   return found;
 }
 
