@@ -38,11 +38,16 @@ void join_meeting(const std::vector<CriticalPair>& pairs, Sets& sets) {
   });
 }
 
-// Marks the grid cells that boxes cover and joins pairs in equal or neighbouring cells.
+// Marks the grid cells that boxes cover and joins pairs in equal or neighbouring cells. These are
+// not smaller than boxes are in the cubic mean, so a box covers but a few of them on average.
 void join_over_grid(const std::vector<CriticalPair>& pairs, Sets& sets) {
   Box all;
   for (const CriticalPair& pair : pairs) all = joined(all, box_of(pair));
-  const double step = std::max(diagonal(all) / kGridCells, 1e-300);
+  const double whole = std::max(diagonal(all), 1e-300);
+  double cubes = 0;
+  for (const CriticalPair& pair : pairs) cubes += std::pow(diagonal(box_of(pair)) / whole, 3);
+  const double mean = std::cbrt(cubes / static_cast<double>(pairs.size()));
+  const double step = whole * std::max(1.0 / kGridCells, mean);
   std::map<std::array<int, 3>, std::size_t> first_in_cell;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     std::array<int, 3> from, to;
