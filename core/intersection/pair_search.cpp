@@ -205,9 +205,10 @@ class Search {
     if (known_.compare_with(std::min(a.extent, b.extent)) &&
         known_.hold_common({a.low, a.high}, {b.low, b.high}))
       return {Verdict::Known};
-    if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b)))
-      return {PairModel(*place.tree_a, a, *place.tree_b, b).apart() ? Verdict::Apart
-                                                                    : Verdict::Parallel};
+    if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b))) {
+      const PairModel model(*place.tree_a, a, *place.tree_b, b);
+      return {model.apart(options_.tolerances.point) ? Verdict::Apart : Verdict::Parallel};
+    }
     if (!itself() && !place.shared.is_known() && place.quadrics.touch_all_over(a, b))
       return {place.quadrics.cover_each_other(a, b) ? Verdict::Over : Verdict::Beside};
     return {is_thin(a, b, points_a, points_b) ? Verdict::Thin : Verdict::Mixed};

@@ -124,7 +124,7 @@ class PairBorder {
         if (!apart({axis, high})) met.push_back({axis, high});
     if (met.empty()) return true;
     model_.emplace(tree_a_, a_, tree_b_, b_);
-    if (model_->apart()) return true;
+    if (model_->apart(0)) return true;
     arc_.emplace(*model_, along_);
     std::vector<Point4> points;
     // What fails most comes first: faces that may hold more than one root.

@@ -145,13 +145,14 @@ PairJet PairModel::jet(const std::array<double, 4>& place) const {
 
 // Rows of the inverse of (B_s, B_t, n) take F apart: along the tangents of b they say where the
 // points of a lie over b, and n how high.
-bool PairModel::apart() const {
+bool PairModel::apart(double least) const {
   const PairJet jet = this->jet({});
   const Vec3 s = -jet.columns[2], t = -jet.columns[3], normal = cross(s, t);
   const double square = dot(normal, normal);
   if (!std::isfinite(1 / square)) return false;
   const Vec3 bend = bend_of(most_a_) + bend_of(most_b_);
-  Vec3 error = rounding_ + kSumSlack * (absolute(jet.gap) + bend);
+  // Twice the rounding of F: points in the middle are computed with and without derivatives.
+  Vec3 error = 2 * rounding_ + kSumSlack * (absolute(jet.gap) + bend);
   for (std::size_t k = 0; k < 4; ++k)
     error = error + 0.5 * slope_rounding_[k] + kSumSlack * absolute(jet.columns[k]);
   // How the inverse fails to be one counts as error, too.
@@ -174,7 +175,7 @@ bool PairModel::apart() const {
                rest_of(tree_b_, b_, n, over_b, second_b_);
   off += add_product(gap, -over_b.xx, on_s, on_s) + add_product(gap, -over_b.xy, on_s, on_t) +
          add_product(gap, -over_b.yy, on_t, on_t);
-  off += kSumSlack * size(gap);
+  off += kSumSlack * size(gap) + least;
   const PolynomialRange heights = range(gap, z[0], z[1]);
   return heights.low > off || heights.high < -off;
 }

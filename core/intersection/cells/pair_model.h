@@ -42,8 +42,9 @@ class PairModel {
   BoundedVector gap(const std::array<double, 4>& place) const;
 
   /// True if F vanishes nowhere in the pair since, to second order, the one surface lies above the
-  /// other where they are over each other. Tells more than planes do where both bend alike.
-  bool apart() const;
+  /// other by more than `least`, model units, where they are over each other. Tells more than
+  /// planes do where both bend alike.
+  bool apart(double least) const;
 
   /// The columns of J over a part of the pair, from what is known at some place near it.
   JacobianBounds jacobian(const PairJet& jet, const PairPart& part) const;

@@ -18,6 +18,8 @@ namespace {
 
 using testing::Components;
 using testing::components;
+using testing::Cubic;
+using testing::CubicPair;
 using testing::uniform;
 
 // Radii from 1e-3 to 0.1, each decade as often; the loop is scale r^2 deep, 10 tolerances or more.
@@ -61,6 +63,22 @@ TEST(SmallLoops, LessDeepThanTheToleranceAreLoopsInBothOrders) {
       const double length = 2 * std::numbers::pi * draw.r;
       EXPECT_NEAR(testing::total_projected_length(found), length, 1e-4 * length);
     }
+  }
+}
+
+// A parabolic cylinder above a plane, whose bends are known without error: nearer than the
+// tolerance all along a line is a contact, however sure it is that the surfaces do not meet.
+TEST(SmallLoops, ALineWithinToleranceStaysAContact) {
+  for (const double gap : {0.0, 1e-13, 1e-10, 5e-8}) {
+    const Cubic across = testing::linear(-0.6, 1, 0.2);
+    const CubicPair pair =
+        cubic_pair(across * across + testing::constant(gap), testing::constant(0));
+
+    const SurfaceIntersection found = intersect(pair.a, pair.b);
+
+    EXPECT_EQ(found.status, Status::Tolerance) << gap;
+    ASSERT_EQ(found.curves.size(), 1u) << gap;
+    EXPECT_TRUE(found.curves[0].tangential) << gap;
   }
 }
 
