@@ -54,16 +54,6 @@ bool holds_part_of(const Stretch& stretch, const Interval& run) {
   return run.from < stretch.at.to && run.to > stretch.at.from;
 }
 
-// The ends of a stretch at which the curve itself ends.
-std::vector<double> ends_in(const PlanarCurve& curve, const Stretch& of) {
-  const Interval domain = curve.domain();
-  if (of.over_end) return {domain.from, domain.to};
-  std::vector<double> ends;
-  if (of.at.from == domain.from) ends.push_back(domain.from);
-  if (of.at.to == domain.to) ends.push_back(domain.to);
-  return ends;
-}
-
 class Nodes {
  public:
   Nodes(const PlanarCurve& a, const PlanarCurve& b, double tolerance, double longest)
@@ -134,11 +124,13 @@ class Nodes {
            });
   }
 
-  // Beside a touch the distance grows as its square.
+  // Beside a touch the distance grows as its square, so that its middle, too, keeps as near.
   bool is_shared(const PlanarOverlap& run) const {
-    return std::ranges::all_of(std::array{0.25, 0.75}, [&](double part) {
-      return nearest(b_, point_at(a_, at(run.a, part))).distance <= kShared * tolerance_;
-    });
+    const double middle = std::sqrt(kShared) * longest_;
+    return chords(a_, {run.a}) > middle &&
+           std::ranges::all_of(std::array{0.25, 0.75}, [&](double part) {
+             return nearest(b_, point_at(a_, at(run.a, part))).distance <= kShared * tolerance_;
+           });
   }
 
   // Half way on a, and what is nearest to that on b; where one of them ends in the stretch, or is
@@ -161,10 +153,13 @@ class Nodes {
     return node;
   }
 
-  static std::vector<double> end_in(const PlanarCurve& curve, const Stretch& of) {
-    std::vector<double> ends = ends_in(curve, of);
-    if (!of.over_end && ends.size() > 1) ends.clear();
-    return ends;
+  std::vector<double> end_in(const PlanarCurve& curve, const Stretch& of) const {
+    const Interval domain = curve.domain();
+    const bool first = of.at.from == domain.from, last = of.at.to == domain.to;
+    if (of.over_end || ((first || last) && is_closed(curve, tolerance_)))
+      return {domain.from, domain.to};
+    if (first == last) return {};
+    return {first ? domain.from : domain.to};
   }
 
   const PlanarCurve& a_;
@@ -178,6 +173,11 @@ class Nodes {
 CutCrossings cut_crossings(const PlanarCurve& a, const PlanarCurve& b, double tolerance,
                            double longest) {
   return Nodes(a, b, tolerance, longest).found();
+}
+
+double on_the_way(const PlanarCurve& curve, double from, double to, double part, double tolerance) {
+  const Stretch way = stretch(curve, from, to, tolerance);
+  return parameter(curve, way, (from <= to) == way.over_end ? 1 - part : part);
 }
 
 }  // namespace blossom::occt

@@ -32,4 +32,11 @@ struct CutCrossings {
 CutCrossings cut_crossings(const PlanarCurve& a, const PlanarCurve& b, double tolerance,
                            double longest);
 
+/// A parameter on the way from one to another, over the end of a closed curve where that is
+/// shorter.
+///
+/// part       of the way, from 0 to 1
+/// tolerance  ends so near are one, in the chart
+double on_the_way(const PlanarCurve& curve, double from, double to, double part, double tolerance);
+
 }  // namespace blossom::occt

@@ -39,6 +39,13 @@ bool is_near(const PlanarCurve& curve, double s, double t, double reach) {
          distance(point, point_at(curve, 0.5 * (s + t))) <= reach;
 }
 
+// It stays within `reach` of a point there.
+bool keeps_near(const PlanarCurve& curve, const Vec2& point, double s, double t, double reach) {
+  return std::ranges::all_of(std::array{s, 0.5 * (s + t), t}, [&](double at) {
+    return distance(point, point_at(curve, at)) <= reach;
+  });
+}
+
 // Loops that touch in a vertex have a corner each there; one stands for all, so that what ends in
 // the vertex meets them all. Not at edges that the face uses twice: their two sides lie in one
 // place and stay apart by their corners alone.
@@ -192,8 +199,9 @@ bool FaceSplitter::add_known_stop(Strand& strand, const TrimMeeting& meeting) {
     const PlanarFoot foot = nearest(strand.curve, point);
     if (foot.distance > std::max(allowed, 8 * reach(strand))) continue;
     const bool keeps = std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75}, [&](double part) {
-      const Vec2 on_cut = point_at(strand.curve, at(Interval{foot.parameter, meeting.at}, part));
-      return nearest(of.curve, on_cut).distance <= allowed;
+      const double there =
+          on_the_way(strand.curve, foot.parameter, meeting.at, part, reach(strand));
+      return nearest(of.curve, point_at(strand.curve, there)).distance <= allowed;
     });
     if (!keeps || (best && distance(met, point_at(strand.curve, best->parameter)) <= length))
       continue;
@@ -316,10 +324,14 @@ void FaceSplitter::tidy_stops(Strand& strand, double reach) const {
   };
   std::sort(strand.stops.begin(), strand.stops.end());
   std::vector<std::pair<double, int>> stops;
+  const auto are_one = [&](const std::pair<double, int>& a, const std::pair<double, int>& b) {
+    if (a.second != b.second) return false;
+    const Vertex& of = vertices_[static_cast<std::size_t>(a.second)];
+    return is_near(strand.curve, a.first, b.first, std::max(reach, of.blur)) ||
+           keeps_near(strand.curve, of.point, a.first, b.first, of.blur);
+  };
   for (const auto& stop : strand.stops) {
-    const double blur = vertices_[static_cast<std::size_t>(stop.second)].blur;
-    if (stops.empty() || stops.back().second != stop.second ||
-        !is_near(strand.curve, stops.back().first, stop.first, std::max(reach, blur)))
+    if (stops.empty() || !are_one(stops.back(), stop))
       stops.push_back(stop);
     else if (is_met(stop.first) && !is_met(stops.back().first))
       stops.back() = stop;

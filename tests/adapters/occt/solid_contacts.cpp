@@ -9,15 +9,19 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepFill.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
@@ -359,6 +363,19 @@ std::vector<SolidContact> spline_contacts() {
   };
 }
 
+// Between two squares, with spline surfaces.
+TopoDS_Shape pyramid() {
+  const auto square = [](double x, double z) {
+    return BRepBuilderAPI_MakePolygon({-x, -x, z}, {x, -x, z}, {x, x, z}, {-x, x, z}, true).Wire();
+  };
+  const TopoDS_Wire low = square(0.5, -0.5), high = square(0.25, 0.5);
+  BRepBuilderAPI_Sewing sewing;
+  sewing.Add(BRepFill::Shell(low, high));
+  for (const TopoDS_Wire& wire : {low, high}) sewing.Add(BRepBuilderAPI_MakeFace(wire).Face());
+  sewing.Perform();
+  return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape())).Shape();
+}
+
 // Edges that touch edges, or faces inside.
 std::vector<SolidContact> touching_edges() {
   const Maker tall = cone({0, 0, -0.5}, 0.5, 0.25, 1);
@@ -380,6 +397,8 @@ std::vector<SolidContact> touching_edges() {
       {"PrismEdgesInARing", ring(kOrigin, 0.375, 0.125), hexagon},
       {"PrismEdgesInARod", rod({0, 0, -0.5}, 0.5, 1), turning(hexagon, gp::DX(), kPi / 2)},
       {"PrismEdgesAtACorner", turning(hexagon, gp::DY(), kPi / 4), turning(octant, gp::DZ(), kPi)},
+      {"PyramidEdgesInABall", ball(kOrigin, 0.5),
+       turning(turning(pyramid, gp::DY(), kPi), gp::DX(), kPi / 4)},
   };
 }
 

@@ -116,5 +116,14 @@ TEST(CutCrossings, ThatCrossEachOtherHaveNoBlur) {
   EXPECT_EQ(nodes[0].blur, 0);
 }
 
+TEST(OnTheWay, GoesOverTheEndOfAClosedCurveWhereThatIsShorter) {
+  const PlanarCurve closed = drop(0);
+  EXPECT_DOUBLE_EQ(on_the_way(closed, 0.25, 0.75, 0.5, kTolerance), 0.5);
+  EXPECT_DOUBLE_EQ(on_the_way(closed, 0.75, 0.25, 0.25, kTolerance), 0.625);
+  EXPECT_DOUBLE_EQ(on_the_way(closed, 0.1, 1.7, 0.5, kTolerance), 1.9);
+  EXPECT_DOUBLE_EQ(on_the_way(closed, 1.7, 0.1, 0.25, kTolerance), 1.8);
+  EXPECT_DOUBLE_EQ(on_the_way(axis(), -0.9, 0.9, 0.25, kTolerance), -0.45);
+}
+
 }  // namespace
 }  // namespace blossom::occt
