@@ -12,12 +12,14 @@
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/area.h"
 #include "adapters/occt/errors.h"
 #include "adapters/occt/faces/face_data.h"
+#include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/faces/shared_limit.h"
 #include "adapters/occt/shapes/edge_tolerances.h"
 #include "adapters/occt/solids/solid_pieces.h"
@@ -293,6 +295,45 @@ std::string tool_name(const std::vector<TrimTool>& tools, std::size_t i) {
   return tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1);
 }
 
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+// Edges at which faces that hang together end.
+std::size_t free_edges(const std::vector<TopoDS_Face>& faces, const FaceGroup& group) {
+  TopTools_IndexedMapOfShape edges;
+  std::vector<int> uses;
+  for (const std::size_t face : group)
+    for (TopExp_Explorer it(faces[face], TopAbs_EDGE); it.More(); it.Next()) {
+      const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+      if (BRep_Tool::Degenerated(edge) || edge.Orientation() == TopAbs_INTERNAL) continue;
+      const auto number = static_cast<std::size_t>(edges.Add(edge)) - 1;
+      uses.resize(std::max(uses.size(), number + 1));
+      ++uses[number];
+    }
+  return static_cast<std::size_t>(std::ranges::count(uses, 1));
+}
+
+// Why faces bound no solid.
+std::string told_open(const TrimTool& tool) {
+  const std::vector<TopoDS_Shape> faces(tool.faces.begin(), tool.faces.end());
+  const std::vector<FaceGroup> shells = groups_over_edges(faces, [](const auto&) { return false; });
+  std::size_t open = 0, edges = 0;
+  for (const FaceGroup& shell : shells) {
+    const std::size_t ends = free_edges(tool.faces, shell);
+    open += ends > 0 ? 1 : 0;
+    edges += ends;
+  }
+  if (open == 0) return "its shells close, but not all of them are in solids";
+  return std::to_string(open) + " of its " + counted(shells.size(), "shell") +
+         (open == 1 ? " is" : " are") + " open, at " + counted(edges, "edge");
+}
+
+void check_closed(const TrimTool& input, const std::string& name) {
+  if (!input.is_solid())
+    throw InvalidInput("trim: " + name + " is no closed solid: " + told_open(input));
+}
+
 // Inputs with true tolerances; tells what was not true.
 class TrueInputs {
  public:
@@ -371,10 +412,8 @@ double SolidVolumes::fuse_error() const {
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options) {
   if (tools.empty()) throw InvalidInput("trim: there is no tool");
-  if (!part.is_solid()) throw InvalidInput("trim: the part is no closed solid");
-  for (std::size_t i = 0; i < tools.size(); ++i)
-    if (!tools[i].is_solid())
-      throw InvalidInput("trim: " + tool_name(tools, i) + " is no closed solid");
+  check_closed(part, "the part");
+  for (std::size_t i = 0; i < tools.size(); ++i) check_closed(tools[i], tool_name(tools, i));
   SolidTrimResult result;
   with_threads(options.threads, [&] { result = trimmed(part, tools, operation, options); });
   if (!result.obstacles.empty()) {

@@ -362,5 +362,25 @@ TEST(TrimSolids, RefusesWhatIsNotClosed) {
   EXPECT_THROW(trim_solids(trim_tool(a), {}, SolidOperation::Cut), InvalidInput);
 }
 
+TEST(TrimSolids, TellHowManyShellsAreOpen) {
+  const TrimTool a = trim_tool(box({0, 0, 0}, {1, 1, 1})), b = trim_tool(box({2, 0, 0}, {3, 1, 1}));
+  const auto told = [&](const TrimTool& part) -> std::string {
+    try {
+      trim_solids(part, {b}, SolidOperation::Cut);
+    } catch (const InvalidInput& error) {
+      return error.what();
+    }
+    return {};
+  };
+  TrimTool open{a.faces, {}};
+  EXPECT_EQ(
+      told(open),
+      "trim: the part is no closed solid: its shells close, but not all of them are in solids");
+  open.faces.pop_back();
+  EXPECT_EQ(told(open), "trim: the part is no closed solid: 1 of its 1 shell is open, at 4 edges");
+  open.faces.insert(open.faces.end(), b.faces.begin(), b.faces.end());
+  EXPECT_EQ(told(open), "trim: the part is no closed solid: 1 of its 2 shells is open, at 4 edges");
+}
+
 }  // namespace
 }  // namespace blossom::occt
