@@ -51,7 +51,7 @@ struct SolidTrimResult {
   std::vector<SolidFace> faces;         ///< of all solids
   std::vector<SolidVolumes> volumes;    ///< one for each step, of the two that were combined then
   std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
-  std::vector<std::string> thin;        ///< pieces of two that are apart and count as one
+  std::vector<std::string> thin;        ///< pieces, or cuts, that are apart and count as one
   std::vector<std::string> tolerances;  ///< what was not true about those of the part and the tools
 };
 
@@ -70,7 +70,8 @@ struct SolidTrimResult {
 /// only where solids of another input join them.
 ///
 /// Pieces of two solids that have the same border and are less than two tolerances apart count as
-/// one, and what is between them is in no result; they are told, with the status Tolerance.
+/// one, and so do cuts of a face that keep within tolerance of each other from end to end; what is
+/// between them is in no result; they are told, with the status Tolerance.
 ///
 /// Tolerances that are not true are not used: see with_true_tolerances.
 ///

@@ -53,9 +53,10 @@ bool join_along(const CurveEdges& a, const CurveEdges& b, const CommonEdges& com
     const CurveEdge* there = counterpart(made, b.along);
     if (counterpart(made, b.made) != nullptr || there == nullptr) return true;
     if (!have_same_ends(made, *there)) return false;
-    const bool reversed = there->edge.Orientation() == TopAbs_REVERSED;
-    const TopoDS_Edge first = TopoDS::Edge(there->edge.Oriented(TopAbs_FORWARD));
-    return joined.join(first, made.edge, common.image(first, made.edge), reversed);
+    const TopoDS_Edge first = joined.first(there->edge);
+    const bool reversed = first.Orientation() == TopAbs_REVERSED;
+    const TopoDS_Edge image = common.image(TopoDS::Edge(first.Oriented(TopAbs_FORWARD)), made.edge);
+    return joined.join(first, made.edge, image, reversed);
   });
 }
 
@@ -94,7 +95,8 @@ bool join_matching(const CurveEdges& a, const CurveEdges& b, const CommonEdges& 
                    EdgeUnion& joined) {
   for (const CurveEdge& made : a.made)
     if (const CurveEdge* other = counterpart(made, b.made);
-        other != nullptr && !joined.join(made.edge, other->edge))
+        other != nullptr && !joined.join(made.edge, other->edge) &&
+        !joined.join(other->edge, made.edge))  // others run along the second one
       return false;
   return join_along(a, b, common, joined) && join_along(b, a, common, joined);
 }

@@ -224,10 +224,13 @@ void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, const Commo
 // What the curves become on one side.
 std::vector<CurveEdges> curve_edges(const Side& side, std::size_t count) {
   std::vector<CurveEdges> found(count);
-  for (std::size_t i = 0; i < side.splits.size(); ++i)
-    for (const FacePiece& piece : side.splits[i].pieces)
-      for (const CutUse& use : piece.cuts)
-        found[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])].add(use);
+  for (std::size_t i = 0; i < side.splits.size(); ++i) {
+    const auto add = [&](const CutUse& use) {
+      found[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])].add(use);
+    };
+    for (const FacePiece& piece : side.splits[i].pieces) std::ranges::for_each(piece.cuts, add);
+    std::ranges::for_each(side.splits[i].repeats, add);
+  }
   return found;
 }
 
@@ -275,6 +278,13 @@ void join_laid(const Side& side, EdgeUnion& joined, SolidPieces& result) {
       if (!joined.join(laid.piece, laid.edge, laid.edge, false))
         result.obstacles.push_back(side.face_name(i) +
                                    ": an edge of the other solid lies in two of its faces");
+}
+
+// What lies between cuts that repeat each other is in no piece.
+void tell_repeats(const Side& side, std::vector<std::string>& thin) {
+  for (std::size_t i = 0; i < side.splits.size(); ++i)
+    if (!side.splits[i].repeats.empty())
+      thin.push_back(side.face_name(i) + ": cuts that keep within tolerance of each other");
 }
 
 // What the cuts on its border say of a piece.
@@ -403,6 +413,7 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
     result.obstacles.insert(result.obstacles.end(), told.obstacles.begin(), told.obstacles.end());
     result.thin = std::move(told.thin);
   });
+  for (const Side* side : {&side_a, &side_b}) tell_repeats(*side, result.thin);
   if (!result.thin.empty()) result.status = weaker(result.status, Status::Tolerance);
   result.a = std::move(split_a.pieces);
   result.b = std::move(split_b.pieces);

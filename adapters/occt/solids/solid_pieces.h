@@ -19,7 +19,7 @@ struct SolidPieces {
   std::vector<SolidPiece> a;
   std::vector<SolidPiece> b;
   std::vector<std::string> obstacles;  ///< none if the pieces can be used
-  std::vector<std::string> thin;       ///< pieces of both that are apart and count as one
+  std::vector<std::string> thin;       ///< pieces of both, or cuts, that are apart and count as one
 };
 
 /// Splits the faces of two solids along each other.

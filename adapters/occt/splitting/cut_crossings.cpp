@@ -114,14 +114,21 @@ class Nodes {
     return on_a(p, q).over_end;
   }
 
-  // Whether the cuts keep together between them, and are not known to share a run.
+  // Whether the cuts keep together between them, and are not known to share a run. The two ends of
+  // an open one are two.
   bool are_one(const PlanarCrossing& p, const PlanarCrossing& q) const {
     const Stretch of_a = on_a(p, q), of_b = on_b(p, q);
-    return chords(a_, of_a) <= longest_ && chords(b_, of_b) <= longest_ &&
-           keeps_to(a_, of_a, b_, tolerance_) && keeps_to(b_, of_b, a_, tolerance_) &&
+    return !is_whole(a_, of_a) && !is_whole(b_, of_b) && chords(a_, of_a) <= longest_ &&
+           chords(b_, of_b) <= longest_ && keeps_to(a_, of_a, b_, tolerance_) &&
+           keeps_to(b_, of_b, a_, tolerance_) &&
            std::ranges::none_of(common_.overlaps, [&](const PlanarOverlap& run) {
              return holds_part_of(of_a, run.a) && is_shared(run);
            });
+  }
+
+  static bool is_whole(const PlanarCurve& curve, const Stretch& of) {
+    const Interval domain = curve.domain();
+    return !of.over_end && of.at.from == domain.from && of.at.to == domain.to;
   }
 
   // Beside a touch the distance grows as its square, so that its middle, too, keeps as near.
@@ -134,7 +141,7 @@ class Nodes {
   }
 
   // Half way on a, and what is nearest to that on b; where one of them ends in the stretch, or is
-  // closed and begins there, that end decides. What goes no farther than the stretch has no end.
+  // closed and begins there, that end decides.
   CutCrossing node_of(const Chain& chain) const {
     const auto& [first, last] = chain;
     if (first.a == last.a && first.b == last.b) return {{first.a}, {first.b}, first.point};
@@ -158,7 +165,7 @@ class Nodes {
     const bool first = of.at.from == domain.from, last = of.at.to == domain.to;
     if (of.over_end || ((first || last) && is_closed(curve, tolerance_)))
       return {domain.from, domain.to};
-    if (first == last) return {};
+    if (!first && !last) return {};
     return {first ? domain.from : domain.to};
   }
 

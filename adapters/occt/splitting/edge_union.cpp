@@ -66,6 +66,13 @@ bool EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b, const TopoDS_Ed
   return true;
 }
 
+TopoDS_Edge EdgeUnion::first(const TopoDS_Edge& edge) const {
+  const TopoDS_Edge own = forward(edge);
+  if (!first_of_.IsBound(own)) return edge;
+  const bool turned = (edge.Orientation() == TopAbs_REVERSED) != reversed_.Contains(own);
+  return TopoDS::Edge(first_of_(own).Oriented(turned ? TopAbs_REVERSED : TopAbs_FORWARD));
+}
+
 void EdgeUnion::join(const TopoDS_Vertex& a, const TopoDS_Vertex& b) {
   const std::size_t x = number(a), y = number(b);
   parent_[root(y)] = root(x);

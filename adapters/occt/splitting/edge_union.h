@@ -32,6 +32,10 @@ class EdgeUnion {
   /// returns    false if the second one is an edge that was joined to another: nothing is done
   bool join(const TopoDS_Edge& a, const TopoDS_Edge& b, const TopoDS_Edge& image, bool reversed);
 
+  /// The edge that an edge was joined to as the second one; itself if it was to none. Turned as the
+  /// edge that is given runs.
+  TopoDS_Edge first(const TopoDS_Edge& edge) const;
+
   /// Makes two vertices one.
   void join(const TopoDS_Vertex& a, const TopoDS_Vertex& b);
 

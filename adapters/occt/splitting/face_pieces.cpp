@@ -173,16 +173,29 @@ bool FaceSplitter::add_cut_arc(const Strand& strand, const std::pair<double, int
     return (arc.from == from.second && arc.to == to.second) ||
            (arc.from == to.second && arc.to == from.second);
   };
-  for (const ChartArc& arc : arcs_)
-    if (!arc.border && same_ends(arc) && lies_near(arc.path, point, 4 * reach(strand))) {
-      if (!cuts_[static_cast<std::size_t>(strand.cut)].may_repeat)
-        note(strand.cut, "repeats another cut");
-      return true;
-    }
+  for (std::size_t i = 0; i < arcs_.size(); ++i) {
+    const ChartArc& arc = arcs_[i];
+    if (arc.border || !same_ends(arc) || !lies_near(arc.path, point, 4 * reach(strand))) continue;
+    if (!cuts_[static_cast<std::size_t>(strand.cut)].may_repeat)
+      note(strand.cut, "repeats another cut");
+    add_repeat(static_cast<int>(i), strand, from, to);
+    return true;
+  }
   arcs_.push_back({from.second, to.second, std::move(path), false});
   origins_.push_back(
       {{}, {{strand.cut, range, {}, false}}, static_cast<int>(&strand - strands_.data()), -1});
   return true;
+}
+
+// Where the two come round to where they began, which way they go is not told by their ends.
+void FaceSplitter::add_repeat(int arc, const Strand& strand, const std::pair<double, int>& from,
+                              const std::pair<double, int>& to) {
+  Origin& origin = origins_[static_cast<std::size_t>(arc)];
+  if (origin.strand < 0 || from.second == to.second) return;
+  const Interval range{from.first, to.first};
+  Interval along{at(range, 0.25), at(range, 0.75)};
+  if (arcs_[static_cast<std::size_t>(arc)].from != from.second) std::swap(along.from, along.to);
+  origin.repeats.push_back({strand.cut, along, {}, true});
 }
 
 bool FaceSplitter::add_cut_arcs() {
@@ -269,6 +282,25 @@ void FaceSplitter::imprint(std::vector<int> arcs, FacePiece& piece) {
   }
 }
 
+std::vector<CutUse> FaceSplitter::repeats(const std::vector<int>& dangling) {
+  std::vector<CutUse> found;
+  for (std::size_t i = 0; i < origins_.size(); ++i) {
+    Origin& origin = origins_[i];
+    if (origin.repeats.empty()) continue;
+    const int arc = static_cast<int>(i);
+    if (std::find(dangling.begin(), dangling.end(), arc) != dangling.end()) {
+      if (origin.edge.IsNull()) make_edge(arc);  // it may be imprinted
+      found.push_back(origin.uses.front());
+      found.back().edge = origin.edge;
+    }
+    for (CutUse use : origin.repeats) {
+      use.edge = origin.edge;
+      found.push_back(use);
+    }
+  }
+  return found;
+}
+
 FaceSplit FaceSplitter::divided(const ChartPieces& found, OpenCuts open) {
   for (std::size_t i = 0; i < arcs_.size(); ++i) {
     const int arc = static_cast<int>(i);
@@ -329,9 +361,13 @@ FaceSplit FaceSplitter::split(OpenCuts open) {
                : "ends inside of the face, a part of it divides nothing and is left out");
   const auto cuts =
       std::count_if(arcs_.begin(), arcs_.end(), [](const ChartArc& arc) { return !arc.border; });
-  if (cuts == static_cast<std::ptrdiff_t>(found.dangling.size()))
-    return undivided(imprints_among(found.dangling, open));
-  if (adds_up(found)) return divided(found, open);
+  const bool whole = cuts == static_cast<std::ptrdiff_t>(found.dangling.size());
+  if (whole || adds_up(found)) {
+    FaceSplit result =
+        whole ? undivided(imprints_among(found.dangling, open)) : divided(found, open);
+    result.repeats = repeats(found.dangling);
+    return result;
+  }
   notes_.push_back("cuts and wires do not fit together, the face stays whole");
   std::vector<int> all(arcs_.size());
   std::iota(all.begin(), all.end(), 0);

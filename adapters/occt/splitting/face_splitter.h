@@ -63,6 +63,9 @@ struct FaceSplit {
   std::vector<FacePiece> pieces;
   std::vector<std::string> notes;  ///< cuts that were left out, and why
   std::vector<LaidEdge> laid{};    ///< that bound pieces
+  /// Where cuts repeat others: the edge of the first, along the others; and that edge itself, used
+  /// by the first cut, where it bounds no piece since the cuts are the two sides of a slit.
+  std::vector<CutUse> repeats{};
 };
 
 /// A place where a cut is divided.
@@ -148,11 +151,12 @@ class FaceSplitter {
   };
   // What an arc of the arrangement stands for.
   struct Origin {
-    TopoDS_Edge edge;          // walked along the arc
-    std::vector<CutUse> uses;  // of cuts, along the arc
-    int strand = -1;           // of cuts only
-    int loop = -1;             // of borders and internal edges
-    TopoDS_Edge piece = {};    // of laid edges: what the edge stands for
+    TopoDS_Edge edge;                  // walked along the arc
+    std::vector<CutUse> uses;          // of cuts, along the arc
+    int strand = -1;                   // of cuts only
+    int loop = -1;                     // of borders and internal edges
+    TopoDS_Edge piece = {};            // of laid edges: what the edge stands for
+    std::vector<CutUse> repeats = {};  // of cuts that repeat this one
   };
 
   void add_strands();
@@ -202,6 +206,9 @@ class FaceSplitter {
 
   void make_edge(int arc);
   void imprint(std::vector<int> arcs, FacePiece& piece);
+  void add_repeat(int arc, const Strand& strand, const std::pair<double, int>& from,
+                  const std::pair<double, int>& to);
+  std::vector<CutUse> repeats(const std::vector<int>& dangling);
   FaceSplit divided(const ChartPieces& found, OpenCuts open);
   FaceSplit undivided(const std::vector<int>& imprinted = {});
   bool adds_up(const ChartPieces& found) const;

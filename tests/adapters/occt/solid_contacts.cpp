@@ -359,7 +359,7 @@ std::vector<SolidContact> spline_contacts() {
       {"SplineCubeInCube", whole_cube, splines(boxed({0.5, 0, 0.5}, {2, 1, 1})), 0.25},
       {"SplineRodOnAPlate", whole_plate, splines(rod({0, 0, 1}, 0.5, 1))},
       {"SplineRodInRod", rod(kOrigin, 1, 1), splines(rod({0, 0, 0.5}, 1, 1)), kPi / 2, 1e-7},
-      {"BarLeavingASplineCorner", splines(corner), boxed({1, 1.2, 0}, {2.1, 1.8, 1})},
+      {"BarAtASplineCorner", splines(corner), boxed({1, 1.2, 0}, {2.1, 1.8, 1})},
   };
 }
 
@@ -376,7 +376,19 @@ TopoDS_Shape pyramid() {
   return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape())).Shape();
 }
 
-// Edges that touch edges, or faces inside.
+// A wall one unit thick at its top, that ends in an edge without an angle: x from 0 to a circle.
+TopoDS_Shape cusp() {
+  const gp_Pnt tip = kOrigin, far(1, 0, 1), near(0, 0, 1);
+  const gp_Circ circle(gp_Ax2({1, 0, 0}, gp::DY(), gp_Dir(-1, 0, 0)), 1);
+  BRepBuilderAPI_MakeWire outline;
+  outline.Add(BRepBuilderAPI_MakeEdge(circle, tip, far));
+  outline.Add(BRepBuilderAPI_MakeEdge(far, near));
+  outline.Add(BRepBuilderAPI_MakeEdge(near, tip));
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Shape(), gp_Vec(0, 1, 0))
+      .Shape();
+}
+
+// Edges that touch edges, or faces inside, or cut off what is thinner than the tolerance.
 std::vector<SolidContact> touching_edges() {
   const Maker tall = cone({0, 0, -0.5}, 0.5, 0.25, 1);
   const double half = 0.25 * std::sqrt(3.0);
@@ -397,6 +409,9 @@ std::vector<SolidContact> touching_edges() {
       {"PrismEdgesInARing", ring(kOrigin, 0.375, 0.125), hexagon},
       {"PrismEdgesInARod", rod({0, 0, -0.5}, 0.5, 1), turning(hexagon, gp::DX(), kPi / 2)},
       {"PrismEdgesAtACorner", turning(hexagon, gp::DY(), kPi / 4), turning(octant, gp::DZ(), kPi)},
+      {"SlitAtACusp", cusp,
+       lifted(turning(turning(boxed({-1, 0, -2}, {1.5, 2, 0}), gp::DX(), 0.5), gp::DZ(), 0.3),
+              {0, 0.5, 1.8e-4})},
       {"PyramidEdgesInABall", ball(kOrigin, 0.5),
        turning(turning(pyramid, gp::DY(), kPi), gp::DX(), kPi / 4)},
   };

@@ -137,16 +137,26 @@ TEST(TrimSolidsWithEdgesThatTouch, AddUp) {
   }
 }
 
+TEST(TrimSolidsWithEdgesThatTouch, TellWhatIsThinnerThanTheTolerance) {
+  const std::vector<SolidContact> all = testing::touching_edges();
+  const auto slit = std::ranges::find(all, "SlitAtACusp", &SolidContact::name);
+  const SolidTrimResult result =
+      trim_solids(trim_tool(slit->a()), {trim_tool(slit->b())}, SolidOperation::Cut);
+  EXPECT_EQ(result.status, Status::Tolerance);
+  ASSERT_EQ(result.thin.size(), 1u);
+  EXPECT_NE(result.thin.front().find("of the tool: cuts that keep within"), std::string::npos);
+}
+
 // One of each kind, for the quick tests.
 bool is_quick(const std::string& name) {
   const std::array names{
-      "EqualFaces",       "ShiftedFaces",     "FlushInTwo",           "Equal",
-      "EdgeToEdge",       "WedgeOnAFace",     "CutThroughTwoEdges",   "Slot",
-      "PocketAtAnEdge",   "RodOnAPlate",      "RodInTheBorder",       "RodInTurnedRod",
-      "HalfBalls",        "BallOnAPlate",     "LongRodLyingOnAPlate", "PegInAHole",
-      "SplineCubeInCube", "EqualTurnedBalls", "ConeInAPlate",         "DomesRoundTheirPole",
-      "RodOnAnEllipse",   "RingInABall",      "ConeAtARim",           "CubeFlushWithRoundedCube",
-      "FrustumAtTwoRims", "BarLeavingASplineCorner"};
+      "EqualFaces",       "ShiftedFaces",      "FlushInTwo",           "Equal",
+      "EdgeToEdge",       "WedgeOnAFace",      "CutThroughTwoEdges",   "Slot",
+      "PocketAtAnEdge",   "RodOnAPlate",       "RodInTheBorder",       "RodInTurnedRod",
+      "HalfBalls",        "BallOnAPlate",      "LongRodLyingOnAPlate", "PegInAHole",
+      "SplineCubeInCube", "EqualTurnedBalls",  "ConeInAPlate",         "DomesRoundTheirPole",
+      "RodOnAnEllipse",   "RingInABall",       "ConeAtARim",           "CubeFlushWithRoundedCube",
+      "FrustumAtTwoRims", "BarAtASplineCorner"};
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 

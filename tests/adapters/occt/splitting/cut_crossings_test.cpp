@@ -105,6 +105,15 @@ TEST(CutCrossings, AreTheEndsOfCutsThatKeepTogetherFromThere) {
   EXPECT_LE(distance(point_at(axis(), on_axis[0].a[0]), point_at(bent, 0)), kTolerance);
 }
 
+TEST(CutCrossings, AreTwoAtTheEndsOfACutThatKeepsToTheOtherAllAlong) {
+  const PlanarCurve rest = planar_line({0, 1e-9}, {1e-4, 2e-9}, {0, 1});
+  for (const auto& nodes : {found(axis(), rest).nodes, found(rest, axis()).nodes}) {
+    ASSERT_EQ(nodes.size(), 2u);
+    for (const CutCrossing& node : nodes)
+      EXPECT_NEAR(node.point[0], &node == &nodes[0] ? 0 : 1e-4, 1e-9);
+  }
+}
+
 TEST(CutCrossings, AreNotTheEndsOfARunThatCutsShare) {
   const PlanarCurve left = planar_line({-1, 0}, {0.004, 0}, {0, 1});
   EXPECT_EQ(found(left, planar_line({0, 0}, {1, 0}, {0, 1})).nodes.size(), 2u);
