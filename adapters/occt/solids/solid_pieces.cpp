@@ -284,7 +284,8 @@ void join_laid(const Side& side, EdgeUnion& joined, SolidPieces& result) {
 void tell_repeats(const Side& side, std::vector<std::string>& thin) {
   for (std::size_t i = 0; i < side.splits.size(); ++i)
     if (!side.splits[i].repeats.empty())
-      thin.push_back(side.face_name(i) + ": cuts that keep within tolerance of each other");
+      thin.push_back(side.face_name(i) +
+                     ": cuts that keep within tolerance of each other count as one");
 }
 
 // What the cuts on its border say of a piece.
