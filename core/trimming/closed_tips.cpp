@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
+#include <set>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -37,6 +39,13 @@ class Divider {
   void divide_all() {
     for (std::size_t vertex = 0; vertex < at_.size(); ++vertex)
       if (is_closed(vertex) && !divide(at_[vertex][0])) divide(at_[vertex][1]);
+  }
+
+  // A side inside of a face between two triangles; whether that is possible.
+  bool divide_side(int side) {
+    const std::vector<Tip>& beside = along_[index(side)];
+    return beside.size() == 2 && pieces_.pieces[beside[0].piece].sides.size() == 3 &&
+           divide_across(beside[0], beside[1], side);
   }
 
  private:
@@ -85,12 +94,18 @@ class Divider {
     const int side = pieces_.pieces[tip.piece].sides[opposite];
     const Tip other = behind(side, tip.piece);
     if (on_edge(side) || other.piece == tip.piece) return false;
-    if (std::max(degree(tip.piece), degree(other.piece)) > kMaxDegree) return false;
+    return divide_across({tip.piece, opposite}, other, side);
+  }
+
+  // Two triangles across the side that both walk from the given corners.
+  bool divide_across(const Tip one, const Tip other, int side) {
+    if (pieces_.pieces[other.piece].sides.size() != 3) return false;
+    if (std::max(degree(one.piece), degree(other.piece)) > kMaxDegree) return false;
     const int middle = static_cast<int>(pieces_.vertices.size());
     pieces_.vertices.push_back(point_at(pieces_.sides[index(side)].curve, 0.5));
     const int second = halve_side(side, middle);
     at_.emplace_back();
-    halve({tip.piece, opposite}, middle, side, second);
+    halve(one, middle, side, second);
     halve(other, middle, side, second);
     return true;
   }
@@ -136,8 +151,161 @@ class Divider {
   std::vector<std::vector<Tip>> along_;  // by side: pieces that walk it
 };
 
+// Chords over edges that two faces have in common.
+class FacingChords {
+ public:
+  explicit FacingChords(const WatertightPieces& pieces) : pieces_(pieces) {
+    find_borders();
+    for (const auto& [faces, neighbours] : borders_) add_chains(faces, neighbours);
+    add_chords();
+  }
+
+  // Those to divide, increasing.
+  std::set<int> found() const {
+    std::set<int> result;
+    for (const Chain& chain : chains_) {
+      const std::vector<Chord> first = over(chain, 0), second = over(chain, 1);
+      const std::vector<Chord>& more = total_bow(first) > total_bow(second) ? first : second;
+      for (const Chord& chord : more) result.insert(chord.side);
+    }
+    return result;
+  }
+
+ private:
+  using Faces = std::pair<int, int>;
+  using Neighbours = std::map<int, std::vector<int>>;  // of vertices, along common edges
+
+  struct Chord {
+    int side = 0;
+    std::size_t from = 0;  // places in the chain, increasing
+    std::size_t to = 0;
+    double bow = 0;  // how far its middle is from that of its ends
+  };
+
+  // Vertices one after the other along edges of the same two faces.
+  struct Chain {
+    Faces faces;
+    std::size_t size = 0;
+    bool closed = false;
+    std::array<std::vector<Chord>, 2> chords = {};  // of each face
+  };
+
+  struct Place {
+    std::size_t chain = 0;
+    std::size_t at = 0;
+  };
+
+  // Edges within one face, as its seam, are left out.
+  void find_borders() {
+    std::vector<std::vector<int>> faces(pieces_.sides.size());
+    for (const WatertightPiece& piece : pieces_.pieces)
+      for (const int side : piece.sides) faces[index(side)].push_back(piece.face);
+    for (std::size_t s = 0; s < faces.size(); ++s) {
+      const WatertightSide& side = pieces_.sides[s];
+      if (side.edge < 0 || faces[s].size() != 2 || faces[s][0] == faces[s][1]) continue;
+      if (side.from == side.to) continue;
+      Neighbours& neighbours = borders_[std::minmax(faces[s][0], faces[s][1])];
+      neighbours[side.from].push_back(side.to);
+      neighbours[side.to].push_back(side.from);
+    }
+  }
+
+  // Chains end where edges do or more than two meet; what is left then is closed.
+  void add_chains(const Faces& faces, const Neighbours& neighbours) {
+    std::set<Faces> walked;  // steps between vertices
+    for (const bool closed : {false, true})
+      for (const auto& [vertex, next] : neighbours)
+        for (const int towards : next)
+          if ((closed || next.size() != 2) && !walked.contains(std::minmax(vertex, towards)))
+            walk(faces, neighbours, vertex, towards, walked);
+  }
+
+  void walk(const Faces& faces, const Neighbours& neighbours, int from, int towards,
+            std::set<Faces>& walked) {
+    const int start = from;
+    Chain chain{faces};
+    places_[start].push_back({chains_.size(), chain.size++});
+    while (walked.insert(std::minmax(from, towards)).second) {
+      if (towards == start) {
+        chain.closed = true;
+        break;
+      }
+      places_[towards].push_back({chains_.size(), chain.size++});
+      const std::vector<int>& next = neighbours.at(towards);
+      if (next.size() != 2) break;
+      from = std::exchange(towards, next[0] == from ? next[1] : next[0]);
+    }
+    chains_.push_back(std::move(chain));
+  }
+
+  void add_chords() {
+    std::vector<bool> added(pieces_.sides.size(), false);
+    for (const WatertightPiece& piece : pieces_.pieces)
+      for (const int side : piece.sides) {
+        if (added[index(side)] || pieces_.sides[index(side)].edge >= 0) continue;
+        added[index(side)] = true;
+        add_chord(piece.face, side);
+      }
+  }
+
+  void add_chord(int face, int number) {
+    const WatertightSide& side = pieces_.sides[index(number)];
+    const auto from = places_.find(side.from), to = places_.find(side.to);
+    if (from == places_.end() || to == places_.end() || side.curve.points.empty()) return;
+    const double bow = distance(point_at(side.curve, 0.5),
+                                0.5 * (side.curve.points.front() + side.curve.points.back()));
+    for (const Place& a : from->second)
+      for (const Place& b : to->second) {
+        Chain& chain = chains_[a.chain];
+        if (a.chain != b.chain || (chain.faces.first != face && chain.faces.second != face))
+          continue;
+        chain.chords[chain.faces.first == face ? 0 : 1].push_back(
+            {number, std::min(a.at, b.at), std::max(a.at, b.at), bow});
+      }
+  }
+
+  // Chords of one face over stretches that some of the other one are over, too. Round a closed
+  // chain they may be over either part of it.
+  static std::vector<Chord> over(const Chain& chain, std::size_t face) {
+    const std::vector<Chord>& others = chain.chords[1 - face];
+    std::vector<int> count(chain.size + 1, 0);  // of others that begin less those that end
+    for (const Chord& other : others) {
+      ++count[other.from];
+      --count[other.to];
+    }
+    std::vector<std::size_t> covered(chain.size + 1, 0);  // steps before each place
+    int open = 0;
+    for (std::size_t k = 0; k < chain.size; ++k) {
+      open += count[k];
+      covered[k + 1] = covered[k] + (open > 0 ? 1 : 0);
+    }
+    std::vector<Chord> result;
+    for (const Chord& chord : chain.chords[face])
+      if (chain.closed ? !others.empty() : covered[chord.to] > covered[chord.from])
+        result.push_back(chord);
+    return result;
+  }
+
+  static double total_bow(const std::vector<Chord>& chords) {
+    double total = 0;
+    for (const Chord& chord : chords) total += chord.bow;
+    return total;
+  }
+
+  const WatertightPieces& pieces_;
+  std::map<Faces, Neighbours> borders_;
+  std::vector<Chain> chains_;
+  std::map<int, std::vector<Place>> places_;  // of vertices
+};
+
 }  // namespace
 
 void divide_closed_tips(WatertightPieces& pieces) { Divider(pieces).divide_all(); }
+
+void divide_facing_chords(WatertightPieces& pieces) {
+  const std::set<int> chords = FacingChords(pieces).found();
+  Divider divider(pieces);
+  for (const int side : chords) divider.divide_side(side);
+}
 
 }  // namespace blossom

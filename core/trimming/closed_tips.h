@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Vertices that only two triangles have.
+// Vertices that only two triangles have, and sides on both sides of an edge between its vertices.
 
 #pragma once
 
@@ -14,5 +14,15 @@ namespace blossom {
 ///
 /// pieces   before their sides are moved; triangles above kMaxDegree are left as they are
 void divide_closed_tips(WatertightPieces& pieces);
+
+/// Divides chords: sides inside of a face whose ends are both on edges that it has in common with
+/// one and the same other face. Where both faces have chords over one stretch of their edges,
+/// samples of both may have the same corners, or lie in one plane and cross. Those of the face that
+/// leaves its chords more get a vertex in the middle, and both triangles beside them are halved;
+/// chords beside a rectangle stay.
+///
+/// pieces   as divide_closed_tips
+/// cost     O(n log n) for n sides
+void divide_facing_chords(WatertightPieces& pieces);
 
 }  // namespace blossom

@@ -13,6 +13,7 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 
 #include "adapters/cgal/gpl/mesh_check.h"
+#include "adapters/occt/compounds.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/watertight.h"
@@ -154,6 +155,24 @@ TEST(WatertightMesh, OfLooseFacesDoesNotCrossItself) {
 // Facets of both sides of its thin walls add to the volume.
 TEST(WatertightMesh, OfABodyWithLooseEdgesDoesNotCrossItself) {
   expect_closed_model("s1_mainbody_back.stp", 72799, 0.12, 0.2);
+}
+
+// The plane of the cut nearly touches a face, so that both sides of the cut have triangles with
+// corners on it alone: facets of these lay in the plane over each other.
+TEST(WatertightMesh, OfAPlaneCutInHalfIsClosed) {
+  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const occt::Model model = occt::read_model(std::string(folder) + "/models/d150_fused.brep");
+  const TopoDS_Shape beyond =
+      BRepPrimAPI_MakeBox(gp_Pnt(18.885, -100, -100), gp_Pnt(100, 100, 100));
+  const occt::SolidTrimResult cut = occt::trim_solids(
+      occt::trim_tool(model.shape()), {occt::trim_tool(beyond)}, occt::SolidOperation::Cut);
+  ASSERT_TRUE(cut.obstacles.empty()) << cut.obstacles.front();
+  const occt::WatertightShape made = occt::watertight(occt::compound_of(cut.solids));
+  ASSERT_EQ(made.pieces.obstacle, "");
+  expect_closed(sampled(made), cut.volumes.back().cut, 1e-3);
+  SCOPED_TRACE("meshed by Open CASCADE");
+  expect_closed(testing::IncrementalMesh(made.shape, 8e-3).mesh(), cut.volumes.back().cut, 5e-3);
 }
 
 }  // namespace

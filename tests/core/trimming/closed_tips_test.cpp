@@ -110,5 +110,39 @@ TEST(ClosedTips, StayWhereEdgesAreBehind) {
   EXPECT_EQ(pieces.pieces.size(), 4u);
 }
 
+// The faces above and below have a border of two edges in common, and a chord over both.
+WatertightPieces two_faces() {
+  WatertightPieces pieces = lens();
+  pieces.pieces[1].face = pieces.pieces[3].face = 1;
+  return pieces;
+}
+
+TEST(FacingChords, AreDividedInTheFaceThatLeavesThemMore) {
+  const WatertightPieces given = two_faces();
+  WatertightPieces pieces = given;
+  divide_facing_chords(pieces);
+  ASSERT_EQ(pieces.pieces.size(), 6u);
+  ASSERT_EQ(pieces.vertices.size(), 6u);
+  EXPECT_LE(distance(pieces.vertices.back(), point_at(given.sides[3].curve, 0.5)), kRounding);
+  EXPECT_EQ(count_at(pieces, 0), 3);
+  EXPECT_EQ(count_at(pieces, 5), 4);
+  for (const WatertightPiece& piece : pieces.pieces)
+    EXPECT_EQ(piece.face == 1, std::ranges::count(piece.vertices, 5) == 1);
+}
+
+TEST(FacingChords, StayWhereTheOtherFaceHasNone) {
+  WatertightPieces pieces = two_faces();
+  pieces.sides[3].edge = 2;
+  divide_facing_chords(pieces);
+  EXPECT_EQ(pieces.pieces.size(), 4u);
+}
+
+TEST(FacingChords, StayOverOtherStretches) {
+  WatertightPieces pieces = two_faces();
+  pieces.sides[0].edge = -1;  // the faces have one edge in common, and no chord is over that alone
+  divide_facing_chords(pieces);
+  EXPECT_EQ(pieces.pieces.size(), 4u);
+}
+
 }  // namespace
 }  // namespace blossom
