@@ -122,7 +122,7 @@ bool PieceFaces::has_point(const WatertightPiece& piece) const {
 
 double PieceFaces::length_of(const WatertightPiece& piece, std::size_t k) const {
   const BezierCurve& curve = side_of_piece(piece, k).curve;
-  return distance(curve.points.front(), curve.points.back());
+  return curve.points.empty() ? 0 : distance(curve.points.front(), curve.points.back());
 }
 
 // Meshers put nodes inside of slender collapsed patches, too, which lie off the chords of both long
@@ -130,8 +130,7 @@ double PieceFaces::length_of(const WatertightPiece& piece, std::size_t k) const 
 // from the patch.
 std::optional<std::size_t> PieceFaces::diagonal_of(const WatertightPiece& piece,
                                                    const BezierTriangle& triangle) const {
-  if (has_point(piece)) return std::nullopt;
-  if (height_of(triangle) >= kSlender) return longest_inner_side(piece);
+  if (has_point(piece) || height_of(triangle) >= kSlender) return longest_inner_side(piece);
   const std::size_t shortest = shortest_side(piece);
   const bool only_rounding = half_error(triangle) <= kInPlane;
   if (length_of(piece, shortest) == 0 ||

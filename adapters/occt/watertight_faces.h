@@ -26,7 +26,7 @@ namespace blossom::occt {
 ///   or else the half of a patch on one side of the diagonal, which is its longest side inside of a
 ///   face of the model; sides on edges have the points of the patch's rows;
 ///   of a slender one the diagonal is the shortest side, so that its parameters are not slender;
-///   or, if one of its sides is a point or all are on edges, a patch with one collapsed side.
+///   or, if no side is inside of a face, a patch with one collapsed side.
 class PieceFaces {
  public:
   explicit PieceFaces(const WatertightPieces& pieces);

@@ -240,6 +240,26 @@ TEST(Watertight, ASliverIsMeshedWithoutNodesInside) {
   }
 }
 
+// On both sides of the point facets would have a node of their own between the same two corners.
+TEST(Watertight, ATriangleAtAPoleIsMeshedWithoutNodesInside) {
+  WatertightPieces pieces;
+  pieces.vertices = {{0, 0, 0}, {1, 0, 0}};
+  // a and b are the pole; both long sides bend, one upwards, one sideways.
+  const BezierTriangle form{
+      2, {{1, 0, 0}, {0.5, 0.1, 0}, {0, 0, 0}, {0.5, 0, 0.1}, {0, 0, 0}, {0, 0, 0}}};
+  WatertightPiece piece{0, form, {0, 0, 1}, {0, 1, 2}, {true, true, true}, 0};
+  pieces.sides = {{5, 0, 0, {}}, {-1, 0, 1, side_of(form, 1, 2)}, {6, 1, 0, side_of(form, 2, 0)}};
+  pieces.pieces.push_back(std::move(piece));
+  PieceFaces writer(pieces);
+  const TopoDS_Face face = writer.face_of(pieces.pieces.front());
+  EXPECT_TRUE(BRepCheck_Analyzer(face).IsValid());
+  const BRepMesh_IncrementalMesh mesher(face, 0.2, false, 3);
+  TopLoc_Location location;
+  const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
+  ASSERT_FALSE(mesh.IsNull());
+  EXPECT_EQ(mesh->NbTriangles(), 1);
+}
+
 // A face of a real model that takes several rounds of dividing its edges.
 TEST(Watertight, DividesTheEdgesOfABladeAgain) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
@@ -278,13 +298,14 @@ TEST(Watertight, LetsTheFacesOfABodyAgreeOnTheirEdges) {
 
 // The same solid comes back, closed along the same number of edges, from a file that is no larger
 // than so many patches need.
-TEST(Watertight, SurvivesAStepFile) {
+void expect_survives_step(const TopoDS_Shape& solid) {
   quiet_messages();
-  const WatertightShape made = watertight(box_and_cylinder());
+  const WatertightShape made = watertight(solid);
+  ASSERT_EQ(made.pieces.obstacle, "");
   Model model;
-  model.add(made.shape, "fused");
+  model.add(made.shape, "solid");
   const testing::Folder folder;
-  const auto file = folder / "watertight_fused.step";
+  const auto file = folder / "watertight_solid.step";
   write_model(model, file);
   EXPECT_LT(std::filesystem::file_size(file), 10000 * made.pieces.pieces.size());
 
@@ -297,6 +318,16 @@ TEST(Watertight, SurvivesAStepFile) {
   for (int k = 1; k <= faces_of_edge.Extent(); ++k)
     EXPECT_EQ(faces_of_edge(k).Extent(),
               BRep_Tool::Degenerated(TopoDS::Edge(faces_of_edge.FindKey(k))) ? 1 : 2);
+}
+
+TEST(Watertight, SurvivesAStepFile) { expect_survives_step(box_and_cylinder()); }
+
+TEST(Watertight, TrianglesAtAPoleSurviveAStepFile) {
+  const SolidTrimResult cut = trim_solids(
+      trim_tool(BRepPrimAPI_MakeSphere(1)),
+      {trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0.3), gp_Pnt(2, 2, 2)))}, SolidOperation::Cut);
+  ASSERT_EQ(cut.solids.size(), 1u);
+  expect_survives_step(cut.solids.front());
 }
 
 }  // namespace
