@@ -122,7 +122,11 @@ def _brep(shape, name):
     if hasattr(shape, "exportBrepToString"):
         return shape.exportBrepToString().encode()
     if hasattr(shape, "__array_interface__"):
-        return _core.brep_of_net(shape, name)
+        try:
+            return _core.brep_of_net(shape, name)
+        except TypeError:  # its text names pybind11's overloads, not the argument
+            kind = getattr(shape, "dtype", type(shape).__name__)
+            raise ValueError(f"{name}: a net holds numbers, got {kind}") from None
     raise ValueError(
         f"{name}: a Part shape, BRep bytes or text, or a numpy net is wanted, "
         f"got {type(shape).__name__}"

@@ -236,6 +236,9 @@ class Errors(unittest.TestCase):
         with self.assertRaisesRegex(error, words):
             blossom.intersect(*arguments, **options)
 
+    def test_an_array_that_holds_no_numbers_is_named(self):
+        self.expect(ValueError, "^b: a net holds numbers, got <U1$", FLOOR, np.array(["x"]))
+
     def test_bytes_that_are_no_brep_are_named(self):
         self.expect(ValueError, "^b: these 11 bytes hold no BRep shape$", FLOOR, b"hello world")
         self.expect(ValueError, "^a: there are no bytes$", b"", FLOOR)
