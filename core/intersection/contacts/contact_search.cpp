@@ -69,7 +69,8 @@ class ContactSearch {
  private:
   double tolerance() const { return options_.tolerances.point; }
 
-  // Charts over the part of b that matters, each searched as soon as it is found.
+  // Charts over the part of b that matters, each searched as soon as it is found. A patch that is
+  // but a curve has none anywhere, so looking for them is work that counts.
   void cover(const Interval& s, const Interval& t, int depth) {
     const bool matters =
         std::any_of(task_.parts_b.begin(), task_.parts_b.end(),
@@ -81,7 +82,7 @@ class ContactSearch {
       for (const int cell : task_.cells_a) examine(cell, chart);
       return;
     }
-    if (depth == kMostChartHalvings) {
+    if (depth == kMostChartHalvings || out_of_budget()) {
       for (const int cell : task_.cells_a)
         if (!apart(tree_a_[cell], cells[0])) keep(tree_a_[cell], s, t, cells[0], false);
       return;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/forms/evaluation.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/surface_intersection.h"
 #include "tests/support/cubic_family.h"
@@ -362,6 +363,38 @@ TEST(Overlaps, StopWheneverTheyAreCancelled) {
     EXPECT_LE(asked, last + 2);
     EXPECT_FALSE(found.places.empty());
     for (const Overlap& overlap : found.overlaps) EXPECT_TRUE(overlap.boundary.empty());
+  }
+}
+
+// A patch that is but a curve, u + v growing along it, has no tangent plane anywhere: charts are
+// looked for in ever smaller parts of it, and in no more than the budget of cells allows.
+TEST(Overlaps, OfAPatchThatIsACurveEndSoonAndListThePlace) {
+  const BezierSurface plane = square({0.5, 0.5}, 0.6, 0.1);
+  for (const double bend : {0.0, 0.05}) {
+    Grid<Vec4> net(4, 4);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        const double x = 0.1 + 0.4 * (i + j) / 3.0;
+        net(i, j) = {x, 0.3 + bend * (x - 0.5) * (x - 0.5), 0, 1};
+      }
+    const BezierSurface curve = surface_of({net});
+
+    const SurfaceIntersection found = intersect(plane, curve);
+
+    EXPECT_NE(found.status, Status::Complete);
+    ASSERT_FALSE(found.places.empty());
+    for (const double t : {0.1, 0.5, 0.9}) {
+      const Vec3 p = point_at(curve.patches(0, 0), t, t);
+      EXPECT_TRUE(std::ranges::any_of(found.places,
+                                      [&](const Place& place) {
+                                        for (int k = 0; k < 3; ++k)
+                                          if (p[k] < place.box_low[k] - 1e-7 ||
+                                              p[k] > place.box_high[k] + 1e-7)
+                                            return false;
+                                        return true;
+                                      }))
+          << bend << ' ' << t;
+    }
   }
 }
 
