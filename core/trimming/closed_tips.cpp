@@ -41,10 +41,17 @@ class Divider {
       if (is_closed(vertex) && !divide(at_[vertex][0])) divide(at_[vertex][1]);
   }
 
-  // A side inside of a face between two triangles; whether that is possible.
+  // A side inside of a face between two triangles; whether that is possible. Halves of a triangle
+  // at a pole would have two sides with the same ends again.
   bool divide_side(int side) {
     const std::vector<Tip>& beside = along_[index(side)];
-    return beside.size() == 2 && pieces_.pieces[beside[0].piece].sides.size() == 3 &&
+    const auto is_whole = [this](const Tip& at) {
+      const WatertightPiece& piece = pieces_.pieces[at.piece];
+      return piece.sides.size() == 3 && std::ranges::none_of(piece.sides, [this](int k) {
+               return pieces_.sides[index(k)].curve.points.empty();
+             });
+    };
+    return beside.size() == 2 && std::ranges::all_of(beside, is_whole) &&
            divide_across(beside[0], beside[1], side);
   }
 
@@ -99,7 +106,6 @@ class Divider {
 
   // Two triangles across the side that both walk from the given corners.
   bool divide_across(const Tip one, const Tip other, int side) {
-    if (pieces_.pieces[other.piece].sides.size() != 3) return false;
     if (std::max(degree(one.piece), degree(other.piece)) > kMaxDegree) return false;
     const int middle = static_cast<int>(pieces_.vertices.size());
     pieces_.vertices.push_back(point_at(pieces_.sides[index(side)].curve, 0.5));

@@ -137,6 +137,15 @@ TEST(FacingChords, StayWhereTheOtherFaceHasNone) {
   EXPECT_EQ(pieces.pieces.size(), 4u);
 }
 
+// Halves of it would have two sides with the same ends again.
+TEST(FacingChords, StayBesideATriangleAtAPole) {
+  WatertightPieces pieces = two_faces();
+  pieces.sides[6].curve.points.clear();
+  pieces.sides[7].curve.points.clear();
+  divide_facing_chords(pieces);
+  EXPECT_EQ(pieces.pieces.size(), 4u);
+}
+
 TEST(FacingChords, StayOverOtherStretches) {
   WatertightPieces pieces = two_faces();
   pieces.sides[0].edge = -1;  // the faces have one edge in common, and no chord is over that alone
