@@ -115,12 +115,6 @@ class Neighbours {
   const std::vector<CommonSide>& sides() const { return sides_; }
   const std::vector<CommonCorner>& corners() const { return corners_; }
   const std::vector<CommonPole>& poles() const { return poles_; }
-  // Whether a common side runs into the pole.
-  bool ends_side(const CommonPole& pole) const {
-    return std::ranges::any_of(sides_, [&](const CommonSide& side) {
-      return side.a.across != pole.a.across && side.b.across != pole.b.across;
-    });
-  }
   const Certificate& certificate() const { return certificate_; }
 
  private:
@@ -408,8 +402,15 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
         found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(corner.a, corner.b)});
         found.gap = std::max(found.gap, corner.gap);
       }
+    // A common side tells of the pole that it runs into, if it counts itself.
+    const auto ends_side = [&](const CommonPole& pole) {
+      return std::ranges::any_of(neighbours.sides(), [&](const CommonSide& side) {
+        return counts(side.a.range(), side.b.range()) && side.a.across != pole.a.across &&
+               side.b.across != pole.b.across;
+      });
+    };
     for (const CommonPole& pole : neighbours.poles())
-      if (!neighbours.ends_side(pole) && counts(pole.a.range(), pole.b.range())) {
+      if (!ends_side(pole) && counts(pole.a.range(), pole.b.range())) {
         found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(pole.a.at(0), pole.b.at(0))});
         found.gap = std::max(found.gap, pole.gap);
       }

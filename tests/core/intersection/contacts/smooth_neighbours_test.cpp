@@ -248,6 +248,30 @@ TEST(SmoothNeighbours, BorderOutsideOfAPartIsNotReported) {
   EXPECT_TRUE(found.curves.empty() && found.points.empty() && found.places.empty());
 }
 
+// Parts of two half cones that reach the apex: the line in which quarters beside each other meet
+// tells of it only if it counts itself.
+TEST(SmoothNeighbours, AnApexIsReportedWhereTheLineToItDoesNotCount) {
+  const auto within = [](double from, double to) {
+    return [from, to](const Interval& u, const Interval&) {
+      if (u.to < from || u.from > to) return PartSide::Outside;
+      return u.from >= from && u.to <= to ? PartSide::Inside : PartSide::Mixed;
+    };
+  };
+  const BezierSurface a = half_cone(0, 1), b = half_cone(2, 1);
+  for (const auto& [from, to] : {std::pair{0.3, 0.7}, {1.3, 1.7}, {1.3, 2.0}}) {
+    IntersectionOptions options;
+    options.part_a = within(from, to);
+    options.part_b = within(0.3, 0.7);
+
+    const SurfaceIntersection found = intersect(a, b, options);
+
+    EXPECT_EQ(found.status, Status::Tolerance) << from << ' ' << to;
+    EXPECT_TRUE(found.curves.empty()) << from << ' ' << to;
+    ASSERT_EQ(found.points.size(), 1u) << from << ' ' << to;
+    EXPECT_LE(norm(found.points[0].point), 1e-9);
+  }
+}
+
 // A sheet that turns back in its border lies beside the other one, not behind it.
 TEST(SmoothNeighbours, OneFoldedBackIsNone) {
   const RationalBezierPatch whole = wavy();
