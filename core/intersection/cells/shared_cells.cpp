@@ -42,8 +42,11 @@ bool SharedCells::look_near(const Cell& a, const Cell& b) {
   if (chart_) return true;
   if (looks_ == kMostLooks || asked_++ % kLookEvery != 0) return false;
   ++looks_;
+  // Of the patches as given, whose move to the origin was rounded.
+  const double tolerance = tolerance_ - 2 * (a_.given_rounding() + b_.given_rounding());
+  if (!(tolerance > 0)) return false;
   chart_ = shared_chart(a_.patch(), b_.patch(),
-                        {at(a.u, 0.5), at(a.v, 0.5), at(b.u, 0.5), at(b.v, 0.5)}, tolerance_);
+                        {at(a.u, 0.5), at(a.v, 0.5), at(b.u, 0.5), at(b.v, 0.5)}, tolerance);
   return chart_.has_value();
 }
 
