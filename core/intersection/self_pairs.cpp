@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/bounds/box_tree.h"
 #include "core/intersection/cells/cell_pair.h"
@@ -18,6 +19,7 @@ constexpr int kDeepest = 56;  // halvings of a patch: 2^-28 in each direction
 // Pairs of one generation, and how many more for a patch; singular curves have more.
 constexpr std::size_t kMostOpen = 32768;
 constexpr std::size_t kMostOpenPerPatch = 64;
+constexpr double kLikeOpen = 4;   // times the size of open boxes at a singular curve
 constexpr long kLookEvery = 64;   // pairs between looks at the clock
 constexpr double kGlued = 1e-12;  // of the surface's size: borders this near are one
 
@@ -56,6 +58,46 @@ bool touch(const Interval& a, const Interval& b, bool seam, double period) {
 
 Vec3 point_of(const Vec4& p) { return {p[0] / p[3], p[1] / p[3], p[2] / p[3]}; }
 
+// Of boxes that meet.
+Box common(const Box& a, const Box& b) {
+  Box both;
+  for (int k = 0; k < 3; ++k) {
+    both.low[k] = std::max(a.low[k], b.low[k]);
+    both.high[k] = std::min(a.high[k], b.high[k]);
+  }
+  return both;
+}
+
+// Boxes along curves on which the surface is singular: places that stay open.
+class OpenBoxes {
+ public:
+  explicit OpenBoxes(const std::vector<CriticalPair>& pairs)
+      : boxes_(boxes_of(pairs)), tree_(boxes_) {}
+
+  // The largest diagonal of those that a box meets; nothing if it meets none.
+  std::optional<double> largest_at(const Box& box) const {
+    std::optional<double> largest;
+    constexpr double kMeet = std::numeric_limits<double>::min();  // square of a distance
+    tree_.for_each_near(box, kMeet, [&](int i) {
+      const double size = diagonal(boxes_[static_cast<std::size_t>(i)]);
+      largest = std::max(largest.value_or(0), size);
+      return kMeet;
+    });
+    return largest;
+  }
+
+ private:
+  static std::vector<Box> boxes_of(const std::vector<CriticalPair>& pairs) {
+    std::vector<Box> boxes;
+    for (const CriticalPair& pair : pairs)
+      if (!pair.thin) boxes.push_back({pair.low, pair.high});
+    return boxes;
+  }
+
+  std::vector<Box> boxes_;
+  BoxTree tree_;
+};
+
 class SelfPairSearch {
  public:
   SelfPairSearch(SurfaceCells& cells, const GluedBorders& glued, const Vec3& origin,
@@ -87,10 +129,11 @@ class SelfPairSearch {
       }
       open.swap(next);
     }
+    const OpenBoxes open_boxes(result_.singular);
     while (!apart_.empty()) {
       const PartPair pair = apart_.back();
       apart_.pop_back();
-      separate(pair);
+      separate(pair, open_boxes);
     }
     return std::move(result_);
   }
@@ -240,8 +283,10 @@ class SelfPairSearch {
     }
   }
 
-  // Parts that do not touch: down to pairs of cells that some search has to settle.
-  void separate(const PartPair& pair) {
+  // Parts that do not touch: down to pairs of cells that some search has to settle. Beside a
+  // singular curve there is no end to such pairs: those no larger than what is open of it are open,
+  // too.
+  void separate(const PartPair& pair, const OpenBoxes& open_boxes) {
     const auto& [a, b] = pair;
     if (!meet(box(a), box(b))) {
       ++result_.excluded;
@@ -253,8 +298,14 @@ class SelfPairSearch {
           place(a).u.from < place(b).u.from ||
           (place(a).u.from == place(b).u.from && place(a).v.from < place(b).v.from);
       const Part &low = forward ? a : b, &high = forward ? b : a;
-      result_.apart.push_back({block(low).patch, low.cell, block(high).patch, high.cell});
-      return;
+      const auto open = open_boxes.largest_at(common(box(a), box(b)));
+      if (!open) {
+        result_.apart.push_back({block(low).patch, low.cell, block(high).patch, high.cell});
+        return;
+      }
+      if (std::max(diagonal(box(a)), diagonal(box(b))) <= kLikeOpen * *open || result_.stopped ||
+          !(may_halve(a) || may_halve(b)))
+        return keep({low, high}, false);
     }
     const bool of_a = first(a, b);
     for (const Part& half : halves(of_a ? a : b))
@@ -311,12 +362,9 @@ class SelfPairSearch {
       return;
     }
     const Cell &x = cell(a), &y = cell(b);
-    CriticalPair critical{block(a).patch, block(b).patch, box_of(x, y), {}, {}, thin};
+    const Box both = common({x.low, x.high}, {y.low, y.high});
+    CriticalPair critical{block(a).patch, block(b).patch, box_of(x, y), both.low, both.high, thin};
     critical.singular = true;
-    for (int k = 0; k < 3; ++k) {
-      critical.low[k] = std::max(x.low[k], y.low[k]);
-      critical.high[k] = std::min(x.high[k], y.high[k]);
-    }
     result_.singular.push_back(critical);
     if (a == b) return;
     std::swap(critical.patch_a, critical.patch_b);
