@@ -22,7 +22,8 @@ SurfaceIntersection self_intersect(const BezierSurface& surface,
     BezierSurface marked = surface;
     marked.closed_u = glued.seam_u;
     marked.closed_v = glued.seam_v;
-    result = assembled(marked, marked, options);
+    const BoxedSurface boxed{marked, PatchBoxes(marked)};
+    result = assembled(boxed, boxed, options);
   });
   return result;
 }

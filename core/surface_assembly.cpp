@@ -9,7 +9,6 @@
 #include <string>
 
 #include "core/base/parallel.h"
-#include "core/bounds/patch_boxes.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/arcs/arc_chains.h"
 #include "core/intersection/arcs/chain_scraps.h"
@@ -51,13 +50,13 @@ constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to
 
 class Assembly {
  public:
-  Assembly(const BezierSurface& a, const BezierSurface& b, const IntersectionOptions& options)
-      : a_(a),
-        b_(b),
+  Assembly(const BoxedSurface& a, const BoxedSurface& b, const IntersectionOptions& options)
+      : a_(a.surface),
+        b_(b.surface),
         options_(options),
         limit_(options),
-        boxes_a_(a),
-        boxes_b_(itself() ? boxes_a_ : PatchBoxes(b)),
+        boxes_a_(a.boxes),
+        boxes_b_(b.boxes),
         size_(std::max(diagonal(boxes_a_.all()), diagonal(boxes_b_.all()))),
         origin_(0.5 * (boxes_a_.all().low + boxes_a_.all().high)),
         known_(options.known, origin_) {}
@@ -474,7 +473,7 @@ class Assembly {
   const BezierSurface& b_;
   const IntersectionOptions& options_;
   const WorkLimit limit_;
-  const PatchBoxes boxes_a_, boxes_b_;
+  const PatchBoxes &boxes_a_, &boxes_b_;
   const double size_;
   const Vec3 origin_;
   const KnownCurves known_;
@@ -487,7 +486,7 @@ class Assembly {
 
 }  // namespace
 
-SurfaceIntersection assembled(const BezierSurface& a, const BezierSurface& b,
+SurfaceIntersection assembled(const BoxedSurface& a, const BoxedSurface& b,
                               const IntersectionOptions& options) {
   return Assembly(a, b, options).run();
 }

@@ -3,11 +3,18 @@
 
 #pragma once
 
+#include "core/bounds/patch_boxes.h"
 #include "core/forms/surface.h"
 #include "core/intersection/options.h"
 #include "core/intersection/result.h"
 
 namespace blossom {
+
+/// A surface, which is not kept, and the boxes of its patches.
+struct BoxedSurface {
+  const BezierSurface& surface;
+  PatchBoxes boxes;
+};
 
 /// The intersection of two surfaces. If `a` and `b` are one object, that of it with itself; its
 /// glued borders have to be marked as closed then.
@@ -15,7 +22,7 @@ namespace blossom {
 /// Arguments are checked by those who call this; the number of threads is theirs, too.
 ///
 /// Source: `core/README.md`, "Intersection".
-SurfaceIntersection assembled(const BezierSurface& a, const BezierSurface& b,
+SurfaceIntersection assembled(const BoxedSurface& a, const BoxedSurface& b,
                               const IntersectionOptions& options);
 
 }  // namespace blossom

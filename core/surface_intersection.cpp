@@ -35,13 +35,14 @@ struct Attempt {
   std::optional<IntersectionOptions> rest;  // what it leaves for others
 };
 
-bool may_gain(const BezierSurface& a, const BezierSurface& b, const SurfaceIntersection& found,
+bool may_gain(const BoxedSurface& a, const BoxedSurface& b, const SurfaceIntersection& found,
               const IntersectionOptions& options) {
-  return &a != &b && may_gain_by_exchange(found, a, b, options.tolerances.point);
+  return &a.surface != &b.surface &&
+         may_gain_by_exchange(found, a.surface, b.surface, options.tolerances.point);
 }
 
 // In the order asked for; if that leaves something open, in the other one.
-Attempt in_either_order(const BezierSurface& a, const BezierSurface& b,
+Attempt in_either_order(const BoxedSurface& a, const BoxedSurface& b,
                         const IntersectionOptions& options) {
   Clock::time_point started = Clock::now();
   SurfaceIntersection found = assembled(a, b, options);
@@ -52,12 +53,12 @@ Attempt in_either_order(const BezierSurface& a, const BezierSurface& b,
   SurfaceIntersection back = assembled(b, a, *rest);
   std::swap(rest->part_a, rest->part_b);
   rest = rest_of(*rest, started, back.certificate);
-  if (is_gain(found, back)) found = exchanged(std::move(back), a);
+  if (is_gain(found, back)) found = exchanged(std::move(back), a.surface);
   return {std::move(found), rest};
 }
 
 // What neither order settles, at the first finer tolerance that does so.
-SurfaceIntersection at_best_tolerance(const BezierSurface& a, const BezierSurface& b,
+SurfaceIntersection at_best_tolerance(const BoxedSurface& a, const BoxedSurface& b,
                                       const IntersectionOptions& options) {
   auto [found, rest] = in_either_order(a, b, options);
   if (!may_gain(a, b, found, options)) return std::move(found);
@@ -83,9 +84,8 @@ SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
   if (options.threads < 0) throw InvalidInput("intersect: the number of threads is negative");
   SurfaceIntersection result;
   with_threads(options.threads, [&] {
-    validate(a, "a");
-    validate(b, "b");
-    result = at_best_tolerance(a, b, options);
+    const BoxedSurface boxed_a{a, PatchBoxes(a, "a")}, boxed_b{b, PatchBoxes(b, "b")};
+    result = at_best_tolerance(boxed_a, boxed_b, options);
   });
   return result;
 }

@@ -2,6 +2,7 @@
 #include "core/bounds/patch_boxes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstring>
 #include <limits>
@@ -44,10 +45,14 @@ Box hull_box(const RationalBezierPatch& patch, bool rational) {
   return box;
 }
 
-Grid<Box> patch_boxes(const BezierSurface& surface) {
+// Visits each patch, too, while it is in the cache.
+template <class Visit>
+Grid<Box> patch_boxes(const BezierSurface& surface, Visit visit) {
   Grid<Box> boxes(surface.patches.rows(), surface.patches.columns());
   parallel_for(boxes.values().size(), kPatchGrain, [&](std::size_t i) {
-    boxes.values()[i] = hull_box(surface.patches.values()[i], surface.rational);
+    const RationalBezierPatch& patch = surface.patches.values()[i];
+    boxes.values()[i] = hull_box(patch, surface.rational);
+    visit(patch);
   });
   return boxes;
 }
@@ -175,7 +180,21 @@ class Meeting {
 }  // namespace
 
 PatchBoxes::PatchBoxes(const BezierSurface& surface) {
-  levels_.push_back(patch_boxes(surface));
+  levels_.push_back(patch_boxes(surface, [](const RationalBezierPatch&) {}));
+  add_blocks();
+}
+
+PatchBoxes::PatchBoxes(const BezierSurface& surface, const char* name) {
+  validate_frame(surface, name);
+  std::atomic<bool> valid = true;
+  levels_.push_back(patch_boxes(surface, [&](const RationalBezierPatch& patch) {
+    if (!is_valid(patch)) valid.store(false, std::memory_order_relaxed);
+  }));
+  if (!valid) validate(surface, name);  // tells what is wrong
+  add_blocks();
+}
+
+void PatchBoxes::add_blocks() {
   while (levels_.back().values().size() > 1) levels_.push_back(blocks_of(levels_.back()));
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The boxes of a surface's patches and of ever larger blocks of them.
 //
-// Patches lie in a grid already, so of large surfaces blocks of it are the hierarchy, which needs no
-// sorting: it takes as long as looking at the control points once. Small ones take a tree.
+// Patches lie in a grid already, so of large surfaces blocks of it are the hierarchy, which needs
+// no sorting: it takes as long as looking at the control points once. Small ones take a tree.
 
 #pragma once
 
@@ -21,6 +21,11 @@ class PatchBoxes {
   /// Boxes of the control points, as they are; made by all threads.
   explicit PatchBoxes(const BezierSurface& surface);
 
+  /// The same of a surface that is validated on the way, in one walk over its control points.
+  ///
+  /// throws   InvalidInput as `validate`
+  PatchBoxes(const BezierSurface& surface, const char* name);
+
   /// Box of all control points.
   const Box& all() const { return levels_.back()(0, 0); }
 
@@ -30,6 +35,7 @@ class PatchBoxes {
 
  private:
   std::span<const Box> patches() const { return levels_.front().values(); }
+  void add_blocks();
 
   std::vector<Grid<Box>> levels_;  // of patches, of blocks of those, and so on up to one box
 };

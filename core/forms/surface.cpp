@@ -104,19 +104,26 @@ Vec3 point_at(const BezierSurface& surface, const Vec2& uv) {
   return point_at(surface.patches(static_cast<int>(i), static_cast<int>(j)), s, t);
 }
 
-void validate(const BezierSurface& surface, const char* name) {
+bool is_valid(const RationalBezierPatch& patch) {
+  return has_sound_degrees(patch) && are_sound(patch.points.values());
+}
+
+void validate_frame(const BezierSurface& surface, const char* name) {
   if (surface.patches.empty()) refuse(name, "it has no patches");
   validate_knots(surface.u_knots, surface.patches.rows(), name, "u");
   validate_knots(surface.v_knots, surface.patches.columns(), name, "v");
+  if (!(surface.error >= 0)) refuse(name, "its error bound is not a number");
+}
+
+void validate(const BezierSurface& surface, const char* name) {
+  validate_frame(surface, name);
   const auto patches = surface.patches.values();
   std::atomic<bool> sound = true;
   parallel_for(patches.size(), kPatchGrain, [&](std::size_t i) {
-    if (!has_sound_degrees(patches[i]) || !are_sound(patches[i].points.values()))
-      sound.store(false, std::memory_order_relaxed);
+    if (!is_valid(patches[i])) sound.store(false, std::memory_order_relaxed);
   });
   if (!sound)  // the first one that is not tells what is wrong
     for (const RationalBezierPatch& patch : patches) validate_patch(patch, name);
-  if (!(surface.error >= 0)) refuse(name, "its error bound is not a number");
 }
 
 }  // namespace blossom

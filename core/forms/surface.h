@@ -60,4 +60,8 @@ Vec3 point_at(const BezierSurface& surface, const Vec2& uv);
 /// increase, degrees are in 1..kMaxDegree, all numbers are finite and all weights positive.
 void validate(const BezierSurface& surface, const char* name);
 
+/// The same but for the patches, of which there has to be one; and what it asks of each of them.
+void validate_frame(const BezierSurface& surface, const char* name);
+bool is_valid(const RationalBezierPatch& patch);
+
 }  // namespace blossom
