@@ -110,7 +110,8 @@ class SelfPairSearch {
         axes_(axes_of(cells.surface())) {
     const auto& patches = cells.surface().patches;
     for (int i = 0; i < cells.patches(); ++i)
-      slopes_.push_back(slope_nets(cells.tree(i).patch(), cells.surface().rational));
+      slopes_.push_back(slope_nets(cells.tree(i).patch(), cells.surface().rational,
+                                   cells.tree(i).given_rounding()));
     build({.u0 = 0, .u1 = patches.rows(), .v0 = 0, .v1 = patches.columns()});
   }
 

@@ -14,6 +14,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_BezierCurve.hxx>
+#include <Geom2d_OffsetCurve.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESControl_Controller.hxx>
@@ -114,6 +115,9 @@ void check_planar_numbers(const Geom2d_Curve& curve) {
     for (int i = 1; i <= bezier->NbPoles(); ++i) check(bezier->Pole(i), bezier->Weight(i));
   } else if (const auto* trimmed = dynamic_cast<const Geom2d_TrimmedCurve*>(&curve)) {
     check_planar_numbers(*trimmed->BasisCurve());
+  } else if (const auto* offset = dynamic_cast<const Geom2d_OffsetCurve*>(&curve)) {
+    check_finite({offset->Offset(), 0, 0}, "the offset of its curve in a face's parameters");
+    check_planar_numbers(*offset->BasisCurve());
   } else {
     check(curve.Value(0.5), 1);
   }

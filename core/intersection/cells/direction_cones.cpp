@@ -188,8 +188,8 @@ Offsets offsets_of(const RationalBezierPatch& piece, const Axes& axes) {
 
 // w S_u or w S_v without the degree: X_u - O w_u - (S - O) w_u. Without weights O and S do not
 // matter.
-VectorBounds direction(const RationalBezierPatch& slope, const Offsets& offsets, double scale,
-                       const Axes& axes) {
+VectorBounds direction(const RationalBezierPatch& slope, const Offsets& offsets,
+                       const SlopeNets& nets, const Axes& axes) {
   Range3 steps;
   Range turn;
   for (const Vec4& p : slope.points.values()) {
@@ -197,7 +197,8 @@ VectorBounds direction(const RationalBezierPatch& slope, const Offsets& offsets,
     turn.add(p[3]);
   }
   const int degree = std::max(slope.degree_u(), slope.degree_v()) + 1;
-  const double slack = 8 * subdivision_error(degree) * scale * (1 + scale);
+  const double slack = 8 * subdivision_error(degree) * nets.scale * (1 + nets.scale) +
+                       8 * nets.heaviest * nets.given_rounding;
   return derivative_direction(steps, offsets.range, turn, slack);
 }
 
@@ -213,10 +214,9 @@ class PoleNet {
         across_u_(of.side == PoleSide::LowU || of.side == PoleSide::HighU),
         low_(of.side == PoleSide::LowU || of.side == PoleSide::LowV),
         pole_(pole) {
-    double heaviest = 0;
-    for (const Vec4& p : of.nets.points.points.values()) heaviest = std::max(heaviest, p[3]);
     rounding_ = subdivision_error(std::max(points_.rows(), points_.columns()) - 1) * of.nets.scale *
-                (1 + heaviest);
+                    (1 + of.nets.heaviest) +
+                2 * of.nets.heaviest * of.nets.given_rounding;
   }
 
   bool across_u() const { return across_u_; }
@@ -306,10 +306,13 @@ Axes axes_of(const BezierSurface& surface) {
   return {first, cross(third, first), third};
 }
 
-SlopeNets slope_nets(const RationalBezierPatch& patch, bool rational) {
+SlopeNets slope_nets(const RationalBezierPatch& patch, bool rational, double given_rounding) {
   SlopeNets nets{patch, differences(patch, true), differences(patch, false), rational};
-  for (const Vec4& p : patch.points.values())
+  nets.given_rounding = given_rounding;
+  for (const Vec4& p : patch.points.values()) {
     nets.scale = std::max({nets.scale, max_norm(p), max_norm(projected(p))});
+    nets.heaviest = std::max(nets.heaviest, p[3]);
+  }
   return nets;
 }
 
@@ -320,8 +323,8 @@ DirectionCones cones_of(const SlopeNets& nets, const Interval& u, const Interval
     offsets = offsets_of(part(nets.points, u, v), axes);
   else
     offsets.range.add({});
-  return {scaled_to_one(direction(part(nets.u, u, v), offsets, nets.scale, axes)),
-          scaled_to_one(direction(part(nets.v, u, v), offsets, nets.scale, axes))};
+  return {scaled_to_one(direction(part(nets.u, u, v), offsets, nets, axes)),
+          scaled_to_one(direction(part(nets.v, u, v), offsets, nets, axes))};
 }
 
 DirectionCones cones_at_pole(const SlopeNets& nets, const Interval& u, const Interval& v,

@@ -49,9 +49,12 @@ struct SlopeNets {
   RationalBezierPatch v;
   bool rational = false;
   double scale = 0;  ///< largest absolute value in the net of the patch, and in its points in space
+  double heaviest = 0;        ///< weight
+  double given_rounding = 0;  ///< of a coordinate of the patch in space
 };
 
-SlopeNets slope_nets(const RationalBezierPatch& patch, bool rational);
+/// given_rounding  of a coordinate of the patch in space, as it is
+SlopeNets slope_nets(const RationalBezierPatch& patch, bool rational, double given_rounding);
 
 /// Over a rectangle of a patch.
 DirectionCones cones_of(const SlopeNets& nets, const Interval& u, const Interval& v,

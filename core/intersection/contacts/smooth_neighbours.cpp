@@ -102,8 +102,8 @@ class Neighbours {
     tree_a_ = &tree_a;
     tree_b_ = &tree_b;
     axes_ = axes;
-    slopes_a_ = slope_nets(tree_a.patch(), tree_a.shape().planes == 4);
-    slopes_b_ = slope_nets(tree_b.patch(), tree_b.shape().planes == 4);
+    slopes_a_ = slopes_of(tree_a);
+    slopes_b_ = slopes_of(tree_b);
     for (const CommonPole& common : poles_) {
       const Vec3 pole = projected(side_points(tree_a.patch(), common.a).front());
       put_pole(slopes_a_, at_poles_a_, common.a, pole);
@@ -123,9 +123,13 @@ class Neighbours {
     Vec3 point;
   };
 
+  static SlopeNets slopes_of(const CellTree& tree) {
+    return slope_nets(tree.patch(), tree.shape().planes == 4, tree.given_rounding());
+  }
+
   static void put_pole(SlopeNets& nets, std::vector<Pole>& poles, const Side& side,
                        const Vec3& pole) {
-    nets = slope_nets(with_pole(nets.points, side, pole), nets.rational);
+    nets = slope_nets(with_pole(nets.points, side, pole), nets.rational, nets.given_rounding);
     poles.push_back({side, pole});
   }
 
