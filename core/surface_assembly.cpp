@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/arcs/arc_chains.h"
+#include "core/intersection/arcs/arcs_along_borders.h"
 #include "core/intersection/arcs/chain_scraps.h"
 #include "core/intersection/contacts/contact_arms.h"
 #include "core/intersection/contacts/contact_chains.h"
@@ -32,8 +33,9 @@ namespace {
 // Cells are halved off their middle: singular points like dyadic lines.
 constexpr double kCut = 0.4865;
 
-constexpr double kOnCurve = 1e-4;  // of the surfaces' size
-constexpr double kPoint = 1e-12;   // likewise: so long is what stays in the apex of a cone
+constexpr double kOnCurve = 1e-4;       // of the surfaces' size
+constexpr double kPoint = 1e-12;        // likewise: so long is what stays in the apex of a cone
+constexpr double kRoundings = 0x1p-46;  // of the coordinates: so far rounding moves a border
 
 // A curve that leaves the surfaces by so many tolerances and so much of their size is none.
 constexpr double kWorst = 100;
@@ -100,6 +102,7 @@ class Assembly {
     std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
     straighten_at_poles(chains, found_, cells_a, cells_b, contacts_, size_,
                         options_.tolerances.point);
+    put_on_borders(found_, cells_a, cells_b, kRoundings * (max_norm(origin_) + size_));
     if (found_.stopped) stop_at_limit();
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
     std::vector<std::optional<IntersectionCurve>> fits = fits_of(cells_a, cells_b, chains);
@@ -222,7 +225,8 @@ class Assembly {
       if (p.patch_a != q.patch_a || p.patch_b != q.patch_b || p.x == q.x) continue;
       FoundArc arc{p.patch_a, p.patch_b, {}, {p.x, q.x}, {-1, -1}};
       for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = q.x[k] - p.x[k];
-      arc.arc.tangential = arc.arc.iso = true;
+      arc.arc.tangential = true;
+      arc.arc.iso = p.x[0] == q.x[0] ? 0 : 1;
       found_.arcs.push_back(arc);
     }
     weaken(Status::Tolerance, kSharedBorder);

@@ -133,7 +133,7 @@ CurvePoint ChainTracer::at(double station, bool after) const {
   const double fraction = std::clamp((station - stations_[link]) / width, 0.0, 1.0);
   CurvePoint p = on_link(link, fraction);
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(chain_.links[link].arc)];
-  const bool to_pole = arc.to_pole || ((arc.arc.iso || arc.arc.tangential) && p.sine == 0);
+  const bool to_pole = arc.to_pole || (arc.arc.tangential && p.sine == 0);
   const bool is_end = fraction <= 0 || fraction >= 1;
   const bool finite = std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second));
   if (finite && p.sine > kLeastSine && !(to_pole && is_end)) return p;
@@ -147,14 +147,20 @@ CurvePoint ChainTracer::at(double station, bool after) const {
     return 3 * (q1.*member - q2.*member) + q3.*member;
   };
   p.sine = std::max(extrapolated(&CurvePoint::sine), 0.0);
-  if (!arc.arc.iso) {  // of which a tells the rest
+  // An iso-line tells everything but the image on the other surface.
+  const bool on_a = arc.arc.iso == 0 || arc.arc.iso == 1, on_b = arc.arc.iso > 1;
+  if (!on_a && !on_b) {
     p.first = unit(extrapolated(&CurvePoint::first));
     p.second = extrapolated(&CurvePoint::second);
+  }
+  if (!on_a) {
     p.a_first = extrapolated(&CurvePoint::a_first);
     p.a_second = extrapolated(&CurvePoint::a_second);
   }
-  p.b_first = extrapolated(&CurvePoint::b_first);
-  p.b_second = extrapolated(&CurvePoint::b_second);
+  if (!on_b) {
+    p.b_first = extrapolated(&CurvePoint::b_first);
+    p.b_second = extrapolated(&CurvePoint::b_second);
+  }
   const double width_here = distance(q3.point, p.point);
   const Vec3 chord = unit(q3.point - p.point) * (step > 0 ? 1.0 : -1.0);
   const bool smooth = dot(p.first, chord) > kStraight && norm(p.second) * width < 1 / kStraight;
@@ -175,7 +181,7 @@ std::optional<CrossingPoint> ChainTracer::beside(double station, const SurfacePo
                                                  double settled) const {
   const int index = chain_.links[link_at(station, true)].arc;
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(index)];
-  if (arc.arc.iso || arc.arc.tangential) return std::nullopt;
+  if (arc.arc.iso >= 0 || arc.arc.tangential) return std::nullopt;
   const SurfaceParameters on_a(a_, arc.patch_a), on_b(b_, arc.patch_b);
   Vec3 x = start.point - origin_;
   Vec2 at_a = on_a.local(start.uv_a), at_b = on_b.local(start.uv_b);
@@ -211,7 +217,8 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
     x[i] = (1 - fraction) * arc.arc.from[i] + fraction * arc.arc.to[i];
   const auto& patch_a = a_.tree(arc.patch_a).patch();
   const auto& patch_b = b_.tree(arc.patch_b).patch();
-  if (arc.arc.iso) return foot_point(patch_a, patch_b, x, kReach).value_or(x);
+  if (arc.arc.iso >= 0)
+    return point_on_iso_line(patch_a, patch_b, x, arc.arc.iso, kReach).value_or(x);
   if (arc.arc.tangential) {
     const auto solution =
         touch_point(patch_a, patch_b, x, touch_line(arc), arc.arc.direction, kReach);
@@ -240,31 +247,39 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
   return y;
 }
 
-// Along an iso-line of a everything follows from it; b's parameters are those of its foot.
+// Along an iso-line everything follows from it; the parameters of the other surface are those of
+// its foot.
 CurvePoint ChainTracer::differentiate_iso(const FoundArc& arc, const Point4& x,
                                           bool forward) const {
   const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
   const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);
-  const int along = arc.arc.from[0] == arc.arc.to[0] ? 1 : 0;
-  const Vec3 &d = along == 0 ? p.u : p.v, &dd = along == 0 ? p.uu : p.vv;
-  const auto k = static_cast<std::size_t>(along);
+  const bool on_a = arc.arc.iso < 2;
+  const PatchJet &own = on_a ? p : q, &other = on_a ? q : p;
+  const int along = 1 - arc.arc.iso % 2;
+  const Vec3 &d = along == 0 ? own.u : own.v, &dd = along == 0 ? own.uu : own.vv;
+  const auto k = static_cast<std::size_t>(arc.arc.iso ^ 1);
   // By arc length: r' = +-1 / |d|, r'' = -(d . dd) / |d|^4.
   const double square = dot(d, d);
   const double sign = (arc.arc.to[k] > arc.arc.from[k]) == forward ? 1 : -1;
-  Vec2 rate_a, second_a;
-  rate_a[along] = sign / std::sqrt(square);
-  second_a[along] = -dot(d, dd) / (square * square);
+  Vec2 rate, second;
+  rate[along] = sign / std::sqrt(square);
+  second[along] = -dot(d, dd) / (square * square);
   CurvePoint result;
-  result.point = p.point + origin_;
-  result.first = d * rate_a[along];
-  result.second = dd * (rate_a[along] * rate_a[along]) + d * second_a[along];
-  result.sine = is_pole(q) ? 0 : 1;
-  const Vec2 rate_b = rates(q.u, q.v, result.first);
-  const Vec2 second_b = rates(q.u, q.v, result.second - second_form(q, rate_b));
-  to_own(a_.surface(), a_.knots_u(arc.patch_a), a_.knots_v(arc.patch_a), x[0], x[1], rate_a,
-         second_a, result.a, result.a_first, result.a_second);
-  to_own(b_.surface(), b_.knots_u(arc.patch_b), b_.knots_v(arc.patch_b), x[2], x[3], rate_b,
-         second_b, result.b, result.b_first, result.b_second);
+  result.point = own.point + origin_;
+  result.first = d * rate[along];
+  result.second = dd * (rate[along] * rate[along]) + d * second[along];
+  if (arc.arc.tangential)
+    result.sine = is_pole(other) ? 0 : 1;
+  else
+    result.sine = norm(cross(unit(cross(p.u, p.v)), unit(cross(q.u, q.v))));
+  const Vec2 rate_other = rates(other.u, other.v, result.first);
+  const Vec2 second_other = rates(other.u, other.v, result.second - second_form(other, rate_other));
+  to_own(a_.surface(), a_.knots_u(arc.patch_a), a_.knots_v(arc.patch_a), x[0], x[1],
+         on_a ? rate : rate_other, on_a ? second : second_other, result.a, result.a_first,
+         result.a_second);
+  to_own(b_.surface(), b_.knots_u(arc.patch_b), b_.knots_v(arc.patch_b), x[2], x[3],
+         on_a ? rate_other : rate, on_a ? second_other : second, result.b, result.b_first,
+         result.b_second);
   return result;
 }
 
@@ -317,7 +332,7 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
 }
 
 CurvePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool forward) const {
-  if (arc.arc.iso) return differentiate_iso(arc, x, forward);
+  if (arc.arc.iso >= 0) return differentiate_iso(arc, x, forward);
   if (arc.arc.tangential) return differentiate_valley(arc, x, forward);
   const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
   const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);

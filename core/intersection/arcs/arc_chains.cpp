@@ -432,7 +432,7 @@ std::size_t links_near_end(const Chain& chain, const PairSearchResult& found, Su
   const Vec3 end = point(0, false);
   std::size_t near = 0;
   while (near < count && arc(near).patch_a == first.patch_a && arc(near).patch_b == first.patch_b &&
-         !arc(near).arc.tangential && !arc(near).arc.iso &&
+         !arc(near).arc.tangential && arc(near).arc.iso < 0 &&
          distance(end, point(near, true)) <= reach)
     ++near;
   return near;

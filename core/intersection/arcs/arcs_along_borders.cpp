@@ -12,6 +12,7 @@
 #include "core/forms/evaluation.h"
 #include "core/intersection/arcs/exact_borders.h"
 #include "core/intersection/arcs/regular_contact.h"
+#include "core/intersection/contacts/contact_points.h"
 
 namespace blossom {
 namespace {
@@ -25,6 +26,12 @@ constexpr long kBuckets = 100'000;         // of a patch: lines in one are looke
 // An arc is repeated if others have so much of it. What they leave out is a contact's on their
 // side, or a branch ends there, which is told.
 constexpr double kMostOfIt = 0.5;
+// An arc along a border is no shorter than this part of a patch, and its ends are as near the
+// border as this, of the arc's length and of a patch: one that touches the border there is not.
+constexpr double kShortestAlong = 1e-4;
+constexpr double kBesideBorder = 1e-6;
+constexpr double kAtBorder = 1e-9;
+constexpr double kFootReach = 0.5;  // of a patch
 
 // Parameters over whole surfaces: index of the span plus the local parameter.
 struct Chord {
@@ -170,7 +177,48 @@ class ArcsOnLines {
   std::map<std::pair<std::size_t, long>, Line> lines_;  // by parameter and bucket
 };
 
+// True if a parameter of an arc is that of a border of its whole surface at both ends.
+bool is_on_border(const FoundArc& arc, int k, const SurfaceCells& a, const SurfaceCells& b) {
+  const auto i = static_cast<std::size_t>(k);
+  const double border = arc.arc.from[i] < 0.5 ? 0 : 1;
+  const SurfaceCells& cells = k < 2 ? a : b;
+  const BezierSurface& surface = cells.surface();
+  const int patch = k < 2 ? arc.patch_a : arc.patch_b;
+  const int span = k % 2 == 0 ? cells.span_u(patch) : cells.span_v(patch);
+  const int last = (k % 2 == 0 ? surface.patches.rows() : surface.patches.columns()) - 1;
+  const double run = std::abs(arc.arc.to[i ^ 1] - arc.arc.from[i ^ 1]);
+  const double most = std::min(kAtBorder, kBesideBorder * run);
+  return !(k % 2 == 0 ? surface.closed_u : surface.closed_v) && span == (border == 0 ? 0 : last) &&
+         run >= kShortestAlong && std::abs(arc.arc.from[i] - border) <= most &&
+         std::abs(arc.arc.to[i] - border) <= most;
+}
+
+bool runs_on_border(const FoundArc& arc, int k, SurfaceCells& a, SurfaceCells& b, double rounding) {
+  const auto &patch_a = a.tree(arc.patch_a).patch(), &patch_b = b.tree(arc.patch_b).patch();
+  return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double t) {
+    Point4 x;
+    for (std::size_t i = 0; i < 4; ++i) x[i] = (1 - t) * arc.arc.from[i] + t * arc.arc.to[i];
+    const auto on = point_on_iso_line(patch_a, patch_b, x, k, kFootReach);
+    return on && distance(point_at(patch_a, (*on)[0], (*on)[1]),
+                          point_at(patch_b, (*on)[2], (*on)[3])) <= rounding;
+  });
+}
+
 }  // namespace
+
+void put_on_borders(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double rounding) {
+  for (FoundArc& arc : found.arcs)
+    for (int k = 0; k < 4; ++k) {
+      if (arc.arc.tangential || arc.arc.iso >= 0 || arc.to_pole || !is_on_border(arc, k, a, b))
+        continue;
+      const auto i = static_cast<std::size_t>(k);
+      FoundArc on_border = arc;
+      on_border.arc.from[i] = on_border.arc.to[i] = arc.arc.from[i] < 0.5 ? 0 : 1;
+      if (!runs_on_border(on_border, k, a, b, rounding)) continue;
+      on_border.arc.iso = k;
+      arc = on_border;
+    }
+}
 
 void drop_repeated_arcs(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double size,
                         double shortest) {

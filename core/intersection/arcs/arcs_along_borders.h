@@ -19,4 +19,11 @@ namespace blossom {
 void drop_repeated_arcs(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double size,
                         double shortest);
 
+/// Marks the arcs that run along a border of a whole surface from end to end: both ends are on it,
+/// and the other surface passes through it in between. Where the surfaces are nearly parallel
+/// rounding would lead points of such an arc beyond the border.
+///
+/// rounding   largest distance of the other surface, model units
+void put_on_borders(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double rounding);
+
 }  // namespace blossom

@@ -33,7 +33,7 @@ struct CellArc {
   bool slides = false;      ///< it runs along the border of the pair
   bool tangential = false;  ///< the surfaces touch along it
   bool crosses = false;     ///< likewise, and they cross there: contact of odd order
-  bool iso = false;  ///< it runs along an iso-line of a: one of u, v is the same at both ends
+  int iso = -1;             ///< the parameter on whose iso-line it runs from end to end; or -1
   /// The parameter along whose border of the pair it runs, if a neighbour may hold it, too; or -1.
   int shared_border = -1;
   bool upper = false;  ///< that border is the upper one

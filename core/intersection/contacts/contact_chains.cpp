@@ -20,8 +20,8 @@ constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this
 constexpr double kOnBorder = 1e-9;   // of a patch
 constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
-
-constexpr double kLeastReach = 1e-3;  // of the size: how far off a contact's centre may be
+constexpr double kGrows = 2;           // times, from end to end: no strip of even gap
+constexpr double kLeastReach = 1e-3;   // of the size: how far off a contact's centre may be
 
 class Joiner {
  public:
@@ -47,6 +47,7 @@ class Joiner {
       if (partner_[e] < 0 && !used_[e / 2]) chains.push_back(walk(e));
     for (std::size_t e = 0; e < ends; e += 2)
       if (!used_[e / 2]) chains.push_back(walk(e));
+    std::erase_if(chains, [&](const ContactChain& chain) { return is_beside_branch(chain); });
     const ContactExtent extent(a_, size_, tolerance_);
     for (ContactChain& chain : chains) extent.measure(chain);
     const std::size_t clumps_from = chains.size();
@@ -245,7 +246,9 @@ class Joiner {
 
   ContactChain walk(std::size_t first) {
     ContactChain chain;
+    const auto leaves = [&](std::size_t end) { return contact(end / 2).leaves[end % 2]; };
     chain.arms[0] = arms_[first];
+    chain.leaves[0] = leaves(first);
     std::size_t end = first;
     while (true) {
       used_[end / 2] = true;
@@ -253,6 +256,7 @@ class Joiner {
       const std::size_t far = end ^ 1;
       if (partner_[far] < 0) {
         chain.arms[1] = arms_[far];
+        chain.leaves[1] = leaves(far);
         return chain;
       }
       end = static_cast<std::size_t>(partner_[far]);
@@ -263,9 +267,45 @@ class Joiner {
     }
   }
 
+  // A larger gap is none.
+  double most_rounding() const { return kRoundingGap * tolerance_; }
+
+  // True if the surfaces only come closer up to an end in the middle of both patches, where the
+  // next cell has nothing of the contact: what is near is a branch there.
+  bool is_beside_branch(const ContactChain& chain) const {
+    if (chain.arm_count() > 0 || chain.closed) return false;
+    const auto grows = [&](auto first, auto last) {
+      const auto next_is_closer = [](const ContactPoint& p, const ContactPoint& q) {
+        return q.gap <= p.gap;
+      };
+      return first->gap > most_rounding() && is_inside(first->x) &&
+             std::prev(last)->gap > kGrows * first->gap &&
+             std::adjacent_find(first, last, next_is_closer) == last;
+    };
+    const auto& path = chain.path;
+    return path.size() > 1 && ((chain.leaves[0] && grows(path.begin(), path.end())) ||
+                               (chain.leaves[1] && grows(path.rbegin(), path.rend())));
+  }
+
+  static bool is_inside(const Point4& x) {
+    return std::ranges::all_of(x, [](double t) { return t > kOnBorder && t < 1 - kOnBorder; });
+  }
+
+  // A candidate for the point of a contact. Along branches all gaps are but rounding: among points
+  // like those one with a common normal is the node that the branches go through.
+  struct Closest {
+    ContactPoint point;
+    bool normal = false;  // common to both surfaces
+
+    bool is_better_than(const Closest& other, double rounding) const {
+      if (std::max(point.gap, other.point.gap) <= rounding && normal != other.normal) return normal;
+      return point.gap < other.point.gap;
+    }
+  };
+
   // A point of least distance near a pair of cells: a crossing, where the surfaces are not
   // parallel, or a point with common normal.
-  ContactPoint closest_in(const CriticalPair& pair) const {
+  Closest closest_in(const CriticalPair& pair) const {
     const auto& patch_a = a_.tree(pair.patch_a).patch();
     const auto& patch_b = b_.tree(pair.patch_b).patch();
     Point4 middle;
@@ -274,20 +314,22 @@ class Joiner {
       middle[k] = at(pair.box[k], 0.5);
       reach = std::max(reach, 1.5 * length(pair.box[k]));
     }
-    ContactPoint best{pair.patch_a, pair.patch_b, middle, 1e300};
-    const auto consider = [&](const std::optional<Point4>& found) {
+    Closest best{{pair.patch_a, pair.patch_b, middle, 1e300}};
+    const auto consider = [&](const std::optional<Point4>& found, bool normal) {
       if (!found) return;
-      ContactPoint p{pair.patch_a, pair.patch_b, moved_into(patch_a, patch_b, *found, kPolishReach),
-                     0};
+      const Point4 x = moved_into(patch_a, patch_b, *found, kPolishReach);
+      ContactPoint p{pair.patch_a, pair.patch_b, x, 0};
       p.gap = distance(point(p.patch_a, p.x), point_at(patch_b, p.x[2], p.x[3]));
-      if (p.gap < best.gap) best = p;
+      const bool stays = distance(point(p.patch_a, *found), point(p.patch_a, x)) <= most_rounding();
+      const Closest next{p, normal && stays};
+      if (next.is_better_than(best, most_rounding())) best = next;
     };
-    consider(middle);
-    consider(collinear_normal_point(patch_a, patch_b, middle, reach));
-    for (std::size_t k = 0; k < 4 && best.gap > 0; ++k) {
+    consider(middle, false);
+    consider(collinear_normal_point(patch_a, patch_b, middle, reach), true);
+    for (std::size_t k = 0; k < 4 && best.point.gap > 0; ++k) {
       Point4 plane{};
       plane[k] = 1;
-      consider(curve_point(patch_a, patch_b, middle, plane, reach));
+      consider(curve_point(patch_a, patch_b, middle, plane, reach), false);
     }
     return best;
   }
@@ -298,15 +340,20 @@ class Joiner {
     chain.box = clump.box;
     chain.length = diagonal(clump.box);
     chain.regular = crosses_regularly(found_, clump.pairs, a_, b_);
-    ContactPoint best;
-    best.gap = 1e300;
+    Closest best;
+    best.point.gap = 1e300;
+    const auto consider = [&](int index) {
+      const Closest next = closest_in(found_.critical[static_cast<std::size_t>(index)]);
+      if (next.is_better_than(best, most_rounding())) best = next;
+    };
+    // Round a node the surfaces stay together longest, so its own cells are the widest.
+    consider(*std::ranges::max_element(clump.pairs, {}, [&](int index) {
+      const auto& box = found_.critical[static_cast<std::size_t>(index)].box;
+      return length(box[0]) * length(box[1]);
+    }));
     const std::size_t step = clump.pairs.size() / kClosestStarts + 1;
-    for (std::size_t i = 0; i < clump.pairs.size(); i += step) {
-      const CriticalPair& pair = found_.critical[static_cast<std::size_t>(clump.pairs[i])];
-      const ContactPoint p = closest_in(pair);
-      if (p.gap < best.gap) best = p;
-    }
-    chain.path = {best};
+    for (std::size_t i = 0; i < clump.pairs.size(); i += step) consider(clump.pairs[i]);
+    chain.path = {best.point};
     return chain;
   }
 

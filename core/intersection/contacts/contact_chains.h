@@ -36,6 +36,7 @@ struct ContactPoint {
 struct ContactChain {
   std::vector<ContactPoint> path;
   std::array<std::vector<ArcEnd>, 2> arms;  ///< branches that begin at either end of it
+  std::array<bool, 2> leaves{};  ///< by end: its cell's border is there, and the next has nothing
   bool closed = false;
   bool curve = false;     ///< a tangential curve; else a point: a touch, a node, a fold or a cusp
   bool pole = false;      ///< a point that one of the surfaces has under many parameters

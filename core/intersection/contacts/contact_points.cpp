@@ -197,6 +197,14 @@ std::optional<Point4> foot_point(const RationalBezierPatch& a, const RationalBez
       kAlways);
 }
 
+std::optional<Point4> point_on_iso_line(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                        const Point4& start, int k, double reach) {
+  if (k < 2) return foot_point(a, b, start, reach);
+  const auto foot = foot_point(b, a, {start[2], start[3], start[0], start[1]}, reach);
+  if (!foot) return std::nullopt;
+  return Point4{(*foot)[2], (*foot)[3], start[2], start[3]};
+}
+
 Point4 moved_into(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
                   double reach) {
   const auto clamped = [](Point4 p) {
@@ -206,9 +214,7 @@ Point4 moved_into(const RationalBezierPatch& a, const RationalBezierPatch& b, co
   const Point4 p = clamped(x);
   const bool moved_a = p[0] != x[0] || p[1] != x[1], moved_b = p[2] != x[2] || p[3] != x[3];
   if (moved_a == moved_b) return p;
-  if (moved_a) return clamped(foot_point(a, b, p, reach).value_or(p));
-  const auto foot = foot_point(b, a, {p[2], p[3], p[0], p[1]}, reach);
-  return foot ? clamped({(*foot)[2], (*foot)[3], p[2], p[3]}) : p;
+  return clamped(point_on_iso_line(a, b, p, moved_a ? 0 : 2, reach).value_or(p));
 }
 
 Point4 touch_tangent(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,

@@ -12,6 +12,9 @@
 
 namespace blossom {
 
+/// A smaller distance of the surfaces may be rounding. Of the tolerance.
+inline constexpr double kRoundingGap = 1.0 / 64;
+
 /// The point of A(u, v) = B(s, t) in a plane of the parameters.
 ///
 /// returns   nothing if the steps do not settle or lead farther than `reach` (in each parameter)
@@ -38,6 +41,10 @@ std::optional<Point4> touch_point(const RationalBezierPatch& a, const RationalBe
 /// The point with the same (u, v) whose foot on B is (s, t).
 std::optional<Point4> foot_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                  const Point4& start, double reach);
+
+/// The same for k = 0 or 1; for 2 and 3 the point with the same (s, t) whose foot on A is (u, v).
+std::optional<Point4> point_on_iso_line(const RationalBezierPatch& a, const RationalBezierPatch& b,
+                                        const Point4& start, int k, double reach);
 
 /// The point within both patches nearest to one beside them: what moves to a border of one patch
 /// takes its foot on the other along, as far as `reach` (in each parameter).

@@ -31,7 +31,6 @@ constexpr double kThinnest = 1.0 / 256;  // width of a cell to its length
 constexpr long kMostCells = 60'000;      // per pair of patches
 constexpr long kAskEvery = 16;           // cells between looks at the clock
 constexpr double kRegularMargin = 4;     // see `clearly_regular`
-constexpr double kFlat = 1.0 / 64;       // of the tolerance: a smaller gap may be rounding
 constexpr double kBoxReserve = 0.1;      // of the box round a cell's foot points
 
 // A chart of b and the cells of its piece.
@@ -198,7 +197,7 @@ class ContactSearch {
     if (claimed == ChartClaims::Claim::Partly) return false;
     const double most = std::max(std::abs(gap.low), std::abs(gap.high));
     if (most + error <= tolerance()) {
-      const bool flat = most < std::max(kFlat * tolerance(), error);
+      const bool flat = most < std::max(kRoundingGap * tolerance(), error);
       if (flat || !add_crossing(a, model, foot, chart))
         keep(a, foot[0], foot[1], chart.piece[0], true);
       claims_.claim(chart.index);

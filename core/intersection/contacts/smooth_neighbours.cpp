@@ -365,7 +365,8 @@ FoundArc arc_along(const CommonSide& side, int patch_a, int patch_b) {
   arc.arc.from = place_of(side.a.at(0), side.b.at(side.on_b(0)));
   arc.arc.to = place_of(side.a.at(1), side.b.at(side.on_b(1)));
   for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = arc.arc.to[k] - arc.arc.from[k];
-  arc.arc.tangential = arc.arc.iso = true;
+  arc.arc.tangential = true;
+  arc.arc.iso = arc.arc.from[0] == arc.arc.to[0] ? 0 : 1;
   return arc;
 }
 

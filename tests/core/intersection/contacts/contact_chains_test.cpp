@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,7 @@
 #include "tests/core/tracing/surface_pairs.h"
 #include "tests/support/components.h"
 #include "tests/support/cubic_family.h"
+#include "tests/support/random.h"
 #include "tests/support/surface_changes.h"
 
 namespace blossom {
@@ -22,6 +24,20 @@ BezierSurface turned(const BezierSurface& surface, double angle) {
   testing::Motion turn;
   turn.rotation = {Vec3{c, -s, 0}, Vec3{s, c, 0}, Vec3{0, 0, 1}};
   return moved(surface, turn);
+}
+
+// Of a graph's curve over a chord.
+double length_over(const testing::Cubic& z, const Vec2& from, const Vec2& to) {
+  constexpr int kSteps = 2000;
+  double sum = 0;
+  Vec3 last{from[0], from[1], z(from[0], from[1])};
+  for (int i = 1; i <= kSteps; ++i) {
+    const Vec2 x = from + (static_cast<double>(i) / kSteps) * (to - from);
+    const Vec3 next{x[0], x[1], z(x[0], x[1])};
+    sum += distance(last, next);
+    last = next;
+  }
+  return sum;
 }
 
 // A torus touches the cylinder round it along its outer equator. Each surface's parameters jump at
@@ -122,6 +138,53 @@ TEST(ContactChains, MeetWhereABranchEndsOnOneAlongABorder) {
                     1e-9);
       }
   }
+}
+
+// Small and far from the origin: control points are rounded, so that the branch along the border is
+// beside it near the node.
+TEST(ContactChains, MeetInTheSameNodeWhereverThePairIs) {
+  testing::Random random = testing::seeded(4);
+  const testing::Cubic base = testing::base_cubic();
+  for (int draw = 0; draw < 8; ++draw) {
+    SCOPED_TRACE(draw);
+    const double p = testing::uniform(random, 0.2, 0.8);
+    const testing::Cubic h = testing::linear(0, 1, 0) * testing::linear(-p, 0.1, 1);
+    testing::Motion motion = testing::random_motion(random);
+    for (const double scale : {1e-2, 1e-3}) {
+      SCOPED_TRACE(scale);
+      motion.scale = scale;
+      const auto placed = [&](const BezierSurface& surface) { return moved(surface, motion); };
+      const BezierSurface a = placed(testing::graph(base + 0.25 * h, {0, 0}, {1, 0}, {0, 1}));
+      const BezierSurface b = placed(testing::graph(base, {-0.6, 0.3}, {1.6, -1.2}, {1.2, 1.6}));
+      const double length =
+          length_over(base, {0, 0}, {0, 1}) + length_over(base, {0, p}, {1, p - 0.1});
+
+      const SurfaceIntersection found = intersect(a, b, {.tolerances = {.point = 1e-7 * scale}});
+
+      EXPECT_EQ(testing::components(found), (testing::Components{.open = 3, .nodes = 1}));
+      double sum = 0;
+      for (const IntersectionCurve& curve : found.curves) {
+        sum += curve.length;
+        EXPECT_LT(curve.samples.size(), 500u);
+      }
+      EXPECT_NEAR(sum, scale * length, 1e-5 * scale);
+    }
+  }
+}
+
+// Two cells share the loop's flank, where the surfaces are within the tolerance of each other, but
+// only one of them has the loop.
+TEST(ContactChains, AreNoneBesideTheBranchOfTheNextCell) {
+  for (const double x : {0.4, 0.45, 0.5, 0.55, 0.58, 0.6})
+    for (const double y : {0.4, 0.5, 0.58}) {
+      SCOPED_TRACE(x);
+      SCOPED_TRACE(y);
+      const testing::Cubic h = 2.5e-5 * testing::loop(x, y, 0.155);
+      const BezierSurface a = testing::graph(testing::base_cubic() + h, {0, 0}, {1, 0}, {0, 1});
+      const BezierSurface b = testing::graph(testing::base_cubic(), {0, 0}, {1, 0}, {0, 1});
+      EXPECT_EQ(testing::components(intersect(a, b)), (testing::Components{.closed = 1}));
+      EXPECT_EQ(testing::components(intersect(b, a)), (testing::Components{.closed = 1}));
+    }
 }
 
 }  // namespace
