@@ -71,6 +71,8 @@ const TopoDS_Vertex& FaceSplitter::shape_of(int vertex, const Strand& strand, do
     BRep_Builder().MakeVertex(
         of.shape, pnt(space_point(cuts_[static_cast<std::size_t>(strand.cut)], parameter)),
         Precision::Confusion());
+  // Cuts that cross beside their vertex would be wires that intersect each other.
+  if (of.touch > 0) BRep_Builder().UpdateVertex(of.shape, of.touch);
   return of.shape;
 }
 

@@ -301,6 +301,7 @@ void FaceSplitter::add_crossings() {
         const int node = node_near(crossing.point);
         Vertex& at = vertices_[static_cast<std::size_t>(node)];
         at.blur = std::max(at.blur, crossing.blur);
+        at.touch = std::max(at.touch, crossing.blur);
         for (const double t : crossing.a) a.stops.emplace_back(t, node);
         for (const double t : crossing.b) b.stops.emplace_back(t, node);
       }
@@ -449,6 +450,7 @@ void FaceSplitter::unite(int kept, int left) {
   Vertex& of = vertices_[static_cast<std::size_t>(kept)];
   const Vertex& other = vertices_[static_cast<std::size_t>(left)];
   of.blur = std::max({of.blur, other.blur, kMargin * distance(of.point, other.point)});
+  of.touch = std::max(of.touch, other.touch);
   for (auto& tied : ties_)
     if (tied.second == left) tied.second = kept;
   for (Strand& strand : strands_)

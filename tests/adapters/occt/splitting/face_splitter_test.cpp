@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -291,6 +293,22 @@ TEST(FaceSplitter, CutsThatMeetInOnePointInsideDivideTogether) {
       split_face(face, {line_cut(face, {1, 0}, {2, 2}), line_cut(face, {2, 2}, {0, 3}),
                         line_cut(face, {4, 2}, {2, 2})});
   expect_sound(face, split, 3);
+}
+
+// A circle in another one that it touches, and crosses twice beside that by what they are off.
+TEST(FaceSplitter, CutsThatTouchMeetInOneVertexThatCoversTheirCrossings) {
+  constexpr double kOff = 2e-9;
+  const double reach = std::sqrt(2 * kOff);
+  const TopoDS_Face face = square();
+  const FaceSplit split =
+      split_face(face, {loop_cut(face, {2, 2}, 1), loop_cut(face, {2, 2.5 + kOff}, 0.5)});
+  expect_sound(face, split, 3);
+  double widest = 0;
+  for (const FacePiece& piece : split.pieces)
+    for (TopExp_Explorer it(piece.face, TopAbs_VERTEX); it.More(); it.Next())
+      widest = std::max(widest, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
+  EXPECT_GE(widest, 0.9 * reach);
+  EXPECT_LE(widest, 2 * reach);
 }
 
 TEST(FaceSplitter, RepeatedCutDividesOnce) {
