@@ -157,6 +157,7 @@ class Nodes {
     }
     node.blur =
         kMargin * std::max(distance(node.point, first.point), distance(node.point, last.point));
+    node.beside = {first.a, last.a};
     return node;
   }
 

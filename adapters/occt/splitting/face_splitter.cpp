@@ -301,7 +301,10 @@ void FaceSplitter::add_crossings() {
         const int node = node_near(crossing.point);
         Vertex& at = vertices_[static_cast<std::size_t>(node)];
         at.blur = std::max(at.blur, crossing.blur);
-        at.touch = std::max(at.touch, crossing.blur);
+        const Spline& curve = cuts_[static_cast<std::size_t>(a.cut)].curve;
+        for (const double t : crossing.beside)
+          at.touch = std::max(at.touch, kMargin * distance(point_at(curve, crossing.a.front()),
+                                                           point_at(curve, t)));
         for (const double t : crossing.a) a.stops.emplace_back(t, node);
         for (const double t : crossing.b) b.stops.emplace_back(t, node);
       }

@@ -132,7 +132,7 @@ class FaceSplitter {
     int loop = -1, coedge = -1, split = -1;
     TopoDS_Vertex shape = {};  // of nodes, once an edge needed it
     double blur = 0;           // how far from the point lies what is this vertex as well
-    double touch = 0;          // how far from it cuts that touch in it cross each other as well
+    double touch = 0;          // in space, how far from it cuts that touch in it cross as well
   };
   // A cut as it lies over the face, moved by whole periods.
   struct Strand {
