@@ -210,23 +210,24 @@ void CurveAssembly::add(Candidate point) {
   points_.push_back(point);
 }
 
+bool CurveAssembly::is_on(const CurveOverlap& run, const Candidate& point) const {
+  if (a_.stays_near(point.at_a, run.a.from, tolerance_) &&
+      b_.stays_near(point.at_b, run.b.from, tolerance_))
+    return true;
+  if (a_.stays_near(point.at_a, run.a.to, tolerance_) &&
+      b_.stays_near(point.at_b, run.b.to, tolerance_))
+    return true;
+  const Interval on_b = increasing(run.b);
+  if (point.at_a < run.a.from || point.at_a > run.a.to || point.at_b < on_b.from ||
+      point.at_b > on_b.to)
+    return false;
+  const double part = (point.at_a - run.a.from) / length(run.a);
+  const SpanPoint foot = foot_along(b_, point.foot.jet_a.point, at(run.b, part));
+  return b_.stays_near(b_.parameter(foot), point.at_b, tolerance_);
+}
+
 bool CurveAssembly::on_overlap(const Candidate& point) const {
-  for (const CurveOverlap& run : overlaps_) {
-    if (a_.stays_near(point.at_a, run.a.from, tolerance_) &&
-        b_.stays_near(point.at_b, run.b.from, tolerance_))
-      return true;
-    if (a_.stays_near(point.at_a, run.a.to, tolerance_) &&
-        b_.stays_near(point.at_b, run.b.to, tolerance_))
-      return true;
-    const Interval on_b = increasing(run.b);
-    if (point.at_a < run.a.from || point.at_a > run.a.to || point.at_b < on_b.from ||
-        point.at_b > on_b.to)
-      continue;
-    const double part = (point.at_a - run.a.from) / length(run.a);
-    const SpanPoint foot = foot_along(b_, point.foot.jet_a.point, at(run.b, part));
-    if (b_.stays_near(b_.parameter(foot), point.at_b, tolerance_)) return true;
-  }
-  return false;
+  return std::ranges::any_of(overlaps_, [&](const CurveOverlap& run) { return is_on(run, point); });
 }
 
 // Whether a contact goes on into a run, whose ends need not be the ends of the contact.
@@ -331,6 +332,7 @@ CurveIntersection CurveAssembly::finish(const std::vector<SharedSpans>& shared,
     if (!on_overlap(point)) add(point);
   }
   add_contacts(found.contacts);
+  join_overlaps();
   for (Candidate end : ends_) {
     const bool corner = is_kink(a_, end.a) || is_kink(b_, end.b);
     if (!corner || on_overlap(end)) continue;

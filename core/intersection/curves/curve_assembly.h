@@ -5,6 +5,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "core/intersection/curves/curve_result.h"
@@ -33,6 +35,8 @@ class CurveAssembly {
   CurveIntersection finish(const std::vector<SharedSpans>& shared, const CurveFindings& found);
 
  private:
+  static constexpr int kSamples = 33;  // of a run
+
   struct Candidate {
     SpanPoint a, b;
     double at_a = 0, at_b = 0;  // parameters of the curves
@@ -57,13 +61,18 @@ class CurveAssembly {
   bool are_one(const Candidate& p, double at_a, double at_b) const;
   void add(Candidate point);
   void add_overlaps(const std::vector<SharedSpans>& shared);
+  bool is_on(const CurveOverlap& run, const Candidate& point) const;
   bool on_overlap(const Candidate& point) const;
   bool beside_overlap(const Candidate& point) const;
   void add_contacts(std::vector<CurveContact> contacts);
   void add_run(const CurveContact& run);
   CurveFoot foot_of(const CurveOverlap& run, double part) const;
   Interval reach_of(const CurveOverlap& run) const;
+  bool is_at_end(const CurveFoot& foot) const;
+  std::array<double, kSamples> gaps_in(const CurveOverlap& run, const Interval& reach) const;
   bool is_common(const CurveOverlap& run) const;
+  std::optional<CurveOverlap> end_to_end(const CurveOverlap& run) const;
+  void join_overlaps();
   Candidate nearest_in(const CurveOverlap& run, double sample) const;
   void add_cusp(const CurveContact& run);
   CurveOverlap trimmed(const CurveContact& run) const;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/intersection/contacts/contact_length.h"
@@ -13,13 +15,13 @@
 namespace blossom {
 namespace {
 
-constexpr int kSamples = 33;
 constexpr double kReachStep = 0.125;  // of a run
 constexpr int kSections = 50;         // golden ones, of a part of a run
 
 }  // namespace
 
-// Pieces that follow each other on both curves, as runs.
+// Pieces that follow each other on both curves, as runs. Where spans of both curves end beside each
+// other the pieces do too, at each other's feet: less than the tolerance may be missing between.
 void CurveAssembly::add_contacts(std::vector<CurveContact> contacts) {
   std::sort(contacts.begin(), contacts.end(),
             [](const CurveContact& x, const CurveContact& y) { return x.a.from < y.a.from; });
@@ -29,11 +31,16 @@ void CurveAssembly::add_contacts(std::vector<CurveContact> contacts) {
     while (root[i] != i) i = root[i] = root[root[i]];
     return i;
   };
+  const auto follow = [&](const CurveTree& tree, const Interval& p, const Interval& q) {
+    if (overlap(p, q)) return true;
+    return p.to < q.from ? tree.stays_near(p.to, q.from, tolerance_)
+                         : tree.stays_near(q.to, p.from, tolerance_);
+  };
   std::vector<std::size_t> active;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    std::erase_if(active, [&](std::size_t k) { return contacts[k].a.to < contacts[i].a.from; });
+    std::erase_if(active, [&](std::size_t k) { return !follow(a_, contacts[k].a, contacts[i].a); });
     for (const std::size_t k : active)
-      if (overlap(contacts[k].b, contacts[i].b)) root[find(i)] = find(k);
+      if (follow(b_, contacts[k].b, contacts[i].b)) root[find(i)] = find(k);
     active.push_back(i);
   }
   std::vector<CurveContact> runs(contacts.size());
@@ -89,24 +96,78 @@ CurveFoot CurveAssembly::foot_of(const CurveOverlap& run, double part) const {
 // to be a crossing or proven apart there belongs to the contact all the same.
 Interval CurveAssembly::reach_of(const CurveOverlap& run) const {
   const Interval domain = a_.curve().domain();
-  const auto reached = [&](double end, double step) {
-    for (;; step *= 1.5) {
-      const double parameter = at(run.a, end + step);
-      if (!(parameter >= domain.from && parameter <= domain.to)) return end;
-      if (norm(foot_of(run, end + step).gap()) > tolerance_) return end;
-      end += step;
+  const auto reached = [&](double end, double limit, double step) {
+    for (; end != limit; step *= 1.5) {
+      const double next = step > 0 ? std::min(end + step, limit) : std::max(end + step, limit);
+      if (norm(foot_of(run, next).gap()) > tolerance_) break;
+      end = next;
     }
+    return end;
   };
-  return {reached(0, -kReachStep), reached(1, kReachStep)};
+  const auto part_at = [&](double parameter) { return (parameter - run.a.from) / length(run.a); };
+  return {reached(0, std::min(0.0, part_at(domain.from)), -kReachStep),
+          reached(1, std::max(1.0, part_at(domain.to)), kReachStep)};
+}
+
+// An end of one of the curves is the place, or cannot be told from it.
+bool CurveAssembly::is_at_end(const CurveFoot& foot) const {
+  const auto near_end = [&](const CurveTree& tree, const SpanPoint& place) {
+    const Interval domain = tree.curve().domain();
+    const double parameter = tree.parameter(place);
+    return tree.stays_near(parameter, domain.from, tolerance_) ||
+           tree.stays_near(parameter, domain.to, tolerance_);
+  };
+  return near_end(a_, foot.a) || near_end(b_, foot.b);
+}
+
+std::array<double, CurveAssembly::kSamples> CurveAssembly::gaps_in(const CurveOverlap& run,
+                                                                   const Interval& reach) const {
+  std::array<double, kSamples> gaps{};
+  for (std::size_t i = 0; i < kSamples; ++i)
+    gaps[i] = norm(foot_of(run, at(reach, static_cast<double>(i) / (kSamples - 1))).gap());
+  return gaps;
 }
 
 // The curves are one along most of a contact, or side by side.
 bool CurveAssembly::is_common(const CurveOverlap& run) const {
+  return is_common_run(gaps_in(run, reach_of(run)), tolerance_, margin_);
+}
+
+// All of a contact, if it goes on from end to end of one of the curves: that is a run however the
+// gap varies, since curves with but points of contact would part before.
+std::optional<CurveOverlap> CurveAssembly::end_to_end(const CurveOverlap& run) const {
   const Interval reach = reach_of(run);
-  std::array<double, kSamples> gaps{};
-  for (std::size_t i = 0; i < kSamples; ++i)
-    gaps[i] = norm(foot_of(run, at(reach, static_cast<double>(i) / (kSamples - 1))).gap());
-  return is_common_run(gaps, tolerance_, margin_);
+  const CurveFoot first = foot_of(run, reach.from), last = foot_of(run, reach.to);
+  if (!is_at_end(first) || !is_at_end(last)) return std::nullopt;
+  const double most = std::ranges::max(gaps_in(run, reach));
+  if (most > tolerance_ + margin_) return std::nullopt;
+  return CurveOverlap{{a_.parameter(first.a), a_.parameter(last.a)},
+                      {b_.parameter(first.b), b_.parameter(last.b)},
+                      std::max(run.gap_high, most + margin_),
+                      false};
+}
+
+// Parts of one run from end to end, and the points in it, as that run: proven parts have others
+// between them that are none, and too short to be told from points.
+void CurveAssembly::join_overlaps() {
+  if (itself_) return;
+  std::vector<CurveOverlap> wholes;
+  const auto on_whole = [&](const Candidate& point) {
+    return std::ranges::any_of(wholes, [&](const CurveOverlap& run) { return is_on(run, point); });
+  };
+  const auto is_inside = [&](const CurveOverlap& run) {
+    return std::ranges::all_of(std::array{0.0, 0.5, 1.0}, [&](double part) {
+      return on_whole(candidate(foot_of(run, part)));
+    });
+  };
+  for (const CurveOverlap& part : overlaps_) {
+    if ((is_at_end(foot_of(part, 0)) && is_at_end(foot_of(part, 1))) || is_inside(part)) continue;
+    if (const auto whole = end_to_end(part)) wholes.push_back(*whole);
+  }
+  if (wholes.empty()) return;
+  std::erase_if(overlaps_, is_inside);
+  std::erase_if(points_, on_whole);
+  overlaps_.insert(overlaps_.end(), wholes.begin(), wholes.end());
 }
 
 // Where the curves are nearest to each other along a run, near a sample of it.
@@ -147,7 +208,7 @@ void CurveAssembly::add_run(const CurveContact& contact) {
   }
   // Pieces of one line that follow each other keep to one strip, but meet in an end at most.
   const bool strays = run.gap_high > 2 * (tolerance_ + margin_);
-  if (!strays && run_length > touch_length_ && is_common(run)) {
+  if (!strays && run_length > touch_length_ && (is_common(run) || end_to_end(run))) {
     overlaps_.push_back(run);
     std::erase_if(points_, [&](const Candidate& point) { return on_overlap(point); });
     return;

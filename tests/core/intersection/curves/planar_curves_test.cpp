@@ -5,12 +5,18 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/base/errors.h"
 #include "core/intersection/curves/planar_crossings.h"
+#include "tests/support/random.h"
 
 namespace blossom {
 namespace {
+
+using testing::Random;
+using testing::seeded;
+using testing::uniform;
 
 constexpr double kTolerance = 1e-7;
 
@@ -119,6 +125,51 @@ TEST(PlanarCrossings, NearTouchAboveTheToleranceIsNoContact) {
       crossings(parabola(), planar_line({-1, -3e-7}, {1, -3e-7}, {0, 1}), kTolerance);
   EXPECT_TRUE(found.points.empty());
   EXPECT_TRUE(found.overlaps.empty());
+}
+
+// The graph of x^3 + x^2 / 3 - x / 2 over [0, size] with `spans` spans, each point of the control
+// polygon up to `noise` away. Inner knots lie `shift` of a span off their even places.
+PlanarCurve noisy_cubic(double size, int spans, double shift, double noise, int seed) {
+  Random random = seeded(seed);
+  Spline2 spline;
+  spline.degree = 3;
+  std::vector<double> knots(3, 0.0);
+  for (int i = 0; i <= spans; ++i) {
+    const bool inner = i > 0 && i < spans;
+    spline.knots.push_back(size * (i + (inner ? shift : 0)) / spans);
+    spline.multiplicities.push_back(inner ? 1 : 4);
+    knots.push_back(spline.knots.back());
+  }
+  knots.insert(knots.end(), 3, size);
+  for (std::size_t i = 1; i + 3 < knots.size();
+       ++i) {  // the blossom at three knots that follow each other
+    const double x = knots[i], y = knots[i + 1], z = knots[i + 2], sum = x + y + z;
+    spline.points.push_back(
+        {sum / 3 + uniform(random, -0.3, 0.3) * noise,
+         x * y * z + (x * y + y * z + z * x) / 9 - sum / 6 + uniform(random, -1, 1) * noise});
+  }
+  return planar_curve(spline);
+}
+
+TEST(PlanarCrossings, CurvesSideBySideAreOneRunHoweverTheGapVaries) {
+  for (const double size : {0.01, 1.0})
+    for (const int spans : {3, 6, 20})
+      for (const double noise : {1e-8, 6e-8})
+        for (int seed = 0; seed < 6; ++seed) {
+          const PlanarCurve a = noisy_cubic(size, spans, 0, noise, seed);
+          const PlanarCurve b = noisy_cubic(size, spans + 2, 0.3, noise, seed + 100);
+          for (const bool exchanged : {false, true}) {
+            const PlanarCrossings found = exchanged ? crossings(b, a, 2e-7) : crossings(a, b, 2e-7);
+            SCOPED_TRACE(::testing::Message()
+                         << size << ", " << spans << " spans, " << noise << ", " << seed);
+            ASSERT_EQ(found.overlaps.size(), 1U);
+            EXPECT_EQ(found.points.size(), 2U);
+            EXPECT_NEAR(found.overlaps[0].a.from, 0, 1e-6);
+            EXPECT_NEAR(found.overlaps[0].a.to, size, 1e-6);
+            EXPECT_NEAR(found.overlaps[0].b.from, 0, 1e-6);
+            EXPECT_NEAR(found.overlaps[0].b.to, size, 1e-6);
+          }
+        }
 }
 
 TEST(PlanarCrossings, CommonRunIsAnOverlapWithBothRanges) {
