@@ -23,6 +23,7 @@ namespace {
 
 constexpr double kMargin = 1.1;
 constexpr double kReach = 10;    // tolerances: what is so near a surface or a wire lies on it
+constexpr int kTurns = 2;        // periods that trims reach beyond the first one at most
 constexpr double kOnEnd = 1e-9;  // of an edge: a place so near its end is it
 
 }  // namespace
@@ -182,11 +183,15 @@ bool FaceSplitter::lies_in_face(const EdgePiece& piece, const SurfaceFeet& feet)
   for (const double part : {0.5, 0.2, 0.8})
     if (std::abs(feet.height(point(part))) > kReach * tolerance_) return false;
   const Vec2 uv = feet.foot(point(0.5), {});
-  Vec2 chart{uv[0] * trims_.scale[0], uv[1] * trims_.scale[1]};
-  for (int k = 0; k < 2; ++k)
-    if (const double period = trims_.period[k]; period > 0)
-      chart[k] -= period * std::floor((chart[k] - trims_.box.low[k]) / period);
-  return is_inside(trims_, chart);
+  const Vec2 chart{uv[0] * trims_.scale[0], uv[1] * trims_.scale[1]};
+  // Trims may be longer than a period.
+  const int turns_u = trims_.period[0] > 0 ? kTurns : 0,
+            turns_v = trims_.period[1] > 0 ? kTurns : 0;
+  for (int i = -turns_u; i <= turns_u; ++i)
+    for (int j = -turns_v; j <= turns_v; ++j)
+      if (is_inside(trims_, {chart[0] + i * trims_.period[0], chart[1] + j * trims_.period[1]}))
+        return true;
+  return false;
 }
 
 void FaceSplitter::add_laid_arc(const EdgePiece& piece, const SurfaceFeet& feet) {

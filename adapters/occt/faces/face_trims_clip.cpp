@@ -247,11 +247,38 @@ std::vector<double> quarters(const PlanarCurve& curve) {
   return at;
 }
 
+// Whether an edge keeps to a curve between its places next to two points.
+bool keeps_to(const Coedge& edge, const Vec2& p, const Vec2& q, const PlanarCurve& curve) {
+  const double s = nearest(edge.curve, p).parameter, t = nearest(edge.curve, q).parameter;
+  const std::vector<double> places = quarters(edge.curve);
+  return std::ranges::all_of(places, [&](double at) {
+    return at <= std::min(s, t) || at >= std::max(s, t) ||
+           nearest(curve, point_at(edge.curve, at)).distance <= kOnBorder + edge.tolerance;
+  });
+}
+
+// Whether the wires that a curve keeps to at two places lead from one to the other along it: one
+// edge, or two with a common corner on the curve. A wire may leave it for a bay in between.
+bool wires_go_on(const FaceTrims& trims, const PlanarCurve& curve, double s, double t) {
+  const Vec2 p = point_at(curve, s), q = point_at(curve, t);
+  const Coedge *const a = coedge_at(trims, p), *const b = coedge_at(trims, q);
+  if (a == nullptr || b == nullptr) return false;
+  if (a == b) return keeps_to(*a, p, q, curve);
+  if (a->to != b->from && a->from != b->to) return false;
+  const Vec2& corner = trims.corners[static_cast<std::size_t>(a->to == b->from ? a->to : a->from)];
+  const PlanarFoot foot = nearest(curve, corner);
+  return foot.distance <= kOnBorder + std::max(a->tolerance, b->tolerance) && s <= foot.parameter &&
+         foot.parameter <= t && keeps_to(*a, p, corner, curve) && keeps_to(*b, corner, q, curve);
+}
+
 // Whether all of a curve keeps to wires. Where it meets them does not matter then, and takes long
 // to find out for one that is about as far from them as may count as a meeting.
 bool is_along_wires(const FaceTrims& trims, const PlanarCurve& curve) {
   if (!kept_tolerance(trims, curve, curve.domain())) return false;
-  const std::vector<char> along = along_wires(trims, curve, {}, quarters(curve));
+  const std::vector<double> places = quarters(curve);
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+    if (!wires_go_on(trims, curve, places[i], places[i + 1])) return false;
+  const std::vector<char> along = along_wires(trims, curve, {}, places);
   return std::find(along.begin(), along.end(), 0) == along.end();
 }
 

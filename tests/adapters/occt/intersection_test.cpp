@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -14,6 +16,7 @@
 #include <BRepPrimAPI_MakeWedge.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
@@ -62,6 +65,31 @@ TEST(IntersectShapes, CutsCurvesAtAHole) {
   for (const IntersectionCurve& curve : found.pairs[0].found.curves) sum += curve.length;
   EXPECT_EQ(found.pairs[0].found.curves.size(), 2u);
   EXPECT_NEAR(sum, 6 - 2 * 0.8, 1e-6);
+}
+
+// A wire that a cut keeps to may leave it for a bay: what runs across that is outside.
+TEST(IntersectShapes, CutsCurvesAlongAWireAtItsBays) {
+  for (const double width : {0.5, 4.0}) {
+    BRepBuilderAPI_MakePolygon plate;
+    for (const auto& [x, y] : {std::array{0.0, 0.0},
+                               {45, 0},
+                               {45, 10},
+                               {45 + width, 10},
+                               {45 + width, 0},
+                               {100, 0},
+                               {100, 50},
+                               {0, 50}})
+      plate.Add(gp_Pnt(x, y, 0));
+    plate.Close();
+    const gp_Pln upright(gp_Ax3(gp_Pnt(0, 0, 0), gp::DY(), gp::DX()));
+    const ShapeIntersection found = intersect({BRepBuilderAPI_MakeFace(gp_Pln(), plate.Wire())},
+                                              {BRepBuilderAPI_MakeFace(upright, 5, 95, -20, 20)});
+    ASSERT_EQ(found.pairs.size(), 1u);
+    double sum = 0;
+    for (const IntersectionCurve& curve : found.pairs[0].found.curves) sum += curve.length;
+    EXPECT_EQ(found.pairs[0].found.curves.size(), 2u);
+    EXPECT_NEAR(sum, 90 - width, 1e-5);
+  }
 }
 
 TEST(IntersectShapes, IsTheSameForAnyNumberOfThreads) {

@@ -12,13 +12,18 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
+#include <GCE2d_MakeSegment.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
@@ -396,6 +401,44 @@ TEST(FaceSplitter, RefusesAFaceWithoutWires) {
   TopoDS_Face bare;
   BRep_Builder().MakeFace(bare, new Geom_Plane(gp_Pln()), 1e-7);
   EXPECT_THROW(split_face(bare, {}), BadModel);
+}
+
+TopoDS_Wire closed_wire(const Handle(Geom_Surface) & surface,
+                        const std::vector<gp_Pnt2d>& corners) {
+  BRepBuilderAPI_MakeWire wire;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Handle(Geom2d_TrimmedCurve) segment =
+        GCE2d_MakeSegment(corners[i], corners[(i + 1) % corners.size()]).Value();
+    const Handle(Geom2d_Curve) side(segment);
+    TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(side, surface);
+    BRepLib::BuildCurve3d(edge);
+    wire.Add(edge);
+  }
+  return wire.Wire();
+}
+
+// A strip goes one and a half times round the cylinder.
+TEST(FaceSplitter, LaysEdgesInAFaceLongerThanAPeriod) {
+  const Handle(Geom_Surface) surface = new Geom_CylindricalSurface(gp_Ax3(), 10);
+  const double turn = 3 * kPi, rise = 9;
+  const TopoDS_Face strip =
+      BRepBuilderAPI_MakeFace(
+          surface, closed_wire(surface, {{0, 0}, {turn, rise}, {turn, rise + 4}, {0, 4}}), true)
+          .Face();
+  for (const double part : {0.1, 0.35, 0.6, 0.75, 0.85}) {
+    SCOPED_TRACE(part);
+    const double u = part * turn, v = part * rise + 1;
+    EdgeSplits splits(1e-7);
+    FaceSplitter splitter(strip, {}, splits, 1e-7);
+    splitter.settle();
+    const TopoDS_Wire laid =
+        closed_wire(surface, {{u, v}, {u + 0.4, v}, {u + 0.4, v + 1}, {u, v + 1}});
+    for (TopExp_Explorer it(laid, TopAbs_EDGE); it.More(); it.Next())
+      splitter.lay(TopoDS::Edge(it.Current()));
+    const FaceSplit split = splitter.split();
+    EXPECT_EQ(split.pieces.size(), 2u);
+    EXPECT_EQ(split.laid.size(), 4u);
+  }
 }
 
 }  // namespace
