@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The last step of FaceSplitter: the arrangement, and its pieces as faces.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -177,7 +178,11 @@ bool FaceSplitter::add_cut_arc(const Strand& strand, const std::pair<double, int
   };
   for (std::size_t i = 0; i < arcs_.size(); ++i) {
     const ChartArc& arc = arcs_[i];
-    if (arc.border || !same_ends(arc) || !lies_near(arc.path, point, 4 * reach(strand))) continue;
+    if (arc.border || !same_ends(arc)) continue;
+    const bool repeats = std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double part) {
+      return lies_near(arc.path, point_at(strand.curve, at(range, part)), 4 * reach(strand));
+    });
+    if (!repeats) continue;
     if (!cuts_[static_cast<std::size_t>(strand.cut)].may_repeat)
       note(strand.cut, "repeats another cut");
     add_repeat(static_cast<int>(i), strand, from, to);

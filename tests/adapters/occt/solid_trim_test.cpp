@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
@@ -16,6 +17,9 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -23,18 +27,22 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 
 #include "adapters/occt/shapes.h"
@@ -295,6 +303,34 @@ TEST(TrimSolids, ClosesModelsWithLooseEdgesAgainstTheirTurnedCopies) {
 }
 
 // A plate with three holes at once: one through, one that ends inside, one beside the first.
+// Between y = -f and f with f = x (1 - x) (40 (x - 1/2)^2 + 4 w), 10 x for x: two lobes and a
+// waist.
+TopoDS_Shape two_lobes(double w) {
+  // Bezier coefficients of f: of x (1 - x) q, q = 40 (x - 1/2)^2 + 4 w of degree 2.
+  const double ends = 10 + 4 * w, middle = -10 + 4 * w;
+  const std::array<double, 5> f{0, ends / 4, middle / 3, ends / 4, 0};
+  std::array<TopoDS_Edge, 2> sides;
+  for (const int side : {0, 1}) {
+    TColgp_Array1OfPnt poles(1, 5);
+    for (int i = 0; i < 5; ++i)
+      poles(i + 1) = gp_Pnt(2.5 * i, (side == 0 ? 1 : -1) * f[static_cast<std::size_t>(i)], -5);
+    const Handle(Geom_BezierCurve) curve = new Geom_BezierCurve(poles);
+    if (side == 1) curve->Reverse();
+    sides[static_cast<std::size_t>(side)] = BRepBuilderAPI_MakeEdge(curve);
+  }
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(
+      gp_Pln(gp_Pnt(0, 0, -5), gp::DZ()), BRepBuilderAPI_MakeWire(sides[0], sides[1]).Wire());
+  return BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 20)).Shape();
+}
+
+// A waist of 2.4e-7 is no repeated cut: the two sides are apart beside it.
+TEST(TrimSolids, CutAHoleWithAWaistOfAFewTolerances) {
+  const double w = 1.2e-7, area = 2 * 10 * (1.0 / 3 + 4 * w / 6);
+  const TrimTool part = trim_tool(box({-5, -5, 0}, {15, 5, 10})), tool = trim_tool(two_lobes(w));
+  expect_solids(trim_solids(part, {tool}, SolidOperation::Common), 1, 10 * area, 2000);
+  expect_solids(trim_solids(part, {tool}, SolidOperation::Cut), 1, 2000 - 10 * area, 2000);
+}
+
 TEST(TrimSolids, TakesSeveralTools) {
   const TrimTool plate = trim_tool(box({0, 0, 0}, {4, 2, 1}));
   const std::vector<TrimTool> tools{trim_tool(box({0.5, 0.5, -1}, {1, 1, 2})),
