@@ -43,8 +43,9 @@ inline PolynomialRange range(const Quadratic& f, const Interval& u, const Interv
   for (const double t : {v.from, v.to})
     if (const double s = -(f.x + f.xy * t) / (2 * f.xx); inside(u, s)) look(s, t);
   const double det = 4 * f.xx * f.yy - f.xy * f.xy;
-  const double s = (f.xy * f.y - 2 * f.yy * f.x) / det, t = (f.xy * f.x - 2 * f.xx * f.y) / det;
-  if (inside(u, s) && inside(v, t)) look(s, t);
+  const double s = (f.xy * f.y - 2 * f.yy * f.x) / det;
+  // Of a narrow valley the determinant tells little: the least value across it is at any place.
+  if (const double t = -(f.y + f.xy * s) / (2 * f.yy); inside(u, s) && inside(v, t)) look(s, t);
   return found;
 }
 

@@ -393,7 +393,8 @@ class Fitter {
       return std::floor(static_cast<double>(kLeastSamples) * site.length / whole + kCountRounding);
     };
     const double by_count = reached(stop) - reached(start);
-    return static_cast<int>(std::clamp(std::max(std::ceil(by_sag), by_count), 1.0, 1e4));
+    const double wanted = std::max(std::ceil(by_sag), by_count);
+    return wanted > 1 ? static_cast<int>(std::min(wanted, 1e4)) : 1;  // 1 of a piece without width
   }
 
   const ChainTracer& tracer_;

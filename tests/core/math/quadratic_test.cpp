@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/math/taylor_series.h"
 #include "tests/support/random.h"
 
@@ -34,6 +36,23 @@ TEST(Quadratic, RangeIsThatOfItsValues) {
     EXPECT_GE(found.high, seen.high - 1e-14);
     EXPECT_NEAR(found.low, seen.low, 2e-3);
     EXPECT_NEAR(found.high, seen.high, 2e-3);
+  }
+}
+
+// A valley along the diagonal that is hardly curved: its lowest place is known to no digit, its
+// bottom to all of them.
+TEST(Quadratic, RangeHoldsTheBottomOfANarrowValley) {
+  auto random = seeded(11);
+  for (int draw = 0; draw < 20000; ++draw) {
+    const double p = uniform(random, 0.5, 1), q = uniform(random, 0.5, 1);
+    const double s = uniform(random, -0.4, 0.4), t = uniform(random, -0.4, 0.4);
+    Quadratic f;
+    f.xx = p * p;
+    f.yy = q * q + std::pow(10, uniform(random, -13, -8));
+    f.xy = 2 * p * q;
+    f.x = -(2 * f.xx * s + f.xy * t);
+    f.y = -(f.xy * s + 2 * f.yy * t);
+    EXPECT_LE(range(f, {-0.5, 0.5}, {-0.5, 0.5}).low, f.at(s, t) + 4e-15);
   }
 }
 
