@@ -18,6 +18,11 @@ Point4 ModelPoints::at(double w, double z) const {
           value(model_.foot[0], x, y), value(model_.foot[1], x, y)};
 }
 
+double ModelPoints::w_of(const Point4& x) const {
+  return axes_.w_axis[0] * (2 * (x[0] - a_.u.from) / length(a_.u) - 1) +
+         axes_.w_axis[1] * (2 * (x[1] - a_.v.from) / length(a_.v) - 1);
+}
+
 double ModelPoints::gap(const Point4& x) const {
   return std::abs(signed_gap(patch_a_, patch_b_, x));
 }

@@ -23,6 +23,9 @@ class ModelPoints {
   /// As the model says.
   Point4 at(double w, double z) const;
 
+  /// w of a point.
+  double w_of(const Point4& x) const;
+
   /// The gap of a solution, model units.
   double gap(const Point4& x) const;
 

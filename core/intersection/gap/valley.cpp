@@ -18,6 +18,9 @@ constexpr int kBranchSteps = 6;
 constexpr double kTurn = 0.5;  // cosine: chords of a branch that turn more are looked at
 constexpr std::size_t kMostBranchPoints = 24;
 constexpr int kContactSteps = 4;
+// Of a branch's width in w: where the model is farther off its ends, points between them are beside
+// the branch.
+constexpr double kMostOff = 0.5;
 constexpr double kRootWidth = 0x1p-51;  // of the cell
 
 // The slope of a gap, by w, that is slow.
@@ -215,6 +218,9 @@ class Reader {
   // Points in between, denser towards folds, where w stands still.
   bool close(int side, const Stop& stop) {
     Open& slot = slot_[static_cast<std::size_t>(side)];
+    const double off =
+        std::abs(points_.w_of(slot.start) - slot.w) + std::abs(points_.w_of(stop.point) - stop.w);
+    if (off > kMostOff * std::abs(stop.w - slot.w)) return false;
     CellBranch branch;
     branch.contact = {slot.contact, stop.contact};
     branch.path.push_back(slot.start);
