@@ -46,9 +46,22 @@ void exchange(IntersectionCurve& curve, const BezierSurface& a) {
                 exchanged(curve.ends[1], curve.samples.back(), a)};
 }
 
+// The sense of its boundary follows the normal of the first surface. Normals are parallel all along
+// it, up to their sign, or have no length.
+void exchange(Overlap& overlap, const BezierSurface& a, const BezierSurface& b) {
+  double alike = 0;
+  for (SurfacePoint& x : overlap.boundary) {
+    exchange(x);
+    alike += dot(normal_at(a, x.uv_a), normal_at(b, x.uv_b));
+  }
+  if (alike < 0) std::ranges::reverse(overlap.boundary);
+}
+
 }  // namespace
 
-SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a) {
+SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a,
+                              const BezierSurface& b) {
+  for (Overlap& overlap : found.overlaps) exchange(overlap, a, b);
   for (IntersectionCurve& curve : found.curves) exchange(curve, a);
   for (SurfacePoint& x : found.points) exchange(x);
   for (SurfacePoint& x : found.nodes) exchange(x);
@@ -68,9 +81,7 @@ bool may_gain_by_exchange(const SurfaceIntersection& found, const BezierSurface&
 }
 
 bool is_gain(const SurfaceIntersection& found, const SurfaceIntersection& other) {
-  const auto is_bounded = [](const Overlap& overlap) { return !overlap.boundary.empty(); };
-  return weaker(found.status, other.status) != other.status &&
-         std::ranges::none_of(other.overlaps, is_bounded);
+  return weaker(found.status, other.status) != other.status;
 }
 
 }  // namespace blossom

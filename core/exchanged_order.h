@@ -14,10 +14,9 @@ namespace blossom {
 
 /// The intersection of a and b, made from that of b and a.
 ///
-/// found     that of b and a; its overlaps have no boundary, since their sense follows the normal
-///           of the first surface
-/// a         the surface that was the second one
-SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a);
+/// found     that of b and a
+SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a,
+                              const BezierSurface& b);
 
 /// True if the answer is open for other reasons than a limit, so that the other order may do
 /// better; or if all it leaves undecided are touches in which the surfaces are apart: those may be
@@ -27,7 +26,7 @@ SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a)
 bool may_gain_by_exchange(const SurfaceIntersection& found, const BezierSurface& a,
                           const BezierSurface& b, double tolerance);
 
-/// True if the second answer, of the exchanged surfaces, is better and can be told from a.
+/// True if the second answer, of the exchanged surfaces, is better.
 bool is_gain(const SurfaceIntersection& found, const SurfaceIntersection& other);
 
 }  // namespace blossom

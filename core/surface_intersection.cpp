@@ -53,7 +53,7 @@ Attempt in_either_order(const BoxedSurface& a, const BoxedSurface& b,
   SurfaceIntersection back = assembled(b, a, *rest);
   std::swap(rest->part_a, rest->part_b);
   rest = rest_of(*rest, started, back.certificate);
-  if (is_gain(found, back)) found = exchanged(std::move(back), a.surface);
+  if (is_gain(found, back)) found = exchanged(std::move(back), a.surface, b.surface);
   return {std::move(found), rest};
 }
 
@@ -75,6 +75,17 @@ SurfaceIntersection at_best_tolerance(const BoxedSurface& a, const BoxedSurface&
   return std::move(found);
 }
 
+// The cells that are searched for contacts are those of the first surface: no knot line of it cuts
+// them, but those of the other one do. So the surface of more patches goes first.
+SurfaceIntersection in_best_order(const BoxedSurface& a, const BoxedSurface& b,
+                                  const IntersectionOptions& options) {
+  if (a.surface.patches.values().size() >= b.surface.patches.values().size())
+    return at_best_tolerance(a, b, options);
+  IntersectionOptions exchanged_options = options;
+  std::swap(exchanged_options.part_a, exchanged_options.part_b);
+  return exchanged(at_best_tolerance(b, a, exchanged_options), a.surface, b.surface);
+}
+
 }  // namespace
 
 SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
@@ -85,7 +96,7 @@ SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
   SurfaceIntersection result;
   with_threads(options.threads, [&] {
     const BoxedSurface boxed_a{a, PatchBoxes(a, "a")}, boxed_b{b, PatchBoxes(b, "b")};
-    result = at_best_tolerance(boxed_a, boxed_b, options);
+    result = in_best_order(boxed_a, boxed_b, options);
   });
   return result;
 }

@@ -112,7 +112,7 @@ class PairIntersector {
     known.face_b = pair.second;
     const FaceData& a = faces_a_.data(static_cast<std::size_t>(pair.first));
     const FaceData& b = faces_b_.data(static_cast<std::size_t>(pair.second));
-    known.found = blossom::exchanged(std::move(known.found), a.surface);
+    known.found = blossom::exchanged(std::move(known.found), a.surface, b.surface);
     add_shapes(a, b, known);
     return known;
   }
@@ -319,12 +319,6 @@ std::vector<std::size_t> largest_first(const PairIntersector& intersector, const
   return order;
 }
 
-// The sense of a boundary follows the normal of the first face.
-bool has_boundary(const FaceIntersection& pair) {
-  return std::ranges::any_of(pair.found.overlaps,
-                             [](const Overlap& overlap) { return !overlap.boundary.empty(); });
-}
-
 // pairs    in increasing order
 ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopies& copies,
                               const FacePairs& pairs) {
@@ -337,9 +331,7 @@ ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopi
   });
   parallel_for(pairs.size(), 1, [&](std::size_t k) {
     if (places[k] == k) return;
-    const FaceIntersection& other = found[places[k]];
-    found[k] =
-        has_boundary(other) ? intersector.of(pairs[k]) : intersector.exchanged(other, pairs[k]);
+    found[k] = intersector.exchanged(found[places[k]], pairs[k]);
   });
   ShapeIntersection result;
   result.face_pairs = static_cast<long>(pairs.size());

@@ -26,6 +26,20 @@ std::size_t span_of(const std::vector<double>& knots, double parameter) {
   return static_cast<std::size_t>(above - knots.begin()) - 1;
 }
 
+struct PatchPlace {
+  const RationalBezierPatch* patch;
+  double s, t;  // its parameters
+};
+
+PatchPlace place_of(const BezierSurface& surface, const Vec2& uv) {
+  const double u = std::clamp(uv[0], surface.u_knots.front(), surface.u_knots.back());
+  const double v = std::clamp(uv[1], surface.v_knots.front(), surface.v_knots.back());
+  const std::size_t i = span_of(surface.u_knots, u), j = span_of(surface.v_knots, v);
+  return {&surface.patches(static_cast<int>(i), static_cast<int>(j)),
+          local_parameter(surface.u_law, {surface.u_knots[i], surface.u_knots[i + 1]}, u),
+          local_parameter(surface.v_law, {surface.v_knots[j], surface.v_knots[j + 1]}, v)};
+}
+
 [[noreturn]] void refuse(const char* name, const std::string& cause) {
   throw InvalidInput(std::string("surface ") + name + ": " + cause);
 }
@@ -95,13 +109,14 @@ double local_parameter(ParameterLaw law, const Interval& span, double parameter)
 }
 
 Vec3 point_at(const BezierSurface& surface, const Vec2& uv) {
-  const double u = std::clamp(uv[0], surface.u_knots.front(), surface.u_knots.back());
-  const double v = std::clamp(uv[1], surface.v_knots.front(), surface.v_knots.back());
-  const std::size_t i = span_of(surface.u_knots, u);
-  const std::size_t j = span_of(surface.v_knots, v);
-  const double s = local_parameter(surface.u_law, {surface.u_knots[i], surface.u_knots[i + 1]}, u);
-  const double t = local_parameter(surface.v_law, {surface.v_knots[j], surface.v_knots[j + 1]}, v);
-  return point_at(surface.patches(static_cast<int>(i), static_cast<int>(j)), s, t);
+  const PatchPlace place = place_of(surface, uv);
+  return point_at(*place.patch, place.s, place.t);
+}
+
+Vec3 normal_at(const BezierSurface& surface, const Vec2& uv) {
+  const PatchPlace place = place_of(surface, uv);
+  const PatchJet jet = jet_at(*place.patch, place.s, place.t, 1);
+  return cross(jet.u, jet.v);
 }
 
 bool is_valid(const RationalBezierPatch& patch) {

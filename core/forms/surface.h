@@ -56,6 +56,9 @@ double local_parameter(ParameterLaw law, const Interval& span, double parameter)
 /// The point of the surface at its own parameters, clamped to the knots' range. Model units.
 Vec3 point_at(const BezierSurface& surface, const Vec2& uv);
 
+/// S_u x S_v up to a positive factor, likewise.
+Vec3 normal_at(const BezierSurface& surface, const Vec2& uv);
+
 /// Throws InvalidInput, naming `name`, unless the surface is well formed: sizes agree, knots
 /// increase, degrees are in 1..kMaxDegree, all numbers are finite and all weights positive.
 void validate(const BezierSurface& surface, const char* name);

@@ -5,9 +5,11 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 
 #include "core/forms/surface.h"
 #include "core/surface_intersection.h"
+#include "tests/core/tracing/surface_pairs.h"
 
 namespace blossom {
 namespace {
@@ -46,7 +48,7 @@ void expect_same_ends(const IntersectionCurve& curve, const IntersectionCurve& o
 TEST(ExchangedOrder, GivesParametersAndEndsOfTheOtherOrder) {
   for (const BezierSurface& wall : {kWall, kLowWall}) {
     const SurfaceIntersection there = intersect(kFloor, wall);
-    const SurfaceIntersection back = exchanged(intersect(wall, kFloor), kFloor);
+    const SurfaceIntersection back = exchanged(intersect(wall, kFloor), kFloor, wall);
     ASSERT_EQ(there.curves.size(), 1);
     ASSERT_EQ(back.curves.size(), 1);
     expect_same_ends(there.curves[0], back.curves[0]);
@@ -69,7 +71,7 @@ TEST(ExchangedOrder, ExchangesPointsAndPlaces) {
   place.parameters = {Interval{0, 1}, {2, 3}, {4, 5}, {6, 7}};
   found.places.push_back(place);
 
-  const SurfaceIntersection other = exchanged(found, kFloor);
+  const SurfaceIntersection other = exchanged(found, kFloor, kWall);
 
   EXPECT_EQ(other.points[0].uv_a, (Vec2{6, 7}));
   EXPECT_EQ(other.nodes[0].uv_b, (Vec2{4, 5}));
@@ -101,16 +103,49 @@ TEST(ExchangedOrder, IsTriedWhereATouchIsNone) {
   EXPECT_FALSE(may_gain_by_exchange(found, kFloor, lower, 1e-7));
 }
 
-TEST(ExchangedOrder, IsAGainIfItSettlesMoreAndItsOverlapsHaveNoSense) {
+TEST(ExchangedOrder, IsAGainIfItSettlesMore) {
   SurfaceIntersection stopped, other;
   stopped.status = other.status = Status::Stopped;
   EXPECT_FALSE(is_gain(stopped, other));
   other.status = Status::Tolerance;
   EXPECT_TRUE(is_gain(stopped, other));
-  other.overlaps.emplace_back();
-  EXPECT_TRUE(is_gain(stopped, other));
-  other.overlaps[0].boundary.emplace_back();
-  EXPECT_FALSE(is_gain(stopped, other));
+}
+
+// Twice the area in the parameters of a that a boundary goes round, above 0 to its left.
+double area_over_a(const Overlap& overlap) {
+  double sum = 0;
+  for (std::size_t i = 1; i < overlap.boundary.size(); ++i) {
+    const Vec2 &p = overlap.boundary[i - 1].uv_a, &q = overlap.boundary[i].uv_a;
+    sum += p[0] * q[1] - p[1] * q[0];
+  }
+  return sum;
+}
+
+TEST(ExchangedOrder, KeepsBoundariesToTheLeftAsSeenFromTheFirstSurface) {
+  const BezierSurface above = rectangle({0.25, 0.25, 0}, {1, 0, 0}, {0, 1, 0});
+  const BezierSurface turned = rectangle({0.25, 0.25, 0}, {0, 1, 0}, {1, 0, 0});
+  for (const BezierSurface& other : {above, turned}) {
+    const SurfaceIntersection back = exchanged(intersect(other, kFloor), kFloor, other);
+    ASSERT_EQ(back.overlaps.size(), 1u);
+    EXPECT_NEAR(area_over_a(back.overlaps[0]), 2 * 0.75 * 1.5, 1e-9);
+  }
+}
+
+// The circle in which a torus touches a plane is a knot line of the torus.
+TEST(ExchangedOrder, DoesNotMatterForTheWorkAlongAKnotLine) {
+  const BezierSurface torus = testing::torus(1, 0.4);
+  const BezierSurface plane = rectangle({-2, -2, 0.4}, {4, 0, 0}, {0, 4, 0});
+  const SurfaceIntersection there = intersect(torus, plane), back = intersect(plane, torus);
+  for (const SurfaceIntersection* found : {&there, &back}) {
+    ASSERT_EQ(found->curves.size(), 1u);
+    EXPECT_NEAR(found->curves[0].length, 2 * std::numbers::pi, 1e-6);
+    EXPECT_TRUE(found->curves[0].tangential);
+    EXPECT_EQ(found->places.size(), 1u);
+  }
+  EXPECT_EQ(there.certificate.certified, back.certificate.certified);
+  const SurfacePoint& x = back.curves[0].samples.front();
+  EXPECT_LE(distance(point_at(plane, x.uv_a), x.point), 1e-9);
+  EXPECT_LE(distance(point_at(torus, x.uv_b), x.point), 1e-9);
 }
 
 // A search that its budget ends says so.
