@@ -105,6 +105,8 @@ class Assembly {
     put_on_borders(found_, cells_a, cells_b, kRoundings * (max_norm(origin_) + size_));
     if (found_.stopped) stop_at_limit();
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
+    cells_a.drop_cells();
+    cells_b.drop_cells();
     std::vector<std::optional<IntersectionCurve>> fits = fits_of(cells_a, cells_b, chains);
     for (std::size_t i = 0; i < chains.size(); ++i)
       fits[i] ? add_curve(cells_a, chains[i], std::move(*fits[i]))

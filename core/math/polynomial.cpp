@@ -108,6 +108,15 @@ double value(const Polynomial& p, double t) {
   return sum;
 }
 
+PolynomialJet jet_at(const Polynomial& p, double t) {
+  PolynomialJet jet{};
+  for (std::size_t i = p.size(); i-- > 0;) {
+    jet.slope = jet.slope * t + jet.value;
+    jet.value = jet.value * t + p[i];
+  }
+  return jet;
+}
+
 PolynomialRange range(const Polynomial& p) { return range_of(coefficients_on(p, -1, 1)); }
 
 std::optional<std::vector<IsolatedRoot>> isolated_roots(const Polynomial& p, double error,

@@ -16,6 +16,13 @@ using Polynomial = std::array<double, kPolynomialDegree + 1>;
 
 double value(const Polynomial& p, double t);
 
+/// Value and derivative.
+struct PolynomialJet {
+  double value;
+  double slope;
+};
+PolynomialJet jet_at(const Polynomial& p, double t);
+
 /// Bounds on [-1, 1] by Bernstein coefficients.
 struct PolynomialRange {
   double low;

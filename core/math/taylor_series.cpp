@@ -302,6 +302,18 @@ double value(const TaylorPolynomial& p, double x, double y) {
   return sum;
 }
 
+Polynomial along_y(const TaylorPolynomial& p, double x) {
+  Polynomial row{};
+#pragma GCC unroll 8
+  for (int j = 0; j <= K; ++j)
+#pragma GCC unroll 8
+    for (int i = K - j; i >= 0; --i) {
+      double& sum = row[static_cast<std::size_t>(j)];
+      sum = sum * x + p[taylor_index(i, j)];
+    }
+  return row;
+}
+
 TaylorPolynomial derivative_x(const TaylorPolynomial& p) {
   TaylorPolynomial d{};
   for (int i = 1; i <= K; ++i)

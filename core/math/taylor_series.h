@@ -84,6 +84,9 @@ TaylorPolynomial turned(const TaylorPolynomial& p, const Vec2& s_axis, const Vec
 /// p(x, y) with (x, y) = begin + t step, as a polynomial in t.
 Polynomial along_line(const TaylorPolynomial& p, const Vec2& begin, const Vec2& step);
 
+/// p(x, y) at one x, as a polynomial in y.
+Polynomial along_y(const TaylorPolynomial& p, double x);
+
 /// Range of p over |x| <= rx, |y| <= ry, by its Bernstein coefficients.
 struct TaylorRange {
   double low;

@@ -26,7 +26,7 @@ constexpr int kUnprovenSamples = 33;      // of a piece without a bound
 constexpr double kEndOfPiece = 1e-9;      // cuts so near an end of a span are none
 constexpr std::size_t kSpansOfProof = 8;  // that one thread proves in a row
 constexpr std::size_t kLeastShared = 16;  // forms whose bounds are worth sharing out
-constexpr std::size_t kUsualForms = 16;   // that are kept: memory for them at once
+constexpr std::size_t kUsualForms = 8;    // that are kept: memory for them at once
 constexpr double kConicError = 5e-11;     // model units: of a conic's polynomials
 constexpr double kConicRounding = 16 * 0x1p-53;
 

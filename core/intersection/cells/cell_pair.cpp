@@ -17,6 +17,7 @@ constexpr double kFlat = 0.3;
 
 constexpr double kInverseRoundoff = 1e-14;  // relative, of a 3 x 3 inverse times its matrix
 constexpr int kPowerSteps = 4;              // towards the Perron vector of the spread
+constexpr double kLittle = 1e-3;            // of the largest entry, which keeps all positive
 
 bool boxes_apart(const Cell& a, const Cell& b) {
   for (int k = 0; k < 3; ++k)
@@ -47,15 +48,11 @@ bool spectral_radius_below_one(const Matrix3& e) {
   std::array<double, 3> x{1, 1, 1};
   for (int step = 0; step < kPowerSteps; ++step) {
     std::array<double, 3> y{};
-    double largest = 0, ratio = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j) y[i] += e[i][j] * x[j];
-      ratio = std::max(ratio, y[i] / x[i]);
-      largest = std::max(largest, y[i]);
-    }
-    if (ratio < 1) return true;
-    // A little of the largest keeps every entry positive.
-    for (std::size_t i = 0; i < 3; ++i) x[i] = y[i] / largest + 1e-3;
+    if (y[0] < x[0] && y[1] < x[1] && y[2] < x[2]) return true;
+    const double little = kLittle * std::max({y[0], y[1], y[2]});
+    for (std::size_t i = 0; i < 3; ++i) x[i] = y[i] + little;
   }
   return false;
 }
@@ -75,10 +72,10 @@ using FourMatrix = std::array<std::array<Four, 3>, 3>;
   std::array<bool, 4> below{};
   for (int step = 0; step < kPowerSteps; ++step) {
     for (std::size_t i = 0; i < 3; ++i) y[i] = e[i][0] * x[0] + e[i][1] * x[1] + e[i][2] * x[2];
-    const auto less = (y[0] / x[0] < 1) & (y[1] / x[1] < 1) & (y[2] / x[2] < 1);
+    const auto less = (y[0] < x[0]) & (y[1] < x[1]) & (y[2] < x[2]);
     for (int k = 0; k < 4; ++k) below[static_cast<std::size_t>(k)] |= less[k] != 0;
     const Four more = y[0] > y[1] ? y[0] : y[1], largest = more > y[2] ? more : y[2];
-    for (std::size_t i = 0; i < 3; ++i) x[i] = y[i] / largest + 1e-3;
+    for (std::size_t i = 0; i < 3; ++i) x[i] = y[i] + kLittle * largest;
   }
   return below;
 }

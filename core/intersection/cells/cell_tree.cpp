@@ -47,7 +47,6 @@ CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& 
   for (Vec4& p : patch_.points.values())
     for (int k = 0; k < 3; ++k) p[k] -= p[3] * origin[k];
 
-  Cell root;
   double* net = allocate(shape_.size());
   double most_weight = least_weight_ = patch_.points.values().front()[3];
   for (int i = 0; i < shape_.plane_size(); ++i) {
@@ -59,9 +58,15 @@ CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& 
       net_scale_ = std::max(net_scale_, std::abs(p[k]));
     }
   }
-  root.homogeneous = net;
+  root_.homogeneous = net;
   weight_spread_ = most_weight / least_weight_;
 
+  if (form != CellForm::Bezier) choose_form(form, net);
+  finish(root_);
+}
+
+// Monomial where that is asked for or rounds less.
+void CellTree::choose_form(CellForm form, const double* net) {
   double* coefficients = allocate(shape_.size());
   monomial_from_bezier(shape_, net, coefficients);
   for (int k = 0; k < shape_.planes; ++k) {
@@ -71,19 +76,15 @@ CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& 
     coefficient_scale_ = std::max(coefficient_scale_, sum);
   }
   const int n = shape_.rows - 1, m = shape_.columns - 1;
-  const double monomial_bound =
+  const double bound =
       monomial_from_bezier_error(n, m) * net_scale_ +
       (monomial_halving_error(std::max(n, m), 20) + bezier_from_monomial_error(n, m)) *
           coefficient_scale_;
-  monomial_ =
-      form == CellForm::Monomial ||
-      (form == CellForm::Auto && monomial_bound < halving_error(std::max(n, m), 20) * net_scale_);
+  monomial_ = form == CellForm::Monomial || bound < halving_error(std::max(n, m), 20) * net_scale_;
   if (monomial_)
-    root.coefficients = coefficients;
+    root_.coefficients = coefficients;
   else
     free_in_block_ += shape_.size();  // the last to be taken
-  finish(root);
-  cells_.push_back(root);
 }
 
 double* CellTree::allocate(int count) {
@@ -98,41 +99,54 @@ double* CellTree::allocate(int count) {
 }
 
 int CellTree::split(int index) {
-  const auto at_index = static_cast<std::size_t>(index);
-  if (cells_[at_index].child >= 0) return cells_[at_index].child;
-  const Cell parent = cells_[at_index];
-  Cell half[2] = {parent, parent};
-  double* nets[2];
+  Cell& parent = cell_at(index);
+  if (parent.child >= 0) return parent.child;
+  const int child = size_;
+  if (static_cast<std::size_t>(child - 1) % kTogether == 0)
+    halves_.push_back(std::make_unique<std::array<Cell, kTogether>>());
+  std::array<double*, 2> nets{allocate(shape_.size()), allocate(shape_.size())};
+  halve_net(parent, nets);
+  const double middle = at(parent.split_u ? parent.u : parent.v, cut_);
   for (int side = 0; side < 2; ++side) {
-    nets[side] = allocate(shape_.size());
-    half[side].depth = parent.depth + 1;
-    half[side].child = -1;
+    Cell& half = cell_at(child + side);
+    half.u = parent.u;
+    half.v = parent.v;
+    Interval& along = parent.split_u ? half.u : half.v;
+    (side == 0 ? along.to : along.from) = middle;
+    half.depth = parent.depth + 1;
+    half.part = parent.part;
+    set_net(half, nets[static_cast<std::size_t>(side)]);
+    finish(half);
   }
-  Interval Cell::*along = parent.split_u ? &Cell::u : &Cell::v;
-  const double middle = at(parent.*along, cut_);
-  (half[0].*along).to = middle;
-  (half[1].*along).from = middle;
-  if (monomial_) {
-    (parent.split_u ? halve_monomial_u : halve_monomial_v)(shape_, parent.coefficients, cut_,
-                                                           nets[0], nets[1]);
-    for (int side = 0; side < 2; ++side) {
-      half[side].coefficients = nets[side];
-      double* net = allocate(shape_.size());
-      bezier_from_monomial(shape_, nets[side], net);
-      half[side].homogeneous = net;
-    }
-  } else {
-    (parent.split_u ? halve_bezier_u : halve_bezier_v)(shape_, parent.homogeneous, cut_, nets[0],
-                                                       nets[1]);
-    for (int side = 0; side < 2; ++side) half[side].homogeneous = nets[side];
-  }
-  const int child = size();
-  cells_[at_index].child = child;
-  for (Cell& cell : half) {
-    finish(cell);
-    cells_.push_back(cell);
-  }
-  return child;
+  size_ += 2;
+  return parent.child = child;
+}
+
+void CellTree::halve_net(const Cell& cell, const std::array<double*, 2>& nets) const {
+  if (monomial_)
+    (cell.split_u ? halve_monomial_u : halve_monomial_v)(shape_, cell.coefficients, cut_, nets[0],
+                                                         nets[1]);
+  else
+    (cell.split_u ? halve_bezier_u : halve_bezier_v)(shape_, cell.homogeneous, cut_, nets[0],
+                                                     nets[1]);
+}
+
+// The net is in the tree's form.
+void CellTree::set_net(Cell& cell, double* net) {
+  cell.homogeneous = net;
+  if (!monomial_) return;
+  cell.coefficients = net;
+  double* bezier = allocate(shape_.size());
+  bezier_from_monomial(shape_, net, bezier);
+  cell.homogeneous = bezier;
+}
+
+void CellTree::drop_cells() {
+  halves_.clear();
+  blocks_.clear();
+  free_in_block_ = 0;
+  root_ = {};
+  size_ = 1;
 }
 
 CellTree CellTree::piece(const Interval& u, const Interval& v) const {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/forms/patch.h"
@@ -63,19 +64,27 @@ class CellTree {
   /// is extended. Their bounds hold for the patch as it was given.
   CellTree piece(const Interval& u, const Interval& v) const;
 
-  const Cell& operator[](int index) const { return cells_[static_cast<std::size_t>(index)]; }
+  /// The whole patch is number 0. Cells stay where they are when others are made.
+  const Cell& operator[](int index) const {
+    if (index == 0) return root_;
+    const auto place = static_cast<std::size_t>(index - 1);
+    return (*halves_[place / kTogether])[place % kTogether];
+  }
 
-  /// Index of the lower half of a cell, made if it is not there. Invalidates references.
+  /// Index of the lower half of a cell, made if it is not there.
   int split(int index);
 
   /// Asks for the direction in which a cell is halved; too late if it is.
   void prefer(int index, bool along_u) {
-    Cell& cell = cells_[static_cast<std::size_t>(index)];
+    Cell& cell = cell_at(index);
     if (cell.child < 0) cell.split_u = along_u;
   }
 
+  /// Gives the memory of all cells back, that of number 0, too; what is known of the patch stays.
+  void drop_cells();
+
   bool monomial() const { return monomial_; }
-  int size() const { return static_cast<int>(cells_.size()); }
+  int size() const { return size_; }
   const NetShape& shape() const { return shape_; }
 
   /// Bound on the rounding of a coordinate of a piece of `patch()` in space, that of its move to
@@ -98,7 +107,13 @@ class CellTree {
  private:
   CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin, CellForm form,
            double cut, PartTest part, double given_rounding);
+  static constexpr std::size_t kTogether = 8;  // halves of cells, in one piece of memory
+
+  Cell& cell_at(int index) { return const_cast<Cell&>(std::as_const(*this)[index]); }
   double* allocate(int count);
+  void choose_form(CellForm form, const double* net);
+  void halve_net(const Cell& cell, const std::array<double*, 2>& nets) const;
+  void set_net(Cell& cell, double* net);
   void finish(Cell& cell);
   double rounding_of(const Cell& cell) const;
   void make_hull(Cell& cell);
@@ -118,7 +133,9 @@ class CellTree {
   double coefficient_scale_ = 0;  // largest sum of absolute coefficients over the planes
   double least_weight_ = 1;
   double weight_spread_ = 1;
-  std::vector<Cell> cells_;
+  Cell root_;
+  std::vector<std::unique_ptr<std::array<Cell, kTogether>>> halves_;
+  int size_ = 1;
   std::vector<std::unique_ptr<double[]>> blocks_;
   int free_in_block_ = 0;
   int block_;  // doubles of the next block; the first holds the whole patch, then they grow

@@ -39,6 +39,10 @@ void SurfaceCells::make_trees(const std::vector<int>& patches) {
   made_.insert(made_.end(), missing.begin(), missing.end());
 }
 
+void SurfaceCells::drop_cells() {
+  for (const int patch : made_) trees_[static_cast<std::size_t>(patch)]->drop_cells();
+}
+
 std::unique_ptr<CellTree> SurfaceCells::made_tree(int patch) const {
   PartTest part;
   if (part_)

@@ -25,6 +25,9 @@ class SurfaceCells {
   /// Makes the trees of patches, each named once, that are not there yet, by all threads.
   void make_trees(const std::vector<int>& patches);
 
+  /// Gives the memory of all cells back; the trees' patches stay.
+  void drop_cells();
+
   int patches() const { return static_cast<int>(trees_.size()); }
   const BezierSurface& surface() const { return surface_; }
   const Vec3& origin() const { return origin_; }  ///< of the trees

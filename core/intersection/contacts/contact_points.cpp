@@ -34,8 +34,9 @@ bool solve(System& m) {
       if (std::abs(m[r][c]) > std::abs(m[pivot][c])) pivot = r;
     if (m[pivot][c] == 0) return false;
     if (pivot != c) std::swap(m[c], m[pivot]);
+    const double inverse = 1 / m[c][c];
     for (std::size_t r = c + 1; r < 4; ++r) {
-      const double factor = m[r][c] / m[c][c];
+      const double factor = m[r][c] * inverse;
       for (std::size_t k = c + 1; k < 5; ++k) m[r][k] -= factor * m[c][k];
     }
   }

@@ -87,7 +87,8 @@ class RegularReader {
 
   // The zero on the line w = const.
   std::optional<Point4> on_line(double w) const {
-    const auto gap = [&](double z) { return value(gap_, w, z); };
+    const Polynomial across = along_y(gap_, w);
+    const auto gap = [&](double z) { return value(across, z); };
     const double low = axes_.chord_end(w, 0), high = axes_.chord_end(w, 1);
     const double low_gap = gap(low), high_gap = gap(high);
     if (!(low_gap < 0 && high_gap > 0)) return std::nullopt;

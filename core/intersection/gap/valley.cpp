@@ -287,7 +287,8 @@ class Reader {
   std::optional<Point4> branch_point(double w, int side) const {
     const auto valley = shape_.valley_at(w);
     if (!valley) return std::nullopt;
-    const auto gap = [&](double z) { return value(shape_.gap, w, z); };
+    const Polynomial across = along_y(shape_.gap, w);
+    const auto gap = [&](double z) { return value(across, z); };
     const double valley_gap = gap(*valley);
     if (!(valley_gap < 0)) return std::nullopt;
     const double outer = shape_.chord_end(w, side), outer_gap = gap(outer);

@@ -63,9 +63,11 @@ std::optional<ValleyShape> ValleyShape::of(const GapModel& model) {
 
 // The valley at w by Newton's method; nothing if it leaves the range of the cell.
 std::optional<double> ValleyShape::valley_at(double w, double near) const {
+  const Polynomial across = along_y(gap_z, w);
   double z = near;
   for (int step = 0; step < 30; ++step) {
-    const double move = value(gap_z, w, z) / value(gap_zz, w, z);
+    const auto [slope, bend] = jet_at(across, z);
+    const double move = slope / bend;
     z -= move;
     if (!(std::abs(z) < 2 * reach)) return std::nullopt;
     if (std::abs(move) < kLastMove) break;

@@ -61,6 +61,18 @@ TEST_P(PolynomialProperty, ChosenRootsAreFoundInOrder) {
   }
 }
 
+TEST_P(PolynomialProperty, SlopeIsThatOfADifferenceQuotient) {
+  Random random = seeded(GetParam());
+  Polynomial p;
+  for (double& c : p) c = uniform(random, -1, 1);
+  const double t = uniform(random, -1, 1), h = 1e-5;
+
+  const PolynomialJet jet = jet_at(p, t);
+
+  EXPECT_DOUBLE_EQ(jet.value, value(p, t));
+  EXPECT_NEAR(jet.slope, (value(p, t + h) - value(p, t - h)) / (2 * h), 1e-7);
+}
+
 INSTANTIATE_TEST_SUITE_P(Random, PolynomialProperty, ::testing::Range(0, 20));
 
 TEST(IsolatedRoots, AreOnlyThoseOfTheInterval) {

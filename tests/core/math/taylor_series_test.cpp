@@ -77,6 +77,7 @@ TEST_P(TaylorSeriesProperty, IsTurnedAndTakenAlongLinesExactly) {
   const Vec2 place = at[0] * a + at[1] * b, on_line = a + at[1] * b;
   EXPECT_NEAR(value(turned_p, at[0], at[1]), value(p, place[0], place[1]), 1e-11);
   EXPECT_NEAR(value(line, at[1]), value(p, on_line[0], on_line[1]), 1e-11);
+  EXPECT_NEAR(value(along_y(p, at[0]), at[1]), value(p, at[0], at[1]), 1e-13);
   TaylorPolynomial x{}, y{};
   x[taylor_index(1, 0)] = a[0];
   x[taylor_index(0, 1)] = b[0];
