@@ -18,7 +18,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kDeepest = 12;               // halvings of a link
+constexpr int kDeepest = 24;               // halvings of a link
 constexpr std::size_t kMostPieces = 5000;  // where sampling ends whatever the accuracy: this, and
 constexpr std::size_t kPiecesOfLink = 32;  // so many more for each link
 constexpr std::size_t kUsualPieces = 4;    // of a link: more take another allocation

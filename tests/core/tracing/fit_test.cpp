@@ -6,15 +6,24 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <vector>
 
 #include "core/surface_intersection.h"
 #include "tests/core/tracing/surface_pairs.h"
+#include "tests/support/surface_changes.h"
 
 namespace blossom {
 namespace {
 
 using testing::surface_pairs;
 using testing::SurfacePair;
+
+RationalBezierPatch patch_of(int rows, const std::vector<Vec3>& points) {
+  RationalBezierPatch patch{Grid<Vec4>(rows, static_cast<int>(points.size()) / rows)};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    patch.points.values()[i] = {points[i][0], points[i][1], points[i][2], 1};
+  return patch;
+}
 
 // Open CASCADE takes 114 poles for the same curve and tolerance.
 TEST(Fit, OfALoopTakesFewPoles) {
@@ -174,6 +183,41 @@ TEST(Fit, HasAKnotOfTheRightMultiplicityWhereTheSurfaceHasOne) {
     }
     EXPECT_EQ(at_knot, 2) << name;
   }
+}
+
+// A blend runs into a plane that is all but tangent to it along its border. The branch comes in
+// across the border and turns along it within a millionth of the blend's length. (Faces 42 and 189
+// of Open CASCADE's sample bearing.iges.)
+TEST(Fit, OfABranchThatTurnsSharplyBehindABorderIsFound) {
+  const BezierSurface blend =
+      testing::of_patch(patch_of(4, {{-0.01817654, 0.0163104, 0.01561499},
+                                     {-0.0180679, 0.01609269, 0.01444051},
+                                     {-0.01877193, 0.01523487, 0.01358498},
+                                     {-0.01968022, 0.01447823, 0.01378772},
+                                     {-0.01962434, 0.01793196, 0.01518049},
+                                     {-0.0195157, 0.01771425, 0.01400601},
+                                     {-0.02021973, 0.01685643, 0.01315048},
+                                     {-0.02112802, 0.01609979, 0.01335322},
+                                     {-0.02107213, 0.01955352, 0.01474599},
+                                     {-0.0209635, 0.01933581, 0.01357151},
+                                     {-0.02166753, 0.01847799, 0.01271598},
+                                     {-0.02257582, 0.01772135, 0.01291872},
+                                     {-0.02251993, 0.02117508, 0.0143115},
+                                     {-0.02241129, 0.02095737, 0.01313702},
+                                     {-0.02311532, 0.02009955, 0.01228149},
+                                     {-0.02402361, 0.01934291, 0.01248423}}));
+  const BezierSurface plane =
+      testing::of_patch(patch_of(2, {{-0.01967537874, 0.01447112718, 0.01378961924},
+                                     {-0.03361436509, 0.01447112718, 0.01378961924},
+                                     {-0.01967537874, 0.02475166167, 0.01103495648},
+                                     {-0.03361436509, 0.02475166167, 0.01103495648}}));
+
+  const SurfaceIntersection found = intersect(blend, plane);
+
+  EXPECT_NE(found.status, Status::Stopped);
+  ASSERT_EQ(found.curves.size(), 1u);
+  EXPECT_NEAR(found.curves[0].length, 0.0032846, 1e-7);
+  EXPECT_LT(found.curves[0].deviation.a, 1e-7);
 }
 
 }  // namespace
