@@ -80,7 +80,7 @@ class Assembly {
     add(neighbours, found_);
     drop_beside_known(cells_a);
     result_.certificate = found_.certificate;
-    if (!neighbours.arcs.empty()) weaken(Status::Tolerance, kSharedBorder);
+    if (neighbours.touch) weaken(Status::Tolerance, kSharedBorder);
     return joined_from(cells_a, cells_b);
   }
 
@@ -105,8 +105,7 @@ class Assembly {
     put_on_borders(found_, cells_a, cells_b, kRoundings * (max_norm(origin_) + size_));
     if (found_.stopped) stop_at_limit();
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
-    cells_a.drop_cells();
-    cells_b.drop_cells();
+    for (SurfaceCells* cells : {&cells_a, &cells_b}) cells->drop_cells();
     std::vector<std::optional<IntersectionCurve>> fits = fits_of(cells_a, cells_b, chains);
     for (std::size_t i = 0; i < chains.size(); ++i)
       fits[i] ? add_curve(cells_a, chains[i], std::move(*fits[i]))

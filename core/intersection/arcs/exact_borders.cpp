@@ -44,30 +44,10 @@ std::vector<Exact4> raised(const std::vector<Vec4>& points, std::size_t degree) 
   return p;
 }
 
-// True if q is p but for its degree and a linear rational change of its parameter, which multiplies
-// the control points by k r^i.
-bool one_curve(const std::vector<Vec4>& p, const std::vector<Vec4>& q) {
-  const auto parallel = [](const Vec4& x, const Vec4& y) {
-    for (int c = 0; c < 3; ++c)
-      if (Rational(x[c]) * Rational(y[3]) != Rational(y[c]) * Rational(x[3])) return false;
-    return true;
-  };
-  if (!parallel(p.front(), q.front()) || !parallel(p.back(), q.back())) return false;
-  const std::size_t degree = std::max(p.size(), q.size()) - 1;
-  if (degree == 0) return true;
-  const std::vector<Exact4> x = raised(p, degree), y = raised(q, degree);
-  Rational factor = y[0][3] / x[0][3];
-  const Rational ratio = y[1][3] / (x[1][3] * factor);
-  for (std::size_t i = 0; i <= degree; ++i, factor *= ratio)
-    for (std::size_t c = 0; c < 4; ++c)
-      if (y[i][c] != factor * x[i][c]) return false;
-  return true;
-}
-
 bool one_curve_either_way(const std::vector<Vec4>& p, std::vector<Vec4> q) {
-  if (one_curve(p, q)) return true;
+  if (parameter_ratio(p, q)) return true;
   std::reverse(q.begin(), q.end());
-  return one_curve(p, q);
+  return parameter_ratio(p, q).has_value();
 }
 
 // The plane through three homogeneous points; nothing if they are on a line.
@@ -119,6 +99,25 @@ const RationalBezierPatch& patch_of(const BezierSurface& surface, int patch) {
 }
 
 }  // namespace
+
+// The change multiplies the control points by k r^i.
+std::optional<double> parameter_ratio(const std::vector<Vec4>& p, const std::vector<Vec4>& q) {
+  const auto parallel = [](const Vec4& x, const Vec4& y) {
+    for (int c = 0; c < 3; ++c)
+      if (Rational(x[c]) * Rational(y[3]) != Rational(y[c]) * Rational(x[3])) return false;
+    return true;
+  };
+  if (!parallel(p.front(), q.front()) || !parallel(p.back(), q.back())) return std::nullopt;
+  const std::size_t degree = std::max(p.size(), q.size()) - 1;
+  if (degree == 0) return 1.0;
+  const std::vector<Exact4> x = raised(p, degree), y = raised(q, degree);
+  Rational factor = y[0][3] / x[0][3];
+  const Rational ratio = y[1][3] / (x[1][3] * factor);
+  for (std::size_t i = 0; i <= degree; ++i, factor *= ratio)
+    for (std::size_t c = 0; c < 4; ++c)
+      if (y[i][c] != factor * x[i][c]) return std::nullopt;
+  return ratio > 0 ? std::optional(static_cast<double>(ratio)) : std::nullopt;
+}
 
 bool ExactBorders::hold(const FoundArc& arc) {
   for (std::size_t parameter = 0; parameter < 4; ++parameter)

@@ -9,10 +9,16 @@
 
 #include <array>
 #include <map>
+#include <optional>
+#include <vector>
 
 #include "core/intersection/pair_search.h"
 
 namespace blossom {
+
+/// If q(t) is p(s) exactly, but for its degree and a change of its parameter
+/// s = r t / (1 - t + r t): r, rounded. Control points are homogeneous, weights positive.
+std::optional<double> parameter_ratio(const std::vector<Vec4>& p, const std::vector<Vec4>& q);
 
 class ExactBorders {
  public:

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
+#include "core/intersection/arcs/exact_borders.h"
 #include "core/intersection/cells/cell_pair.h"
 #include "core/intersection/cells/direction_cones.h"
 #include "core/intersection/contacts/patch_sides.h"
@@ -16,21 +19,31 @@
 namespace blossom {
 namespace {
 
-constexpr double kSmoothSine = 1e-3;         // of the angle between normals all along a border
-constexpr int kNormals = 5;                  // that are compared along it
-constexpr int kDeepest = 12;                 // halvings of a patch in a proof, and
-constexpr int kMostPairs = 1024;             // pairs of cells
-constexpr std::size_t kPairGrain = 128;      // pairs that one thread looks at in a row
-constexpr double kSlack = 1e-12;             // of directions of length about 1, for roundings
-constexpr double kWeightRounding = 0x1p-50;  // of quotients of weights, and
-constexpr double kPointRounding = 0x1p-49;   // of distances, of the largest coordinate
+constexpr double kSmoothSine = 1e-3;            // of the angle between normals all along a border
+constexpr int kNormals = 5;                     // that are compared along it
+constexpr int kDeepest = 12;                    // halvings of a patch in a proof, and
+constexpr int kMostPairs = 1024;                // pairs of cells
+constexpr std::size_t kPairGrain = 128;         // pairs that one thread looks at in a row
+constexpr double kSlack = 1e-12;                // of directions of length about 1, for roundings
+constexpr double kWeightRounding = 0x1p-50;     // of quotients of weights, and
+constexpr double kParameterRounding = 0x1p-50;  // of what a side's parameter is on the other, and
+constexpr double kPointRounding = 0x1p-49;      // of distances, of the largest coordinate
 
 struct CommonSide {
   Side a, b;
   bool reversed = false;  // b's runs the other way
+  double ratio = 1;       // of their parameters, as of `parameter_ratio`
   double gap = 0;         // between points of one parameter
+  bool smooth = false;    // the normals are the same along it; otherwise it is a crease
 
-  double on_b(double t) const { return reversed ? 1 - t : t; }
+  double on_a(double t) const {
+    const double s = reversed ? 1 - t : t;
+    return ratio * s / (1 - s + ratio * s);
+  }
+  double on_b(double t) const {
+    const double s = t / (t + ratio * (1 - t));
+    return reversed ? 1 - s : s;
+  }
 };
 
 struct CommonCorner {
@@ -89,8 +102,9 @@ class Neighbours {
   }
 
   // True if there is something in common and one patch goes on in the other there, with the same
-  // normals; otherwise there is nothing to prove.
-  bool go_on_smoothly() const {
+  // normals or across a crease whose control points are the same; otherwise there is nothing to
+  // prove.
+  bool go_on() const {
     return !(sides_.empty() && corners_.empty() && poles_.empty()) && longest_jump() <= nearest_ &&
            std::ranges::all_of(sides_, [&](const CommonSide& s) { return goes_on(s); }) &&
            std::ranges::all_of(poles_, [&](const CommonPole& p) { return is_apart(p); }) &&
@@ -190,7 +204,10 @@ class Neighbours {
         std::vector<Vec4> q = side_points(b_, b);
         for (const bool reversed : {false, true}) {
           if (reversed) std::ranges::reverse(q);
-          if (const auto gap = gap_between(p, q)) sides_.push_back({a, b, reversed, *gap});
+          CommonSide side{a, b, reversed};
+          if (!make_common(p, q, side)) continue;
+          side.smooth = is_smooth_along(side);
+          sides_.push_back(side);
         }
       }
     std::erase_if(corners_, [&](const CommonCorner& corner) {
@@ -198,6 +215,19 @@ class Neighbours {
         return is_on(corner.a, side.a) && is_on(corner.b, side.b);
       });
     });
+  }
+
+  // Nearly the same points, or exactly one curve.
+  bool make_common(const std::vector<Vec4>& p, const std::vector<Vec4>& q, CommonSide& side) const {
+    if (const auto gap = gap_between(p, q)) {
+      side.gap = *gap;
+      return true;
+    }
+    const bool ends = gap_between({&p.front(), 1}, {&q.front(), 1}) &&
+                      gap_between({&p.back(), 1}, {&q.back(), 1});
+    const auto ratio = ends ? parameter_ratio(p, q) : std::nullopt;
+    if (ratio) side.ratio = *ratio;
+    return ratio.has_value();
   }
 
   // A bound on the distance of points of one parameter, if the curves are near enough.
@@ -221,20 +251,29 @@ class Neighbours {
     return gap <= nearest_ ? std::optional(gap) : std::nullopt;
   }
 
-  bool goes_on(const CommonSide& side) const {
+  // Whether a test of the slopes of both patches holds at samples of a side.
+  template <class Test>
+  bool all_along(const CommonSide& side, const Test& test) const {
     for (int k = 0; k < kNormals; ++k) {
       const double t = k / (kNormals - 1.0);
-      if (std::ranges::any_of(poles_,
-                              [&](const auto& pole) { return is_on(side.a.at(t), pole.a); }))
-        continue;
-      const Slopes p = slopes_at(a_, side.a.at(t), false);
-      const Slopes q = slopes_at(b_, side.b.at(side.on_b(t)), true);
-      const Vec3 along = unit(side.a.across == 0 ? p.v : p.u);
-      const Vec3 to = side.a.across == 0 ? p.u : p.v, from = side.b.across == 0 ? q.u : q.v;
-      const bool on = dot(to - along * dot(to, along), from - along * dot(from, along)) > 0;
-      if (!on || !is_smooth(p, q)) return false;
+      const bool at_pole = std::ranges::any_of(
+          poles_, [&](const auto& pole) { return is_on(side.a.at(t), pole.a); });
+      if (!at_pole &&
+          !test(slopes_at(a_, side.a.at(t), false), slopes_at(b_, side.b.at(side.on_b(t)), true)))
+        return false;
     }
     return true;
+  }
+
+  bool is_smooth_along(const CommonSide& side) const { return all_along(side, is_smooth); }
+
+  bool goes_on(const CommonSide& side) const {
+    if (!side.smooth && side.gap + moved_ > 0) return false;
+    return all_along(side, [&](const Slopes& p, const Slopes& q) {
+      const Vec3 along = unit(side.a.across == 0 ? p.v : p.u);
+      const Vec3 to = side.a.across == 0 ? p.u : p.v, from = side.b.across == 0 ? q.u : q.v;
+      return dot(to - along * dot(to, along), from - along * dot(from, along)) > 0;
+    });
   }
 
   // Whether the inner ways that lead away from the pole are different ones.
@@ -282,8 +321,10 @@ class Neighbours {
     const Interval along_b = over_b[side.b.along()];
     over_a[side.a.across] = hull(over_a[side.a.across], side.a.value());
     over_b[side.b.across] = hull(over_b[side.b.across], side.b.value());
-    over_a[side.a.along()] =
-        hull(hull(over_a[side.a.along()], side.on_b(along_b.from)), side.on_b(along_b.to));
+    for (const double t : {along_b.from, along_b.to})
+      for (const double rounding : {-kParameterRounding, kParameterRounding})
+        over_a[side.a.along()] =
+            hull(over_a[side.a.along()], std::clamp(side.on_a(t) + rounding, 0.0, 1.0));
     const auto p = slopes(slopes_a_, at_poles_a_, over_a);
     const auto q = slopes(slopes_b_, at_poles_b_, over_b);
     const DirectionCones cones =
@@ -365,7 +406,7 @@ FoundArc arc_along(const CommonSide& side, int patch_a, int patch_b) {
   arc.arc.from = place_of(side.a.at(0), side.b.at(side.on_b(0)));
   arc.arc.to = place_of(side.a.at(1), side.b.at(side.on_b(1)));
   for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = arc.arc.to[k] - arc.arc.from[k];
-  arc.arc.tangential = true;
+  arc.arc.tangential = side.smooth;
   arc.arc.iso = arc.arc.from[0] == arc.arc.to[0] ? 0 : 1;
   return arc;
 }
@@ -374,17 +415,16 @@ FoundArc arc_along(const CommonSide& side, int patch_a, int patch_b) {
 
 NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<StartPair>& pairs,
                                   double tolerance, const WorkLimit& limit) {
-  const auto neighbours_of = [&](const StartPair& pair) {
-    return Neighbours(a, pair.patch_a, b, pair.patch_b, tolerance / kJumpReach);
-  };
-  std::vector<char> smooth(pairs.size());
-  parallel_for(pairs.size(), kPairGrain,
-               [&](std::size_t i) { smooth[i] = neighbours_of(pairs[i]).go_on_smoothly(); });
+  std::vector<std::unique_ptr<Neighbours>> going_on(pairs.size());
+  parallel_for(pairs.size(), kPairGrain, [&](std::size_t i) {
+    const StartPair& pair = pairs[i];
+    Neighbours neighbours(a, pair.patch_a, b, pair.patch_b, tolerance / kJumpReach);
+    if (neighbours.go_on()) going_on[i] = std::make_unique<Neighbours>(std::move(neighbours));
+  });
   NeighbourContacts found;
   std::optional<Axes> axes;
-  const auto is_settled = [&](const StartPair& pair) {
+  const auto is_settled = [&](const StartPair& pair, Neighbours& neighbours) {
     if (limit.reached() != nullptr) return false;
-    Neighbours neighbours = neighbours_of(pair);
     if (!axes) axes = axes_of(a.surface());
     if (!neighbours.proof(a.tree(pair.patch_a), b.tree(pair.patch_b), *axes)) return false;
     const Certificate& proven = neighbours.certificate();
@@ -401,6 +441,7 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
       if (counts(side.a.range(), side.b.range())) {
         found.arcs.push_back(arc_along(side, pair.patch_a, pair.patch_b));
         found.gap = std::max(found.gap, side.gap);
+        found.touch = found.touch || side.smooth;
       }
     for (const CommonCorner& corner : neighbours.corners())
       if (counts(range_at(corner.a), range_at(corner.b))) {
@@ -424,7 +465,7 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
   std::vector<StartPair> others;
   others.reserve(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    if (!smooth[i] || !is_settled(pairs[i])) others.push_back(pairs[i]);
+    if (!going_on[i] || !is_settled(pairs[i], *going_on[i])) others.push_back(pairs[i]);
   pairs = std::move(others);
   return found;
 }

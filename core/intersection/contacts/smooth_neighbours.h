@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Patches at which two surfaces go on smoothly into each other, across a border or a corner.
+// Patches at which two surfaces go on smoothly into each other, across a border or a corner, or
+// across a border that is a crease.
 //
 // Beside a border that both surfaces have, their cells come as close to each other as they like,
 // and nearly flat: neither boxes nor normals tell them apart, on any scale. But what makes them
@@ -27,15 +28,16 @@ namespace blossom {
 
 /// What neighbours have in common.
 struct NeighbourContacts {
-  std::vector<FoundArc> arcs;      ///< along borders
+  std::vector<FoundArc> arcs;      ///< along borders; not tangential along creases
+  bool touch = false;              ///< some of them are tangential
   std::vector<FoundGraze> grazes;  ///< corners and poles
   double gap = 0;                  ///< between the surfaces there, model units
   Certificate certificate;         ///< of the pairs of cells that have nothing else in common
 };
 
 /// Takes out the pairs of patches that are proven to meet in a common outer border, corner or pole
-/// of both surfaces alone, where samples have common normals, to 1e-3. What lies outside of the
-/// parts that count is not looked at and not reported.
+/// of both surfaces alone, where samples have common normals, to 1e-3, or the border is exactly one
+/// curve. What lies outside of the parts that count is not looked at and not reported.
 ///
 /// pairs      of whole patches of two different surfaces
 /// tolerance  model units: what they have in common lies within it of what is reported

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/forms/degree.h"
 #include "core/forms/evaluation.h"
 #include "core/intersection/cells/direction_cones.h"
 #include "core/subdivision/patch_subdivision.h"
@@ -91,7 +92,68 @@ TEST_P(Turned, QuartersMeetInTheirCorner) {
   EXPECT_LE(distance(found.points.front().point, point_at(whole, 0.5, 0.5)), 1e-12);
 }
 
+// From a wave along the y axis to x = 3 `way`, rising by `slope`.
+RationalBezierPatch side_of_crease(double way, double slope) {
+  constexpr std::array kWave{0.0, 0.5, 0.25, 0.75};
+  RationalBezierPatch patch{Grid<Vec4>(4, 4)};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      patch.points(i, j) = {way * i, j + 0.125 * i * i,
+                            kWave[static_cast<std::size_t>(j)] + slope * i, 1};
+  return patch;
+}
+
+bool is_taken(const BezierSurface& a, const BezierSurface& b) {
+  std::vector<StartPair> pairs{{0, 0, 0, 0}};
+  SurfaceCells cells_a(a, {}, CellForm::Auto, 0.4865), cells_b(b, {}, CellForm::Auto, 0.4865);
+  take_neighbours(cells_a, cells_b, pairs, 1e-7, WorkLimit(IntersectionOptions{}));
+  return pairs.empty();
+}
+
+void expect_meeting_in_crease(const BezierSurface& a, const BezierSurface& b) {
+  EXPECT_TRUE(is_taken(a, b));
+  const SurfaceIntersection found = intersect(a, b);
+  EXPECT_EQ(found.status, Status::Complete);
+  ASSERT_EQ(found.curves.size(), 1u);
+  const IntersectionCurve& curve = found.curves.front();
+  EXPECT_FALSE(curve.tangential);
+  EXPECT_LE(std::max({curve.deviation.a, curve.deviation.b, curve.deviation.between}), 1e-7);
+  const auto y_at = [&](double t) { return point_at(curve.curve, t)[1]; };
+  EXPECT_NEAR(std::abs(y_at(curve.curve.domain().to) - y_at(curve.curve.domain().from)), 3, 1e-12);
+}
+
+TEST_P(Turned, SidesOfACreaseMeetInIt) {
+  expect_meeting_in_crease(surface_of(side_of_crease(-1, 0.5)),
+                           surface_of(turned(side_of_crease(1, 1), GetParam())));
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, Turned, ::testing::Range(0, 8));
+
+// The border is one curve with another parameter and of another degree: doubles hold both exactly.
+TEST(SmoothNeighbours, SidesOfACreaseMeetInItWhateverItsParameter) {
+  const BezierSurface a = surface_of(side_of_crease(-1, 0.5));
+  RationalBezierPatch side = elevated(side_of_crease(1, 1), 3, 4);
+  for (const double ratio : {1.0, 2.0, 0.25}) {
+    BezierSurface b = surface_of(side);
+    b.rational = true;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 5; ++j)
+        b.patches(0, 0).points(i, j) = side.points(i, j) * std::pow(ratio, j);
+    expect_meeting_in_crease(a, b);
+    expect_meeting_in_crease(b, a);
+  }
+}
+
+// A path from one to the other turns back in the border, which proves nothing.
+TEST(SmoothNeighbours, SidesOfAFoldAreSearched) {
+  EXPECT_FALSE(is_taken(surface_of(side_of_crease(-1, 0.5)), surface_of(side_of_crease(-1, 1.5))));
+}
+
+TEST(SmoothNeighbours, SidesOfACreaseThatAreAlmostTheSameAreSearched) {
+  RationalBezierPatch side = side_of_crease(1, 1);
+  side.points(0, 2)[2] += 1e-15;
+  EXPECT_FALSE(is_taken(surface_of(side_of_crease(-1, 0.5)), surface_of(side)));
+}
 
 // Neither half is small: the proof needs parts of them.
 TEST(SmoothNeighbours, HalvesOfATubeMeetInBothBorders) {
