@@ -71,7 +71,11 @@ class CurveAssembly {
   bool is_at_end(const CurveFoot& foot) const;
   std::array<double, kSamples> gaps_in(const CurveOverlap& run, const Interval& reach) const;
   bool is_common(const CurveOverlap& run) const;
+  std::vector<std::array<double, 2>> stops_along(const CurveOverlap& run) const;
+  bool is_near(const CurveOverlap& run, double most) const;
+  bool is_near(const Interval& on_a, const Interval& on_b, double most, int depth) const;
   std::optional<CurveOverlap> end_to_end(const CurveOverlap& run) const;
+  bool is_part_of_one(const CurveOverlap& run, const std::vector<CurveOverlap>& of) const;
   void join_overlaps();
   Candidate nearest_in(const CurveOverlap& run, double sample) const;
   void add_cusp(const CurveContact& run);

@@ -8,15 +8,39 @@
 #include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/intersection/contacts/contact_length.h"
 #include "core/intersection/curves/curve_assembly.h"
+#include "core/intersection/curves/shared_curve.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kReachStep = 0.125;  // of a run
 constexpr int kSections = 50;         // golden ones, of a part of a run
+constexpr int kDeepest = 10;          // halvings of a piece between knots, to prove how near it is
+constexpr double kAtKnot = 1e-12;     // of a span
+constexpr double kLeastEven = 0.1;    // of a piece of b: as near an end its middle's foot may be
+
+struct SpanPart {
+  const RationalBezierCurve* curve;
+  Interval local;  // may run backwards
+};
+
+// The part of a curve between two parameters; nothing if a knot is between them.
+std::optional<SpanPart> between_knots(const CurveTree& tree, const Interval& range) {
+  const SpanPoint middle = tree.place(at(range, 0.5));
+  const CurveSpan& span = tree.curve().spans[static_cast<std::size_t>(middle.span)];
+  const double slack = kAtKnot * length(span.place);
+  const auto local = [&](double parameter) {
+    return local_parameter(span.law, span.place,
+                           std::clamp(parameter, span.place.from, span.place.to));
+  };
+  const Interval ends = increasing(range);
+  if (ends.from < span.place.from - slack || ends.to > span.place.to + slack) return std::nullopt;
+  return SpanPart{&span.curve, {local(range.from), local(range.to)}};
+}
 
 }  // namespace
 
@@ -133,18 +157,81 @@ bool CurveAssembly::is_common(const CurveOverlap& run) const {
   return is_common_run(gaps_in(run, reach_of(run)), tolerance_, margin_);
 }
 
+// Places on both curves along a run, from end to end, between which neither has a knot: knots with
+// their feet, or with the other curve's knot that cannot be told from that.
+std::vector<std::array<double, 2>> CurveAssembly::stops_along(const CurveOverlap& run) const {
+  std::vector<std::array<double, 2>> stops{{run.a.from, run.b.from}, {run.a.to, run.b.to}};
+  std::vector<double> knots;
+  const Interval on_b = increasing(run.b);
+  for (const CurveSpan& span : b_.curve().spans)
+    if (const double t = span.place.from; on_b.from < t && t < on_b.to) knots.push_back(t);
+  for (const CurveSpan& span : a_.curve().spans) {
+    const double s = span.place.from;
+    if (s <= run.a.from || s >= run.a.to) continue;
+    const double foot = b_.parameter(foot_of(run, (s - run.a.from) / length(run.a)).b);
+    const auto same =
+        std::ranges::find_if(knots, [&](double t) { return b_.stays_near(foot, t, tolerance_); });
+    stops.push_back({s, same == knots.end() ? foot : *same});
+    if (same != knots.end()) knots.erase(same);
+  }
+  for (const double t : knots) {
+    const double guess = at(run.a, (t - run.b.from) / length(run.b));
+    stops.push_back({a_.parameter(foot_along(a_, b_.jet(b_.place(t)).point, guess)), t});
+  }
+  std::ranges::sort(stops);
+  return stops;
+}
+
+// Whether the two parts of a run are proven to be within a distance of each other, which samples do
+// not tell. Pieces between knots are halved at feet until they are so at parameters that agree at
+// both ends and in the middle.
+bool CurveAssembly::is_near(const CurveOverlap& run, double most) const {
+  const std::vector<std::array<double, 2>> stops = stops_along(run);
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+    const auto& [s, t] = stops[i];
+    const auto& [next_s, next_t] = stops[i + 1];
+    if (!is_near({s, next_s}, {t, next_t}, most, 0)) return false;
+  }
+  return true;
+}
+
+bool CurveAssembly::is_near(const Interval& on_a, const Interval& on_b, double most,
+                            int depth) const {
+  const double s = at(on_a, 0.5);
+  const SpanPoint foot = foot_along(b_, a_.jet(a_.place(s)).point, at(on_b, 0.5));
+  const auto part_a = between_knots(a_, on_a), part_b = between_knots(b_, on_b);
+  if (part_a && part_b) {
+    const double along = (foot.t - part_b->local.from) / length(part_b->local);
+    const bool is_even = along > kLeastEven && along < 1 - kLeastEven;
+    const LinearRational map{part_a->local, part_b->local, is_even ? (1 - along) / along : 1};
+    if (distance_bound(*part_a->curve, *part_b->curve, map) <= most) return true;
+  }
+  const double t = b_.parameter(foot);
+  return depth < kDeepest && is_near({on_a.from, s}, {on_b.from, t}, most, depth + 1) &&
+         is_near({s, on_a.to}, {t, on_b.to}, most, depth + 1);
+}
+
 // All of a contact, if it goes on from end to end of one of the curves: that is a run however the
 // gap varies, since curves with but points of contact would part before.
 std::optional<CurveOverlap> CurveAssembly::end_to_end(const CurveOverlap& run) const {
   const Interval reach = reach_of(run);
   const CurveFoot first = foot_of(run, reach.from), last = foot_of(run, reach.to);
   if (!is_at_end(first) || !is_at_end(last)) return std::nullopt;
-  const double most = std::ranges::max(gaps_in(run, reach));
-  if (most > tolerance_ + margin_) return std::nullopt;
-  return CurveOverlap{{a_.parameter(first.a), a_.parameter(last.a)},
-                      {b_.parameter(first.b), b_.parameter(last.b)},
-                      std::max(run.gap_high, most + margin_),
-                      false};
+  const CurveOverlap whole{{a_.parameter(first.a), a_.parameter(last.a)},
+                           {b_.parameter(first.b), b_.parameter(last.b)},
+                           std::max(run.gap_high, std::ranges::max(gaps_in(run, reach)) + margin_),
+                           false};
+  if (!is_near(whole, tolerance_ + margin_)) return std::nullopt;
+  return whole;
+}
+
+bool CurveAssembly::is_part_of_one(const CurveOverlap& run,
+                                   const std::vector<CurveOverlap>& of) const {
+  return std::ranges::any_of(of, [&](const CurveOverlap& whole) {
+    return std::ranges::all_of(std::array{0.0, 0.5, 1.0}, [&](double part) {
+      return is_on(whole, candidate(foot_of(run, part)));
+    });
+  });
 }
 
 // Parts of one run from end to end, and the points in it, as that run: proven parts have others
@@ -155,11 +242,7 @@ void CurveAssembly::join_overlaps() {
   const auto on_whole = [&](const Candidate& point) {
     return std::ranges::any_of(wholes, [&](const CurveOverlap& run) { return is_on(run, point); });
   };
-  const auto is_inside = [&](const CurveOverlap& run) {
-    return std::ranges::all_of(std::array{0.0, 0.5, 1.0}, [&](double part) {
-      return on_whole(candidate(foot_of(run, part)));
-    });
-  };
+  const auto is_inside = [&](const CurveOverlap& run) { return is_part_of_one(run, wholes); };
   for (const CurveOverlap& part : overlaps_) {
     if ((is_at_end(foot_of(part, 0)) && is_at_end(foot_of(part, 1))) || is_inside(part)) continue;
     if (const auto whole = end_to_end(part)) wholes.push_back(*whole);
@@ -207,8 +290,11 @@ void CurveAssembly::add_run(const CurveContact& contact) {
     run.gap_high = std::max(run.gap_high, gap + margin_);
   }
   // Pieces of one line that follow each other keep to one strip, but meet in an end at most.
-  const bool strays = run.gap_high > 2 * (tolerance_ + margin_);
-  if (!strays && run_length > touch_length_ && (is_common(run) || end_to_end(run))) {
+  const double most = 2 * (tolerance_ + margin_);
+  const bool strays = run.gap_high > most;
+  const bool is_run = !strays && run_length > touch_length_ && (is_common(run) || end_to_end(run));
+  if (is_run && is_near(run, most)) {
+    if (is_part_of_one(run, overlaps_)) return;
     overlaps_.push_back(run);
     std::erase_if(points_, [&](const Candidate& point) { return on_overlap(point); });
     return;

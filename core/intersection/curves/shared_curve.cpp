@@ -107,6 +107,17 @@ double distance_bound(const RationalBezierCurve& a, const RationalBezierCurve& b
   return (worst + 2 * error * scale) / least;
 }
 
+double distance_bound(const RationalBezierCurve& a, const RationalBezierCurve& b,
+                      const LinearRational& map) {
+  RationalBezierCurve piece = sub_curve(b, map.to);
+  const int n = piece.degree();
+  for (int i = 0; i <= n; ++i)
+    piece.points[static_cast<std::size_t>(i)] *= std::pow(map.ratio, n - i);
+  const double error = curve_subdivision_error(a.degree()) + curve_subdivision_error(n) +
+                       0x1p-51;  // powers of the ratio
+  return distance_bound(sub_curve(a, map.from), piece, error);
+}
+
 std::optional<SharedCurve> shared_curve(const RationalBezierCurve& a, const RationalBezierCurve& b,
                                         double s, double t, double tolerance) {
   const auto local = local_map(a, b, s, t);
@@ -127,13 +138,7 @@ std::optional<SharedCurve> shared_curve(const RationalBezierCurve& a, const Rati
   const double along = (feet[1] - feet[0]) / (feet[2] - feet[0]);
   if (!(along > 0 && along < 1)) return std::nullopt;
   SharedCurve shared{{*part, {feet[0], feet[2]}, (1 - along) / along}, 0};
-  RationalBezierCurve piece = sub_curve(b, shared.map.to);
-  const int n = piece.degree();
-  for (int i = 0; i <= n; ++i)
-    piece.points[static_cast<std::size_t>(i)] *= std::pow(shared.map.ratio, n - i);
-  const double error = curve_subdivision_error(a.degree()) + curve_subdivision_error(n) +
-                       0x1p-51;  // powers of the ratio
-  shared.gap = distance_bound(sub_curve(a, *part), piece, error);
+  shared.gap = distance_bound(a, b, shared.map);
   if (!(shared.gap <= tolerance)) return std::nullopt;
   return shared;
 }

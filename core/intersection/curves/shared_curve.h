@@ -36,4 +36,8 @@ std::optional<SharedCurve> shared_curve(const RationalBezierCurve& a, const Rati
 /// error   of a control point of either, relative to the largest one
 double distance_bound(const RationalBezierCurve& a, const RationalBezierCurve& b, double error);
 
+/// The same of A(s) and B(map(s)) where the map is defined.
+double distance_bound(const RationalBezierCurve& a, const RationalBezierCurve& b,
+                      const LinearRational& map);
+
 }  // namespace blossom

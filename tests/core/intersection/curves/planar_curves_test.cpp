@@ -172,6 +172,38 @@ TEST(PlanarCrossings, CurvesSideBySideAreOneRunHoweverTheGapVaries) {
         }
 }
 
+// A polygon by its x.
+PlanarCurve polygon(const std::vector<Vec2>& corners) {
+  Spline2 spline;
+  spline.degree = 1;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    spline.knots.push_back(corners[i][0]);
+    spline.multiplicities.push_back(i == 0 || i + 1 == corners.size() ? 2 : 1);
+  }
+  spline.points = corners;
+  return planar_curve(spline);
+}
+
+TEST(PlanarCrossings, CurvesThatPartForALittleWhileAreTwoRuns) {
+  const PlanarCurve line = polygon({{0, 0}, {1, 0}});
+  const PlanarCurve nearly = polygon({{0, 1e-8}, {0.3, -1e-8}, {0.6, 1e-8}, {1, 0}});
+  for (const double height : {0.3, 1e-3, 1e-6})
+    for (const double x : {0.3, 0.503, 0.51}) {
+      SCOPED_TRACE(height);
+      SCOPED_TRACE(x);
+      const PlanarCurve spike =
+          polygon({{0, 0}, {x, 0}, {x + 0.002, height}, {x + 0.004, 0}, {1, 0}});
+      for (const PlanarCurve& other : {line, nearly})
+        for (const bool exchanged : {false, true}) {
+          const PlanarCrossings found =
+              exchanged ? crossings(spike, other, kTolerance) : crossings(other, spike, kTolerance);
+          ASSERT_GE(found.overlaps.size(), 2U);
+          for (const auto& run : found.overlaps)
+            EXPECT_TRUE(run.a.to < x + 0.001 || run.a.from > x + 0.003);
+        }
+    }
+}
+
 TEST(PlanarCrossings, CommonRunIsAnOverlapWithBothRanges) {
   const auto found = crossings(planar_line({0, 0}, {4, 0}, {0, 4}),
                                planar_line({3, 0}, {-1, 0}, {0, 1}), kTolerance);
