@@ -46,13 +46,28 @@ void exchange(IntersectionCurve& curve, const BezierSurface& a) {
                 exchanged(curve.ends[1], curve.samples.back(), a)};
 }
 
+// The cosine between the normals of two surfaces that coincide on one side of a point at least:
+// beyond a kink there they do not.
+double common_cosine(const BezierSurface& a, const BezierSurface& b, const SurfacePoint& x) {
+  double best = 0;
+  for (const Vec3& p : normals_beside(a, x.uv_a))
+    for (const Vec3& q : normals_beside(b, x.uv_b)) {
+      const double cosine = dot(unit(p), unit(q));
+      if (std::abs(cosine) > std::abs(best)) best = cosine;
+    }
+  return best;
+}
+
 // The sense of its boundary follows the normal of the first surface. Normals are parallel all along
-// it, up to their sign, or have no length.
+// it, up to their sign, or have no length. Where a kink turns back altogether that does not tell
+// the sign, but no straight part of a closed line is half of it.
 void exchange(Overlap& overlap, const BezierSurface& a, const BezierSurface& b) {
   double alike = 0;
+  Vec3 last;
   for (SurfacePoint& x : overlap.boundary) {
     exchange(x);
-    alike += dot(normal_at(a, x.uv_a), normal_at(b, x.uv_b));
+    if (&x != &overlap.boundary.front()) alike += distance(last, x.point) * common_cosine(a, b, x);
+    last = x.point;
   }
   if (alike < 0) std::ranges::reverse(overlap.boundary);
 }

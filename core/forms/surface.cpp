@@ -17,6 +17,7 @@ namespace blossom {
 namespace {
 
 constexpr std::size_t kPatchGrain = 256;  // that one thread validates in a row
+constexpr double kBeside = 1e-6;          // of a span
 
 // tan(alpha / 2): the range of the stereographic parameter of an arc is [-k, k].
 double arc_range(const Interval& span) { return std::tan(0.25 * length(span)); }
@@ -113,10 +114,25 @@ Vec3 point_at(const BezierSurface& surface, const Vec2& uv) {
   return point_at(*place.patch, place.s, place.t);
 }
 
-Vec3 normal_at(const BezierSurface& surface, const Vec2& uv) {
-  const PatchPlace place = place_of(surface, uv);
-  const PatchJet jet = jet_at(*place.patch, place.s, place.t, 1);
-  return cross(jet.u, jet.v);
+std::array<Vec3, 4> normals_beside(const BezierSurface& surface, const Vec2& uv) {
+  const auto beside = [](const std::vector<double>& knots, double x) {
+    x = std::clamp(x, knots.front(), knots.back());
+    const std::size_t span = span_of(knots, x);
+    const double step = kBeside * (knots[span + 1] - knots[span]);
+    // The span before may be a shorter one.
+    const double back =
+        span == 0 ? step : std::min(step, kBeside * (knots[span] - knots[span - 1]));
+    return std::array{x - back, x + step};
+  };
+  std::array<Vec3, 4> normals;
+  std::size_t count = 0;
+  for (const double u : beside(surface.u_knots, uv[0]))
+    for (const double v : beside(surface.v_knots, uv[1])) {
+      const PatchPlace place = place_of(surface, {u, v});
+      const PatchJet jet = jet_at(*place.patch, place.s, place.t, 1);
+      normals[count++] = cross(jet.u, jet.v);
+    }
+  return normals;
 }
 
 bool is_valid(const RationalBezierPatch& patch) {

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/forms/patch.h"
@@ -56,8 +57,9 @@ double local_parameter(ParameterLaw law, const Interval& span, double parameter)
 /// The point of the surface at its own parameters, clamped to the knots' range. Model units.
 Vec3 point_at(const BezierSurface& surface, const Vec2& uv);
 
-/// S_u x S_v up to a positive factor, likewise.
-Vec3 normal_at(const BezierSurface& surface, const Vec2& uv);
+/// S_u x S_v up to positive factors, likewise, at four places beside the point: 1e-6 of a span away
+/// in both directions, on either side of knot lines that it is on.
+std::array<Vec3, 4> normals_beside(const BezierSurface& surface, const Vec2& uv);
 
 /// Throws InvalidInput, naming `name`, unless the surface is well formed: sizes agree, knots
 /// increase, degrees are in 1..kMaxDegree, all numbers are finite and all weights positive.

@@ -131,6 +131,25 @@ TEST(ExchangedOrder, KeepsBoundariesToTheLeftAsSeenFromTheFirstSurface) {
   }
 }
 
+// The second patch turns back from the common one, and is the larger one: on the knot line between
+// them the normals of both sides are there.
+TEST(ExchangedOrder, KeepsBoundariesToTheLeftAtAKink) {
+  const BezierSurface whole = rectangle({-1, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  for (const double height : {0.1, 1.0, 10.0})
+    for (const double size : {1.0, 30.0}) {
+      BezierSurface folded{{0, 1, 2}, {0, 2}};
+      folded.patches = Grid<RationalBezierPatch>(2, 1, whole.patches(0, 0));
+      folded.patches(1, 0) =
+          rectangle({0, 0, 0}, {-size, 0, size * height}, {0, 1, 0}).patches(0, 0);
+      for (const bool exchanged : {false, true}) {
+        const SurfaceIntersection found =
+            exchanged ? intersect(whole, folded) : intersect(folded, whole);
+        ASSERT_EQ(found.overlaps.size(), 1);
+        EXPECT_NEAR(area_over_a(found.overlaps[0]), 4, 1e-6);
+      }
+    }
+}
+
 // The circle in which a torus touches a plane is a knot line of the torus.
 TEST(ExchangedOrder, DoesNotMatterForTheWorkAlongAKnotLine) {
   const BezierSurface torus = testing::torus(1, 0.4);
