@@ -9,6 +9,7 @@
 #include "core/intersection/contacts/contact_extent.h"
 #include "core/intersection/contacts/contact_points.h"
 #include "core/intersection/contacts/contact_reach.h"
+#include "core/intersection/contacts/near_misses.h"
 
 namespace blossom {
 namespace {
@@ -20,7 +21,6 @@ constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this
 constexpr double kOnBorder = 1e-9;   // of a patch
 constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
-constexpr double kGrows = 2;           // times, from end to end: no strip of even gap
 constexpr double kLeastReach = 1e-3;   // of the size: how far off a contact's centre may be
 
 class Joiner {
@@ -47,7 +47,7 @@ class Joiner {
       if (partner_[e] < 0 && !used_[e / 2]) chains.push_back(walk(e));
     for (std::size_t e = 0; e < ends; e += 2)
       if (!used_[e / 2]) chains.push_back(walk(e));
-    std::erase_if(chains, [&](const ContactChain& chain) { return is_beside_branch(chain); });
+    drop_near_misses(chains, found_, a_, b_, tolerance_);
     const ContactExtent extent(a_, size_, tolerance_);
     for (ContactChain& chain : chains) extent.measure(chain);
     const std::size_t clumps_from = chains.size();
@@ -267,29 +267,8 @@ class Joiner {
     }
   }
 
-  // A larger gap is none.
+  // The largest gap that may be nothing but rounding.
   double most_rounding() const { return kRoundingGap * tolerance_; }
-
-  // True if the surfaces only come closer up to an end in the middle of both patches, where the
-  // next cell has nothing of the contact: what is near is a branch there.
-  bool is_beside_branch(const ContactChain& chain) const {
-    if (chain.arm_count() > 0 || chain.closed) return false;
-    const auto grows = [&](auto first, auto last) {
-      const auto next_is_closer = [](const ContactPoint& p, const ContactPoint& q) {
-        return q.gap <= p.gap;
-      };
-      return first->gap > most_rounding() && is_inside(first->x) &&
-             std::prev(last)->gap > kGrows * first->gap &&
-             std::adjacent_find(first, last, next_is_closer) == last;
-    };
-    const auto& path = chain.path;
-    return path.size() > 1 && ((chain.leaves[0] && grows(path.begin(), path.end())) ||
-                               (chain.leaves[1] && grows(path.rbegin(), path.rend())));
-  }
-
-  static bool is_inside(const Point4& x) {
-    return std::ranges::all_of(x, [](double t) { return t > kOnBorder && t < 1 - kOnBorder; });
-  }
 
   // A candidate for the point of a contact. Along branches all gaps are but rounding: among points
   // like those one with a common normal is the node that the branches go through.

@@ -36,7 +36,7 @@ struct ContactPoint {
 struct ContactChain {
   std::vector<ContactPoint> path;
   std::array<std::vector<ArcEnd>, 2> arms;  ///< branches that begin at either end of it
-  std::array<bool, 2> leaves{};  ///< by end: its cell's border is there, and the next has nothing
+  std::array<bool, 2> leaves{};  ///< by end: on its cell's border, without a contact beyond
   bool closed = false;
   bool curve = false;     ///< a tangential curve; else a point: a touch, a node, a fold or a cusp
   bool pole = false;      ///< a point that one of the surfaces has under many parameters

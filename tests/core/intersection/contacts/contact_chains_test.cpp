@@ -187,5 +187,35 @@ TEST(ContactChains, AreNoneBesideTheBranchOfTheNextCell) {
     }
 }
 
+// The gap of a valley falls towards the line where what counts of both surfaces ends: there is no
+// branch beyond it.
+TEST(ContactChains, StayWhereTheyEndWithAPart) {
+  constexpr double kTolerance = 1e-7;
+  for (const double low : {0.1, 0.2})
+    for (const double slope : {0.5, 1.0, 2.0})
+      for (const double end : {0.3, 0.5, 0.6}) {
+        SCOPED_TRACE(low);
+        SCOPED_TRACE(slope);
+        SCOPED_TRACE(end);
+        const testing::Cubic y = testing::linear(-0.5, 0, 1);
+        const testing::Cubic gap =
+            kTolerance * testing::linear(low + slope * end, -slope, 0) + y * y;
+        const BezierSurface a = testing::graph(testing::base_cubic() + gap, {0, 0}, {1, 0}, {0, 1});
+        const BezierSurface b = testing::graph(testing::base_cubic(), {0, 0}, {1, 0}, {0, 1});
+        const PartTest part = [end](const Interval& u, const Interval&) {
+          if (u.from > end) return PartSide::Outside;
+          return u.to <= end ? PartSide::Inside : PartSide::Mixed;
+        };
+        for (const bool exchanged : {false, true}) {
+          const SurfaceIntersection found =
+              intersect(exchanged ? b : a, exchanged ? a : b,
+                        {.tolerances = {.point = kTolerance}, .part_a = part, .part_b = part});
+          EXPECT_EQ(found.status, Status::Tolerance);
+          EXPECT_EQ(found.places.size(), 1u);
+          EXPECT_EQ(found.curves.size() + found.points.size(), 1u);
+        }
+      }
+}
+
 }  // namespace
 }  // namespace blossom
