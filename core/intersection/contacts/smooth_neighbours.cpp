@@ -102,8 +102,7 @@ class Neighbours {
   }
 
   // True if there is something in common and one patch goes on in the other there, with the same
-  // normals or across a crease whose control points are the same; otherwise there is nothing to
-  // prove.
+  // normals or across a crease that is exactly one curve; otherwise there is nothing to prove.
   bool go_on() const {
     return !(sides_.empty() && corners_.empty() && poles_.empty()) && longest_jump() <= nearest_ &&
            std::ranges::all_of(sides_, [&](const CommonSide& s) { return goes_on(s); }) &&
@@ -268,12 +267,14 @@ class Neighbours {
   bool is_smooth_along(const CommonSide& side) const { return all_along(side, is_smooth); }
 
   bool goes_on(const CommonSide& side) const {
-    if (!side.smooth && side.gap + moved_ > 0) return false;
-    return all_along(side, [&](const Slopes& p, const Slopes& q) {
+    const auto leads_on = [&](const Slopes& p, const Slopes& q) {
       const Vec3 along = unit(side.a.across == 0 ? p.v : p.u);
       const Vec3 to = side.a.across == 0 ? p.u : p.v, from = side.b.across == 0 ? q.u : q.v;
       return dot(to - along * dot(to, along), from - along * dot(from, along)) > 0;
-    });
+    };
+    const auto turns = [](const Slopes& p, const Slopes& q) { return !is_smooth(p, q); };
+    if (side.smooth) return all_along(side, leads_on);
+    return side.gap + moved_ == 0 && (all_along(side, leads_on) || all_along(side, turns));
   }
 
   // Whether the inner ways that lead away from the pole are different ones.
@@ -315,7 +316,9 @@ class Neighbours {
                 : prove(index_a, child) && prove(index_a, child + 1);
   }
 
-  // Across the side, from a to b, nothing turns back. The path runs along it in a.
+  // Across the side, from a to b, nothing turns back. The path runs along it in a. At a crease,
+  // however sharp, it is enough that its three directions stay independent: then only steps of no
+  // length add up to nothing.
   bool meet_only_in(const CommonSide& side, const Cell& a, const Cell& b) const {
     std::array over_a{a.u, a.v}, over_b{b.u, b.v};
     const Interval along_b = over_b[side.b.along()];
@@ -327,6 +330,11 @@ class Neighbours {
             hull(over_a[side.a.along()], std::clamp(side.on_a(t) + rounding, 0.0, 1.0));
     const auto p = slopes(slopes_a_, at_poles_a_, over_a);
     const auto q = slopes(slopes_b_, at_poles_b_, over_b);
+    if (!side.smooth) {
+      const VectorBounds &along = p[side.a.along()], &to = p[side.a.across],
+                         &from = q[side.b.across];
+      if (JacobianBounds({along, to, from, VectorBounds{}}).minor(3).regular) return true;
+    }
     const DirectionCones cones =
         joined(DirectionCones{p[side.a.along()], turned(p[side.a.across], !side.a.high)},
                DirectionCones{turned(q[side.b.along()], side.reversed),

@@ -144,9 +144,20 @@ TEST(SmoothNeighbours, SidesOfACreaseMeetInItWhateverItsParameter) {
   }
 }
 
-// A path from one to the other turns back in the border, which proves nothing.
-TEST(SmoothNeighbours, SidesOfAFoldAreSearched) {
-  EXPECT_FALSE(is_taken(surface_of(side_of_crease(-1, 0.5)), surface_of(side_of_crease(-1, 1.5))));
+// Paths from one to the other turn back in it.
+TEST_P(Turned, SidesOfAFoldMeetInIt) {
+  for (const double slope : {0.6, 1.5, -20.0})
+    expect_meeting_in_crease(surface_of(side_of_crease(-1, 0.5)),
+                             surface_of(turned(side_of_crease(-1, slope), GetParam())));
+}
+
+// Beside the fold they cross again.
+TEST(SmoothNeighbours, SidesOfAFoldThatCrossAreSearched) {
+  RationalBezierPatch side = side_of_crease(-1, 0.9);
+  for (int j = 0; j < 4; ++j) side.points(3, j)[2] -= 4;
+  const BezierSurface a = surface_of(side_of_crease(-1, 0.5)), b = surface_of(side);
+  EXPECT_FALSE(is_taken(a, b));
+  EXPECT_EQ(intersect(a, b).curves.size(), 2u);
 }
 
 TEST(SmoothNeighbours, SidesOfACreaseThatAreAlmostTheSameAreSearched) {
