@@ -13,8 +13,12 @@
 // parts around it meet in the borders that end there, or, on either side of a plane through it, in
 // it alone.
 //
-// Borders and corners are common when their control points are the same, or so near each other
-// that paths which jump across prove it of all points farther than the tolerance from them.
+// Borders and corners are common when their control points are the same, or so near each other that
+// paths which jump across prove it of all points farther than the tolerance from them. What differs
+// at all may be as far as the rounding of its coordinates tells, 2^-49 of the largest one, and a
+// path may jump by 1/2001 of the tolerance: so that holds up to coordinates of about 2.8e11
+// tolerances, 28,000 at 1e-7. Poles, where both surfaces are moved to be one point, are found up to
+// half of that. Beyond, pairs of neighbours are searched as all others.
 
 #pragma once
 
