@@ -42,7 +42,7 @@ class Divider {
   }
 
   // A side inside of a face between two triangles; whether that is possible. Halves of a triangle
-  // at a pole would have two sides with the same ends again.
+  // at a pole would have two sides with the same ends again; one on both sides has no halves.
   bool divide_side(int side) {
     const std::vector<Tip>& beside = along_[index(side)];
     const auto is_whole = [this](const Tip& at) {
@@ -51,8 +51,8 @@ class Divider {
                return pieces_.sides[index(k)].curve.points.empty();
              });
     };
-    return beside.size() == 2 && std::ranges::all_of(beside, is_whole) &&
-           divide_across(beside[0], beside[1], side);
+    return beside.size() == 2 && beside[0].piece != beside[1].piece &&
+           std::ranges::all_of(beside, is_whole) && divide_across(beside[0], beside[1], side);
   }
 
  private:

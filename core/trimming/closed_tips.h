@@ -19,7 +19,7 @@ void divide_closed_tips(WatertightPieces& pieces);
 /// one and the same other face. Where both faces have chords over one stretch of their edges,
 /// samples of both may have the same corners, or lie in one plane and cross. Those of the face that
 /// leaves its chords more get a vertex in the middle, and both triangles beside them are halved;
-/// chords beside a rectangle or a triangle at a pole stay.
+/// chords beside a rectangle or a triangle at a pole, or with one triangle on both sides, stay.
 ///
 /// pieces   as divide_closed_tips
 /// cost     O(n log n) for n sides

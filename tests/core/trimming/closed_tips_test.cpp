@@ -146,6 +146,17 @@ TEST(FacingChords, StayBesideATriangleAtAPole) {
   EXPECT_EQ(pieces.pieces.size(), 4u);
 }
 
+TEST(FacingChords, StayInsideOfATriangle) {
+  WatertightPieces pieces = two_faces();
+  pieces.sides.push_back({2, 2, 1, pieces.sides[3].curve});
+  pieces.pieces[1].sides = {0, 8, 1};
+  pieces.pieces[3] = bulging({1, 2, 1}, -0.2);
+  pieces.pieces[3].face = 1;
+  pieces.pieces[3].sides = {3, 3, 7};
+  divide_facing_chords(pieces);
+  EXPECT_EQ(pieces.pieces.size(), 4u);
+}
+
 TEST(FacingChords, StayOverOtherStretches) {
   WatertightPieces pieces = two_faces();
   pieces.sides[0].edge = -1;  // the faces have one edge in common, and no chord is over that alone
