@@ -18,6 +18,19 @@ Grid<double> elevation_matrix(int degree, int lower) {
   return elevated_net(identity, degree - lower, 0);
 }
 
+// (1 + factor normal normal^T) on the columns from `first` on of the rows from k on, row by row.
+void apply(const std::vector<double>& normal, double factor, int k, int first,
+           Grid<double>& matrix) {
+  std::vector<double> sums(index(matrix.columns()), 0.0);
+  for (int i = k; i < matrix.rows(); ++i)
+    for (int j = first; j < matrix.columns(); ++j)
+      sums[index(j)] += normal[index(i - k)] * matrix(i, j);
+  for (double& sum : sums) sum *= factor;
+  for (int i = k; i < matrix.rows(); ++i)
+    for (int j = first; j < matrix.columns(); ++j)
+      matrix(i, j) += sums[index(j)] * normal[index(i - k)];
+}
+
 // One reflection of Householder: makes column k of `a` zero below its diagonal, and does the same
 // to all columns of `b`.
 void reflect(Grid<double>& a, Grid<double>& b, int k) {
@@ -29,14 +42,8 @@ void reflect(Grid<double>& a, Grid<double>& b, int k) {
   for (int i = k; i < a.rows(); ++i) normal.push_back(a(i, k));
   normal[0] -= length;
   const double factor = 1 / (length * normal[0]);
-  const auto apply = [&](Grid<double>& matrix, int column) {
-    double sum = 0;
-    for (int i = k; i < matrix.rows(); ++i) sum += normal[index(i - k)] * matrix(i, column);
-    for (int i = k; i < matrix.rows(); ++i)
-      matrix(i, column) += factor * sum * normal[index(i - k)];
-  };
-  for (int j = k; j < a.columns(); ++j) apply(a, j);
-  for (int j = 0; j < b.columns(); ++j) apply(b, j);
+  apply(normal, factor, k, k, a);
+  apply(normal, factor, k, 0, b);
 }
 
 // The x that makes |a x - b| least, for each column of b; a has full rank.
@@ -44,12 +51,12 @@ void reflect(Grid<double>& a, Grid<double>& b, int k) {
 Grid<double> least_squares(Grid<double> a, Grid<double> b) {
   for (int k = 0; k < a.columns(); ++k) reflect(a, b, k);
   Grid<double> x(a.columns(), b.columns());
-  for (int j = 0; j < b.columns(); ++j)
-    for (int i = a.columns() - 1; i >= 0; --i) {
-      double rest = b(i, j);
-      for (int k = i + 1; k < a.columns(); ++k) rest -= a(i, k) * x(k, j);
-      x(i, j) = rest / a(i, i);
-    }
+  for (int i = a.columns() - 1; i >= 0; --i) {
+    for (int j = 0; j < b.columns(); ++j) x(i, j) = b(i, j);
+    for (int k = i + 1; k < a.columns(); ++k)
+      for (int j = 0; j < b.columns(); ++j) x(i, j) -= a(i, k) * x(k, j);
+    for (int j = 0; j < b.columns(); ++j) x(i, j) /= a(i, i);
+  }
   return x;
 }
 
