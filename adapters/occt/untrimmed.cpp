@@ -21,10 +21,17 @@ TrimmedChart trimmed_chart(const FaceTrims& trims) {
   return chart;
 }
 
-UntrimmedFace untrimmed(const TopoDS_Face& face, const RegionOptions& options) {
+UntrimmedFace untrimmed(const TopoDS_Face& face, const RegionOptions& options,
+                        TriangleLowering& lowering) {
   UntrimmedFace result{bezier_surface(face), {}};
-  result.region = triangulated_region(result.surface, trimmed_chart(face_trims(face)), options);
+  result.region =
+      triangulated_region(result.surface, trimmed_chart(face_trims(face)), options, lowering);
   return result;
+}
+
+UntrimmedFace untrimmed(const TopoDS_Face& face, const RegionOptions& options) {
+  TriangleLowering lowering;
+  return untrimmed(face, options, lowering);
 }
 
 }  // namespace blossom::occt

@@ -129,8 +129,7 @@ BorderArcs::BorderArcs(const BezierSurface& surface, const TrimmedChart& chart,
 int BorderArcs::arc_degree(int patch_u, int patch_v) const {
   const int straight = straight_degree(surface_.patches(patch_u, patch_v));
   const int exact = options_.highest_degree / straight;
-  const bool composes = options_.common_borders || (exact == 1 && !surface_.rational);
-  return composes ? std::max(exact, std::min(kCommonArcs, kMostComposed / straight)) : exact;
+  return std::max(exact, std::min(kCommonArcs, kMostComposed / straight));
 }
 
 double BorderArcs::tolerance_of(int border) const {
@@ -406,17 +405,27 @@ RegionArc BorderArcs::made(int number, const Interval& place, int from, int to) 
   }
   arc.patch_u = patch[0];
   arc.patch_v = patch[1];
-  // Common borders are moved anyway, so a low degree is worth a part of the tolerance.
-  const double steep = std::max(max_norm(steepest_(arc.patch_u, arc.patch_v)), kArcRounding);
-  const double lower_within =
-      options_.common_borders ? kLoweringPart * tolerance_of(number) / steep : kArcRounding;
-  const int degree = arc_degree(arc.patch_u, arc.patch_v);
-  const int straight = straight_degree(surface_.patches(arc.patch_u, arc.patch_v));
-  const bool is_lowered = degree * straight > options_.highest_degree;
-  const ArcForm form = arc_form(curve, place, chart_of(surface_, arc.patch_u, arc.patch_v),
-                                {degree, options_.common_borders, is_lowered, lower_within});
-  settle_ends(arc, form);
+  settle_ends(arc, form_in(arc));
   return arc;
+}
+
+// An exact one where triangles over it are within the highest degree, else one to be lowered.
+ArcForm BorderArcs::form_in(const RegionArc& arc) const {
+  const PlanarCurve& curve = chart_.borders[index(arc.border)].curve;
+  const PatchChart chart = chart_of(surface_, arc.patch_u, arc.patch_v);
+  const int degree = arc_degree(arc.patch_u, arc.patch_v);
+  const int direct =
+      options_.highest_degree / straight_degree(surface_.patches(arc.patch_u, arc.patch_v));
+  if (options_.common_borders) {
+    // Common borders are moved anyway, so a low degree is worth a part of the tolerance.
+    const double steep = std::max(max_norm(steepest_(arc.patch_u, arc.patch_v)), kArcRounding);
+    return arc_form(
+        curve, arc.place, chart,
+        {degree, true, degree > direct, kLoweringPart * tolerance_of(arc.border) / steep});
+  }
+  ArcForm form = arc_form(curve, arc.place, chart, {direct, false, false, kArcRounding});
+  if (form.exact || degree == direct) return form;
+  return arc_form(curve, arc.place, chart, {degree, false, true, kArcRounding});
 }
 
 // Takes the ends to their vertices, and a curve along a line onto it.

@@ -25,9 +25,9 @@ struct RegionOptions {
   /// How far the border of the pieces may lie from the trims, along the surface, and lowered ones
   /// besides from the surface; model units.
   double tolerance = 1e-7;
-  /// Of triangles, at least n + m. Where that leaves straight arcs only, or borders are common,
-  /// polynomial surfaces are composed in up to kMostComposed over arcs of degree kCommonArcs, and
-  /// lowered: with common borders by those who move them.
+  /// Of triangles, at least n + m. Where trims have no exact arcs of a degree that leaves, or
+  /// borders are common, surfaces are composed in up to kMostComposed over arcs of degree
+  /// kCommonArcs, and lowered: with common borders by those who move them.
   int highest_degree = kMaxDegree;
   /// Rows and columns of cells in each patch; a power of two, 0 for as many as seem right.
   int cells = 0;
@@ -85,6 +85,7 @@ class BorderArcs {
   /// Whether a cell may have a piece of the border for a side.
   bool takes_cells(int border) const;
 
+  bool is_rational() const { return surface_.rational; }
   bool has_common_borders() const { return options_.common_borders; }
 
   const RationalBezierPatch& patch(const std::array<int, 2>& at) const {
@@ -127,6 +128,7 @@ class BorderArcs {
   void add_cell_stops(const RegionBorder& border, std::vector<double>& at) const;
   void add(int border, const Interval& place, int from, int to, std::size_t first);
   RegionArc made(int border, const Interval& place, int from, int to) const;
+  ArcForm form_in(const RegionArc& arc) const;
   bool runs_on(const RegionArc& arc, int direction) const;
   void settle_ends(RegionArc& arc, const ArcForm& form) const;
   Vec2 steepest_about(const RegionArc& arc, const Vec2& error) const;

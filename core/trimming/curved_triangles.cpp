@@ -192,20 +192,41 @@ class Region {
     return to_halve;
   }
 
-  // Lowers what is above the highest degree; returns the arcs to halve for that.
+  // What the fit of its arcs leaves of the tolerance to a triangle; nothing if all are exact.
+  double left_of_tolerance(const CurvedTriangle& triangle) const {
+    double error = 0;
+    bool exact = true;
+    for (const int number : triangle.arcs) {
+      if (number < 0) continue;
+      error = std::max(error, arc(number).fit_error);
+      exact = exact && arc(number).exact;
+    }
+    return exact ? 0 : borders_.options().tolerance - error;
+  }
+
+  RationalBezierTriangle over(const CurvedTriangle& triangle) const {
+    RationalBezierTriangle whole = composition(borders_.patch(patch_), triangle.map);
+    const auto has_weight = [](const Vec3& p) { return p[2] != 1; };
+    if (!borders_.is_rational() && std::ranges::none_of(triangle.map.points, has_weight))
+      for (Vec4& p : whole.points) p[3] = 1;
+    return whole;
+  }
+
+  // Lowers what is above the highest degree, and what is fitted as far as the arcs leave tolerance;
+  // returns the arcs to halve for that.
   std::set<int> lower(CurvedTriangles& made) const {
     const RegionOptions& options = borders_.options();
     const RationalBezierPatch& patch = borders_.patch(patch_);
     const int straight = patch.degree_u() + patch.degree_v();
     std::set<int> to_halve;
     for (CurvedTriangle& triangle : made.triangles) {
-      if (triangle.map.degree * straight <= options.highest_degree) continue;
-      const RationalBezierTriangle whole = composition(patch, triangle.map);
-      BezierTriangle own{whole.degree, {}};
-      for (const Vec4& p : whole.points) own.points.push_back({p[0], p[1], p[2]});
-      triangle.lowered =
-          lowering_(own, straight, options.highest_degree, kLoweringPart * options.tolerance);
-      if (triangle.lowered->error <= options.tolerance) continue;
+      const bool has_to_be = triangle.map.degree * straight > options.highest_degree;
+      double within = kLoweringPart * options.tolerance;
+      if (!has_to_be) within = std::min(within, left_of_tolerance(triangle));
+      if (!has_to_be && (within <= 0 || triangle.map.degree == 1)) continue;
+      auto lower = lowering_(over(triangle), straight, options.highest_degree, within);
+      if (lower.form.degree < triangle.map.degree * straight) triangle.lowered = std::move(lower);
+      if (!triangle.lowered || triangle.lowered->error <= options.tolerance) continue;
       for (const int number : triangle.arcs)
         if (number >= 0 && is_curved(number)) to_halve.insert(number);
     }

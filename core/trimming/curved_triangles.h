@@ -26,8 +26,9 @@ struct CurvedTriangle {
   /// Of the sides a to b, b to c and c to a; -1 for straight ones inside of the region.
   std::array<int, 3> arcs;
   BezierTriangle map;  ///< homogeneous, in the parameters of the patch
-  /// The surface over the map, where its degree had to be lowered.
-  std::optional<ReducedOf<BezierTriangle>> lowered = {};
+  /// The surface over the map, where its degree was lowered: where it had to be, or where the map
+  /// is fitted to a trim anyway.
+  std::optional<ReducedOf<RationalBezierTriangle>> lowered = {};
 };
 
 /// Bound on a negative coefficient of a map's turning_form, in the patch's parameters, that may

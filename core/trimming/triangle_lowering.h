@@ -24,7 +24,18 @@ class TriangleLowering {
   ReducedOf<BezierTriangle> operator()(const BezierTriangle& triangle, int lowest, int highest,
                                        double tolerance);
 
+  /// The same of homogeneous points with positive weights; where all are 1 they stay 1.
+  ///
+  ///   |Y/w - Y'/w'| <= (|Y - Y'| + R |w - w'|) / w',   Y = X - c w,   |Y/w| <= R
+  ///
+  /// returns   the bound in space, model units
+  ReducedOf<RationalBezierTriangle> operator()(const RationalBezierTriangle& triangle, int lowest,
+                                               int highest, double tolerance);
+
  private:
+  template <class Point>
+  ReducedOf<BezierTriangleOf<Point>> lowered(const BezierTriangleOf<Point>& triangle, int lowest,
+                                             int highest, double tolerance);
   const TriangleReduction& reduction(int from, int to);
 
   std::map<std::pair<int, int>, TriangleReduction> reductions_;

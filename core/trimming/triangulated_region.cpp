@@ -46,11 +46,13 @@ void check(const BezierSurface& surface, const TrimmedChart& chart, const Region
 
 class Builder {
  public:
-  Builder(const BezierSurface& surface, const TrimmedChart& chart, const RegionOptions& options)
+  Builder(const BezierSurface& surface, const TrimmedChart& chart, const RegionOptions& options,
+          TriangleLowering& lowering)
       : surface_(surface),
         options_(options),
         cells_(cells_for(surface, options.cells)),
         borders_(surface, chart, options, cells_),
+        lowering_(lowering),
         arcs_in_(surface.patches.rows(), surface.patches.columns()),
         sides_in_(surface.patches.rows(), surface.patches.columns()) {
     result_.stops.resize(chart.borders.size());
@@ -316,7 +318,7 @@ class Builder {
   RegionOptions options_;
   int cells_;
   BorderArcs borders_;
-  TriangleLowering lowering_;
+  TriangleLowering& lowering_;
   std::vector<PlacedCurve> curves_;  // of the first arcs, before any is halved
   Grid<std::vector<int>> arcs_in_;
   Grid<std::vector<BorderSide>> sides_in_;
@@ -332,8 +334,14 @@ bool is_polynomial(const BezierTriangle& map) {
 
 TriangulatedRegion triangulated_region(const BezierSurface& surface, const TrimmedChart& chart,
                                        const RegionOptions& options) {
+  TriangleLowering lowering;
+  return triangulated_region(surface, chart, options, lowering);
+}
+
+TriangulatedRegion triangulated_region(const BezierSurface& surface, const TrimmedChart& chart,
+                                       const RegionOptions& options, TriangleLowering& lowering) {
   check(surface, chart, options);
-  return Builder(surface, chart, options).built();
+  return Builder(surface, chart, options, lowering).built();
 }
 
 RegionForm bezier_form(const BezierSurface& surface, const RegionPiece& piece) {
@@ -346,11 +354,7 @@ RegionForm bezier_form(const BezierSurface& surface, const RegionPiece& piece) {
   }
   const auto& [vertices, arcs, map, lowered] = std::get<CurvedTriangle>(piece.shape);
   RationalBezierTriangle made;
-  if (lowered) {
-    made.degree = lowered->form.degree;
-    for (const Vec3& p : lowered->form.points) made.points.push_back({p[0], p[1], p[2], 1});
-    return made;
-  }
+  if (lowered) return lowered->form;
   if (map.degree == 1) {
     const auto corner = [](const Vec3& p) { return Vec2{p[0], p[1]}; };
     made = sub_triangle(patch, {corner(map(1, 0)), corner(map(0, 1)), corner(map(0, 0))});

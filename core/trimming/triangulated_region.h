@@ -17,6 +17,7 @@
 #include "core/forms/surface.h"
 #include "core/forms/triangle.h"
 #include "core/trimming/curved_triangles.h"
+#include "core/trimming/triangle_lowering.h"
 
 namespace blossom {
 
@@ -64,6 +65,10 @@ struct TriangulatedRegion {
 /// Han, Hass, Sederberg 2004 for trimmed surfaces as triangular patches.
 TriangulatedRegion triangulated_region(const BezierSurface& surface, const TrimmedChart& chart,
                                        const RegionOptions& options = {});
+
+/// The same with the matrices of other regions.
+TriangulatedRegion triangulated_region(const BezierSurface& surface, const TrimmedChart& chart,
+                                       const RegionOptions& options, TriangleLowering& lowering);
 
 /// The surface over a piece: homogeneous; weights are 1, exactly, if neither surface nor arcs are
 /// rational.

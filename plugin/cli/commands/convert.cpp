@@ -80,6 +80,7 @@ void append(std::vector<Net>& all, std::vector<Net> more) {
 // followed.
 void convert_faces(const NetInput& input, Form form, double tolerance, Made& made) {
   const Input& model = *input.model;
+  TriangleLowering lowering;
   for (std::size_t i = 0; i < model.faces.size(); ++i) {
     const int number = model.numbers[i];
     std::vector<Net> whole;
@@ -87,7 +88,7 @@ void convert_faces(const NetInput& input, Form form, double tolerance, Made& mad
       if (net.source.face == number) whole.push_back(net);
     TrimmedNets trimmed;
     if (is_trimmed(model.faces[i]) && !whole.empty()) {
-      trimmed = trimmed_nets(model.faces[i], whole.front().source, tolerance);
+      trimmed = trimmed_nets(model.faces[i], whole.front().source, tolerance, lowering);
       if (!trimmed.obstacle.empty()) ++made.trims_left_out;
     }
     const std::vector<Net>& nets = trimmed.nets.empty() ? whole : trimmed.nets;

@@ -62,13 +62,14 @@ bool is_trimmed(const TopoDS_Face& face) {
   }
 }
 
-TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, double tolerance) {
+TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, double tolerance,
+                         TriangleLowering& lowering) {
   TrimmedNets result;
   result.face = source.face;
   RegionOptions options;
   options.tolerance = tolerance;
   try {
-    const occt::UntrimmedFace made = occt::untrimmed(face, options);
+    const occt::UntrimmedFace made = occt::untrimmed(face, options, lowering);
     result.obstacle = made.region.obstacle;
     for (const RegionPiece& piece : made.region.pieces) {
       stop_if_interrupted();

@@ -9,6 +9,7 @@
 
 #include <TopoDS_Face.hxx>
 
+#include "core/trimming/triangle_lowering.h"
 #include "plugin/cli/nets/net.h"
 
 namespace blossom::cli {
@@ -26,9 +27,12 @@ struct TrimmedNets {
 /// count.
 bool is_trimmed(const TopoDS_Face& face);
 
-/// The region of a trimmed face as patches and triangles, which lie on its surface.
+/// The region of a trimmed face as patches and triangles, which lie on its surface or, if fitted,
+/// within the tolerance of it.
 ///
 /// tolerance   how far borders may lie from the trims where they cannot be exact, model units
-TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, double tolerance);
+/// lowering    keeps its matrices for the next face
+TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, double tolerance,
+                         TriangleLowering& lowering);
 
 }  // namespace blossom::cli
