@@ -72,6 +72,12 @@ void exchange(Overlap& overlap, const BezierSurface& a, const BezierSurface& b) 
   if (alike < 0) std::ranges::reverse(overlap.boundary);
 }
 
+bool is_cusp(const Place& place) { return place.kind == PlaceKind::Cusp; }
+
+bool is_closed(const IntersectionCurve& curve) {
+  return curve.samples.size() > 1 && curve.samples.front().point == curve.samples.back().point;
+}
+
 }  // namespace
 
 SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a,
@@ -92,6 +98,8 @@ bool may_gain_by_exchange(const SurfaceIntersection& found, const BezierSurface&
   const auto is_apart = [&](const SurfacePoint& x) {
     return distance(point_at(a, x.uv_a), point_at(b, x.uv_b)) > kApart * tolerance;
   };
+  if (std::ranges::any_of(found.places, is_cusp) && std::ranges::any_of(found.curves, is_closed))
+    return true;
   return std::ranges::all_of(found.places, is_touch) && std::ranges::any_of(found.points, is_apart);
 }
 

@@ -20,7 +20,8 @@ SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a,
 
 /// True if the answer is open for other reasons than a limit, so that the other order may do
 /// better; or if all it leaves undecided are touches in which the surfaces are apart: those may be
-/// loops less deep than the tolerance, or nothing.
+/// loops less deep than the tolerance, or nothing; or if there are a closed branch and a cusp,
+/// which may be a turn of it too narrow for one order.
 ///
 /// tolerance   model units
 bool may_gain_by_exchange(const SurfaceIntersection& found, const BezierSurface& a,

@@ -103,6 +103,17 @@ TEST(ExchangedOrder, IsTriedWhereATouchIsNone) {
   EXPECT_FALSE(may_gain_by_exchange(found, kFloor, lower, 1e-7));
 }
 
+TEST(ExchangedOrder, IsTriedWhereALoopMayHaveNoCusp) {
+  SurfaceIntersection found;
+  found.status = Status::Tolerance;
+  found.places = {{PlaceKind::Cusp, {}, {}}};
+  found.curves.resize(1);
+  found.curves[0].samples = {{{0, 0, 0}, {}, {}}, {{1, 0, 0}, {}, {}}, {{0, 0, 0}, {}, {}}};
+  EXPECT_TRUE(may_gain_by_exchange(found, kFloor, kWall, 1e-7));
+  found.curves[0].samples.pop_back();
+  EXPECT_FALSE(may_gain_by_exchange(found, kFloor, kWall, 1e-7));
+}
+
 TEST(ExchangedOrder, IsAGainIfItSettlesMore) {
   SurfaceIntersection stopped, other;
   stopped.status = other.status = Status::Stopped;
