@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "adapters/occt/errors.h"
+#include "adapters/occt/soundness.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output.h"
 
@@ -76,6 +77,13 @@ Input read_input(const std::string& text, Faces need) {
     input.faces.push_back(input.model.face(number));
   }
   return input;
+}
+
+void refuse_open_wires(const Input& input) {
+  for (std::size_t i = 0; i < input.faces.size(); ++i)
+    if (occt::has_open_wire(input.faces[i]))
+      throw occt::BadModel(input.name + ": a wire of face " + std::to_string(input.numbers[i]) +
+                           " is open and encloses nothing; `blossom check` lists what is wrong");
 }
 
 void share_model(const Input& a, Input& b) {

@@ -42,6 +42,10 @@ enum class Faces { Required, Optional };
 ///          though they are required, or a face number does not exist
 Input read_input(const std::string& text, Faces need = Faces::Required);
 
+/// Readers of other systems leave such faces out or fill them with all of their surface.
+/// throws   occt::BadModel, with the file and the face, if a wire that bounds a face is open
+void refuse_open_wires(const Input& input);
+
 /// If both inputs are faces of one file, those of `b` become faces of the model of `a`, so that
 /// edges which they share are known to be the same.
 void share_model(const Input& a, Input& b);

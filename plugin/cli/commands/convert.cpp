@@ -14,7 +14,6 @@
 #include <CLI/Formatter.hpp>
 
 #include "adapters/occt/errors.h"
-#include "adapters/occt/soundness.h"
 #include "core/trimming/border_arcs.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
@@ -97,14 +96,6 @@ void convert_faces(const NetInput& input, Form form, double tolerance, Made& mad
     trimmed.nets.clear();
     if (trimmed.face > 0) made.trimmed.push_back(std::move(trimmed));
   }
-}
-
-// Readers of other systems leave such faces out or fill them with all of their surface.
-void refuse_open_wires(const Input& input) {
-  for (std::size_t i = 0; i < input.faces.size(); ++i)
-    if (occt::has_open_wire(input.faces[i]))
-      throw occt::BadModel(input.name + ": a wire of face " + std::to_string(input.numbers[i]) +
-                           " is open and encloses nothing; `blossom check` lists what is wrong");
 }
 
 Made write_as_it_is(const Options& options) {

@@ -4,10 +4,13 @@
 #include <memory>
 #include <string>
 
+#include "adapters/occt/errors.h"
+#include "adapters/occt/intersection.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/intersection_parts.h"
 #include "plugin/cli/exit_code.h"
+#include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 
 namespace blossom::cli {
@@ -19,6 +22,15 @@ struct Options {
   IntersectOptions intersect;
 };
 
+// What cannot be used is told by file and face where an open wire is the cause.
+occt::ShapeIntersection intersect_named(const Input& a, const Input& b,
+                                        const IntersectionOptions& engine) try {
+  return occt::intersect(a.faces, b.faces, engine);
+} catch (const occt::BadModel&) {
+  for (const Input* input : {&a, &b}) refuse_open_wires(*input);
+  throw;
+}
+
 int run(const Options& options) {
   check_outputs(options.intersect.common, {options.a, options.b});
   start_threads(options.intersect.engine.threads);
@@ -28,7 +40,7 @@ int run(const Options& options) {
   stop_if_interrupted();
   const TimedIntersection result = timed_intersection(
       options.intersect,
-      [&](const IntersectionOptions& engine) { return occt::intersect(a.faces, b.faces, engine); });
+      [&](const IntersectionOptions& engine) { return intersect_named(a, b, engine); });
   write_outputs(a, b, a.name + " x " + b.name, result, options.intersect.common);
   return exit_code(result.found.status);
 }

@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include <BRepCheck_Analyzer.hxx>
+
+#include "adapters/occt/errors.h"
 #include "adapters/occt/trim.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
@@ -87,6 +90,28 @@ occt::TrimTool tool_of(const Input& tool) {
   return {tool.faces, {}};
 }
 
+// What cannot be used is told by file and face where an open wire is the cause.
+occt::TrimResult trim_named(const Inputs& inputs, const std::vector<occt::PartFace>& part,
+                            const std::vector<occt::TrimTool>& tools,
+                            const occt::TrimOptions& options) try {
+  return occt::trim(part, tools, options);
+} catch (const occt::BadModel&) {
+  refuse_open_wires(inputs.part);
+  for (const Input& tool : inputs.tools) refuse_open_wires(tool);
+  throw;
+}
+
+// Where the wires of a tool's face cross, what it covers is not known, nor whether it cuts there.
+void tell_invalid_tools(const std::vector<Input>& tools, occt::TrimResult& made) {
+  for (const Input& tool : tools)
+    for (std::size_t i = 0; i < tool.faces.size(); ++i) {
+      if (BRepCheck_Analyzer(tool.faces[i]).IsValid()) continue;
+      made.notes.push_back(tool.name + ": face " + std::to_string(tool.numbers[i]) +
+                           " is not valid by BRepCheck; it may cut too much or too little");
+      made.status = weaker(made.status, Status::Tolerance);
+    }
+}
+
 Timed timed_trim(const Inputs& inputs, const Options& options) {
   Progress progress("trimming", options.common.quiet);
   occt::TrimOptions wanted = trim_options(options.keep);
@@ -97,10 +122,11 @@ Timed timed_trim(const Inputs& inputs, const Options& options) {
   std::vector<occt::TrimTool> tools;
   for (const Input& tool : inputs.tools) tools.push_back(tool_of(tool));
   const auto start = std::chrono::steady_clock::now();
-  Timed result{occt::trim(part, tools, wanted), 0};
+  Timed result{trim_named(inputs, part, tools, wanted), 0};
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   stop_if_interrupted();
   result.seconds = took.count();
+  tell_invalid_tools(inputs.tools, result.made);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -45,6 +46,19 @@ TopoDS_Face face_with_open_wire() {
   for (int i = 0; i < 3; ++i)
     kBuilder.Add(wire, BRepBuilderAPI_MakeEdge(corners[i], corners[i + 1]).Edge());
   kBuilder.Add(face, wire);
+  return face;
+}
+
+// A bow tie: two of the sides cross each other.
+TopoDS_Face face_with_crossed_wire() {
+  TopoDS_Face face;
+  kBuilder.MakeFace(face, new Geom_Plane(gp_Pnt(0, 0, 1), gp::DZ()), 1e-7);
+  BRepBuilderAPI_MakePolygon polygon;
+  for (const gp_Pnt& corner :
+       {gp_Pnt(-3, -3, 1), gp_Pnt(5, 5, 1), gp_Pnt(5, -3, 1), gp_Pnt(-3, 5, 1)})
+    polygon.Add(corner);
+  polygon.Close();
+  kBuilder.Add(face, polygon.Wire());
   return face;
 }
 
@@ -114,7 +128,16 @@ class BadShapes : public ::testing::Test {
 };
 
 TEST_F(BadShapes, AnOpenWireIsRefused) {
-  expect_refused(face_with_open_wire(), {"--keep", "all"}, "a wire of a face is open");
+  expect_refused(face_with_open_wire(), {"--keep", "all"}, "bad.brep: a wire of face 1 is open");
+}
+
+TEST_F(BadShapes, AToolWhoseWireCrossesItselfIsTold) {
+  write(face_with_crossed_wire(), "crossed.brep");
+  const Finished run =
+      blossom({"trim", folder / "ball.brep", folder / "crossed.brep", "--keep", "all"});
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_NE(run.out.find("crossed.brep: face 1 is not valid by BRepCheck"), std::string::npos)
+      << run.out;
 }
 
 TEST_F(BadShapes, SolidsHaveToBeClosed) {
