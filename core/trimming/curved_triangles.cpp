@@ -192,13 +192,15 @@ class Region {
     return to_halve;
   }
 
-  // What the fit of its arcs leaves of the tolerance to a triangle; nothing if all are exact.
+  // What the errors of its arcs leave of the tolerance to a triangle; nothing if all are exact.
   double left_of_tolerance(const CurvedTriangle& triangle) const {
     double error = 0;
     bool exact = true;
     for (const int number : triangle.arcs) {
       if (number < 0) continue;
-      error = std::max(error, arc(number).fit_error);
+      // Beyond the tolerance are arcs at gaps of the trims alone, for which only the fit counts.
+      const bool at_gap = arc(number).error > borders_.options().tolerance;
+      error = std::max(error, at_gap ? arc(number).fit_error : arc(number).error);
       exact = exact && arc(number).exact;
     }
     return exact ? 0 : borders_.options().tolerance - error;
