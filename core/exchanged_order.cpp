@@ -11,7 +11,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kApart = 1e-3;               // of the tolerance: a gap that is no rounding
+constexpr double kApart = 1e-5;               // of the tolerance: a gap that is no rounding
 constexpr double kOnBorder = 2 * kSamePoint;  // of a span, as where chains end
 
 bool is_on_border(const BezierSurface& surface, const Vec2& uv) {

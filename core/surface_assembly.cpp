@@ -13,6 +13,7 @@
 #include "core/intersection/arcs/arc_chains.h"
 #include "core/intersection/arcs/arcs_along_borders.h"
 #include "core/intersection/arcs/chain_scraps.h"
+#include "core/intersection/arcs/shared_borders.h"
 #include "core/intersection/contacts/contact_arms.h"
 #include "core/intersection/contacts/contact_chains.h"
 #include "core/intersection/contacts/contact_reach.h"
@@ -103,7 +104,7 @@ class Assembly {
     straighten_at_poles(chains, found_, cells_a, cells_b, contacts_, size_,
                         options_.tolerances.point);
     put_on_borders(found_, cells_a, cells_b, kRoundings * (max_norm(origin_) + size_));
-    if (found_.stopped) stop_at_limit();
+    if (found_.stopped) result_.status = Status::Stopped;  // the search has given its reason
     if (found_.along_border) weaken(Status::Tolerance, "a curve runs along a border or knot line");
     for (SurfaceCells* cells : {&cells_a, &cells_b}) cells->drop_cells();
     std::vector<std::optional<IntersectionCurve>> fits = fits_of(cells_a, cells_b, chains);
@@ -126,12 +127,6 @@ class Assembly {
     auto& reasons = result_.certificate.reasons;
     if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
       reasons.push_back(reason);
-  }
-
-  // The search has given its own reason.
-  void stop_at_limit() {
-    result_.status = Status::Stopped;
-    result_.certificate.limited = true;
   }
 
   void stop_at_limit(const char* reason) {
@@ -174,7 +169,7 @@ class Assembly {
     const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_, limit_);
     if (overlaps.stopped != nullptr) stop_at_limit(overlaps.stopped);
     for (const OverlapRegion& region : overlaps.regions) add_overlap(cells_a, cells_b, region);
-    for (const SharedBorder& border : overlaps.edges) add_shared_border(cells_a, border);
+    for (const SharedBorder& border : overlaps.edges) add_border(cells_a, cells_b, border);
   }
 
   void add_overlap(SurfaceCells& cells_a, SurfaceCells& cells_b, const OverlapRegion& region) {
@@ -191,6 +186,10 @@ class Assembly {
         box = joined(box, {x.point, x.point});
         widen(place, x, p.gap);
       }
+      const auto is_first = [&](const SurfacePoint& x) {
+        return distance(x.point, loops.back().front().point) <= options_.tolerances.point;
+      };
+      if (std::ranges::all_of(loops.back(), is_first)) loops.pop_back();  // round a pole
     }
     overlap.boundary = joined_loops(loops);
     for (const CriticalPair& pair : taken(Coincidence(region, cells_a))) {
@@ -218,18 +217,12 @@ class Assembly {
     return result;
   }
 
-  void add_shared_border(const SurfaceCells& cells_a, const SharedBorder& border) {
-    taken(Coincidence(border, cells_a));
-    for (std::size_t i = 0; i + 1 < border.path.size(); ++i) {
-      const ContactPoint &p = border.path[i], &q = border.path[i + 1];
-      shared_gap_ = std::max({shared_gap_, p.gap, q.gap});
-      if (p.patch_a != q.patch_a || p.patch_b != q.patch_b || p.x == q.x) continue;
-      FoundArc arc{p.patch_a, p.patch_b, {}, {p.x, q.x}, {-1, -1}};
-      for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = q.x[k] - p.x[k];
-      arc.arc.tangential = true;
-      arc.arc.iso = p.x[0] == q.x[0] ? 0 : 1;
-      found_.arcs.push_back(arc);
-    }
+  // Where the surfaces also stay within tolerance beside it, more may lie there.
+  void add_border(const SurfaceCells& cells_a, const SurfaceCells& cells_b,
+                  const SharedBorder& border) {
+    if (!add_shared_border(border, found_)) return;
+    if (!border.wide) taken(Coincidence(border, cells_a, cells_b));
+    for (const ContactPoint& p : border.path) shared_gap_ = std::max(shared_gap_, p.gap);
     weaken(Status::Tolerance, kSharedBorder);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/surface_intersection.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/exchanged_order.h"
 #include "core/finer_tolerance.h"
+#include "core/forms/evaluation.h"
 #include "core/surface_assembly.h"
 
 namespace blossom {
@@ -75,11 +77,43 @@ SurfaceIntersection at_best_tolerance(const BoxedSurface& a, const BoxedSurface&
   return std::move(found);
 }
 
-// The cells that are searched for contacts are those of the first surface: no knot line of it cuts
-// them, but those of the other one do. So the surface of more patches goes first.
+// Squared model length; neither a turn in space nor degree elevation changes it.
+double extent(const BezierSurface& surface) {
+  double sum = 0;
+  for (const RationalBezierPatch& patch : surface.patches.values()) {
+    const Vec3 low = point_at(patch, 0, 0), high = point_at(patch, 1, 1);
+    const Vec3 left = point_at(patch, 0, 1), right = point_at(patch, 1, 0);
+    sum += dot(high - low, high - low) + dot(left - right, left - right);
+  }
+  return sum;
+}
+
+// By control points: an order of surfaces that nothing else tells apart.
+bool comes_before(const BezierSurface& a, const BezierSurface& b) {
+  const auto points_before = [](const Vec4& p, const Vec4& q) {
+    return p.coordinates < q.coordinates;
+  };
+  const auto patch_before = [&](const RationalBezierPatch& p, const RationalBezierPatch& q) {
+    return std::ranges::lexicographical_compare(p.points.values(), q.points.values(),
+                                                points_before);
+  };
+  return std::ranges::lexicographical_compare(a.patches.values(), b.patches.values(), patch_before);
+}
+
+// The cells that are searched for contacts are those of the first surface: no border or knot line
+// of it cuts them, but those of the other one do. So the surface of more patches goes first, then
+// the smaller one, whose borders lie on the other rather. It depends on the surfaces alone, so that
+// the order asked for changes nothing.
+bool goes_first(const BezierSurface& a, const BezierSurface& b) {
+  const std::size_t count_a = a.patches.values().size(), count_b = b.patches.values().size();
+  if (count_a != count_b) return count_a > count_b;
+  const double extent_a = extent(a), extent_b = extent(b);
+  return extent_a != extent_b ? extent_a < extent_b : comes_before(a, b);
+}
+
 SurfaceIntersection in_best_order(const BoxedSurface& a, const BoxedSurface& b,
                                   const IntersectionOptions& options) {
-  if (a.surface.patches.values().size() >= b.surface.patches.values().size())
+  if (&a.surface == &b.surface || !goes_first(b.surface, a.surface))
     return at_best_tolerance(a, b, options);
   IntersectionOptions exchanged_options = options;
   std::swap(exchanged_options.part_a, exchanged_options.part_b);

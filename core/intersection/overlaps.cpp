@@ -14,17 +14,22 @@ namespace {
 
 constexpr double kJoinTolerances = 100;  // ends this near are one
 constexpr double kJoinPart = 1e-6;       // or this part of the size
+constexpr double kOnOther = 1e-3;        // of the tolerance: borders this near lie on the surface
 constexpr double kGrown = 1.0;           // of a cell's width, when a boundary is sought in it
 
-// A directed piece of the boundary, or a piece of shared border.
+// A directed piece of the boundary of a region.
 struct Piece {
   std::vector<ContactPoint> path;
+  BorderStretch stretch;
+  bool of_a = true;              // whose border it is
   std::size_t from = 0, to = 0;  // vertices
   bool used = false;
 };
 
-Vec2 over_surface(const SurfaceCells& a, const ContactPoint& p) {
-  return {a.span_u(p.patch_a) + p.x[0], a.span_v(p.patch_a) + p.x[1]};
+Vec2 over_surface(const SurfaceCells& own, const ContactPoint& p, bool of_a) {
+  const int patch = of_a ? p.patch_a : p.patch_b;
+  const std::size_t u = of_a ? 0 : 2;
+  return {own.span_u(patch) + p.x[u], own.span_v(patch) + p.x[u + 1]};
 }
 
 // Spans of a closed direction, 0 of an open one.
@@ -42,12 +47,13 @@ Vec2 unwrapped(Vec2 p, const Vec2& near, const Vec2& period) {
 
 using Polygon = std::vector<Vec2>;
 
-Polygon unwrapped(const SurfaceCells& a, const std::vector<ContactPoint>& path) {
-  const Vec2 period = periods(a.surface());
+Polygon unwrapped(const SurfaceCells& own, const std::vector<ContactPoint>& path,
+                  bool of_a = true) {
+  const Vec2 period = periods(own.surface());
   Polygon polygon;
   polygon.reserve(path.size());
   for (const ContactPoint& p : path) {
-    const Vec2 x = over_surface(a, p);
+    const Vec2 x = over_surface(own, p, of_a);
     polygon.push_back(polygon.empty() ? x : unwrapped(x, polygon.back(), period));
   }
   return polygon;
@@ -101,13 +107,13 @@ bool meets_box(const Vec2& p, const Vec2& q, const Vec2& low, const Vec2& high) 
   return from <= to;
 }
 
-// The place of a pair over a.
+// The place of a pair over one of the surfaces.
 struct Footprint {
-  Footprint(const SurfaceCells& a, const CriticalPair& pair) {
-    const Vec2 span{static_cast<double>(a.span_u(pair.patch_a)),
-                    static_cast<double>(a.span_v(pair.patch_a))};
+  Footprint(const SurfaceCells& own, const CriticalPair& pair, bool of_a) {
+    const int patch = of_a ? pair.patch_a : pair.patch_b;
+    const Vec2 span{static_cast<double>(own.span_u(patch)), static_cast<double>(own.span_v(patch))};
     for (int k = 0; k < 2; ++k) {
-      const Interval& box = pair.box[static_cast<std::size_t>(k)];
+      const Interval& box = pair.box[static_cast<std::size_t>(of_a ? k : k + 2)];
       low[k] = span[k] + box.from;
       high[k] = span[k] + box.to;
       middle[k] = span[k] + at(box, 0.5);
@@ -135,6 +141,7 @@ class OverlapFinder {
       : a_(a),
         b_(b),
         coincident_(coincident),
+        tolerance_(tolerance),
         join_(std::max(kJoinTolerances * tolerance, kJoinPart * size)),
         limit_(limit),
         on_b_(a, b, partners(a.patches(), &CriticalPair::patch_a, &CriticalPair::patch_b),
@@ -229,11 +236,21 @@ class OverlapFinder {
         if (length_of(path) <= join_ && !(of_a && is_pole(part))) continue;
         if (follower.bounds_coincidence(part)) {
           if (!runs_with_region_left(part.line, path, of_a)) std::reverse(path.begin(), path.end());
-          pieces_.push_back({std::move(path)});
-        } else if (of_a && !span_beyond(a_.surface(), part.line) && is_held(path)) {
-          result_.edges.push_back({contact_path(follower.links(part), true)});
+          pieces_.push_back({std::move(path), part, of_a});
+        } else {
+          add_edge(part, of_a, false);
         }
       }
+  }
+
+  // Nothing where the surface goes on, or where the search met no coincidence.
+  void add_edge(const BorderStretch& stretch, bool of_a, bool wide) {
+    const int across = stretch.line.across + (of_a ? 0 : 2);
+    if (span_beyond((of_a ? a_ : b_).surface(), stretch.line) ||
+        !is_held({contact_path(stretch.points, of_a), across}))
+      return;
+    BorderFollower& follower = of_a ? on_b_ : on_a_;
+    result_.edges.push_back({contact_path(follower.links(stretch), of_a), across, wide});
   }
 
   // A pole bounds a region round it in a's chart as any other border does: what is one point there
@@ -247,10 +264,11 @@ class OverlapFinder {
   }
 
   // The search met a coincidence along the path, at its middle and quarters.
-  bool is_held(const std::vector<ContactPoint>& path) const {
+  bool is_held(const SharedBorder& border) const {
+    const auto& path = border.path;
     for (const std::size_t quarter : {1, 2, 3}) {
       const std::size_t i = std::min(quarter * path.size() / 4, path.size() - 2);
-      const Coincidence part(SharedBorder{{path[i], path[i + 1]}}, a_);
+      const Coincidence part({{path[i], path[i + 1]}, border.across}, a_, b_);
       if (std::none_of(coincident_.begin(), coincident_.end(),
                        [&](const CriticalPair& pair) { return part.holds(pair); }))
         return false;
@@ -294,7 +312,8 @@ class OverlapFinder {
   }
 
   // Pieces that no other one continues bound nothing: where surfaces part slowly, a border stays
-  // within tolerance of the other surface beyond the region.
+  // within tolerance of the other surface beyond the region. One that lies on it all along is an
+  // edge from which they part.
   void drop_loose_pieces() {
     const auto loose = [&](const Piece& piece) {
       const auto any = [&](auto&& meets) {
@@ -306,8 +325,14 @@ class OverlapFinder {
     while (true) {
       const auto found = std::find_if(pieces_.begin(), pieces_.end(), loose);
       if (found == pieces_.end()) return;
+      if (lies_on_other(*found)) add_edge(found->stretch, found->of_a, true);
       pieces_.erase(found);
     }
+  }
+
+  bool lies_on_other(const Piece& piece) const {
+    return std::ranges::all_of(
+        piece.path, [&](const ContactPoint& p) { return p.gap <= kOnOther * tolerance_; });
   }
 
   // The angle by which the boundary turns left from one piece to the next.
@@ -424,7 +449,7 @@ class OverlapFinder {
   SurfaceCells& a_;
   SurfaceCells& b_;
   const std::vector<CriticalPair>& coincident_;
-  double join_;
+  double tolerance_, join_;
   PolledLimit limit_;
   BorderFollower on_b_;  // borders of a
   BorderFollower on_a_;  // borders of b
@@ -444,14 +469,17 @@ Overlaps find_overlaps(SurfaceCells& a, SurfaceCells& b,
 }
 
 Coincidence::Coincidence(const OverlapRegion& region, const SurfaceCells& a)
-    : a_(a), paths_(unwrapped(a, region.loops)), is_region_(true) {}
+    : own_(a), paths_(unwrapped(a, region.loops)), of_a_(true), is_region_(true) {}
 
-Coincidence::Coincidence(const SharedBorder& border, const SurfaceCells& a)
-    : a_(a), paths_{unwrapped(a, border.path)}, is_region_(false) {}
+Coincidence::Coincidence(const SharedBorder& border, const SurfaceCells& a, const SurfaceCells& b)
+    : own_(border.across < 2 ? a : b),
+      paths_{unwrapped(own_, border.path, border.across < 2)},
+      of_a_(border.across < 2),
+      is_region_(false) {}
 
 bool Coincidence::holds(const CriticalPair& pair) const {
-  const Vec2 period = periods(a_.surface());
-  const Footprint place(a_, pair);
+  const Vec2 period = periods(own_.surface());
+  const Footprint place(own_, pair, of_a_);
   return std::ranges::any_of(
              paths_, [&](const Polygon& path) { return runs_through(path, period, place); }) ||
          (is_region_ && encloses(paths_, period, place.middle));

@@ -16,9 +16,11 @@ namespace blossom {
 
 /// A stretch of border at which the surfaces touch but do not overlap: a smooth joint, say.
 /// Neighbours on the path lie in the same pair of patches, or are one point in two pairs.
-/// All points lie on a border of a.
 struct SharedBorder {
   std::vector<ContactPoint> path;
+  int across = 0;  ///< the parameter held, whose border it is: 0 and 1 of a, 2 and 3 of b
+  /// The surfaces also stay within tolerance beside it, where more may lie than the border.
+  bool wide = false;
 };
 
 /// A loop of a region's boundary, the region to its left as seen from the tip of a's normal.
@@ -51,18 +53,20 @@ Overlaps find_overlaps(SurfaceCells& a, SurfaceCells& b,
                        const std::vector<CriticalPair>& coincident, double tolerance, double size,
                        const WorkLimit& limit);
 
-/// A region or a shared border as polygons over a, to ask which pairs belong to it.
+/// A region or a shared border as polygons over a surface, to ask which pairs belong to it.
 class Coincidence {
  public:
   Coincidence(const OverlapRegion& region, const SurfaceCells& a);
-  Coincidence(const SharedBorder& border, const SurfaceCells& a);
+  Coincidence(const SharedBorder& border, const SurfaceCells& a, const SurfaceCells& b);
 
-  /// True if the pair's place on a lies in the region or meets its boundary or the border.
+  /// True if the pair's place lies in the region or meets its boundary or the border: on a, or on
+  /// the surface whose border it is.
   bool holds(const CriticalPair& pair) const;
 
  private:
-  const SurfaceCells& a_;
+  const SurfaceCells& own_;
   std::vector<std::vector<Vec2>> paths_;  // without jumps over seams
+  bool of_a_;
   bool is_region_;
 };
 

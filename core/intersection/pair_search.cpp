@@ -155,6 +155,7 @@ class Search {
 
   bool stop(const char* reason) {
     result_.stopped = true;
+    result_.certificate.limited = true;
     result_.certificate.reasons.emplace_back(reason);
     return true;
   }

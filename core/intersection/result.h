@@ -86,7 +86,7 @@ struct Certificate {
   long cells_bezier = 0;             ///< cells whose nets came from the Bezier form
   long cells_monomial = 0;           ///< cells whose nets came from the monomial form
   int depth = 0;                     ///< deepest bisection of a patch
-  bool limited = false;              ///< a budget, the time limit or the user ended the search
+  bool limited = false;              ///< the options' budget or time, memory or the user ended it
   double rounding_bound = 0;         ///< largest rounding margin added to a net, model units
   double least_angle = 0;            ///< least angle between normals on the curves, radians
   std::vector<std::string> reasons;  ///< why the status is not complete
@@ -96,7 +96,8 @@ struct Certificate {
 struct Overlap {
   /// Its boundary, the region to the left as seen from the tip of a's normal; it repeats its first
   /// point. A region with holes, or a band round a closed direction, has several loops, joined as
-  /// `joined_loops` does. Where whole closed surfaces coincide there is none.
+  /// `joined_loops` does; one round a pole a loop that goes round a's parameters, with nothing at
+  /// the pole. Where whole closed surfaces coincide there is none.
   std::vector<SurfacePoint> boundary;
   double gap_high = 0;  ///< largest distance of the surfaces in it, model units
 };

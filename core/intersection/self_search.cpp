@@ -26,6 +26,7 @@ PairSearchResult search_itself(SurfaceCells& cells, const Vec3& origin, double s
   found.critical.insert(found.critical.end(), pairs.singular.begin(), pairs.singular.end());
   found.stopped = found.stopped || pairs.stopped;
   Certificate& certificate = found.certificate;
+  certificate.limited = certificate.limited || pairs.stopped;
   certificate.excluded += pairs.excluded;
   certificate.critical += static_cast<long>(pairs.singular.size());
   certificate.depth = std::max(certificate.depth, pairs.depth);

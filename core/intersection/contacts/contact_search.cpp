@@ -126,8 +126,10 @@ class ContactSearch {
     if (result_.stopped) return true;
     if (++cells_ > kMostCells) return stop("the budget of contact cells is spent");
     if (cells_ % kAskEvery != 0) return false;
-    if (const char* reason = limit_.reached()) return stop(reason);
-    return false;
+    const char* reason = limit_.reached();
+    if (reason == nullptr) return false;
+    result_.certificate.limited = true;
+    return stop(reason);
   }
 
   bool stop(const char* reason) {

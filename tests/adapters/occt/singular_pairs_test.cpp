@@ -219,13 +219,13 @@ TEST(PartsOfASphere, BesideEachOtherTouchAlongTheirBorder) {
   }
 }
 
-// The area inside of a boundary on a sphere about its centre, by a's parameters; a step over the
-// seam is none.
+// The area inside of a boundary on a sphere about its centre, by a's parameters, as that between it
+// and the upper pole; a step over the seam is none.
 double area_on_sphere(const std::vector<SurfacePoint>& boundary, double r) {
   double sum = 0;
   for (std::size_t i = 0; i + 1 < boundary.size(); ++i) {
     const Vec2 &p = boundary[i].uv_a, &q = boundary[i + 1].uv_a;
-    sum -= r * r * std::sin(0.5 * (p[1] + q[1])) * std::remainder(q[0] - p[0], 2 * kPi);
+    sum += r * r * (1 - std::sin(0.5 * (p[1] + q[1]))) * std::remainder(q[0] - p[0], 2 * kPi);
   }
   return sum;
 }

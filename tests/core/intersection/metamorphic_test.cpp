@@ -305,6 +305,24 @@ TEST(Threads, ChangeNothing) {
   }
 }
 
+// Likewise, whichever comes first, but for what belongs to which of them.
+TEST(SwappedSurfaces, ChangeNothing) {
+  for (const Row& row : kRows) {
+    SCOPED_TRACE(row.name);
+    const CubicPair pair = cubic_pair(row.h);
+    const SurfaceIntersection found = intersect(pair.a, pair.b), other = intersect(pair.b, pair.a);
+    EXPECT_EQ(found.status, other.status);
+    EXPECT_EQ(found.certificate.excluded, other.certificate.excluded);
+    EXPECT_EQ(kinds(found), kinds(other));
+    ASSERT_EQ(found.curves.size(), other.curves.size());
+    for (std::size_t i = 0; i < found.curves.size(); ++i) {
+      EXPECT_EQ(found.curves[i].curve.points, other.curves[i].curve.points);
+      EXPECT_EQ(found.curves[i].chart_a.points, other.curves[i].chart_b.points);
+      EXPECT_EQ(found.curves[i].chart_b.points, other.curves[i].chart_a.points);
+    }
+  }
+}
+
 std::string case_name(const ::testing::TestParamInfo<std::tuple<int, int>>& which) {
   const auto [row, change] = which.param;
   return std::string(kRows[static_cast<std::size_t>(row)].name) + "__" +
