@@ -398,12 +398,17 @@ class Assembly {
     });
   }
 
-  // A branch that is proven to be there but cannot be written down, at a pole perhaps.
+  // A branch that is proven to be there but cannot be written down, at a pole perhaps. Along a line
+  // of contact nothing is open: the surfaces are within tolerance.
   void add_untraced(SurfaceCells& cells_a, const Chain& chain) {
     const Box box = end_box(cells_a, found_, chain);
-    Place place{PlaceKind::Open, box.low + origin_, box.high + origin_, 0, diagonal(box), {}};
-    result_.places.push_back(place);
-    weaken(Status::Stopped, "a branch could not be traced");
+    const bool contact = std::ranges::all_of(chain.links, [&](const ChainLink& link) {
+      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.tangential;
+    });
+    const PlaceKind kind = contact ? PlaceKind::Tangential : PlaceKind::Open;
+    const double gap = contact ? options_.tolerances.point : diagonal(box);
+    result_.places.push_back({kind, box.low + origin_, box.high + origin_, 0, gap, {}});
+    weaken(contact ? Status::Tolerance : Status::Stopped, "a branch could not be traced");
   }
 
   bool in_contact(const Vec3& point) const {

@@ -83,8 +83,10 @@ class Cutter {
     Point4 plane{};
     plane[axis] = 1;
     auto x = point_in(start, plane);
-    if (x) (*x)[axis] = goal;
-    return x;
+    if (!x) return std::nullopt;
+    (*x)[axis] = goal;
+    // A path that runs along this border comes to it anywhere, beyond others perhaps.
+    return depth_inside(*x) < -kOnBorder ? std::nullopt : x;
   }
 
   // A path with a point in the patch between two points outside of it where the chord runs

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Faces of a real model that go on smoothly into each other, while their borders are a tenth of the
+// tolerance apart.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "adapters/occt/intersection.h"
+#include "adapters/occt/shapes.h"
+
+namespace blossom::occt {
+namespace {
+
+// The surfaces are within tolerance along all of a border, in a strip that no one line stands for.
+TEST(SmoothFaces, LeaveNothingOpenAlongTheirBorder) {
+  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
+  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
+  const Model model = read_model(std::string(folder) + "/models/bearing.iges");
+  for (const auto& [a, b] : {std::pair{52, 53}, {53, 52}, {75, 76}, {76, 75}}) {
+    SCOPED_TRACE(std::to_string(a) + " and " + std::to_string(b));
+    const ShapeIntersection found = intersect({model.face(a)}, {model.face(b)});
+    EXPECT_EQ(found.status, Status::Tolerance);
+    ASSERT_EQ(found.pairs.size(), 1u);
+    const auto& places = found.pairs[0].found.places;
+    EXPECT_FALSE(places.empty());
+    EXPECT_TRUE(std::ranges::none_of(
+        places, [](const Place& place) { return place.kind == PlaceKind::Open; }));
+  }
+}
+
+}  // namespace
+}  // namespace blossom::occt
