@@ -56,7 +56,7 @@ constexpr double kBorderMargin = 1e-5;
 
 // Strips and branches with a gap of one to two tolerances, found as a strip in one part and as two
 // branches in another.
-constexpr std::array kKnownFaults{414, 449, 985, 1391};
+constexpr std::array kKnownFaults{985, 1391};
 
 struct Draw {
   std::string kind;
