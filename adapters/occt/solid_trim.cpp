@@ -291,7 +291,10 @@ SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation, La
   return all;
 }
 
+std::string part_name(const TrimTool& part) { return part.name.empty() ? "the part" : part.name; }
+
 std::string tool_name(const std::vector<TrimTool>& tools, std::size_t i) {
+  if (!tools[i].name.empty()) return tools[i].name;
   return tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1);
 }
 
@@ -338,7 +341,7 @@ void check_closed(const TrimTool& input, const std::string& name) {
 class TrueInputs {
  public:
   TrueInputs(const TrimTool& part, const std::vector<TrimTool>& tools, const WorkLimit& limit)
-      : part_(sound(part, "the part", limit)) {
+      : part_(sound(part, part_name(part), limit)) {
     for (std::size_t i = 0; i < tools.size(); ++i)
       tools_.push_back(sound(tools[i], tool_name(tools, i), limit));
   }
@@ -412,7 +415,7 @@ double SolidVolumes::fuse_error() const {
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options) {
   if (tools.empty()) throw InvalidInput("trim: there is no tool");
-  check_closed(part, "the part");
+  check_closed(part, part_name(part));
   for (std::size_t i = 0; i < tools.size(); ++i) check_closed(tools[i], tool_name(tools, i));
   SolidTrimResult result;
   with_threads(options.threads, [&] { result = trimmed(part, tools, operation, options); });

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
@@ -18,6 +19,7 @@ namespace blossom::occt {
 struct TrimTool {
   std::vector<TopoDS_Face> faces;
   std::vector<TopoDS_Solid> solids;  ///< those that the faces bound; empty for an open tool
+  std::string name{};                ///< in messages; empty: "the part" or "the tool"
 
   bool is_solid() const { return !solids.empty(); }
 };

@@ -96,9 +96,15 @@ std::vector<std::string> invalid_as_given(const SolidTrim& options,
 Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models& tools) {
   Progress progress("combining solids", options.common.quiet);
   const IntersectionOptions engine = intersection_options(options.engine, progress);
-  const occt::TrimTool solid = occt::trim_tool(part.shape());
+  const auto named = [](const occt::Model& model, const std::string& name) {
+    occt::TrimTool tool = occt::trim_tool(model.shape());
+    tool.name = name;
+    return tool;
+  };
+  const occt::TrimTool solid = named(part, options.part);
   std::vector<occt::TrimTool> others;
-  for (const occt::Model& tool : tools) others.push_back(occt::trim_tool(tool.shape()));
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    others.push_back(named(tools[i], options.tools[i]));
   const auto start = std::chrono::steady_clock::now();
   Timed result{
       occt::trim_solids(solid, others, kOperations.at(options.operation), engine), {}, {}, 0};

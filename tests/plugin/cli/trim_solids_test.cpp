@@ -226,7 +226,7 @@ TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   testing::write({testing::bowl()}, folder / "bowl.brep");
   const Finished open = combine("bowl.brep", {"cut"});
   EXPECT_EQ(open.code, 2);
-  EXPECT_NE(open.err.find("the tool is no closed solid"), std::string::npos) << open.err;
+  EXPECT_NE(open.err.find("bowl.brep is no closed solid"), std::string::npos) << open.err;
 }
 
 }  // namespace
