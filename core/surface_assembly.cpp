@@ -109,7 +109,7 @@ class Assembly {
     for (SurfaceCells* cells : {&cells_a, &cells_b}) cells->drop_cells();
     std::vector<std::optional<IntersectionCurve>> fits = fits_of(cells_a, cells_b, chains);
     for (std::size_t i = 0; i < chains.size(); ++i)
-      fits[i] ? add_curve(cells_a, chains[i], std::move(*fits[i]))
+      fits[i] ? add_curve(cells_a, cells_b, chains[i], std::move(*fits[i]))
               : add_short(cells_a, cells_b, chains[i]);
     for (const FoundGraze& graze : lone_grazes(found_, cells_a, cells_b))
       add_corner_contact(cells_a, cells_b, graze);
@@ -218,10 +218,9 @@ class Assembly {
   }
 
   // Where the surfaces also stay within tolerance beside it, more may lie there.
-  void add_border(const SurfaceCells& cells_a, const SurfaceCells& cells_b,
-                  const SharedBorder& border) {
+  void add_border(const SurfaceCells& a, const SurfaceCells& b, const SharedBorder& border) {
     if (!add_shared_border(border, found_)) return;
-    if (!border.wide) taken(Coincidence(border, cells_a, cells_b));
+    if (!border.wide) taken(Coincidence(border, a, b));
     for (const ContactPoint& p : border.path) shared_gap_ = std::max(shared_gap_, p.gap);
     weaken(Status::Tolerance, kSharedBorder);
   }
@@ -289,9 +288,11 @@ class Assembly {
     if (!is_short || !belongs_to_contact(chain)) add_small_contact(cells_a, chain, tracer);
   }
 
-  void add_curve(SurfaceCells& cells_a, const Chain& chain, IntersectionCurve&& curve) {
+  void add_curve(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain,
+                 IntersectionCurve&& curve) {
     const Deviation& d = curve.deviation;
-    if (!std::isfinite(curve.length + d.a + d.b + d.between)) return add_untraced(cells_a, chain);
+    if (!std::isfinite(curve.length + d.a + d.b + d.between))
+      return add_untraced(cells_a, cells_b, chain);
     curve.closed = chain.closed;
     curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
     for (std::size_t side = 0; side < 2; ++side) {
@@ -398,16 +399,18 @@ class Assembly {
     });
   }
 
-  // A branch that is proven to be there but cannot be written down, at a pole perhaps. Along a line
-  // of contact nothing is open: the surfaces are within tolerance.
-  void add_untraced(SurfaceCells& cells_a, const Chain& chain) {
+  // A branch that is proven to be there but cannot be written down, at a pole perhaps. Nothing is
+  // open along a contact whose surfaces stay together between its points, by samples.
+  void add_untraced(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
     const Box box = end_box(cells_a, found_, chain);
     const bool contact = std::ranges::all_of(chain.links, [&](const ChainLink& link) {
-      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.tangential;
+      return runs_in_contact(cells_a, cells_b, found_.arcs[static_cast<std::size_t>(link.arc)],
+                             options_.tolerances.point);
     });
-    const PlaceKind kind = contact ? PlaceKind::Tangential : PlaceKind::Open;
-    const double gap = contact ? options_.tolerances.point : diagonal(box);
-    result_.places.push_back({kind, box.low + origin_, box.high + origin_, 0, gap, {}});
+    const double gap = contact ? kAttachGap * options_.tolerances.point : diagonal(box);
+    Place place{PlaceKind::Open, box.low + origin_, box.high + origin_, 0, gap, {}};
+    if (contact) place.kind = PlaceKind::Tangential;
+    result_.places.push_back(place);
     weaken(contact ? Status::Tolerance : Status::Stopped, "a branch could not be traced");
   }
 

@@ -10,7 +10,6 @@
 namespace blossom {
 namespace {
 
-constexpr double kAttachGap = 4;       // tolerances: the most on the way to a contact
 constexpr double kPolishReach = 0.02;  // fraction of a patch
 constexpr double kOnBorder = 1e-9;     // likewise
 
@@ -163,6 +162,12 @@ bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const C
       return false;
   }
   return true;
+}
+
+bool runs_in_contact(SurfaceCells& a, SurfaceCells& b, const FoundArc& arc, double tolerance) {
+  const ContactPoint from{arc.patch_a, arc.patch_b, arc.arc.from};
+  const ContactPoint to{arc.patch_a, arc.patch_b, arc.arc.to};
+  return arc.arc.tangential && in_contact(a, b, from, to, tolerance);
 }
 
 ContactArm arm_of(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,

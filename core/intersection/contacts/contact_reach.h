@@ -12,6 +12,9 @@
 
 namespace blossom {
 
+/// Tolerances: surfaces this near on the way between two points of contact stay together.
+inline constexpr double kAttachGap = 4;
+
 /// A point of one pair of patches in the parameters of the pair of `to`.
 Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int from_b,
                   const Point4& x, const ContactPoint& to);
@@ -27,6 +30,9 @@ bool jumps(const Point4& p, const Point4& q, const SurfaceCells& a, const Surfac
 /// as far as points in between tell.
 bool in_contact(SurfaceCells& a, SurfaceCells& b, const ContactPoint& p, const ContactPoint& q,
                 double tolerance);
+
+/// The same between the ends of a tangential arc; false for any other.
+bool runs_in_contact(SurfaceCells& a, SurfaceCells& b, const FoundArc& arc, double tolerance);
 
 /// The arc that ends at a contact, in the parameters of the contact's patches.
 ContactArm arm_of(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
