@@ -12,14 +12,15 @@
 namespace blossom {
 namespace {
 
-constexpr std::size_t kLinkGrain = 16;  // whose points one thread finds in a row
-constexpr double kBeside = 1e-3;        // fraction of a link
-constexpr double kBesidePole = 0.02;    // likewise; the rounding of derivatives grows by its cube
-constexpr double kStraight = 0.9;       // cosine: a tangent farther from its chord is none
-constexpr double kLeastSine = 1e-6;     // below it derivatives are rounding
-constexpr double kBesideValley = 1e-3;  // likewise: half the step of a difference
-constexpr double kReach = 0.5;          // fraction of a patch
-constexpr double kAtAnAngle = 1e-4;     // sine: from there on Newton's method takes a step or two
+constexpr std::size_t kLinkGrain = 16;   // whose points one thread finds in a row
+constexpr double kBeside = 1e-3;         // fraction of a link
+constexpr double kFarthestBeside = 0.1;  // likewise
+constexpr double kBesidePole = 0.02;     // likewise; the rounding of derivatives grows by its cube
+constexpr double kStraight = 0.9;        // cosine: a tangent farther from its chord is none
+constexpr double kLeastSine = 1e-6;      // below it derivatives are rounding
+constexpr double kBesideValley = 1e-3;   // likewise: half the step of a difference
+constexpr double kReach = 0.5;           // fraction of a patch
+constexpr double kAtAnAngle = 1e-4;      // sine: from there on Newton's method takes a step or two
 constexpr int kStepsBeside = 3;
 constexpr double kPole = 1e-8;  // a derivative this much shorter than the other one is none
 
@@ -136,13 +137,17 @@ CurvePoint ChainTracer::at(double station, bool after) const {
   const bool to_pole = arc.to_pole || (arc.arc.tangential && p.sine == 0);
   const bool is_end = fraction <= 0 || fraction >= 1;
   const bool finite = std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second));
-  if (finite && p.sine > kLeastSine && !(to_pole && is_end)) return p;
+  if (finite && (!is_end || (p.sine > kLeastSine && !to_pole))) return p;
   // At a pole a surface has no normal, at a node the two are parallel: the derivatives are taken
-  // from points beside it, by quadratic extrapolation.
-  const double beside = to_pole ? kBesidePole : kBeside;
-  const double step = fraction < 0.5 ? beside : -beside;
-  const CurvePoint q1 = on_link(link, fraction + step), q2 = on_link(link, fraction + 2 * step),
-                   q3 = on_link(link, fraction + 3 * step);
+  // from points beside it, by quadratic extrapolation. Where contact is of higher order, more of
+  // the link is too near to the node for that.
+  double step = (fraction < 0.5 ? 1 : -1) * (to_pole ? kBesidePole : kBeside);
+  CurvePoint q1 = on_link(link, fraction + step);
+  while (!to_pole && !(q1.sine > kLeastSine) && std::abs(step) < kFarthestBeside) {
+    step *= 2;
+    q1 = on_link(link, fraction + step);
+  }
+  const CurvePoint q2 = on_link(link, fraction + 2 * step), q3 = on_link(link, fraction + 3 * step);
   const auto extrapolated = [&](auto CurvePoint::*member) {
     return 3 * (q1.*member - q2.*member) + q3.*member;
   };

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/parallel.h"
 #include "core/bounds/patch_boxes.h"
 #include "core/intersection/pair_search.h"
@@ -81,6 +83,35 @@ TEST_P(SmoothRuns, AreTheSameForAnyNumberOfThreads) {
         EXPECT_EQ(by_one[k].pieces[i].points, by_four[k].pieces[i].points);
     }
   });
+}
+
+// Along a branch across a line of contact the sine of the surfaces' angle grows with the square of
+// the distance: near the line derivatives are rounding, and have to come from farther away.
+TEST(SmoothRunsAcrossContact, TakeFewPieces) {
+  const testing::Cubic x = testing::linear(-0.5, 1, 0), y = testing::linear(-0.5, 0, 1);
+  const testing::CubicPair pair =
+      testing::cubic_pair(0.01 * (x * x * y), 20 * testing::base_cubic());
+  constexpr double kCut = 0.4865, kLength = 0.003, kWanted = 1e-6;
+  const Vec3 origin;
+  SurfaceCells a(pair.a, origin, CellForm::Auto, kCut), b(pair.b, origin, CellForm::Auto, kCut);
+  PairSearchResult found;
+  FoundArc arc{0, 0, {}, {}, {-1, -1}};
+  arc.arc.from = {0.5, 0.5, 0.5, 0.5};
+  arc.arc.direction = {1, 0, std::cos(0.4) / 1.6, -std::sin(0.4) / 1.6};
+  for (std::size_t i = 0; i < 4; ++i) {
+    arc.arc.to[i] = arc.arc.from[i] + kLength * arc.arc.direction[i];
+    arc.box[i] = {0, 1};
+  }
+  found.arcs.push_back(arc);
+  Chain chain;
+  chain.links.push_back({0, true});
+  const ChainTracer tracer(found, a, b, origin, chain);
+
+  const auto runs = smooth_runs(tracer, pair.a, pair.b, {kWanted}, 0.125);
+
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_LE(runs[0].pieces.size(), 8u);
+  for (const double error : runs[0].errors) EXPECT_LE(error, 0.125);
 }
 
 INSTANTIATE_TEST_SUITE_P(Pairs, SmoothRuns, ::testing::ValuesIn(testing::surface_pairs()),
