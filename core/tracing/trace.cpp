@@ -19,6 +19,7 @@ constexpr double kBesidePole = 0.02;     // likewise; the rounding of derivative
 constexpr double kStraight = 0.9;        // cosine: a tangent farther from its chord is none
 constexpr double kLeastSine = 1e-6;      // below it derivatives are rounding
 constexpr double kBesideValley = 1e-3;   // likewise: half the step of a difference
+constexpr double kNoValley = 1e-3;       // of what tells its direction beside a point: none
 constexpr double kReach = 0.5;           // fraction of a patch
 constexpr double kAtAnAngle = 1e-4;      // sine: from there on Newton's method takes a step or two
 constexpr int kStepsBeside = 3;
@@ -134,13 +135,13 @@ CurvePoint ChainTracer::at(double station, bool after) const {
   const double fraction = std::clamp((station - stations_[link]) / width, 0.0, 1.0);
   CurvePoint p = on_link(link, fraction);
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(chain_.links[link].arc)];
-  const bool to_pole = arc.to_pole || (arc.arc.tangential && p.sine == 0);
+  const bool to_pole = arc.to_pole || (arc.arc.tangential && p.sine == 0);  // or to such a node
   const bool is_end = fraction <= 0 || fraction >= 1;
   const bool finite = std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second));
   if (finite && (!is_end || (p.sine > kLeastSine && !to_pole))) return p;
-  // At a pole a surface has no normal, at a node the two are parallel: the derivatives are taken
-  // from points beside it, by quadratic extrapolation. Where contact is of higher order, more of
-  // the link is too near to the node for that.
+  // At a pole a surface has no normal, at a node the two are parallel or a valley has no direction:
+  // the derivatives are taken from points beside it, by quadratic extrapolation. Where contact is
+  // of higher order, more of the link is too near to the node for that.
   double step = (fraction < 0.5 ? 1 : -1) * (to_pole ? kBesidePole : kBeside);
   CurvePoint q1 = on_link(link, fraction + step);
   while (!to_pole && !(q1.sine > kLeastSine) && std::abs(step) < kFarthestBeside) {
@@ -297,6 +298,7 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
   struct Rates {
     Vec3 tangent;
     Vec2 a, b;
+    double size;  // before scaling
   };
   const auto rates_at = [&](const Point4& at) {
     Point4 tangent = touch_tangent(patch_a, patch_b, at, touch_line(arc));
@@ -307,7 +309,8 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
     const double scale = ((growth > 0) == forward ? 1 : -1) / norm(rate);
     return Rates{rate * scale,
                  {tangent[0] * scale, tangent[1] * scale},
-                 {tangent[2] * scale, tangent[3] * scale}};
+                 {tangent[2] * scale, tangent[3] * scale},
+                 norm(rate)};
   };
   const Rates here = rates_at(x);
   const auto beside = [&](double step) {
@@ -328,7 +331,9 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
   result.second = result.second - here.tangent * dot(result.second, here.tangent);
   const bool at_pole =
       is_pole(jet_at(patch_a, x[0], x[1], 1)) || is_pole(jet_at(patch_b, x[2], x[3], 1));
-  result.sine = at_pole ? 0 : 1;
+  // In a node of the third order no direction is the valley's more than another.
+  const bool at_node = here.size <= kNoValley * std::max(r0.size, r1.size);
+  result.sine = at_pole || at_node ? 0 : 1;
   to_own(a_.surface(), a_.knots_u(arc.patch_a), a_.knots_v(arc.patch_a), x[0], x[1], here.a,
          (r1.a - r0.a) * (1 / width), result.a, result.a_first, result.a_second);
   to_own(b_.surface(), b_.knots_u(arc.patch_b), b_.knots_v(arc.patch_b), x[2], x[3], here.b,
