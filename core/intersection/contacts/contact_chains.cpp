@@ -10,6 +10,7 @@
 #include "core/intersection/contacts/contact_points.h"
 #include "core/intersection/contacts/contact_reach.h"
 #include "core/intersection/contacts/near_misses.h"
+#include "core/intersection/contacts/third_order_nodes.h"
 
 namespace blossom {
 namespace {
@@ -60,12 +61,14 @@ class Joiner {
     extent.measure_across(chains, clumps_from);
     merge_points(chains);
     absorb_points(chains);
+    gather_at_third_order_nodes(chains, clumps, found_, a_, b_, size_, tolerance_);
     for (ContactChain& chain : chains) {
       if (chain.curve)
         add_arcs(chain);
-      else
+      else if (!chain.third_order)
         chain.centre = centre_of(chain);
     }
+    add_tangential_arms(chains);
     return chains;
   }
 
@@ -419,11 +422,29 @@ class Joiner {
         const ContactPoint& end = side == 0 ? chain.path.front() : chain.path.back();
         const auto &patch_a = a_.tree(end.patch_a).patch(), &patch_b = b_.tree(end.patch_b).patch();
         // One that runs beside the contact ends there.
-        for (ArcEnd& arm : chain.arms[side])
+        for (ArcEnd& arm : chain.arms[side]) {
           if (leads_to(patch_a, patch_b, arm_of(found_, a_, b_, arm, end), end.x))
             arm = reach_contact(found_, a_, b_, arm, end);
+          const FoundArc& arc = found_.arcs[arm / 2];  // what lies between is the contact's
+          const Vec3 p = point(arc.patch_a, end_of(found_, arm));
+          chain.box = joined(chain.box, {p, p});
+        }
         chain.arms[side].push_back(side == 0 ? from : to);
       }
+  }
+
+  // Tangential curves that were led to a third-order node begin there.
+  void add_tangential_arms(std::vector<ContactChain>& chains) const {
+    for (ContactChain& chain : chains) {
+      if (!chain.third_order) continue;
+      for (ArcEnd end = 0; end < 2 * found_.arcs.size(); ++end) {
+        const FoundArc& arc = found_.arcs[end / 2];
+        const ContactPoint& node = chain.centre;
+        if (arc.arc.tangential && arc.patch_a == node.patch_a && arc.patch_b == node.patch_b &&
+            end_of(found_, end) == node.x)
+          chain.arms[1].push_back(end);
+      }
+    }
   }
 
   // Makes two ends one, but not across the seam of a closed surface, where its parameters jump.

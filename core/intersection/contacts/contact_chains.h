@@ -43,10 +43,11 @@ struct ContactChain {
   bool parted = false;    ///< its two arms come to a pole under different parameters
   bool straight = false;  ///< its two arms go straight on into each other
   bool passed = false;    ///< likewise, and they are tangential curves
-  bool regular = false;   ///< a point in which the surfaces cross, see crosses_regularly
-  ContactPoint centre;    ///< of a point
-  double length = 0;      ///< model units
-  Box box;                ///< of the path, relative to the origin
+  bool third_order = false;  ///< a node in which the surfaces agree up to the second order
+  bool regular = false;      ///< a point in which the surfaces cross, see crosses_regularly
+  ContactPoint centre;       ///< of a point
+  double length = 0;         ///< model units
+  Box box;                   ///< of the path, relative to the origin
 
   std::size_t arm_count() const { return arms[0].size() + arms[1].size(); }
 };

@@ -102,20 +102,6 @@ Row tangency_row(const PatchJet& p, const PatchJet& q, const Vec2& across) {
           dot(d, ns), dot(d, nt), -dot(d, n)};
 }
 
-// How much more A bends than B in the direction `across`, along B's normal: what remains of the
-// second derivative of the gap where the surfaces touch.
-double bend_between(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
-                    const Vec2& across) {
-  const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
-  const auto second = [](const PatchJet& jet, double u, double v) {
-    return jet.uu * (u * u) + jet.uv * (2 * u * v) + jet.vv * (v * v);
-  };
-  const Vec3 n = cross(q.u, q.v);
-  const Vec3 d = p.u * across[0] + p.v * across[1];
-  const double s = dot(cross(d, q.v), n) / dot(n, n), t = dot(cross(q.u, d), n) / dot(n, n);
-  return dot(second(p, across[0], across[1]) - second(q, s, t), n);
-}
-
 // It vanishes. Its derivatives are central differences: their error only slows Newton's method.
 Row bend_row(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
              const Vec2& across) {
@@ -139,6 +125,18 @@ std::array<Row, 3> line_rows(const RationalBezierPatch& a, const RationalBezierP
 }
 
 }  // namespace
+
+double bend_between(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                    const Vec2& across) {
+  const PatchJet p = jet_at(a, x[0], x[1], 2), q = jet_at(b, x[2], x[3], 2);
+  const auto second = [](const PatchJet& jet, double u, double v) {
+    return jet.uu * (u * u) + jet.uv * (2 * u * v) + jet.vv * (v * v);
+  };
+  const Vec3 n = cross(q.u, q.v);
+  const Vec3 d = p.u * across[0] + p.v * across[1];
+  const double s = dot(cross(d, q.v), n) / dot(n, n), t = dot(cross(q.u, d), n) / dot(n, n);
+  return dot(second(p, across[0], across[1]) - second(q, s, t), n);
+}
 
 std::optional<Point4> curve_point(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                   const Point4& start, const Point4& plane, double reach) {

@@ -15,6 +15,11 @@ namespace blossom {
 /// A smaller distance of the surfaces may be rounding. Of the tolerance.
 inline constexpr double kRoundingGap = 1.0 / 64;
 
+/// How much more A bends than B in a direction (u, v) of A, along B's normal B_s x B_t, which is
+/// not normalised: where the surfaces touch, the second derivative of their gap.
+double bend_between(const RationalBezierPatch& a, const RationalBezierPatch& b, const Point4& x,
+                    const Vec2& across);
+
 /// The point of A(u, v) = B(s, t) in a plane of the parameters.
 ///
 /// returns   nothing if the steps do not settle or lead farther than `reach` (in each parameter)
