@@ -62,6 +62,14 @@ bool face_each_other(const std::vector<ContactArm>& arms) {
   return dot(direction_of(arms[0]), direction_of(arms[1])) < -kStraightOn;
 }
 
+// False if some arms are tangential curves and some are branches.
+bool are_alike(const ContactChain& contact, const PairSearchResult& found) {
+  bool any[2]{};
+  for (const auto& side : contact.arms)
+    for (const ArcEnd end : side) any[found.arcs[end / 2].arc.tangential ? 1 : 0] = true;
+  return !(any[0] && any[1]);
+}
+
 // True if arms that face each other are tangential curves. Along a strip of contact some cells
 // are within tolerance all over, and the closest point in them need not lie between the arms.
 bool passes(const ContactChain& contact, const std::vector<ContactArm>& arms,
@@ -193,6 +201,7 @@ void meet_in_centres(std::vector<ContactChain>& contacts, SurfaceCells& a, Surfa
     for (const auto& side : contact.arms)
       for (const ArcEnd end : side) arms.push_back(arm_of(found, a, b, end, contact.centre));
     const bool joins = arms.size() == 2 && !contact.third_order;
+    contact.parted = contact.third_order && !are_alike(contact, found);
     if (joins && jumps(arms[0].end, arms[1].end, a, b)) {
       meet_apart(contact, {contact.centre, {}}, a, b, found);
       continue;

@@ -40,7 +40,7 @@ struct ContactChain {
   bool closed = false;
   bool curve = false;     ///< a tangential curve; else a point: a touch, a node, a fold or a cusp
   bool pole = false;      ///< a point that one of the surfaces has under many parameters
-  bool parted = false;    ///< its two arms come to a pole under different parameters
+  bool parted = false;    ///< its two arms do not go on into each other, at a pole perhaps
   bool straight = false;  ///< its two arms go straight on into each other
   bool passed = false;    ///< likewise, and they are tangential curves
   bool third_order = false;  ///< a node in which the surfaces agree up to the second order

@@ -17,6 +17,7 @@ constexpr int kSteps = 8;             // of Newton's method: of a cubic form the
 constexpr double kSettled = 1e-8;     // fraction of a patch; the next step is its square
 constexpr double kDifference = 1e-4;  // step of a difference quotient, likewise
 constexpr double kReach = 0.05;       // how far a foot may move, likewise
+constexpr double kOutside = 0.2;      // how far a step may lead out of the patch, likewise
 constexpr double kOnBorder = 1e-9;    // likewise
 constexpr double kWidest = 0.2;       // of the size: wider discs are no points
 constexpr double kDiscGap = 8;        // tolerances: what is below one may be read off up to here
@@ -88,7 +89,7 @@ class NodeSearch {
       Point4 next = *x;
       for (std::size_t k : {std::size_t{0}, std::size_t{1}}) {
         next[k] -= (*move)[static_cast<int>(k)];
-        if (!(next[k] >= 0 && next[k] <= 1)) return std::nullopt;
+        if (!(next[k] >= -kOutside && next[k] <= 1 + kOutside)) return std::nullopt;
       }
       x = foot_point(patch_a, patch_b, next, 1);
       if (x && std::max(std::abs((*move)[0]), std::abs((*move)[1])) <= kSettled)
@@ -131,6 +132,8 @@ class NodeSearch {
   // The node, if the gap within its disc is that of the cubic form alone but for a tolerance.
   std::optional<ThirdOrderNode> node_at(ContactPoint at, const Slopes& slope) const {
     const auto &patch_a = a_.tree(at.patch_a).patch(), &patch_b = b_.tree(at.patch_b).patch();
+    if (std::ranges::any_of(at.x, [](double t) { return !(t >= 0 && t <= 1); }))
+      return std::nullopt;
     at.gap = std::abs(signed_gap(patch_a, patch_b, at.x));
     if (!(at.gap <= kRoundingGap * tolerance_)) return std::nullopt;
     const PatchJet p = jet_at(patch_a, at.x[0], at.x[1], 1);
@@ -244,7 +247,10 @@ class Disc {
   }
 
   bool holds(const Vec3& p) const { return distance(p, node_.point) <= node_.radius; }
-  bool holds(const ContactPoint& p) const { return holds(point(p.patch_a, p.x)); }
+  // What goes from the node to a border of the surfaces stays, if it is no valley beside it.
+  bool holds(const ContactPoint& p) const {
+    return holds(point(p.patch_a, p.x)) && !(p.gap <= kRoundingGap * tolerance_ && on_border(p));
+  }
   bool holds(const Box& box) const {
     return distance(0.5 * (box.low + box.high), node_.point) + 0.5 * diagonal(box) <=
            2 * node_.radius;
@@ -287,8 +293,8 @@ class Disc {
   bool leads_here(const ContactChain& curve, std::size_t side) const {
     const ContactPoint& end = side == 0 ? curve.path.front() : curve.path.back();
     const double d = distance(point(end.patch_a, end.x), node_.point);
-    return d <= node_.radius || (!on_border(end) && d <= kBeside * node_.radius &&
-                                 in_contact(a_, b_, end, node_.at, tolerance_));
+    return holds(end) || (!on_border(end) && d <= kBeside * node_.radius &&
+                          in_contact(a_, b_, end, node_.at, tolerance_));
   }
 
   // True for a point on a border of one of the surfaces.
@@ -355,7 +361,8 @@ class Disc {
       FoundArc& arc = found.arcs[i];
       if (arc.dropped) continue;
       const Vec3 p = point(arc.patch_a, arc.arc.from), q = point(arc.patch_a, arc.arc.to);
-      const bool from = holds(p), to = holds(q);
+      const bool from = holds({arc.patch_a, arc.patch_b, arc.arc.from}),
+                 to = holds({arc.patch_a, arc.patch_b, arc.arc.to});
       if (from) gathered_.box = joined(gathered_.box, {p, p});
       if (to) gathered_.box = joined(gathered_.box, {q, q});
       arc.dropped = from && to;
