@@ -12,4 +12,8 @@ int exit_code(Status status) {
   return kExitStopped;
 }
 
+int exit_code_unwritten(Status status) {
+  return status == Status::Stopped ? kExitStopped : kExitFailure;
+}
+
 }  // namespace blossom::cli

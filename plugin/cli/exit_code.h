@@ -10,7 +10,7 @@
 namespace blossom::cli {
 
 inline constexpr int kExitComplete = 0;
-inline constexpr int kExitFailure = 1;   ///< unwritable output, full disk, internal error
+inline constexpr int kExitFailure = 1;   ///< no output: unwritable, empty, internal error
 inline constexpr int kExitBadInput = 2;  ///< bad usage or bad input
 inline constexpr int kExitTolerance = 3;
 inline constexpr int kExitStopped = 4;  ///< a partial result was written
@@ -18,6 +18,10 @@ inline constexpr int kExitInterrupted = 130;
 
 /// The exit code of a finished command.
 int exit_code(Status status);
+
+/// The same where a file was asked for and there was nothing to write: never that of a success, so
+/// that an older file of that name is not taken for the result.
+int exit_code_unwritten(Status status);
 
 /// The command was used wrongly: an option's value that makes no sense, an input that cannot be
 /// meant. Exit code 2.

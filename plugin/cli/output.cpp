@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/output.h"
 
+#include <filesystem>
 #include <iostream>
+#include <system_error>
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shapes.h"
@@ -20,6 +22,14 @@ void write_json(const Json& report, const std::string& target) {
     print(text);
   else
     occt::write_text(text, target);
+}
+
+void tell_unwritten(const std::string& file, const std::string& reason) {
+  std::error_code ignored;
+  std::cerr << "blossom: " << file << " is not written: " << reason
+            << (std::filesystem::exists(file, ignored)
+                    ? "; the file of that name is an older one, left as it was\n"
+                    : "\n");
 }
 
 std::string counted(std::size_t count, const std::string& noun) {

@@ -22,6 +22,10 @@ void print(const std::string& text);
 /// throws   occt::Failure if it cannot be written; what was there before is then still there
 void write_json(const Json& report, const std::string& target);
 
+/// Says on stderr that a file is not written and why; if there is a file of that name, that it is
+/// an older one.
+void tell_unwritten(const std::string& file, const std::string& reason);
+
 /// "1 curve", "2 curves".
 std::string counted(std::size_t count, const std::string& noun);
 

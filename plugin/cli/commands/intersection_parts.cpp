@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <iostream>
 #include <optional>
 #include <sstream>
 #include <vector>
 
+#include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/intersection_model.h"
 #include "plugin/cli/output.h"
@@ -119,27 +119,26 @@ TimedIntersection timed_intersection(
   return result;
 }
 
-void write_outputs(const Input& a, const Input& b, const std::string& title,
-                   const TimedIntersection& result, const CommonOptions& options) {
+int write_outputs(const Input& a, const Input& b, const std::string& title,
+                  const TimedIntersection& result, const CommonOptions& options) {
   // All that may fail or be interrupted comes before the first file is written.
   const Counts counts = counts_of(result.found);
   std::optional<occt::Model> model;
-  if (!options.output.empty() && counts.curves + counts.points > 0)
-    model = intersection_model(a, b, result.found);
+  const bool unwritten = !options.output.empty() && counts.curves + counts.points == 0;
+  if (!options.output.empty() && !unwritten) model = intersection_model(a, b, result.found);
   std::string png;
   if (!options.picture.empty()) png = picture_png(picture_of(a, b, result.found));
   stop_if_interrupted();
 
-  if (model)
-    occt::write_model(*model, options.output, stop_if_interrupted);
-  else if (!options.output.empty())
-    std::cerr << "blossom: nothing was found, " << options.output << " is not written\n";
+  if (model) occt::write_model(*model, options.output, stop_if_interrupted);
+  if (unwritten) tell_unwritten(options.output, "no curve and no point was found");
   if (!options.picture.empty()) occt::write_text(png, options.picture);
   if (!options.json.empty())
     write_json(&a == &b ? self_intersection_report(a, result.found, result.times)
                         : intersection_report(a, b, result.found, result.times),
                options.json);
   if (options.json != "-" && !options.quiet) print(summary(a, b, title, result));
+  return unwritten ? exit_code_unwritten(result.found.status) : exit_code(result.found.status);
 }
 
 }  // namespace blossom::cli

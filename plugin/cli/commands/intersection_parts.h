@@ -36,7 +36,8 @@ TimedIntersection timed_intersection(
 /// Writes edges, picture, report and summary, as far as they are wanted.
 /// a, b      one object for an input with itself
 /// title     of the summary
-void write_outputs(const Input& a, const Input& b, const std::string& title,
-                   const TimedIntersection& result, const CommonOptions& options);
+/// returns   the exit code
+int write_outputs(const Input& a, const Input& b, const std::string& title,
+                  const TimedIntersection& result, const CommonOptions& options);
 
 }  // namespace blossom::cli

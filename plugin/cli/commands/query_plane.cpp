@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom query plane F --point P --normal N`: the section of a model with a plane.
 
-#include <iostream>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -129,22 +128,22 @@ Picture picture_of(const Input& input, const occt::PlaneSection& section) {
   return picture;
 }
 
-void write_outputs(const Input& input, const Options& options, const Answer& answer) {
+int write_outputs(const Input& input, const Options& options, const Answer& answer) {
   const occt::PlaneSection& section = answer.section;
   const CommonOptions& common = options.common;
   const bool any = !section.wires.empty() || !section.points.empty();
+  const bool unwritten = !common.output.empty() && !any;
   occt::Model model;
   if (!common.output.empty() && any) model.add(occt::compound_of(section), "section", {});
   std::string png;
   if (!common.picture.empty()) png = picture_png(picture_of(input, section));
   stop_if_interrupted();
-  if (!common.output.empty() && any)
-    occt::write_model(model, common.output, stop_if_interrupted);
-  else if (!common.output.empty())
-    std::cerr << "blossom: nothing was found, " << common.output << " is not written\n";
+  if (!common.output.empty() && any) occt::write_model(model, common.output, stop_if_interrupted);
+  if (unwritten) tell_unwritten(common.output, "no wire and no point was found");
   if (!common.picture.empty()) occt::write_text(png, common.picture);
   if (!common.json.empty()) write_json(report_of(input, options, answer), common.json);
   if (common.json != "-" && !common.quiet) print(text_of(input, answer));
+  return unwritten ? exit_code_unwritten(section.status) : exit_code(section.status);
 }
 
 int run(const Options& options) {
@@ -162,8 +161,7 @@ int run(const Options& options) {
     answer.seconds = watch.seconds();
   }
   stop_if_interrupted();
-  write_outputs(input, options, answer);
-  return exit_code(answer.section.status);
+  return write_outputs(input, options, answer);
 }
 
 }  // namespace

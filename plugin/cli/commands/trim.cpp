@@ -2,7 +2,6 @@
 // `blossom trim PART TOOL...`: a part cut along its intersections with tools.
 
 #include <chrono>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
@@ -209,7 +208,8 @@ WatertightPieces make_watertight(occt::Model& model, const EngineOptions& engine
   return std::move(made.pieces);
 }
 
-void write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
+// Returns the exit code.
+int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   std::string reason = obstacle(inputs, timed, options);
   std::string png;
   if (!options.common.picture.empty()) png = picture_png(picture_of(inputs, timed.made));
@@ -221,6 +221,7 @@ void write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
     if (!reason.empty()) timed.made.status = Status::Stopped;
   }
   const bool write = !options.common.output.empty() && reason.empty();
+  const bool unwritten = !options.common.output.empty() && !write;
   std::string text = summary(inputs, timed);
   Json report = report_of(inputs, options, timed, write);
   if (watertight) {
@@ -233,11 +234,11 @@ void write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
     write_json(nets_json(nets_of(*watertight, inputs.part.name)), options.common.output);
   else if (write)
     occt::write_model(inputs.part.model, options.common.output, stop_if_interrupted);
-  else if (!options.common.output.empty())
-    std::cerr << "blossom: " << options.common.output << " is not written: " << reason << '\n';
+  if (unwritten) tell_unwritten(options.common.output, reason);
   if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);
   if (!options.common.json.empty()) write_json(report, options.common.json);
   if (options.common.json != "-" && !options.common.quiet) print(text);
+  return unwritten ? exit_code_unwritten(timed.made.status) : exit_code(timed.made.status);
 }
 
 int run_solid(const Options& options) {
@@ -262,8 +263,7 @@ int run(const Options& options) {
   for (const std::string& tool : options.tools) inputs.tools.push_back(read_input(tool));
   stop_if_interrupted();
   Timed timed = timed_trim(inputs, options);
-  write_outputs(inputs, timed, options);
-  return exit_code(timed.made.status);
+  return write_outputs(inputs, timed, options);
 }
 
 }  // namespace

@@ -229,10 +229,26 @@ std::string picture_of(const std::vector<TopoDS_Solid>& solids) {
   return picture_png(picture);
 }
 
+bool wants_shape(const CommonOptions& outputs) {
+  return !outputs.output.empty() || !outputs.picture.empty();
+}
+
 // Why nothing is written though it was asked for; empty if nothing speaks against it.
 std::string reason_of(const occt::SolidTrimResult& made) {
   if (!made.obstacles.empty()) return made.obstacles.front();
   return made.solids.empty() ? "the result is empty" : "";
+}
+
+void tell_no_solid(const CommonOptions& outputs, const std::string& reason) {
+  for (const std::string& file : {outputs.output, outputs.picture})
+    if (!file.empty()) tell_unwritten(file, reason);
+  if (!wants_shape(outputs)) std::cerr << "blossom: no solid: " << reason << '\n';
+}
+
+int exit_code_of(const occt::SolidTrimResult& made, const CommonOptions& outputs) {
+  const bool missing = made.solids.empty() && wants_shape(outputs);
+  return missing || !made.obstacles.empty() ? exit_code_unwritten(made.status)
+                                            : exit_code(made.status);
 }
 
 }  // namespace
@@ -262,14 +278,10 @@ int trim_solids(const SolidTrim& options) {
     occt::write_model(part, outputs.output, stop_if_interrupted);
   }
   if (!png.empty()) occt::write_text(png, outputs.picture);
-  if (!reason.empty())
-    std::cerr << "blossom: "
-              << (outputs.output.empty() ? "no solid" : outputs.output + " is not written") << ": "
-              << reason << '\n';
+  if (!reason.empty()) tell_no_solid(outputs, reason);
   if (!outputs.json.empty()) write_json(report_of(options, timed, write), outputs.json);
   if (outputs.json != "-" && !outputs.quiet) print(summary(options, timed));
-  const bool failed = !timed.made.obstacles.empty() && timed.made.status != Status::Stopped;
-  return failed ? kExitFailure : exit_code(timed.made.status);
+  return exit_code_of(timed.made, outputs);
 }
 
 }  // namespace blossom::cli

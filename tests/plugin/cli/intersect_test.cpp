@@ -297,6 +297,14 @@ TEST_F(IntersectCommand, WritesEdgesThatLieOnBothSurfaces) {
   }
 }
 
+TEST_F(IntersectCommand, FailsWhenThereIsNoEdgeToWrite) {
+  const std::string file = folder / "edges.step";
+  const Finished run = intersect(-1, {"-o", file});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.err, "blossom: " + file + " is not written: no curve and no point was found\n");
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST_F(IntersectCommand, WritesStepWithThePairsName) {
   ASSERT_EQ(intersect(1.25, {"-o", folder / "edges.step"}).code, 0);
   TopTools_IndexedMapOfShape edges;

@@ -87,6 +87,12 @@ TEST_F(SelfIntersectCommand, WritesTheEdge) {
   EXPECT_EQ(edges.Extent(), 1);
 }
 
+TEST_F(SelfIntersectCommand, FailsWhenThereIsNoEdgeToWrite) {
+  const Finished run = self_intersect(face_of(0.2, 1, 0, 1), {"-o", folder / "edges.brep"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("is not written: no curve and no point"), std::string::npos) << run.err;
+}
+
 TEST_F(SelfIntersectCommand, WithFacesComparesDifferentOnesToo) {
   testing::write({testing::bowl(), testing::lid(0.25)}, folder / "both.brep");
   const Finished each = blossom({"self-intersect", folder / "both.brep", "--json", "-"});

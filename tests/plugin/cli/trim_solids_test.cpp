@@ -211,10 +211,15 @@ TEST_F(TrimSolidsCommand, TellsOfInvalidFacesThatItKeeps) {
 }
 
 TEST_F(TrimSolidsCommand, SaysThatNothingIsCommon) {
-  const Finished run = combine("away.brep", {"common", "-o", folder / "out.step"});
-  EXPECT_EQ(run.code, 0);
-  EXPECT_NE(run.err.find("the result is empty"), std::string::npos) << run.err;
-  EXPECT_FALSE(std::filesystem::exists(folder / "out.step"));
+  const std::string step = folder / "out.step", png = folder / "out.png";
+  testing::write_text(png, "older");
+  const Finished run = combine("away.brep", {"common", "-o", step, "--picture", png});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.err, "blossom: " + step + " is not written: the result is empty\nblossom: " + png +
+                         " is not written: the result is empty; the file of that name is an older "
+                         "one, left as it was\n");
+  EXPECT_FALSE(std::filesystem::exists(step));
+  EXPECT_EQ(combine("away.brep", {"common"}).code, 0) << "no file was asked for";
 }
 
 TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {

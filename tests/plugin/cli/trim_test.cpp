@@ -119,11 +119,23 @@ TEST_F(TrimCommand, WritesNothingWhenTheIntersectionWasStopped) {
   EXPECT_TRUE(std::filesystem::exists(folder / "out.brep"));
 }
 
-TEST_F(TrimCommand, SaysWhenNothingIsLeftToWrite) {
-  const Finished run = trim(-1, {"--keep", "below", "-o", folder / "none.brep"});
-  EXPECT_EQ(run.code, 0);
-  EXPECT_NE(run.err.find("no piece is on the side to keep"), std::string::npos) << run.err;
-  EXPECT_FALSE(std::filesystem::exists(folder / "none.brep"));
+TEST_F(TrimCommand, FailsWhenNothingIsLeftToWrite) {
+  const std::string none = folder / "none.brep";
+  const Finished run = trim(-1, {"--keep", "below", "-o", none});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.err, "blossom: " + none + " is not written: no piece is on the side to keep\n");
+  EXPECT_FALSE(std::filesystem::exists(none));
+  EXPECT_EQ(trim(-1, {"--keep", "below", "--json", "-"}).code, 0) << "no file was asked for";
+}
+
+TEST_F(TrimCommand, TellsAnOlderFileFromTheResult) {
+  const std::string file = folder / "cap.brep";
+  ASSERT_EQ(trim(0.25, {"--keep", "below", "-o", file}).code, 0);
+  const std::string before = testing::text_of(file);
+  const Finished run = trim(-1, {"--keep", "below", "-o", file});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_NE(run.err.find("; the file of that name is an older one"), std::string::npos) << run.err;
+  EXPECT_EQ(testing::text_of(file), before);
 }
 
 TEST_F(TrimCommand, RefusesAWordThatIsNoSide) {
