@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/intersection_parts.h"
+#include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 
@@ -40,7 +41,8 @@ int run(const Options& options) {
   const TimedIntersection result = timed_intersection(
       options.intersect,
       [&](const IntersectionOptions& engine) { return intersect_named(a, b, engine); });
-  return write_outputs(a, b, a.name + " x " + b.name, result, options.intersect.common);
+  write_outputs(a, b, a.name + " x " + b.name, result, options.intersect.common);
+  return exit_code(result.found.status);
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <sstream>
 #include <vector>
 
-#include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/intersection_model.h"
 #include "plugin/cli/output.h"
@@ -119,8 +118,8 @@ TimedIntersection timed_intersection(
   return result;
 }
 
-int write_outputs(const Input& a, const Input& b, const std::string& title,
-                  const TimedIntersection& result, const CommonOptions& options) {
+void write_outputs(const Input& a, const Input& b, const std::string& title,
+                   const TimedIntersection& result, const CommonOptions& options) {
   // All that may fail or be interrupted comes before the first file is written.
   const Counts counts = counts_of(result.found);
   std::optional<occt::Model> model;
@@ -138,7 +137,6 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
                         : intersection_report(a, b, result.found, result.times),
                options.json);
   if (options.json != "-" && !options.quiet) print(summary(a, b, title, result));
-  return unwritten ? exit_code_unwritten(result.found.status) : exit_code(result.found.status);
 }
 
 }  // namespace blossom::cli

@@ -36,8 +36,7 @@ TimedIntersection timed_intersection(
 /// Writes edges, picture, report and summary, as far as they are wanted.
 /// a, b      one object for an input with itself
 /// title     of the summary
-/// returns   the exit code
-int write_outputs(const Input& a, const Input& b, const std::string& title,
-                  const TimedIntersection& result, const CommonOptions& options);
+void write_outputs(const Input& a, const Input& b, const std::string& title,
+                   const TimedIntersection& result, const CommonOptions& options);
 
 }  // namespace blossom::cli

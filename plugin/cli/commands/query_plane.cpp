@@ -128,7 +128,7 @@ Picture picture_of(const Input& input, const occt::PlaneSection& section) {
   return picture;
 }
 
-int write_outputs(const Input& input, const Options& options, const Answer& answer) {
+void write_outputs(const Input& input, const Options& options, const Answer& answer) {
   const occt::PlaneSection& section = answer.section;
   const CommonOptions& common = options.common;
   const bool any = !section.wires.empty() || !section.points.empty();
@@ -143,7 +143,6 @@ int write_outputs(const Input& input, const Options& options, const Answer& answ
   if (!common.picture.empty()) occt::write_text(png, common.picture);
   if (!common.json.empty()) write_json(report_of(input, options, answer), common.json);
   if (common.json != "-" && !common.quiet) print(text_of(input, answer));
-  return unwritten ? exit_code_unwritten(section.status) : exit_code(section.status);
 }
 
 int run(const Options& options) {
@@ -161,7 +160,8 @@ int run(const Options& options) {
     answer.seconds = watch.seconds();
   }
   stop_if_interrupted();
-  return write_outputs(input, options, answer);
+  write_outputs(input, options, answer);
+  return exit_code(answer.section.status);
 }
 
 }  // namespace

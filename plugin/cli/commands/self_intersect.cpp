@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/intersection_parts.h"
+#include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 
 namespace blossom::cli {
@@ -28,7 +29,8 @@ int run(const Options& options) {
       timed_intersection(options.intersect, [&](const IntersectionOptions& engine) {
         return occt::self_intersect(input.faces, scope, engine);
       });
-  return write_outputs(input, input, input.name + " with itself", result, options.intersect.common);
+  write_outputs(input, input, input.name + " with itself", result, options.intersect.common);
+  return exit_code(result.found.status);
 }
 
 }  // namespace
