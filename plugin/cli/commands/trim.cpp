@@ -115,7 +115,8 @@ Timed timed_trim(const Inputs& inputs, const Options& options) {
   Progress progress("trimming", options.common.quiet);
   occt::TrimOptions wanted = trim_options(options.keep);
   wanted.intersection = intersection_options(options.engine, progress);
-  if (!options.common.output.empty() && !occt::keeps_internal_edges(options.common.output))
+  const std::string& output = options.common.output;
+  if (!output.empty() && (is_net_file(output) || !occt::keeps_internal_edges(output)))
     wanted.open_cuts = occt::OpenCuts::LeaveOut;
   const std::vector<occt::PartFace> part = part_faces(inputs.part);
   std::vector<occt::TrimTool> tools;

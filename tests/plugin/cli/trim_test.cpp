@@ -138,6 +138,17 @@ TEST_F(TrimCommand, TellsAnOlderFileFromTheResult) {
   EXPECT_EQ(testing::text_of(file), before);
 }
 
+TEST_F(TrimCommand, WritesWatertightPiecesAsNets) {
+  const std::string output = folder / "nets.json";
+  const Finished run = trim(0.25, {"--keep", "below", "--watertight", "-o", output, "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json report = json::parse(run.out)["watertight"];
+  const json nets = json::parse(testing::text_of(output))["nets"];
+  EXPECT_GT(report["triangles"].get<int>(), 0);
+  EXPECT_EQ(static_cast<int>(nets.size()),
+            report["patches"].get<int>() + report["triangles"].get<int>());
+}
+
 TEST_F(TrimCommand, RefusesAWordThatIsNoSide) {
   const Finished run = trim(0.25, {"--keep", "left"});
   EXPECT_EQ(run.code, 2);
