@@ -24,8 +24,10 @@ constexpr int kMostChartHalvings = 24;
 constexpr int kShallow = 8;
 constexpr double kWidening = 0.2;  // of a chart's width
 constexpr double kLeastWidening = 0.05;
-constexpr int kDeepest = 44;             // halvings of a cell
-constexpr int kDeepestPiece = 40;        // likewise of a chart's piece
+// Halvings of a cell: 2^-32 in each direction. Near a pole a patch of b is narrower than any cell
+// that is larger than the tolerance, and only smaller ones are told apart from it there.
+constexpr int kDeepest = 64;
+constexpr int kDeepestPiece = 60;        // likewise of a chart's piece
 constexpr int kCutDepth = 26;            // from here on valleys may cross the chart's border
 constexpr double kThinnest = 1.0 / 256;  // width of a cell to its length
 constexpr long kMostCells = 60'000;      // per pair of patches
@@ -81,6 +83,10 @@ class ContactSearch {
       for (const int cell : task_.cells_a) examine(cell, chart);
       return;
     }
+    if (cells[0].extent <= tolerance()) {
+      for (const int cell : task_.cells_a) narrow_down(cell, cells[0], s, t);
+      return;
+    }
     if (depth == kMostChartHalvings || out_of_budget()) {
       for (const int cell : task_.cells_a)
         if (!apart(tree_a_[cell], cells[0])) keep(tree_a_[cell], s, t, cells[0], false);
@@ -93,6 +99,20 @@ class ContactSearch {
     const Interval low{side.from, cut}, high{cut, side.to};
     cover(halve_s ? low : s, halve_s ? t : low, depth + 1);
     cover(halve_s ? high : s, halve_s ? t : high, depth + 1);
+  }
+
+  // The cells round a piece of b that has no chart, as at a pole, but is no larger than a point.
+  void narrow_down(int index, const Cell& piece, const Interval& s, const Interval& t) {
+    const Cell a = tree_a_[index];
+    if (a.part == PartSide::Outside || apart(a, piece)) {
+      ++result_.certificate.excluded;
+      return;
+    }
+    const bool thin = a.extent <= tolerance();
+    if (thin || a.depth >= kDeepest || out_of_budget()) return keep(a, s, t, piece, thin);
+    const int child = tree_a_.split(index);
+    narrow_down(child, piece, s, t);
+    narrow_down(child + 1, piece, s, t);
   }
 
   // Near a place where the parameters stand still only a small extension is a graph.
