@@ -330,15 +330,10 @@ class Assembly {
     return gap;
   }
 
-  // Near a border a node may have but two arms.
-  static bool is_node(const ContactChain& point) {
-    return point.arm_count() > 2 || (point.third_order && point.parted);
-  }
-
   static PlaceKind kind_of(const ContactChain& point) {
     const std::size_t arms = point.arm_count();
     if (arms == 0) return PlaceKind::Touch;
-    if (is_node(point)) return PlaceKind::Node;
+    if (point.is_node()) return PlaceKind::Node;
     if (point.straight) return PlaceKind::Tangential;
     return point.pole ? PlaceKind::Pole : arms == 2 ? PlaceKind::Cusp : PlaceKind::Node;
   }
@@ -367,7 +362,7 @@ class Assembly {
       if (arms == 0 && contact.pole && on_curve(centre.point)) place.kind = PlaceKind::Pole;
       const bool touches = contact.centre.gap <= options_.tolerances.point;
       if (arms == 0 && touches && !on_curve(centre.point)) result_.points.push_back(centre);
-      if (is_node(contact)) result_.nodes.push_back(centre);
+      if (contact.is_node()) result_.nodes.push_back(centre);
     }
     result_.places.push_back(place);
     weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");

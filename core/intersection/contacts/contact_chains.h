@@ -50,6 +50,9 @@ struct ContactChain {
   Box box;                   ///< of the path, relative to the origin
 
   std::size_t arm_count() const { return arms[0].size() + arms[1].size(); }
+
+  /// Near a border a node of the third order may have but two arms.
+  bool is_node() const { return arm_count() > 2 || (third_order && parted); }
 };
 
 /// Joins the pieces of contact, and makes contacts of the clumps that are points. Arcs of
