@@ -2,51 +2,27 @@
 #include "core/blossom/triangle_composition.h"
 
 #include <array>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/errors.h"
+#include "core/blossom/detail/scaled_forms.h"
 #include "core/forms/detail/checks.h"
 #include "core/math/binomial.h"
-#include "core/math/convolution.h"
 
 namespace blossom {
 namespace {
 
-// A scalar form by its coefficients times the trinomials: products are those of polynomials.
-using Form = BezierTriangleOf<double>;
-
-std::span<double> row_of(Form& form, int nu) {
-  return std::span(form.points)
-      .subspan(Form::index(form.degree, nu, 0), static_cast<std::size_t>(form.degree - nu + 1));
-}
-std::span<const double> row_of(const Form& form, int nu) {
-  return std::span(form.points)
-      .subspan(Form::index(form.degree, nu, 0), static_cast<std::size_t>(form.degree - nu + 1));
-}
-
-Form zero(int degree) { return {degree, std::vector<double>(Form::count(degree), 0.0)}; }
-
-void add_form_product(const Form& f, const Form& g, Form& sum) {
-  for (int i = 0; i <= f.degree; ++i)
-    for (int j = 0; j <= g.degree; ++j) add_product(row_of(f, i), row_of(g, j), row_of(sum, i + j));
-}
-
-Form product(const Form& f, const Form& g) {
-  Form result = zero(f.degree + g.degree);
-  add_form_product(f, g, result);
-  return result;
-}
-
-void add_multiple(const Form& f, double factor, Form& sum) {
-  for (std::size_t k = 0; k < f.points.size(); ++k) sum.points[k] += factor * f.points[k];
-}
+using Form = detail::ScaledForm;
+using detail::add_form_product;
+using detail::add_multiple;
+using detail::form_product;
+using detail::zero_form;
 
 // A linear function of the map's points, scaled.
 template <class Function>
 Form scaled_form(const BezierTriangle& map, Function&& function) {
-  Form form = zero(map.degree);
+  Form form = zero_form(map.degree);
   for (int nu = 0; nu <= map.degree; ++nu)
     for (int mu = 0; nu + mu <= map.degree; ++mu)
       form(nu, mu) = trinomial(map.degree, nu, mu) * function(map(nu, mu));
@@ -59,8 +35,8 @@ std::vector<Form> bernstein_forms(const BezierTriangle& map, int k, int n) {
   const Form back = scaled_form(map, [&](const Vec3& p) { return p[2] - p[k]; });
   std::vector<Form> forms{Form{0, {1.0}}};
   for (int power = 1; power <= n; ++power) {
-    forms.push_back(product(forms.back(), on));
-    for (std::size_t i = 0; i + 1 < forms.size(); ++i) forms[i] = product(forms[i], back);
+    forms.push_back(form_product(forms.back(), on));
+    for (std::size_t i = 0; i + 1 < forms.size(); ++i) forms[i] = form_product(forms[i], back);
   }
   for (int i = 0; i <= n; ++i)
     for (double& x : forms[static_cast<std::size_t>(i)].points) x *= binomial(n, i);
@@ -92,9 +68,9 @@ RationalBezierTriangle composition(const RationalBezierPatch& patch, const Bezie
   const std::vector<Form> in_u = bernstein_forms(map, 0, n), in_v = bernstein_forms(map, 1, m);
   RationalBezierTriangle result{degree, std::vector<Vec4>(RationalBezierTriangle::count(degree))};
   for (int k = 0; k < 4; ++k) {
-    Form sum = zero(degree);
+    Form sum = zero_form(degree);
     for (int i = 0; i <= n; ++i) {
-      Form row = zero(map.degree * m);
+      Form row = zero_form(map.degree * m);
       for (int j = 0; j <= m; ++j)
         add_multiple(in_v[static_cast<std::size_t>(j)], patch.points(i, j)[k], row);
       add_form_product(in_u[static_cast<std::size_t>(i)], row, sum);
@@ -115,11 +91,11 @@ BezierTriangleOf<double> turning_form(const BezierTriangle& map) {
     for (std::size_t k = 0; k < 3; ++k)
       by[c][k] = scaled_form(derivative, [&](const Vec3& p) { return p[static_cast<int>(k)]; });
   }
-  Form sum = zero(3 * (map.degree - 1));
+  Form sum = zero_form(3 * (map.degree - 1));
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    Form minor = product(by[1][i], by[2][j]);
-    add_multiple(product(by[1][j], by[2][i]), -1, minor);
+    Form minor = form_product(by[1][i], by[2][j]);
+    add_multiple(form_product(by[1][j], by[2][i]), -1, minor);
     add_form_product(by[0][k], minor, sum);
   }
   for (int nu = 0; nu <= sum.degree; ++nu)

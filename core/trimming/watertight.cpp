@@ -19,9 +19,11 @@
 #include "core/trimming/closed_tips.h"
 #include "core/trimming/equal_degrees.h"
 #include "core/trimming/lower_degrees.h"
+#include "core/trimming/moved_sides.h"
 #include "core/trimming/paired_parameters.h"
 #include "core/trimming/piece_sides.h"
 #include "core/trimming/polynomial_surface.h"
+#include "core/trimming/spared_turns.h"
 #include "core/trimming/triangulated_region.h"
 
 namespace blossom {
@@ -29,35 +31,18 @@ namespace {
 
 constexpr int kSideDegree = 5;         // of the curves that take the place of edges
 constexpr int kMostRounds = 12;        // of dividing edges until all faces agree
+constexpr double kFoldPart = 1e-3;     // of the tolerance: narrower parts of triangles may fold
 constexpr double kSurfacePart = 0.1;   // of the tolerance, for polynomials in place of surfaces
 constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees of sides
 constexpr double kTrianglePart = 0.1;  // of the tolerance, for lower degrees of triangles
 constexpr double kArcPart = 0.3;       // of the tolerance, for arcs in charts
 constexpr double kApartPart = 0.1;     // of how far an edge is from its surfaces, likewise
-constexpr double kStep = 1e-3;         // of a side's parameter, for its direction
 // Moves up to so many times the edge's own distance from the surfaces cannot be helped.
 constexpr double kEdgePart = 4;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-BezierCurve reversed(BezierCurve curve) {
-  std::ranges::reverse(curve.points);
-  return curve;
-}
-
 Vec3 space(const Vec4& p) { return {p[0], p[1], p[2]}; }
-
-Vec3 across_of(const Vec3& way, const Vec3& along) {
-  const double square = dot(along, along);
-  return square > 0 ? way - dot(way, along) / square * along : way;
-}
-
-double largest_gap(const BezierCurve& a, const BezierCurve& b) {
-  double most = 0;
-  for (std::size_t k = 0; k < a.points.size(); ++k)
-    most = std::max(most, distance(a.points[k], b.points[k]));
-  return most;
-}
 
 void check(const CommonModel& model, const WatertightOptions& options) {
   const auto in = [](int i, std::size_t count) { return 0 <= i && index(i) < count; };
@@ -124,10 +109,13 @@ class Builder {
       if (!make_regions(stale)) return;
       if (agree_on_stops(stale)) continue;
       make_pieces();
-      if (!divide_moved_sides(stale)) return;
+      if (!divide_moved_sides(stale)) return finish();
     }
     // The last pieces agree; they are only farther from the surfaces than was wished.
-    if (result_.pieces.empty()) result_.obstacle = "the faces do not agree on pieces of an edge";
+    if (result_.pieces.empty())
+      result_.obstacle = "the faces do not agree on pieces of an edge";
+    else
+      finish();
   }
 
   // ---- regions with equal stops
@@ -230,8 +218,13 @@ class Builder {
     divide_closed_tips(result_);
     divide_facing_chords(result_);
     find_coarse_sides();
+    unmoved_ = result_;
     raise_degrees(result_);
-    move_sides();
+    moves_ = move_sides(result_, uneven_);
+  }
+
+  void finish() {
+    spare_turns(unmoved_, result_, kFoldPart * options_.tolerance);
     result_.deviation = 0;
     for (const WatertightPiece& piece : result_.pieces)
       result_.deviation = std::max(result_.deviation, piece.moved);
@@ -378,67 +371,7 @@ class Builder {
     return number;
   }
 
-  // ---- equal points along edges
-
-  // Inner sides are those of their first piece, with the ends at the vertices; a piece of another
-  // degree gets them elevated or, if its own is lower, keeps its own but for the ends.
-  void move_sides() {
-    for (WatertightSide& side : result_.sides) {
-      if (side.edge >= 0) continue;
-      side.curve.points.front() = result_.vertices[index(side.from)];
-      side.curve.points.back() = result_.vertices[index(side.to)];
-    }
-    moved_.assign(result_.sides.size(), 0);
-    edge_gap_.assign(result_.sides.size(), 0);
-    for (WatertightPiece& piece : result_.pieces) {
-      for (std::size_t k = 0; k < piece.sides.size(); ++k)
-        piece.along.push_back(runs_along(piece, k));
-      double most = 0;
-      for (std::size_t k = 0; k < piece.sides.size(); ++k)
-        most = std::max(most, move_side(piece, k));
-      piece.moved += most;
-    }
-  }
-
-  // Returns the largest way of a control point.
-  double move_side(WatertightPiece& piece, std::size_t k) {
-    const int number = piece.sides[k];
-    const WatertightSide& side = result_.sides[index(number)];
-    const BezierCurve own = side_curve(piece, static_cast<int>(k));
-    BezierCurve wanted;
-    if (side.curve.points.empty())
-      wanted.points.assign(own.points.size(), result_.vertices[index(side.from)]);
-    else
-      wanted = piece.along[k] ? side.curve : reversed(side.curve);
-    if (wanted.degree() < own.degree()) wanted = elevated(wanted, own.degree());
-    if (wanted.degree() > own.degree()) {
-      BezierCurve kept = own;
-      kept.points.front() = wanted.points.front();
-      kept.points.back() = wanted.points.back();
-      wanted = std::move(kept);
-    }
-    wanted.points.front() = result_.vertices[index(piece.vertices[k])];
-    wanted.points.back() = result_.vertices[index(piece.vertices[(k + 1) % piece.vertices.size()])];
-    const double gap = largest_gap(own, wanted);
-    const bool across = side.edge >= 0 && uneven_[index(side.edge)];
-    for (const double t : extreme_points(kSideDegree)) {
-      Vec3 way = point_at(own, t) - point_at(wanted, t);
-      if (across) way = across_of(way, point_at(wanted, t + kStep) - point_at(wanted, t - kStep));
-      edge_gap_[index(number)] = std::max(edge_gap_[index(number)], norm(way));
-    }
-    moved_[index(number)] = std::max(moved_[index(number)], gap);
-    set_side_curve(piece, static_cast<int>(k), wanted);
-    return gap;
-  }
-
-  // Whether the piece runs along the side as the side's curve does. A side between equal vertices
-  // is told by the nearer end of the middle.
-  bool runs_along(const WatertightPiece& piece, std::size_t k) const {
-    const WatertightSide& side = result_.sides[index(piece.sides[k])];
-    if (side.from != side.to || side.curve.points.empty()) return piece.vertices[k] == side.from;
-    const Vec3 own = point_at(side_curve(piece, static_cast<int>(k)), 0.25);
-    return distance(own, point_at(side.curve, 0.25)) <= distance(own, point_at(side.curve, 0.75));
-  }
+  // ---- what is too far from the surfaces
 
   // Halves the pieces of edges whose triangles are coarse or moved too far for other reasons than
   // the edge's own distance from the surfaces.
@@ -447,9 +380,10 @@ class Builder {
     for (const auto& [number, place] : side_place_) {
       const WatertightSide& side = result_.sides[index(number)];
       if (side.curve.points.empty()) continue;
-      const double moved = moved_[index(number)];
+      const double moved = moves_.way[index(number)];
       const bool coarse = coarse_.contains(number);
-      const double apart = std::max(edge_gap_[index(number)], model_.edges[index(side.edge)].apart);
+      const double apart =
+          std::max(moves_.edge_gap[index(number)], model_.edges[index(side.edge)].apart);
       if (!coarse && moved <= std::max(options_.tolerance, kEdgePart * apart)) continue;
       stops_[index(side.edge)].push_back(at(place, 0.5));
       divided[index(side.edge)] = true;
@@ -476,8 +410,8 @@ class Builder {
   std::map<int, Interval> side_place_;
   DegreeLowering lowering_;
   std::set<int> coarse_;
-  std::vector<double> moved_;     // of each side, by its pieces
-  std::vector<double> edge_gap_;  // of each side: the edge's distance from the surfaces
+  WatertightPieces unmoved_;  // before their sides were
+  SideMoves moves_;
   WatertightPieces result_;
 };
 

@@ -88,6 +88,9 @@ struct WatertightPieces {
   /// The largest of all `moved`, and of the errors of the surfaces as polynomials: a bound on how
   /// far the pieces lie from the given surfaces. Model units.
   double deviation = 0;
+  /// Numbers of triangles that are not proven to fold over nowhere, increasing: narrow ones that
+  /// the sides' moves reach across. Folds narrower than a thousandth of the tolerance do not count.
+  std::vector<int> turned;
   std::string obstacle;  ///< why there are no pieces; empty if all is well
   /// Where `ask` ended the work: the faces whose pieces were not made then, or not yet divided as
   /// those of their neighbours are.
@@ -101,6 +104,8 @@ struct WatertightPieces {
 ///       degree and equal bit for bit
 ///   (2) inside of a face sides of equal degree are equal bit for bit, others to rounding
 ///   (3) no side ends in the middle of another
+///   (4) triangles fold over nowhere but in those of `turned`: where the move of a side reaches
+///       across a triangle, that moves with it, and so do its sides inside of the face
 ///
 /// Rational surfaces become polynomial first, within a tenth of the tolerance
 /// (polynomial_surface.h).

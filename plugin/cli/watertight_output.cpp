@@ -2,6 +2,7 @@
 #include "plugin/cli/watertight_output.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -47,6 +48,14 @@ std::size_t common_count(const WatertightPieces& pieces) {
   return count;
 }
 
+// Faces with pieces that may fold over, increasing, from 1 on.
+std::set<int> folded_faces(const WatertightPieces& pieces) {
+  std::set<int> faces;
+  for (const int piece : pieces.turned)
+    faces.insert(pieces.pieces[static_cast<std::size_t>(piece)].face + 1);
+  return faces;
+}
+
 }  // namespace
 
 occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine,
@@ -72,6 +81,11 @@ std::string reason_of(const WatertightPieces& pieces) {
          counted(pieces.open.size(), "face") + " not done";
 }
 
+Status status_with(Status status, const WatertightPieces& pieces) {
+  if (!pieces.open.empty()) return Status::Stopped;
+  return pieces.turned.empty() ? status : weaker(status, Status::Tolerance);
+}
+
 Json to_json(const WatertightPieces& pieces) {
   const std::size_t triangles = triangle_count(pieces);
   Json open = Json::array();
@@ -80,6 +94,7 @@ Json to_json(const WatertightPieces& pieces) {
           {"triangles", triangles},
           {"common_sides", common_count(pieces)},
           {"deviation", pieces.deviation},
+          {"may_fold", folded_faces(pieces)},
           {"open", open}};
 }
 
@@ -96,6 +111,11 @@ std::string summary_of(const WatertightPieces& pieces) {
        << counted(pieces.pieces.size() - triangles, "rectangle") << ", "
        << counted(common_count(pieces), "common side") << ", within " << pieces.deviation
        << " of the faces\n";
+  if (pieces.turned.empty()) return text.str();
+  text << "  not proven to fold over nowhere: " << counted(pieces.turned.size(), "piece")
+       << " narrower than the edges beside are moved, of face";
+  for (const int face : folded_faces(pieces)) text << ' ' << face;
+  text << '\n';
   return text.str();
 }
 

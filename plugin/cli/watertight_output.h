@@ -9,6 +9,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/watertight.h"
+#include "core/base/status.h"
 #include "plugin/cli/nets/net.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
@@ -29,10 +30,14 @@ occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptio
 /// Why nothing is written though there is no obstacle: the time limit; empty if it was not reached.
 std::string reason_of(const WatertightPieces& pieces);
 
+/// The status of a result that was made watertight: at best `tolerance` if pieces may fold over,
+/// `stopped` if faces are open.
+Status status_with(Status status, const WatertightPieces& pieces);
+
 /// The member "watertight" of reports.
 Json to_json(const WatertightPieces& pieces);
 
-/// A line about the pieces.
+/// A line about the pieces, and one about those that may fold over.
 std::string summary_of(const WatertightPieces& pieces);
 
 /// The pieces as nets: patches and triangles, by the faces' numbers in the trimmed model.

@@ -9,11 +9,12 @@
 // copies c1 and c2 of bench_solids. A model that is no closed solid is cut face by face.
 //
 // A line for each job, as a row of a table. "Free" are sides with one piece where the model has
-// none, "many" those with more than two. CGAL looks at meshes: of N parts a side that neighbours
-// share; of more where triangles cross, and which of these crossings are the model's own
-// (watertight_meshes.h); and Open CASCADE's, of the faces as given, too. It says whether they are
-// manifold, closed, and counts pairs of triangles that cross. Seconds are processor time of the
-// cut, and of the pieces with their checks. --keep writes the shapes as .brep.
+// none, "many" those with more than two; pieces that "may fold" are not proven to turn nowhere.
+// CGAL looks at meshes: of N parts a side that neighbours share; of more where triangles cross, and
+// which of these crossings are the model's own (watertight_meshes.h); and Open CASCADE's, of the
+// faces as given, too. It says whether they are manifold, closed, and counts pairs of triangles
+// that cross. Seconds are processor time of the cut, and of the pieces with their checks. --keep
+// writes the shapes as .brep.
 
 #include <algorithm>
 #include <array>
@@ -70,7 +71,7 @@ struct Outcome {
   Ending ending = Ending::Died;
   std::array<char, 400> obstacle{};
   double cut_seconds = 0, seconds = 0, deviation = 0;
-  int faces = 0, given_free = 0, patches = 0, triangles = 0, free = 0, many = 0;
+  int faces = 0, given_free = 0, patches = 0, triangles = 0, free = 0, many = 0, may_fold = 0;
   WatertightMeshes meshes;
 };
 
@@ -157,6 +158,7 @@ void count(const WatertightPieces& pieces, Outcome& outcome) {
     outcome.free += uses[k] == 1 && !pieces.sides[k].curve.points.empty();
     outcome.many += uses[k] > 2 && !pieces.sides[k].curve.points.empty();
   }
+  outcome.may_fold = static_cast<int>(pieces.turned.size());
 }
 
 Outcome outcome_of(const std::string& file, const Job& job, const Settings& settings) {
@@ -248,10 +250,10 @@ void print(const std::string& name, const Outcome& outcome) {
     std::printf("refused: %s | %.2f + %.2f |\n", outcome.obstacle.data(), outcome.cut_seconds,
                 outcome.seconds);
   else
-    std::printf("%s | %s | %d, %d | %.1e | %d, %d, %d | %.2f + %.2f |\n",
+    std::printf("%s | %s | %d, %d | %d | %.1e | %d, %d, %d | %.2f + %.2f |\n",
                 is_sound(outcome) ? "sound" : "NOT SOUND", told(outcome.meshes).c_str(),
-                outcome.free, outcome.many, outcome.deviation, outcome.faces, outcome.patches,
-                outcome.triangles, outcome.cut_seconds, outcome.seconds);
+                outcome.free, outcome.many, outcome.may_fold, outcome.deviation, outcome.faces,
+                outcome.patches, outcome.triangles, outcome.cut_seconds, outcome.seconds);
   std::fflush(stdout);
 }
 
@@ -280,8 +282,8 @@ std::optional<Settings> settings_from(int argc, char** argv) {
 
 int run_all(const Settings& settings) {
   std::printf(
-      "| job | result | samples | refined | given | BRepMesh | free, many | within | "
-      "faces, patches, triangles | s |\n|---|---|---|---|---|---|---|---:|---|---|\n");
+      "| job | result | samples | refined | given | BRepMesh | free, many | may fold | within | "
+      "faces, patches, triangles | s |\n|---|---|---|---|---|---|---|---:|---:|---|---|\n");
   int unsound = 0;
   for (const std::string& file : settings.files) {
     const occt::Model model = occt::read_model(file);

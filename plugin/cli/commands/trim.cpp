@@ -219,7 +219,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   if (options.watertight && reason.empty()) {
     watertight = make_watertight(inputs.part.model, options.engine, timed.seconds);
     reason = reason_of(*watertight);
-    if (!reason.empty()) timed.made.status = Status::Stopped;
+    timed.made.status = status_with(timed.made.status, *watertight);
   }
   const bool write = !options.common.output.empty() && reason.empty();
   const bool unwritten = !options.common.output.empty() && !write;

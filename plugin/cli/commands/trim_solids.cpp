@@ -48,8 +48,8 @@ struct Timed {
 void make_watertight(Timed& timed, const EngineOptions& engine, double spent) {
   const TopoDS_Compound all = occt::compound_of(timed.made.solids);
   occt::WatertightShape made = watertight_of(all, engine, spent);
+  timed.made.status = status_with(timed.made.status, made.pieces);
   if (const std::string reason = reason_of(made.pieces); !reason.empty()) {
-    timed.made.status = Status::Stopped;
     timed.made.obstacles.push_back(reason);
     timed.watertight = std::move(made.pieces);
     return;

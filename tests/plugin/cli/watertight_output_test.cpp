@@ -32,6 +32,22 @@ TEST(WatertightOutput, HasNoOpenFacesWhenAllIsDone) {
   EXPECT_FALSE(made.shape.IsNull());
   EXPECT_EQ(reason_of(made.pieces), "");
   EXPECT_EQ(to_json(made.pieces)["open"], Json::array());
+  EXPECT_EQ(to_json(made.pieces)["may_fold"], Json::array());
+  EXPECT_EQ(status_with(Status::Complete, made.pieces), Status::Complete);
+}
+
+TEST(WatertightOutput, NamesFacesWhosePiecesMayFoldOver) {
+  WatertightPieces pieces =
+      watertight_of(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), EngineOptions{}, 0).pieces;
+  pieces.turned = {0, 1};
+  pieces.pieces[0].face = pieces.pieces[1].face = 4;
+
+  EXPECT_EQ(to_json(pieces)["may_fold"], Json::array({5}));
+  EXPECT_NE(summary_of(pieces).find("not proven to fold over nowhere: 2 pieces narrower than the "
+                                    "edges beside are moved, of face 5\n"),
+            std::string::npos);
+  EXPECT_EQ(status_with(Status::Complete, pieces), Status::Tolerance);
+  EXPECT_EQ(status_with(Status::Stopped, pieces), Status::Stopped);
 }
 
 }  // namespace
