@@ -11,7 +11,6 @@
 
 #include "core/base/errors.h"
 #include "core/forms/evaluation.h"
-#include "core/intersection/curves/planar_crossings.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
@@ -22,11 +21,9 @@ constexpr double kRounding = 1e-13;
 constexpr double kLoweringPart = 0.25;  // of the tolerance, for a lower degree
 constexpr double kLeastCosine = 0.5;    // of the angle that an arc's control polygon may turn
 constexpr double kLongest = 1.5;        // of an arc, in cells
-constexpr double kLeastSlope = 1e-3;    // of a crossing, across the line, that is improved
 constexpr double kCrossing = 1e-4;      // of a border: as near to a line at so far from where it
                                         // crosses it, it runs along it but for rounding
 constexpr double kCornerReach = 8;      // tolerances: as near to a corner on a line is that corner
-constexpr int kNewtonSteps = 3;         // from a crossing within kOnLine to one within rounding
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -53,36 +50,6 @@ int straight_degree(const RationalBezierPatch& patch) {
 // The curve with ranges of length 1, so that one tolerance serves both directions.
 PlanarCurve unit_sized(const PlanarCurve& curve, const BezierSurface& surface) {
   return transformed(curve, {1 / range_of(surface, 0), 1 / range_of(surface, 1)}, {});
-}
-
-double improved(const PlanarCurve& curve, int direction, double value, double parameter) {
-  const Interval domain = curve.domain();
-  for (int step = 0; step < kNewtonSteps; ++step) {
-    const PlanarJet jet = jet_at(curve, parameter);
-    if (std::abs(jet.first[direction]) <= kLeastSlope * norm(jet.first)) break;
-    parameter = std::clamp(parameter - (jet.point[direction] - value) / jet.first[direction],
-                           domain.from, domain.to);
-  }
-  return parameter;
-}
-
-// Where a coordinate of the curve takes a value, and then the ends of stretches along which it
-// keeps it; returns the number of the first.
-std::size_t add_crossings(const PlanarCurve& curve, const PlanarCurve& unit, int direction,
-                          double value, double unit_value, std::vector<double>& at) {
-  const PlanarBox box = box_of(unit);
-  if (unit_value < box.low[direction] - kOnLine || unit_value > box.high[direction] + kOnLine)
-    return 0;
-  const int other = 1 - direction;
-  Vec2 from, to;
-  from[direction] = to[direction] = unit_value;
-  from[other] = box.low[other] - 1;
-  to[other] = box.high[other] + 1;
-  const PlanarCrossings found = crossings(unit, planar_line(from, to, {0, 1}), kOnLine);
-  for (const PlanarCrossing& point : found.points)
-    at.push_back(improved(curve, direction, value, point.a));
-  for (const PlanarOverlap& run : found.overlaps) at.insert(at.end(), {run.a.from, run.a.to});
-  return found.points.size();
 }
 
 // Bound on a way in space; none at all costs nothing, however steep the surface may be.
@@ -121,6 +88,7 @@ BorderArcs::BorderArcs(const BezierSurface& surface, const TrimmedChart& chart,
   for (int i = 0; i < count; ++i) stops.push_back(stops_of(i));
   if (options.common_borders) {
     for (int i = 0; i < count; ++i) join_near(i, stops[index(i)]);
+    for (int i = 0; i < count; ++i) settle_corners(i, stops[index(i)]);
     for (int i = 0; i < count; ++i) join_at_corners(i, stops[index(i)]);
   }
   for (int i = 0; i < count; ++i) divide(i, std::move(stops[index(i)]));
@@ -169,11 +137,11 @@ Vec2 BorderArcs::snapped(Vec2 grid) const {
   return grid;
 }
 
+// On the arc's line, if it runs along one, and on no other: the sides along that lack it.
 int BorderArcs::vertex_within(const RegionArc& arc, double parameter) {
   const RegionBorder& border = chart_.borders[index(arc.border)];
-  Vec2 grid = grid_point(surface_, point_at(border.curve, parameter));
-  for (int k = 0; arc.on_line && k < 2; ++k)
-    if (runs_on(arc, k)) grid[k] = vertices_[index(arc.from)][k];
+  Vec2 grid = unrounded_grid_point(surface_, point_at(border.curve, parameter));
+  if (arc.across >= 0) grid[arc.across] = vertices_[index(arc.from)][arc.across];
   return vertex_at(snapped(grid));
 }
 
@@ -191,10 +159,11 @@ void BorderArcs::add_line_stops(const RegionBorder& border, int direction, std::
   }
 }
 
-// The vertex at a stop. Of several stops that are as near as kOnLine to a line about a crossing the
-// nearest to it is on the line, since other faces tell them apart; the others stay where they are.
-int BorderArcs::vertex_at_stop(const RegionBorder& border, const std::vector<double>& at,
-                               std::size_t stop, const std::vector<LineStop>& lines) {
+// The place of the vertex at a stop. Of several stops that are as near as kOnLine to a line about a
+// crossing the nearest to it is on the line, since other faces tell them apart; the others stay
+// where they are.
+Vec2 BorderArcs::point_at_stop(const RegionBorder& border, const std::vector<double>& at,
+                               std::size_t stop, const std::vector<LineStop>& lines) const {
   const Vec2 uv = point_at(border.curve, at[stop]);
   Vec2 grid = snapped(grid_point(surface_, uv));
   for (int k = 0; k < 2; ++k) {
@@ -212,7 +181,7 @@ int BorderArcs::vertex_at_stop(const RegionBorder& border, const std::vector<dou
     if (beside && !on)
       grid[k] = unrounded_grid_coordinate(knots_of(surface_, k), law_of(surface_, k), uv[k]);
   }
-  return vertex_at(grid);
+  return grid;
 }
 
 // A border along a line is divided as the cells beside it are.
@@ -256,17 +225,10 @@ int BorderArcs::corner_at(const RegionBorder& border, double parameter) const {
   return -1;
 }
 
-Vec2 BorderArcs::unrounded_grid_point(const Vec2& uv) const {
-  Vec2 grid;
-  for (int k = 0; k < 2; ++k)
-    grid[k] = unrounded_grid_coordinate(knots_of(surface_, k), law_of(surface_, k), uv[k]);
-  return grid;
-}
-
 // Bound on the way between two points of a border that are in one patch or in neighbours.
 double BorderArcs::way_along(const RegionBorder& border, double from, double to) const {
-  const Vec2 a = unrounded_grid_point(point_at(border.curve, from));
-  const Vec2 b = unrounded_grid_point(point_at(border.curve, to));
+  const Vec2 a = unrounded_grid_point(surface_, point_at(border.curve, from));
+  const Vec2 b = unrounded_grid_point(surface_, point_at(border.curve, to));
   Vec2 steepest;
   for (const Vec2& p : {a, b}) {
     const auto patch = [&](int k, int count) {
@@ -324,37 +286,72 @@ void BorderArcs::join_at_corners(int number, BorderStops& stops) {
     }
 }
 
+// The line between patches that a border with neighbours runs along, as far as these let it be
+// moved. Points in space are at equal distances from all lines.
+LineRun BorderArcs::run_between(int number, const Interval& place) const {
+  const RegionBorder& border = chart_.borders[index(number)];
+  if (!options_.common_borders || border.is_point) return {};
+  return line_run(surface_, border.curve, place, tolerance_of(number));
+}
+
+// A corner from which a border runs along a line is on that line, wherever it is in the chart.
+void BorderArcs::settle_corners(int number, const BorderStops& stops) {
+  const RegionBorder& border = chart_.borders[index(number)];
+  std::vector<double> places = stops.at;
+  tidy(places, border.curve.domain());
+  const std::size_t last = places.size() - 1;
+  for (const Interval& place :
+       {Interval{places[0], places[1]}, Interval{places[last], places[last - 1]}}) {
+    const LineRun run = run_between(number, place);
+    if (run.direction >= 0)
+      corners_[index(corner_at(border, place.from))][run.direction] = run.line;
+  }
+}
+
 void BorderArcs::divide(int number, BorderStops stops) {
   const RegionBorder& border = chart_.borders[index(number)];
   tidy(stops.at, border.curve.domain());
   if (border.reversed) std::ranges::reverse(stops.at);
+  std::vector<LineRun> runs;  // before each stop
+  for (std::size_t k = 0; k < stops.at.size(); ++k)
+    runs.push_back(k == 0 ? LineRun{} : run_between(number, {stops.at[k - 1], stops.at[k]}));
+  runs.emplace_back();
   const std::size_t first = arcs_.size();
   int from = vertex_at(corners_[index(border.from)]);
-  for (std::size_t k = 0; k + 1 < stops.at.size(); ++k) {
-    const bool last = k + 2 == stops.at.size();
-    const int to = last ? vertex_at(corners_[index(border.to)])
-                        : vertex_at_stop(border, stops.at, k + 1, stops.lines);
-    add(number, {stops.at[k], stops.at[k + 1]}, from, to, first);
-    from = to;
+  for (std::size_t k = 1; k < stops.at.size(); ++k) {
+    Vec2 to = corners_[index(border.to)];
+    if (k + 1 < stops.at.size()) {
+      to = point_at_stop(border, stops.at, k, stops.lines);
+      for (const LineRun& run : {runs[k], runs[k + 1]})
+        if (run.direction >= 0) to[run.direction] = run.line;
+      to = snapped(to);
+    }
+    const Interval place{stops.at[k - 1], stops.at[k]};
+    const int vertex = vertex_at(to);
+    const int across =
+        runs[k].direction >= 0 ? runs[k].direction : direction_across(number, place, from, vertex);
+    add(number, place, from, vertex, across, first);
+    from = vertex;
   }
 }
 
-void BorderArcs::add(int number, const Interval& place, int from, int to, std::size_t first) {
+void BorderArcs::add(int number, const Interval& place, int from, int to, int across,
+                     std::size_t first) {
   if (arcs_.size() - first > kMostArcs)
     throw InvalidInput("trimmed region: a border takes more than " + std::to_string(kMostArcs) +
                        " arcs within the tolerance; a larger one takes fewer");
   const RegionBorder& border = chart_.borders[index(number)];
   const bool shortest = std::abs(length(place)) <= 2 * kShortestArc * length(border.curve.domain());
   if (from == to && shortest) return;
-  const RegionArc arc = made(number, place, from, to);
+  const RegionArc arc = made(number, place, from, to, across);
   if (shortest || (from != to && arc.fit_error <= tolerance_of(number) && !is_too_long(arc))) {
     arcs_.push_back(arc);
     return;
   }
   const double middle = at(place, 0.5);
   const int vertex = vertex_within(arc, middle);
-  add(number, {place.from, middle}, from, vertex, first);
-  add(number, {middle, place.to}, vertex, to, first);
+  add(number, {place.from, middle}, from, vertex, across, first);
+  add(number, {middle, place.to}, vertex, to, across, first);
 }
 
 int BorderArcs::halve(int number) {
@@ -364,30 +361,35 @@ int BorderArcs::halve(int number) {
   const double middle = at(arc.place, 0.5);
   const int vertex = vertex_within(arc, middle);
   if (vertex == arc.from || vertex == arc.to) return -1;
-  arcs_[index(number)] = made(arc.border, {arc.place.from, middle}, arc.from, vertex);
-  arcs_.push_back(made(arc.border, {middle, arc.place.to}, vertex, arc.to));
+  arcs_[index(number)] = made(arc.border, {arc.place.from, middle}, arc.from, vertex, arc.across);
+  arcs_.push_back(made(arc.border, {middle, arc.place.to}, vertex, arc.to, arc.across));
   return static_cast<int>(arcs_.size()) - 1;
 }
 
-// Whether an arc between two vertices of one line stays on it.
-bool BorderArcs::runs_on(const RegionArc& arc, int direction) const {
-  const Vec2& from = vertices_[index(arc.from)];
-  const Vec2& to = vertices_[index(arc.to)];
-  if (from[direction] != to[direction] || !is_whole(from[direction])) return false;
-  for (const double t : {0.25, 0.5, 0.75}) {
-    const Vec2 uv = point_at(chart_.borders[index(arc.border)].curve, at(arc.place, t));
-    if (grid_point(surface_, uv)[direction] != from[direction]) return false;
+// The direction of a line through both ends of a piece that stays on it in the chart, too.
+int BorderArcs::direction_across(int number, const Interval& place, int from, int to) const {
+  if (from == to) return -1;
+  for (int k = 0; k < 2; ++k) {
+    const double line = vertices_[index(from)][k];
+    const auto is_on = [&](double t) {
+      const Vec2 uv = point_at(chart_.borders[index(number)].curve, at(place, t));
+      return grid_point(surface_, uv)[k] == line;
+    };
+    if (is_whole(line) && vertices_[index(to)][k] == line && is_on(0.25) && is_on(0.5) &&
+        is_on(0.75))
+      return k;
   }
-  return true;
+  return -1;
 }
 
-RegionArc BorderArcs::made(int number, const Interval& place, int from, int to) const {
+RegionArc BorderArcs::made(int number, const Interval& place, int from, int to, int across) const {
   const PlanarCurve& curve = chart_.borders[index(number)].curve;
   RegionArc arc;
   arc.border = number;
   arc.place = place;
   arc.from = from;
   arc.to = to;
+  arc.across = across;
   const Vec2 middle = point_at(curve, at(place, 0.5));
   std::array<int, 2> patch;
   for (int k = 0; k < 2; ++k) {
@@ -395,8 +397,7 @@ RegionArc BorderArcs::made(int number, const Interval& place, int from, int to) 
     // The middle may be as near to a line as what counts as on it, and yet the arc beside it.
     double beside =
         unrounded_grid_coordinate(knots_of(surface_, k), law_of(surface_, k), middle[k]);
-    if (from != to && runs_on(arc, k)) {
-      arc.on_line = true;
+    if (k == across) {
       const double on = vertices_[index(to)][1 - k] - vertices_[index(from)][1 - k];
       // The region lies on the left.
       beside = vertices_[index(from)][k] + (k == 0 ? -0.5 : 0.5) * (on > 0 ? 1 : -1);
@@ -436,8 +437,7 @@ void BorderArcs::settle_ends(RegionArc& arc, const ArcForm& form) const {
   Vec2 moved;
   for (int k = 0; k < 2; ++k) {
     std::vector<Vec3>& points = arc.curve.points;
-    const bool on_line = arc.on_line && runs_on(arc, k);
-    for (std::size_t i = 0; on_line && i < points.size(); ++i) {
+    for (std::size_t i = 0; k == arc.across && i < points.size(); ++i) {
       moved[k] = std::max(moved[k], std::abs(points[i][k] / points[i][2] - from[k]));
       points[i][k] = from[k] * points[i][2];
     }
@@ -472,7 +472,7 @@ Vec2 BorderArcs::steepest_about(const RegionArc& arc, const Vec2& error) const {
 }
 
 bool BorderArcs::is_too_long(const RegionArc& arc) const {
-  if (arc.on_line && takes_cells(arc.border)) return false;
+  if (arc.across >= 0 && takes_cells(arc.border)) return false;
   const Vec2& steep = steepest_(arc.patch_u, arc.patch_v);
   const auto leg = [&](std::size_t i, std::size_t j) {
     const Vec2 d = projected(arc.curve.points[j]) - projected(arc.curve.points[i]);

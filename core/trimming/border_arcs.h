@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/trimming/arc_forms.h"
+#include "core/trimming/line_runs.h"
 #include "core/trimming/trimmed_chart.h"
 
 namespace blossom {
@@ -45,7 +46,9 @@ struct RegionArc {
   PlanarBezier curve;  ///< in the parameters of the patch; runs from vertex to vertex exactly
   int from = 0;        ///< vertices
   int to = 0;
-  bool on_line = false;  ///< along a line between patches or round them all
+  /// Direction of which the line that it runs along, between patches or round them all, is a value;
+  /// -1: none. Its halves run along the same.
+  int across = -1;
   bool exact = true;     ///< the very trim, as far as the doubles go
   double fit_error = 0;  ///< bound on what the fit alone adds to it; model units
   double error = 0;      ///< bound on the distance between its and the trim's image; model units
@@ -118,18 +121,19 @@ class BorderArcs {
   BorderStops stops_of(int border) const;
   void join_near(int border, BorderStops& stops);
   void join_at_corners(int border, BorderStops& stops);
+  void settle_corners(int border, const BorderStops& stops);
+  LineRun run_between(int border, const Interval& place) const;
   int corner_at(const RegionBorder& border, double parameter) const;
-  Vec2 unrounded_grid_point(const Vec2& uv) const;
   double way_along(const RegionBorder& border, double from, double to) const;
   void add_line_stops(const RegionBorder& border, int direction, std::vector<double>& at,
                       std::vector<LineStop>& lines) const;
-  int vertex_at_stop(const RegionBorder& border, const std::vector<double>& at, std::size_t stop,
-                     const std::vector<LineStop>& lines);
+  Vec2 point_at_stop(const RegionBorder& border, const std::vector<double>& at, std::size_t stop,
+                     const std::vector<LineStop>& lines) const;
   void add_cell_stops(const RegionBorder& border, std::vector<double>& at) const;
-  void add(int border, const Interval& place, int from, int to, std::size_t first);
-  RegionArc made(int border, const Interval& place, int from, int to) const;
+  void add(int border, const Interval& place, int from, int to, int across, std::size_t first);
+  RegionArc made(int border, const Interval& place, int from, int to, int across) const;
   ArcForm form_in(const RegionArc& arc) const;
-  bool runs_on(const RegionArc& arc, int direction) const;
+  int direction_across(int border, const Interval& place, int from, int to) const;
   void settle_ends(RegionArc& arc, const ArcForm& form) const;
   Vec2 steepest_about(const RegionArc& arc, const Vec2& error) const;
   bool is_too_long(const RegionArc& arc) const;

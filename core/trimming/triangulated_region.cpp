@@ -106,7 +106,7 @@ class Builder {
     for (const RegionArc& arc : borders_.arcs()) {
       const Vec2& from = borders_.vertices()[index(arc.from)];
       const Vec2& to = borders_.vertices()[index(arc.to)];
-      if (!arc.on_line || from[direction] != line || to[direction] != line) continue;
+      if (arc.across != direction || from[direction] != line) continue;
       const int along = 1 - direction;
       result.push_back({std::min(from[along], to[along]), std::max(from[along], to[along])});
     }
@@ -197,7 +197,7 @@ class Builder {
 
   // Whether an arc is exactly one side of a cell.
   bool is_side_of_cell(const RegionArc& arc) const {
-    if (!arc.on_line || !borders_.takes_cells(arc.border)) return false;
+    if (arc.across < 0 || !borders_.takes_cells(arc.border)) return false;
     const Vec2& from = borders_.vertices()[index(arc.from)];
     const Vec2& to = borders_.vertices()[index(arc.to)];
     for (int k = 0; k < 2; ++k)

@@ -35,4 +35,9 @@ Vec2 grid_point(const BezierSurface& surface, const Vec2& uv) {
           grid_coordinate(surface.v_knots, surface.v_law, uv[1])};
 }
 
+Vec2 unrounded_grid_point(const BezierSurface& surface, const Vec2& uv) {
+  return {unrounded_grid_coordinate(surface.u_knots, surface.u_law, uv[0]),
+          unrounded_grid_coordinate(surface.v_knots, surface.v_law, uv[1])};
+}
+
 }  // namespace blossom

@@ -41,5 +41,6 @@ double unrounded_grid_coordinate(const std::vector<double>& knots, ParameterLaw 
                                  double parameter);
 
 Vec2 grid_point(const BezierSurface& surface, const Vec2& uv);
+Vec2 unrounded_grid_point(const BezierSurface& surface, const Vec2& uv);
 
 }  // namespace blossom

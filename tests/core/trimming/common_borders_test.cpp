@@ -68,6 +68,34 @@ TEST(CommonBorders, TakesCrossingsOfCommonBordersToStopsBesideThem) {
   EXPECT_EQ(triangulated_region(surface, chart.made, options).beyond_lines, 0);
 }
 
+// A pole at v = 0. The border along the line u = 0.5 leaves it by 1e-6 there, which is 6e-8 in
+// space at most, and ends beside it.
+TEST(CommonBorders, RunAlongALineThatTheyLeaveInTheChartAlone) {
+  BezierSurface surface = heights({0, 0.5, 1}, {0, 1}, 1);
+  for (int i = 0; i < 2; ++i)
+    for (int a = 0; a < 2; ++a) surface.patches(i, 0).points(a, 0) = {0.5, 0, 0, 1};
+  Chart chart = Chart().loop({{{{0.5 + 1e-6, 0, 1}, {0.5, 0, 1}, {0.5, 1, 1}}},
+                              {{{0.5, 1, 1}, {0, 1, 1}}},
+                              {{{0, 1, 1}, {0, 0, 1}}},
+                              {{{0, 0, 1}, {0.5 + 1e-6, 0, 1}}}});
+  chart.made.borders[0].stops = {0.1, 0.7};
+  chart.made.borders[3].is_point = true;
+  RegionOptions options;
+  options.common_borders = true;
+  options.tolerance = 3e-7;
+
+  const TriangulatedRegion region = triangulated_region(surface, chart.made, options);
+
+  ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+  expect_whole_sides(region);
+  for (const RegionPiece& piece : region.pieces) EXPECT_EQ(piece.patch_u, 0);
+  for (const RegionArc& arc : region.arcs) {
+    EXPECT_EQ(arc.patch_u, 0);
+    if (arc.border != 0) continue;
+    EXPECT_EQ(region.vertices[static_cast<std::size_t>(arc.to)][0], 1);
+  }
+}
+
 // A sector with its tip along v = 0: corners on the side u = 0 and another point of v = 0 are in
 // one line in space, though not in the chart.
 TEST(CommonBorders, LeavesNoFlatTrianglesBetweenARulingAndTheTip) {
