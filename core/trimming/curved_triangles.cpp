@@ -20,6 +20,8 @@ constexpr int kMostRounds = 16;        // of halving; chords come nearer to arcs
 constexpr double kFlat = -0.5;         // cosine of an angle beyond which a triangle is flat
 constexpr double kInLine = -0.999;     // likewise, beyond which its corners are in one line
 constexpr double kBetter = 0.01;       // gain of cosines that is worth a flip
+constexpr double kLessFlat = 4;        // likewise, of distances of cosines from -1
+constexpr double kLine = 1e-15;        // as near to -1 are cosines for rounding alone
 constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees
 constexpr int kMostFlips = 64;         // rounds of flips, each of which may call for another
 
@@ -97,7 +99,8 @@ class FlatEars {
     const double now = std::min(least_cosine(a, b, c), least_cosine(a, c, d));
     if (now >= (at_ear ? kFlat : kInLine) || !turns_left(a, b, d) || !turns_left(b, c, d))
       return false;
-    if (std::min(least_cosine(a, b, d), least_cosine(b, c, d)) < now + kBetter) return false;
+    const double then = std::min(least_cosine(a, b, d), least_cosine(b, c, d));
+    if (then < now + kBetter && 1 + then < kLessFlat * std::max(1 + now, kLine)) return false;
     beside_.erase({a, c});
     beside_.erase({c, a});
     triangles_[i] = {a, b, d};

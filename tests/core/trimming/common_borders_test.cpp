@@ -96,14 +96,14 @@ TEST(CommonBorders, RunAlongALineThatTheyLeaveInTheChartAlone) {
   }
 }
 
-// A sector with its tip along v = 0: corners on the side u = 0 and another point of v = 0 are in
-// one line in space, though not in the chart.
-TEST(CommonBorders, LeavesNoFlatTrianglesBetweenARulingAndTheTip) {
+// A sector with its tip along v = 0 and the other corners (1, 0) and `far`: corners on the side
+// u = 0 and another point of v = 0 are in one line in space, though not in the chart.
+void expect_no_flat_triangles(const Vec2& far, double least_area) {
   BezierSurface surface = heights({0, 1}, {0, 1}, 1);
   RationalBezierPatch& patch = surface.patches(0, 0);
   patch.points(0, 0) = patch.points(1, 0) = {0, 0, 0, 1};
   patch.points(0, 1) = {1, 0, 0, 1};
-  patch.points(1, 1) = {0.9, 0.4, 0, 1};
+  patch.points(1, 1) = {far[0], far[1], 0, 1};
   Chart chart = whole(1, 1);
   chart.made.borders[0].is_point = true;
   for (int k = 1; k < 16; ++k) chart.made.borders[3].stops.push_back(k / 16.0);
@@ -122,8 +122,16 @@ TEST(CommonBorders, LeavesNoFlatTrianglesBetweenARulingAndTheTip) {
       at.push_back(point_at(patch, uv[0], uv[1]));
     }
     const bool has_point = at[0] == at[1] || at[1] == at[2] || at[2] == at[0];
-    EXPECT_TRUE(has_point || norm(cross(at[1] - at[0], at[2] - at[0])) > 1e-3);
+    EXPECT_TRUE(has_point || norm(cross(at[1] - at[0], at[2] - at[0])) > least_area);
   }
+}
+
+TEST(CommonBorders, LeavesNoFlatTrianglesBetweenARulingAndTheTip) {
+  expect_no_flat_triangles({0.9, 0.4}, 1e-3);
+}
+
+TEST(CommonBorders, LeavesNoFlatTrianglesInNarrowSectors) {
+  expect_no_flat_triangles({0.999, 0.03}, 1e-4);
 }
 
 }  // namespace
