@@ -22,7 +22,9 @@
 #include "core/trimming/moved_sides.h"
 #include "core/trimming/paired_parameters.h"
 #include "core/trimming/piece_sides.h"
+#include "core/trimming/pole_ends.h"
 #include "core/trimming/polynomial_surface.h"
+#include "core/trimming/short_spans.h"
 #include "core/trimming/spared_turns.h"
 #include "core/trimming/triangulated_region.h"
 
@@ -100,6 +102,12 @@ class Builder {
       ask();
       surfaces_.push_back(polynomial_surface(face.surface, kSurfacePart * options_.tolerance));
       surface_error_ = std::max(surface_error_, surfaces_.back().error);
+      TrimmedChart chart = face.chart;
+      for (std::size_t b = 0; b < chart.borders.size(); ++b)
+        chart.borders[b].is_point = model_.edges[index(face.edges[b])].is_point;
+      const double within = kArcPart * options_.tolerance;
+      chart = with_straight_pole_ends(surfaces_.back(), std::move(chart), within);
+      charts_.push_back(without_short_spans(surfaces_.back(), std::move(chart), within));
     }
   }
 
@@ -129,7 +137,7 @@ class Builder {
     for (std::size_t f = 0; f < model_.faces.size(); ++f) {
       if (!stale[f]) continue;
       ask();
-      TrimmedChart chart = model_.faces[f].chart;
+      TrimmedChart chart = charts_[f];
       for (std::size_t b = 0; b < chart.borders.size(); ++b) settle(chart.borders[b], f, b);
       regions_[f] = triangulated_region(surfaces_[f], chart, region_options);
       if (!regions_[f].obstacle.empty()) {
@@ -156,7 +164,6 @@ class Builder {
   // A point is divided by each face as it likes.
   void settle(RegionBorder& border, std::size_t face, std::size_t number) {
     const auto edge = index(model_.faces[face].edges[number]);
-    border.is_point = model_.edges[edge].is_point;
     if (border.is_point) return;
     border.tolerance = kApartPart * model_.edges[edge].apart;
     for (const double stop : stops_[edge])
@@ -399,6 +406,7 @@ class Builder {
   PairedParameters parameters_;
   std::vector<std::vector<double>> stops_;  // of each edge
   std::vector<BezierSurface> surfaces_;
+  std::vector<TrimmedChart> charts_;
   double surface_error_ = 0, beyond_ = 0;
   std::vector<TriangulatedRegion> regions_;
   std::vector<bool> done_;  // of each face: whether its region, or its pieces are made

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/trimming/pole_ends.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/region_checks.h"
+
+namespace blossom {
+namespace {
+
+using testing::Chart;
+using testing::heights;
+
+constexpr double kWithin = 1e-7;
+
+// A sector with its tip along v = 0.
+BezierSurface sector() {
+  BezierSurface surface = heights({0, 1}, {0, 1}, 1);
+  RationalBezierPatch& patch = surface.patches(0, 0);
+  patch.points(0, 0) = patch.points(1, 0) = {0, 0, 0, 1};
+  patch.points(0, 1) = {1, 0, 0, 1};
+  patch.points(1, 1) = {0.9, 0.4, 0, 1};
+  return surface;
+}
+
+// Its left part, up to a border from the tip to (0.6, 1): at first it sweeps from u = 0.9 to hardly
+// more than 0.6, no farther from the tip than 2e-7.
+TrimmedChart passing() {
+  const double u = 0.6 + 5e-9;
+  Chart chart = Chart().loop({{{{0.6, 1, 1}, {0, 1, 1}}},
+                              {{{0, 1, 1}, {0, 0, 1}}},
+                              {{{0, 0, 1}, {0.9, 0, 1}}},
+                              {{{0.9, 0, 1}, {u, 0, 1}, {u, 2e-7, 1}}}});
+  chart.made.borders[3].curve.spans.push_back(
+      {{{{u, 2e-7, 1}, {0.6, 0.5, 1}, {0.6, 1, 1}}}, {1, 2}, ParameterLaw::Linear});
+  chart.made.borders[2].is_point = true;
+  return chart.made;
+}
+
+TEST(PoleEnds, DoNotSweepOverTheChartBesideThePole) {
+  const TrimmedChart given = passing();
+  const TrimmedChart made = with_straight_pole_ends(sector(), given, kWithin);
+
+  EXPECT_NEAR(made.corners[3][0], 0.6, 1e-7);
+  EXPECT_EQ(made.corners[3][1], 0);
+  EXPECT_EQ(point_at(made.borders[2].curve, 1), made.corners[3]);
+  EXPECT_EQ(point_at(made.borders[3].curve, 0), made.corners[3]);
+  for (int k = 0; k <= 20; ++k)
+    EXPECT_DOUBLE_EQ(point_at(made.borders[3].curve, 0.1 * k)[0], made.corners[3][0]);
+}
+
+TEST(PoleEnds, MoveNoPointByMoreThanTheDistance) {
+  const BezierSurface surface = sector();
+  const TrimmedChart given = passing();
+  const TrimmedChart made = with_straight_pole_ends(surface, given, kWithin);
+
+  for (std::size_t b = 0; b < given.borders.size(); ++b) {
+    const Interval domain = given.borders[b].curve.domain();
+    for (int k = 0; k <= 50; ++k) {
+      const double t = at(domain, k / 50.0);
+      EXPECT_LE(distance(point_at(surface, point_at(given.borders[b].curve, t)),
+                         point_at(surface, point_at(made.borders[b].curve, t))),
+                kWithin);
+    }
+  }
+}
+
+TEST(PoleEnds, StayWhereTheyAreFartherThanThatFromStraightOnes) {
+  const TrimmedChart given = passing();
+  TrimmedChart bent = given;
+  bent.borders[3].curve.spans[0].curve = {{{0.9, 0, 1}, {0.9, 0.1, 1}, {0.6, 0.2, 1}}};
+  bent.borders[3].curve.spans[1].curve = {{{0.6, 0.2, 1}, {0.6, 1, 1}}};
+
+  const TrimmedChart made = with_straight_pole_ends(sector(), bent, kWithin);
+
+  EXPECT_EQ(made.corners[3], bent.corners[3]);
+  for (int k = 0; k <= 20; ++k)
+    EXPECT_EQ(point_at(made.borders[3].curve, 0.1 * k), point_at(bent.borders[3].curve, 0.1 * k));
+}
+
+// Without a pole, or with other borders at the corner, nothing is known of where it may go.
+TEST(PoleEnds, StayWhereThereIsNoPole) {
+  TrimmedChart given = passing();
+  given.borders[2].is_point = false;
+  const TrimmedChart made = with_straight_pole_ends(sector(), given, kWithin);
+  EXPECT_EQ(made.corners, given.corners);
+}
+
+}  // namespace
+}  // namespace blossom
