@@ -99,11 +99,39 @@ class WatertightSampler {
                               : inside(point_at(triangle, static_cast<double>(i) / parts_,
                                                 static_cast<double>(j) / parts_));
       }
+    // Facets at a corner would hide samples inside where its sides have fewer than the piece; there
+    // they are flipped with those behind them.
+    const bool a = has_coarse_corner(piece, 0), b = has_coarse_corner(piece, 1);
+    const bool c = has_coarse_corner(piece, 2);
+    const auto corner_at = [&](int i, int j) {
+      return (a && i == parts_ - 1) || (b && j == parts_ - 1) || (c && i + j == 0);
+    };
+    const auto behind_corner = [&](int i, int j) {
+      return (a && i == parts_ - 2) || (b && j == parts_ - 2) || (c && i + j == 0);
+    };
     for (int i = 0; i < parts_; ++i)
       for (int j = 0; i + j < parts_; ++j) {
-        add(at[{i, j}], at[{i + 1, j}], at[{i, j + 1}]);
-        if (i + j + 1 < parts_) add(at[{i + 1, j}], at[{i + 1, j + 1}], at[{i, j + 1}]);
+        if (!corner_at(i, j)) add(at[{i, j}], at[{i + 1, j}], at[{i, j + 1}]);
+        if (i + j + 1 < parts_ && !behind_corner(i, j))
+          add(at[{i + 1, j}], at[{i + 1, j + 1}], at[{i, j + 1}]);
       }
+    const auto add_corner = [this](int tip, int before, int after, int inner) {
+      add(tip, inner, before);
+      add(tip, after, inner);
+    };
+    const int p = parts_;
+    if (a) add_corner(at[{p, 0}], at[{p - 1, 0}], at[{p - 1, 1}], at[{p - 2, 1}]);
+    if (b) add_corner(at[{0, p}], at[{1, p - 1}], at[{0, p - 1}], at[{1, p - 2}]);
+    if (c) add_corner(at[{0, 0}], at[{0, 1}], at[{1, 0}], at[{1, 1}]);
+  }
+
+  // Whether a side at a corner has fewer samples than the piece, which has some inside.
+  bool has_coarse_corner(const WatertightPiece& piece, std::size_t corner) const {
+    const std::size_t count = piece.sides.size();
+    const auto is_coarse = [&](std::size_t side) {
+      return parts_of_side_[static_cast<std::size_t>(piece.sides[side])] < parts_;
+    };
+    return parts_ > 2 && (is_coarse(corner) || is_coarse((corner + count - 1) % count));
   }
 
   void add(const WatertightPiece& piece, const BezierPatch& patch) {
@@ -116,8 +144,16 @@ class WatertightSampler {
                    : i == 0      ? on_side(piece, 3, parts_ - j)
                                  : inside(point_at(patch, static_cast<double>(i) / parts_,
                                                    static_cast<double>(j) / parts_));
+    const int last = parts_ - 1;
+    const bool right = has_coarse_corner(piece, 1), left = has_coarse_corner(piece, 3);
     for (int i = 0; i < parts_; ++i)
       for (int j = 0; j < parts_; ++j) {
+        // Diagonals run into corners, or facets there would hide samples inside.
+        if ((right && i == last && j == 0) || (left && i == 0 && j == last)) {
+          add(at(i, j), at(i + 1, j), at(i, j + 1));
+          add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+          continue;
+        }
         add(at(i, j), at(i + 1, j), at(i + 1, j + 1));
         add(at(i, j), at(i + 1, j + 1), at(i, j + 1));
       }
