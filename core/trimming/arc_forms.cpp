@@ -13,12 +13,14 @@
 #include "core/forms/degree.h"
 #include "core/forms/interpolation.h"
 #include "core/forms/products.h"
+#include "core/subdivision/patch_subdivision.h"
 #include "core/tracing/local_form.h"
 
 namespace blossom {
 namespace {
 
-constexpr int kFitDegree = 5;  // of polynomials that take a curve's place, as local_form wants
+constexpr double kLeastBox = 1e-6;  // of a side of a box: below, differences of points are rounding
+constexpr int kFitDegree = 5;       // of polynomials that take a curve's place, as local_form wants
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -260,6 +262,17 @@ Vec2 derivative_bounds(const RationalBezierPatch& patch) {
       if (j + 1 < net.columns()) most[1] = std::max(most[1], length_of(net(i, j), net(i, j + 1)));
     }
   return {most[0] * patch.degree_u() / least, most[1] * patch.degree_v() / least};
+}
+
+Vec2 derivative_bounds(const RationalBezierPatch& patch, PlanarBox box) {
+  for (int k = 0; k < 2; ++k) {
+    const double wider = std::max(0.5 * (kLeastBox - (box.high[k] - box.low[k])), 0.0);
+    box.low[k] -= wider;
+    box.high[k] += wider;
+  }
+  const Interval u{box.low[0], box.high[0]}, v{box.low[1], box.high[1]};
+  const Vec2 steep = derivative_bounds(sub_patch(patch, u, v));
+  return {steep[0] / length(u), steep[1] / length(v)};
 }
 
 }  // namespace blossom

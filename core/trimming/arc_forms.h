@@ -60,4 +60,7 @@ ArcForm arc_form(const PlanarCurve& curve, const Interval& place, const PatchCha
 /// returns   infinity if a weight is not positive, as beyond the domain of a rational patch
 Vec2 derivative_bounds(const RationalBezierPatch& patch);
 
+/// The same over a box of the parameters, which may reach beyond the patch.
+Vec2 derivative_bounds(const RationalBezierPatch& patch, PlanarBox box);
+
 }  // namespace blossom

@@ -234,8 +234,14 @@ double BorderArcs::way_along(const RegionBorder& border, double from, double to)
     const auto patch = [&](int k, int count) {
       return std::clamp(static_cast<int>(std::floor(p[k])), 0, count - 1);
     };
-    const Vec2& steep =
-        steepest_(patch(0, surface_.patches.rows()), patch(1, surface_.patches.columns()));
+    const int i = patch(0, surface_.patches.rows()), j = patch(1, surface_.patches.columns());
+    const Vec2 corner{static_cast<double>(i), static_cast<double>(j)};
+    PlanarBox box{a - corner, a - corner};
+    for (int k = 0; k < 2; ++k) {
+      box.low[k] = std::min(box.low[k], b[k] - corner[k]);
+      box.high[k] = std::max(box.high[k], b[k] - corner[k]);
+    }
+    const Vec2 steep = derivative_bounds(surface_.patches(i, j), box);
     for (int k = 0; k < 2; ++k) steepest[k] = std::max(steepest[k], steep[k]);
   }
   return way_in_space({std::abs(b[0] - a[0]), std::abs(b[1] - a[1])}, steepest);

@@ -96,6 +96,30 @@ TEST(CommonBorders, RunAlongALineThatTheyLeaveInTheChartAlone) {
   }
 }
 
+// A pole at v = 0, so near to the lower left corner that the crossing of u = 0.5 beside it is 1e-8
+// from it in space, though 1e-4 in the chart.
+TEST(CommonBorders, TakeCrossingsToCornersThatAreFartherInTheChartAlone) {
+  BezierSurface surface = heights({0, 0.5, 1}, {0, 1}, 1);
+  for (int i = 0; i < 2; ++i)
+    for (int a = 0; a < 2; ++a) surface.patches(i, 0).points(a, 0) = {0.5, 0, 0, 1};
+  Chart chart = Chart().polygon({{0.5 - 1e-4, 1e-4}, {0.9, 2e-4}, {0.5, 0.9}});
+  RegionOptions options;
+  options.common_borders = true;
+  options.tolerance = 1e-6;
+
+  const TriangulatedRegion region = triangulated_region(surface, chart.made, options);
+
+  ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+  expect_whole_sides(region);
+  for (const RegionArc& arc : region.arcs) {
+    const Vec2 way = region.vertices[static_cast<std::size_t>(arc.to)] -
+                     region.vertices[static_cast<std::size_t>(arc.from)];
+    EXPECT_GT(norm(way), 1e-3);
+  }
+  EXPECT_GT(region.beyond_lines, 1e-9);
+  EXPECT_LT(region.beyond_lines, 1e-7);
+}
+
 // A sector with its tip along v = 0 and the other corners (1, 0) and `far`: corners on the side
 // u = 0 and another point of v = 0 are in one line in space, though not in the chart.
 void expect_no_flat_triangles(const Vec2& far, double least_area) {
