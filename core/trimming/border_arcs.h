@@ -85,6 +85,9 @@ class BorderArcs {
   /// Powers of two by which the parameters of a patch become about lengths in space.
   Vec2 metric(int patch_u, int patch_v) const;
 
+  /// How far arcs of a border may lie from it; model units.
+  double tolerance_of(int border) const;
+
   /// Whether a cell may have a piece of the border for a side.
   bool takes_cells(int border) const;
 
@@ -117,7 +120,6 @@ class BorderArcs {
   };
 
   void divide(int border, BorderStops stops);
-  double tolerance_of(int border) const;
   BorderStops stops_of(int border) const;
   void join_near(int border, BorderStops& stops);
   void join_at_corners(int border, BorderStops& stops);

@@ -11,6 +11,8 @@
 
 #include "core/blossom/triangle_composition.h"
 #include "core/forms/degree.h"
+#include "core/forms/evaluation.h"
+#include "core/trimming/low_triangles.h"
 #include "core/trimming/plane_predicates.h"
 
 namespace blossom {
@@ -23,6 +25,7 @@ constexpr double kBetter = 0.01;       // gain of cosines that is worth a flip
 constexpr double kLessFlat = 4;        // likewise, of distances of cosines from -1
 constexpr double kLine = 1e-15;        // as near to -1 are cosines for rounding alone
 constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees
+constexpr double kHigh = 1e3;          // of tolerances of borders: heights that need not be raised
 constexpr int kMostFlips = 64;         // rounds of flips, each of which may call for another
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -167,7 +170,7 @@ class Region {
     sides.insert(sides.end(), sides_.begin(), sides_.end());
     std::set<int> to_halve = between_two_points(sides);
     if (!to_halve.empty()) return to_halve;
-    const std::vector<Vec2> points = scaled_points();
+    std::vector<Vec2> points = scaled_points();
     Triangulation flat = triangulate(points, sides);
     for (const int side : flat.conflicts)
       if (index(side) < arcs_.size()) to_halve.insert(arcs_[index(side)]);
@@ -186,13 +189,48 @@ class Region {
       FlatEars(flat.triangles, points, in_space, arc_between).flip_all();
     }
     for (const Corners& corners : flat.triangles) {
-      CurvedTriangle triangle = curved(corners, arc_between);
+      CurvedTriangle triangle = curved(corners, arc_between, points);
       if (!keeps_its_turn(triangle.map))
         for (const int number : triangle.arcs)
           if (number >= 0 && is_curved(number)) to_halve.insert(number);
       made.triangles.push_back(std::move(triangle));
     }
+    if (to_halve.empty() && borders_.has_common_borders())
+      raise(made, std::move(flat.triangles), std::move(points), arc_between);
     return to_halve;
+  }
+
+  // Makes low triangles at borders higher, where these will be moved.
+  void raise(CurvedTriangles& made, std::vector<Corners> triangles, std::vector<Vec2> points,
+             const ArcBetween& arc_between) const {
+    const std::size_t given = points.size();
+    TriangleChart chart{std::move(points), {}, {}, {}};
+    chart.jet = [this](const Vec2& at) {
+      const Vec2 local = unscaled(at) - corner_;
+      PatchJet jet = jet_at(borders_.patch(patch_), local[0], local[1], 1);
+      jet.u = (1 / scale_[0]) * jet.u;
+      jet.v = (1 / scale_[1]) * jet.v;
+      return jet;
+    };
+    chart.least_height = [this, &arc_between](int from, int to) {
+      const auto found = arc_between.find({from, to});
+      if (found == arc_between.end()) return 0.0;
+      const int border = arc(found->second).border;
+      return borders_.takes_cells(border) ? 0 : kHigh * borders_.tolerance_of(border);
+    };
+    chart.is_valid = [&](const Corners& corners) {
+      return keeps_its_turn(curved(corners, arc_between, chart.points).map);
+    };
+    if (!raise_low_triangles(triangles, chart)) return;
+    std::vector<int> names;
+    for (std::size_t k = given; k < chart.points.size(); ++k)
+      names.push_back(borders_.vertex_at(unscaled(chart.points[k])));
+    made.triangles.clear();
+    for (const Corners& corners : triangles) {
+      made.triangles.push_back(curved(corners, arc_between, chart.points));
+      for (int& vertex : made.triangles.back().vertices)
+        if (index(vertex) >= given) vertex = names[index(vertex) - given];
+    }
   }
 
   // What the errors of its arcs leave of the tolerance to a triangle; nothing if all are exact.
@@ -255,7 +293,10 @@ class Region {
     return points;
   }
 
-  CurvedTriangle curved(const Corners& corners, const ArcBetween& arc_between) const {
+  Vec2 unscaled(const Vec2& p) const { return {p[0] / scale_[0], p[1] / scale_[1]}; }
+
+  CurvedTriangle curved(const Corners& corners, const ArcBetween& arc_between,
+                        const std::vector<Vec2>& points) const {
     CurvedTriangle triangle{corners, {-1, -1, -1}, {1, {}}};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto found = arc_between.find({corners[k], corners[(k + 1) % 3]});
@@ -266,7 +307,7 @@ class Region {
     BezierTriangle& map = triangle.map;
     const int q = map.degree;
     std::array<Vec2, 3> at;
-    for (std::size_t k = 0; k < 3; ++k) at[k] = borders_.vertices()[index(corners[k])] - corner_;
+    for (std::size_t k = 0; k < 3; ++k) at[k] = unscaled(points[index(corners[k])]) - corner_;
     for (int nu = 0; nu <= q; ++nu)
       for (int mu = 0; nu + mu <= q; ++mu) {
         const Vec2 p = (1.0 / q) * (nu * at[0] + mu * at[1] + (q - nu - mu) * at[2]);

@@ -14,6 +14,7 @@ namespace {
 using testing::Chart;
 using testing::expect_on_surface;
 using testing::expect_whole_sides;
+using testing::grid_area;
 using testing::heights;
 using testing::whole;
 
@@ -120,6 +121,23 @@ TEST(CommonBorders, TakeCrossingsToCornersThatAreFartherInTheChartAlone) {
   EXPECT_LT(region.beyond_lines, 1e-7);
 }
 
+// The height of the lowest triangle, but for those with two corners at one point.
+double lowest(const BezierSurface& surface, const TriangulatedRegion& region) {
+  double least = 1;
+  for (const RegionPiece& piece : region.pieces) {
+    const auto* triangle = std::get_if<CurvedTriangle>(&piece.shape);
+    if (!triangle) continue;
+    std::vector<Vec3> at;
+    for (const int vertex : triangle->vertices)
+      at.push_back(point_at(surface, region.vertices[static_cast<std::size_t>(vertex)]));
+    const double longest =
+        std::max({distance(at[0], at[1]), distance(at[1], at[2]), distance(at[2], at[0])});
+    if (at[0] != at[1] && at[1] != at[2] && at[2] != at[0])
+      least = std::min(least, norm(cross(at[1] - at[0], at[2] - at[0])) / longest);
+  }
+  return least;
+}
+
 // A sector with its tip along v = 0 and the other corners (1, 0) and `far`: corners on the side
 // u = 0 and another point of v = 0 are in one line in space, though not in the chart.
 void expect_no_flat_triangles(const Vec2& far, double least_area) {
@@ -156,6 +174,31 @@ TEST(CommonBorders, LeavesNoFlatTrianglesBetweenARulingAndTheTip) {
 
 TEST(CommonBorders, LeavesNoFlatTrianglesInNarrowSectors) {
   expect_no_flat_triangles({0.999, 0.03}, 1e-4);
+}
+
+// Narrow sectors, where corners of cells and ends of rulings are nearly in line with the tip, too.
+TEST(CommonBorders, LeavesNoFlatTrianglesWhereTipsAreNarrow) {
+  for (const int cells : {1, 2}) {
+    BezierSurface surface = heights({0, 1}, {0, 1}, 1);
+    RationalBezierPatch& patch = surface.patches(0, 0);
+    patch.points(0, 0) = patch.points(1, 0) = {0, 0, 0, 1};
+    patch.points(0, 1) = {1, 0, 0, 1};
+    patch.points(1, 1) = {1, cells == 1 ? 0.05 : 0.3, 0, 1};
+    Chart chart = whole(1, 1);
+    chart.made.borders[0].is_point = true;
+    for (int k = 1; k < 16; ++k) chart.made.borders[3].stops.push_back(k / 16.0);
+    RegionOptions options;
+    options.common_borders = true;
+    options.cells = cells;
+
+    const TriangulatedRegion region = triangulated_region(surface, chart.made, options);
+
+    ASSERT_TRUE(region.obstacle.empty()) << region.obstacle;
+    expect_whole_sides(region);
+    expect_on_surface(surface, region, 1e-14);
+    EXPECT_NEAR(grid_area(region), 1, 1e-14);
+    EXPECT_GT(lowest(surface, region), 1e-3) << cells;
+  }
 }
 
 }  // namespace
