@@ -185,7 +185,7 @@ std::vector<int> turned_pieces(const WatertightPieces& unmoved, const Watertight
     if (const auto* triangle = std::get_if<BezierTriangle>(&given.form))
       return !turns_nowhere(*triangle, std::get<BezierTriangle>(made.form), within);
     const auto &patch = std::get<BezierPatch>(given.form), &now = std::get<BezierPatch>(made.form);
-    return patch != now && !turns_nowhere(patch, now);
+    return patch != now && !turns_nowhere(patch, now, within);
   };
   for (std::size_t p = 0; p < moved.pieces.size(); ++p)
     if (turns(unmoved.pieces[p], moved.pieces[p])) turned.push_back(static_cast<int>(p));

@@ -10,11 +10,10 @@
 
 #include "core/base/errors.h"
 #include "core/blossom/detail/scaled_forms.h"
-#include "core/blossom/normal_net.h"
 #include "core/forms/degree.h"
 #include "core/forms/detail/checks.h"
-#include "core/forms/products.h"
 #include "core/math/binomial.h"
+#include "core/subdivision/triangle_subdivision.h"
 
 namespace blossom {
 namespace {
@@ -25,6 +24,11 @@ constexpr double kRounding = 0x1p-53;
 constexpr double kPointRounding = 256 * kRounding;  // of given points, of the largest coordinate
 constexpr int kMostParts = 400;                     // of one triangle
 constexpr int kMostHalvings = 40;                   // in depth: a part of a million in length
+
+// Of a patch, on both sides of its diagonal.
+constexpr std::array<TriangleCorners, 2> kHalves{
+    TriangleCorners{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}},
+    TriangleCorners{Vec2{1, 1}, Vec2{0, 1}, Vec2{1, 0}}};
 
 // Differences of neighbouring control points along two sides, and the net of their cross product.
 struct Tangents {
@@ -98,29 +102,31 @@ Components normal_of(const Tangents& tangents) {
   return result;
 }
 
-// The least component of the net's points along their mean, and the largest of their lengths.
-struct Spread {
-  double least = 0;
-  double longest = 0;
+// The points of a normal's net.
+struct Directions {
+  std::vector<Vec3> points;
+  Vec3 mean;           // of unit length, or 0
+  double longest = 0;  // of the points
+
+  double least_along(const Vec3& direction) const {
+    double least = HUGE_VAL;
+    for (const Vec3& p : points) least = std::min(least, dot(p, direction));
+    return least;
+  }
 };
 
-Spread spread_of(const Components& normal) {
+Directions directions_of(const Components& normal) {
   const int degree = normal[0].degree;
-  std::vector<Vec3> points;
-  Vec3 sum;
+  Directions result;
   for (int nu = 0; nu <= degree; ++nu)
     for (int mu = 0; nu + mu <= degree; ++mu) {
-      const double weight = trinomial(degree, nu, mu);
-      points.push_back((1 / weight) *
-                       Vec3{normal[0](nu, mu), normal[1](nu, mu), normal[2](nu, mu)});
-      sum += points.back();
+      const Vec3 scaled{normal[0](nu, mu), normal[1](nu, mu), normal[2](nu, mu)};
+      result.points.push_back((1 / trinomial(degree, nu, mu)) * scaled);
+      result.mean += result.points.back();
+      result.longest = std::max(result.longest, norm(result.points.back()));
     }
-  Spread spread{norm(sum) > 0 ? HUGE_VAL : 0, 0};
-  for (const Vec3& p : points) {
-    if (norm(sum) > 0) spread.least = std::min(spread.least, dot(p, sum) / norm(sum));
-    spread.longest = std::max(spread.longest, norm(p));
-  }
-  return spread;
+  if (const double length = norm(result.mean); length > 0) result.mean = (1 / length) * result.mean;
+  return result;
 }
 
 // Halved across the side from a to b at its middle m: the corners (c, a, m) and (b, c, m), so that
@@ -166,11 +172,10 @@ double width(const BezierTriangle& triangle) {
   return most;
 }
 
-// Whether |N' - N| is below |N| everywhere, by bounds of the nets.
-bool is_small(const Tangents& given, const Tangents& moved, const Spread& normal, double rounding) {
-  const double way = largest_difference(given.x, moved.x) * moved.largest_y +
-                     given.largest_x * largest_difference(given.y, moved.y);
-  return normal.least > way + rounding;
+// A bound on |N' - N|.
+double largest_turn(const Tangents& given, const Tangents& moved) {
+  return largest_difference(given.x, moved.x) * moved.largest_y +
+         given.largest_x * largest_difference(given.y, moved.y);
 }
 
 // Halves both until the coefficients are positive or they are narrow.
@@ -190,22 +195,24 @@ class Proof {
   }
 
  private:
-  // By the coefficients of N . N', rounded as those of either normal, each a mean of products of
-  // differences of points, and their own.
+  // |N' - N| may be below |N|, all N' on the side of the mean of N, or N . N' positive: by their
+  // coefficients, each a mean of products of differences of points, rounded as these are.
   bool is_below_right_angle(const BezierTriangle& given, const BezierTriangle& moved) const {
     const Tangents from = tangents_of(given), to = tangents_of(moved);
     const double terms = static_cast<double>(BezierTriangle::count(given.degree)) + 32;
     const double of_given = 2 * noise_ * (from.largest_x + from.largest_y) +
                             2 * terms * kRounding * from.largest_x * from.largest_y;
     const Components normal = normal_of(from);
-    const Spread spread = spread_of(normal);
-    if (is_small(from, to, spread, of_given)) return true;
+    const Directions before = directions_of(normal);
+    if (before.least_along(before.mean) > largest_turn(from, to) + of_given) return true;
 
     const Components moved_normal = normal_of(to);
-    const double longest = spread_of(moved_normal).longest;
+    const Directions after = directions_of(moved_normal);
     const double of_moved = 2 * terms * kRounding * to.largest_x * to.largest_y;
-    const double rounding = of_given * longest + of_moved * spread.longest +
-                            4 * terms * kRounding * spread.longest * longest;
+    if (norm(before.mean) > 0 && after.least_along(before.mean) >= -of_moved) return true;
+
+    const double rounding = of_given * after.longest + of_moved * before.longest +
+                            4 * terms * kRounding * before.longest * after.longest;
     const ScaledForm product = dot_product(normal, moved_normal);
     const ScaledForm weights = trinomials(product.degree);
     for (std::size_t k = 0; k < product.points.size(); ++k)
@@ -239,21 +246,11 @@ bool turns_nowhere(const BezierTriangle& given, const BezierTriangle& moved, dou
       .holds(elevated(given, degree), elevated(moved, degree));
 }
 
-bool turns_nowhere(const BezierPatch& given, const BezierPatch& moved) {
-  const BezierPatch normal = normal_net(given), moved_normal = normal_net(moved);
-  const auto most = [](const BezierPatch& net) {
-    double size = 0;
-    for (const Vec3& p : net.points.values()) size = std::max(size, norm(p));
-    return size;
-  };
-  const int n = given.degree_u(), m = given.degree_v();
-  const double of_normals =
-      normal_net_error(n, m) *
-      (most(given) * most(given) * most(moved_normal) + most(moved) * most(moved) * most(normal));
-  const double rounding = of_normals + 3 * (product_error(2 * n - 1, 2 * m - 1) + 3 * kRounding) *
-                                           most(normal) * most(moved_normal);
-  const BezierFunction2 product = dot_product(normal, moved_normal);
-  return std::ranges::min(product.points.values()) >= -rounding;
+bool turns_nowhere(const BezierPatch& given, const BezierPatch& moved, double within) {
+  if (given.degree_u() + given.degree_v() > kMaxDegree) return false;
+  return std::ranges::all_of(kHalves, [&](const TriangleCorners& half) {
+    return turns_nowhere(sub_triangle(given, half), sub_triangle(moved, half), within);
+  });
 }
 
 }  // namespace blossom

@@ -13,7 +13,9 @@ namespace blossom {
 ///
 ///   N . N' = sum c_k B_k of degree 2 (n + n' - 2),   N = T_x x T_y
 ///
-/// Where a c_k is negative beyond rounding the triangles are halved.
+/// Where a c_k is negative beyond rounding the triangles are halved. A part of the moved one also
+/// counts as proven where all of its normals are on the side of the mean of those given, so that it
+/// is a graph over a plane.
 ///
 /// given, moved   of degrees from 1 to kMaxDegree; the given points count as known to rounding of
 ///                the largest coordinate, so that a side at a pole may be a point
@@ -24,10 +26,9 @@ namespace blossom {
 /// cost           O(n^4)
 bool turns_nowhere(const BezierTriangle& given, const BezierTriangle& moved, double within);
 
-/// The same of patches of equal degrees, without divisions.
+/// The same of the triangles on both sides of the diagonal of a patch.
 ///
-/// throws   InvalidInput as normal_net
-/// cost     O(n^4) for degrees n
-bool turns_nowhere(const BezierPatch& given, const BezierPatch& moved);
+/// returns  false also for degrees whose sum is above kMaxDegree
+bool turns_nowhere(const BezierPatch& given, const BezierPatch& moved, double within);
 
 }  // namespace blossom

@@ -106,6 +106,19 @@ TEST(TurnedNormals, AreProvenSoundOnlyIfNoNormalTurns) {
   EXPECT_GT(turned, 50);
 }
 
+// The surface's own side at the pole is not quite a point, and turned over there.
+TEST(TurnedNormals, OfAPatchMayBeAnyBesideAPoleThatBecomesAPoint) {
+  BezierPatch fan{Grid<Vec3>(2, 2)};
+  fan.points(0, 0) = {1e-6, 0, 0};
+  fan.points(1, 0) = {0, 0, 0};
+  fan.points(0, 1) = {0, 1, 0};
+  fan.points(1, 1) = {0.5, 1, 0};
+  BezierPatch moved = fan;
+  moved.points(0, 0) = moved.points(1, 0) = {0, 0, 0};
+
+  EXPECT_TRUE(turns_nowhere(fan, moved, 0));
+}
+
 TEST(TurnedNormals, RefuseWhatIsNoTriangle) {
   const BezierTriangle point{0, {{0, 0, 0}}}, broken{2, {{0, 0, 0}}};
   const BezierTriangle triangle{1, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}};
@@ -122,9 +135,9 @@ TEST(TurnedNormals, OfPatchesAreToldByACornerThatPassesTheDiagonal) {
   near.points(0, 0) = {0.49, 0.49, 0};
   beyond.points(0, 0) = {0.51, 0.51, 0};
 
-  EXPECT_TRUE(turns_nowhere(patch, patch));
-  EXPECT_TRUE(turns_nowhere(patch, near));
-  EXPECT_FALSE(turns_nowhere(patch, beyond));
+  EXPECT_TRUE(turns_nowhere(patch, patch, 0));
+  EXPECT_TRUE(turns_nowhere(patch, near, 0));
+  EXPECT_FALSE(turns_nowhere(patch, beyond, 0));
 }
 
 // A square in two patches that meet `strip` beside its left border. That border is an edge which
