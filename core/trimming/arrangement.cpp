@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,6 +127,38 @@ double touch_length(const Arm& right, const Arm& left, double tolerance) {
   return offset_at(left, along, length) < offset_at(right, along, length) ? length : 0;
 }
 
+// How far an arm goes along a direction before it turns back.
+double reach_along(const Arm& arm, const Vec2& along) {
+  double reached = 0;
+  for (std::size_t i = arm.lead; i < arm.path->size(); ++i) {
+    const PlanarBezier& piece = piece_from(*arm.path, arm.reversed(), i);
+    const Vec2 far = projected(arm.reversed() ? piece.points.front() : piece.points.back());
+    const double next = dot(far - arm.start, along);
+    if (next <= reached) break;
+    reached = next;
+  }
+  return reached;
+}
+
+// Orders arms of one direction that begin beside each other, as far apart as their vertex covers,
+// from right to left: as they do not cross, half the way along the shortest tells. False if all
+// begin in one place but for the tolerance.
+bool order_beside(std::span<Arm> arms, double tolerance) {
+  const Vec2 along = direction_of(arms.front());
+  const auto start = [&](const Arm& arm) { return cross(along, arm.start - arms.front().start); };
+  const auto [low, high] = std::ranges::minmax(arms | std::views::transform(start));
+  if (high - low <= tolerance) return false;
+  double reach = reach_along(arms.front(), along);
+  for (const Arm& arm : arms) reach = std::min(reach, reach_along(arm, along));
+  if (!(reach > 0)) return false;
+  std::vector<std::pair<double, Arm>> placed;
+  for (const Arm& arm : arms)
+    placed.emplace_back(start(arm) + offset_at(arm, along, 0.5 * reach), arm);
+  std::ranges::sort(placed, {}, [](const auto& each) { return each.first; });
+  for (std::size_t i = 0; i < arms.size(); ++i) arms[i] = placed[i].second;
+  return true;
+}
+
 // Orders arms of about one direction from right to left, so far from the vertex.
 void order_at(double distance, std::span<Arm> arms) {
   const Vec2 along = direction_of(arms.front());
@@ -174,7 +207,7 @@ void order(std::vector<Arm>& arms, double tolerance) {
         alike, [&](const Arm& arm) { return piece_at(arm, along, touch) != nullptr; });
     if (touch > 0 && all_reach)
       order_at(touch, alike);
-    else
+    else if (!order_beside(alike, tolerance))
       order_by_bend(alike);
   }
 }

@@ -221,6 +221,22 @@ TEST(Pieces, CutThatOnlySeemsToCrossTheRimBesideAVertexStaysInside) {
   EXPECT_EQ(pieces(square.arcs, 1e-7).pieces.size(), 2);
 }
 
+// What begins beside a vertex is ordered by where it begins, straight or bent alike.
+TEST(Pieces, CutBesideTheRimFromAVertexThatCoversBothDividesThere) {
+  constexpr double kBeside = 1e-3;
+  Square left({{}, {}, {4 - kBeside}, {}});
+  left.cut(0, 4, {line({kBeside, 0}, {kBeside, 4})});
+  expect_areas(left, {4 * kBeside, 16 - 4 * kBeside});
+  Square right({{}, {}, {kBeside}, {}});
+  right.cut(4, 1, {line({4 - kBeside, 4}, {4 - kBeside, 0})});
+  expect_areas(right, {4 * kBeside, 16 - 4 * kBeside});
+  Square bent({{}, {}, {4 - kBeside}, {}});  // between its ends by 1e-8 of them
+  bent.cut(0, 4,
+           {line({kBeside, 0}, {kBeside * (1 + 1e-8), 1}),
+            line({kBeside * (1 + 1e-8), 1}, {kBeside, 4})});
+  expect_areas(bent, {kBeside * (4 + 2e-8), 16 - kBeside * (4 + 2e-8)});
+}
+
 TEST(Pieces, LoopsThatTouchInAVertexAreHolesOfTheirOwn) {
   Square square({{2}, {}, {}, {}});  // vertex 4 = (2, 0)
   square.cut(4, 4, arc({2, 0.5}, 0.5, -kPi / 2, 1.5 * kPi));
