@@ -116,6 +116,23 @@ void meet(const FaceTrims& trims, const PlanarCurve& curve, double tolerance, in
   found.complete = found.complete && common.complete;
 }
 
+// Edges that meet in a vertex of large tolerance may end far apart in the chart. What goes through
+// the gap between them meets the wire at that end of the second one.
+void meet_gap(const FaceTrims& trims, const PlanarCurve& curve, double tolerance, int loop,
+              int index, ClippedCurve& found) {
+  const Coedge& coedge =
+      trims.loops[static_cast<std::size_t>(loop)][static_cast<std::size_t>(index)];
+  const Interval domain = coedge.curve.domain();
+  const double start = coedge.reversed() ? domain.to : domain.from;
+  const Vec2 from = trims.corners[static_cast<std::size_t>(coedge.from)];
+  const Vec2 to = point_at(coedge.curve, start);
+  if (distance(from, to) <= tolerance) return;
+  const PlanarCrossings common = crossings(curve, planar_line(from, to, {0, 1}), tolerance);
+  for (const PlanarCrossing& point : common.points)
+    found.meetings.push_back({point.a, loop, index, start, {point.a, point.a}});
+  found.complete = found.complete && common.complete;
+}
+
 void sort(std::vector<Interval>& intervals) {
   std::sort(intervals.begin(), intervals.end(),
             [](const Interval& a, const Interval& b) { return a.from < b.from; });
@@ -303,8 +320,11 @@ double longest_touch(const FaceTrims& trims, double tolerance) {
 ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double tolerance) {
   ClippedCurve found;
   for (std::size_t loop = 0; loop < trims.loops.size(); ++loop)
-    for (std::size_t i = 0; i < trims.loops[loop].size(); ++i)
+    for (std::size_t i = 0; i < trims.loops[loop].size(); ++i) {
       meet(trims, curve, tolerance, static_cast<int>(loop), static_cast<int>(i), found);
+      if (trims.largest_gap > tolerance)
+        meet_gap(trims, curve, tolerance, static_cast<int>(loop), static_cast<int>(i), found);
+    }
   std::sort(found.meetings.begin(), found.meetings.end(),
             [](const TrimMeeting& a, const TrimMeeting& b) { return a.at < b.at; });
   join_double_touches(trims, curve, tolerance, found);

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -14,6 +16,7 @@
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Ellipse.hxx>
 #include <Geom2d_Hyperbola.hxx>
+#include <Geom2d_Line.hxx>
 #include <Geom2d_OffsetCurve.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -21,6 +24,7 @@
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
@@ -161,6 +165,50 @@ TEST(ClippedCurve, HasOneMeetingInTheCornerOfTwoEdgesThatItTouches) {
     EXPECT_NEAR(point[0] / trims.scale[0], 1, 2e-8);
     EXPECT_NEAR(point[1] / trims.scale[1], 0, 1e-7);
   }
+}
+
+// The square [0, 4]^2 with a vertex in the middle of its lower side, of which the edges beside it
+// stop short by a gap each.
+TopoDS_Face square_with_gap(double gap) {
+  const std::array<gp_Pnt2d, 5> corners{gp_Pnt2d(0, 0), {2, 0}, {4, 0}, {4, 4}, {0, 4}};
+  const Handle(Geom_Plane) plane = new Geom_Plane(gp_Pln());
+  const BRep_Builder builder;
+  std::array<TopoDS_Vertex, 5> vertices;
+  for (std::size_t i = 0; i < 5; ++i)
+    builder.MakeVertex(vertices[i], gp_Pnt(corners[i].X(), corners[i].Y(), 0), 1.1 * gap);
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const gp_Pnt2d from = corners[i], to = corners[(i + 1) % 5];
+    TopoDS_Edge edge;
+    builder.MakeEdge(edge);
+    builder.UpdateEdge(edge, new Geom2d_Line(from, gp_Vec2d(from, to)), plane, {}, 1e-7);
+    builder.Range(edge, i == 1 ? gap : 0, from.Distance(to) - (i == 0 ? gap : 0));
+    builder.Add(edge, vertices[i].Oriented(TopAbs_FORWARD));
+    builder.Add(edge, vertices[(i + 1) % 5].Oriented(TopAbs_REVERSED));
+    builder.Add(wire, edge);
+  }
+  BRepLib::BuildCurves3d(wire);
+  TopoDS_Face face;
+  builder.MakeFace(face, plane, 1e-7);
+  builder.Add(face, wire);
+  return face;
+}
+
+TEST(ClipToTrims, CurveIsCutInTheGapOfAWire) {
+  expect_intervals(clip_to_trims(square_with_gap(1e-3), line({2.0005, -1}, {2.0005, 5})),
+                   {{1.0 / 6, 5.0 / 6}});
+}
+
+TEST(ClippedCurve, MeetsAnEndOfAnEdgeInTheGapOfAWire) {
+  const FaceTrims trims = face_trims(square_with_gap(1e-3));
+  const ClippedCurve found =
+      clipped(trims, chart_curve(trims, line({2.0005, -1}, {2.0005, 3})), 1e-7);
+  ASSERT_EQ(found.meetings.size(), 1u);
+  EXPECT_NEAR(found.meetings[0].at, 0.25, 1e-12);
+  const Coedge& met = trims.loops.front()[static_cast<std::size_t>(found.meetings[0].coedge)];
+  const Vec2 end = point_at(met.curve, found.meetings[0].edge_parameter);
+  EXPECT_NEAR(end[0] / trims.scale[0], 2, 1.1e-3);
 }
 
 TEST(FaceTrims, SidesOfASeamHaveCornersOfTheirOwn) {
