@@ -111,12 +111,15 @@ bool has_overlap(const FaceIntersection& pair) {
 struct BoxedEdge {
   TopoDS_Edge edge;
   Box box;
+  double reach = 0;
 };
 
-std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, double reach) {
+template <class Reach>
+std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, const Reach& reach_of) {
   std::vector<BoxedEdge> all;
   for (const TopoDS_Edge& edge : edges) {
     const EdgeCurve of = curve_of(edge);
+    const double reach = reach_of(edge);
     const CurveSpans spans = bezier_spans(of.curve, of.range, reach);
     Box box;
     for (const auto& span : spans.spans)
@@ -124,7 +127,7 @@ std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, double reach
         const Vec3 x = projected(p);
         box = joined(box, {x, x});
       }
-    all.push_back({edge, widened(box, spans.error + kMargin * reach)});
+    all.push_back({edge, widened(box, spans.error + kMargin * reach), reach});
   }
   return all;
 }
@@ -135,31 +138,30 @@ Box box_of(const Spline& curve) {
   return box;
 }
 
-bool is_near(const Vec3& point, const std::vector<BoxedEdge>& edges, double reach) {
+bool is_near(const Vec3& point, const std::vector<BoxedEdge>& edges) {
   return std::any_of(edges.begin(), edges.end(), [&](const BoxedEdge& each) {
     return meet(each.box, {point, point}) &&
-           foot_on(curve_of(each.edge), pnt(point)).distance <= reach;
+           foot_on(curve_of(each.edge), pnt(point)).distance <= each.reach;
   });
 }
 
 // Whether a curve is near one of the edges all along: at its samples, of which a straight one has
 // hardly more than its ends, and at points between them.
-bool keeps_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges, double reach) {
+bool keeps_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges) {
   for (int i = 1; i < kEvenPoints; ++i) {
     const double t = at(curve.curve.domain(), static_cast<double>(i) / kEvenPoints);
-    if (!is_near(point_at(curve.curve, t), edges, reach)) return false;
+    if (!is_near(point_at(curve.curve, t), edges)) return false;
   }
   return std::all_of(curve.samples.begin(), curve.samples.end(),
-                     [&](const SurfacePoint& x) { return is_near(x.point, edges, reach); });
+                     [&](const SurfacePoint& x) { return is_near(x.point, edges); });
 }
 
 // A few points between the ends tell which curves may run along edges.
-bool may_keep_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges,
-                 double reach) {
+bool may_keep_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& edges) {
   const std::size_t last = curve.samples.size() - 1;
-  return is_near(curve.samples[last / 2].point, edges, reach) ||
-         is_near(curve.samples[last / 4].point, edges, reach) ||
-         is_near(curve.samples[3 * last / 4].point, edges, reach);
+  return is_near(curve.samples[last / 2].point, edges) ||
+         is_near(curve.samples[last / 4].point, edges) ||
+         is_near(curve.samples[3 * last / 4].point, edges);
 }
 
 // Whether some point of an edge, not its ends alone, is as near as that to what `height` measures.
@@ -174,18 +176,20 @@ bool comes_near(const TopoDS_Edge& edge, double reach, const Height& height) {
 // Whether an edge in which the surface of its face ends may lie on another one. The two surfaces
 // may miss each other there by rounding, and leave no curve. On other surfaces than planes only
 // seams are tried, since it takes time and most edges lie on none.
+template <class Reach>
 bool may_lie_on(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
-                const TopoDS_Face& other, double tolerance, double reach) {
+                const TopoDS_Face& other, double tolerance, const Reach& reach) {
   const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(other));
   if (!plane.IsNull())
     return std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) {
-      return comes_near(edge, reach, [&](const gp_Pnt& p) { return plane->Pln().Distance(p); });
+      return comes_near(edge, reach(edge),
+                        [&](const gp_Pnt& p) { return plane->Pln().Distance(p); });
     });
   std::optional<SurfaceFeet> feet;
   return std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) {
     if (!BRep_Tool::IsClosed(edge, of)) return false;
     if (!feet) feet.emplace(other, tolerance);
-    return comes_near(edge, reach, [&](const gp_Pnt& p) {
+    return comes_near(edge, reach(edge), [&](const gp_Pnt& p) {
       return feet->height({p.X(), p.Y(), p.Z()});
     });
   });
@@ -194,11 +198,12 @@ bool may_lie_on(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
 }  // namespace
 
 CommonEdges::CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-                         const IntersectionOptions& options)
+                         const IntersectionOptions& options, EdgesLie lying)
     : a_(a),
       b_(b),
       options_(options),
       reach_(kLiesReach * options.tolerances.point),
+      lying_(lying),
       in_a_(a.size()),
       in_b_(b.size()) {
   options_.part_a = options_.part_b = {};
@@ -212,16 +217,58 @@ void CommonEdges::add(const FaceIntersection& pair) {
   const auto& curves = pair.found.curves;
   const auto any_along = [&](const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
                              const TopoDS_Face& other) {
-    if (curves.empty()) return may_lie_on(edges, of, other, options_.tolerances.point, reach_);
-    const std::vector<BoxedEdge> near = boxed(edges, reach_);
-    return std::any_of(
-               curves.begin(), curves.end(),
-               [&](const IntersectionCurve& curve) { return may_keep_to(curve, near, reach_); }) ||
-           may_lie_on(edges, of, other, options_.tolerances.point, reach_);
+    const auto most = [this](const TopoDS_Edge& edge) { return most_reach(edge); };
+    if (curves.empty()) return may_lie_on(edges, of, other, options_.tolerances.point, most);
+    const std::vector<BoxedEdge> near = boxed(edges, most);
+    return std::any_of(curves.begin(), curves.end(),
+                       [&](const IntersectionCurve& curve) { return may_keep_to(curve, near); }) ||
+           may_lie_on(edges, of, other, options_.tolerances.point, most);
   };
   const bool overlap = has_overlap(pair);
   if (overlap || any_along(of_b, b_[face_b], a_[face_a])) lay(of_b, Of::B, face_a);
   if (overlap || any_along(of_a, a_[face_a], b_[face_b])) lay(of_a, Of::A, face_b);
+}
+
+void CommonEdges::add_loose() {
+  const auto loose_of = [this](const std::vector<TopoDS_Face>& faces) {
+    TopTools_IndexedMapOfShape found;
+    for (const TopoDS_Face& face : faces)
+      for (const TopoDS_Edge& edge : edges_of(face))
+        if (most_reach(edge) > reach_) found.Add(edge);
+    std::vector<TopoDS_Edge> edges;
+    for (int i = 1; i <= found.Extent(); ++i) edges.push_back(TopoDS::Edge(found(i)));
+    return edges;
+  };
+  const std::vector<TopoDS_Edge> of_a = loose_of(a_), of_b = loose_of(b_);
+  for (std::size_t i = 0; i < a_.size() && !of_b.empty(); ++i) lay(of_b, Of::B, i);
+  for (std::size_t i = 0; i < b_.size() && !of_a.empty(); ++i) lay(of_a, Of::A, i);
+}
+
+double CommonEdges::most_reach(const TopoDS_Edge& edge) const {
+  return lying_ == EdgesLie::WithinTolerance ? reach_
+                                             : std::max(reach_, BRep_Tool::Tolerance(edge));
+}
+
+double CommonEdges::reach(const TopoDS_Edge& edge) const {
+  return loose_.Contains(edge) ? most_reach(edge) : reach_;
+}
+
+// In part within the tolerance, or as a whole within its own: where it leaves what is so near is
+// known no better than that.
+bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceFeet& feet) {
+  const EdgeCurve of = curve_of(edge);
+  const CurveBeside beside(of.curve, of.range, feet);
+  const auto as_a_whole = [&](double reach) {
+    const std::vector<Interval> runs = beside.runs(reach, reach);
+    return runs.size() == 1 && runs.front().from <= of.range.from && runs.front().to >= of.range.to;
+  };
+  const double own = most_reach(edge);
+  if (own > reach_ && !as_a_whole(reach_) && as_a_whole(own)) {
+    loosest_ = std::max(loosest_, own);
+    loose_.Add(edge);
+    return true;
+  }
+  return !beside.runs(reach_, reach_).empty();
 }
 
 // Which of the edges lie in a face of the other shape, and where they meet its edges.
@@ -229,13 +276,12 @@ void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t 
   const TopoDS_Face& in = of == Of::A ? b_[face] : a_[face];
   std::vector<TopoDS_Edge>& lying = of == Of::A ? in_b_[face] : in_a_[face];
   const SurfaceFeet feet(in, options_.tolerances.point);
-  const Bnd_Box box = box_of(in, reach_);
   for (const TopoDS_Edge& edge : edges) {
     const auto is_same = [&](const TopoDS_Edge& known) { return known.IsSame(edge); };
+    const Bnd_Box box = box_of(in, most_reach(edge));
     if (box.IsOut(box_of(edge, reach_)) || std::any_of(lying.begin(), lying.end(), is_same))
       continue;
-    const EdgeCurve curve = curve_of(edge);
-    if (CurveBeside(curve.curve, curve.range, feet).runs(reach_, reach_).empty()) continue;
+    if (!lies_on(edge, feet)) continue;
     lying.push_back(edge);
     for (TopExp_Explorer it(in, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge own = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));
@@ -247,8 +293,10 @@ void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t 
 
 void CommonEdges::meet(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   if (!looked_.emplace(edges_.Add(a), edges_.Add(b)).second) return;
-  if (box_of(a, reach_).IsOut(box_of(b, reach_))) return;
-  const CurveIntersection found = intersect(a, b, options_);
+  if (box_of(a, reach(a)).IsOut(box_of(b, reach(b)))) return;
+  IntersectionOptions options = options_;
+  options.tolerances.point = std::max(reach(a), reach(b)) / kLiesReach;
+  const CurveIntersection found = intersect(a, b, options);
   for (const CurvePoint& point : found.points) meetings_.push_back({a, b, point.a, point.b});
   for (const CurveOverlap& run : found.overlaps) {
     along_.push_back({a, b, run.a, run.b});
@@ -267,7 +315,8 @@ void CommonEdges::touch(const FaceIntersection& pair, Of whose) {
   const TopoDS_Face& a = a_[static_cast<std::size_t>(pair.face_a)];
   const TopoDS_Face& b = b_[static_cast<std::size_t>(pair.face_b)];
   const int face = whose == Of::A ? pair.face_b + 1 : -pair.face_a - 1;
-  for (const BoxedEdge& each : boxed(edges_of(whose == Of::A ? a : b), reach_)) {
+  const auto plain = [this](const TopoDS_Edge&) { return reach_; };
+  for (const BoxedEdge& each : boxed(edges_of(whose == Of::A ? a : b), plain)) {
     const bool reached =
         std::ranges::any_of(pair.found.curves, [&](const IntersectionCurve& curve) {
           return blossom::meet(each.box, box_of(curve.curve));
@@ -304,10 +353,10 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
   };
   take(edges_of(b_[face_b]), in_a_[face_a]);
   take(edges_of(a_[face_a]), in_b_[face_b]);
-  const std::vector<BoxedEdge> near = boxed(edges, reach_);
+  const auto near = boxed(edges, [this](const TopoDS_Edge& edge) { return this->reach(edge); });
   std::vector<std::size_t> along;
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i)
-    if (keeps_to(pair.found.curves[i], near, reach_)) along.push_back(i);
+    if (keeps_to(pair.found.curves[i], near)) along.push_back(i);
   return along;
 }
 

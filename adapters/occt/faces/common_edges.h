@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
@@ -46,14 +47,24 @@ struct EdgesMeeting {
   double at_a = 0, at_b = 0;
 };
 
+/// What lies in a face of the other shape.
+enum class EdgesLie {
+  WithinTolerance,  ///< parts of edges
+  WithinOwn,        ///< also whole edges that keep within their own tolerances of it
+};
+
 class CommonEdges {
  public:
   CommonEdges(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-              const IntersectionOptions& options);
+              const IntersectionOptions& options, EdgesLie lying = EdgesLie::WithinTolerance);
 
   /// Looks at the edges of two faces that meet: at all where the faces coincide, where intersection
   /// curves run along some, or some seem to lie in the other face.
   void add(const FaceIntersection& pair);
+
+  /// Looks at all edges that may lie in faces by their own tolerances, which faces that miss each
+  /// other may have.
+  void add_loose();
 
   /// Looks for places in which edges of one face touch the other one: curves that cross edges there
   /// keep so near to them that they cannot tell where. Edges that the pair's curves stay clear of
@@ -64,6 +75,12 @@ class CommonEdges {
   /// The curves of the pair that run along an edge which lies in the other face; their place among
   /// the pair's.
   std::vector<std::size_t> curves_along(const FaceIntersection& pair) const;
+
+  /// How near to a face of the other shape counts as in it for an edge; model units.
+  double reach(const TopoDS_Edge& edge) const;
+
+  /// The largest tolerance by which alone an edge lies in a face; 0 if none does.
+  double loosest() const { return loosest_; }
 
   /// By face: edges of the other shape that lie in it.
   const std::vector<std::vector<TopoDS_Edge>>& in_a() const { return in_a_; }
@@ -86,6 +103,8 @@ class CommonEdges {
 
  private:
   enum class Of { A, B };
+  double most_reach(const TopoDS_Edge& edge) const;
+  bool lies_on(const TopoDS_Edge& edge, const SurfaceFeet& feet);
   void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
   void touch(const FaceIntersection& pair, Of whose);
@@ -95,6 +114,9 @@ class CommonEdges {
   IntersectionOptions options_;
   const SharedLimit limit_{options_};
   double reach_;
+  EdgesLie lying_;
+  double loosest_ = 0;
+  TopTools_MapOfShape loose_;  // edges that lie in a face by their own tolerances
   std::vector<std::vector<TopoDS_Edge>> in_a_, in_b_;
   TopTools_IndexedMapOfShape edges_;       // of both
   std::set<std::pair<int, int>> looked_;   // pairs of edges

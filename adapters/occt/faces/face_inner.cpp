@@ -22,7 +22,7 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kMargin = 1.1;
-constexpr double kReach = 10;    // tolerances: what is so near a surface or a wire lies on it
+constexpr double kReach = 10;    // tolerances: what is so near a wire lies on it
 constexpr int kTurns = 2;        // periods that trims reach beyond the first one at most
 constexpr double kOnEnd = 1e-9;  // of an edge: a place so near its end is it
 
@@ -93,8 +93,8 @@ bool FaceSplitter::add_laid_arcs() {
   if (laid_.empty()) return false;
   const std::size_t before = arcs_.size();
   const SurfaceFeet feet(trims_.face, tolerance_);
-  for (const TopoDS_Edge& edge : laid_)
-    for (const EdgePiece& piece : splits_.pieces(edge)) add_laid_arc(piece, feet);
+  for (const auto& [edge, reach] : laid_)
+    for (const EdgePiece& piece : splits_.pieces(edge)) add_laid_arc(piece, reach, feet);
   return arcs_.size() > before;
 }
 
@@ -111,8 +111,8 @@ bool FaceSplitter::lies_on_wire(const PlanarCurve& curve) const {
 }
 
 // A pole is one vertex but a whole side of the chart: it is split where the edge comes to it.
-void FaceSplitter::lay(const TopoDS_Edge& edge) {
-  laid_.push_back(edge);
+void FaceSplitter::lay(const TopoDS_Edge& edge, double reach) {
+  laid_.emplace_back(edge, reach);
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
     for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i)
       if (trims_.loops[loop][i].degenerated)
@@ -173,7 +173,8 @@ TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of,
 }
 
 // What does not, but begins or ends on a border, may leave a surface that ends beside the face.
-bool FaceSplitter::lies_in_face(const EdgePiece& piece, const SurfaceFeet& feet) const {
+bool FaceSplitter::lies_in_face(const EdgePiece& piece, double reach,
+                                const SurfaceFeet& feet) const {
   double first = 0, last = 0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(piece.edge, first, last);
   const auto point = [&](double part) {
@@ -181,7 +182,7 @@ bool FaceSplitter::lies_in_face(const EdgePiece& piece, const SurfaceFeet& feet)
     return Vec3{of.X(), of.Y(), of.Z()};
   };
   for (const double part : {0.5, 0.2, 0.8})
-    if (std::abs(feet.height(point(part))) > kReach * tolerance_) return false;
+    if (std::abs(feet.height(point(part))) > reach) return false;
   const Vec2 uv = feet.foot(point(0.5), {});
   const Vec2 chart{uv[0] * trims_.scale[0], uv[1] * trims_.scale[1]};
   // Trims may be longer than a period.
@@ -194,8 +195,8 @@ bool FaceSplitter::lies_in_face(const EdgePiece& piece, const SurfaceFeet& feet)
   return false;
 }
 
-void FaceSplitter::add_laid_arc(const EdgePiece& piece, const SurfaceFeet& feet) {
-  if (!lies_in_face(piece, feet)) return;
+void FaceSplitter::add_laid_arc(const EdgePiece& piece, double reach, const SurfaceFeet& feet) {
+  if (!lies_in_face(piece, reach, feet)) return;
   const LaidCurve of = laid_curve(piece.edge, feet);
   const auto vertex = [&](const TopoDS_Vertex& shape, const Vec2& point) {
     if (const int known = vertex_of_shape(shape, point); known >= 0) return known;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include <BRep_Tool.hxx>
@@ -196,12 +197,12 @@ void split(Side& side, EdgeSplits& splits, double tolerance) {
   }
 }
 
-void lay(const std::vector<std::vector<TopoDS_Edge>>& edges, Side& side, EdgeSplits& splits,
-         double tolerance) {
+void lay(const std::vector<std::vector<TopoDS_Edge>>& edges, const CommonEdges& common, Side& side,
+         EdgeSplits& splits, double tolerance) {
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (const TopoDS_Edge& edge : edges[i]) {
       if (!side.splitters[i]) begin(side, i, splits, tolerance);
-      side.splitters[i]->lay(edge);
+      side.splitters[i]->lay(edge, common.reach(edge));
     }
 }
 
@@ -216,8 +217,8 @@ void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, const Commo
       if (splitter) splitter->settle();
   exchange_stops(a, b, uses);
   common.match(splits);
-  lay(common.in_a(), a, splits, tolerance);
-  lay(common.in_b(), b, splits, tolerance);
+  lay(common.in_a(), common, a, splits, tolerance);
+  lay(common.in_b(), common, b, splits, tolerance);
   for (Side* side : {&a, &b}) split(*side, splits, tolerance);
 }
 
@@ -239,6 +240,14 @@ double largest_tolerance(const TopoDS_Face& face) {
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
     largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
   return largest;
+}
+
+// Whether an edge may be farther off its faces than what lies on them.
+bool has_loose_edge(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+  const auto has_loose = [&](const TopoDS_Face& face) {
+    return largest_tolerance(face) > kLiesReach * options.tolerances.point;
+  };
+  return std::ranges::any_of(a.faces, has_loose) || std::ranges::any_of(b.faces, has_loose);
 }
 
 void add_notes(const Side& side, std::size_t face, SolidPieces& result) {
@@ -370,9 +379,18 @@ bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, cons
 // Whether edges are searched for places in which they touch faces. Most solids do without.
 enum class EdgeTouches { LeftOut, Sought };
 
+void tell_loose(const CommonEdges& common, std::vector<std::string>& thin) {
+  if (common.loosest() == 0) return;
+  std::ostringstream text;
+  text << "edges lie in faces of the other solid within their own tolerances of up to "
+       << common.loosest();
+  thin.push_back(text.str());
+}
+
 // found   of the faces
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
-                      EdgeTouches touches, const IntersectionOptions& options, Untold& untold) {
+                      EdgeTouches touches, EdgesLie lying, const IntersectionOptions& options,
+                      Untold& untold) {
   SolidPieces result;
   const WorkLimit limit(options);
   Side side_a("part", a, limit), side_b("tool", b, limit);
@@ -380,11 +398,12 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
   const double tolerance = options.tolerances.point;
   result.status = found.status;
   result.certificate = found.certificate;
-  CommonEdges common(a.faces, b.faces, options);
+  CommonEdges common(a.faces, b.faces, options, lying);
   for (const FaceIntersection& pair : found.pairs) {
     common.add(pair);
     if (touches == EdgeTouches::Sought) common.add_touches(pair);
   }
+  common.add_loose();
   for (const FaceIntersection& pair : found.pairs)
     add_curves(pair, common, tolerance, side_a, side_b, uses, result, untold);
   if (result.status == Status::Stopped && result.obstacles.empty())
@@ -415,6 +434,7 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
     result.thin = std::move(told.thin);
   });
   for (const Side* side : {&side_a, &side_b}) tell_repeats(*side, result.thin);
+  tell_loose(common, result.thin);
   if (!result.thin.empty()) result.status = weaker(result.status, Status::Tolerance);
   result.a = std::move(split_a.pieces);
   result.b = std::move(split_b.pieces);
@@ -433,14 +453,18 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
   Untold untold;
   const ShapeIntersection first =
       intersect(a.faces, b.faces, options, Extent::Beyond, ArcCuts::Even);
-  SolidPieces found = pieces_of(a, b, first, EdgeTouches::LeftOut, left(), untold);
+  SolidPieces found =
+      pieces_of(a, b, first, EdgeTouches::LeftOut, EdgesLie::WithinTolerance, left(), untold);
   if (found.obstacles.empty()) return found;
-  const auto again = [&](const ShapeIntersection& faces) {
+  const auto again = [&](const ShapeIntersection& faces, EdgesLie lying) {
     Untold ignored;
-    return pieces_of(a, b, faces, EdgeTouches::Sought, left(), ignored);
+    return pieces_of(a, b, faces, EdgeTouches::Sought, lying, left(), ignored);
   };
-  if (!limit.is_reached())
-    if (SolidPieces other = again(first); other.obstacles.empty()) return other;
+  for (const EdgesLie lying : {EdgesLie::WithinTolerance, EdgesLie::WithinOwn}) {
+    if (limit.is_reached() || (lying == EdgesLie::WithinOwn && !has_loose_edge(a, b, options)))
+      break;
+    if (SolidPieces other = again(first, lying); other.obstacles.empty()) return other;
+  }
   // Borders of surfaces that do not go on are easier to tell from those of others where these end
   // in the same place, and curves are easier to follow where they do not go along borders of
   // patches or through their corners.
@@ -448,7 +472,8 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
                                      {Extent::Beyond, ArcCuts::Uneven},
                                      {Extent::Trims, ArcCuts::Uneven}}) {
     if (limit.is_reached()) break;
-    SolidPieces other = again(intersect(a.faces, b.faces, left(), extent, cuts));
+    SolidPieces other =
+        again(intersect(a.faces, b.faces, left(), extent, cuts), EdgesLie::WithinTolerance);
     if (other.obstacles.empty()) return other;
   }
   // The search for where cuts break off has no limit of its own.

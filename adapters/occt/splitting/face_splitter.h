@@ -102,7 +102,8 @@ class FaceSplitter {
   /// the borders of the face have to be asked for, and their vertices united with the borders',
   /// before `split`. Its pieces inside of the face divide it as cuts do; those along borders or
   /// outside, and those that divide nothing, are left out.
-  void lay(const TopoDS_Edge& edge);
+  /// reach   what of the edge is so near the surface lies in it; model units
+  void lay(const TopoDS_Edge& edge, double reach);
 
   /// Where a settled cut ends, meets wires or other cuts, by increasing parameter. For the face on
   /// the other side of the cut, which is to be divided at the same places.
@@ -187,11 +188,11 @@ class FaceSplitter {
   int vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point) const;
   bool add_inner_arcs();
   bool add_laid_arcs();
-  void add_laid_arc(const EdgePiece& piece, const SurfaceFeet& feet);
+  void add_laid_arc(const EdgePiece& piece, double reach, const SurfaceFeet& feet);
   void lay_in_pole(const TopoDS_Edge& edge, int loop, int index);
   LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceFeet& feet) const;
   TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift) const;
-  bool lies_in_face(const EdgePiece& piece, const SurfaceFeet& feet) const;
+  bool lies_in_face(const EdgePiece& piece, double reach, const SurfaceFeet& feet) const;
   bool lies_on_wire(const PlanarCurve& curve) const;
   std::vector<int> imprints_among(const std::vector<int>& arcs, OpenCuts open) const;
 
@@ -224,7 +225,7 @@ class FaceSplitter {
   std::vector<Vertex> vertices_;                     // the corners of the wires first
   std::vector<std::pair<TopoDS_Vertex, int>> ties_;  // of the other sides of cuts, and ours
   std::vector<Strand> strands_;
-  std::vector<TopoDS_Edge> laid_;
+  std::vector<std::pair<TopoDS_Edge, double>> laid_;  // and how near they lie
   std::vector<ChartArc> arcs_;
   std::vector<Origin> origins_;  // one for each arc
   std::vector<std::string> notes_;
