@@ -22,6 +22,9 @@ constexpr double kPoleJoin = 1e-5;
 // parameter has derivatives good enough for it.
 constexpr double kPoleReach = 1e-4;
 
+// Likewise: so near to a pole arcs are so short that their ends count as one, and chains end.
+constexpr double kLostAtPole = 4 * kSamePoint;
+
 // Parameters over a whole surface: index of the span plus the local parameter.
 Point4 over_surfaces(const SurfaceCells& a, const SurfaceCells& b, int patch_a, int patch_b,
                      const Point4& x) {
@@ -450,8 +453,10 @@ void straighten_at_poles(std::vector<Chain>& chains, PairSearchResult& found, Su
       const ArcEnd end = arc_end(inner, side == 0);
       const FoundArc arc = found.arcs[end / 2];
       const ContactPoint last{arc.patch_a, arc.patch_b, end_of(found, end)};
-      const double length = pole_contact_length(contacts, a, last, tolerance);
+      const double length =
+          std::max(pole_contact_length(contacts, a, last, tolerance), kLostAtPole * size);
       const auto pole = pole_near(a, b, last, length, tolerance);
+      if (pole && !(pole->point.gap <= kAttachGap * tolerance)) continue;
       const std::size_t near = pole ? links_near_end(chain, found, a, side, kPoleReach * size) : 0;
       if (near == 0) continue;
       const ContactPoint goal = in_patches_of(found, end, *pole, a, b);

@@ -106,5 +106,22 @@ TEST(SolidApex, CapsThatVanishAreTold) {
   EXPECT_TRUE(trim_solids(ball, {box_beyond(0.5)}, SolidOperation::Cut).thin.empty());
 }
 
+// Near the poles arcs get so short that their ends count as one: curves end up to 1e-6 away. The
+// pose is one that rounds.
+TEST(SolidApex, PlanesThroughThePolesOfALargeBallHalveIt) {
+  const gp_Ax2 axis({0, 0, 0}, gp_Dir(0.34, -0.28, -0.9));
+  const gp_Dir across(gp_Vec(axis.XDirection()) * 0.6 + gp_Vec(axis.YDirection()) * 0.8);
+  constexpr double r = 200;
+  gp_Ax2 frame({0, 0, 0}, across);
+  const gp_Vec diagonal = gp_Vec(frame.XDirection()) + gp_Vec(frame.YDirection());
+  frame.SetLocation(gp_Pnt(0, 0, 0).Translated(diagonal * (-1.5 * r)));
+  const SolidTrimResult made = trim_solids(
+      trim_tool(BRepPrimAPI_MakeSphere(axis, r).Shape()),
+      {trim_tool(BRepPrimAPI_MakeBox(frame, 3 * r, 3 * r, 2 * r).Shape())}, SolidOperation::Split);
+  ASSERT_TRUE(made.obstacles.empty()) << made.obstacles.front();
+  EXPECT_NEAR(made.volumes.back().common / (r * r * r), 2 * kPi / 3, 1e-9);
+  for (const TopoDS_Solid& solid : made.solids) EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
+}
+
 }  // namespace
 }  // namespace blossom::occt
