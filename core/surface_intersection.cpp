@@ -12,12 +12,18 @@
 #include "core/exchanged_order.h"
 #include "core/finer_tolerance.h"
 #include "core/forms/evaluation.h"
+#include "core/shorter_patches.h"
 #include "core/surface_assembly.h"
 
 namespace blossom {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// Parts of the budget: what long patches get at first, since contacts on them may spend all of it,
+// and then shorter ones, so that enough is left for the long ones after all.
+constexpr long kLongPatchPart = 16;
+constexpr long kShortPatchPart = 4;
 
 // What an attempt has left of the limits: of the time, and of the budget what the pairs decided
 // have not taken. Nothing if there is none.
@@ -31,6 +37,8 @@ std::optional<IntersectionOptions> rest_of(IntersectionOptions options, Clock::t
   if (options.budget <= 0) return std::nullopt;
   return options;
 }
+
+long part_of(long budget, long part) { return std::max(budget / part, 1L); }
 
 struct Attempt {
   SurfaceIntersection found;
@@ -59,10 +67,52 @@ Attempt in_either_order(const BoxedSurface& a, const BoxedSurface& b,
   return {std::move(found), rest};
 }
 
-// What neither order settles, at the first finer tolerance that does so.
+// What was left open, with shorter patches round it. Nothing if there are none, or if they do not
+// settle it.
+//
+// rest   what other attempts have left; in the end what this one leaves, too
+std::optional<SurfaceIntersection> in_shorter_patches(const BoxedSurface& a, const BoxedSurface& b,
+                                                      const SurfaceIntersection& found,
+                                                      std::optional<IntersectionOptions>& rest) {
+  if (found.status != Status::Stopped || !rest) return std::nullopt;
+  const Clock::time_point started = Clock::now();
+  const double tolerance = rest->tolerances.point;
+  const auto short_a = with_shorter_patches(a.surface, OpenOn::First, found, tolerance);
+  const auto short_b = with_shorter_patches(b.surface, OpenOn::Second, found, tolerance);
+  if (!short_a && !short_b) return std::nullopt;
+  const BezierSurface& of_a = short_a ? *short_a : a.surface;
+  const BezierSurface& of_b = short_b ? *short_b : b.surface;
+  IntersectionOptions part = *rest;
+  part.budget = part_of(rest->budget, kShortPatchPart);
+  SurfaceIntersection again =
+      in_either_order({of_a, PatchBoxes(of_a, "a")}, {of_b, PatchBoxes(of_b, "b")}, part).found;
+  rest = rest_of(*rest, started, again.certificate);
+  if (again.status == Status::Stopped) return std::nullopt;
+  return again;
+}
+
+// In either order, and if that leaves something open on long patches, on shorter ones. Contacts on
+// long patches may take all of the budget, so that is spent on them only if shorter ones fail.
+Attempt in_best_patches(const BoxedSurface& a, const BoxedSurface& b,
+                        const IntersectionOptions& options) {
+  const double most = longest_span(options.tolerances.point);
+  const auto is_short = [&](const BoxedSurface& x) { return diagonal(x.boxes.all()) <= most; };
+  if (&a.surface == &b.surface || (is_short(a) && is_short(b)))
+    return in_either_order(a, b, options);
+  const Clock::time_point started = Clock::now();
+  IntersectionOptions sparing = options;
+  sparing.budget = part_of(options.budget, kLongPatchPart);
+  Attempt first = in_either_order(a, b, sparing);
+  std::optional<IntersectionOptions> rest = rest_of(options, started, first.found.certificate);
+  if (auto found = in_shorter_patches(a, b, first.found, rest)) return {std::move(*found), rest};
+  if (!first.found.certificate.limited || !rest) return {std::move(first.found), rest};
+  return in_either_order(a, b, *rest);
+}
+
+// What stays open then, at the first finer tolerance that settles it.
 SurfaceIntersection at_best_tolerance(const BoxedSurface& a, const BoxedSurface& b,
                                       const IntersectionOptions& options) {
-  auto [found, rest] = in_either_order(a, b, options);
+  auto [found, rest] = in_best_patches(a, b, options);
   if (!may_gain(a, b, found, options)) return std::move(found);
   const double tolerance = options.tolerances.point;
   for (const double part : kFinerTolerances) {

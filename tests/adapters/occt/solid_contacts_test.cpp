@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -18,9 +19,12 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 
 #include "adapters/occt/solid_trim.h"
@@ -145,6 +149,25 @@ TEST(TrimSolidsWithEdgesThatTouch, TellWhatIsThinnerThanTheTolerance) {
   EXPECT_EQ(result.status, Status::Tolerance);
   ASSERT_EQ(result.thin.size(), 1u);
   EXPECT_NE(result.thin.front().find("of the tool: cuts that keep within"), std::string::npos);
+}
+
+// The lower half of a cone of height 4 r within a box, a side of which its rim touches. On patches
+// of 40 units cells and ends of arcs that count as one are nearly as long as the tolerance, on
+// those of 1200 longer.
+TEST(TrimSolidsWithEdgesThatTouch, MayBeLarge) {
+  const gp_Ax2 axis({0, 0, 0}, gp_Dir(0.34, -0.28, -0.9));
+  const gp_Dir across(gp_Vec(axis.XDirection()) * 0.6 + gp_Vec(axis.YDirection()) * 0.8);
+  for (const double r : {10.0, 300.0}) {
+    gp_Ax2 corner({0, 0, 0}, across, axis.Direction());
+    corner.Translate(
+        (gp_Vec(corner.XDirection()) * 4 + gp_Vec(corner.YDirection()) * 4 + gp_Vec(across)) * -r);
+    const SolidTrimResult made = trim_solids(
+        trim_tool(BRepPrimAPI_MakeCone(axis, r, 0, 4 * r).Shape()),
+        {trim_tool(BRepPrimAPI_MakeBox(corner, 6 * r, 8 * r, 8 * r).Shape())}, SolidOperation::Cut);
+    ASSERT_EQ(words(made), "") << r;
+    EXPECT_NEAR(made.volumes.back().common / (r * r * r), 3.5 / 3 * std::numbers::pi, 1e-8);
+    for (const TopoDS_Solid& solid : made.solids) EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
+  }
 }
 
 // One of each kind, for the quick tests.
