@@ -2,7 +2,6 @@
 #include "core/surface_assembly.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "core/intersection/arcs/arc_chains.h"
 #include "core/intersection/arcs/arcs_along_borders.h"
 #include "core/intersection/arcs/chain_scraps.h"
+#include "core/intersection/arcs/chains_at_poles.h"
 #include "core/intersection/arcs/shared_borders.h"
 #include "core/intersection/contacts/contact_arms.h"
 #include "core/intersection/contacts/contact_chains.h"

@@ -40,15 +40,6 @@ std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& 
                              const SurfaceCells& b, const std::vector<ContactChain>& contacts,
                              const std::vector<Clump>& clumps);
 
-/// Near a pole a free parameter is rounding over the distance. One arc to the pole takes the place
-/// of those at the end of a chain that are so near.
-///
-/// contacts          a chain that ends in a contact at a pole ends at the pole
-/// size, tolerance   model units
-void straighten_at_poles(std::vector<Chain>& chains, PairSearchResult& found, SurfaceCells& a,
-                         SurfaceCells& b, const std::vector<ContactChain>& contacts, double size,
-                         double tolerance);
-
 /// The ends of arcs that nothing explains: not on a border, not joined, in no contact or clump.
 std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells& a,
                                const SurfaceCells& b, const std::vector<ContactChain>& contacts);
