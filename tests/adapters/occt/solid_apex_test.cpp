@@ -111,7 +111,7 @@ TEST(SolidApex, CapsThatVanishAreTold) {
 TEST(SolidApex, PlanesThroughThePolesOfALargeBallHalveIt) {
   const gp_Ax2 axis({0, 0, 0}, gp_Dir(0.34, -0.28, -0.9));
   const gp_Dir across(gp_Vec(axis.XDirection()) * 0.6 + gp_Vec(axis.YDirection()) * 0.8);
-  constexpr double r = 200;
+  constexpr double r = 400;
   gp_Ax2 frame({0, 0, 0}, across);
   const gp_Vec diagonal = gp_Vec(frame.XDirection()) + gp_Vec(frame.YDirection());
   frame.SetLocation(gp_Pnt(0, 0, 0).Translated(diagonal * (-1.5 * r)));
