@@ -67,7 +67,7 @@ class Builder {
   Builder(const CommonModel& model, const WatertightOptions& options)
       : model_(model),
         options_(options),
-        parameters_(model),
+        parameters_(model_),
         stops_(model.edges.size()),
         regions_(model.faces.size()),
         done_(model.faces.size(), false),
@@ -107,8 +107,35 @@ class Builder {
         chart.borders[b].is_point = model_.edges[index(face.edges[b])].is_point;
       const double within = kArcPart * options_.tolerance;
       chart = with_straight_pole_ends(surfaces_.back(), std::move(chart), within);
+      add_poles(charts_.size(), chart);
       charts_.push_back(without_short_spans(surfaces_.back(), std::move(chart), within));
     }
+  }
+
+  // Borders that the chart has beyond its face's are points in space: at the vertex of the borders
+  // that begin where they end.
+  void add_poles(std::size_t number, const TrimmedChart& chart) {
+    CommonFace& face = model_.faces[number];
+    for (std::size_t b = face.edges.size(); b < chart.borders.size(); ++b) {
+      const int vertex = vertex_at_start(number, chart, chart.borders[b].to);
+      const int edge = static_cast<int>(model_.edges.size());
+      model_.edges.push_back({{}, chart.borders[b].curve.domain(), vertex, vertex, true});
+      face.edges.push_back(edge);
+      if (!face.parameters.empty()) face.parameters.emplace_back();
+      stops_.emplace_back();
+      uneven_.push_back(false);
+    }
+  }
+
+  // The vertex of the border that starts at a corner.
+  int vertex_at_start(std::size_t face, const TrimmedChart& chart, int corner) {
+    const auto starts = [&](const RegionBorder& border) { return border.from == corner; };
+    const auto found = std::ranges::find_if(chart.borders, starts);
+    const auto number = static_cast<std::size_t>(found - chart.borders.begin());
+    const Interval own = found->curve.domain();
+    const double start = parameters_.on_edge(face, number, found->reversed ? own.to : own.from);
+    const CommonEdge& edge = model_.edges[index(model_.faces[face].edges[number])];
+    return start - edge.domain.from < edge.domain.to - start ? edge.from : edge.to;
   }
 
   void agree() {
@@ -401,7 +428,7 @@ class Builder {
     return std::ranges::find(divided, true) != divided.end();
   }
 
-  const CommonModel& model_;
+  CommonModel model_;  // with edges at poles that have none
   WatertightOptions options_;
   PairedParameters parameters_;
   std::vector<std::vector<double>> stops_;  // of each edge

@@ -65,8 +65,10 @@ struct WatertightOptions {
 
 /// A side of pieces: of two where nothing is free.
 struct WatertightSide {
-  int edge = -1;  ///< of the model; -1 inside of a face
-  int from = 0;   ///< vertices
+  /// Of the model; -1 inside of a face. Beyond the model's are poles beside which borders meet, of
+  /// which no edge is one (pole_ends.h).
+  int edge = -1;
+  int from = 0;  ///< vertices
   int to = 0;
   BezierCurve curve;  ///< from `from` to `to`; no points if the side is a point
 };

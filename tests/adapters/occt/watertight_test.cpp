@@ -7,10 +7,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -26,6 +28,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
+#include <gp_Trsf.hxx>
 
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
@@ -103,6 +106,19 @@ TEST(Watertight, BoxesFusedHaveCommonControlPoints) { expect_sound(watertight(tw
 
 TEST(Watertight, ABoxAndACylinderFusedHaveCommonControlPoints) {
   expect_sound(watertight(box_and_cylinder()), 2e-6);
+}
+
+// The plane passes the poles by 2e-8, where its cut sweeps over half a turn of the sphere's chart.
+TEST(Watertight, ASphereCutBesideItsPolesHasCommonControlPoints) {
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), std::numbers::pi / 4);
+  const gp_Pnt low(-2e-8, -3.1, -3.2), high(3.3, 3.4, 3.5);
+  const TopoDS_Shape box =
+      BRepBuilderAPI_Transform(BRepPrimAPI_MakeBox(low, high).Shape(), turn, true).Shape();
+  const SolidTrimResult made =
+      trim_solids(trim_tool(BRepPrimAPI_MakeSphere(1)), {trim_tool(box)}, SolidOperation::Cut);
+  ASSERT_EQ(made.solids.size(), 1u);
+  expect_sound(watertight(made.solids.front()), 2e-6);
 }
 
 // A shell of the faces of a shape but the first ones.

@@ -86,5 +86,59 @@ TEST(PoleEnds, StayWhereThereIsNoPole) {
   EXPECT_EQ(made.corners, given.corners);
 }
 
+// The part between u = 0.2 and u = 0.8 with a corner beside the tip where both borders end that
+// sweep there from their sides, no farther from the tip than 2e-8.
+TrimmedChart touching() {
+  Chart chart = Chart().loop({{{{0.8, 1, 1}, {0.2, 1, 1}}},
+                              {{{0.2, 1, 1}, {0.2, 0.5, 1}, {0.2, 2e-8, 1}}},
+                              {{{0.5, 1e-8, 1}, {0.8, 1e-8, 1}, {0.8, 2e-8, 1}}}});
+  chart.made.borders[1].curve.spans.push_back(
+      {{{{0.2, 2e-8, 1}, {0.2, 1e-8, 1}, {0.5, 1e-8, 1}}}, {1, 2}, ParameterLaw::Linear});
+  chart.made.borders[2].curve.spans.push_back(
+      {{{{0.8, 2e-8, 1}, {0.8, 0.5, 1}, {0.8, 1, 1}}}, {1, 2}, ParameterLaw::Linear});
+  return chart.made;
+}
+
+TEST(PoleEnds, MakeTwoCornersOfOneThatBordersSweepToBesideThePole) {
+  const TrimmedChart given = touching();
+  const TrimmedChart made = with_straight_pole_ends(sector(), given, kWithin);
+
+  ASSERT_EQ(made.borders.size(), 4u);
+  ASSERT_EQ(made.corners.size(), 4u);
+  EXPECT_EQ(made.borders[1].to, 2);
+  EXPECT_EQ(made.borders[2].from, 3);
+  EXPECT_EQ(made.corners[2], (Vec2{0.2, 0}));
+  EXPECT_EQ(made.corners[3], (Vec2{0.8, 0}));
+  const RegionBorder& pole = made.borders[3];
+  EXPECT_TRUE(pole.is_point);
+  EXPECT_FALSE(pole.reversed);
+  EXPECT_EQ(pole.from, 2);
+  EXPECT_EQ(pole.to, 3);
+  EXPECT_EQ(point_at(pole.curve, 0), made.corners[2]);
+  EXPECT_EQ(point_at(pole.curve, 1), made.corners[3]);
+  for (int k = 0; k <= 20; ++k) {
+    EXPECT_DOUBLE_EQ(point_at(made.borders[1].curve, 0.1 * k)[0], 0.2);
+    EXPECT_DOUBLE_EQ(point_at(made.borders[2].curve, 0.1 * k)[0], 0.8);
+  }
+}
+
+// Where the corner is farther from the pole, or the region on its other side, it stays one.
+TEST(PoleEnds, LeaveCornersThatAreAtNoPole) {
+  const TrimmedChart given = touching();
+  EXPECT_EQ(with_straight_pole_ends(sector(), given, 5e-9).corners, given.corners);
+
+  BezierSurface turned = sector();
+  std::swap(turned.patches(0, 0).points(0, 0), turned.patches(0, 0).points(0, 1));
+  std::swap(turned.patches(0, 0).points(1, 0), turned.patches(0, 0).points(1, 1));
+  EXPECT_EQ(with_straight_pole_ends(turned, given, kWithin).corners, given.corners);
+
+  TrimmedChart other = given;
+  for (RegionBorder& border : other.borders) {
+    border.reversed = true;
+    std::swap(border.from, border.to);
+  }
+  EXPECT_EQ(with_straight_pole_ends(sector(), other, kWithin).corners, given.corners);
+}
+
 }  // namespace
 }  // namespace blossom
