@@ -24,7 +24,8 @@ double longest_span(double tolerance);
 enum class OpenOn { First, Second };
 
 /// The surface with spans halved round the open places of an answer, until none that meets them is
-/// longer than `longest_span`; nothing if none is, or if that takes too many knots.
+/// longer than `longest_span`; nothing if none is, if that takes too many knots, or if the places
+/// are so many that the search only ended early.
 ///
 /// found       of this surface, which is the first or second one of it
 /// tolerance   model units

@@ -75,6 +75,7 @@ std::optional<SurfaceIntersection> in_shorter_patches(const BoxedSurface& a, con
                                                       const SurfaceIntersection& found,
                                                       std::optional<IntersectionOptions>& rest) {
   if (found.status != Status::Stopped || !rest) return std::nullopt;
+  if (rest->cancelled && rest->cancelled()) return std::nullopt;
   const Clock::time_point started = Clock::now();
   const double tolerance = rest->tolerances.point;
   const auto short_a = with_shorter_patches(a.surface, OpenOn::First, found, tolerance);
@@ -105,7 +106,8 @@ Attempt in_best_patches(const BoxedSurface& a, const BoxedSurface& b,
   Attempt first = in_either_order(a, b, sparing);
   std::optional<IntersectionOptions> rest = rest_of(options, started, first.found.certificate);
   if (auto found = in_shorter_patches(a, b, first.found, rest)) return {std::move(*found), rest};
-  if (!first.found.certificate.limited || !rest) return {std::move(first.found), rest};
+  const bool cancelled = options.cancelled && options.cancelled();
+  if (!first.found.certificate.limited || !rest || cancelled) return {std::move(first.found), rest};
   return in_either_order(a, b, *rest);
 }
 
