@@ -19,6 +19,7 @@ namespace blossom {
 namespace {
 
 constexpr int kMostPasses = 4;
+constexpr std::size_t kAskEvery = 64;  // pieces
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -144,7 +145,7 @@ class Carrier {
     const int number = pieces_.pieces[piece].sides[k];
     WatertightSide& side = pieces_.sides[index(number)];
     if (side.edge >= 0 || side.curve.points.empty() || !carried_.insert(number).second) return;
-    if (side.from != pieces_.pieces[piece].vertices[k]) std::ranges::reverse(way.points);
+    if (!moved_->pieces[piece].along[k]) std::ranges::reverse(way.points);
     carry_vertex(side.from, way.points.front());
     carry_vertex(side.to, way.points.back());
     way.points.front() = way.points.back() = Vec3{};
@@ -179,7 +180,7 @@ class Carrier {
 };
 
 std::vector<int> turned_pieces(const WatertightPieces& unmoved, const WatertightPieces& moved,
-                               double within) {
+                               double within, const std::function<void()>& ask) {
   std::vector<int> turned;
   const auto turns = [&](const WatertightPiece& given, const WatertightPiece& made) {
     if (const auto* triangle = std::get_if<BezierTriangle>(&given.form))
@@ -187,15 +188,18 @@ std::vector<int> turned_pieces(const WatertightPieces& unmoved, const Watertight
     const auto &patch = std::get<BezierPatch>(given.form), &now = std::get<BezierPatch>(made.form);
     return patch != now && !turns_nowhere(patch, now, within);
   };
-  for (std::size_t p = 0; p < moved.pieces.size(); ++p)
+  for (std::size_t p = 0; p < moved.pieces.size(); ++p) {
+    if (p % kAskEvery == 0) ask();
     if (turns(unmoved.pieces[p], moved.pieces[p])) turned.push_back(static_cast<int>(p));
+  }
   return turned;
 }
 
 }  // namespace
 
-void spare_turns(WatertightPieces unmoved, WatertightPieces& moved, double within) {
-  moved.turned = turned_pieces(unmoved, moved, within);
+void spare_turns(WatertightPieces unmoved, WatertightPieces& moved, double within,
+                 const std::function<void()>& ask) {
+  moved.turned = turned_pieces(unmoved, moved, within, ask);
   if (moved.turned.empty()) return;
   Carrier carrier(unmoved);
   WatertightPieces last = moved;
@@ -203,7 +207,7 @@ void spare_turns(WatertightPieces unmoved, WatertightPieces& moved, double withi
     last = unmoved;
     raise_degrees(last);
     move_sides(last);
-    last.turned = turned_pieces(unmoved, last, within);
+    last.turned = turned_pieces(unmoved, last, within, ask);
     if (last.turned.size() < moved.turned.size()) moved = last;
   }
 }

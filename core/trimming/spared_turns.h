@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <functional>
+
 #include "core/trimming/watertight.h"
 
 namespace blossom {
@@ -13,10 +15,11 @@ namespace blossom {
 /// up to four times, and the pieces of which the fewest may turn over are taken.
 ///
 /// unmoved   pieces before equal_degrees.h and moved_sides.h
-/// moved     the same after both; gets the better ones, and `turned` set: pieces that are not
-/// proven
-///           to turn nowhere against the unmoved ones, or against those that were carried
+/// moved     the same after both; gets the better ones and `turned`: those that are not proven to
+///           turn nowhere against the unmoved ones, or against those that were carried
 /// within    parts of triangles that are narrower do not count (turned_normals.h); model units
-void spare_turns(WatertightPieces unmoved, WatertightPieces& moved, double within);
+/// ask       called between pieces; may throw to end it
+void spare_turns(WatertightPieces unmoved, WatertightPieces& moved, double within,
+                 const std::function<void()>& ask);
 
 }  // namespace blossom

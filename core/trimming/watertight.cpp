@@ -258,7 +258,9 @@ class Builder {
   }
 
   void finish() {
-    spare_turns(unmoved_, result_, kFoldPart * options_.tolerance);
+    done_.assign(model_.faces.size(), false);  // none is as long as its pieces may change
+    spare_turns(unmoved_, result_, kFoldPart * options_.tolerance, [this] { ask(); });
+    done_.assign(model_.faces.size(), true);
     result_.deviation = 0;
     for (const WatertightPiece& piece : result_.pieces)
       result_.deviation = std::max(result_.deviation, piece.moved);

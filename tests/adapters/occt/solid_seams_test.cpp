@@ -21,6 +21,21 @@
 namespace blossom::occt {
 namespace {
 
+// Of real models, where these are at hand.
+class SolidSeamsOfModels : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
+    if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+    models_ = std::filesystem::path(folder) / "models";
+  }
+
+  Model read(const char* name) const { return read_model(models_ / name); }
+
+ private:
+  std::filesystem::path models_;
+};
+
 // All of a box beyond a plane y = const.
 TrimTool box_beyond(double y, const gp_Pnt& low, const gp_Pnt& high) {
   return trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(low.X(), y, low.Z()), high));
@@ -29,10 +44,8 @@ TrimTool box_beyond(double y, const gp_Pnt& low, const gp_Pnt& high) {
 // The plane goes through the seam of each face. That of a spline surface is 2e-12 away, without
 // crossing the plane, and at both ends of the line on the far side of a cylinder are circles that
 // lie in the plane as far as tolerances go.
-TEST(SolidSeams, HalveAModelThatIsItsOwnMirrorImage) {
-  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
-  const Model model = read_model(std::filesystem::path(folder) / "models/elliptiplane.brep");
+TEST_F(SolidSeamsOfModels, HalveAModelThatIsItsOwnMirrorImage) {
+  const Model model = read("elliptiplane.brep");
   for (const double y : {0.0, 1e-8}) {
     const SolidTrimResult made = trim_solids(
         trim_tool(model.shape()), {box_beyond(y, {-5, 0, -2}, {2.5, 6, 9})}, SolidOperation::Split);
@@ -61,10 +74,8 @@ SolidTrimResult cut_near_loose_edges(const Model& model, double y) {
 // Edges are up to 1.5e-3 off the plane y = 0 and 2.2e-3 off their faces: where they keep so near to
 // a cut they are the cut. Cuts of faces beside them end in vertices of that tolerance, 5e-4 beside
 // other edges or in gaps of wires.
-TEST(SolidSeams, MayBeOffByTheirTolerances) {
-  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
-  const Model model = read_model(std::filesystem::path(folder) / "models/s1_mainbody_back.stp");
+TEST_F(SolidSeamsOfModels, MayBeOffByTheirTolerances) {
+  const Model model = read("s1_mainbody_back.stp");
   for (const double y : {-5e-4, -3e-4, 0.0, 5e-4}) {
     const SolidTrimResult made = cut_near_loose_edges(model, y);
     ASSERT_TRUE(made.obstacles.empty()) << y << ' ' << made.obstacles.front();
@@ -79,10 +90,8 @@ TEST(SolidSeams, MayBeOffByTheirTolerances) {
 }
 
 // The plane leaves the tolerance of edges that it crosses.
-TEST(SolidSeams, TellWhereACutAlongALooseEdgeBreaksOff) {
-  const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
-  const Model model = read_model(std::filesystem::path(folder) / "models/s1_mainbody_back.stp");
+TEST_F(SolidSeamsOfModels, TellWhereACutAlongALooseEdgeBreaksOff) {
+  const Model model = read("s1_mainbody_back.stp");
   const SolidTrimResult made = cut_near_loose_edges(model, 1e-3);
   ASSERT_FALSE(made.obstacles.empty());
   EXPECT_TRUE(made.solids.empty());
