@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/interruption.h"
 
-#include <unistd.h>
-
 #include <csignal>
 
 #include "plugin/cli/exit_code.h"
@@ -10,24 +8,19 @@
 namespace blossom::cli {
 namespace {
 
-// Programs that start others may send the signal twice for one wish to stop.
-constexpr int kPatience = 2;
+volatile std::sig_atomic_t asked = 0;
 
-volatile std::sig_atomic_t times_asked = 0;
-
-extern "C" void remember_signal(int) {
-  times_asked = times_asked + 1;
-  if (times_asked > kPatience) _exit(kExitInterrupted);
-}
+extern "C" void remember_signal(int) { asked = 1; }
 
 }  // namespace
 
 void watch_for_interruption() {
-  std::signal(SIGINT, remember_signal);
-  std::signal(SIGTERM, remember_signal);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, remember_signal);
+  // Under nohup the end of the terminal is nobody's wish.
+  if (std::signal(SIGHUP, remember_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
-bool interrupted() { return times_asked > 0; }
+bool interrupted() { return asked != 0; }
 
 void stop_if_interrupted() {
   if (interrupted()) throw Interrupted();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Ctrl-C: the first one asks the work to stop, the third one ends the program at once.
+// Ctrl-C asks the work to stop; whoever supervises it waits for that only so long.
 
 #pragma once
 
 namespace blossom::cli {
 
-/// Takes over SIGINT and SIGTERM. Call it once, first.
+/// Takes over SIGINT, SIGTERM and SIGHUP. Call it once, first.
 void watch_for_interruption();
 
 bool interrupted();

@@ -15,7 +15,7 @@
 #include "core/base/errors.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/interruption.h"
+#include "plugin/cli/supervision.h"
 #include "plugin/cli/version.h"
 
 namespace blossom::cli {
@@ -91,7 +91,6 @@ int run_guarded(int argc, char** argv) {
 }  // namespace blossom::cli
 
 int main(int argc, char** argv) {
-  blossom::cli::watch_for_interruption();
   blossom::occt::quiet_messages();
-  return blossom::cli::run_guarded(argc, argv);
+  return blossom::cli::supervised([&] { return blossom::cli::run_guarded(argc, argv); });
 }

@@ -23,6 +23,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
 namespace {
@@ -82,8 +83,9 @@ void add_common_options(CLI::App& command, CommonOptions& options, const std::st
   command.add_flag("-q,--quiet", options.quiet, "say nothing but errors");
 }
 
-void add_time_limit(CLI::App& command, double& seconds) {
-  command.add_option("--time-limit", seconds, "stop after so many seconds")
+void add_time_limit(CLI::App& command) {
+  const auto take = [](const double& seconds) { set_time_limit(seconds); };
+  command.add_option_function<double>("--time-limit", take, "stop after so many seconds in all")
       ->check(CLI::Validator(positive_number, "POSITIVE"))
       ->type_name("S");
 }
@@ -97,7 +99,7 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
       ->check(CLI::IsMember(kForms))
       ->type_name("")
       ->capture_default_str();
-  add_time_limit(command, options.time_limit);
+  add_time_limit(command);
   command.add_option("--budget", options.budget, "stop after so many pairs of cells")
       ->check(CLI::Range(1L, 1'000'000'000'000L))
       ->type_name("N")
@@ -113,7 +115,7 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
   result.tolerances.point = options.tolerance;
   result.form = kForms.at(options.form);
   result.budget = options.budget;
-  result.time_limit = options.time_limit;
+  result.time_limit = seconds_left();
   result.threads = options.threads;
   result.cancelled = [&progress] {
     progress.tick();

@@ -24,7 +24,6 @@ struct CommonOptions {
 struct EngineOptions {
   double tolerance = Tolerances{}.point;
   std::string form = "auto";
-  double time_limit = 0;
   long budget = IntersectionOptions{}.budget;
   int threads = 0;
 };
@@ -33,14 +32,14 @@ struct EngineOptions {
 /// output    what -o gets, for the help text; empty if the command writes no model
 void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output);
 
-/// --time-limit.
-void add_time_limit(CLI::App& command, double& seconds);
+/// --time-limit, see supervision.h.
+void add_time_limit(CLI::App& command);
 
 /// --tolerance, --form, --time-limit, --budget, --threads.
 void add_engine_options(CLI::App& command, EngineOptions& options);
 
-/// The options of the core; the work ticks `progress` and stops at an interruption.
-/// progress  has to live as long as the result is used
+/// The options of the core, with what is left of the time limit; the work ticks `progress` and
+/// stops at an interruption. progress  has to live as long as the result is used
 IntersectionOptions intersection_options(const EngineOptions& options, Progress& progress);
 
 /// What -o takes: models, or files of nets (.json), too.

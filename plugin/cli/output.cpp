@@ -6,7 +6,8 @@
 #include <system_error>
 
 #include "adapters/occt/errors.h"
-#include "adapters/occt/shapes.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
 
@@ -22,6 +23,11 @@ void write_json(const Json& report, const std::string& target) {
     print(text);
   else
     occt::write_text(text, target);
+}
+
+void write_model(const occt::Model& model, const std::string& file) {
+  enter(Phase::Writing, file);
+  occt::write_model(model, file, stop_if_interrupted);
 }
 
 void tell_unwritten(const std::string& file, const std::string& reason) {

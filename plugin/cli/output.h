@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "adapters/occt/shapes.h"
+
 namespace blossom::cli {
 
 /// Objects keep the order in which their members were added.
@@ -21,6 +23,9 @@ void print(const std::string& text);
 /// target   a file, or "-" for stdout
 /// throws   occt::Failure if it cannot be written; what was there before is then still there
 void write_json(const Json& report, const std::string& target);
+
+/// Writes a model, see occt::write_model; an interruption leaves what was there before.
+void write_model(const occt::Model& model, const std::string& file);
 
 /// Says on stderr that a file is not written and why; if there is a file of that name, that it is
 /// an older one.

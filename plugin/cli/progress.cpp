@@ -6,10 +6,14 @@
 #include <cstdio>
 #include <utility>
 
+#include "plugin/cli/supervision.h"
+
 namespace blossom::cli {
 
 Progress::Progress(std::string doing, bool quiet)
-    : doing_(std::move(doing)), silent_(quiet || isatty(STDERR_FILENO) == 0) {}
+    : doing_(std::move(doing)), silent_(quiet || isatty(STDERR_FILENO) == 0) {
+  enter(Phase::Working, doing_);
+}
 
 Progress::~Progress() {
   if (shown_) std::fputs("\r\033[K", stderr);

@@ -9,11 +9,11 @@
 #include "adapters/occt/errors.h"
 #include "core/intersection/work_limit.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
 namespace {
 
-constexpr double kLeastTime = 1e-9;      // seconds, where the trims have spent the time limit
 constexpr double kToleranceFactor = 10;  // trims' own edges are about one tolerance off
 
 Vec4 homogeneous(const Vec3& p) { return {p[0], p[1], p[2], 1}; }
@@ -58,10 +58,9 @@ std::set<int> folded_faces(const WatertightPieces& pieces) {
 
 }  // namespace
 
-occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine,
-                                    double spent) {
+occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine) {
   IntersectionOptions left;
-  if (engine.time_limit > 0) left.time_limit = std::max(engine.time_limit - spent, kLeastTime);
+  left.time_limit = seconds_left();
   const WorkLimit limit(left);
   WatertightOptions options;
   options.tolerance = kToleranceFactor * engine.tolerance;

@@ -19,13 +19,11 @@ namespace blossom::cli {
 /// The shape as pieces with common sides.
 ///
 /// engine      of it the tolerance, what counts as one point: pieces may lie ten times as far from
-///             the faces; and the time limit
-/// spent       of the time limit, seconds
+///             the faces
 /// returns     without a shape, and with faces that are open, if the time limit is reached
 /// throws      occt::BadModel if the faces have no such pieces, naming the obstacle; Interrupted if
 ///             the user wants an end
-occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine,
-                                    double spent);
+occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine);
 
 /// Why nothing is written though there is no obstacle: the time limit; empty if it was not reached.
 std::string reason_of(const WatertightPieces& pieces);

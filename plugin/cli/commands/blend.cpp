@@ -123,7 +123,7 @@ void write_outputs(const Input& a, const Input& b, const StripCommand& command,
   if (!command.common.output.empty()) {
     occt::Model model;
     model.add(timed.made.face, "strip");
-    occt::write_model(model, command.common.output, stop_if_interrupted);
+    write_model(model, command.common.output);
   }
   if (!command.common.picture.empty()) {
     Picture picture;

@@ -105,7 +105,7 @@ Made write_as_it_is(const Options& options) {
   made.faces = input.faces.size();
   drop_other_faces(input);
   stop_if_interrupted();
-  occt::write_model(input.model, options.common.output, stop_if_interrupted);
+  write_model(input.model, options.common.output);
   return made;
 }
 

@@ -129,7 +129,7 @@ void write_outputs(const Input& a, const Input& b, const std::string& title,
   if (!options.picture.empty()) png = picture_png(picture_of(a, b, result.found));
   stop_if_interrupted();
 
-  if (model) occt::write_model(*model, options.output, stop_if_interrupted);
+  if (model) write_model(*model, options.output);
   if (unwritten) tell_unwritten(options.output, "no curve and no point was found");
   if (!options.picture.empty()) occt::write_text(png, options.picture);
   if (!options.json.empty())

@@ -22,7 +22,7 @@ void add_query_options(CLI::App& command, QueryOptions& options) {
       ->check(CLI::Range(std::numeric_limits<double>::min(), 1e6))
       ->type_name("T")
       ->capture_default_str();
-  add_time_limit(command, options.time_limit);
+  add_time_limit(command);
   command.add_flag("-q,--quiet", options.quiet, "say nothing but errors");
 }
 

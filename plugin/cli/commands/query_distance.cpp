@@ -9,11 +9,10 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
+#include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
 namespace {
-
-constexpr double kLeastSeconds = 1e-3;  // that stop a question at once, but are a limit
 
 struct Options {
   std::string a;
@@ -39,12 +38,8 @@ struct Side {
   }
 };
 
-// What a question may take of the limits; to make shapes ready counts, too.
-DistanceOptions limits(const Options& options, const Stopwatch& watch) {
-  DistanceOptions left{.budget = options.budget, .cancelled = interrupted};
-  if (options.common.time_limit > 0)
-    left.time_limit = std::max(kLeastSeconds, options.common.time_limit - watch.seconds());
-  return left;
+DistanceOptions limits(const Options& options) {
+  return {.budget = options.budget, .time_limit = seconds_left(), .cancelled = interrupted};
 }
 
 Json head(const char* kind, const Options& options, Status status, double seconds) {
@@ -91,10 +86,10 @@ int run_point(const Options& options) {
   stop_if_interrupted();
   const Stopwatch watch;
   side.prepare();
-  const occt::ShapeDistance found = occt::nearest_point(*side.shape, point, limits(options, watch));
+  const occt::ShapeDistance found = occt::nearest_point(*side.shape, point, limits(options));
   std::vector<occt::ShapeFoot> feet;
   if (options.all) {
-    const DistanceOptions left = limits(options, watch);
+    const DistanceOptions left = limits(options);
     const WorkLimit limit(left.time_limit, left.cancelled);
     feet = occt::foot_points(*side.shape, point, options.common.tolerance, &limit);
   }
@@ -121,8 +116,7 @@ int run_distance(const Options& options) {
   const Stopwatch watch;
   a.prepare();
   b.prepare();
-  const occt::ShapeDistance found =
-      occt::least_distance(*a.shape, *b.shape, limits(options, watch));
+  const occt::ShapeDistance found = occt::least_distance(*a.shape, *b.shape, limits(options));
   Json report = head("distance", options, found.status, watch.seconds());
   stop_if_interrupted();
   report["a"] = a.input.name;
@@ -160,7 +154,7 @@ int run_does_intersect(const Options& options) {
   a.prepare();
   b.prepare();
   const occt::ShapeMeeting found =
-      occt::meeting(*a.shape, *b.shape, options.common.tolerance, limits(options, watch));
+      occt::meeting(*a.shape, *b.shape, options.common.tolerance, limits(options));
   Json report = head("does-intersect", options, status_of(found.answer), watch.seconds());
   stop_if_interrupted();
   report["a"] = a.input.name;

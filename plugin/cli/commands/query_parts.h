@@ -20,7 +20,6 @@ namespace blossom::cli {
 struct QueryOptions {
   std::string json;  ///< --json: a file, or "-" for stdout; empty for none
   double tolerance = 1e-7;
-  double time_limit = 0;  ///< seconds; 0 means none
   bool quiet = false;
 };
 

@@ -138,7 +138,7 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
   std::string png;
   if (!common.picture.empty()) png = picture_png(picture_of(input, section));
   stop_if_interrupted();
-  if (!common.output.empty() && any) occt::write_model(model, common.output, stop_if_interrupted);
+  if (!common.output.empty() && any) write_model(model, common.output);
   if (unwritten) tell_unwritten(common.output, "no wire and no point was found");
   if (!common.picture.empty()) occt::write_text(png, common.picture);
   if (!common.json.empty()) write_json(report_of(input, options, answer), common.json);

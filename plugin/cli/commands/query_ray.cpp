@@ -12,6 +12,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
+#include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
 namespace {
@@ -104,7 +105,7 @@ int run(const Options& options) {
   stop_if_interrupted();
   const Stopwatch watch;
   const std::function<bool()> cancelled = interrupted;
-  const WorkLimit limit(options.common.time_limit, cancelled);
+  const WorkLimit limit(seconds_left(), cancelled);
   try {
     const occt::ShapeRays rays(input.faces, options.common.tolerance, &limit);
     answer.hits = options.first ? rays.first_hits(answer.ray) : rays.all_hits(answer.ray);

@@ -199,8 +199,8 @@ std::string obstacle(const Inputs& inputs, const Timed& timed, const Options& op
 }
 
 // Puts pieces with common sides in the place of all faces, if there is time for it.
-WatertightPieces make_watertight(occt::Model& model, const EngineOptions& engine, double spent) {
-  occt::WatertightShape made = watertight_of(model.shape(), engine, spent);
+WatertightPieces make_watertight(occt::Model& model, const EngineOptions& engine) {
+  occt::WatertightShape made = watertight_of(model.shape(), engine);
   if (!made.pieces.open.empty()) return std::move(made.pieces);
   std::map<int, std::vector<TopoDS_Face>> faces;
   for (std::size_t k = 0; k < made.faces.size(); ++k)
@@ -217,7 +217,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   if (reason.empty()) inputs.part.model.replace_faces(timed.made.replacements);
   std::optional<WatertightPieces> watertight;
   if (options.watertight && reason.empty()) {
-    watertight = make_watertight(inputs.part.model, options.engine, timed.seconds);
+    watertight = make_watertight(inputs.part.model, options.engine);
     reason = reason_of(*watertight);
     timed.made.status = status_with(timed.made.status, *watertight);
   }
@@ -234,7 +234,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   if (write && is_net_file(options.common.output))
     write_json(nets_json(nets_of(*watertight, inputs.part.name)), options.common.output);
   else if (write)
-    occt::write_model(inputs.part.model, options.common.output, stop_if_interrupted);
+    write_model(inputs.part.model, options.common.output);
   if (unwritten) tell_unwritten(options.common.output, reason);
   if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);
   if (!options.common.json.empty()) write_json(report, options.common.json);

@@ -45,9 +45,9 @@ struct Timed {
 
 // All solids at once: those side by side keep their common faces. Pieces come from where their
 // faces do.
-void make_watertight(Timed& timed, const EngineOptions& engine, double spent) {
+void make_watertight(Timed& timed, const EngineOptions& engine) {
   const TopoDS_Compound all = occt::compound_of(timed.made.solids);
-  occt::WatertightShape made = watertight_of(all, engine, spent);
+  occt::WatertightShape made = watertight_of(all, engine);
   timed.made.status = status_with(timed.made.status, made.pieces);
   if (const std::string reason = reason_of(made.pieces); !reason.empty()) {
     timed.made.obstacles.push_back(reason);
@@ -111,8 +111,7 @@ Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  if (options.watertight && !result.made.solids.empty())
-    make_watertight(result, options.engine, seconds());
+  if (options.watertight && !result.made.solids.empty()) make_watertight(result, options.engine);
   stop_if_interrupted();
   result.seconds = seconds();
   result.invalid = invalid_as_given(options, result.made);
@@ -275,7 +274,7 @@ int trim_solids(const SolidTrim& options) {
     write_json(nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
   } else if (write) {
     replace_solids(part, timed.made, tools, outputs.output);
-    occt::write_model(part, outputs.output, stop_if_interrupted);
+    write_model(part, outputs.output);
   }
   if (!png.empty()) occt::write_text(png, outputs.picture);
   if (!reason.empty()) tell_no_solid(outputs, reason);

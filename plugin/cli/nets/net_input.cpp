@@ -79,7 +79,7 @@ void write_parts(std::span<const Net> nets, const std::string& file) {
     if (counts[name] > 1) name += "." + std::to_string(number);
     model.add(net_shape(net), name);
   }
-  occt::write_model(model, file, stop_if_interrupted);
+  write_model(model, file);
 }
 
 // The face of a net, oriented as the face that it comes from.
@@ -113,7 +113,7 @@ void write_nets(NetInput& input, std::span<const Net> nets, const std::string& f
   for (const Net& net : nets) faces[net.source.face].push_back(oriented_face(net, model));
   stop_if_interrupted();
   model.replace_faces(faces);
-  occt::write_model(model, file, stop_if_interrupted);
+  write_model(model, file);
 }
 
 void drop_other_faces(Input& input) {

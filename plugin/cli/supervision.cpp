@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/supervision.h"
+
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
+
+namespace blossom::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kGrace = 0.8;                  // seconds between asking to end and killing
+constexpr timespec kTick{0, 20 * 1000 * 1000};  // between two looks at the work
+
+/// What the work tells its parent, in memory of both.
+struct Board {
+  std::atomic<double> time_limit{0};     // seconds from the start; 0 for none
+  std::atomic<double> reading_limit{0};  // processor seconds of the child; 0 for none
+  std::atomic<Phase> phase{Phase::Starting};
+  char subject[4096] = "";  // read after the end of the child only
+};
+static_assert(std::atomic<double>::is_always_lock_free && std::atomic<Phase>::is_always_lock_free);
+
+Clock::time_point started = Clock::now();
+Board* board = nullptr;
+std::set<std::string> nameless;  // files whose names crashed; known to children made later
+
+double now() { return std::chrono::duration<double>(Clock::now() - started).count(); }
+
+double seconds_of(const timespec& time) {
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double processor_seconds(clockid_t clock) {
+  timespec time{};
+  return clock_gettime(clock, &time) == 0 ? seconds_of(time) : 0;
+}
+
+Board* new_board() {
+  void* const memory =
+      mmap(nullptr, sizeof(Board), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return memory == MAP_FAILED ? nullptr : new (memory) Board;
+}
+
+/// Asking for more memory than the machine has is an error of the work instead of the machine's
+/// end. Sanitizers ask for far more than they use.
+void limit_memory() {
+#if !defined(__SANITIZE_ADDRESS__)
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  rlimit limit{};
+  if (pages <= 0 || size <= 0 || getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur =
+      std::min<rlim_t>(limit.rlim_max, static_cast<rlim_t>(pages) * static_cast<rlim_t>(size));
+  setrlimit(RLIMIT_DATA, &limit);
+#endif
+}
+
+sigset_t watched_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, signal);
+  return set;
+}
+
+const char* name_of_signal(int signal) {
+  switch (signal) {
+    case SIGSEGV:
+    case SIGBUS: return "an invalid memory access";
+    case SIGFPE: return "an arithmetic fault";
+    case SIGABRT: return "a failed internal check";
+    case SIGKILL: return "the system, perhaps for want of memory";
+    default: return strsignal(signal);
+  }
+}
+
+/// The parent's side of one child.
+class Watch {
+ public:
+  explicit Watch(pid_t child) : child_(child) {
+    if (clock_getcpuclockid(child, &clock_) != 0) clock_ = CLOCK_MONOTONIC;
+  }
+
+  /// Waits for the end of the child and says what was not as it should be.
+  /// returns  the exit code; nothing if the work is to begin again without names
+  std::optional<int> finish(const sigset_t& signals) {
+    int status = 0;
+    while (waitpid(child_, &status, WNOHANG) != child_) {
+      siginfo_t told{};
+      const int signal = sigtimedwait(&signals, &told, &kTick);
+      if (signal > 0 && signal != SIGCHLD) ask(told);
+      if (!killed_for_ && (killed_for_ = overdue())) kill(child_, SIGKILL);
+    }
+    if (WIFEXITED(status)) return WEXITSTATUS(status);
+    return killed_for_ ? ended_late(*killed_for_) : crashed(WTERMSIG(status));
+  }
+
+ private:
+  enum class Reason { Asked, TimeLimit, ReadingLimit };
+
+  /// A terminal sends its signals to the child, too; others reach only the parent.
+  void ask(const siginfo_t& told) {
+    if (told.si_code <= 0) kill(child_, SIGTERM);
+    if (!asked_) asked_ = now();
+  }
+
+  std::optional<Reason> overdue() const {
+    if (asked_ && now() > *asked_ + kGrace) return Reason::Asked;
+    const Phase phase = board->phase;
+    const bool reading = phase == Phase::Reading || phase == Phase::ReadingNames;
+    const double limit = board->time_limit, reading_limit = board->reading_limit;
+    if (limit > 0 && phase != Phase::Writing && now() > limit + kGrace) return Reason::TimeLimit;
+    if (reading && !(limit > 0) && reading_limit > 0 && processor_seconds(clock_) > reading_limit)
+      return Reason::ReadingLimit;
+    return std::nullopt;
+  }
+
+  int ended_late(Reason reason) const;
+  std::optional<int> crashed(int signal) const;
+
+  pid_t child_;
+  clockid_t clock_{};
+  std::optional<double> asked_;  // when the user wanted the end
+  std::optional<Reason> killed_for_;
+};
+
+/// "reading part.step", "writing rest.step", "intersecting".
+std::string doing() {
+  const std::string subject = board->subject;
+  switch (board->phase.load()) {
+    case Phase::Starting: return "starting";
+    case Phase::Reading: return "reading " + subject;
+    case Phase::ReadingNames: return "reading names and colours of " + subject;
+    case Phase::Writing: return "writing " + subject;
+    case Phase::Working: break;
+  }
+  return subject;
+}
+
+void say(const std::string& text) { std::cerr << "blossom: " << text << std::endl; }
+
+int Watch::ended_late(Reason reason) const {
+  std::ostringstream text;
+  switch (reason) {
+    case Reason::Asked: say(Interrupted().what()); return kExitInterrupted;
+    case Reason::TimeLimit:
+      text << "the time limit of " << board->time_limit << " s was reached while " << doing()
+           << ", nothing was written";
+      say(text.str());
+      return kExitStopped;
+    case Reason::ReadingLimit: break;
+  }
+  text << board->subject << ": reading it takes more than " << board->reading_limit
+       << " s of processor time, which no sound file of its size does; --time-limit allows more";
+  say(text.str());
+  return kExitBadInput;
+}
+
+std::optional<int> Watch::crashed(int signal) const {
+  if (signal == SIGPIPE) {  // nobody reads what the command says
+    std::signal(SIGPIPE, SIG_DFL);
+    raise(SIGPIPE);
+  }
+  const Phase phase = board->phase;
+  if (phase == Phase::ReadingNames && nameless.insert(board->subject).second) return std::nullopt;
+  if (phase == Phase::Reading || phase == Phase::ReadingNames) {
+    say(board->subject + (": Open CASCADE cannot read it: its reader was ended by " +
+                          std::string(name_of_signal(signal))));
+    return kExitBadInput;
+  }
+  say("internal error: " + doing() + " was ended by " + name_of_signal(signal) +
+      "; please report it with the command and its inputs");
+  return kExitFailure;
+}
+
+/// What the child does.
+[[noreturn]] void work_as_child(const std::function<int()>& work, pid_t parent,
+                                const sigset_t& mask) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(kExitFailure);
+  limit_memory();
+  watch_for_interruption();
+  pthread_sigmask(SIG_SETMASK, &mask, nullptr);
+  std::exit(work());
+}
+
+}  // namespace
+
+int supervised(const std::function<int()>& work) {
+  started = Clock::now();
+  const sigset_t signals = watched_signals();
+  sigset_t mask;
+  pthread_sigmask(SIG_BLOCK, &signals, &mask);
+  // Who is started in the background may have inherited that these are ignored.
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  const pid_t parent = getpid();
+  while (true) {
+    board = new_board();
+    const pid_t child = board == nullptr ? -1 : fork();
+    if (child == 0) work_as_child(work, parent, mask);
+    if (child < 0) {
+      watch_for_interruption();
+      pthread_sigmask(SIG_SETMASK, &mask, nullptr);
+      return work();
+    }
+    if (const std::optional<int> code = Watch(child).finish(signals)) return *code;
+  }
+}
+
+void enter(Phase phase, const std::string& subject) {
+  if (board == nullptr) return;
+  const std::size_t length = std::min(subject.size(), sizeof(board->subject) - 1);
+  std::memcpy(board->subject, subject.data(), length);
+  board->subject[length] = '\0';
+  board->phase = phase;
+}
+
+void set_time_limit(double seconds) {
+  if (board != nullptr) board->time_limit = seconds;
+}
+
+double seconds_left() {
+  if (board == nullptr || !(board->time_limit > 0)) return 0;
+  return std::max(1e-6, board->time_limit - now());
+}
+
+void allow_reading(double seconds) {
+  if (board != nullptr)
+    board->reading_limit = processor_seconds(CLOCK_PROCESS_CPUTIME_ID) + seconds;
+}
+
+bool names_crashed(const std::string& file) { return nameless.contains(file); }
+
+}  // namespace blossom::cli

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A command works in a child process, and its parent watches it.
+//
+// Open CASCADE's readers crash on some files and never return from others, and its algorithms ask
+// neither for a time limit nor for signals. Whatever happens in there, the parent is left to say
+// what was being done, and to end the work in time. Outputs are put in place whole (see
+// occt::write_text), so the work may be killed at any moment.
+
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace blossom::cli {
+
+/// What the work is at, which decides how its end is told and how long it may still take.
+enum class Phase {
+  Starting,
+  Reading,       ///< an input; a crash is the file's fault
+  ReadingNames,  ///< of an input; after a crash the work begins again without them
+  Working,
+  Writing,  ///< an output; finishes it after the time limit
+};
+
+/// Runs the work in a child process and waits for it; where no process can be made, in this one.
+///
+///   SIGINT, SIGTERM, SIGHUP   the work is asked to end; killed 0.8 s later, exit code 130
+///   --time-limit              the work looks at it itself; killed 0.8 s later, exit code 4
+///   a crash                   told with the phase and its subject; exit code 2 in reading, else 1
+///   memory                    no more than the machine has; asking for more is a std::bad_alloc
+///
+/// returns  the exit code
+int supervised(const std::function<int()>& work);
+
+/// Tells the parent what is being done.
+/// subject   the file, or what is being done to which end: "intersecting"
+void enter(Phase phase, const std::string& subject);
+
+/// The user's limit for the whole command, in seconds from the start of the program.
+void set_time_limit(double seconds);
+
+/// Seconds of the time limit that are left, at least a microsecond; 0 if there is no limit.
+double seconds_left();
+
+/// In reading: more processor time than that, in seconds from now, is taken for a reader that never
+/// ends. Without effect if the user gave a time limit.
+void allow_reading(double seconds);
+
+/// Whether reading names and colours of a file has crashed before.
+bool names_crashed(const std::string& file);
+
+}  // namespace blossom::cli

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The parent of a command: crashes, limits and signals of the work become exit codes and words.
+
+#include "plugin/cli/supervision.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <new>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "plugin/cli/interruption.h"
+
+namespace blossom::cli {
+namespace {
+
+struct Ended {
+  int code = 0;
+  std::string said;
+  double seconds = 0;
+};
+
+Ended ended(const std::function<int()>& work) {
+  ::testing::internal::CaptureStderr();
+  const auto start = std::chrono::steady_clock::now();
+  Ended end;
+  end.code = supervised(work);
+  end.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  end.said = ::testing::internal::GetCapturedStderr();
+  return end;
+}
+
+[[noreturn]] void sleep_for_ever() {
+  while (true) pause();
+}
+
+// The bound of a test on time: what is promised, and room for a machine with much to do.
+constexpr double kSoon = 5;
+
+TEST(Supervision, PassesTheExitCodeOn) {
+  const Ended end = ended([] { return 3; });
+  EXPECT_EQ(end.code, 3);
+  EXPECT_EQ(end.said, "");
+}
+
+TEST(Supervision, CrashInReadingIsTheFilesFault) {
+  const Ended end = ended([] {
+    enter(Phase::Reading, "part.step");
+    return raise(SIGSEGV);
+  });
+  EXPECT_EQ(end.code, 2);
+  EXPECT_EQ(end.said,
+            "blossom: part.step: Open CASCADE cannot read it: its reader was ended by an invalid "
+            "memory access\n");
+}
+
+TEST(Supervision, CrashElsewhereIsAFailure) {
+  const Ended end = ended([] {
+    enter(Phase::Working, "intersecting");
+    return raise(SIGFPE);
+  });
+  EXPECT_EQ(end.code, 1);
+  EXPECT_EQ(end.said,
+            "blossom: internal error: intersecting was ended by an arithmetic fault; please report "
+            "it with the command and its inputs\n");
+}
+
+TEST(Supervision, CrashInNamesReadsTheFileWithoutThem) {
+  const Ended end = ended([] {
+    enter(Phase::ReadingNames, "named.step");
+    return names_crashed("named.step") ? 0 : raise(SIGSEGV);
+  });
+  EXPECT_EQ(end.code, 0);
+  EXPECT_EQ(end.said, "");
+}
+
+TEST(Supervision, CrashInNamesAgainEnds) {
+  const Ended end = ended([] {
+    enter(Phase::ReadingNames, "worse.step");
+    return raise(SIGSEGV);
+  });
+  EXPECT_EQ(end.code, 2);
+}
+
+TEST(Supervision, WorkThatDoesNotLookAtTheTimeLimitIsEnded) {
+  const Ended end = ended([]() -> int {
+    set_time_limit(0.2);
+    enter(Phase::Reading, "part.step");
+    sleep_for_ever();
+  });
+  EXPECT_EQ(end.code, 4);
+  EXPECT_EQ(end.said,
+            "blossom: the time limit of 0.2 s was reached while reading part.step, nothing was "
+            "written\n");
+  EXPECT_LT(end.seconds, kSoon);
+}
+
+TEST(Supervision, WritingIsFinishedAfterTheTimeLimit) {
+  const Ended end = ended([] {
+    set_time_limit(0.1);
+    enter(Phase::Writing, "rest.step");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1300));
+    return 4;
+  });
+  EXPECT_EQ(end.code, 4);
+  EXPECT_EQ(end.said, "");
+}
+
+TEST(Supervision, ReaderThatNeverEndsIsEnded) {
+  const Ended end = ended([]() -> int {
+    enter(Phase::Reading, "loop.brep");
+    allow_reading(0.2);
+    for (volatile int i = 0;; i = i + 1) {
+    }
+  });
+  EXPECT_EQ(end.code, 2);
+  EXPECT_NE(end.said.find("loop.brep: reading it takes more than"), std::string::npos) << end.said;
+  EXPECT_LT(end.seconds, kSoon);
+}
+
+TEST(Supervision, TimeLimitOfTheUserGoesBeforeThatOfReading) {
+  const Ended end = ended([] {
+    set_time_limit(60);
+    enter(Phase::Reading, "slow.brep");
+    allow_reading(0.01);
+    const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+    while (std::chrono::steady_clock::now() < until) {
+    }
+    return 0;
+  });
+  EXPECT_EQ(end.code, 0) << end.said;
+}
+
+TEST(Supervision, SignalsReachTheWorkAndThenEndIt) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const pid_t parent = getpid();
+    const Ended polite = ended([=] {
+      kill(parent, signal);
+      while (!interrupted()) usleep(1000);
+      return 130;
+    });
+    EXPECT_EQ(polite.code, 130);
+    EXPECT_EQ(polite.said, "");
+    const Ended deaf = ended([=]() -> int {
+      kill(parent, signal);
+      while (true) usleep(1000);
+    });
+    EXPECT_EQ(deaf.code, 130);
+    EXPECT_EQ(deaf.said, "blossom: interrupted, nothing was written\n");
+    EXPECT_LT(deaf.seconds, kSoon);
+  }
+}
+
+#if !defined(__SANITIZE_ADDRESS__)
+TEST(Supervision, AskingForAllMemoryIsAnErrorOfTheWork) {
+  const Ended end = ended([] {
+    try {
+      std::vector<std::vector<char>> taken;
+      while (true) taken.emplace_back(std::size_t{1} << 40);
+    } catch (const std::bad_alloc&) {
+      return 7;
+    }
+  });
+  EXPECT_EQ(end.code, 7);
+}
+#endif
+
+TEST(Supervision, TellsWhatIsLeftOfTheTimeLimit) {
+  const Ended end = ended([] {
+    if (seconds_left() != 0) return 1;
+    set_time_limit(1000);
+    return seconds_left() > 900 && seconds_left() <= 1000 ? 0 : 2;
+  });
+  EXPECT_EQ(end.code, 0);
+}
+
+}  // namespace
+}  // namespace blossom::cli
