@@ -84,13 +84,6 @@ std::vector<TopoDS_Edge> edges_of(const TopoDS_Face& face) {
   return edges;
 }
 
-Bnd_Box box_of(const TopoDS_Shape& shape, double margin) {
-  Bnd_Box box;
-  BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
-  box.Enlarge(margin);
-  return box;
-}
-
 // Whether the vertices at the ends are the same ones, in either order.
 bool have_same_ends(const EdgeSplits& splits, const TopoDS_Edge& a, const TopoDS_Edge& b) {
   const TopoDS_Vertex from = TopExp::FirstVertex(b), to = TopExp::LastVertex(b);
@@ -132,7 +125,7 @@ std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, const Reach&
   return all;
 }
 
-Box box_of(const Spline& curve) {
+Box spline_box(const Spline& curve) {
   Box box;
   for (const Vec3& p : curve.points) box = joined(box, {p, p});
   return box;
@@ -249,6 +242,24 @@ double CommonEdges::most_reach(const TopoDS_Edge& edge) const {
                                              : std::max(reach_, BRep_Tool::Tolerance(edge));
 }
 
+void CommonEdges::ask_limit() const {
+  if (limit_.is_reached())
+    throw LimitFailure("looking for common edges: the time limit is reached");
+}
+
+// Open CASCADE minimizes over the shape for that, which takes milliseconds.
+Bnd_Box CommonEdges::box_of(const TopoDS_Shape& shape, double margin) {
+  if (!boxes_.IsBound(shape)) {
+    ask_limit();
+    Bnd_Box least;
+    BRepBndLib::AddOptimal(shape, least, Standard_False, Standard_False);
+    boxes_.Bind(shape, least);
+  }
+  Bnd_Box box = boxes_.Find(shape);
+  box.Enlarge(margin);
+  return box;
+}
+
 double CommonEdges::reach(const TopoDS_Edge& edge) const {
   return loose_.Contains(edge) ? most_reach(edge) : reach_;
 }
@@ -275,13 +286,15 @@ bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceFeet& feet) {
 void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face) {
   const TopoDS_Face& in = of == Of::A ? b_[face] : a_[face];
   std::vector<TopoDS_Edge>& lying = of == Of::A ? in_b_[face] : in_a_[face];
-  const SurfaceFeet feet(in, options_.tolerances.point);
+  std::optional<SurfaceFeet> feet;
   for (const TopoDS_Edge& edge : edges) {
     const auto is_same = [&](const TopoDS_Edge& known) { return known.IsSame(edge); };
     const Bnd_Box box = box_of(in, most_reach(edge));
     if (box.IsOut(box_of(edge, reach_)) || std::any_of(lying.begin(), lying.end(), is_same))
       continue;
-    if (!lies_on(edge, feet)) continue;
+    if (!feet) feet.emplace(in, options_.tolerances.point);
+    ask_limit();
+    if (!lies_on(edge, *feet)) continue;
     lying.push_back(edge);
     for (TopExp_Explorer it(in, TopAbs_EDGE); it.More(); it.Next()) {
       const TopoDS_Edge own = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));
@@ -319,7 +332,7 @@ void CommonEdges::touch(const FaceIntersection& pair, Of whose) {
   for (const BoxedEdge& each : boxed(edges_of(whose == Of::A ? a : b), plain)) {
     const bool reached =
         std::ranges::any_of(pair.found.curves, [&](const IntersectionCurve& curve) {
-          return blossom::meet(each.box, box_of(curve.curve));
+          return blossom::meet(each.box, spline_box(curve.curve));
         });
     if (reached && touched_.emplace(edges_.Add(each.edge), face).second)
       touch(each.edge, whose == Of::A ? b : a, whose);

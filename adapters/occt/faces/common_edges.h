@@ -12,8 +12,11 @@
 #include <utility>
 #include <vector>
 
+#include <Bnd_Box.hxx>
+#include <NCollection_DataMap.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
@@ -60,10 +63,12 @@ class CommonEdges {
 
   /// Looks at the edges of two faces that meet: at all where the faces coincide, where intersection
   /// curves run along some, or some seem to lie in the other face.
+  /// throws   LimitFailure if no time is left
   void add(const FaceIntersection& pair);
 
   /// Looks at all edges that may lie in faces by their own tolerances, which faces that miss each
   /// other may have.
+  /// throws   LimitFailure if no time is left
   void add_loose();
 
   /// Looks for places in which edges of one face touch the other one: curves that cross edges there
@@ -103,6 +108,8 @@ class CommonEdges {
 
  private:
   enum class Of { A, B };
+  void ask_limit() const;
+  Bnd_Box box_of(const TopoDS_Shape& shape, double margin);
   double most_reach(const TopoDS_Edge& edge) const;
   bool lies_on(const TopoDS_Edge& edge, const SurfaceFeet& feet);
   void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
@@ -118,6 +125,7 @@ class CommonEdges {
   double loosest_ = 0;
   TopTools_MapOfShape loose_;  // edges that lie in a face by their own tolerances
   std::vector<std::vector<TopoDS_Edge>> in_a_, in_b_;
+  NCollection_DataMap<TopoDS_Shape, Bnd_Box, TopTools_ShapeMapHasher> boxes_;
   TopTools_IndexedMapOfShape edges_;       // of both
   std::set<std::pair<int, int>> looked_;   // pairs of edges
   std::set<std::pair<int, int>> touched_;  // edges of a, faces of b from 1; of b, of a from -1 down

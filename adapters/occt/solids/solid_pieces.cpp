@@ -369,11 +369,14 @@ bool attempt(const char* what, const WorkLimit& limit, SolidPieces& result, cons
   try {
     guarded(what, step);
     return true;
+  } catch (const LimitFailure& error) {
+    result.obstacles.emplace_back(error.what());
+    result.status = Status::Stopped;
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
     if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
-    return false;
   }
+  return false;
 }
 
 // Whether edges are searched for places in which they touch faces. Most solids do without.
@@ -399,11 +402,14 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
   result.status = found.status;
   result.certificate = found.certificate;
   CommonEdges common(a.faces, b.faces, options, lying);
-  for (const FaceIntersection& pair : found.pairs) {
-    common.add(pair);
-    if (touches == EdgeTouches::Sought) common.add_touches(pair);
-  }
-  common.add_loose();
+  const auto add_common_edges = [&] {
+    for (const FaceIntersection& pair : found.pairs) {
+      common.add(pair);
+      if (touches == EdgeTouches::Sought) common.add_touches(pair);
+    }
+    common.add_loose();
+  };
+  if (!attempt("looking for common edges", limit, result, add_common_edges)) return result;
   for (const FaceIntersection& pair : found.pairs)
     add_curves(pair, common, tolerance, side_a, side_b, uses, result, untold);
   if (result.status == Status::Stopped && result.obstacles.empty())
