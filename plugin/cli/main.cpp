@@ -16,7 +16,6 @@
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/supervision.h"
-#include "plugin/cli/version.h"
 
 namespace blossom::cli {
 namespace {
@@ -42,22 +41,9 @@ int misused(const CLI::App& app, const CLI::ParseError& error, int argc, char** 
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Intersect, trim and blend free-form surfaces of CAD models"};
-  app.set_version_flag("--version", version_text());
-  app.require_subcommand(1);
-  app.footer(
-      "An input is FILE, or some of its faces: FILE#3 or FILE#3,5-9 (numbers as in 'info').\n");
-
+  CLI::App app;
   int code = kExitComplete;
-  add_info(app, code);
-  add_check(app, code);
-  add_intersect(app, code);
-  add_self_intersect(app, code);
-  add_trim(app, code);
-  add_blend(app, code);
-  add_subdivide(app, code);
-  add_convert(app, code);
-  add_query(app, code);
+  add_commands(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {  // --help and --version

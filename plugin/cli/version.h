@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Which Blossom this is, with which Open CASCADE, and under which licence the binary falls.
+// Which Blossom this is, under which licence the binary falls, and what it stands on.
 
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace blossom::cli {
 
-/// "blossom 0.1.0", the version of Open CASCADE and the licence, a line each.
+/// "blossom 0.1.0", the licence, and the libraries with their versions, a line each.
 std::string version_text();
 
 /// "0.1.0"

@@ -10,6 +10,9 @@
 
 namespace blossom::cli {
 
+/// What the program is, and all of its commands in the order of its help.
+void add_commands(CLI::App& app, int& exit_code);
+
 void add_info(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_intersect(CLI::App& app, int& exit_code);

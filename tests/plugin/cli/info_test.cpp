@@ -94,6 +94,9 @@ TEST(Program, SaysItsVersionAndLicence) {
   EXPECT_EQ(run.code, 0);
   EXPECT_NE(run.out.find("blossom " BLOSSOM_VERSION), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("Licence: LGPL-2.1-or-later"), std::string::npos) << run.out;
+  for (const char* library :
+       {"Open CASCADE 7.", "oneTBB 20", "Boost 1.", "CLI11 ", "JSON for Modern C++ 3.", "zlib 1."})
+    EXPECT_NE(run.out.find(library), std::string::npos) << run.out;
 }
 
 TEST(Program, ShowsItsCommands) {
