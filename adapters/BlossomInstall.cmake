@@ -33,4 +33,13 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/BlossomConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/BlossomConfig.cmake
               ${PROJECT_BINARY_DIR}/BlossomConfigVersion.cmake DESTINATION ${package_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/LICENSES/
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom/LICENSES)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom/LICENSES FILES_MATCHING PATTERN "*.txt")
+
+# All that is installed; it takes less time to build than the tests beside it.
+add_custom_target(installable)
+foreach(target blossom_core blossom_occt blossom_cgal blossom_openmesh blossom blossom_written_docs
+        TKBlossomDraw blossom_python)
+  if(TARGET ${target})
+    add_dependencies(installable ${target})
+  endif()
+endforeach()

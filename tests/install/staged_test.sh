@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Installs below the build folder, as for two prefixes, and uses what is there with an empty
+# environment: each part has to be where its user looks.
+#
+# usage: staged_test.sh BUILD FOLDER SOURCE
+set -euo pipefail
+build=$1 folder=$2 source=$3
+source "$source/tests/support/claims.sh"
+
+python=$(sed -n 's/^BLOSSOM_PYTHON_EXECUTABLE:.*=//p' "$build/CMakeCache.txt")
+bare() { env -i PATH=/usr/bin:/bin "$@"; }
+
+rm -rf "$folder"
+for prefix in /usr /usr/local /opt/somewhere; do
+  DESTDIR=$folder cmake --install "$build" --prefix "$prefix" >/dev/null
+done
+
+names_no_folder_of_the_build() { ! grep -rlF -e "$build" -e "$source" "$folder"; }
+claim "nothing installed names a folder of the build" names_no_folder_of_the_build
+
+says_its_version() { bare "$1/bin/blossom" --version | grep -q '^blossom [0-9]'; }
+for prefix in /usr /usr/local /opt/somewhere; do
+  claim "the program runs below $prefix" says_its_version "$folder$prefix"
+done
+if [ -z "$python" ]; then exit 0; fi
+
+# The folder of the package, without the staging folder in front.
+package_of() { (cd "$folder" && find ".$1/lib" -name '_core.*.so' -printf '%h\n' | sed 's|^\.||'); }
+is_searched() {
+  local package
+  package=$(package_of "$1")
+  bare "$python" -I -c "import site, sys; sys.exit(sys.argv[1] not in site.getsitepackages())" \
+    "${package%/blossom}"
+}
+claim "Python looks where the package is below /usr" is_searched /usr
+claim "Python looks where the package is below /usr/local" is_searched /usr/local
+
+imports() { bare PYTHONPATH="$1" "$python" -B -c "import blossom; print(blossom.intersect)" >/dev/null; }
+for prefix in /usr /usr/local /opt/somewhere; do
+  package=$(package_of "$prefix")
+  claim "the package below $prefix can be imported" imports "$folder${package%/blossom}"
+  addon=$folder$prefix/share/freecad/Mod/Blossom
+  claim "the add-on below $prefix has it" test "$addon/blossom" -ef "$folder$package"
+  claim "and says what it is" grep -q '<name>Blossom</name>' "$addon/package.xml"
+done
