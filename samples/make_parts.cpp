@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Makes the two STEP files that samples/run.sh works on: hull.step with the skin of a boat, and
-// cutters.step with its deck and the tunnel of a bow thruster, named and coloured.
+// Makes the STEP files that samples/run.sh and the README's lines work on, named and coloured:
+// hull.step with the skin of a boat, cutters.step with its deck and the tunnel of a bow thruster,
+// and two solids, block.step and drill.step.
 //
 // usage: make_parts FOLDER
 
@@ -9,6 +10,8 @@
 #include <iostream>
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 
 #include "adapters/occt/shapes.h"
 #include "samples/hull_parts.h"
@@ -31,6 +34,15 @@ void make_parts(const std::filesystem::path& folder) {
   cutters.add(face_on(samples::deck()), "Deck", {0.93, 0.69, 0.33});
   cutters.add(face_on(samples::thruster_tunnel()), "Thruster tunnel", {0.55, 0.75, 0.45});
   blossom::occt::write_model(cutters, folder / "cutters.step");
+
+  blossom::occt::Model block;
+  block.add(BRepPrimAPI_MakeBox(60, 40, 20).Shape(), "Block", {0.36, 0.56, 0.78});
+  blossom::occt::write_model(block, folder / "block.step");
+
+  blossom::occt::Model drill;
+  const gp_Ax2 axis(gp_Pnt(25, 20, -10), gp::DZ());
+  drill.add(BRepPrimAPI_MakeCylinder(axis, 8, 40).Shape(), "Drill", {0.93, 0.69, 0.33});
+  blossom::occt::write_model(drill, folder / "drill.step");
 }
 
 }  // namespace

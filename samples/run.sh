@@ -11,7 +11,7 @@ step "configure"
 configure release
 
 step "build"
-cmake --build "$build" -j "$(build_jobs)" --target blossom samples
+cmake --build "$build" -j "$(build_jobs)" --target installable samples
 
 step "sample: evaluate by blossom"
 "$build/samples/01_evaluate_by_blossom"
@@ -23,5 +23,5 @@ results=$root/build/samples
 step "sample: a boat"
 bash "$root/samples/boat.sh" "$build/plugin/cli/blossom" "$build/samples" "$results"
 
-printf '\nAll samples ran. Results: %s\n' "$results"
+printf '\nAll samples ran. Program: %s\nResults: %s\n' "$build/plugin/cli/blossom" "$results"
 ls -1 "$results"

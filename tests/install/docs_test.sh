@@ -17,13 +17,13 @@ completed() {
 offers() {
   local wanted=$1
   shift
-  completed "$@" | grep -qxF -e "$wanted"
+  completed "$@" | grep -xF -e "$wanted" >/dev/null
 }
 manual() { zcat "$docs/man/$(IFS=-; echo "$*").1.gz"; }
 manual_names() {
   local wanted=${1//-/\\-}
   shift
-  manual "$@" | grep -qF -e "$wanted"
+  manual "$@" | grep -F -e "$wanted" >/dev/null
 }
 
 # The lines of a section of a command's help: the first word of each.

@@ -19,11 +19,10 @@ done
 names_no_folder_of_the_build() { ! grep -rlF -e "$build" -e "$source" "$folder"; }
 claim "nothing installed names a folder of the build" names_no_folder_of_the_build
 
-says_its_version() { bare "$1/bin/blossom" --version | grep -q '^blossom [0-9]'; }
+says_its_version() { bare "$1/bin/blossom" --version | grep '^blossom [0-9]' >/dev/null; }
 for prefix in /usr /usr/local /opt/somewhere; do
   claim "the program runs below $prefix" says_its_version "$folder$prefix"
 done
-if [ -z "$python" ]; then exit 0; fi
 
 # The folder of the package, without the staging folder in front.
 package_of() { (cd "$folder" && find ".$1/lib" -name '_core.*.so' -printf '%h\n' | sed 's|^\.||'); }
@@ -44,3 +43,13 @@ for prefix in /usr /usr/local /opt/somewhere; do
   claim "the add-on below $prefix has it" test "$addon/blossom" -ef "$folder$package"
   claim "and says what it is" grep -q '<name>Blossom</name>' "$addon/package.xml"
 done
+
+# DRAW always exits with 0, so what it prints decides.
+loads_in_draw() {
+  bare CSF_BlossomPluginDefaults="$1/share/opencascade/resources/DrawResources" \
+    LD_LIBRARY_PATH="$1/lib" "$draw" -b -f "$source/tests/plugin/draw/blintersect_test.tcl" 2>&1 |
+    grep 'ALL CLAIMS HOLD' >/dev/null
+}
+if draw=$(command -v occt-draw-7.6 || command -v occt-draw); then
+  claim "DRAW loads the plugin below /opt/somewhere" loads_in_draw "$folder/opt/somewhere"
+fi
