@@ -24,6 +24,7 @@
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/supervision.h"
+#include "plugin/cli/verbosity.h"
 
 namespace blossom::cli {
 namespace {
@@ -76,18 +77,27 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 }  // namespace
 
-void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output) {
-  if (!output.empty()) command.add_option("-o,--output", options.output, output)->type_name("FILE");
+void add_report_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--json", options.json, "write a report; - is stdout")->type_name("FILE");
-  command.add_option("--picture", options.picture, "write a picture (PNG)")->type_name("FILE");
-  command.add_flag("-q,--quiet", options.quiet, "say nothing but errors");
-}
-
-void add_time_limit(CLI::App& command) {
+  command.add_flag("--strict", options.strict,
+                   "refuse files that are damaged in parts or have to be repaired");
   const auto take = [](const double& seconds) { set_time_limit(seconds); };
   command.add_option_function<double>("--time-limit", take, "stop after so many seconds in all")
       ->check(CLI::Validator(positive_number, "POSITIVE"))
       ->type_name("S");
+  const auto flag = [&](const char* name, const char* what, Verbosity level) {
+    return command.add_flag_callback(
+        name, [level] { set_verbosity(level); }, what);
+  };
+  CLI::Option* const verbose =
+      flag("-v,--verbose", "say more: what was repaired, and where", Verbosity::Verbose);
+  flag("-q,--quiet", "say nothing but errors", Verbosity::Quiet)->excludes(verbose);
+}
+
+void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output) {
+  if (!output.empty()) command.add_option("-o,--output", options.output, output)->type_name("FILE");
+  command.add_option("--picture", options.picture, "write a picture (PNG)")->type_name("FILE");
+  add_report_options(command, options);
 }
 
 void add_engine_options(CLI::App& command, EngineOptions& options) {
@@ -99,7 +109,6 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
       ->check(CLI::IsMember(kForms))
       ->type_name("")
       ->capture_default_str();
-  add_time_limit(command);
   command.add_option("--budget", options.budget, "stop after so many pairs of cells")
       ->check(CLI::Range(1L, 1'000'000'000'000L))
       ->type_name("N")

@@ -17,7 +17,7 @@ struct CommonOptions {
   std::string output;   ///< -o: a model file; empty for none
   std::string json;     ///< --json: a file, or "-" for stdout; empty for none
   std::string picture;  ///< --picture: a PNG file; empty for none
-  bool quiet = false;
+  bool strict = false;  ///< --strict: nothing is read that is damaged or repaired
 };
 
 /// What an intersection may be told; for commands that intersect on their way, too.
@@ -28,14 +28,15 @@ struct EngineOptions {
   int threads = 0;
 };
 
-/// -o, --json, --picture, --quiet.
+/// What every command takes: --json, --strict, --time-limit, --verbose, --quiet. The limit is known
+/// to supervision.h, the last two are to verbosity.h.
+void add_report_options(CLI::App& command, CommonOptions& options);
+
+/// The same, and -o and --picture.
 /// output    what -o gets, for the help text; empty if the command writes no model
 void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output);
 
-/// --time-limit, see supervision.h.
-void add_time_limit(CLI::App& command);
-
-/// --tolerance, --form, --time-limit, --budget, --threads.
+/// --tolerance, --form, --budget, --threads.
 void add_engine_options(CLI::App& command, EngineOptions& options);
 
 /// The options of the core, with what is left of the time limit; the work ticks `progress` and

@@ -8,6 +8,7 @@
 #include "adapters/occt/errors.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/supervision.h"
+#include "plugin/cli/verbosity.h"
 
 namespace blossom::cli {
 
@@ -28,6 +29,10 @@ void write_json(const Json& report, const std::string& target) {
 void write_model(const occt::Model& model, const std::string& file) {
   enter(Phase::Writing, file);
   occt::write_model(model, file, stop_if_interrupted);
+}
+
+void print_summary(const std::string& text, const std::string& json) {
+  if (json != "-" && verbosity() != Verbosity::Quiet) print(text);
 }
 
 void tell_unwritten(const std::string& file, const std::string& reason) {

@@ -27,6 +27,10 @@ void write_json(const Json& report, const std::string& target);
 /// Writes a model, see occt::write_model; an interruption leaves what was there before.
 void write_model(const occt::Model& model, const std::string& file);
 
+/// Writes a summary to stdout, unless -q was given or the report is there.
+/// json     what --json got; empty without it
+void print_summary(const std::string& text, const std::string& json);
+
 /// Says on stderr that a file is not written and why; if there is a file of that name, that it is
 /// an older one.
 void tell_unwritten(const std::string& file, const std::string& reason);

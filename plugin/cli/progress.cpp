@@ -7,11 +7,13 @@
 #include <utility>
 
 #include "plugin/cli/supervision.h"
+#include "plugin/cli/verbosity.h"
 
 namespace blossom::cli {
 
-Progress::Progress(std::string doing, bool quiet)
-    : doing_(std::move(doing)), silent_(quiet || isatty(STDERR_FILENO) == 0) {
+Progress::Progress(std::string doing)
+    : doing_(std::move(doing)),
+      silent_(verbosity() == Verbosity::Quiet || isatty(STDERR_FILENO) == 0) {
   enter(Phase::Working, doing_);
 }
 

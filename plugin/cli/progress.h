@@ -9,10 +9,10 @@
 namespace blossom::cli {
 
 /// Shows "intersecting ... 3 s" on stderr once the work has taken a second, and wipes it in the
-/// end. Silent when stderr is no terminal or when asked to be quiet.
+/// end. Silent when stderr is no terminal or with -q.
 class Progress {
  public:
-  Progress(std::string doing, bool quiet);
+  explicit Progress(std::string doing);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -133,7 +133,7 @@ void write_outputs(const Input& a, const Input& b, const StripCommand& command,
   }
   if (!command.common.json.empty())
     write_json(report_of(a, b, command, timed), command.common.json);
-  if (command.common.json != "-" && !command.common.quiet) print(summary(a, b, timed));
+  print_summary(summary(a, b, timed), command.common.json);
 }
 
 int run(const StripCommand& command) {

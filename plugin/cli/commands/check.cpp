@@ -22,7 +22,7 @@ namespace {
 
 struct Options {
   std::string input;
-  std::string json;
+  CommonOptions common;
 };
 
 /// Figures of a face, or of all that was looked at.
@@ -192,17 +192,16 @@ std::string check_text(const Input& input, const occt::Soundness& found) {
 }
 
 int run(const Options& options) {
-  CommonOptions outputs;
-  outputs.json = options.json;
-  check_outputs(outputs, {options.input});
+  check_outputs(options.common, {options.input});
   const Input input = read_input(options.input);
   stop_if_interrupted();
   const bool whole = static_cast<int>(input.numbers.size()) == input.model.face_count();
   const occt::Soundness found = whole ? occt::soundness(input.model.shape())
                                       : occt::soundness(input.model.shape(), input.numbers);
   stop_if_interrupted();
-  if (options.json != "-") print(check_text(input, found));
-  if (!options.json.empty()) write_json(check_json(input, found), options.json);
+  const std::string& json = options.common.json;
+  if (!json.empty()) write_json(check_json(input, found), json);
+  print_summary(check_text(input, found), json);
   return problem_count(found) == 0 ? kExitComplete : kExitTolerance;
 }
 
@@ -216,7 +215,7 @@ void add_check(CLI::App& app, int& exit_code) {
   command->add_option("input", options->input, "model, or some of its faces")
       ->required()
       ->type_name("FILE");
-  command->add_option("--json", options->json, "write a report; - is stdout")->type_name("FILE");
+  add_report_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

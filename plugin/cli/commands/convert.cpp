@@ -196,7 +196,7 @@ int run(const Options& options) {
   const Made made = form == Form::AsItIs && !from_nets && !to_nets ? write_as_it_is(options)
                                                                    : write_converted(options, form);
   if (!options.common.json.empty()) write_json(report_of(options, made), options.common.json);
-  if (options.common.json != "-" && !options.common.quiet) print(summary(options, made));
+  print_summary(summary(options, made), options.common.json);
   return kExitComplete;
 }
 
@@ -223,9 +223,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str()
       ->type_name("T");
-  command->add_option("--json", options->common.json, "write a report; - is stdout")
-      ->type_name("FILE");
-  command->add_flag("-q,--quiet", options->common.quiet, "say nothing but errors");
+  add_report_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -182,20 +182,17 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
 
 struct Options {
   std::string input;
-  std::string json;
+  CommonOptions common;
 };
 
 int run(const Options& options) {
-  CommonOptions outputs;
-  outputs.json = options.json;
-  check_outputs(outputs, {options.input});
+  check_outputs(options.common, {options.input});
   const Input input = read_input(options.input, Faces::Optional);
   const ModelFacts facts = model_facts(input);
   stop_if_interrupted();
-  if (options.json.empty())
-    print(info_text(input, facts));
-  else
-    write_json(info_json(input, facts), options.json);
+  const std::string& json = options.common.json;
+  if (!json.empty()) write_json(info_json(input, facts), json);
+  print_summary(info_text(input, facts), json);
   return kExitComplete;
 }
 
@@ -208,8 +205,7 @@ void add_info(CLI::App& app, int& exit_code) {
   command->add_option("input", options->input, "model, or some of its faces")
       ->required()
       ->type_name("FILE");
-  command->add_option("--json", options->json, "report instead of text; - is stdout")
-      ->type_name("FILE");
+  add_report_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

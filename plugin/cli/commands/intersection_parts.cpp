@@ -103,7 +103,7 @@ void add_intersect_options(CLI::App& command, IntersectOptions& options) {
 TimedIntersection timed_intersection(
     const IntersectOptions& options,
     const std::function<occt::ShapeIntersection(const IntersectionOptions&)>& intersect) {
-  Progress progress("intersecting", options.common.quiet);
+  Progress progress("intersecting");
   const IntersectionOptions engine = intersection_options(options.engine, progress);
   TimedIntersection result;
   std::vector<double> seconds;
@@ -136,7 +136,7 @@ void write_outputs(const Input& a, const Input& b, const std::string& title,
     write_json(&a == &b ? self_intersection_report(a, result.found, result.times)
                         : intersection_report(a, b, result.found, result.times),
                options.json);
-  if (options.json != "-" && !options.quiet) print(summary(a, b, title, result));
+  print_summary(summary(a, b, title, result), options.json);
 }
 
 }  // namespace blossom::cli

@@ -16,14 +16,11 @@
 namespace blossom::cli {
 
 void add_query_options(CLI::App& command, QueryOptions& options) {
-  command.add_option("--json", options.json, "report instead of text; - is stdout")
-      ->type_name("FILE");
+  add_report_options(command, options);
   command.add_option("--tolerance", options.tolerance, "what counts as one point, in model units")
       ->check(CLI::Range(std::numeric_limits<double>::min(), 1e6))
       ->type_name("T")
       ->capture_default_str();
-  add_time_limit(command);
-  command.add_flag("-q,--quiet", options.quiet, "say nothing but errors");
 }
 
 Vec3 parse_vector(const std::string& text, const std::string& what) {
@@ -98,7 +95,7 @@ TopoDS_Shape chosen_shape(const Input& input) {
 
 void write_answer(const Json& report, const std::string& text, const QueryOptions& options) {
   if (!options.json.empty()) write_json(report, options.json);
-  if (options.json != "-" && !options.quiet) print(text);
+  print_summary(text, options.json);
 }
 
 void add_query(CLI::App& app, int& exit_code) {

@@ -12,18 +12,17 @@
 #include "adapters/occt/distance.h"
 #include "core/math/vec.h"
 #include "plugin/cli/inputs.h"
+#include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/shape_numbers.h"
 
 namespace blossom::cli {
 
-struct QueryOptions {
-  std::string json;  ///< --json: a file, or "-" for stdout; empty for none
+struct QueryOptions : CommonOptions {
   double tolerance = 1e-7;
-  bool quiet = false;
 };
 
-/// --json, --tolerance, --time-limit, --quiet.
+/// Those of reports, and --tolerance.
 void add_query_options(CLI::App& command, QueryOptions& options);
 
 /// Three numbers, as in "1,-2.5,3e2".
@@ -54,7 +53,7 @@ std::string place_text(const ShapeNumbers& numbers, const Input& input,
 /// The faces that the user means; the whole model, with free edges and vertices, if that is all.
 TopoDS_Shape chosen_shape(const Input& input);
 
-/// Writes the report where it is wanted, and else the text.
+/// Writes the report where it is wanted, and the text unless the report is on stdout.
 void write_answer(const Json& report, const std::string& text, const QueryOptions& options);
 
 void add_query_plane(CLI::App& query, int& exit_code);

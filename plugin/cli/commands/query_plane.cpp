@@ -142,7 +142,7 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
   if (unwritten) tell_unwritten(common.output, "no wire and no point was found");
   if (!common.picture.empty()) occt::write_text(png, common.picture);
   if (!common.json.empty()) write_json(report_of(input, options, answer), common.json);
-  if (common.json != "-" && !common.quiet) print(text_of(input, answer));
+  print_summary(text_of(input, answer), common.json);
 }
 
 int run(const Options& options) {
@@ -153,7 +153,7 @@ int run(const Options& options) {
   const Input input = read_input(options.input);
   stop_if_interrupted();
   {
-    Progress progress("cutting", options.common.quiet);
+    Progress progress("cutting");
     const IntersectionOptions engine = intersection_options(options.engine, progress);
     const Stopwatch watch;
     answer.section = occt::plane_section(input.faces, answer.plane, engine);

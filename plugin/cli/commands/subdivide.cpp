@@ -135,7 +135,7 @@ void write_outputs(NetInput& input, const Options& options, const Timed& timed) 
   if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);
   if (!options.common.json.empty())
     write_json(report_of(input, options, timed), options.common.json);
-  if (options.common.json != "-" && !options.common.quiet) print(summary(input, timed));
+  print_summary(summary(input, timed), options.common.json);
 }
 
 int run(const Options& options) {

@@ -112,7 +112,7 @@ void tell_invalid_tools(const std::vector<Input>& tools, occt::TrimResult& made)
 }
 
 Timed timed_trim(const Inputs& inputs, const Options& options) {
-  Progress progress("trimming", options.common.quiet);
+  Progress progress("trimming");
   occt::TrimOptions wanted = trim_options(options.keep);
   wanted.intersection = intersection_options(options.engine, progress);
   const std::string& output = options.common.output;
@@ -238,7 +238,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   if (unwritten) tell_unwritten(options.common.output, reason);
   if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);
   if (!options.common.json.empty()) write_json(report, options.common.json);
-  if (options.common.json != "-" && !options.common.quiet) print(text);
+  print_summary(text, options.common.json);
   return unwritten ? exit_code_unwritten(timed.made.status) : exit_code(timed.made.status);
 }
 

@@ -94,7 +94,7 @@ std::vector<std::string> invalid_as_given(const SolidTrim& options,
 }
 
 Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models& tools) {
-  Progress progress("combining solids", options.common.quiet);
+  Progress progress("combining solids");
   const IntersectionOptions engine = intersection_options(options.engine, progress);
   const auto named = [](const occt::Model& model, const std::string& name) {
     occt::TrimTool tool = occt::trim_tool(model.shape());
@@ -279,7 +279,7 @@ int trim_solids(const SolidTrim& options) {
   if (!png.empty()) occt::write_text(png, outputs.picture);
   if (!reason.empty()) tell_no_solid(outputs, reason);
   if (!outputs.json.empty()) write_json(report_of(options, timed, write), outputs.json);
-  if (outputs.json != "-" && !outputs.quiet) print(summary(options, timed));
+  print_summary(summary(options, timed), outputs.json);
   return exit_code_of(timed.made, outputs);
 }
 

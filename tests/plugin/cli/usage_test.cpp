@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What all commands of the program have in common: how much they say, help, and exit codes.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "plugin/cli/verbosity.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using testing::blossom;
+using testing::Finished;
+
+class Verbose : public ::testing::Test {
+ protected:
+  // What a note and a detail print at this level.
+  static std::string told_at(cli::Verbosity level) {
+    cli::set_verbosity(level);
+    ::testing::internal::CaptureStderr();
+    cli::note("2 edges were repaired");
+    cli::detail("edge 7: its tolerance is 1e-3");
+    cli::set_verbosity(cli::Verbosity::Normal);
+    return ::testing::internal::GetCapturedStderr();
+  }
+};
+
+TEST_F(Verbose, NotesAreSilencedByQuietAndDetailsNeedVerbose) {
+  EXPECT_EQ(told_at(cli::Verbosity::Quiet), "");
+  EXPECT_EQ(told_at(cli::Verbosity::Normal), "blossom: 2 edges were repaired\n");
+  EXPECT_EQ(told_at(cli::Verbosity::Verbose),
+            "blossom: 2 edges were repaired\nblossom: edge 7: its tolerance is 1e-3\n");
+}
+
+TEST(EveryCommand, IsSilentWithQuietAndTakesVerbose) {
+  const testing::TestFolder folder;
+  testing::write({testing::bowl()}, folder / "bowl.brep");
+  testing::write({testing::lid(0.25)}, folder / "lid.brep");
+  const std::string a = folder / "bowl.brep", b = folder / "lid.brep";
+  const std::vector<std::vector<std::string>> calls = {
+      {"info", a},
+      {"check", a},
+      {"intersect", a, b},
+      {"self-intersect", a},
+      {"trim", a, b, "--keep", "all"},
+      {"subdivide", a, "--levels", "1"},
+      {"convert", a, "-o", folder / "out.brep"},
+      {"query", "ray", a, "--from", "0,0,5", "--direction", "0,0,-1"},
+      {"query", "plane", a, "--point", "0,0,1", "--normal", "0,0,1"},
+      {"query", "distance", a, b},
+      {"query", "does-intersect", a, b},
+      {"query", "point", a, "--at", "0,0,5"}};
+  for (std::vector<std::string> call : calls) {
+    const std::string command = call[0] + " " + call[1];
+    call.push_back("-q");
+    const Finished quiet = blossom(call);
+    EXPECT_EQ(quiet.code, 0) << command << ": " << quiet.err;
+    EXPECT_EQ(quiet.out + quiet.err, "") << command;
+    call.back() = "-v";
+    const Finished verbose = blossom(call);
+    EXPECT_EQ(verbose.code, 0) << command << ": " << verbose.err;
+    EXPECT_NE(verbose.out, "") << command;
+    call.push_back("-q");
+    EXPECT_EQ(blossom(call).code, 2) << command;
+  }
+}
+
+}  // namespace
+}  // namespace blossom
