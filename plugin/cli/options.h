@@ -40,7 +40,9 @@ void add_common_options(CLI::App& command, CommonOptions& options, const std::st
 void add_engine_options(CLI::App& command, EngineOptions& options);
 
 /// The options of the core, with what is left of the time limit; the work ticks `progress` and
-/// stops at an interruption. progress  has to live as long as the result is used
+/// stops at an interruption.
+///
+/// progress  has to live as long as the result is used
 IntersectionOptions intersection_options(const EngineOptions& options, Progress& progress);
 
 /// What -o takes: models, or files of nets (.json), too.

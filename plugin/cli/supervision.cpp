@@ -74,12 +74,28 @@ void limit_memory() {
 #endif
 }
 
-sigset_t watched_signals() {
-  sigset_t set;
-  sigemptyset(&set);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, signal);
-  return set;
-}
+/// While it lives, the parent's signals wait until they are asked for.
+class WatchedSignals {
+ public:
+  WatchedSignals() {
+    sigemptyset(&set_);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set_, signal);
+    pthread_sigmask(SIG_BLOCK, &set_, &before_);
+    // Who is started in the background may have inherited that these are ignored.
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  }
+  ~WatchedSignals() { release(); }
+  WatchedSignals(const WatchedSignals&) = delete;
+  WatchedSignals& operator=(const WatchedSignals&) = delete;
+
+  const sigset_t& set() const { return set_; }
+
+  /// Lets them through to whoever handles them.
+  void release() const { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t set_{}, before_{};
+};
 
 const char* name_of_signal(int signal) {
   switch (signal) {
@@ -193,12 +209,12 @@ std::optional<int> Watch::crashed(int signal) const {
 
 /// What the child does.
 [[noreturn]] void work_as_child(const std::function<int()>& work, pid_t parent,
-                                const sigset_t& mask) {
+                                const WatchedSignals& signals) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kExitFailure);
   limit_memory();
   watch_for_interruption();
-  pthread_sigmask(SIG_SETMASK, &mask, nullptr);
+  signals.release();
   std::exit(work());
 }
 
@@ -206,22 +222,18 @@ std::optional<int> Watch::crashed(int signal) const {
 
 int supervised(const std::function<int()>& work) {
   started = Clock::now();
-  const sigset_t signals = watched_signals();
-  sigset_t mask;
-  pthread_sigmask(SIG_BLOCK, &signals, &mask);
-  // Who is started in the background may have inherited that these are ignored.
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
+  const WatchedSignals signals;
   const pid_t parent = getpid();
   while (true) {
     board = new_board();
     const pid_t child = board == nullptr ? -1 : fork();
-    if (child == 0) work_as_child(work, parent, mask);
+    if (child == 0) work_as_child(work, parent, signals);
     if (child < 0) {
       watch_for_interruption();
-      pthread_sigmask(SIG_SETMASK, &mask, nullptr);
+      signals.release();
       return work();
     }
-    if (const std::optional<int> code = Watch(child).finish(signals)) return *code;
+    if (const std::optional<int> code = Watch(child).finish(signals.set())) return *code;
   }
 }
 

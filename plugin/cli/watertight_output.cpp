@@ -9,7 +9,6 @@
 #include "adapters/occt/errors.h"
 #include "core/intersection/work_limit.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
 namespace {
@@ -58,9 +57,10 @@ std::set<int> folded_faces(const WatertightPieces& pieces) {
 
 }  // namespace
 
-occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine) {
+occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine,
+                                    double seconds) {
   IntersectionOptions left;
-  left.time_limit = seconds_left();
+  left.time_limit = seconds;
   const WorkLimit limit(left);
   WatertightOptions options;
   options.tolerance = kToleranceFactor * engine.tolerance;

@@ -20,10 +20,12 @@ namespace blossom::cli {
 ///
 /// engine      of it the tolerance, what counts as one point: pieces may lie ten times as far from
 ///             the faces
+/// seconds     that are left of the time limit; 0 if there is none
 /// returns     without a shape, and with faces that are open, if the time limit is reached
 /// throws      occt::BadModel if the faces have no such pieces, naming the obstacle; Interrupted if
 ///             the user wants an end
-occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine);
+occt::WatertightShape watertight_of(const TopoDS_Shape& shape, const EngineOptions& engine,
+                                    double seconds);
 
 /// Why nothing is written though there is no obstacle: the time limit; empty if it was not reached.
 std::string reason_of(const WatertightPieces& pieces);

@@ -26,6 +26,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
+#include "plugin/cli/supervision.h"
 #include "plugin/cli/watertight_output.h"
 
 namespace blossom::cli {
@@ -200,7 +201,7 @@ std::string obstacle(const Inputs& inputs, const Timed& timed, const Options& op
 
 // Puts pieces with common sides in the place of all faces, if there is time for it.
 WatertightPieces make_watertight(occt::Model& model, const EngineOptions& engine) {
-  occt::WatertightShape made = watertight_of(model.shape(), engine);
+  occt::WatertightShape made = watertight_of(model.shape(), engine, seconds_left());
   if (!made.pieces.open.empty()) return std::move(made.pieces);
   std::map<int, std::vector<TopoDS_Face>> faces;
   for (std::size_t k = 0; k < made.faces.size(); ++k)

@@ -25,6 +25,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
+#include "plugin/cli/supervision.h"
 #include "plugin/cli/watertight_output.h"
 
 namespace blossom::cli {
@@ -47,7 +48,7 @@ struct Timed {
 // faces do.
 void make_watertight(Timed& timed, const EngineOptions& engine) {
   const TopoDS_Compound all = occt::compound_of(timed.made.solids);
-  occt::WatertightShape made = watertight_of(all, engine);
+  occt::WatertightShape made = watertight_of(all, engine, seconds_left());
   timed.made.status = status_with(timed.made.status, made.pieces);
   if (const std::string reason = reason_of(made.pieces); !reason.empty()) {
     timed.made.obstacles.push_back(reason);
