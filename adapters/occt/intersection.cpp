@@ -13,6 +13,7 @@
 #include "adapters/occt/faces/equal_faces.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_list.h"
+#include "adapters/occt/faces/neighbour_proof.h"
 #include "adapters/occt/faces/shared_edges.h"
 #include "adapters/occt/faces/shared_limit.h"
 #include "adapters/occt/faces/trimmed_overlaps.h"
@@ -174,6 +175,7 @@ class PairIntersector {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     const TopoDS_Face &shape_a = faces_a_.face(i), &shape_b = faces_b_.face(j);
     const std::vector<SharedEdge> edges = copies_.shared(result.face_a, result.face_b);
+    if (is_settled_by_neighbours(a, b, edges, result)) return;
     result.found =
         &a == &b ? self_intersect(a.surface, options_for(a, b, edges)) : found_between(i, j, edges);
     const std::vector<Overlap> whole = result.found.overlaps;
@@ -191,6 +193,20 @@ class PairIntersector {
       for (auto* const points : {&result.found.points, &touches}) drop_shared(a, b, *points);
     add_touches(touches, options_.tolerances.point, result.found);
     add_shapes(a, b, result);
+  }
+
+  // What two faces share may be all that they have in common.
+  bool is_settled_by_neighbours(const FaceData& a, const FaceData& b,
+                                const std::vector<SharedEdge>& edges,
+                                FaceIntersection& result) const {
+    if (&a == &b || (shared_ == Shared::Listed && edges.empty())) return false;
+    const IntersectionOptions left = limit_.remaining();
+    NeighbourProof proof = meet_in_shared_only(a, b, edges, left.tolerances.point, WorkLimit(left));
+    if (!proof.proven) return false;
+    result.found.certificate = std::move(proof.certificate);
+    if (shared_ == Shared::Listed) add_edges(edges, result);
+    add_shapes(a, b, result);
+    return true;
   }
 
   // A curve that touches the line between two spans of an arc may stay open; the line is our own

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Proof that two trimmed faces meet in nothing but the edges and vertices they share.
+//
+// What two faces share they have in common, whatever the bits of their surfaces say within the
+// edge's tolerance; so nothing there has to be searched. What has to be proven is that they meet
+// nowhere else. Cells of both are halved until each pair of them is
+//   outside of the trims, or apart by a box or a plane, or
+//   within the tolerance of a common vertex, or
+//   beside a common edge, where paths prove it (`core/intersection/contacts/path_reach.h`): in the
+//   chart of each face a parameter line leads from every point of the cell to the edge.
+// That holds for smooth neighbours, too, as fillets and what they round, whose surfaces come as
+// near to each other as one likes and nearly parallel. Faces that share nothing are apart or not.
+
+#pragma once
+
+#include <vector>
+
+#include "adapters/occt/faces/face_data.h"
+#include "adapters/occt/faces/shared_edges.h"
+#include "core/intersection/result.h"
+#include "core/intersection/work_limit.h"
+
+namespace blossom::occt {
+
+struct NeighbourProof {
+  bool proven = false;
+  Certificate certificate;  ///< of a proof: pairs of cells that are apart
+};
+
+/// edges       that both faces share; nothing is proven where a face has one of them twice
+/// tolerance   of points, model units. What the faces have in common lies no farther from a common
+///             edge or vertex than four times the larger one of this and its own tolerance
+/// limit       nothing is proven once it is reached
+/// cost        no more than some 30,000 pairs of cells
+NeighbourProof meet_in_shared_only(const FaceData& a, const FaceData& b,
+                                   const std::vector<SharedEdge>& edges, double tolerance,
+                                   const WorkLimit& limit);
+
+}  // namespace blossom::occt
