@@ -224,9 +224,15 @@ bool lies_beside(const PlanarBezier& line, const PlanarBox& box) {
   return std::abs(cross(along, box.low + half - from)) > reach;
 }
 
+bool holds_end(const PlanarBox& box, const Vec3& end) {
+  const Vec2 p = projected(end);
+  return !apart(box, {p, p});
+}
+
 bool may_meet(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
   if (apart(box_of(piece.points), box)) return false;
   if (piece.degree() == 1) return !lies_beside(piece, box);
+  if (holds_end(box, piece.points.front()) || holds_end(box, piece.points.back())) return true;
   return halvings == 0 || may_meet(bezier_piece(piece, {0, 0.5}), box, halvings - 1) ||
          may_meet(bezier_piece(piece, {0.5, 1}), box, halvings - 1);
 }

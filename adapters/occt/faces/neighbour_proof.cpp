@@ -31,11 +31,14 @@ namespace {
 constexpr double kCut = 0.4865;  // cells are halved off their middle, as in every search
 constexpr int kDeepest = 60;     // halvings of a patch
 constexpr long kMostPairs = 30'000;
-constexpr double kReach = 4;       // tolerances: what is so near an edge or a vertex is it
-constexpr double kPast = 0.1;      // of a cell: so far beside it an edge is known, if it goes on
-constexpr int kMostHalvings = 40;  // of a span of a wire, to see whether it meets a cell
-constexpr double kLeastPiece = 0x1p-40;  // of a span of a wire, where its nearest point is sought
-constexpr double kFootSlack = 0.125;     // of a cell, likewise
+constexpr double kReach = 4;          // tolerances: what is so near an edge or a vertex is it
+constexpr double kPast = 0.1;         // of a cell: so far beside it an edge is known, if it goes on
+constexpr int kMostHalvings = 40;     // of a span of a wire, to see whether it meets a cell
+constexpr double kTooSmall = 0x1p-8;  // of a cell: so small pieces of a wire beside it may meet it
+constexpr double kFootPiece = 0x1p-8;  // of a wire, in which its point nearest to a cell is sought
+constexpr double kLeastPiece = 0x1p-40;  // of a span, likewise
+constexpr int kNewtonSteps = 8;
+constexpr double kFar = 4;  // cells: what is so far from an edge has to be apart without it
 constexpr int kBisections = 60;
 constexpr double kRounding = 0x1p-44;  // of the coordinates, by which ends of paths may be off
 constexpr Axes kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
@@ -48,17 +51,32 @@ bool apart(const PlanarBox& a, const PlanarBox& b) {
   return false;
 }
 
+bool holds(const PlanarBox& box, const Vec2& p) {
+  return box.low[0] <= p[0] && p[0] <= box.high[0] && box.low[1] <= p[1] && p[1] <= box.high[1];
+}
+
 bool meets(const PlanarBezier& piece, const PlanarBox& box, int halvings) {
-  if (apart(box_of(piece.points), box)) return false;
-  return halvings == 0 || meets(bezier_piece(piece, {0, 0.5}), box, halvings - 1) ||
+  const PlanarBox own = box_of(piece.points);
+  if (apart(own, box)) return false;
+  if (halvings == 0 || holds(box, projected(piece.points.front())) ||
+      holds(box, projected(piece.points.back())) ||
+      distance(own.low, own.high) < kTooSmall * distance(box.low, box.high))
+    return true;
+  return meets(bezier_piece(piece, {0, 0.5}), box, halvings - 1) ||
          meets(bezier_piece(piece, {0.5, 1}), box, halvings - 1);
 }
 
-bool meets(const PlanarCurve& curve, const Interval& range, const PlanarBox& box) {
-  if (!(range.from < range.to)) return false;
-  const std::vector<PlanarBezier> pieces = bezier_pieces(curve, range);
-  return std::ranges::any_of(
-      pieces, [&](const PlanarBezier& piece) { return meets(piece, box, kMostHalvings); });
+// Whether an edge between two of its parameters may meet a box.
+bool meets(const Coedge& edge, const Interval& range, const PlanarBox& box) {
+  for (std::size_t i = 0; i < edge.curve.spans.size(); ++i) {
+    const PlanarSpan& span = edge.curve.spans[i];
+    const Interval common{std::max(range.from, span.place.from), std::min(range.to, span.place.to)};
+    if (!(common.from < common.to) || apart(edge.boxes[i], box)) continue;
+    const Interval local{local_parameter(span.law, span.place, common.from),
+                         local_parameter(span.law, span.place, common.to)};
+    if (meets(bezier_piece(span.curve, local), box, kMostHalvings)) return true;
+  }
+  return false;
 }
 
 // The derivative of a rational curve lies in the convex cone of all differences of its control
@@ -76,33 +94,48 @@ double distance_to(const PlanarBox& box, const Vec2& p) {
   return std::hypot(off(0), off(1));
 }
 
-// The parameter of a point of a curve that is no farther from another point than the nearest one
-// and `slack`: pieces that may hold a nearer one are halved, nearest boxes first.
-double foot_on(const PlanarCurve& curve, const Vec2& target, double slack) {
+// Newton's method for the nearest point, from a parameter near its own.
+double improved_foot(const PlanarCurve& curve, const Vec2& target, double t) {
+  const Interval domain = curve.domain();
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const PlanarJet jet = jet_at(curve, t);
+    const Vec2 off = jet.point - target;
+    const double slope = dot(jet.first, jet.first) + std::max(0.0, dot(off, jet.second));
+    if (!(slope > 0)) break;
+    t = std::clamp(t - dot(off, jet.first) / slope, domain.from, domain.to);
+  }
+  return t;
+}
+
+// The parameter of an edge's point that is nearest to another point, or as near as it but for
+// little: pieces that may hold a nearer one are halved, nearest boxes first.
+double foot_on(const Coedge& edge, const Vec2& target) {
   struct Piece {
-    double least;  // distance
-    PlanarBezier curve;
-    Interval local;
-    std::size_t span;
+    double least = 0;  // distance of its box
+    double size = 0;   // of its box
+    std::size_t span = 0;
+    Interval local{0, 1};
   };
   const auto is_farther = [](const Piece& a, const Piece& b) { return a.least > b.least; };
   std::priority_queue<Piece, std::vector<Piece>, decltype(is_farther)> pieces(is_farther);
-  const auto add = [&](PlanarBezier piece, const Interval& local, std::size_t span) {
-    const double least = distance_to(box_of(piece.points), target);
-    pieces.push({least, std::move(piece), local, span});
+  const auto add = [&](const PlanarBox& box, std::size_t span, const Interval& local) {
+    pieces.push({distance_to(box, target), distance(box.low, box.high), span, local});
   };
-  for (std::size_t i = 0; i < curve.spans.size(); ++i) add(curve.spans[i].curve, {0, 1}, i);
+  double largest = 0;
+  for (std::size_t i = 0; i < edge.boxes.size(); ++i) {
+    add(edge.boxes[i], i, {0, 1});
+    largest = std::max(largest, distance(edge.boxes[i].low, edge.boxes[i].high));
+  }
   for (;;) {
     const Piece piece = pieces.top();
     pieces.pop();
+    const PlanarSpan& span = edge.curve.spans[piece.span];
     const double middle = 0.5 * (piece.local.from + piece.local.to);
-    const PlanarBox box = box_of(piece.curve.points);
-    if (distance(box.low, box.high) <= slack || length(piece.local) < kLeastPiece) {
-      const PlanarSpan& span = curve.spans[piece.span];
-      return parameter_at(span.law, span.place, middle);
-    }
-    add(bezier_piece(piece.curve, {0, 0.5}), {piece.local.from, middle}, piece.span);
-    add(bezier_piece(piece.curve, {0.5, 1}), {middle, piece.local.to}, piece.span);
+    if (piece.size <= kFootPiece * largest || length(piece.local) < kLeastPiece)
+      return improved_foot(edge.curve, target, parameter_at(span.law, span.place, middle));
+    for (const Interval& half :
+         {Interval{piece.local.from, middle}, Interval{middle, piece.local.to}})
+      add(box_of(bezier_piece(span.curve, half).points), piece.span, half);
   }
 }
 
@@ -190,6 +223,7 @@ class CellsOfFace {
 
   /// Whether nothing of a cell counts, looked at more closely than cells are.
   bool is_outside(int patch, const Cell& cell) const {
+    if (cell.part != PartSide::Mixed) return cell.part == PartSide::Outside;
     const PlanarBox box = chart_box(patch, cell);
     return coedge_near(data_.trims, box, data_.trims.largest_gap, kMostHalvings,
                        Wires::AsTheyAre) == nullptr &&
@@ -233,13 +267,14 @@ class CellsOfFace {
   }
 
   static double foot_of(const Coedge& edge, const PlanarBox& box) {
-    return foot_on(edge.curve, 0.5 * (box.low + box.high),
-                   kFootSlack * distance(box.low, box.high));
+    return foot_on(edge, 0.5 * (box.low + box.high));
   }
 
   std::optional<Stretch> stretch_over(const Coedge& edge, const PlanarBox& box) const {
     const double foot = foot_of(edge, box);
-    const Vec2 way = jet_at(edge.curve, foot).first;
+    const PlanarJet at_foot = jet_at(edge.curve, foot);
+    if (distance_to(box, at_foot.point) > kFar * distance(box.low, box.high)) return {};
+    const Vec2 way = at_foot.first;
     Stretch stretch;
     stretch.along = std::abs(way[0]) >= std::abs(way[1]) ? 0 : 1;
     const int k = stretch.along;
@@ -247,8 +282,8 @@ class CellsOfFace {
     const double sign = way[k] > 0 ? 1 : -1;
     const double past = kPast * width(box, k);
     const double low = box.low[k] - past, high = box.high[k] + past;
-    stretch.range.from = reached(edge.curve, foot, k, sign > 0 ? low : high, -1);
-    stretch.range.to = reached(edge.curve, foot, k, sign > 0 ? high : low, 1);
+    stretch.range.from = reached(edge.curve, foot, k, sign > 0 ? low : high, 0.5 * past, -1);
+    stretch.range.to = reached(edge.curve, foot, k, sign > 0 ? high : low, 0.5 * past, 1);
     if (!(stretch.range.from < stretch.range.to)) return {};
     const std::vector<PlanarBezier> pieces = bezier_pieces(edge.curve, stretch.range);
     if (pieces.empty()) return {};
@@ -264,9 +299,10 @@ class CellsOfFace {
     return stretch;
   }
 
-  // The parameter at which a coordinate gets to a value, going on from `start`; the end of the
-  // curve if it does not.
-  static double reached(const PlanarCurve& curve, double start, int k, double value, int way) {
+  // A parameter at which a coordinate has got past a value by no more than `precision`, going on
+  // from `start`; the end of the curve if it does not get there.
+  static double reached(const PlanarCurve& curve, double start, int k, double value,
+                        double precision, int way) {
     const Interval domain = curve.domain();
     const double end = way > 0 ? domain.to : domain.from;
     const bool above = point_at(curve, start)[k] > value;
@@ -277,7 +313,10 @@ class CellsOfFace {
       double next = start + way * step;
       if ((end - next) * way <= 0) next = end;
       if (is_there(next)) {
-        for (int i = 0; i < kBisections; ++i) {
+        const auto is_exact = [&] {
+          return std::abs(point_at(curve, next)[k] - value) <= precision;
+        };
+        for (int i = 0; i < kBisections && !is_exact(); ++i) {
           const double middle = 0.5 * (last + next);
           (is_there(middle) ? next : last) = middle;
         }
@@ -293,10 +332,10 @@ class CellsOfFace {
   bool is_beside(const Coedge& edge, const Stretch& stretch, const PlanarBox& box) const {
     const Interval domain = edge.curve.domain();
     if (coedge_near(data_.trims, box, 0, kMostHalvings, Wires::AsTheyAre, &edge) != nullptr ||
-        meets(edge.curve, {domain.from, stretch.range.from}, box) ||
-        meets(edge.curve, {stretch.range.to, domain.to}, box))
+        meets(edge, {domain.from, stretch.range.from}, box) ||
+        meets(edge, {stretch.range.to, domain.to}, box))
       return false;
-    if (meets(edge.curve, stretch.range, box)) return true;
+    if (meets(edge, stretch.range, box)) return true;
     const Vec2 centre = 0.5 * (box.low + box.high);
     if (!is_inside(data_.trims, centre)) return true;
     const int k = stretch.along;
