@@ -32,6 +32,9 @@ namespace {
 constexpr std::array<std::string_view, 6> kModelEndings = {".step", ".stp",  ".iges",
                                                            ".igs",  ".brep", ".brp"};
 
+// Of the time that is left: what follows a search may take a quarter more (see WorkLimit).
+constexpr double kSearchPart = 0.8;
+
 const std::map<std::string, CellForm> kForms = {
     {"auto", CellForm::Auto}, {"monomial", CellForm::Monomial}, {"bezier", CellForm::Bezier}};
 
@@ -124,7 +127,7 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
   result.tolerances.point = options.tolerance;
   result.form = kForms.at(options.form);
   result.budget = options.budget;
-  result.time_limit = seconds_left();
+  result.time_limit = kSearchPart * seconds_left();
   result.threads = options.threads;
   result.cancelled = [&progress] {
     progress.tick();
