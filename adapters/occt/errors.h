@@ -23,12 +23,12 @@ class Failure : public std::runtime_error {
 };
 
 /// Runs `work` and turns Open CASCADE's `Standard_Failure`, which is no std::exception, into
-/// Failure("<doing>: <OCCT's type and message>").
+/// Failure("<doing>: <what that means for a model>").
 /// doing     what is being done, for example "reading part.step"
 template <class Work>
 auto guarded(const std::string& doing, Work&& work) -> decltype(work());
 
-/// "Standard_OutOfRange: index out of range" of the failure that is being handled.
+/// The failure that is being handled, in words about a model: "something needed is missing".
 std::string current_failure_text();
 
 }  // namespace blossom::occt

@@ -56,6 +56,12 @@ Document::~Document() {
   }
 }
 
+void Document::renew() {
+  const std::lock_guard guard(exchange_lock());
+  XCAFApp_Application::GetApplication()->Close(handle_);
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", handle_);
+}
+
 Handle(XCAFDoc_ShapeTool) Document::shapes() const {
   return XCAFDoc_DocumentTool::ShapeTool(main());
 }
@@ -105,6 +111,7 @@ Model::~Model() = default;
 const TopoDS_Shape& Model::shape() const { return impl_->shape; }
 int Model::face_count() const { return impl_->faces.Extent(); }
 const std::filesystem::path& Model::file() const { return impl_->file; }
+const ReadingReport& Model::reading() const { return impl_->reading; }
 
 TopoDS_Face Model::face(int number) const {
   if (number < 1 || number > face_count()) {

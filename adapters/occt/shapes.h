@@ -14,6 +14,8 @@
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include "adapters/occt/reading.h"
+
 namespace blossom::occt {
 
 class Model;
@@ -60,6 +62,9 @@ class Model {
 
   /// The length unit of that file, "MM", "INCH", ...; in memory all is millimetre.
   const std::string& file_unit() const;
+
+  /// What reading its file lost; nothing for a model made in memory.
+  const ReadingReport& reading() const;
 
   /// For each face, by number - 1, its name, or that of its part; empty when neither has one.
   std::vector<std::string> face_names() const;
@@ -110,23 +115,25 @@ class Model {
                       CommonFaces common = CommonFaces::Copy);
 
  private:
-  friend Model read_model(const std::filesystem::path& file);
+  friend Model read_model(const std::filesystem::path& file, const ReadOptions& options);
   friend void write_model(const Model& model, const std::filesystem::path& file,
                           const std::function<void()>& stop);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// Reads .step .stp .iges .igs .brep .brp (any case).
-/// A STEP or IGES file's length unit is kept for writing. Faces that Open CASCADE cannot make from
-/// a sound STEP file are left out, with a warning; it also tells faces that Open CASCADE is known
-/// to read wrong. Edges without a curve in the parameters of their face get one from their curve in
-/// space, with a warning. throws   BadModel if the file is missing, no file, empty, cut off,
-/// damaged, or holds no shape,
-///          or a number of its geometry is not finite or a weight not positive; the message names
-///          the file, the face, edge or entity, and the cause
+/// Reads STEP, IGES and BREP, in text or binary form, by the content: .step .stp .iges .igs .brep
+/// .brp .bin in any case, packed by gzip or zip (.stpZ, .stp.gz, ...), and other endings.
+///
+/// A STEP or IGES file's length unit is kept for writing. What of a damaged file cannot be read is
+/// left out and listed in `reading()`: entities, faces whose surface, curves or points have numbers
+/// that are none or weights that are not positive, and what comes after the place where a file is
+/// cut off. Edges without a curve in the parameters of their face get one from their curve in
+/// space, with a warning.
+/// throws   BadModel if the file is missing, no regular file, empty, of no known format, or holds
+///          nothing that can be used; the message names the file, the step and the cause
 /// Safe to call from several threads; they wait for each other.
-Model read_model(const std::filesystem::path& file);
+Model read_model(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Writes by the file's ending, beside the target, and renames when all is on the disk: an
 /// interrupted or failed write leaves what was there before, and nothing else if the file system

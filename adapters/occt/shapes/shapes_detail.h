@@ -4,9 +4,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <TDF_Label.hxx>
@@ -17,6 +17,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_Reader.hxx>
 
 #include "adapters/occt/shapes.h"
 
@@ -42,6 +43,9 @@ class Document {
   const Handle(TDocStd_Document) & handle() const { return handle_; }
   TDF_Label main() const { return handle_->Main(); }
   Handle(XCAFDoc_ShapeTool) shapes() const;
+
+  /// Becomes empty.
+  void renew();
 
   /// The length unit of the file, in the words of `write.step.unit`: "MM", "INCH", ...
   std::string unit = "MM";
@@ -85,6 +89,7 @@ void add_instances(const Document& from, const Document& to);
 struct Model::Impl {
   Document document;
   std::filesystem::path file;
+  ReadingReport reading;
   TopoDS_Shape shape;
   TopTools_IndexedMapOfShape faces;
 
@@ -92,19 +97,48 @@ struct Model::Impl {
   void refresh();
 };
 
-/// Refuses text that is no whole file of its format.
-/// throws   BadModel with the cause, without the file's name
-void check_whole(Format format, std::string_view text);
+/// A file on its way into a document.
+struct Reading {
+  Document& document;
+  const std::filesystem::path& file;
+  const ReadOptions& options;
+  ReadingReport& report;
+  std::string text = {};  ///< of the file, unpacked
+  std::string step = {};  ///< what is being done
+
+  /// Says what is done next.
+  void begin(const char* doing);
+
+  /// Puts the shapes that `reader` has transferred into the document: by `transfer`, with names and
+  /// colours, or without them if they are not wanted or fail, which is then reported.
+  void with_names(const XSControl_Reader& reader, const std::function<bool()>& transfer);
+};
 
 /// A length unit's name in a file, "millimetre" or "INCH", in the words of `write.step.unit`.
 std::string unit_named(std::string name);
 
-/// throws   BadModel with the cause, without the file's name
-void read_step(Document& document, const std::filesystem::path& file);
+/// Line ends of old Macintoshes, which have no line feeds, become line feeds.
+void mend_line_ends(std::string& text);
 
-/// Returns why a surface was left out, in a few words; empty when all is well.
+/// They list what is lost, and leave out what must not be made.
 /// throws   BadModel with the cause, without the file's name
-std::string read_brep(Document& document, const std::string& text);
+void read_step(Reading& reading);
+void read_iges(Reading& reading);
+void read_brep(Reading& reading);
+
+/// A shape from BREP text or binary BREP. What is cut off or cannot be read is listed; null if
+/// nothing is left.
+TopoDS_Shape brep_shape(const std::string& bytes, ReadingReport& report);
+
+/// Why the first surface is refused that Open CASCADE cannot read from a BREP text; nothing if it
+/// reads them all.
+std::string why_without_surface(const std::string& text);
+
+/// Takes faces out of the document that have no surface, or whose surface, curves or points have
+/// numbers that are none, and lists them. Curves that a BREP text has and Open CASCADE does not
+/// read count among these.
+void leave_out_bad_faces(const Document& document, Format format, const std::string& text,
+                         ReadingReport& report);
 
 /// Whether an edge has a curve in the parameters of a face, or the face is a plane, on which any
 /// edge with a curve in space has one.

@@ -15,6 +15,7 @@
 #include <XCAFDoc_ColorType.hxx>
 
 #include "adapters/occt/shapes/shapes_detail.h"
+#include "adapters/occt/shapes/shapes_rebuild.h"
 
 namespace blossom::occt {
 
@@ -53,6 +54,10 @@ class PieceNames {
  private:
   std::map<std::pair<const Model*, int>, int> pieces_, numbered_;
 };
+
+/// Replaces faces in the shape of a part; its labels follow. False if nothing is left of it.
+bool replace_in_part(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& part,
+                     const std::vector<Replacement>& replacements);
 
 /// Drops areas, volumes and centres that the file gave and that no longer hold.
 void forget_properties(const TDF_Label& label);

@@ -1,168 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Models from STEP, IGES and BREP files.
 
-#include <cmath>
-#include <fstream>
-#include <new>
+#include <algorithm>
+#include <exception>
 #include <sstream>
 #include <string>
 #include <utility>
 
-#include <BRep_CurveRepresentation.hxx>
-#include <BRep_ListOfCurveRepresentation.hxx>
-#include <BRep_TEdge.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_BSplineCurve.hxx>
-#include <Geom2d_BezierCurve.hxx>
-#include <Geom2d_OffsetCurve.hxx>
-#include <Geom2d_TrimmedCurve.hxx>
-#include <IGESCAFControl_Reader.hxx>
-#include <IGESControl_Controller.hxx>
-#include <IGESData_GlobalSection.hxx>
-#include <IGESData_IGESModel.hxx>
-#include <Interface_Static.hxx>
 #include <Message.hxx>
-#include <TCollection_HAsciiString.hxx>
-#include <TopExp.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/errors.h"
-#include "adapters/occt/forms/curves_detail.h"
-#include "adapters/occt/forms/surfaces_detail.h"
 #include "adapters/occt/shapes/edge_tolerances.h"
+#include "adapters/occt/shapes/file_text.h"
+#include "adapters/occt/shapes/listening.h"
 #include "adapters/occt/shapes/loose_images.h"
 #include "adapters/occt/shapes/shapes_detail.h"
 
 namespace blossom::occt {
 namespace {
-
-std::string content_of(const std::filesystem::path& file) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::file_status status = fs::status(file, error);
-  if (status.type() == fs::file_type::not_found) throw BadModel("no such file");
-  if (error) throw BadModel("cannot be opened: " + error.message());
-  if (fs::is_directory(status)) throw BadModel("is a folder");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw BadModel("cannot be opened for reading");
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (in.bad()) throw BadModel("cannot be read to its end");
-  return std::move(text).str();
-}
-
-void read_iges(Document& document, const std::filesystem::path& file) {
-  IGESControl_Controller::Init();
-  IGESCAFControl_Reader reader;
-  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  reader.SetColorMode(true);
-  reader.SetNameMode(true);
-  reader.SetLayerMode(true);
-  if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) throw BadModel("is no readable IGES file");
-  const auto model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
-  const Handle(TCollection_HAsciiString) unit = model->GlobalSection().UnitName();
-  if (!unit.IsNull()) document.unit = unit_named(unit->ToCString());
-  Handle(TDocStd_Document) target = document.handle();
-  if (!reader.Transfer(target)) throw BadModel("holds no shape");
-}
-
-/// Returns why a surface was left out; empty when all is well.
-std::string read_into(Document& document, Format format, const std::filesystem::path& file,
-                      const std::string& text) {
-  switch (format) {
-    case Format::Step: read_step(document, file); break;
-    case Format::Iges: read_iges(document, file); break;
-    case Format::Brep: return read_brep(document, text);
-  }
-  return {};
-}
-
-/// Runs the check of one numbered piece of the model and puts its name before the cause.
-template <class Check>
-void named(const char* kind, int number, Check&& check) {
-  try {
-    guarded("reading its numbers", std::forward<Check>(check));
-  } catch (const std::runtime_error& error) {
-    throw BadModel(std::string(kind) + " " + std::to_string(number) + ": " + error.what());
-  }
-}
-
-void check_tolerance(double tolerance) {
-  if (!(std::isfinite(tolerance) && tolerance >= 0))
-    throw BadModel("its tolerance is " + std::to_string(tolerance));
-}
-
-void check_face(const TopoDS_Face& face, const std::string& notes) {
-  TopLoc_Location location;
-  const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
-  if (surface.IsNull())
-    throw BadModel(notes.empty() ? "it has no surface" : "its surface cannot be read: " + notes);
-  check_numbers(*surface);
-  check_tolerance(BRep_Tool::Tolerance(face));
-}
-
-void check_planar_numbers(const Geom2d_Curve& curve) {
-  const auto check = [](const gp_Pnt2d& point, double weight) {
-    check_finite({point.X(), point.Y(), 0}, "a point of its curve in a face's parameters");
-    check_weight(weight, "a weight of its curve in a face's parameters");
-  };
-  if (const auto* spline = dynamic_cast<const Geom2d_BSplineCurve*>(&curve)) {
-    for (int i = 1; i <= spline->NbPoles(); ++i) check(spline->Pole(i), spline->Weight(i));
-    for (int i = 1; i <= spline->NbKnots(); ++i)
-      check_finite({spline->Knot(i), 0, 0}, "a knot of its curve in a face's parameters");
-  } else if (const auto* bezier = dynamic_cast<const Geom2d_BezierCurve*>(&curve)) {
-    for (int i = 1; i <= bezier->NbPoles(); ++i) check(bezier->Pole(i), bezier->Weight(i));
-  } else if (const auto* trimmed = dynamic_cast<const Geom2d_TrimmedCurve*>(&curve)) {
-    check_planar_numbers(*trimmed->BasisCurve());
-  } else if (const auto* offset = dynamic_cast<const Geom2d_OffsetCurve*>(&curve)) {
-    check_finite({offset->Offset(), 0, 0}, "the offset of its curve in a face's parameters");
-    check_planar_numbers(*offset->BasisCurve());
-  } else {
-    check(curve.Value(0.5), 1);
-  }
-}
-
-void check_curves_in_faces(const TopoDS_Edge& edge) {
-  const auto* shape = dynamic_cast<const BRep_TEdge*>(edge.TShape().get());
-  if (shape == nullptr) return;
-  for (const Handle(BRep_CurveRepresentation) & curve : shape->Curves()) {
-    if (!curve->IsCurveOnSurface() || curve->PCurve().IsNull()) continue;
-    check_planar_numbers(*curve->PCurve());
-    if (curve->IsCurveOnClosedSurface() && !curve->PCurve2().IsNull())
-      check_planar_numbers(*curve->PCurve2());
-  }
-}
-
-void check_edge(const TopoDS_Edge& edge) {
-  check_tolerance(BRep_Tool::Tolerance(edge));
-  check_curves_in_faces(edge);
-  TopLoc_Location location;
-  double first = 0, last = 0;
-  const Handle(Geom_Curve)& curve = BRep_Tool::Curve(edge, location, first, last);
-  if (curve.IsNull()) return;
-  check_numbers(*curve);
-  check_finite({first, last, 0}, "its range");
-}
-
-void check_vertex(const TopoDS_Vertex& vertex) {
-  check_finite(BRep_Tool::Pnt(vertex).XYZ(), "its point");
-  check_tolerance(BRep_Tool::Tolerance(vertex));
-}
-
-/// Every face has a surface, and all numbers of surfaces, curves and points are numbers.
-void check_geometry(const TopoDS_Shape& shape, const TopTools_IndexedMapOfShape& faces,
-                    const std::string& notes) {
-  for (int i = 1; i <= faces.Extent(); ++i)
-    named("face", i, [&] { check_face(TopoDS::Face(faces(i)), notes); });
-  TopTools_IndexedMapOfShape edges, vertices;
-  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
-  for (int i = 1; i <= edges.Extent(); ++i)
-    named("edge", i, [&] { check_edge(TopoDS::Edge(edges(i))); });
-  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
-  for (int i = 1; i <= vertices.Extent(); ++i)
-    named("vertex", i, [&] { check_vertex(TopoDS::Vertex(vertices(i))); });
-}
 
 void tell(const RaisedTolerances& raised, const std::filesystem::path& file) {
   const int count = raised.edges.Extent() + raised.vertices.Extent();
@@ -199,28 +55,75 @@ bool is_empty(const TopoDS_Shape& shape) {
   return shape.IsNull() || (shape.ShapeType() != TopAbs_VERTEX && !TopoDS_Iterator(shape).More());
 }
 
+void require_shape(const TopoDS_Shape& shape, const ReadingReport& report) {
+  if (!is_empty(shape)) return;
+  const auto lost = std::ranges::find_if(report.losses, [](const Loss& l) { return l.of_shape; });
+  if (lost == report.losses.end()) throw BadModel("holds no shape");
+  throw BadModel("holds no shape that can be used: " + lost->text());
+}
+
+void read_format(Format format, Reading& reading) {
+  const Listening listening;
+  switch (format) {
+    case Format::Step: return read_step(reading);
+    case Format::Iges: return read_iges(reading);
+    case Format::Brep: return read_brep(reading);
+  }
+}
+
+/// Into the document of the reading; returns the format.
+Format read_into(Reading& reading) {
+  reading.begin("opening");
+  FileText content = file_text(reading.file);
+  reading.text = std::move(content.text);
+  if (content.cut) reading.report.add({"the packed file", "it is damaged or cut off", true});
+  read_format(content.format, reading);
+  reading.begin("checking the numbers");
+  leave_out_bad_faces(reading.document, content.format, reading.text, reading.report);
+  return content.format;
+}
+
 }  // namespace
 
-Model read_model(const std::filesystem::path& file) {
-  const Format format = format_of(file);
+void Reading::begin(const char* doing) {
+  step = doing;
+  if (options.step) options.step((step + " of " + file.string()).c_str());
+}
+
+void Reading::with_names(const XSControl_Reader& reader, const std::function<bool()>& transfer) {
+  const char* const kNames = "names, colours, dimensions and assembly";
+  if (options.names) try {
+      begin("reading names and colours");
+      if (transfer()) return;
+    } catch (const Standard_Failure&) {
+      report.add({kNames, current_failure_text()});
+    } catch (const std::exception&) {
+      report.add({kNames, current_failure_text()});
+    }
+  else
+    report.add({kNames, "reading them fails, or is not wanted"});
+  document.renew();
+  for (int i = 1; i <= reader.NbShapes(); ++i)
+    document.shapes()->SetShape(document.shapes()->NewShape(), reader.Shape(i));
+}
+
+Model read_model(const std::filesystem::path& file, const ReadOptions& options) {
   const std::lock_guard guard(exchange_lock());
   Model model;
+  Model::Impl& impl = *model.impl_;
+  Reading reading{impl.document, file, options, impl.reading};
   try {
-    guarded("reading", [&] {
-      const std::string text = content_of(file);
-      check_whole(format, text);
-      const std::string notes = read_into(model.impl_->document, format, file, text);
-      model.impl_->refresh();
-      if (is_empty(model.shape())) throw BadModel("holds no shape");
-      check_geometry(model.shape(), model.impl_->faces, notes);
-      heal(model.shape(), format, file);
-    });
-  } catch (const std::runtime_error& error) {
+    const Format format = read_into(reading);
+    impl.refresh();
+    require_shape(impl.shape, impl.reading);
+    reading.begin("mending the edges");
+    heal(impl.shape, format, file);
+  } catch (const BadModel& error) {
     throw BadModel(file.string() + ": " + error.what());
-  } catch (const std::bad_alloc&) {
-    throw BadModel(file.string() + ": asks for more memory than there is; perhaps it is damaged");
+  } catch (...) {  // Open CASCADE's exceptions are no std::exception
+    throw BadModel(file.string() + ": " + reading.step + " fails: " + current_failure_text());
   }
-  model.impl_->file = file;
+  impl.file = file;
   return model;
 }
 

@@ -71,7 +71,8 @@ void label_pieces(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& par
   }
 }
 
-/// Replaces the shape of a part; its labels follow. False if nothing is left of it.
+}  // namespace
+
 bool replace_in_part(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& part,
                      const std::vector<Replacement>& replacements) {
   std::vector<OldLabel> olds;
@@ -102,8 +103,6 @@ bool replace_in_part(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& 
   }
   return true;
 }
-
-}  // namespace
 
 void Model::replace_faces(const std::map<int, std::vector<TopoDS_Face>>& pieces) {
   for (const auto& [number, news] : pieces) {

@@ -1,138 +1,52 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Models from STEP files, and the damage that Open CASCADE reads over.
+// Models from STEP files, and what Open CASCADE does not make of them.
 
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <numeric>
+#include <set>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <BRep_Tool.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_Static.hxx>
-#include <Message.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Controller.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepGeom_BSplineCurveWithKnots.hxx>
-#include <StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve.hxx>
-#include <StepGeom_BSplineSurfaceWithKnots.hxx>
-#include <StepGeom_BSplineSurfaceWithKnotsAndRationalBSplineSurface.hxx>
 #include <StepGeom_SphericalSurface.hxx>
 #include <StepShape_Edge.hxx>
 #include <StepShape_EdgeLoop.hxx>
 #include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_OrientedEdge.hxx>
-#include <TColStd_HArray1OfInteger.hxx>
-#include <TColStd_HArray1OfReal.hxx>
-#include <TColStd_HArray2OfReal.hxx>
+#include <StepShape_SolidModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
-#include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TransferBRep.hxx>
+#include <Transfer_Binder.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/shapes/shapes_detail.h"
+#include "adapters/occt/shapes/step_faults.h"
+#include "adapters/occt/shapes/step_text.h"
 
 namespace blossom::occt {
 namespace {
-
-/// The first failure that concerns more than a name; names are odd in many good files.
-std::string failure_of(const Interface_Check& check) {
-  for (int i = 1; i <= check.NbFails(); ++i)
-    if (const std::string fail = check.CFail(i); fail.find("(name)") == std::string::npos)
-      return fail;
-  return {};
-}
-
-/// The number of control points that the knots ask for is the number that is there.
-std::string miscount(const Handle(TColStd_HArray1OfInteger) & multiplicities, int degree,
-                     int points) {
-  if (multiplicities.IsNull()) return "it has no knots";
-  const int knots = std::accumulate(multiplicities->begin(), multiplicities->end(), 0);
-  if (knots == points + degree + 1) return {};
-  return std::to_string(knots) + " knots of degree " + std::to_string(degree) + " do not fit " +
-         std::to_string(points) + " control points";
-}
-
-std::string weight_fault(double weight) {
-  return weight > 0 ? "" : "a weight is " + std::to_string(weight) + ", weights must be positive";
-}
-
-template <class Surface>
-std::string surface_miscount(const Surface& s) {
-  const std::string u = miscount(s.UMultiplicities(), s.UDegree(), s.NbControlPointsListI());
-  return u.empty() ? miscount(s.VMultiplicities(), s.VDegree(), s.NbControlPointsListJ()) : u;
-}
-
-template <class Curve>
-std::string curve_miscount(const Curve& c) {
-  return miscount(c.KnotMultiplicities(), c.Degree(), c.NbControlPointsList());
-}
-
-std::string rational_fault(
-    const StepGeom_BSplineSurfaceWithKnotsAndRationalBSplineSurface& surface) {
-  std::string fault = surface_miscount(surface);
-  const Handle(TColStd_HArray2OfReal) weights = surface.WeightsData();
-  if (weights.IsNull()) return fault.empty() ? "it has no weights" : fault;
-  for (int i = 1; i <= weights->ColLength() && fault.empty(); ++i)
-    for (int j = 1; j <= weights->RowLength() && fault.empty(); ++j)
-      fault = weight_fault(weights->Value(i, j));
-  return fault;
-}
-
-std::string rational_fault(const StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve& curve) {
-  std::string fault = curve_miscount(curve);
-  const Handle(TColStd_HArray1OfReal) weights = curve.WeightsData();
-  if (weights.IsNull()) return fault.empty() ? "it has no weights" : fault;
-  for (int i = 1; i <= weights->Length() && fault.empty(); ++i)
-    fault = weight_fault(weights->Value(i));
-  return fault;
-}
-
-/// What is wrong with the counts and weights of a B-spline; nothing for other entities.
-std::string spline_fault(const Standard_Transient& entity) {
-  if (const auto* s = dynamic_cast<const StepGeom_BSplineSurfaceWithKnots*>(&entity))
-    return surface_miscount(*s);
-  if (const auto* c = dynamic_cast<const StepGeom_BSplineCurveWithKnots*>(&entity))
-    return curve_miscount(*c);
-  if (const auto* s =
-          dynamic_cast<const StepGeom_BSplineSurfaceWithKnotsAndRationalBSplineSurface*>(&entity))
-    return rational_fault(*s);
-  if (const auto* c =
-          dynamic_cast<const StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve*>(&entity))
-    return rational_fault(*c);
-  return {};
-}
-
-/// Refuses geometry and topology that came in damaged: a coordinate that is no number, a point
-/// where a curve should be, a row of control points that is not there. Other entities may be odd;
-/// many files have some.
-void check_entities(const Interface_InterfaceModel& model) {
-  for (int i = 1; i <= model.NbEntities(); ++i) {
-    const Handle(Standard_Transient)& entity = model.Value(i);
-    const std::string type = entity->DynamicType()->Name();
-    if (!type.starts_with("StepGeom_") && !type.starts_with("StepShape_")) continue;
-    const Handle(Interface_Check)& check = model.Check(i, true);
-    std::string cause = check.IsNull() || !check->HasFailed() ? "" : failure_of(*check);
-    if (cause.empty()) cause = spline_fault(*entity);
-    if (cause.empty()) continue;
-    const std::string label = model.StringLabel(entity)->ToCString();
-    throw BadModel("is damaged: " + label + " (" + type.substr(type.find('_') + 1) + "): " + cause);
-  }
-}
 
 /// How many edges the loops of a face use once in each direction, as seams.
 int seams_of(const StepShape_FaceSurface& face) {
   std::map<const Standard_Transient*, int> uses;
   for (int i = 1; i <= face.NbBounds(); ++i) {
-    const auto loop = Handle(StepShape_EdgeLoop)::DownCast(face.BoundsValue(i)->Bound());
+    const auto bound = face.BoundsValue(i);
+    if (bound.IsNull()) continue;
+    const auto loop = Handle(StepShape_EdgeLoop)::DownCast(bound->Bound());
     for (int k = 1; !loop.IsNull() && k <= loop->NbEdgeList(); ++k)
       ++uses[loop->EdgeListValue(k)->EdgeElement().get()];
   }
@@ -152,42 +66,97 @@ bool is_turned_round(const StepShape_FaceSurface& face, const TopoDS_Shape& made
   return true;
 }
 
-/// Entities of one fault, and the first of them.
-struct Faulty {
-  int count = 0;
-  std::string first;
+/// What Open CASCADE says against an entity while it makes shapes.
+std::string transfer_cause(const Transfer_TransientProcess& made,
+                           const Handle(Standard_Transient) & entity) {
+  const Handle(Transfer_Binder) binder = made.Find(entity);
+  if (binder.IsNull()) return {};
+  const Handle(Interface_Check) check = binder->Check();
+  if (check.IsNull()) return {};
+  if (check->HasFailed()) return check->CFail(1);
+  return check->HasWarnings() ? check->CWarning(1) : "";
+}
 
-  void add(const Interface_InterfaceModel& model, const Handle(Standard_Transient) & entity) {
-    if (count++ == 0) first = model.StringLabel(entity)->ToCString();
+/// Faces that Open CASCADE could not make, or not as they are in the file, and solids that it gave
+/// up: the model can be used without them, but not silently.
+class Results {
+ public:
+  Results(const StepOwners& owners, const Transfer_TransientProcess& made, ReadingReport& report)
+      : owners_(owners), made_(made), report_(report) {}
+
+  void list(const std::set<const Standard_Transient*>& known) {
+    for (int i = 1; i <= owners_.model().NbEntities(); ++i) {
+      const Handle(Standard_Transient)& entity = owners_.model().Value(i);
+      if (known.contains(entity.get())) continue;
+      if (const auto face = Handle(StepShape_FaceSurface)::DownCast(entity); !face.IsNull())
+        list_face(face);
+      else if (entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)) && has_failed(entity))
+        add(entity, owners_.type(entity), transfer_cause(made_, entity));
+    }
   }
-  void tell(const std::filesystem::path& file, const std::string& what) const {
-    if (count == 0) return;
-    const std::string text =
-        file.string() + ": " + std::to_string(count) + " faces " + what + ", the first is " + first;
-    Message::SendWarning(text.c_str());
+
+ private:
+  bool has_failed(const Handle(Standard_Transient) & entity) const {
+    const Handle(Transfer_Binder) binder = made_.Find(entity);
+    return !binder.IsNull() && !binder->Check().IsNull() && binder->Check()->HasFailed();
   }
+
+  void list_face(const Handle(StepShape_FaceSurface) & face) {
+    const Handle(Transfer_Binder) binder = made_.Find(face);
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(binder);
+    if (shape.IsNull()) {
+      // Faces that nobody asked for: of features, of the history of a part.
+      if (binder.IsNull() && !owners_.product(face).expected) return;
+      const std::string cause = transfer_cause(made_, face);
+      add(face, "face", cause.empty() ? "Open CASCADE makes no face of it" : cause);
+    } else if (is_turned_round(*face, shape)) {
+      add(face, "face",
+          "it is not what the file says: Open CASCADE takes its border for that of the rest of the "
+          "sphere");
+    }
+  }
+
+  void add(const Handle(Standard_Transient) & entity, const std::string& what,
+           const std::string& cause) {
+    Loss loss{what, cause, true};
+    loss.which.push_back(owners_.label(entity));
+    if (const std::string product = owners_.product(entity).name; !product.empty())
+      loss.belongs_to.push_back(product);
+    report_.add(loss);
+  }
+
+  const StepOwners& owners_;
+  const Transfer_TransientProcess& made_;
+  ReadingReport& report_;
 };
 
-/// Faces that Open CASCADE could not make, or not as they are in the file: the model can be used
-/// without them, but not silently.
-void tell_lost_faces(const XSControl_WorkSession& session, const std::filesystem::path& file) {
-  const Handle(Interface_InterfaceModel)& model = session.Model();
-  const Handle(Transfer_TransientProcess)& made = session.TransferReader()->TransientProcess();
-  Faulty lost, turned;
-  for (int i = 1; i <= model->NbEntities(); ++i) {
-    const Handle(Standard_Transient)& entity = model->Value(i);
-    const auto face = Handle(StepShape_FaceSurface)::DownCast(entity);
-    if (face.IsNull()) continue;
-    const TopoDS_Shape shape = TransferBRep::ShapeResult(made, entity);
-    if (shape.IsNull())
-      lost.add(*model, entity);
-    else if (is_turned_round(*face, shape))
-      turned.add(*model, entity);
-  }
-  lost.tell(file, "cannot be made and are left out");
-  turned.tell(file,
-              "on spheres are not what the file says: Open CASCADE takes their border for that of "
-              "the rest of the sphere");
+void want_attributes(STEPCAFControl_Reader& reader) {
+  reader.SetColorMode(true);
+  reader.SetNameMode(true);
+  reader.SetLayerMode(true);
+  reader.SetPropsMode(true);
+  reader.SetGDTMode(true);
+  reader.SetMatMode(true);
+  reader.SetViewMode(true);
+  reader.SetSHUOMode(true);  // styles of single instances
+}
+
+/// The unit of the file, "MM" if it has none.
+void find_unit(STEPControl_Reader& reader, Document& document) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  if (!lengths.IsEmpty()) document.unit = unit_named(lengths.First().ToCString());
+}
+
+/// One root after the other, so that one that fails does not take the others with it.
+void transfer_roots(STEPControl_Reader& reader, ReadingReport& report) {
+  for (int i = 1; i <= reader.NbRootsForTransfer(); ++i) try {
+      reader.TransferOneRoot(i);
+    } catch (const Standard_Failure&) {
+      Loss loss{"part", current_failure_text(), true};
+      loss.which.push_back("number " + std::to_string(i));
+      report.add(loss);
+    }
 }
 
 }  // namespace
@@ -205,27 +174,30 @@ std::string unit_named(std::string name) {
   return "MM";
 }
 
-void read_step(Document& document, const std::filesystem::path& file) {
+void read_step(Reading& reading) {
   STEPControl_Controller::Init();
   STEPCAFControl_Reader reader;
+  STEPControl_Reader& shapes = reader.ChangeReader();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
-  reader.SetColorMode(true);
-  reader.SetNameMode(true);
-  reader.SetLayerMode(true);
-  reader.SetPropsMode(true);
-  reader.SetGDTMode(true);
-  reader.SetMatMode(true);
-  reader.SetViewMode(true);
-  reader.SetSHUOMode(true);  // styles of single instances
-  if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) throw BadModel("is no readable STEP file");
-  check_entities(*reader.ChangeReader().Model());
-  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
-  reader.ChangeReader().FileUnits(lengths, angles, solid_angles);
-  if (!lengths.IsEmpty()) document.unit = unit_named(lengths.First().ToCString());
-  Handle(TDocStd_Document) target = document.handle();
-  if (!reader.Transfer(target)) throw BadModel("holds no shape");
-  tell_lost_faces(*reader.Reader().WS(), file);
+  want_attributes(reader);
+  reading.begin("reading the entities");
+  mend_step_text(reading.text, reading.report);
+  std::istringstream in(std::move(reading.text));
+  if (shapes.ReadStream(reading.file.c_str(), in) != IFSelect_RetDone)
+    throw BadModel("is no readable STEP file");
+  const auto model = Handle(StepData_StepModel)::DownCast(shapes.Model());
+  const StepOwners owners(*model, shapes.WS()->Graph());
+  const auto left_out = leave_out_damage(owners, reading.report);
+
+  reading.begin("transferring the shapes");
+  transfer_roots(shapes, reading.report);
+  find_unit(shapes, reading.document);
+  Results(owners, *shapes.WS()->TransferReader()->TransientProcess(), reading.report)
+      .list(left_out);
+
+  Handle(TDocStd_Document) target = reading.document.handle();
+  reading.with_names(shapes, [&] { return reader.Transfer(target); });
 }
 
 }  // namespace blossom::occt

@@ -3,7 +3,13 @@
 
 #include "adapters/occt/errors.h"
 
+#include <ios>
+#include <new>
+#include <string>
+
 #include <gtest/gtest.h>
+#include <Standard_ConstructionError.hxx>
+#include <Standard_NoSuchObject.hxx>
 #include <Standard_OutOfRange.hxx>
 
 namespace blossom::occt {
@@ -13,12 +19,15 @@ TEST(Guarded, ReturnsWhatTheWorkReturns) {
   EXPECT_EQ(guarded("adding", [] { return 2 + 2; }), 4);
 }
 
-TEST(Guarded, SaysWhatWasBeingDoneAndWhatOpenCascadeSaid) {
+TEST(Guarded, SaysWhatWasBeingDoneAndWhatTheExceptionMeans) {
   try {
-    guarded("reading part.step", [] { throw Standard_OutOfRange("index 7"); });
+    guarded("reading part.step", [] { throw Standard_OutOfRange("index 7 of 5"); });
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_STREQ(failure.what(), "reading part.step: Standard_OutOfRange: index 7");
+    EXPECT_STREQ(
+        failure.what(),
+        "reading part.step: a number points outside of the list that it counts (index 7 of "
+        "5)");
   }
 }
 
@@ -26,12 +35,25 @@ TEST(Guarded, LetsOurOwnErrorsPass) {
   EXPECT_THROW(guarded("reading", [] { throw BadModel("a.step: is empty"); }), BadModel);
 }
 
-TEST(CurrentFailureText, NamesTheTypeAloneWhenThereIsNoMessage) {
+template <class Exception>
+std::string words_of(const Exception& exception) {
   try {
-    throw Standard_OutOfRange();
-  } catch (const Standard_Failure&) {
-    EXPECT_EQ(current_failure_text(), "Standard_OutOfRange");
+    throw exception;
+  } catch (...) {
+    return current_failure_text();
   }
+}
+
+TEST(CurrentFailureText, HasNoNamesOfOpenCascadeInIt) {
+  EXPECT_EQ(words_of(Standard_OutOfRange("NCollection_IndexedMap::FindKey")),
+            "a number points outside of the list that it counts");
+  EXPECT_EQ(words_of(Standard_NoSuchObject()), "something is referred to that is not there");
+  EXPECT_EQ(words_of(Standard_ConstructionError("Geom_BSplineCurve")),
+            "its numbers make no such geometry");
+  EXPECT_EQ(words_of(Standard_Failure("Open CASCADE says this")),
+            "Open CASCADE fails (Open CASCADE says this)");
+  EXPECT_EQ(words_of(std::bad_alloc()), "it asks for more memory than there is");
+  EXPECT_EQ(words_of(std::ios_base::failure("x")).find("basic_ios"), std::string::npos);
   EXPECT_EQ(current_failure_text(), "no failure");
 }
 

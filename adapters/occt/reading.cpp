@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/reading.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace blossom::occt {
+namespace {
+
+constexpr std::size_t kNamed = 5;  // the reader of a report wants a place to look at, not all
+
+void add_first(const std::vector<std::string>& news, std::vector<std::string>& to) {
+  for (const std::string& name : news)
+    if (to.size() < kNamed && std::ranges::find(to, name) == to.end()) to.push_back(name);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+int count_of(const std::vector<Loss>& losses, bool of_shape) {
+  int count = 0;
+  for (const Loss& loss : losses)
+    if (loss.of_shape == of_shape) count += loss.count;
+  return count;
+}
+
+}  // namespace
+
+const char* to_string(ReadingGrade grade) {
+  switch (grade) {
+    case ReadingGrade::Whole: return "whole";
+    case ReadingGrade::AttributesLost: return "attributes lost";
+    case ReadingGrade::ShapesLost: break;
+  }
+  return "shapes lost";
+}
+
+std::string Loss::text() const {
+  std::string text = count == 1 ? what : std::to_string(count) + " times " + what;
+  std::string places = listed(which);
+  if (count > static_cast<int>(which.size()) && !which.empty()) places += ", ...";
+  if (!belongs_to.empty()) places += (places.empty() ? "of " : " of ") + listed(belongs_to);
+  if (!places.empty()) text += " (" + places + ")";
+  return text + ": " + cause;
+}
+
+ReadingGrade ReadingReport::grade() const {
+  if (losses.empty()) return ReadingGrade::Whole;
+  return count_of(losses, true) > 0 ? ReadingGrade::ShapesLost : ReadingGrade::AttributesLost;
+}
+
+void ReadingReport::add(const Loss& loss) {
+  const auto same = std::ranges::find_if(losses, [&](const Loss& known) {
+    return known.what == loss.what && known.cause == loss.cause && known.of_shape == loss.of_shape;
+  });
+  if (same == losses.end()) {
+    losses.push_back(loss);
+    return;
+  }
+  same->count += loss.count;
+  add_first(loss.which, same->which);
+  add_first(loss.belongs_to, same->belongs_to);
+}
+
+std::string ReadingReport::summary() const {
+  if (losses.empty()) return {};
+  const int shapes = count_of(losses, true), others = count_of(losses, false);
+  const bool of_shape = shapes > 0;
+  const auto first =
+      std::ranges::find_if(losses, [&](const Loss& loss) { return loss.of_shape == of_shape; });
+  std::string text = of_shape ? "SHAPES ARE MISSING OR WRONG in " + std::to_string(shapes) +
+                                    (shapes == 1 ? " place: " : " places: ")
+                              : "read without " + std::to_string(others) +
+                                    (others == 1 ? " attribute: " : " attributes: ");
+  return text + first->text();
+}
+
+}  // namespace blossom::occt

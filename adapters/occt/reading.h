@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What reading a model lost: a damaged file gives what is whole in it, and says what is not there.
+
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace blossom::occt {
+
+/// How much of a file has become a model.
+enum class ReadingGrade {
+  Whole,
+  AttributesLost,  ///< names, colours, dimensions, presentation: no shape is touched
+  ShapesLost,      ///< faces, edges or parts are missing, or are not as the file has them
+};
+
+/// "whole", "attributes lost" or "shapes lost": the words of JSON reports.
+const char* to_string(ReadingGrade grade);
+
+/// Things of one kind that are lost for one cause.
+struct Loss {
+  std::string what;   ///< the kind in words, "face" or "SEAM_CURVE"
+  std::string cause;  ///< in words
+  bool of_shape = false;
+  int count = 1;
+  std::vector<std::string> which = {};       ///< the first few, as "#12" or "face 3"
+  std::vector<std::string> belongs_to = {};  ///< faces and products that have them, the first few
+
+  /// "2 faces (#12, #15 of product 'Bolt'): the cause".
+  std::string text() const;
+};
+
+/// All losses of a reading.
+struct ReadingReport {
+  std::vector<Loss> losses;
+
+  ReadingGrade grade() const;
+
+  /// Adds to the loss of the same kind and cause, or as a new one.
+  void add(const Loss& loss);
+
+  /// One line: how much was lost, of shape first, and the first cause; empty if all is there.
+  std::string summary() const;
+};
+
+/// How to read, and who wants to know how far it is.
+struct ReadOptions {
+  /// Without them, a file whose names, colours or dimensions cannot be read gives its shapes. The
+  /// assembly goes with them.
+  bool names = true;
+
+  /// Told each step before it begins: "transferring the shapes of part.step".
+  std::function<void(const char* step)> step = {};
+};
+
+}  // namespace blossom::occt

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Entities of a STEP file that came in damaged, and the faces that must not be made of them. For
+// this folder only.
+
+#pragma once
+
+#include <set>
+#include <string>
+
+#include <Interface_Graph.hxx>
+#include <StepData_StepModel.hxx>
+
+#include "adapters/occt/reading.h"
+
+namespace blossom::occt {
+
+/// The product that a shape is in.
+struct StepProduct {
+  std::string name;       ///< "product 'Bolt'"; empty if there is none
+  bool expected = false;  ///< the shape is in a representation, and not in that of a feature alone
+};
+
+/// Whose faces and parts entities are.
+class StepOwners {
+ public:
+  StepOwners(const StepData_StepModel& model, const Interface_Graph& graph)
+      : model_(model), graph_(graph) {}
+
+  /// "#12" of an entity.
+  std::string label(const Handle(Standard_Transient) & entity) const;
+  /// "EDGE_CURVE"; in a complex entity the last name.
+  std::string type(const Handle(Standard_Transient) & entity) const;
+  StepProduct product(const Handle(Standard_Transient) & entity) const;
+
+  const StepData_StepModel& model() const { return model_; }
+  const Interface_Graph& graph() const { return graph_; }
+
+ private:
+  const StepData_StepModel& model_;
+  const Interface_Graph& graph_;
+};
+
+/// Lists the entities that Open CASCADE could not load whole or would read wrong. Faces whose
+/// geometry or border is among these are taken out of their shells; an edge whose curve is damaged
+/// in the parameters of a face only keeps its curve in space.
+/// returns   the faces and solids that are out, already listed
+std::set<const Standard_Transient*> leave_out_damage(const StepOwners& owners,
+                                                     ReadingReport& report);
+
+}  // namespace blossom::occt
