@@ -45,6 +45,9 @@ struct ReadingReport {
   std::string summary() const;
 };
 
+/// How the step begins in which Open CASCADE reads what is no shape; see ReadOptions.
+inline constexpr const char* kReadingNames = "reading names and colours";
+
 /// How to read, and who wants to know how far it is.
 struct ReadOptions {
   /// Without them, a file whose names, colours or dimensions cannot be read gives its shapes. The

@@ -9,7 +9,7 @@
 #include "adapters/occt/soundness.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/supervision.h"
+#include "plugin/cli/reading.h"
 
 namespace blossom::cli {
 namespace {
@@ -31,14 +31,6 @@ std::pair<int, int> face_range(const std::string& entry, const std::string& inpu
     if (read.ec != std::errc{} || read.ptr != end || last < first) throw bad();
   }
   return {first, last};
-}
-
-// Processor seconds that Open CASCADE may take for a file. Sound ones take less than 5e-6 s a byte;
-// small ones may hold a shape that takes long to repair.
-double reading_allowance(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  return error ? 1.5 : 1.5 + 5e-5 * static_cast<double>(bytes);
 }
 
 bool exists(const std::filesystem::path& file) {
@@ -64,10 +56,7 @@ InputName parse_input(const std::string& text) {
 
 Input read_input(const std::string& text, Faces need) {
   const InputName name = parse_input(text);
-  enter(Phase::Reading, name.file.string());
-  allow_reading(reading_allowance(name.file));
-  Input input{text, occt::read_model(name.file), {}, {}, {}};
-  enter(Phase::Working, "working on " + name.file.string());
+  Input input{text, read_told(name.file), {}, {}, {}};
   input.shape = input.model.shape();
   const int count = input.model.face_count();
   if (count == 0 && need == Faces::Required)

@@ -15,6 +15,7 @@
 #include "core/base/errors.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
+#include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
@@ -51,7 +52,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return misused(app, error, argc, argv);
   }
-  return code;
+  return stated_exit_code(code);
 }
 
 int run_guarded(int argc, char** argv) {

@@ -23,6 +23,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
 
@@ -82,8 +83,8 @@ bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 void add_report_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--json", options.json, "write a report; - is stdout")->type_name("FILE");
-  command.add_flag("--strict", options.strict,
-                   "refuse files that are damaged in parts or have to be repaired");
+  command.add_flag("--strict", reading_policy().strict,
+                   "refuse files of which shapes are missing or not as they are there");
   const auto take = [](const double& seconds) { set_time_limit(seconds); };
   command.add_option_function<double>("--time-limit", take, "stop after so many seconds in all")
       ->check(CLI::Validator(positive_number, "POSITIVE"))

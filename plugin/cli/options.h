@@ -17,7 +17,6 @@ struct CommonOptions {
   std::string output;   ///< -o: a model file; empty for none
   std::string json;     ///< --json: a file, or "-" for stdout; empty for none
   std::string picture;  ///< --picture: a PNG file; empty for none
-  bool strict = false;  ///< --strict: nothing is read that is damaged or repaired
 };
 
 /// What an intersection may be told; for commands that intersect on their way, too.
@@ -28,8 +27,8 @@ struct EngineOptions {
   int threads = 0;
 };
 
-/// What every command takes: --json, --strict, --time-limit, --verbose, --quiet. The limit is known
-/// to supervision.h, the last two are to verbosity.h.
+/// What every command takes: --json, --strict, --time-limit, --verbose, --quiet. The second is
+/// known to reading.h, the third to supervision.h, the last two to verbosity.h.
 void add_report_options(CLI::App& command, CommonOptions& options);
 
 /// The same, and -o and --picture.

@@ -7,6 +7,7 @@
 
 #include "adapters/occt/errors.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
 
@@ -17,9 +18,9 @@ void print(const std::string& text) {
   if (!std::cout) throw occt::Failure("stdout: cannot be written");
 }
 
-void write_json(const Json& report, const std::string& target) {
+void write_plain_json(const Json& json, const std::string& target) {
   // File names may hold bytes that are no UTF-8.
-  const std::string text = report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   if (target == "-")
     print(text);
   else
@@ -29,6 +30,11 @@ void write_json(const Json& report, const std::string& target) {
 void write_model(const occt::Model& model, const std::string& file) {
   enter(Phase::Writing, file);
   occt::write_model(model, file, stop_if_interrupted);
+}
+
+void write_json(Json report, const std::string& target) {
+  add_reading(report);
+  write_plain_json(report, target);
 }
 
 void print_summary(const std::string& text, const std::string& json) {

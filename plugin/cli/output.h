@@ -18,11 +18,14 @@ using Json = nlohmann::ordered_json;
 /// throws   occt::Failure if stdout does not take it (a full disk, a closed pipe)
 void print(const std::string& text);
 
-/// Writes a report on one line. Numbers are the shortest that read back as the same double;
-/// what is not finite is null.
+/// Writes JSON on one line. Numbers are the shortest that read back as the same double; what is not
+/// finite is null.
 /// target   a file, or "-" for stdout
 /// throws   occt::Failure if it cannot be written; what was there before is then still there
-void write_json(const Json& report, const std::string& target);
+void write_plain_json(const Json& json, const std::string& target);
+
+/// Likewise a report, with what reading the inputs lost.
+void write_json(Json report, const std::string& target);
 
 /// Writes a model, see occt::write_model; an interruption leaves what was there before.
 void write_model(const occt::Model& model, const std::string& file);

@@ -36,7 +36,9 @@ struct Board {
   std::atomic<double> time_limit{0};     // seconds from the start; 0 for none
   std::atomic<double> reading_limit{0};  // processor seconds of the child; 0 for none
   std::atomic<Phase> phase{Phase::Starting};
-  char subject[4096] = "";  // read after the end of the child only
+  // Read after the end of the child only.
+  char subject[4096] = "";
+  char step[4096] = "";
 };
 static_assert(std::atomic<double>::is_always_lock_free && std::atomic<Phase>::is_always_lock_free);
 
@@ -103,7 +105,7 @@ const char* name_of_signal(int signal) {
     case SIGBUS: return "an invalid memory access";
     case SIGFPE: return "an arithmetic fault";
     case SIGABRT: return "a failed internal check";
-    case SIGKILL: return "the system, perhaps for want of memory";
+    case SIGKILL: return "ended by the system, perhaps for want of memory";
     default: return strsignal(signal);
   }
 }
@@ -160,11 +162,12 @@ class Watch {
 
 /// "reading part.step", "writing rest.step", "intersecting".
 std::string doing() {
+  if (board->step[0] != '\0') return board->step;
   const std::string subject = board->subject;
   switch (board->phase.load()) {
     case Phase::Starting: return "starting";
-    case Phase::Reading: return "reading " + subject;
-    case Phase::ReadingNames: return "reading names and colours of " + subject;
+    case Phase::Reading:
+    case Phase::ReadingNames: return "reading " + subject;
     case Phase::Writing: return "writing " + subject;
     case Phase::Working: break;
   }
@@ -198,12 +201,12 @@ std::optional<int> Watch::crashed(int signal) const {
   const Phase phase = board->phase;
   if (phase == Phase::ReadingNames && nameless.insert(board->subject).second) return std::nullopt;
   if (phase == Phase::Reading || phase == Phase::ReadingNames) {
-    say(board->subject + (": Open CASCADE cannot read it: its reader was ended by " +
-                          std::string(name_of_signal(signal))));
+    say(board->subject + (": cannot be read: Open CASCADE crashes while " + doing() + " (" +
+                          name_of_signal(signal) + ")"));
     return kExitBadInput;
   }
-  say("internal error: " + doing() + " was ended by " + name_of_signal(signal) +
-      "; please report it with the command and its inputs");
+  say("internal error: the program crashed while " + doing() + " (" + name_of_signal(signal) +
+      "); please report it with the command and its inputs");
   return kExitFailure;
 }
 
@@ -216,6 +219,11 @@ std::optional<int> Watch::crashed(int signal) const {
   watch_for_interruption();
   signals.release();
   std::exit(work());
+}
+
+template <std::size_t size>
+void put(const std::string& text, char (&place)[size]) {
+  place[text.copy(place, size - 1)] = '\0';
 }
 
 }  // namespace
@@ -237,11 +245,10 @@ int supervised(const std::function<int()>& work) {
   }
 }
 
-void enter(Phase phase, const std::string& subject) {
+void enter(Phase phase, const std::string& subject, const std::string& step) {
   if (board == nullptr) return;
-  const std::size_t length = std::min(subject.size(), sizeof(board->subject) - 1);
-  std::memcpy(board->subject, subject.data(), length);
-  board->subject[length] = '\0';
+  put(subject, board->subject);
+  put(step, board->step);
   board->phase = phase;
 }
 

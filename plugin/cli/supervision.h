@@ -33,8 +33,9 @@ enum class Phase {
 int supervised(const std::function<int()>& work);
 
 /// Tells the parent what is being done.
-/// subject   the file, or what is being done to which end: "intersecting"
-void enter(Phase phase, const std::string& subject);
+/// subject   the file that is read or written, or what is being done: "intersecting"
+/// step      what is being done to the file, if that is known: "transferring the shapes of a.step"
+void enter(Phase phase, const std::string& subject, const std::string& step = {});
 
 /// The user's limit for the whole command, in seconds from the start of the program.
 void set_time_limit(double seconds);

@@ -93,7 +93,7 @@ void Reading::begin(const char* doing) {
 void Reading::with_names(const XSControl_Reader& reader, const std::function<bool()>& transfer) {
   const char* const kNames = "names, colours, dimensions and assembly";
   if (options.names) try {
-      begin("reading names and colours");
+      begin(kReadingNames);
       if (transfer()) return;
     } catch (const Standard_Failure&) {
       report.add({kNames, current_failure_text()});

@@ -12,6 +12,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
+#include "plugin/cli/reading.h"
 
 namespace blossom::cli {
 namespace {
@@ -52,10 +53,10 @@ std::string summary(const Input& a, const Input& b, const std::string& title,
                     const TimedIntersection& result) {
   const Counts counts = counts_of(result.found);
   std::ostringstream text;
-  text << title << ": " << to_string(result.found.status) << ", " << counted(counts.curves, "curve")
-       << " (" << counts.closed << " closed), " << counted(counts.points, "point") << ", "
-       << counted(counts.nodes, "node") << ", " << counted(counts.places, "place") << ", "
-       << result.times.seconds << " s\n";
+  text << title << ": " << to_string(stated(result.found.status)) << ", "
+       << counted(counts.curves, "curve") << " (" << counts.closed << " closed), "
+       << counted(counts.points, "point") << ", " << counted(counts.nodes, "node") << ", "
+       << counted(counts.places, "place") << ", " << result.times.seconds << " s\n";
   for (const occt::FaceIntersection& pair : result.found.pairs) {
     const int face_a = a.numbers[static_cast<std::size_t>(pair.face_a)];
     const int face_b = b.numbers[static_cast<std::size_t>(pair.face_b)];

@@ -9,6 +9,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
+#include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
@@ -103,7 +104,7 @@ int run_point(const Options& options) {
   report["nearest"] = side.json(found.b);
   if (options.all) report["feet"] = feet_json(side, feet);
   write_answer(report,
-               side.input.name + ": " + to_string(status) + ", " +
+               side.input.name + ": " + to_string(stated(status)) + ", " +
                    bounds_text(found.lower, found.upper) + "\n  " + side.text(found.b) + "\n" +
                    feet_text(side, feet),
                options.common);
@@ -125,7 +126,7 @@ int run_distance(const Options& options) {
   report["nearest_a"] = a.json(found.a);
   report["nearest_b"] = b.json(found.b);
   write_answer(report,
-               a.input.name + " - " + b.input.name + ": " + to_string(found.status) + ", " +
+               a.input.name + " - " + b.input.name + ": " + to_string(stated(found.status)) + ", " +
                    bounds_text(found.lower, found.upper) + "\n  " + a.text(found.a) + "\n  " +
                    b.text(found.b) + "\n",
                options.common);

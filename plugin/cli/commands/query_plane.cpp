@@ -15,6 +15,7 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
+#include "plugin/cli/reading.h"
 
 namespace blossom::cli {
 namespace {
@@ -106,7 +107,7 @@ std::string text_of(const Input& input, const Answer& answer) {
   const occt::PlaneSection& section = answer.section;
   std::ostringstream text;
   text.precision(12);
-  text << input.name << ": " << to_string(section.status) << ", "
+  text << input.name << ": " << to_string(stated(section.status)) << ", "
        << counted(section.wires.size(), "wire") << ", " << counted(section.curves.size(), "curve")
        << ", " << counted(section.points.size(), "point") << ", "
        << counted(section.faces_in_plane.size(), "face") << " in the plane, "

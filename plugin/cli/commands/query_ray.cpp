@@ -12,6 +12,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
+#include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
@@ -85,7 +86,7 @@ std::string text_of(const Input& input, const Answer& answer) {
   const ShapeNumbers numbers(input.model.shape());
   std::ostringstream text;
   text.precision(12);
-  text << input.name << ": " << to_string(answer.status) << ", "
+  text << input.name << ": " << to_string(stated(answer.status)) << ", "
        << counted(answer.hits.size(), "hit") << "\n";
   for (const occt::ShapeHit& found : answer.hits) {
     const RayHit& hit = found.hit;

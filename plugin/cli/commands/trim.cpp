@@ -26,6 +26,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
+#include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/watertight_output.h"
 
@@ -167,7 +168,7 @@ std::size_t kept_count(const occt::TrimResult& made) {
 
 std::string summary(const Inputs& inputs, const Timed& timed) {
   std::ostringstream text;
-  text << inputs.part.name << ": " << to_string(timed.made.status) << ", "
+  text << inputs.part.name << ": " << to_string(stated(timed.made.status)) << ", "
        << counted(timed.made.areas.size(), "face") << " in "
        << counted(timed.made.pieces.size(), "piece") << ", " << kept_count(timed.made) << " kept, "
        << timed.seconds << " s\n";
@@ -233,7 +234,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   stop_if_interrupted();
 
   if (write && is_net_file(options.common.output))
-    write_json(nets_json(nets_of(*watertight, inputs.part.name)), options.common.output);
+    write_plain_json(nets_json(nets_of(*watertight, inputs.part.name)), options.common.output);
   else if (write)
     write_model(inputs.part.model, options.common.output);
   if (unwritten) tell_unwritten(options.common.output, reason);

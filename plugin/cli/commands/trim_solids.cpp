@@ -25,6 +25,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
+#include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/watertight_output.h"
 
@@ -184,8 +185,8 @@ std::string told_volumes(const std::vector<occt::SolidVolumes>& steps) {
 
 std::string summary(const SolidTrim& options, const Timed& timed) {
   std::ostringstream text;
-  text << options.part << ": " << options.operation << ", " << to_string(timed.made.status) << ", "
-       << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
+  text << options.part << ": " << options.operation << ", " << to_string(stated(timed.made.status))
+       << ", " << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
   text << told_volumes(timed.made.volumes);
   if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
@@ -272,7 +273,7 @@ int trim_solids(const SolidTrim& options) {
   const std::string png =
       reason.empty() && !outputs.picture.empty() ? picture_of(timed.made.solids) : std::string();
   if (write && is_net_file(outputs.output)) {
-    write_json(nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
+    write_plain_json(nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
   } else if (write) {
     replace_solids(part, timed.made, tools, outputs.output);
     write_model(part, outputs.output);

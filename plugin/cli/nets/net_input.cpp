@@ -104,7 +104,7 @@ NetInput read_net_input(const std::string& text, Take take) {
 }
 
 void write_nets(NetInput& input, std::span<const Net> nets, const std::string& file) {
-  if (is_net_file(file)) return write_json(nets_json(nets), file);
+  if (is_net_file(file)) return write_plain_json(nets_json(nets), file);
   const bool of_faces = input.model && !nets.empty() && nets.front().source.face > 0;
   if (!of_faces) return write_parts(nets, file);
   occt::Model& model = input.model->model;

@@ -50,13 +50,14 @@ TEST(Supervision, PassesTheExitCodeOn) {
 
 TEST(Supervision, CrashInReadingIsTheFilesFault) {
   const Ended end = ended([] {
-    enter(Phase::Reading, "part.step");
+    enter(Phase::Reading, "part.step", "transferring the shapes of part.step");
     return raise(SIGSEGV);
   });
   EXPECT_EQ(end.code, 2);
-  EXPECT_EQ(end.said,
-            "blossom: part.step: Open CASCADE cannot read it: its reader was ended by an invalid "
-            "memory access\n");
+  EXPECT_EQ(
+      end.said,
+      "blossom: part.step: cannot be read: Open CASCADE crashes while transferring the shapes "
+      "of part.step (an invalid memory access)\n");
 }
 
 TEST(Supervision, CrashElsewhereIsAFailure) {
@@ -65,9 +66,10 @@ TEST(Supervision, CrashElsewhereIsAFailure) {
     return raise(SIGFPE);
   });
   EXPECT_EQ(end.code, 1);
-  EXPECT_EQ(end.said,
-            "blossom: internal error: intersecting was ended by an arithmetic fault; please report "
-            "it with the command and its inputs\n");
+  EXPECT_EQ(
+      end.said,
+      "blossom: internal error: the program crashed while intersecting (an arithmetic fault); "
+      "please report it with the command and its inputs\n");
 }
 
 TEST(Supervision, CrashInNamesReadsTheFileWithoutThem) {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/reading.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "adapters/occt/errors.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/supervision.h"
+#include "plugin/cli/verbosity.h"
+
+namespace blossom::cli {
+namespace {
+
+/// The reports of all files that this program has read, by name.
+std::map<std::filesystem::path, occt::ReadingReport>& all_reports() {
+  static std::map<std::filesystem::path, occt::ReadingReport> reports;
+  return reports;
+}
+
+bool shapes_are_lost() {
+  return std::ranges::any_of(all_reports(), [](const auto& entry) {
+    return entry.second.grade() == occt::ReadingGrade::ShapesLost;
+  });
+}
+
+Json loss_json(const occt::Loss& loss) {
+  return {{"what", loss.what},   {"count", loss.count},           {"cause", loss.cause},
+          {"which", loss.which}, {"belongs_to", loss.belongs_to}, {"of_shape", loss.of_shape}};
+}
+
+/// Processor seconds that Open CASCADE may take for a file. Sound ones take less than 5e-6 s a
+/// byte; small ones may hold a shape that takes long to repair.
+double reading_allowance(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  return error ? 1.5 : 1.5 + 5e-5 * static_cast<double>(bytes);
+}
+
+void tell(const std::filesystem::path& file, const occt::ReadingReport& report) {
+  if (report.losses.empty()) return;
+  const bool more = report.losses.size() > 1 && verbosity() != Verbosity::Verbose;
+  note(file.string() + ": " + report.summary() + (more ? "; -v lists all" : ""));
+  for (const occt::Loss& loss : report.losses)
+    detail((loss.of_shape ? "  shape: " : "  ") + loss.text());
+}
+
+}  // namespace
+
+ReadingPolicy& reading_policy() {
+  static ReadingPolicy policy;
+  return policy;
+}
+
+occt::Model read_told(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  enter(Phase::Reading, name);
+  allow_reading(reading_allowance(file));
+  occt::ReadOptions options{.names = !names_crashed(name)};
+  options.step = [&name](const char* step) {
+    const bool names = std::string_view(step).starts_with(occt::kReadingNames);
+    enter(names ? Phase::ReadingNames : Phase::Reading, name, step);
+  };
+  occt::Model model = occt::read_model(file, options);
+  enter(Phase::Working, "working on " + name);
+  const occt::ReadingReport& report = model.reading();
+  if (reading_policy().strict && report.grade() == occt::ReadingGrade::ShapesLost)
+    throw occt::BadModel(file.string() + ": is refused by --strict: " + report.summary());
+  if (all_reports().try_emplace(file, report).second) tell(file, report);
+  return model;
+}
+
+void add_reading(Json& report) {
+  if (all_reports().empty()) return;
+  Json files = Json::array();
+  for (const auto& [file, reading] : all_reports()) {
+    Json losses = Json::array();
+    for (const occt::Loss& loss : reading.losses) losses.push_back(loss_json(loss));
+    files.push_back({{"file", file.string()},
+                     {"grade", to_string(reading.grade())},
+                     {"losses", std::move(losses)}});
+  }
+  report["reading"] = std::move(files);
+  const char* const complete = to_string(Status::Complete);
+  if (shapes_are_lost() && report.contains("status") && report["status"] == complete)
+    report["status"] = to_string(Status::Tolerance);
+}
+
+Status stated(Status status) {
+  return shapes_are_lost() ? weaker(status, Status::Tolerance) : status;
+}
+
+int stated_exit_code(int code) {
+  return code == kExitComplete && shapes_are_lost() ? kExitTolerance : code;
+}
+
+}  // namespace blossom::cli
