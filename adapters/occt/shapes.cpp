@@ -99,6 +99,7 @@ void Model::Impl::refresh() {
       if (const TopoDS_Shape part = assembled(root); !part.IsNull()) builder.Add(all, part);
     shape = all;
   }
+  repairer.reset();
   faces.Clear();
   if (!shape.IsNull()) TopExp::MapShapes(shape, TopAbs_FACE, faces);
 }
@@ -120,6 +121,23 @@ TopoDS_Face Model::face(int number) const {
                    std::to_string(face_count()));
   }
   return TopoDS::Face(impl_->faces(number));
+}
+
+Repairer& Model::Impl::repairs() {
+  if (!repairer) repairer = std::make_unique<Repairer>(shape, stated);
+  return *repairer;
+}
+
+Repairs Model::repair(const std::vector<int>& faces, const std::function<void()>& stop) {
+  for (const int number : faces) face(number);
+  if (shape().IsNull()) return {};
+  return guarded("repairing " + file().string(),
+                 [&] { return impl_->repairs().repair(faces, stop); });
+}
+
+Repairs Model::repair(const std::function<void()>& stop) {
+  if (shape().IsNull()) return {};
+  return guarded("repairing " + file().string(), [&] { return impl_->repairs().repair_all(stop); });
 }
 
 void Model::add(const TopoDS_Shape& shape, const std::string& name,

@@ -15,6 +15,7 @@
 #include <TopoDS_Solid.hxx>
 
 #include "adapters/occt/reading.h"
+#include "adapters/occt/repairs.h"
 
 namespace blossom::occt {
 
@@ -77,6 +78,19 @@ class Model {
   /// throws   BadModel if there is no such face
   std::string part_name(int number) const;
 
+  /// Repairs faces, by number, that were not repaired yet: raises tolerances of edges and vertices
+  /// that are less than the distances of curves, where the file states none; makes curves in the
+  /// parameters of faces anew that are far off those in space, and those that are missing. Whatever
+  /// has to change with them changes, too; what a face becomes does not depend on which were
+  /// repaired before. Faces that were replaced or added since count as not repaired.
+  /// stop      asked often; ends the work by an exception
+  /// returns   what was changed by this call
+  /// throws    BadModel if there is no such face
+  Repairs repair(const std::vector<int>& faces, const std::function<void()>& stop = {});
+
+  /// The same for all faces, and for edges and vertices of no face.
+  Repairs repair(const std::function<void()>& stop = {});
+
   /// Adds a shape as a part of its own.
   /// colour   red, green, blue in [0, 1], sRGB; empty for none
   void add(const TopoDS_Shape& shape, const std::string& name,
@@ -128,8 +142,7 @@ class Model {
 /// A STEP or IGES file's length unit is kept for writing. What of a damaged file cannot be read is
 /// left out and listed in `reading()`: entities, faces whose surface, curves or points have numbers
 /// that are none or weights that are not positive, and what comes after the place where a file is
-/// cut off. Edges without a curve in the parameters of their face get one from their curve in
-/// space, with a warning.
+/// cut off. Nothing is repaired before `Model::repair`.
 /// throws   BadModel if the file is missing, no regular file, empty, of no known format, or holds
 ///          nothing that can be used; the message names the file, the step and the cause
 /// Safe to call from several threads; they wait for each other.

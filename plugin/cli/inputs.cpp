@@ -2,14 +2,19 @@
 #include "plugin/cli/inputs.h"
 
 #include <charconv>
+#include <map>
 #include <set>
 #include <system_error>
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/soundness.h"
 #include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/repairs.h"
+#include "plugin/cli/supervision.h"
+#include "plugin/cli/verbosity.h"
 
 namespace blossom::cli {
 namespace {
@@ -38,6 +43,41 @@ bool exists(const std::filesystem::path& file) {
   return std::filesystem::exists(file, ignored);
 }
 
+// Of files that are in use.
+std::shared_ptr<occt::Model> model_of(const std::filesystem::path& file) {
+  static std::map<std::filesystem::path, std::weak_ptr<occt::Model>> known;
+  std::error_code missing;  // told by reading
+  const std::filesystem::path canonical = std::filesystem::canonical(file, missing);
+  if (missing) return std::make_shared<occt::Model>(read_told(file));
+  if (std::shared_ptr<occt::Model> model = known[canonical].lock()) return model;
+  auto model = std::make_shared<occt::Model>(read_told(file));
+  known[canonical] = model;
+  return model;
+}
+
+// Each once, in increasing order.
+std::vector<int> chosen_numbers(const InputName& name, int count, Faces need) {
+  if (count == 0 && need == Faces::Required)
+    throw occt::BadModel(name.file.string() + ": there is no face in it");
+  std::set<int> wanted;
+  for (const auto& [first, last] : name.faces) {
+    if (last > count)
+      throw occt::BadModel(name.file.string() + ": there is no face " +
+                           std::to_string(first > count ? first : last) + " in it, it has " +
+                           counted(static_cast<std::size_t>(count), "face"));
+    for (int number = first; number <= last; ++number) wanted.insert(number);
+  }
+  if (name.faces.empty())
+    for (int number = 1; number <= count; ++number) wanted.insert(number);
+  return {wanted.begin(), wanted.end()};
+}
+
+void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {
+  if (repairs.empty()) return;
+  note(file.string() + ": " + summary_of(repairs));
+  for (const std::string& line : details_of(repairs)) detail("  " + line);
+}
+
 }  // namespace
 
 InputName parse_input(const std::string& text) {
@@ -54,29 +94,18 @@ InputName parse_input(const std::string& text) {
   }
 }
 
-Input read_input(const std::string& text, Faces need) {
+Input read_input(const std::string& text, Faces need, Repair repair) {
   const InputName name = parse_input(text);
-  Input input{text, read_told(name.file), {}, {}, {}};
-  input.shape = input.model.shape();
-  const int count = input.model.face_count();
-  if (count == 0 && need == Faces::Required)
-    throw occt::BadModel(name.file.string() + ": there is no face in it");
-
-  std::set<int> wanted;
-  for (const auto& [first, last] : name.faces) {
-    if (last > count)
-      throw occt::BadModel(name.file.string() + ": there is no face " +
-                           std::to_string(first > count ? first : last) + " in it, it has " +
-                           counted(static_cast<std::size_t>(count), "face"));
-    for (int number = first; number <= last; ++number) wanted.insert(number);
-  }
-  if (name.faces.empty())
-    for (int number = 1; number <= count; ++number) wanted.insert(number);
-
-  for (const int number : wanted) {
-    input.numbers.push_back(number);
-    input.faces.push_back(input.model.face(number));
-  }
+  const std::shared_ptr<occt::Model> model = model_of(name.file);
+  Input input{text, model, *model};
+  input.shape = model->shape();
+  input.numbers = chosen_numbers(name, model->face_count(), need);
+  for (const int number : input.numbers) input.faces.push_back(model->face(number));
+  if (repair == Repair::None) return input;
+  enter(Phase::Working, "repairing " + name.file.string());
+  input.repairs = name.faces.empty() ? model->repair(stop_if_interrupted)
+                                     : model->repair(input.numbers, stop_if_interrupted);
+  tell(input.repairs, name.file);
   return input;
 }
 
@@ -85,13 +114,6 @@ void refuse_open_wires(const Input& input) {
     if (occt::has_open_wire(input.faces[i]))
       throw occt::BadModel(input.name + ": a wire of face " + std::to_string(input.numbers[i]) +
                            " is open and encloses nothing; `blossom check` lists what is wrong");
-}
-
-void share_model(const Input& a, Input& b) {
-  std::error_code ignored;
-  if (!std::filesystem::equivalent(a.model.file(), b.model.file(), ignored)) return;
-  for (std::size_t i = 0; i < b.faces.size(); ++i) b.faces[i] = a.model.face(b.numbers[i]);
-  b.shape = a.shape;
 }
 
 }  // namespace blossom::cli

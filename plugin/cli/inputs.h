@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,27 +28,34 @@ InputName parse_input(const std::string& text);
 
 /// A model with the faces that the user means.
 struct Input {
-  std::string name;  ///< as the user wrote it
-  occt::Model model;
-  std::vector<int> numbers;        ///< face numbers, 1-based as `info` prints them, each once
-  std::vector<TopoDS_Face> faces;  ///< likewise
-  TopoDS_Shape shape;              ///< of the model that the faces belong to
+  std::string name;                    ///< as the user wrote it
+  std::shared_ptr<occt::Model> owner;  ///< shared by inputs from the same file
+  occt::Model& model;                  ///< the owner's
+  std::vector<int> numbers{};          ///< face numbers, 1-based as `info` prints them, each once
+  std::vector<TopoDS_Face> faces{};    ///< likewise
+  TopoDS_Shape shape{};                ///< of the model that the faces belong to
+  occt::Repairs repairs{};             ///< what was changed to use the faces
 };
 
 /// Whether a model without any face is an input at all.
 enum class Faces { Required, Optional };
 
-/// Reads the file and picks the faces.
+/// What is repaired of a model.
+enum class Repair {
+  Used,  ///< the faces that the user means; all of the model if no faces are named
+  None,
+};
+
+/// Reads the file and picks the faces. Files are read once as long as an input from them is there,
+/// so that edges which faces of two inputs share are known to be the same. What was repaired is
+/// told in one line, and with -v where.
 /// throws   UsageError as parse_input; occt::BadModel if the file cannot be read, has no face
 ///          though they are required, or a face number does not exist
-Input read_input(const std::string& text, Faces need = Faces::Required);
+Input read_input(const std::string& text, Faces need = Faces::Required,
+                 Repair repair = Repair::Used);
 
 /// Readers of other systems leave such faces out or fill them with all of their surface.
 /// throws   occt::BadModel, with the file and the face, if a wire that bounds a face is open
 void refuse_open_wires(const Input& input);
-
-/// If both inputs are faces of one file, those of `b` become faces of the model of `a`, so that
-/// edges which they share are known to be the same.
-void share_model(const Input& a, Input& b);
 
 }  // namespace blossom::cli

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "plugin/cli/repairs.h"
 #include "plugin/cli/shape_numbers.h"
 
 namespace blossom::cli {
@@ -225,6 +226,7 @@ Json intersection_report(const Input& a, const Input& b, const occt::ShapeInters
   add_findings(a, b, found, report);
   report["parts_a"] = parts_json(a, found, &occt::FaceIntersection::face_a);
   report["parts_b"] = parts_json(b, found, &occt::FaceIntersection::face_b);
+  report["repairs"] = Json::array({repairs_json(a), repairs_json(b)});
   return report;
 }
 
@@ -233,6 +235,7 @@ Json self_intersection_report(const Input& input, const occt::ShapeIntersection&
   Json report = {{"schema", "blossom.self-intersection/1"}, {"input", input.name}};
   add_times(found, times, report);
   add_findings(input, input, found, report);
+  report["repairs"] = Json::array({repairs_json(input)});
   return report;
 }
 

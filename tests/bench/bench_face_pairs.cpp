@@ -36,6 +36,7 @@
 #include "tests/bench/command_line.h"
 #include "tests/bench/face_pairs_draw.h"
 #include "tests/bench/face_pairs_oracle.h"
+#include "tests/support/models.h"
 
 namespace blossom::bench {
 namespace {
@@ -191,7 +192,7 @@ void keep(const std::string& folder, const std::string& name, const FacePair& fa
 }
 
 void run_file(const std::string& file, const Settings& settings, Summary& summary) {
-  const occt::Model model = occt::read_model(file);
+  const occt::Model model = testing::repaired_model(file);
   std::vector<FacePair> pairs;
   if (model.face_count() == 2) {
     pairs.push_back({"--", model.face(1), model.face(2)});

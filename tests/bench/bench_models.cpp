@@ -40,6 +40,7 @@
 #include "tests/bench/models_growth.h"
 #include "tests/bench/models_measure.h"
 #include "tests/bench/moved_copy.h"
+#include "tests/support/models.h"
 
 namespace blossom::bench {
 namespace {
@@ -107,7 +108,7 @@ Outcome section_of(const TopoDS_Shape& shape, const occt::Plane& plane, double s
 }
 
 void cut_by_planes(const Settings& settings, const std::string& file) {
-  const TopoDS_Shape shape = occt::read_model(file).shape();
+  const TopoDS_Shape shape = testing::repaired_model(file).shape();
   const Sized box = sized_by_box(shape);
   int number = 0;
   for (const Vec3& normal : {Vec3{1, 0.02, 0.01}, Vec3{0.3, 1, -0.2}, Vec3{-0.4, 0.5, 1}}) {
@@ -162,14 +163,14 @@ void meet(const Settings& settings, const std::string& name, const TopoDS_Shape&
 }
 
 void meet_copies(const Settings& settings, const std::string& file) {
-  const TopoDS_Shape shape = occt::read_model(file).shape();
+  const TopoDS_Shape shape = testing::repaired_model(file).shape();
   const std::string name = std::filesystem::path(file).filename().string();
   meet(settings, name + " 23 deg", shape, moved_copy(shape, 23, 0.06));
   meet(settings, name + " 2 deg", shape, moved_copy(shape, 2, 0.004));
 }
 
 void meet_itself(const Settings& settings, const std::string& file) {
-  const TopoDS_Shape shape = occt::read_model(file).shape();
+  const TopoDS_Shape shape = testing::repaired_model(file).shape();
   const std::string name = std::filesystem::path(file).filename().string();
   meet(settings, name + " copy", shape, BRepBuilderAPI_Copy(shape).Shape());
 }
@@ -179,7 +180,7 @@ void meet_itself(const Settings& settings, const std::string& file) {
 std::vector<ThreadJob> copies_by_threads(const Settings& settings) {
   std::vector<ThreadJob> jobs;
   for (const std::string& file : settings.files) {
-    const TopoDS_Shape shape = occt::read_model(file).shape();
+    const TopoDS_Shape shape = testing::repaired_model(file).shape();
     const double size = sized_by_box(shape).size;
     jobs.push_back({std::filesystem::path(file).filename().string(),
                     [size, a = occt::faces_of(shape),

@@ -46,6 +46,7 @@
 #include "adapters/occt/distance.h"
 #include "adapters/occt/ray_casting.h"
 #include "adapters/occt/shapes.h"
+#include "tests/support/models.h"
 #include "tests/support/random.h"
 
 namespace {
@@ -150,7 +151,7 @@ int missing(const Found& from, const Found& in) {
 }
 
 void cast_rays(benchmark::State& state, const std::string& file) {
-  const occt::Model model = occt::read_model(file);
+  const occt::Model model = testing::repaired_model(file);
   const std::vector<Ray> all = rays_at(model.shape());
   const auto start = std::clock();
   const occt::ShapeRays rays(model.shape());
@@ -202,7 +203,7 @@ void report(benchmark::State& state, const Compared& sum) {
 }
 
 void measure_copy(benchmark::State& state, const std::string& file) {
-  const TopoDS_Shape shape = occt::read_model(file).shape();
+  const TopoDS_Shape shape = testing::repaired_model(file).shape();
   Bnd_Box box;
   BRepBndLib::Add(shape, box, Standard_False);
   gp_Trsf turn, move;
@@ -227,7 +228,7 @@ void measure_copy(benchmark::State& state, const std::string& file) {
 }
 
 void measure_points(benchmark::State& state, const std::string& file) {
-  const TopoDS_Shape shape = occt::read_model(file).shape();
+  const TopoDS_Shape shape = testing::repaired_model(file).shape();
   const std::vector<Ray> rays = rays_at(shape);
   const occt::MeasuredShape measured(shape);
   BRepExtrema_DistShapeShape extrema;
@@ -271,7 +272,7 @@ std::vector<Vec3> centres_of(const TopoDS_Shape& shape) {
 }
 
 void measure_centres(benchmark::State& state, const std::string& file) {
-  const TopoDS_Shape shape = occt::read_model(file).shape();
+  const TopoDS_Shape shape = testing::repaired_model(file).shape();
   const occt::MeasuredShape measured(shape);
   const std::vector<Vec3> centres = centres_of(shape);
   double longest = 0, all = 0, stopped = 0;

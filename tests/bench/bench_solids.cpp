@@ -42,6 +42,7 @@
 #include "tests/bench/apart.h"
 #include "tests/bench/command_line.h"
 #include "tests/bench/moved_copy.h"
+#include "tests/support/models.h"
 
 namespace blossom::bench {
 namespace {
@@ -211,7 +212,7 @@ struct Totals {
 };
 
 void run_file(const std::string& file, const Settings& settings, Totals& totals) try {
-  const TopoDS_Shape part = occt::read_model(file).shape();
+  const TopoDS_Shape part = testing::repaired_model(file).shape();
   const Vec3 apex = sized_by_box(part).middle;
   for (const Copy& copy : kCopies) {
     if (!settings.copy.empty() && settings.copy != copy.kind) continue;

@@ -51,6 +51,7 @@
 #include "tests/bench/command_line.h"
 #include "tests/bench/face_pairs_draw.h"
 #include "tests/bench/face_pairs_oracle.h"
+#include "tests/support/models.h"
 
 namespace blossom::bench {
 namespace {
@@ -251,7 +252,7 @@ void keep(const std::string& folder, const std::string& name, const FacePair& fa
 }
 
 std::vector<FacePair> pairs_of(const std::string& file, const Settings& settings) {
-  const occt::Model model = occt::read_model(file);
+  const occt::Model model = testing::repaired_model(file);
   if (model.face_count() == 2) return {{"--", model.face(1), model.face(2)}};
   TopoDS_Compound all;
   const BRep_Builder builder;

@@ -47,6 +47,7 @@
 #include "tests/bench/command_line.h"
 #include "tests/bench/moved_copy.h"
 #include "tests/bench/watertight_meshes.h"
+#include "tests/support/models.h"
 
 namespace blossom::bench {
 namespace {
@@ -163,7 +164,7 @@ void count(const WatertightPieces& pieces, Outcome& outcome) {
 
 Outcome outcome_of(const std::string& file, const Job& job, const Settings& settings) {
   Outcome outcome;
-  occt::Model model = occt::read_model(file);
+  occt::Model model = testing::repaired_model(file);
   double start = processor_seconds();
   const TopoDS_Shape shape = cut_shape(model, job);
   outcome.cut_seconds = processor_seconds() - start;
@@ -286,7 +287,7 @@ int run_all(const Settings& settings) {
       "faces, patches, triangles | s |\n|---|---|---|---|---|---|---|---:|---:|---|---|\n");
   int unsound = 0;
   for (const std::string& file : settings.files) {
-    const occt::Model model = occt::read_model(file);
+    const occt::Model model = testing::repaired_model(file);
     for (const Job& job : jobs_of(model.shape(), settings)) {
       const Outcome outcome = measured(file, job, settings);
       print(std::filesystem::path(file).stem().string() + " " + job.name, outcome);

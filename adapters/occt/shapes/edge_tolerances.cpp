@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 #include <BRepBuilderAPI_Copy.hxx>
@@ -14,11 +13,8 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
-#include <NCollection_DataMap.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
-#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
@@ -36,96 +32,47 @@ constexpr double kMargin = 1.1;  // of gaps, which are measured at samples
 constexpr double kLeastGap = 0.25;
 constexpr double kExcess = 10;  // a tolerance this many times as large as it has to be is lowered
 
-using Users = TopTools_IndexedDataMapOfShapeListOfShape;
-
-// An edge or vertex and the tolerance that it needs.
-struct Needed {
+// An edge or vertex that states another tolerance than it needs.
+struct Wrong {
   TopoDS_Shape part;
-  double given = 0;
-  double needed = 0;
-  double gap = 0;  // without a margin: what it cannot do without
-
-  bool is_raised() const { return gap > std::max(given, Precision::Confusion()); }
+  NeededTolerance tolerance;
 };
 
-// Needed tolerances that are not those given.
-struct Wrong {
-  std::vector<Needed> edges, vertices;
+struct WrongTolerances {
+  std::vector<Wrong> edges, vertices;
 
   bool empty() const { return edges.empty() && vertices.empty(); }
 };
 
-void add_if_wrong(const Needed& each, std::vector<Needed>& all) {
-  if (std::isfinite(each.needed) && (each.is_raised() || each.given > kExcess * each.needed))
-    all.push_back(each);
+bool is_wrong(const NeededTolerance& tolerance) {
+  return tolerance.is_too_small() || tolerance.is_far_too_large();
 }
-
-using EdgeNeeds = NCollection_DataMap<TopoDS_Shape, double, TopTools_ShapeMapHasher>;
 
 bool is_end(const TopoDS_Shape& vertex) {
   return vertex.Orientation() == TopAbs_FORWARD || vertex.Orientation() == TopAbs_REVERSED;
 }
 
-// What a vertex needs: no less than its edges, whose ends it covers.
-Needed needed_by(const TopoDS_Vertex& vertex, const TopTools_ListOfShape& edges,
-                 const Users& faces_of, const EdgeNeeds& needs) {
-  double of_edges = Precision::Confusion(), distance = 0;
-  for (const TopoDS_Shape& each : edges) {
-    const TopoDS_Edge edge = TopoDS::Edge(each);
-    of_edges = std::max(of_edges, needs(edge));
-    for (TopoDS_Iterator end(edge.Oriented(TopAbs_FORWARD)); end.More(); end.Next())
-      if (end.Value().IsSame(vertex) && is_end(end.Value()))
-        distance = std::max(
-            distance, distance_at(TopoDS::Vertex(end.Value()), edge, faces_of.FindFromKey(edge)));
-  }
-  return {vertex, BRep_Tool::Tolerance(vertex), std::max(of_edges, kMargin * distance),
-          std::max(of_edges, distance)};
-}
-
-// limit   null: none
-Wrong wrong_tolerances(const TopoDS_Shape& shape, const WorkLimit* limit) {
-  Wrong found;
-  Users faces_of, edges_of;
-  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
-  TopExp::MapShapesAndAncestors(shape, TopAbs_VERTEX, TopAbs_EDGE, edges_of);
-  EdgeNeeds needs;
-  for (int i = 1; i <= faces_of.Extent(); ++i) {
-    check_limit(limit, "measuring tolerances");
-    const TopoDS_Edge edge = TopoDS::Edge(faces_of.FindKey(i));
-    const double given = BRep_Tool::Tolerance(edge);
-    const double needed = needed_tolerance(edge, faces_of(i));
-    const Needed each{edge, given, needed, needed / kMargin};
-    const std::size_t before = found.edges.size();
-    add_if_wrong(each, found.edges);
-    needs.Bind(edge, found.edges.size() > before ? each.needed : given);
-  }
-  for (int i = 1; i <= edges_of.Extent(); ++i) {
-    const TopoDS_Vertex vertex = TopoDS::Vertex(edges_of.FindKey(i));
-    add_if_wrong(needed_by(vertex, edges_of(i), faces_of, needs), found.vertices);
-  }
+WrongTolerances wrong_tolerances(const TopoDS_Shape& shape, const WorkLimit& limit) {
+  const SharedParts parts(shape);
+  NeededTolerances needs(parts, [&limit] { check_limit(&limit, "measuring tolerances"); });
+  WrongTolerances found;
+  const auto add = [&](const auto& part, std::vector<Wrong>& all) {
+    if (const NeededTolerance& tolerance = needs.of(part); is_wrong(tolerance))
+      all.push_back({part, tolerance});
+  };
+  for (int i = 1; i <= parts.faces_of_edges.Extent(); ++i)
+    add(TopoDS::Edge(parts.faces_of_edges.FindKey(i)), found.edges);
+  for (int i = 1; i <= parts.edges_of_vertices.Extent(); ++i)
+    add(TopoDS::Vertex(parts.edges_of_vertices.FindKey(i)), found.vertices);
   return found;
-}
-
-template <class Data>
-void set_tolerance(const TopoDS_Shape& part, double tolerance) {
-  Handle(Data)::DownCast(part.TShape())->Tolerance(tolerance);
-}
-
-template <class Data>
-void raise(const std::vector<Needed>& wrong, TopTools_IndexedMapOfShape& raised) {
-  for (const Needed& each : wrong) {
-    if (!each.is_raised()) continue;
-    set_tolerance<Data>(each.part, each.needed);
-    raised.Add(each.part);
-  }
 }
 
 // A copy with the tolerances.
 class Copy {
  public:
-  Copy(const TopoDS_Shape& shape, const Wrong& wrong) : copy_(shape, Standard_False) {
-    for (const Needed& each : wrong.edges) set<BRep_TEdge>(each);
-    for (const Needed& each : wrong.vertices) set<BRep_TVertex>(each);
+  Copy(const TopoDS_Shape& shape, const WrongTolerances& wrong) : copy_(shape, Standard_False) {
+    for (const Wrong& each : wrong.edges) set<BRep_TEdge>(each);
+    for (const Wrong& each : wrong.vertices) set<BRep_TVertex>(each);
   }
 
   TopoDS_Shape of(const TopoDS_Shape& part) {
@@ -134,20 +81,25 @@ class Copy {
 
  private:
   template <class Data>
-  void set(const Needed& each) {
-    set_tolerance<Data>(copy_.ModifiedShape(each.part), each.needed);
+  void set(const Wrong& each) {
+    Handle(Data)::DownCast(copy_.ModifiedShape(each.part).TShape())
+        ->Tolerance(each.tolerance.needed);
   }
 
   BRepBuilderAPI_Copy copy_;
 };
 
-std::string words_about(const Wrong& wrong) {
+std::string words_about(const WrongTolerances& wrong) {
   int raised = 0, lowered = 0;
   double most = 0, least = 0;
-  for (const Needed& each : wrong.edges) {
-    (each.is_raised() ? raised : lowered) += 1;
-    (each.is_raised() ? most : least) =
-        std::max(each.is_raised() ? most : least, each.is_raised() ? each.gap : each.given);
+  for (const auto& [part, tolerance] : wrong.edges) {
+    if (tolerance.is_too_small()) {
+      ++raised;
+      most = std::max(most, tolerance.gap);
+    } else {
+      ++lowered;
+      least = std::max(least, tolerance.given);
+    }
   }
   std::ostringstream words;
   if (raised > 0)
@@ -207,27 +159,46 @@ double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
   return largest;
 }
 
-double RaisedTolerances::largest() const {
-  double most = 0;
-  for (int i = 1; i <= edges.Extent(); ++i)
-    most = std::max(most, BRep_Tool::Tolerance(TopoDS::Edge(edges(i))));
-  for (int i = 1; i <= vertices.Extent(); ++i)
-    most = std::max(most, BRep_Tool::Tolerance(TopoDS::Vertex(vertices(i))));
-  return most;
+bool NeededTolerance::is_too_small() const {
+  return std::isfinite(needed) && gap > std::max(given, Precision::Confusion());
 }
 
-RaisedTolerances raise_tolerances(const TopoDS_Shape& shape) {
-  const Wrong wrong = wrong_tolerances(shape, nullptr);
-  RaisedTolerances raised;
-  raise<BRep_TEdge>(wrong.edges, raised.edges);
-  raise<BRep_TVertex>(wrong.vertices, raised.vertices);
-  return raised;
+bool NeededTolerance::is_far_too_large() const {
+  return std::isfinite(needed) && given > kExcess * needed;
+}
+
+const NeededTolerance& NeededTolerances::of(const TopoDS_Edge& edge) {
+  if (const NeededTolerance* known = known_.Seek(edge)) return *known;
+  if (stop_) stop_();
+  const double needed = needed_tolerance(edge, parts_.faces_of_edges.FindFromKey(edge));
+  return *known_.Bound(edge, {BRep_Tool::Tolerance(edge), needed, needed / kMargin});
+}
+
+const NeededTolerance& NeededTolerances::of(const TopoDS_Vertex& vertex) {
+  if (const NeededTolerance* known = known_.Seek(vertex)) return *known;
+  const NeededTolerance made = measured(vertex);
+  return *known_.Bound(vertex, made);
+}
+
+NeededTolerance NeededTolerances::measured(const TopoDS_Vertex& vertex) {
+  double of_edges = Precision::Confusion(), distance = 0;
+  for (const TopoDS_Shape& each : parts_.edges_of_vertices.FindFromKey(vertex)) {
+    const TopoDS_Edge edge = TopoDS::Edge(each);
+    const NeededTolerance& own = of(edge);
+    of_edges = std::max(of_edges, is_wrong(own) ? own.needed : own.given);
+    for (TopoDS_Iterator end(edge.Oriented(TopAbs_FORWARD)); end.More(); end.Next())
+      if (end.Value().IsSame(vertex) && is_end(end.Value()))
+        distance = std::max(distance, distance_at(TopoDS::Vertex(end.Value()), edge,
+                                                  parts_.faces_of_edges.FindFromKey(edge)));
+  }
+  return {BRep_Tool::Tolerance(vertex), std::max(of_edges, kMargin * distance),
+          std::max(of_edges, distance)};
 }
 
 TrueSolid with_true_tolerances(const TrimTool& solid, const WorkLimit& limit) {
   return guarded("measuring tolerances", [&]() -> TrueSolid {
     const TopoDS_Compound shape = compound_of(solid.solids);
-    const Wrong wrong = wrong_tolerances(shape, &limit);
+    const WrongTolerances wrong = wrong_tolerances(shape, limit);
     if (wrong.empty()) return {solid, {}};
     Copy copy(shape, wrong);
     TrueSolid made{{}, words_about(wrong)};

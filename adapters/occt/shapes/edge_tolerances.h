@@ -3,13 +3,17 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 
-#include <TopTools_IndexedMapOfShape.hxx>
+#include <NCollection_DataMap.hxx>
 #include <TopTools_ListOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/shapes/shared_parts.h"
 #include "adapters/occt/splitting/trim_sides.h"
 #include "core/intersection/work_limit.h"
 
@@ -24,17 +28,41 @@ double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& fac
 double distance_at(const TopoDS_Vertex& vertex, const TopoDS_Edge& edge,
                    const TopTools_ListOfShape& faces);
 
-/// Tolerances that were raised.
-struct RaisedTolerances {
-  TopTools_IndexedMapOfShape edges, vertices;
+/// The tolerance that an edge or vertex states and the one that it needs, model units.
+struct NeededTolerance {
+  double given = 0;
+  double needed = 0;
+  double gap = 0;  ///< without a margin: what it cannot do without
 
-  /// Of those that they have now, model units.
-  double largest() const;
+  bool is_too_small() const;
+  bool is_far_too_large() const;
 };
 
-/// Raises those tolerances of the shape itself that are less than the distances of its curves:
-/// readers of files without tolerances measure these at a few points of each edge.
-RaisedTolerances raise_tolerances(const TopoDS_Shape& shape);
+/// What edges and vertices of a shape need, each measured when it is first asked for. What is asked
+/// for later is not what it was if curves change meanwhile.
+class NeededTolerances {
+ public:
+  /// parts   of the shape; kept by reference
+  /// stop    asked before an edge is measured; ends the work by an exception
+  NeededTolerances(const SharedParts& parts, std::function<void()> stop)
+      : parts_(parts), stop_(std::move(stop)) {}
+
+  const NeededTolerance& of(const TopoDS_Edge& edge);
+
+  /// No less than that of its edges, whose ends it covers.
+  const NeededTolerance& of(const TopoDS_Vertex& vertex);
+
+  void set_stop(std::function<void()> stop) { stop_ = std::move(stop); }
+
+ private:
+  using Measured = NCollection_DataMap<TopoDS_Shape, NeededTolerance, TopTools_ShapeMapHasher>;
+
+  NeededTolerance measured(const TopoDS_Vertex& vertex);
+
+  const SharedParts& parts_;
+  std::function<void()> stop_;
+  Measured known_;
+};
 
 /// A solid whose tolerances are true, and what was not so; empty if everything was.
 struct TrueSolid {

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@
 #include <XSControl_Reader.hxx>
 
 #include "adapters/occt/shapes.h"
+#include "adapters/occt/shapes/repair.h"
 
 namespace blossom::occt {
 
@@ -92,9 +94,14 @@ struct Model::Impl {
   ReadingReport reading;
   TopoDS_Shape shape;
   TopTools_IndexedMapOfShape faces;
+  StatedTolerances stated = StatedTolerances::Kept;
+  std::unique_ptr<Repairer> repairer;  ///< of `shape`; null until something is to be repaired
 
   /// Takes shape and face numbers from the document.
   void refresh();
+
+  /// Made when it is first asked for.
+  Repairer& repairs();
 };
 
 /// A file on its way into a document.
@@ -144,8 +151,13 @@ void leave_out_bad_faces(const Document& document, Format format, const std::str
 /// edge with a curve in space has one.
 bool has_curve_on(const TopoDS_Edge& edge, const TopoDS_Face& face);
 
-/// Uses of edges by faces in whose parameters they have no curve.
-int count_missing_curves(const TopoDS_Shape& shape);
+/// The use of an edge by a face in whose parameters it has no curve.
+struct MissingCurve {
+  TopoDS_Face face;
+  TopoDS_Edge edge;
+};
+
+std::vector<MissingCurve> missing_curves(const TopoDS_Shape& shape);
 
 /// Makes those curves where it can, from the curves in space. Changes the shape's edges.
 void add_missing_curves(const TopoDS_Shape& shape);

@@ -3,53 +3,18 @@
 
 #include <algorithm>
 #include <exception>
-#include <sstream>
 #include <string>
 #include <utility>
 
-#include <Message.hxx>
 #include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/errors.h"
-#include "adapters/occt/shapes/edge_tolerances.h"
 #include "adapters/occt/shapes/file_text.h"
 #include "adapters/occt/shapes/listening.h"
-#include "adapters/occt/shapes/loose_images.h"
 #include "adapters/occt/shapes/shapes_detail.h"
 
 namespace blossom::occt {
 namespace {
-
-void tell(const RaisedTolerances& raised, const std::filesystem::path& file) {
-  const int count = raised.edges.Extent() + raised.vertices.Extent();
-  if (count == 0) return;
-  std::ostringstream text;
-  text << file.string() << ": " << count << " edges and vertices get tolerances of up to "
-       << raised.largest()
-       << ", since curves are farther apart than Open CASCADE measured at a few points";
-  Message::SendInfo(text.str().c_str());
-}
-
-/// Only BREP files state tolerances; others have those that Open CASCADE's readers find.
-void heal(const TopoDS_Shape& shape, Format format, const std::filesystem::path& file) {
-  RaisedTolerances raised;
-  if (format != Format::Brep) raised = raise_tolerances(shape);
-  if (const RemadeImages made = remake_loose_images(shape, raised.edges); made.count > 0) {
-    std::ostringstream text;
-    text << file.string() << ": " << made.count << " curves in the parameters of faces are up to "
-         << made.worst << " off those in space, which lie on the faces; they are made anew";
-    Message::SendWarning(text.str().c_str());
-  }
-  tell(raised, file);
-  const int missing = count_missing_curves(shape);
-  if (missing == 0) return;
-  add_missing_curves(shape);
-  const int left = count_missing_curves(shape);
-  const std::string text = file.string() + ": " + std::to_string(missing) +
-                           " edges have no curve in the parameters of their face; " +
-                           std::to_string(missing - left) + " are made from their curves in space";
-  Message::SendWarning(text.c_str());
-}
 
 bool is_empty(const TopoDS_Shape& shape) {
   return shape.IsNull() || (shape.ShapeType() != TopAbs_VERTEX && !TopoDS_Iterator(shape).More());
@@ -116,8 +81,8 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
     const Format format = read_into(reading);
     impl.refresh();
     require_shape(impl.shape, impl.reading);
-    reading.begin("mending the edges");
-    heal(impl.shape, format, file);
+    // Only BREP files state tolerances; others have those that Open CASCADE's readers find.
+    if (format != Format::Brep) impl.stated = StatedTolerances::Raised;
   } catch (const BadModel& error) {
     throw BadModel(file.string() + ": " + error.what());
   } catch (...) {  // Open CASCADE's exceptions are no std::exception

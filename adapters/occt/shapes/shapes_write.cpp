@@ -280,7 +280,8 @@ void write_model(const Model& model, const std::filesystem::path& file,
   const Format format = format_of(file);
   if (model.shape().IsNull()) throw Failure(file.string() + ": the model is empty");
   // Open CASCADE's writers break down on them.
-  if (const int missing = count_missing_curves(model.shape()); keeps_names(file) && missing > 0)
+  if (const std::size_t missing = missing_curves(model.shape()).size();
+      keeps_names(file) && missing > 0)
     throw Failure(file.string() + ": the model has " + std::to_string(missing) +
                   " edges without a curve in the parameters of their face, which only BREP has");
   std::string text;

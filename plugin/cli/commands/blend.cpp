@@ -20,6 +20,7 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
+#include "plugin/cli/repairs.h"
 
 namespace blossom::cli {
 namespace {
@@ -102,7 +103,8 @@ Json report_of(const Input& a, const Input& b, const StripCommand& command, cons
             {"a", contact_json(made.strip.contacts[0])},
             {"b", contact_json(made.strip.contacts[1])}}},
           {"source_error", made.strip.surface.error},
-          {"seconds", timed.seconds}};
+          {"seconds", timed.seconds},
+          {"repairs", Json::array({repairs_json(a), repairs_json(b)})}};
 }
 
 std::string summary(const Input& a, const Input& b, const Timed& timed) {

@@ -16,6 +16,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
+#include "plugin/cli/repairs.h"
 
 namespace blossom::cli {
 namespace {
@@ -109,7 +110,8 @@ Json check_json(const Input& input, const occt::Soundness& found) {
           {"summary", to_json(largest_of(found))},
           {"problems", found.problems},
           {"faces", std::move(faces)},
-          {"edges", std::move(edges)}};
+          {"edges", std::move(edges)},
+          {"repairs", Json::array({repairs_json(input)})}};
 }
 
 // What is wrong in one way with faces or edges.

@@ -24,6 +24,7 @@
 #include "plugin/cli/nets/trimmed_nets.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
+#include "plugin/cli/repairs.h"
 
 namespace blossom::cli {
 namespace {
@@ -45,6 +46,7 @@ struct Made {
   std::size_t faces = 0;
   std::size_t trims_left_out = 0;    ///< faces that lost their trims
   std::vector<TrimmedNets> trimmed;  ///< faces whose trims were to be followed, without their nets
+  Json repairs = Json::array();      ///< of a model
   double seconds = 0;
 };
 
@@ -103,6 +105,7 @@ Made write_as_it_is(const Options& options) {
   refuse_open_wires(input);
   Made made;
   made.faces = input.faces.size();
+  made.repairs.push_back(repairs_json(input));
   drop_other_faces(input);
   stop_if_interrupted();
   write_model(input.model, options.common.output);
@@ -121,6 +124,7 @@ Made write_converted(const Options& options, Form form) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   made.seconds = took.count();
   if (input.model) {
+    made.repairs.push_back(repairs_json(*input.model));
     made.faces = input.model->faces.size();
     if (!follows_trims)
       made.trims_left_out =
@@ -160,7 +164,8 @@ Json report_of(const Options& options, const Made& made) {
           {"trims_left_out", made.trims_left_out},
           {"trimmed", trimmed_json(made.trimmed)},
           {"error", largest_error(made)},
-          {"seconds", made.seconds}};
+          {"seconds", made.seconds},
+          {"repairs", made.repairs}};
 }
 
 std::string summary(const Options& options, const Made& made) {
@@ -203,7 +208,8 @@ int run(const Options& options) {
 }  // namespace
 
 void add_convert(CLI::App& app, int& exit_code) {
-  CLI::App* const command = app.add_subcommand("convert", "between file formats and forms");
+  CLI::App* const command = app.add_subcommand(
+      "convert", "between file formats and forms; what was repaired in reading is written so");
   const auto options = std::make_shared<Options>();
   command->add_option("input", options->input, "model, nets (.json), or some faces or nets")
       ->required()

@@ -35,8 +35,7 @@ int run(const Options& options) {
   check_outputs(options.intersect.common, {options.a, options.b});
   start_threads(options.intersect.engine.threads);
   const Input a = read_input(options.a);
-  Input b = read_input(options.b);
-  share_model(a, b);
+  const Input b = read_input(options.b);
   stop_if_interrupted();
   const TimedIntersection result = timed_intersection(
       options.intersect,

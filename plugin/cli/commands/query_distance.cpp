@@ -10,6 +10,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
@@ -103,6 +104,7 @@ int run_point(const Options& options) {
   report["distance"] = {found.lower, found.upper};
   report["nearest"] = side.json(found.b);
   if (options.all) report["feet"] = feet_json(side, feet);
+  report["repairs"] = Json::array({repairs_json(side.input)});
   write_answer(report,
                side.input.name + ": " + to_string(stated(status)) + ", " +
                    bounds_text(found.lower, found.upper) + "\n  " + side.text(found.b) + "\n" +
@@ -125,6 +127,7 @@ int run_distance(const Options& options) {
   report["distance"] = {found.lower, found.upper};
   report["nearest_a"] = a.json(found.a);
   report["nearest_b"] = b.json(found.b);
+  report["repairs"] = Json::array({repairs_json(a.input), repairs_json(b.input)});
   write_answer(report,
                a.input.name + " - " + b.input.name + ": " + to_string(stated(found.status)) + ", " +
                    bounds_text(found.lower, found.upper) + "\n  " + a.text(found.a) + "\n  " +
@@ -164,6 +167,7 @@ int run_does_intersect(const Options& options) {
   report["distance"] = {found.lower, found.upper};
   report["nearest_a"] = a.json(found.a);
   report["nearest_b"] = b.json(found.b);
+  report["repairs"] = Json::array({repairs_json(a.input), repairs_json(b.input)});
   std::string text = a.input.name + " - " + b.input.name + ": " + word(found.answer) + "\n";
   if (found.answer != occt::Meeting::No) text += "  " + a.text(found.a) + "\n";
   write_answer(report, text, options.common);

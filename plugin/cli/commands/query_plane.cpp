@@ -16,6 +16,7 @@
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/repairs.h"
 
 namespace blossom::cli {
 namespace {
@@ -100,6 +101,7 @@ Json report_of(const Input& input, const Options& options, const Answer& answer)
   }
   report["certificate"] = to_json(section.certificate);
   report["certificate"]["faces_searched"] = section.faces_searched;
+  report["repairs"] = Json::array({repairs_json(input)});
   return report;
 }
 

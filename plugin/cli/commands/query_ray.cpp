@@ -13,6 +13,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
@@ -79,6 +80,7 @@ Json report_of(const Input& input, const Options& options, const Answer& answer)
   report["hits"] = Json::array();
   for (const occt::ShapeHit& hit : answer.hits)
     report["hits"].push_back(hit_json(input, numbers, hit));
+  report["repairs"] = Json::array({repairs_json(input)});
   return report;
 }
 

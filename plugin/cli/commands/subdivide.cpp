@@ -22,6 +22,7 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
+#include "plugin/cli/repairs.h"
 
 namespace blossom::cli {
 namespace {
@@ -102,7 +103,9 @@ Json report_of(const NetInput& input, const Options& options, const Timed& timed
                {"q", list_or_null(options.q)},
                {"seconds", timed.seconds},
                {"pieces", timed.pieces.size()},
-               {"nets", Json::array()}};
+               {"nets", Json::array()},
+               {"repairs", Json::array()}};
+  if (input.model) json["repairs"].push_back(repairs_json(*input.model));
   for (const Net& piece : timed.pieces) json["nets"].push_back(to_json(piece));
   return json;
 }

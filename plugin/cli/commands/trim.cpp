@@ -27,6 +27,7 @@
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/watertight_output.h"
 
@@ -134,7 +135,11 @@ Timed timed_trim(const Inputs& inputs, const Options& options) {
 
 Json report_of(const Inputs& inputs, const Options& options, const Timed& timed, bool written) {
   Json tools = Json::array(), pieces = Json::array(), areas = Json::array();
-  for (const Input& tool : inputs.tools) tools.push_back(tool.name);
+  Json repairs = Json::array({repairs_json(inputs.part)});
+  for (const Input& tool : inputs.tools) {
+    tools.push_back(tool.name);
+    repairs.push_back(repairs_json(tool));
+  }
   std::map<int, double> sums;
   for (const occt::TrimPiece& piece : timed.made.pieces) {
     pieces.push_back({{"face", piece.face},
@@ -157,7 +162,8 @@ Json report_of(const Inputs& inputs, const Options& options, const Timed& timed,
           {"areas", std::move(areas)},
           {"notes", timed.made.notes},
           {"watertight", nullptr},
-          {"certificate", to_json(timed.made.certificate)}};
+          {"certificate", to_json(timed.made.certificate)},
+          {"repairs", std::move(repairs)}};
 }
 
 std::size_t kept_count(const occt::TrimResult& made) {

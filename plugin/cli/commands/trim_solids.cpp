@@ -26,6 +26,7 @@
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/watertight_output.h"
 
@@ -72,8 +73,10 @@ void make_watertight(Timed& timed, const EngineOptions& engine) {
   timed.watertight = std::move(made.pieces);
 }
 
-occt::Model model_of(const std::string& text) {
+// Models of their own, even of one file: the part is changed.
+occt::Model model_of(const std::string& text, Json& repairs) {
   Input input = read_input(text);
+  repairs.push_back(repairs_json(input));
   if (static_cast<int>(input.numbers.size()) != input.model.face_count())
     throw UsageError(text + ": --solid takes whole models, not some of their faces");
   return std::move(input.model);
@@ -142,7 +145,7 @@ Json volumes_json(const occt::SolidVolumes& volumes) {
           {"fuse_error", volumes.fuse_error()}};
 }
 
-Json report_of(const SolidTrim& options, const Timed& timed, bool written) {
+Json report_of(const SolidTrim& options, const Timed& timed, const Json& repairs, bool written) {
   Json solids = Json::array(), steps = Json::array();
   for (const occt::SolidVolumes& volumes : timed.made.volumes)
     steps.push_back(volumes_json(volumes));
@@ -163,7 +166,8 @@ Json report_of(const SolidTrim& options, const Timed& timed, bool written) {
           {"tolerances", timed.made.tolerances},
           {"invalid", timed.invalid},
           {"watertight", timed.watertight ? to_json(*timed.watertight) : Json(nullptr)},
-          {"certificate", to_json(timed.made.certificate)}};
+          {"certificate", to_json(timed.made.certificate)},
+          {"repairs", repairs}};
 }
 
 // Of the last step, and how well those of all add up.
@@ -262,9 +266,10 @@ int trim_solids(const SolidTrim& options) {
   check_outputs(options.common, files,
                 options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   start_threads(options.engine.threads);
-  occt::Model part = model_of(options.part);
+  Json repairs = Json::array();
+  occt::Model part = model_of(options.part, repairs);
   Models tools;
-  for (const std::string& tool : options.tools) tools.push_back(model_of(tool));
+  for (const std::string& tool : options.tools) tools.push_back(model_of(tool, repairs));
   stop_if_interrupted();
   const Timed timed = timed_trim(options, part, tools);
   const std::string reason = reason_of(timed.made);
@@ -280,7 +285,7 @@ int trim_solids(const SolidTrim& options) {
   }
   if (!png.empty()) occt::write_text(png, outputs.picture);
   if (!reason.empty()) tell_no_solid(outputs, reason);
-  if (!outputs.json.empty()) write_json(report_of(options, timed, write), outputs.json);
+  if (!outputs.json.empty()) write_json(report_of(options, timed, repairs, write), outputs.json);
   print_summary(summary(options, timed), outputs.json);
   return exit_code_of(timed.made, outputs);
 }

@@ -97,7 +97,7 @@ NetInput read_net_input(const std::string& text, Take take) {
     return input;
   }
   const bool edges = take == Take::Edges;
-  input.model = read_input(text, edges ? Faces::Optional : Faces::Required);
+  input.model.emplace(read_input(text, edges ? Faces::Optional : Faces::Required));
   input.nets =
       edges ? nets_of_edges(*input.model, name.faces.empty()) : nets_of_faces(*input.model);
   return input;

@@ -18,6 +18,7 @@
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/watertight.h"
 #include "tests/support/incremental_mesh.h"
+#include "tests/support/models.h"
 #include "tests/support/watertight_mesh.h"
 
 namespace blossom {
@@ -123,7 +124,7 @@ TEST(WatertightMesh, OfConesCutAtTheirApexIsClosed) {
 void expect_closed_model(const std::string& name, double volume, double error, double deflection) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
-  const occt::Model model = occt::read_model(std::string(folder) + "/models/" + name);
+  const occt::Model model = testing::repaired_model(std::string(folder) + "/models/" + name);
   const occt::WatertightShape made = occt::watertight(model.shape());
   ASSERT_EQ(made.pieces.obstacle, "");
   expect_closed(sampled(made), volume, error);
@@ -141,7 +142,7 @@ TEST(WatertightMesh, OfACrankArmDoesNotCrossItself) {
 TEST(WatertightMesh, OfLooseFacesDoesNotCrossItself) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
-  const occt::Model model = occt::read_model(std::string(folder) + "/models/bearing.iges");
+  const occt::Model model = testing::repaired_model(std::string(folder) + "/models/bearing.iges");
   const occt::WatertightShape made = occt::watertight(model.shape());
   ASSERT_EQ(made.pieces.obstacle, "");
   EXPECT_LE(made.pieces.deviation, 3e-4);
@@ -162,7 +163,8 @@ TEST(WatertightMesh, OfABodyWithLooseEdgesDoesNotCrossItself) {
 TEST(WatertightMesh, OfAPlaneCutInHalfIsClosed) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
-  const occt::Model model = occt::read_model(std::string(folder) + "/models/d150_fused.brep");
+  const occt::Model model =
+      testing::repaired_model(std::string(folder) + "/models/d150_fused.brep");
   const TopoDS_Shape beyond =
       BRepPrimAPI_MakeBox(gp_Pnt(18.885, -100, -100), gp_Pnt(100, 100, 100));
   const occt::SolidTrimResult cut = occt::trim_solids(

@@ -16,6 +16,7 @@
 
 #include "adapters/occt/shapes.h"
 #include "tests/adapters/occt/shapes_files.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -74,7 +75,7 @@ TEST(ForeignAssemblies, StayAsTheyAreButForWhatIsCut) {
   for (const std::filesystem::path& file : files) {
     const Folder own;
     const Lines before = lines_of(file);
-    Model model = read_model(file);
+    Model model = testing::repaired_model(file);
     write_model(model, own / "copy.step");
     const Lines copied = missing(before, lines_of(own / "copy.step"));
     const std::string path = model.part_paths().front();

@@ -18,6 +18,7 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/surfaces.h"
 #include "tests/adapters/occt/surfaces_samples.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -67,7 +68,7 @@ TEST(RealModels, HaveFacesThatBecomePatchesWithTheSamePoints) {
   quiet_messages();
   Random random(1);
   for (const fs::path& file : files) {
-    const Model model = read_model(file);
+    const Model model = testing::repaired_model(file);
     EXPECT_GT(model.face_count(), 0) << file;
     for (int i = 1; i <= model.face_count(); ++i) {
       const std::string what = file.filename().string() + " face " + std::to_string(i);
@@ -86,7 +87,7 @@ TEST(RealModels, FoldNarrowerThanTheToleranceIsOneOpenPlaceWithoutALimit) {
   IntersectionOptions options;
   options.budget = 200'000;
   const ShapeIntersection found =
-      self_intersect({read_model(*file).face(8)}, SelfScope::EachFace, options);
+      self_intersect({testing::repaired_model(*file).face(8)}, SelfScope::EachFace, options);
   EXPECT_EQ(found.status, Status::Stopped);
   EXPECT_FALSE(found.certificate.limited);
   ASSERT_EQ(found.pairs.size(), 1u);

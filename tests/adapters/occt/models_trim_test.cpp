@@ -26,6 +26,7 @@
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/trim.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -118,7 +119,7 @@ void run(const std::string& name, int number, const TopoDS_Face& face, const Top
 }
 
 void run_model(const std::filesystem::path& file, Counts& counts) {
-  const Model model = read_model(file);
+  const Model model = testing::repaired_model(file);
   int found = 0;
   for (int number = 1; number <= model.face_count() && found < kFacesPerModel; ++number) {
     const TopoDS_Face face = model.face(number);

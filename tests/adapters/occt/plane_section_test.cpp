@@ -30,6 +30,7 @@
 #include "adapters/occt/errors.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -271,7 +272,7 @@ TEST(PlaneSection, OfARealSolidIsClosed) {
   if (data == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA names no folder with models/";
   const auto models = std::filesystem::path(data) / "models";
   for (const char* name : {"ball.brep", "propeller.brep", "s1_mainbody_back.stp"}) {
-    const TopoDS_Shape shape = read_model(models / name).shape();
+    const TopoDS_Shape shape = testing::repaired_model(models / name).shape();
     Bnd_Box box;
     BRepBndLib::Add(shape, box, false);
     const gp_Pnt low = box.CornerMin(), high = box.CornerMax();

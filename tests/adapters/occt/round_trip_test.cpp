@@ -36,6 +36,7 @@
 #include "adapters/occt/shapes/spline_hyperbolas.h"
 #include "adapters/occt/solid_trim.h"
 #include "tests/adapters/occt/shapes_files.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -121,7 +122,7 @@ TopoDS_Shape turned(const TopoDS_Shape& shape, double part = 0) {
 TEST(StepFiles, KeepTheSizesOfAWingWithoutItsTurnedCopy) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
-  const Model model = read_model(std::string(folder) + "/models/d150_wing.brep");
+  const Model model = testing::repaired_model(std::string(folder) + "/models/d150_wing.brep");
   expect_small_changes(model.shape(), turned(model.shape()), ".step", {SolidOperation::Cut});
 }
 
@@ -129,7 +130,7 @@ TEST(StepFiles, KeepTheSizesOfAWingWithoutItsTurnedCopy) {
 TEST(StepFiles, KeepTheVolumeOfAModelWithLooseEdges) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
-  const Model model = read_model(std::string(folder) + "/models/s1_mainbody_back.stp");
+  const Model model = testing::repaired_model(std::string(folder) + "/models/s1_mainbody_back.stp");
   const TopoDS_Shape copy = turned(model.shape(), 0.06);
   const SolidTrimResult made =
       trim_solids(trim_tool(model.shape()), {trim_tool(copy)}, SolidOperation::Common);
@@ -288,7 +289,8 @@ TEST(StepFiles, TellFacesThatOpenCascadeReadsWrong) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
   const Folder own;
-  write_model(read_model(std::string(folder) + "/models/ball.brep"), own / "ball.step");
+  write_model(testing::repaired_model(std::string(folder) + "/models/ball.brep"),
+              own / "ball.step");
   ::testing::internal::CaptureStderr();
   read_model(own / "ball.step");
   const std::string told = ::testing::internal::GetCapturedStderr();

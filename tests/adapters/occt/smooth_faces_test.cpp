@@ -11,6 +11,7 @@
 
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/shapes.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 TEST(SmoothFaces, LeaveNothingOpenAlongTheirBorder) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
-  const Model model = read_model(std::string(folder) + "/models/bearing.iges");
+  const Model model = testing::repaired_model(std::string(folder) + "/models/bearing.iges");
   for (const auto& [a, b] : {std::pair{52, 53}, {53, 52}, {75, 76}, {76, 75}}) {
     SCOPED_TRACE(std::to_string(a) + " and " + std::to_string(b));
     const ShapeIntersection found = intersect({model.face(a)}, {model.face(b)});

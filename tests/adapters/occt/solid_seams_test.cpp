@@ -17,6 +17,7 @@
 
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -30,7 +31,7 @@ class SolidSeamsOfModels : public ::testing::Test {
     models_ = std::filesystem::path(folder) / "models";
   }
 
-  Model read(const char* name) const { return read_model(models_ / name); }
+  Model read(const char* name) const { return testing::repaired_model(models_ / name); }
 
  private:
   std::filesystem::path models_;

@@ -14,6 +14,7 @@
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/surfaces.h"
 #include "core/forms/evaluation.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -79,7 +80,7 @@ TEST(Untrimmed, BordersAreWithinTheirBounds) {
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
   for (const char* name : {"bearing.iges", "s1_mainbody_back.stp", "elliptiplane.brep"}) {
     SCOPED_TRACE(name);
-    const Model model = read_model(std::string(folder) + "/models/" + name);
+    const Model model = testing::repaired_model(std::string(folder) + "/models/" + name);
     int arcs = 0;
     for (int number = 1; number <= model.face_count(); ++number)
       arcs += expect_within_bounds(model.face(number));

@@ -35,6 +35,7 @@
 #include "adapters/occt/watertight_faces.h"
 #include "core/blossom/triangle_composition.h"
 #include "tests/adapters/occt/shapes_files.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -280,7 +281,7 @@ TEST(Watertight, ATriangleAtAPoleIsMeshedWithoutNodesInside) {
 TEST(Watertight, DividesTheEdgesOfABladeAgain) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
-  const Model model = read_model(std::string(folder) + "/models/propeller.brep");
+  const Model model = testing::repaired_model(std::string(folder) + "/models/propeller.brep");
   WatertightOptions options;
   options.tolerance = 1e-3;
   const WatertightShape made = watertight(model.face(2), options);
@@ -294,7 +295,7 @@ TEST(Watertight, DividesTheEdgesOfABladeAgain) {
 TEST(Watertight, TakesABladeOfHighDegree) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
-  const Model model = read_model(std::string(folder) + "/models/propeller.brep");
+  const Model model = testing::repaired_model(std::string(folder) + "/models/propeller.brep");
   WatertightOptions options;
   options.tolerance = 1e-5;
   const WatertightShape made = watertight(model.face(25), options);
@@ -306,7 +307,7 @@ TEST(Watertight, TakesABladeOfHighDegree) {
 TEST(Watertight, LetsTheFacesOfABodyAgreeOnTheirEdges) {
   const char* folder = std::getenv("BLOSSOM_TEST_DATA");
   if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
-  const Model model = read_model(std::string(folder) + "/models/s1_mainbody_back.stp");
+  const Model model = testing::repaired_model(std::string(folder) + "/models/s1_mainbody_back.stp");
   WatertightOptions options;
   options.tolerance = 1e-4;
   expect_sound(watertight(model.shape(), options), 1e-2);

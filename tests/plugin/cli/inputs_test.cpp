@@ -5,7 +5,9 @@
 
 #include "adapters/occt/errors.h"
 #include "plugin/cli/exit_code.h"
+#include "plugin/cli/output.h"
 #include "tests/plugin/cli/program.h"
+#include "tests/support/loose_shapes.h"
 
 namespace blossom::cli {
 namespace {
@@ -72,6 +74,82 @@ TEST(Input, NamesTheFaceThatIsNotThere) {
     EXPECT_NE(text.find("lids.brep"), std::string::npos) << text;
     EXPECT_NE(text.find("2000000000"), std::string::npos) << text;
   }
+}
+
+// Faces 1 to 3 are a cylinder with a loose image, 4 the square.
+std::filesystem::path write_loose(const std::filesystem::path& file) {
+  occt::Model model;
+  model.add(testing::cylinder_with_loose_image(0.01), "loose");
+  model.add(testing::lid(3), "lid");
+  occt::write_model(model, file);
+  return file;
+}
+
+TEST(Input, SharesItsModelWithOthersOfTheSameFile) {
+  const testing::TestFolder folder;
+  const std::string file = write_loose(folder / "part.brep");
+  std::filesystem::create_symlink("part.brep", folder / "link.brep");
+  const Input a = read_input(file + "#1"), b = read_input((folder / "link.brep").string() + "#2");
+  EXPECT_EQ(&a.model, &b.model);
+  EXPECT_TRUE(b.faces.front().IsSame(a.model.face(2)));
+}
+
+TEST(Input, IsReadAnewOnceNoneOfItsFileIsLeft) {
+  const testing::TestFolder folder;
+  const auto file = folder / "lids.brep";
+  testing::write({testing::lid(1)}, file);
+  EXPECT_EQ(read_input(file.string()).faces.size(), 1U);
+  testing::write({testing::lid(1), testing::lid(2)}, file);
+  EXPECT_EQ(read_input(file.string()).faces.size(), 2U);
+}
+
+TEST(Input, IsRepairedWhereItIsUsed) {
+  const testing::TestFolder folder;
+  const std::string file = write_loose(folder / "part.brep");
+  EXPECT_TRUE(read_input(file, Faces::Required, Repair::None).repairs.empty());
+  EXPECT_TRUE(read_input(file + "#4").repairs.empty());
+  EXPECT_EQ(read_input(file + "#1").repairs.remade.size(), 1U);
+  EXPECT_EQ(read_input(file).repairs.remade.size(), 1U);
+}
+
+TEST(RepairsOfAnInput, AreToldInOneLine) {
+  const testing::TestFolder folder;
+  const std::string file = write_loose(folder / "part.brep");
+  const std::string output = folder / "copy.brep";
+  const std::string line = file + ": 1 parameter curve recomputed (up to 0.01)\n";
+  EXPECT_EQ(testing::blossom({"convert", file, "-o", output}).err, "blossom: " + line);
+  EXPECT_EQ(testing::blossom({"convert", file, "-o", output, "-q"}).err, "");
+  const std::string more = testing::blossom({"convert", file, "-o", output, "-v"}).err;
+  EXPECT_NE(more.find(line), std::string::npos) << more;
+  EXPECT_NE(more.find("edge 1 on face 1 (0.01)"), std::string::npos) << more;
+}
+
+TEST(RepairsOfAnInput, AreInTheReport) {
+  const testing::TestFolder folder;
+  const std::string file = write_loose(folder / "part.brep");
+  const Json report =
+      Json::parse(testing::blossom({"intersect", file, file + "#4", "--json", "-"}).out);
+  ASSERT_EQ(report["repairs"].size(), 2U);
+  EXPECT_EQ(report["repairs"][0]["input"], file);
+  EXPECT_EQ(report["repairs"][0]["curves_recomputed"]["count"], 1);
+  EXPECT_NEAR(report["repairs"][0]["curves_recomputed"]["largest_gap"].get<double>(), 0.01, 1e-9);
+  EXPECT_EQ(report["repairs"][1]["curves_recomputed"]["count"], 0);
+}
+
+TEST(RepairsOfAnInput, AreKeptByConvert) {
+  const testing::TestFolder folder;
+  const std::string file = write_loose(folder / "part.brep");
+  const std::string copy = folder / "copy.brep";
+  ASSERT_EQ(testing::blossom({"convert", file, "-o", copy}).code, 0);
+  EXPECT_TRUE(read_input(copy).repairs.empty());
+}
+
+TEST(RepairsOfAnInput, AreNotNeededToTellAboutIt) {
+  const testing::TestFolder folder;
+  const std::string file = write_loose(folder / "part.brep");
+  const testing::Finished run = testing::blossom({"info", file, "--json", "-"});
+  EXPECT_EQ(run.err, "");
+  EXPECT_NEAR(Json::parse(run.out)["tolerance"]["largest"].get<double>(), 0.011, 1e-9);
 }
 
 }  // namespace

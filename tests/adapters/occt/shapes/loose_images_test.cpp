@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -20,6 +21,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/shapes.h"
+#include "adapters/occt/shapes/repair.h"
 
 namespace blossom::occt {
 namespace {
@@ -54,13 +56,17 @@ struct Rim {
   }
 };
 
+std::vector<Repairs::RemadeCurve> remade_in(const TopoDS_Shape& shape) {
+  return Repairer(shape, StatedTolerances::Kept).repair_all({}).remade;
+}
+
 TEST(LooseImages, AreMadeAnewFromCurvesInSpaceThatLieOnTheFace) {
   const Rim given;
   Rim loose;
   loose.loosen(0.01);
-  const RemadeImages made = remake_loose_images(loose.solid);
-  EXPECT_EQ(made.count, 1);
-  EXPECT_NEAR(made.worst, 0.01, 1e-12);
+  const std::vector<Repairs::RemadeCurve> made = remade_in(loose.solid);
+  ASSERT_EQ(made.size(), 1U);
+  EXPECT_NEAR(made.front().gap, 0.01, 1e-12);
   EXPECT_LE(BRep_Tool::Tolerance(loose.edge), 1e-6);
   EXPECT_TRUE(BRepCheck_Analyzer(loose.solid).IsValid());
   for (const double t : {0.0, 1.0, 3.0, 6.2})
@@ -70,15 +76,16 @@ TEST(LooseImages, AreMadeAnewFromCurvesInSpaceThatLieOnTheFace) {
 TEST(LooseImages, AreLeftWhereTheyAreSmall) {
   Rim loose;
   loose.loosen(1e-5);
-  EXPECT_EQ(remake_loose_images(loose.solid).count, 0);
-  EXPECT_EQ(remake_loose_images(Rim().solid).count, 0);
+  EXPECT_TRUE(remade_in(loose.solid).empty());
+  EXPECT_TRUE(remade_in(Rim().solid).empty());
 }
 
 // 196 curves up to 0.06 off edges that lie on both faces within 3e-5.
 TEST(LooseImages, LeaveNoGapsInAModelWhoseReaderMadeThem) {
   const char* const folder = std::getenv("BLOSSOM_TEST_DATA");
   if (folder == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
-  const Model model = read_model(std::string(folder) + "/models/boxed_sphere.step");
+  Model model = read_model(std::string(folder) + "/models/boxed_sphere.step");
+  EXPECT_EQ(model.repair().remade.size(), 196U);
   double largest = 0;
   for (TopExp_Explorer it(model.shape(), TopAbs_EDGE); it.More(); it.Next())
     largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
