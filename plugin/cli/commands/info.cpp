@@ -7,20 +7,17 @@
 #include <iomanip>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
 
-#include <BRepBndLib.hxx>
-#include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
 
-#include "adapters/occt/hulls.h"
+#include "adapters/occt/errors.h"
+#include "adapters/occt/least_box.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/face_facts.h"
@@ -37,49 +34,20 @@ constexpr std::array kCounted = {std::pair{TopAbs_SOLID, "solids"},
                                  std::pair{TopAbs_EDGE, "edges"},
                                  std::pair{TopAbs_VERTEX, "vertices"}};
 
-constexpr double kBoxPrecision = 1e-7;  // model units, what Open CASCADE's minimizing stops at
-
 struct ModelFacts {
   std::vector<FaceFacts> faces;
   std::map<std::string, int> surfaces;  ///< faces per surface type
-  Bnd_Box box;
+  std::optional<occt::LeastBox> box;
   double least_tolerance = 0;  ///< of faces, edges and vertices, model units
   double largest_tolerance = 0;
   bool valid = true;  ///< every listed face is
 };
 
-// Whether what the control points of a face bound is in the box already.
-bool is_within(const TopoDS_Face& face, const Bnd_Box& box) {
-  std::vector<Vec3> points;
-  if (box.IsVoid() || !occt::add_hull(TopoDS::Face(face.Located(TopLoc_Location())), points) ||
-      !occt::has_end(points))
-    return false;
-  Vec3 low, high;
-  box.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
-  const PartHull hull = occt::placed_hull(std::move(points), face.Location().Transformation());
-  return std::ranges::all_of(hull.points, [&](const Vec3& p) {
-    for (int k = 0; k < 3; ++k)
-      if (p[k] < low[k] - kBoxPrecision || p[k] > high[k] + kBoxPrecision) return false;
-    return true;
-  });
-}
-
-// The least box along the axes, to kBoxPrecision. Open CASCADE minimizes over each face, which
-// takes milliseconds: only faces that may reach beyond the rest are given to it.
-Bnd_Box least_box(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  TopTools_IndexedMapOfShape vertices, faces;
-  TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  for (int i = 1; i <= vertices.Extent(); ++i) box.Add(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))));
-  for (int i = 1; i <= faces.Extent(); ++i) {
-    stop_if_interrupted();
-    if (!is_within(TopoDS::Face(faces(i)), box))
-      BRepBndLib::AddOptimal(faces(i), box, Standard_False);
-  }
-  for (TopExp_Explorer free(shape, TopAbs_EDGE, TopAbs_FACE); free.More(); free.Next())
-    BRepBndLib::AddOptimal(free.Current(), box, Standard_False);
-  return box;
+// None of what has no vertex, or no end.
+std::optional<occt::LeastBox> box_of(const TopoDS_Shape& shape) try {
+  return occt::least_box(shape, interrupted);
+} catch (const occt::BadModel&) {
+  return std::nullopt;
 }
 
 ModelFacts model_facts(const Input& input) {
@@ -97,7 +65,7 @@ ModelFacts model_facts(const Input& input) {
   facts.least_tolerance = tolerances.Tolerance(input.model.shape(), -1);
   facts.largest_tolerance = tolerances.Tolerance(input.model.shape(), 1);
   // Numbers that are none would go into the box, too.
-  if (facts.valid) facts.box = least_box(input.model.shape());
+  if (facts.valid) facts.box = box_of(input.model.shape());
   return facts;
 }
 
@@ -105,12 +73,6 @@ int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   TopTools_IndexedMapOfShape map;
   TopExp::MapShapes(shape, kind, map);
   return map.Extent();
-}
-
-std::array<std::array<double, 3>, 2> corners(const Bnd_Box& box) {
-  std::array<std::array<double, 3>, 2> c{};
-  box.Get(c[0][0], c[0][1], c[0][2], c[1][0], c[1][1], c[1][2]);
-  return c;
 }
 
 Json face_json(const FaceFacts& face) {
@@ -136,7 +98,11 @@ Json info_json(const Input& input, const ModelFacts& facts) {
                {"file_unit", input.model.file_unit()}};
   for (const auto& [kind, word] : kCounted) json["counts"][word] = count(input.model.shape(), kind);
   json["surfaces"] = facts.surfaces;
-  json["box"] = facts.box.IsVoid() ? Json(nullptr) : Json(corners(facts.box));
+  json["box"] = nullptr;
+  if (facts.box) {
+    json["box"] = {facts.box->box.low.coordinates, facts.box->box.high.coordinates};
+    json["box_precision"] = facts.box->precision;
+  }
   json["tolerance"] = {{"least", facts.least_tolerance}, {"largest", facts.largest_tolerance}};
   json["valid"] = facts.valid;
   json["faces"] = Json::array();
@@ -160,6 +126,12 @@ std::string face_line(const FaceFacts& face) {
   return line.str();
 }
 
+std::string corner_text(const Vec3& corner) {
+  std::ostringstream text;
+  text << "[" << corner[0] << ", " << corner[1] << ", " << corner[2] << "]";
+  return text.str();
+}
+
 std::string info_text(const Input& input, const ModelFacts& facts) {
   std::ostringstream text;
   text << input.name << "\n ";
@@ -167,11 +139,9 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
     text << " " << count(input.model.shape(), kind) << " " << word;
   text << "\n  surfaces:";
   for (const auto& [word, number] : facts.surfaces) text << " " << number << " " << word;
-  if (!facts.box.IsVoid()) {
-    const auto c = corners(facts.box);
-    text << "\n  box (mm): [" << c[0][0] << ", " << c[0][1] << ", " << c[0][2] << "] to ["
-         << c[1][0] << ", " << c[1][1] << ", " << c[1][2] << "]";
-  }
+  if (facts.box)
+    text << "\n  box (mm): " << corner_text(facts.box->box.low) << " to "
+         << corner_text(facts.box->box.high);
   text << "\n  tolerances: " << facts.least_tolerance << " to " << facts.largest_tolerance << "\n  "
        << (facts.valid ? "valid" : "NOT VALID") << ", file in " << input.model.file_unit() << "\n";
   if (!facts.faces.empty())

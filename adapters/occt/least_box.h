@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The least box along the axes around a shape.
+
+#pragma once
+
+#include <functional>
+
+#include <TopoDS_Shape.hxx>
+
+#include "core/bounds/box_tree.h"
+
+namespace blossom::occt {
+
+struct LeastBox {
+  Box box;               ///< each side goes through a point of the shape; model units
+  double precision = 0;  ///< proven: the shape reaches no farther beyond any side
+};
+
+/// The box of faces within their trims, of edges and vertices; tolerances do not count. Each side
+/// is as far from a plane beyond it as the shape is, which is known to kDistanceResolution.
+///
+/// shape       with at least a vertex
+/// cancelled   asked now and then; when true, the precision is what is known by then
+/// throws      as MeasuredShape
+LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cancelled = {});
+
+}  // namespace blossom::occt
