@@ -6,14 +6,19 @@
 #include <exception>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <utility>
+
+#include <BRep_Tool.hxx>
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/faces/edge_contacts.h"
+#include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/equal_faces.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_list.h"
 #include "adapters/occt/faces/neighbour_proof.h"
+#include "adapters/occt/faces/one_surface.h"
 #include "adapters/occt/faces/shared_edges.h"
 #include "adapters/occt/faces/shared_limit.h"
 #include "adapters/occt/faces/trimmed_overlaps.h"
@@ -49,13 +54,12 @@ double distance_to(const std::vector<SurfacePoint>& polygon, const Vec3& p) {
 KnownCurve known_curve(const SharedEdge& edge, double size) {
   KnownCurve known{{}, std::max(kEdgeReach * edge.tolerance, kEdgeStrip * size), 0};
   for (const SurfacePoint& x : edge.curve.samples) known.points.push_back(x.point);
-  const Deviation& d = edge.curve.deviation;
-  known.gap = std::max({d.a, d.b, d.between});
+  known.gap = edge.gap;
   return known;
 }
 
 // What was found along a shared edge is the edge.
-void drop_along_edges(SurfaceIntersection& found, std::vector<SurfacePoint>& touches,
+void drop_along_edges(SurfaceIntersection& found, std::vector<Touch>& touches,
                       const std::vector<SharedEdge>& edges, double tolerance) {
   const auto along_edge = [&](const Vec3& p) {
     return std::any_of(edges.begin(), edges.end(), [&](const SharedEdge& edge) {
@@ -68,8 +72,8 @@ void drop_along_edges(SurfaceIntersection& found, std::vector<SurfacePoint>& tou
     return std::all_of(curve.samples.begin(), curve.samples.end(),
                        [&](const SurfacePoint& x) { return along_edge(x.point); });
   });
-  for (auto* const points : {&found.points, &touches})
-    std::erase_if(*points, [&](const SurfacePoint& x) { return along_edge(x.point); });
+  std::erase_if(found.points, [&](const SurfacePoint& x) { return along_edge(x.point); });
+  std::erase_if(touches, [&](const Touch& touch) { return along_edge(touch.at.point); });
 }
 
 // Whether the edges and vertices that two faces share belong to their intersection.
@@ -138,7 +142,8 @@ class PairIntersector {
     result.equal_edges = match.edges;
     result.found.places = {
         {PlaceKind::Overlap, a.box.low, a.box.high, 0, match.gap, parameters_of(a, b)}};
-    if (match.gap == 0) return;
+    identify(result.found.certificate, match.gap);
+    if (match.gap <= one_within(options_.tolerances, largest_coordinate(a, b))) return;
     result.found.status = Status::Tolerance;
     result.found.certificate.reasons = {"the surfaces coincide in the listed places"};
   }
@@ -148,10 +153,9 @@ class PairIntersector {
     const FaceData& a = faces_a_.data(static_cast<std::size_t>(result.face_a));
     const FaceData& b = faces_b_.data(static_cast<std::size_t>(result.face_b));
     Place place;
-    for (int k = 0; k < 3; ++k) {
-      place.box_low[k] = std::max(a.box.low[k], b.box.low[k]);
-      place.box_high[k] = std::min(a.box.high[k], b.box.high[k]);
-    }
+    const Box common = common_box(a, b);
+    place.box_low = common.low;
+    place.box_high = common.high;
     place.gap_high = distance(place.box_low, place.box_high);
     place.parameters = parameters_of(a, b);
     result.found.places = {place};
@@ -175,23 +179,33 @@ class PairIntersector {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     const TopoDS_Face &shape_a = faces_a_.face(i), &shape_b = faces_b_.face(j);
     const std::vector<SharedEdge> edges = copies_.shared(result.face_a, result.face_b);
-    if (is_settled_by_neighbours(a, b, edges, result)) return;
-    result.found =
-        &a == &b ? self_intersect(a.surface, options_for(a, b, edges)) : found_between(i, j, edges);
-    const std::vector<Overlap> whole = result.found.overlaps;
-    std::vector<SurfacePoint> touches = clip(result.found, a.trims, &b.trims);
-    if (result.found.overlaps.size() < whole.size())
-      add_overlaps(shape_a, shape_b, whole, result.found);
-    drop_along_edges(result.found, touches, edges, options_.tolerances.point);
-    weaken_along_trims(a.trims, b.trims, result.found);
+    const double within = one_within(options_.tolerances, largest_coordinate(a, b));
+    std::vector<Touch> touches;
+    if (const auto gap = gap_of_one_surface(a, b); gap && *gap <= within) {
+      result.found = on_surface_of_both(shape_a, shape_b, *gap, within);
+      drop_along_edges(result.found, touches, edges, options_.tolerances.point);
+    } else if (is_settled_by_neighbours(a, b, edges, result)) {
+      return;
+    } else {
+      result.found = between(i, j, edges);
+      const std::vector<Overlap> whole = result.found.overlaps;
+      touches = clip(result.found, a.trims, &b.trims);
+      if (result.found.overlaps.size() < whole.size())
+        add_overlaps(shape_a, shape_b, whole, result.found);
+      drop_along_edges(result.found, touches, edges, options_.tolerances.point);
+      weaken_along_trims(a.trims, b.trims, within, result.found);
+    }
     result.chains =
         chains_over_seams(result.found.curves, a.surface, b.surface, options_.tolerances.point);
     if (edges.empty()) add_edge_contacts(shape_a, shape_b, result.found, touches);
-    if (shared_ == Shared::Listed)
+    if (shared_ == Shared::Listed) {
       add_edges(edges, result);
-    else if (&a != &b)
-      for (auto* const points : {&result.found.points, &touches}) drop_shared(a, b, *points);
-    add_touches(touches, options_.tolerances.point, result.found);
+    } else if (&a != &b) {
+      const auto is_shared = [&](const SurfacePoint& x) { return lies_on_shared(a, b, x); };
+      std::erase_if(result.found.points, is_shared);
+      std::erase_if(touches, [&](const Touch& touch) { return is_shared(touch.at); });
+    }
+    add_touches(touches, options_.tolerances.point, within, result.found);
     add_shapes(a, b, result);
   }
 
@@ -207,6 +221,53 @@ class PairIntersector {
     if (shared_ == Shared::Listed) add_edges(edges, result);
     add_shapes(a, b, result);
     return true;
+  }
+
+  static double largest_coordinate(const FaceData& a, const FaceData& b) {
+    return std::max(
+        {max_norm(a.box.low), max_norm(a.box.high), max_norm(b.box.low), max_norm(b.box.high)});
+  }
+
+  // A bound on the distance of two surfaces of one kind where the faces may meet.
+  static std::optional<double> gap_of_one_surface(const FaceData& a, const FaceData& b) {
+    if (&a == &b || !a.elementary || !b.elementary) return {};
+    const Box common = common_box(a, b);
+    return distance_bound(*a.elementary, *b.elementary,
+                          {0.5 * (common.low + common.high), 0.5 * diagonal(common)});
+  }
+
+  static Box common_box(const FaceData& a, const FaceData& b) {
+    Box common;
+    for (int k = 0; k < 3; ++k) {
+      common.low[k] = std::max(a.box.low[k], b.box.low[k]);
+      common.high[k] = std::min(a.box.high[k], b.box.high[k]);
+    }
+    return common;
+  }
+
+  SurfaceIntersection on_surface_of_both(const TopoDS_Face& a, const TopoDS_Face& b, double gap,
+                                         double within) const {
+    const IntersectionOptions left = limit_.remaining();
+    try {
+      return guarded("laying two outlines over each other", [&] {
+        return on_one_surface(a, b, gap, within, left.tolerances.point, WorkLimit(left));
+      });
+    } catch (const std::exception& error) {
+      SurfaceIntersection open;
+      open.status = Status::Stopped;
+      open.certificate.reasons.emplace_back(error.what());
+      return open;
+    }
+  }
+
+  // Planes that cross do so in a line; all else is searched.
+  SurfaceIntersection between(std::size_t i, std::size_t j,
+                              const std::vector<SharedEdge>& edges) const {
+    const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
+    if (&a == &b) return self_intersect(a.surface, options_for(a, b, edges));
+    auto line = crossing_of_planes(BRep_Tool::Surface(faces_a_.face(i)),
+                                   BRep_Tool::Surface(faces_b_.face(j)), common_box(a, b));
+    return line ? *std::move(line) : found_between(i, j, edges);
   }
 
   // A curve that touches the line between two spans of an arc may stay open; the line is our own
@@ -251,34 +312,32 @@ class PairIntersector {
     }
   }
 
-  // Points on a vertex or an edge of both faces.
-  static void drop_shared(const FaceData& a, const FaceData& b, std::vector<SurfacePoint>& points) {
-    std::erase_if(points, [&](const SurfacePoint& x) {
-      const TopoDS_Shape on_a = border_at(a.trims, x.uv_a);
-      return !on_a.IsNull() && on_a.IsSame(border_at(b.trims, x.uv_b));
-    });
+  // Whether a point is on a vertex or an edge of both faces.
+  static bool lies_on_shared(const FaceData& a, const FaceData& b, const SurfacePoint& x) {
+    const TopoDS_Shape on_a = border_at(a.trims, x.uv_a);
+    return !on_a.IsNull() && on_a.IsSame(border_at(b.trims, x.uv_b));
   }
 
   // Where something stays within tolerance, but no curve or region tells what, the faces may have
   // single points of their outlines in common. What is said of those at other places is less exact.
   void add_edge_contacts(const TopoDS_Face& a, const TopoDS_Face& b, SurfaceIntersection& found,
-                         std::vector<SurfacePoint>& touches) const {
+                         std::vector<Touch>& touches) const {
     if (found.status != Status::Tolerance || !found.curves.empty() || !found.overlaps.empty() ||
         a.IsSame(b))
       return;
     const double reach = 2 * options_.tolerances.point;
-    for (const SurfacePoint& x : edge_contacts(a, b, options_.tolerances.point)) {
-      const auto is_here = [&](const SurfacePoint& known) {
-        return distance(known.point, x.point) <= reach;
+    for (const auto& [x, gap, crosses] : outline_contacts(a, b, options_.tolerances.point).points) {
+      const auto is_here = [&, &point = x.point](const SurfacePoint& known) {
+        return distance(known.point, point) <= reach;
       };
-      if (std::any_of(found.points.begin(), found.points.end(), is_here) ||
-          std::any_of(touches.begin(), touches.end(), is_here))
+      if (std::ranges::any_of(found.points, is_here) ||
+          std::ranges::any_of(touches, is_here, &Touch::at))
         continue;
-      std::erase_if(found.places, [&](const Place& place) {
-        return place.kind == PlaceKind::Touch && distance(place.box_low, x.point) <= reach &&
-               distance(place.box_high, x.point) <= reach;
+      std::erase_if(found.places, [&, &point = x.point](const Place& place) {
+        return place.kind == PlaceKind::Touch && distance(place.box_low, point) <= reach &&
+               distance(place.box_high, point) <= reach;
       });
-      touches.push_back(x);
+      touches.push_back({x, gap});
     }
   }
 

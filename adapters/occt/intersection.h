@@ -66,6 +66,12 @@ struct ShapeIntersection {
 /// hulls of others come near them. Faces that are described by the same numbers are told to
 /// coincide as a whole without a search (where such a face meets itself, `self_intersect` tells),
 /// and meet the neighbours of each other in the edges that those share with them.
+///
+/// Planes, cylinders, cones, spheres and tori that are one by `one_within` (core/base/tolerances.h)
+/// over all that two faces may have in common are one: their overlaps, the edges along which they
+/// lie side by side and the corners that touch follow from their outlines. Planes that cross do so
+/// in a line. Where curves run along edges, or only touch them, within the same distance, that is
+/// decided, too. The certificate counts what is taken for one, and how far apart it is at most.
 /// throws   BadModel if a face cannot be converted; the message has the face's place in its list
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
                             const IntersectionOptions& options = {}, Extent extent = Extent::Trims,

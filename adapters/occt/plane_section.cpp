@@ -72,8 +72,7 @@ class FaceSections {
     options.part_a = part_test(face.trims);
     SurfaceIntersection found = intersect(face.surface, frame_.over(face.box), options);
     // What is proven at edges and vertices follows from those, so touches weaken nothing.
-    const std::vector<SurfacePoint> touches = clip(found, face.trims, nullptr);
-    found.points.insert(found.points.end(), touches.begin(), touches.end());
+    for (const Touch& touch : clip(found, face.trims, nullptr)) found.points.push_back(touch.at);
     return found;
   }
 

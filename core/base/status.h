@@ -6,7 +6,8 @@
 namespace blossom {
 
 enum class Status {
-  Complete,   ///< every component is proven, the topology is exact
+  Complete,   ///< every component is proven, the topology is exact; of what a certificate counts as
+              ///< identified, exact once that is one
   Tolerance,  ///< right up to contacts within tolerance, all of them in the listed places
   Stopped,    ///< a budget, a time limit or a cancellation; the open places are listed
 };

@@ -18,6 +18,11 @@ const char* to_string(PlaceKind kind) {
   return "open";
 }
 
+void identify(Certificate& certificate, double within) {
+  ++certificate.identified;
+  certificate.identified_within = std::max(certificate.identified_within, within);
+}
+
 std::vector<SurfacePoint> joined_loops(const std::vector<std::vector<SurfacePoint>>& loops) {
   std::vector<SurfacePoint> joined;
   for (const auto& loop : loops) joined.insert(joined.end(), loop.begin(), loop.end());

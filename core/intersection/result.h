@@ -80,17 +80,23 @@ void widen(Place& place, const std::array<Interval, 4>& parameters);
 
 /// What was examined and how it ended; the numbers behind the status.
 struct Certificate {
-  long excluded = 0;                 ///< cell pairs proven not to meet
-  long certified = 0;                ///< cell pairs proven to hold nothing but regular arcs
-  long critical = 0;                 ///< cell pairs that stayed undecided
-  long cells_bezier = 0;             ///< cells whose nets came from the Bezier form
-  long cells_monomial = 0;           ///< cells whose nets came from the monomial form
-  int depth = 0;                     ///< deepest bisection of a patch
-  bool limited = false;              ///< the options' budget or time, memory or the user ended it
-  double rounding_bound = 0;         ///< largest rounding margin added to a net, model units
-  double least_angle = 0;            ///< least angle between normals on the curves, radians
+  long excluded = 0;             ///< cell pairs proven not to meet
+  long certified = 0;            ///< cell pairs proven to hold nothing but regular arcs
+  long critical = 0;             ///< cell pairs that stayed undecided
+  long cells_bezier = 0;         ///< cells whose nets came from the Bezier form
+  long cells_monomial = 0;       ///< cells whose nets came from the monomial form
+  int depth = 0;                 ///< deepest bisection of a patch
+  long identified = 0;           ///< pairs of surfaces, of edges, or of a point and what it lies
+                                 ///< on, that are one by `one_within`
+  double identified_within = 0;  ///< the largest bound on the distance of such a pair, model units
+  bool limited = false;          ///< the options' budget or time, memory or the user ended it
+  double rounding_bound = 0;     ///< largest rounding margin added to a net, model units
+  double least_angle = 0;        ///< least angle between normals on the curves, radians
   std::vector<std::string> reasons;  ///< why the status is not complete
 };
+
+/// Notes that what is within a distance counts as one.
+void identify(Certificate& certificate, double within);
 
 /// A connected region that both surfaces have in common.
 struct Overlap {

@@ -192,6 +192,8 @@ Json to_json(const Certificate& certificate) {
           {"cells_bezier", certificate.cells_bezier},
           {"cells_monomial", certificate.cells_monomial},
           {"depth", certificate.depth},
+          {"identified", certificate.identified},
+          {"identified_within", certificate.identified_within},
           {"rounding_bound", certificate.rounding_bound},
           {"least_angle", certificate.least_angle},
           {"reasons", certificate.reasons}};

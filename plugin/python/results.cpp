@@ -120,11 +120,12 @@ py::object conic(const Curve& curve) {
 
 py::dict certificate(const Certificate& proof) {
   using namespace py::literals;
-  return py::dict("excluded"_a = proof.excluded, "certified"_a = proof.certified,
-                  "critical"_a = proof.critical, "cells_bezier"_a = proof.cells_bezier,
-                  "cells_monomial"_a = proof.cells_monomial, "depth"_a = proof.depth,
-                  "rounding_bound"_a = proof.rounding_bound, "least_angle"_a = proof.least_angle,
-                  "reasons"_a = proof.reasons);
+  return py::dict(
+      "excluded"_a = proof.excluded, "certified"_a = proof.certified, "critical"_a = proof.critical,
+      "cells_bezier"_a = proof.cells_bezier, "cells_monomial"_a = proof.cells_monomial,
+      "depth"_a = proof.depth, "identified"_a = proof.identified,
+      "identified_within"_a = proof.identified_within, "rounding_bound"_a = proof.rounding_bound,
+      "least_angle"_a = proof.least_angle, "reasons"_a = proof.reasons);
 }
 
 py::list curves(const Intersection& self) {

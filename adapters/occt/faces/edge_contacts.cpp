@@ -4,11 +4,9 @@
 #include <algorithm>
 
 #include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Edge.hxx>
 
 #include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
@@ -21,8 +19,8 @@ namespace {
 
 // An edge of a face, in space and in the face's parameters.
 struct Outline {
+  OutlineEdge of;
   CurveSpans spans;
-  Handle(Geom2d_Curve) chart;
   Box box;  // of the control points
 };
 
@@ -46,7 +44,8 @@ std::vector<Outline> outlines_of(const TopoDS_Face& face) {
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
     if (curve.IsNull() || chart.IsNull())
       throw BadModel("an edge has no curve in space or on its face");
-    outlines.push_back({bezier_spans(curve, range), chart, {}});
+    outlines.push_back(
+        {{edge, chart, bool(BRep_Tool::IsClosed(edge, face))}, bezier_spans(curve, range), {}});
     outlines.back().box = box_of(outlines.back().spans);
   }
   return outlines;
@@ -57,25 +56,54 @@ Vec2 value(const Handle(Geom2d_Curve) & chart, double t) {
   return {p.X(), p.Y()};
 }
 
+bool holds(const Interval& place, double t) { return place.from <= t && t <= place.to; }
+
+// Whether a contact of the search is among its points or runs.
+bool is_told(const CurvePlace& place, const CurveIntersection& found) {
+  if (place.kind == PlaceKind::Open) return false;
+  if (place.kind == PlaceKind::Overlap)
+    return std::ranges::any_of(found.overlaps, [&](const CurveOverlap& run) {
+      return run.a.from <= place.a.to && place.a.from <= run.a.to;
+    });
+  return std::ranges::any_of(found.points, [&](const CurvePoint& x) {
+    return holds(place.a, x.a) && holds(place.b, x.b);
+  });
+}
+
+void add(const Outline& p, const Outline& q, const CurveIntersection& found, double tolerance,
+         OutlineContacts& contacts) {
+  for (const CurvePoint& x : found.points) {
+    const double gap = distance(point_at(p.spans, x.a), point_at(q.spans, x.b));
+    const auto known = std::ranges::find_if(contacts.points, [&](const OutlinePoint& other) {
+      return distance(other.at.point, x.point) <= 2 * tolerance;
+    });
+    if (known == contacts.points.end()) {
+      contacts.points.push_back(
+          {{x.point, value(p.of.chart, x.a), value(q.of.chart, x.b)}, gap, x.proven});
+    } else {
+      known->gap = std::max(known->gap, gap);
+      known->crosses = known->crosses || x.proven;
+    }
+  }
+  for (const CurveOverlap& run : found.overlaps)
+    contacts.runs.push_back({p.of, q.of, run.a, run.b, run.gap_high, run.proven});
+  contacts.complete = contacts.complete && found.status != Status::Stopped &&
+                      std::ranges::all_of(found.places, [&](const CurvePlace& place) {
+                        return is_told(place, found);
+                      });
+}
+
 }  // namespace
 
-std::vector<SurfacePoint> edge_contacts(const TopoDS_Face& a, const TopoDS_Face& b,
-                                        double tolerance) {
+OutlineContacts outline_contacts(const TopoDS_Face& a, const TopoDS_Face& b, double tolerance) {
   IntersectionOptions options;
   options.tolerances.point = tolerance;
-  std::vector<SurfacePoint> contacts;
+  OutlineContacts contacts;
   const std::vector<Outline> all_b = outlines_of(b);
   for (const Outline& p : outlines_of(a))
-    for (const Outline& q : all_b) {
-      if (!meet(widened(p.box, tolerance), q.box)) continue;
-      for (const CurvePoint& x : intersect(p.spans, q.spans, options).points) {
-        const bool known =
-            std::any_of(contacts.begin(), contacts.end(), [&](const SurfacePoint& other) {
-              return distance(other.point, x.point) <= 2 * tolerance;
-            });
-        if (!known) contacts.push_back({x.point, value(p.chart, x.a), value(q.chart, x.b)});
-      }
-    }
+    for (const Outline& q : all_b)
+      if (meet(widened(p.box, tolerance), q.box))
+        add(p, q, intersect(p.spans, q.spans, options), tolerance, contacts);
   return contacts;
 }
 

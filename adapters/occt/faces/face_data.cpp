@@ -18,6 +18,7 @@
 
 #include "adapters/occt/curves.h"
 #include "adapters/occt/errors.h"
+#include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/surfaces.h"
 
 namespace blossom::occt {
@@ -241,6 +242,15 @@ void leave_new_ones(const SurfaceIntersection& found, std::vector<SurfacePoint>&
   });
 }
 
+// Samples of a curve that lie on both surfaces to rounding. Where trims cut it its ends are on the
+// fitted curve, so they count only if there is nothing between them.
+std::vector<ChartSample> true_places(const IntersectionCurve& curve, Vec2 SurfacePoint::*uv) {
+  std::vector<ChartSample> places;
+  for (std::size_t i = 0; i < curve.samples.size(); ++i)
+    places.push_back({curve.sample_parameters[i], curve.samples[i].*uv});
+  return places.size() > 2 ? std::vector(places.begin() + 1, places.end() - 1) : places;
+}
+
 // A contact is known as far as its place goes; what of it may lie inside counts.
 bool may_lie_inside(const FaceTrims& trims, const Interval& u, const Interval& v) {
   return trims.natural || part_side(trims, u, v) != PartSide::Outside;
@@ -280,6 +290,7 @@ FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent, Arc
   data.trims = face_trims(face);
   data.surface = surface_of(face, extent, tolerance, cuts, data.trims);
   data.box = box_of(data.surface, data.surface.error + tolerance);
+  data.elementary = elementary_of(BRep_Tool::Surface(face));
   return data;
 }
 
@@ -288,7 +299,7 @@ PartTest part_test(const FaceTrims& trims) {
   return [&trims](const Interval& u, const Interval& v) { return part_side(trims, u, v); };
 }
 
-std::vector<SurfacePoint> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b) {
+std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b) {
   std::vector<IntersectionCurve> curves;
   std::vector<SurfacePoint> touches;
   for (const IntersectionCurve& curve : found.curves) {
@@ -306,32 +317,52 @@ std::vector<SurfacePoint> clip(SurfaceIntersection& found, const FaceTrims& a, c
   std::erase_if(found.nodes, outside);
   if (!a.natural || (b != nullptr && !b->natural)) found.overlaps.clear();
   leave_new_ones(found, touches);
-  return touches;
+  std::vector<Touch> told;
+  for (const SurfacePoint& x : touches)
+    told.push_back({x, std::max(distance_outwards(a, x.uv_a),
+                                b != nullptr ? distance_outwards(*b, x.uv_b) : 0)});
+  return told;
 }
 
-void add_touches(const std::vector<SurfacePoint>& touches, double tolerance,
+void add_touches(const std::vector<Touch>& touches, double tolerance, double within,
                  SurfaceIntersection& found) {
-  if (touches.empty()) return;
   const Vec3 reach{tolerance, tolerance, tolerance};
-  for (const SurfacePoint& x : touches) {
+  bool exact = true;
+  for (const auto& [x, gap] : touches) {
     found.points.push_back(x);
     Place place;
-    widen(place, x, tolerance);
+    widen(place, x, std::max(tolerance, gap));
     place.kind = PlaceKind::Touch;
     place.gap_low = 0;
     place.box_low = x.point - reach;
     place.box_high = x.point + reach;
+    if (gap <= within) {
+      place.gap_high = gap;
+      identify(found.certificate, gap);
+    } else {
+      exact = false;
+    }
     found.places.push_back(place);
   }
+  if (exact) return;
   found.status = weaker(found.status, Status::Tolerance);
   found.certificate.reasons.emplace_back("curves touch the trims of a face in a point");
 }
 
-void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, SurfaceIntersection& found) {
-  const auto runs = [&](const IntersectionCurve& curve) {
-    return runs_along_wires(a, curve.chart_a) || runs_along_wires(b, curve.chart_b);
-  };
-  if (std::none_of(found.curves.begin(), found.curves.end(), runs)) return;
+void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, double within,
+                        SurfaceIntersection& found) {
+  bool exact = true;
+  for (const IntersectionCurve& curve : found.curves)
+    for (const auto& off :
+         {distance_along_wires(a, curve.chart_a, true_places(curve, &SurfacePoint::uv_a)),
+          distance_along_wires(b, curve.chart_b, true_places(curve, &SurfacePoint::uv_b))}) {
+      if (!off) continue;
+      if (*off <= within)
+        identify(found.certificate, *off);
+      else
+        exact = false;
+    }
+  if (exact) return;
   found.status = weaker(found.status, Status::Tolerance);
   found.certificate.reasons.emplace_back("a curve runs along the trims of a face");
 }
@@ -348,6 +379,8 @@ void add(Certificate& sum, const Certificate& one) {
   sum.cells_bezier += one.cells_bezier;
   sum.cells_monomial += one.cells_monomial;
   sum.depth = std::max(sum.depth, one.depth);
+  sum.identified += one.identified;
+  sum.identified_within = std::max(sum.identified_within, one.identified_within);
   sum.limited = sum.limited || one.limited;
   sum.rounding_bound = std::max(sum.rounding_bound, one.rounding_bound);
   if (one.least_angle > 0)

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
@@ -11,6 +12,7 @@
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/surfaces.h"
 #include "core/bounds/box_tree.h"
+#include "core/forms/elementary.h"
 #include "core/forms/surface.h"
 #include "core/intersection/options.h"
 #include "core/intersection/result.h"
@@ -20,7 +22,8 @@ namespace blossom::occt {
 struct FaceData {
   BezierSurface surface;
   FaceTrims trims;
-  Box box;  ///< of the surface, its error and the tolerance included
+  Box box;                                 ///< of the surface, its error and the tolerance included
+  std::optional<Elementary> elementary{};  ///< what the surface is part of, if it is that
 };
 
 /// Holds all of a surface; `margin` wider on every side.
@@ -33,21 +36,28 @@ FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent = Ex
 /// Which part of the face's surface counts; empty for a naturally bounded one. Keeps a reference.
 PartTest part_test(const FaceTrims& trims);
 
+/// A contact of the trims, and how far what meets in it is apart there, model units.
+struct Touch {
+  SurfacePoint at;
+  double gap = 0;
+};
+
 /// Leaves of an intersection what lies inside the trims of both. Common regions of the surfaces
 /// stay among the places only, unless both faces are naturally bounded; see `trimmed_overlaps.h`.
 /// b         null if everything of the second surface counts
 /// returns   where curves only touch the trims, or have parts too short for an edge in them; but
 ///           for ends of curves and contacts of the result
-std::vector<SurfacePoint> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b);
+std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b);
 
-/// Adds touches to the contacts of a result. They are known within tolerance only, so is the
-/// result.
-void add_touches(const std::vector<SurfacePoint>& touches, double tolerance,
+/// Adds touches to the contacts of a result. Those within `within` are identified; what is farther
+/// apart is known within tolerance only, and so is the result.
+void add_touches(const std::vector<Touch>& touches, double tolerance, double within,
                  SurfaceIntersection& found);
 
-/// Whether what runs along trims lies inside of them is known within tolerance only, so is the
-/// result if a curve of it does.
-void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, SurfaceIntersection& found);
+/// Whether what runs along trims lies inside of them is known within tolerance only, and so is the
+/// result, unless it keeps within `within` of them, by samples: then it is identified with them.
+void weaken_along_trims(const FaceTrims& a, const FaceTrims& b, double within,
+                        SurfaceIntersection& found);
 
 EdgeCurves edge_curves(const IntersectionCurve& curve);
 

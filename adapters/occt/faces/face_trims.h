@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -100,6 +101,12 @@ bool is_inside(const FaceTrims& trims, const Vec2& point);
 /// by boxes of pieces of the wires, none of which meets it. A point is Mixed on a wire alone.
 PartSide part_side(const FaceTrims& trims, const Interval& u, const Interval& v);
 
+/// A place on a curve in the surface's own parameters.
+struct ChartSample {
+  double parameter = 0;
+  Vec2 uv;
+};
+
 /// The parameters of a chart curve at which it lies inside the trims of the face or on a wire.
 ///
 /// Periods of the surface are taken into account. A naturally bounded face answers at once.
@@ -114,9 +121,17 @@ std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& char
 std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart);
 
 /// Whether a part of a chart curve, longer than a touch may be, keeps within tolerance of a wire,
-/// so that it is not known whether it lies inside. Never of a naturally bounded face.
-/// chart     in the surface's own parameters
-bool runs_along_wires(const FaceTrims& trims, const Spline2& chart);
+/// so that it is not known whether it lies inside: the largest distance of samples on it from the
+/// wires, model units; nothing if no part does. Never of a naturally bounded face.
+///
+/// chart     in the surface's own parameters; as near to the samples as it is fitted
+/// samples   places of the true curve, with the chart curve's parameters
+std::optional<double> distance_along_wires(const FaceTrims& trims, const Spline2& chart,
+                                           const std::vector<ChartSample>& samples);
+
+/// How far a point is from the nearest wire, model units; 0 inside if it is clear of all wires.
+/// uv        the surface's own parameters
+double distance_outwards(const FaceTrims& trims, const Vec2& uv);
 
 /// The vertex or else the edge of the face within tolerance of a point; null off all wires.
 /// uv        the surface's own parameters; whole periods do not matter

@@ -5,8 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
+
+#include <BRep_Tool.hxx>
+#include <Geom_Surface.hxx>
 
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/face_trims_detail.h"
@@ -311,6 +315,26 @@ std::vector<Interval> parts_in(const FaceTrims& trims, const PlanarCurve& curve)
   return parts;
 }
 
+Vec3 in_space(const FaceTrims& trims, const Handle(Geom_Surface) & surface, const Vec2& point) {
+  const gp_Pnt p = surface->Value(point[0] / trims.scale[0], point[1] / trims.scale[1]);
+  return {p.X(), p.Y(), p.Z()};
+}
+
+// The distance in space from the wire that is nearest in the chart.
+double distance_to_wires(const FaceTrims& trims, const Vec2& point) {
+  double least = std::numeric_limits<double>::infinity();
+  Vec2 foot = point;
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      const PlanarFoot near = nearest(coedge.curve, point);
+      if (near.distance >= least) continue;
+      least = near.distance;
+      foot = point_at(coedge.curve, near.parameter);
+    }
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(trims.face);
+  return distance(in_space(trims, surface, point), in_space(trims, surface, foot));
+}
+
 }  // namespace
 
 double longest_touch(const FaceTrims& trims, double tolerance) {
@@ -357,15 +381,37 @@ std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart
   return inside;
 }
 
-bool runs_along_wires(const FaceTrims& trims, const Spline2& chart) {
-  if (trims.natural) return false;
+std::optional<double> distance_along_wires(const FaceTrims& trims, const Spline2& chart,
+                                           const std::vector<ChartSample>& samples) {
+  if (trims.natural) return {};
   const PlanarCurve curve = chart_curve(trims, chart);
-  const std::vector<double> at = quarters(curve);
+  const std::vector<double> places = quarters(curve);
+  std::optional<double> largest;
   for (const Vec2& shift : period_shifts(trims, curve)) {
-    const std::vector<char> along = along_wires(trims, transformed(curve, {1, 1}, shift), {}, at);
-    if (std::find(along.begin(), along.end(), 1) != along.end()) return true;
+    const std::vector<char> along =
+        along_wires(trims, transformed(curve, {1, 1}, shift), {}, places);
+    for (std::size_t i = 0; i < along.size(); ++i) {
+      if (!along[i]) continue;
+      largest = std::max(largest.value_or(0), 0.0);
+      for (const auto& [t, uv] : samples)
+        if (places[i] <= t && t <= places[i + 1])
+          largest = std::max(
+              *largest, distance_to_wires(
+                            trims, Vec2{uv[0] * trims.scale[0], uv[1] * trims.scale[1]} + shift));
+    }
   }
-  return false;
+  return largest;
+}
+
+double distance_outwards(const FaceTrims& trims, const Vec2& uv) {
+  double least = std::numeric_limits<double>::infinity();
+  PlanarBox point{{uv[0] * trims.scale[0], uv[1] * trims.scale[1]}, {}};
+  point.high = point.low;
+  if (part_side(trims, {uv[0], uv[0]}, {uv[1], uv[1]}) == PartSide::Inside) return 0;
+  for (const double turn_u : {0.0, trims.period[0], -trims.period[0]})
+    for (const double turn_v : {0.0, trims.period[1], -trims.period[1]})
+      least = std::min(least, distance_to_wires(trims, point.low + Vec2{turn_u, turn_v}));
+  return least;
 }
 
 }  // namespace blossom::occt

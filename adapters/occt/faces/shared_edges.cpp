@@ -158,7 +158,7 @@ IntersectionCurve curve_of(const EdgeOnFaces& edge, double tolerance) {
 
 SharedEdge shared_edge(const TopoDS_Edge& edge, const TopoDS_Face& a, const TopoDS_Face& b) {
   const EdgeOnFaces on_faces(edge, a, b);
-  SharedEdge result{edge, {}, BRep_Tool::Tolerance(edge), 0};
+  SharedEdge result{edge, {}, BRep_Tool::Tolerance(edge), 0, 0};
   result.curve = curve_of(on_faces, result.tolerance);
   IntersectionCurve& curve = result.curve;
   curve.least_angle = 1;
@@ -166,6 +166,8 @@ SharedEdge shared_edge(const TopoDS_Edge& edge, const TopoDS_Face& a, const Topo
     const double sine = on_faces.sine(x);
     result.most_sine = std::max(result.most_sine, sine);
     curve.least_angle = std::min(curve.least_angle, sine);
+    const Deviation gaps = on_faces.gaps(x);
+    result.gap = std::max({result.gap, gaps.a, gaps.b, gaps.between});
   }
   curve.least_angle = std::asin(std::min(curve.least_angle, 1.0));
   curve.tangential = result.most_sine < kTangentialSine;

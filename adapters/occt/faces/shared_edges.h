@@ -16,6 +16,7 @@ struct SharedEdge {
   TopoDS_Edge edge;
   IntersectionCurve curve;  ///< its parameter is the edge's own; deviations are those of samples
   double tolerance = 0;     ///< of the edge, model units
+  double gap = 0;           ///< largest distance of edge and faces at the samples, model units
   double most_sine = 0;     ///< of the angle between the faces along it
 };
 

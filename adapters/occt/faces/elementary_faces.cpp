@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/faces/elementary_faces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <ElSLib.hxx>
+#include <GeomAdaptor_Curve.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <GeomAdaptor_SurfaceOfLinearExtrusion.hxx>
+#include <GeomAdaptor_SurfaceOfRevolution.hxx>
+#include <Geom_Plane.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SurfaceOfLinearExtrusion.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <gp_Cone.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
+#include <gp_Sphere.hxx>
+#include <gp_Torus.hxx>
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kLeastSine = 1e-4;    // of planes that cross: the line is known to 1e4 roundings
+constexpr double kBeyond = 1e-2;       // of the box, on either end of a line
+constexpr double kRounding = 0x1p-48;  // of the coordinates
+
+Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+
+Handle(Geom_Surface) basis_of(Handle(Geom_Surface) surface) {
+  while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
+    surface = trimmed->BasisSurface();
+  return surface;
+}
+
+std::optional<Elementary> elementary_of(const Adaptor3d_Surface& surface) {
+  Elementary of;
+  const auto place = [&](const gp_Ax1& axis) {
+    of.centre = vec(axis.Location().XYZ());
+    of.axis = vec(axis.Direction().XYZ());
+  };
+  switch (surface.GetType()) {
+    case GeomAbs_Plane: place(surface.Plane().Axis()); return of;
+    case GeomAbs_Cylinder:
+      of.kind = ElementaryKind::Cylinder;
+      place(surface.Cylinder().Axis());
+      of.radius = surface.Cylinder().Radius();
+      return of;
+    case GeomAbs_Cone:
+      of.kind = ElementaryKind::Cone;
+      place(surface.Cone().Axis());
+      of.centre = vec(surface.Cone().Apex().XYZ());
+      of.angle = std::abs(surface.Cone().SemiAngle());
+      return of;
+    case GeomAbs_Sphere:
+      of.kind = ElementaryKind::Sphere;
+      of.centre = vec(surface.Sphere().Location().XYZ());
+      of.radius = surface.Sphere().Radius();
+      return of;
+    case GeomAbs_Torus:
+      of.kind = ElementaryKind::Torus;
+      place(surface.Torus().Axis());
+      of.radius = surface.Torus().MajorRadius();
+      of.minor = surface.Torus().MinorRadius();
+      return of;
+    default: return {};
+  }
+}
+
+// Where a line is inside of a box; empty, from > to, if it misses it.
+Interval inside(const Box& box, const Vec3& start, const Vec3& direction) {
+  Interval range{-1e300, 1e300};
+  for (int k = 0; k < 3; ++k) {
+    if (direction[k] == 0) {
+      if (start[k] < box.low[k] || start[k] > box.high[k]) return {1, 0};
+      continue;
+    }
+    const double s = (box.low[k] - start[k]) / direction[k];
+    const double t = (box.high[k] - start[k]) / direction[k];
+    range.from = std::max(range.from, std::min(s, t));
+    range.to = std::min(range.to, std::max(s, t));
+  }
+  return range;
+}
+
+IntersectionCurve line_curve(const gp_Pln& a, const gp_Pln& b, const Vec3& start,
+                             const Vec3& direction, const Interval& range, double error) {
+  IntersectionCurve curve;
+  curve.curve.degree = curve.chart_a.degree = curve.chart_b.degree = 1;
+  const auto uv = [](const gp_Pln& plane, const Vec3& p) {
+    Vec2 at;
+    ElSLib::Parameters(plane, gp_Pnt(p[0], p[1], p[2]), at[0], at[1]);
+    return at;
+  };
+  for (const double t : {range.from, range.to}) {
+    const Vec3 point = start + t * direction;
+    curve.samples.push_back({point, uv(a, point), uv(b, point)});
+    curve.sample_parameters.push_back(t);
+    curve.curve.points.push_back(point);
+    curve.chart_a.points.push_back(curve.samples.back().uv_a);
+    curve.chart_b.points.push_back(curve.samples.back().uv_b);
+  }
+  curve.curve.knots = curve.chart_a.knots = curve.chart_b.knots = {range.from, range.to};
+  curve.curve.multiplicities = curve.chart_a.multiplicities = curve.chart_b.multiplicities = {2, 2};
+  curve.conic = Conic{ConicKind::Line, start, direction, {}, 0, 0};
+  curve.ends = {CurveEnd::Trim, CurveEnd::Trim};
+  curve.length = length(range);
+  curve.deviation = {error, error, 2 * error, true, error};
+  return curve;
+}
+
+}  // namespace
+
+std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface) {
+  const Handle(Geom_Surface) basis = basis_of(surface);
+  if (const auto turned = Handle(Geom_SurfaceOfRevolution)::DownCast(basis)) {
+    GeomAdaptor_SurfaceOfRevolution adaptor(new GeomAdaptor_Curve(turned->BasisCurve()),
+                                            turned->Axis());
+    return elementary_of(static_cast<const Adaptor3d_Surface&>(adaptor));
+  }
+  if (const auto drawn = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(basis)) {
+    GeomAdaptor_SurfaceOfLinearExtrusion adaptor(new GeomAdaptor_Curve(drawn->BasisCurve()),
+                                                 drawn->Direction());
+    return elementary_of(static_cast<const Adaptor3d_Surface&>(adaptor));
+  }
+  return elementary_of(static_cast<const Adaptor3d_Surface&>(GeomAdaptor_Surface(basis)));
+}
+
+std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface) & a,
+                                                      const Handle(Geom_Surface) & b,
+                                                      const Box& box) {
+  const auto plane_a = Handle(Geom_Plane)::DownCast(basis_of(a));
+  const auto plane_b = Handle(Geom_Plane)::DownCast(basis_of(b));
+  if (plane_a.IsNull() || plane_b.IsNull()) return {};
+  const Vec3 na = vec(plane_a->Axis().Direction().XYZ()),
+             nb = vec(plane_b->Axis().Direction().XYZ());
+  const Vec3 along = cross(na, nb);
+  const double sine = norm(along);
+  if (sine < kLeastSine) return {};
+  // The point of the line next to the middle of the box, which keeps the digits.
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  const double off_a = dot(vec(plane_a->Location().XYZ()) - middle, na);
+  const double off_b = dot(vec(plane_b->Location().XYZ()) - middle, nb);
+  const Vec3 start =
+      middle + (1 / (sine * sine)) * (off_a * cross(nb, along) + off_b * cross(along, na));
+  const Vec3 direction = (1 / sine) * along;
+  const Interval range = inside(box, start, direction);
+  SurfaceIntersection found;
+  found.certificate.certified = range.from <= range.to ? 1 : 0;
+  found.certificate.excluded = 1 - found.certificate.certified;
+  if (!(range.from <= range.to)) return found;
+  const double beyond = kBeyond * distance(box.low, box.high);
+  const double coordinate = std::max(max_norm(box.low), max_norm(box.high));
+  found.curves.push_back(line_curve(plane_a->Pln(), plane_b->Pln(), start, direction,
+                                    {range.from - beyond, range.to + beyond},
+                                    kRounding * coordinate / sine));
+  const double angle = std::atan2(sine, std::abs(dot(na, nb)));
+  found.curves.back().least_angle = found.certificate.least_angle = angle;
+  return found;
+}
+
+}  // namespace blossom::occt

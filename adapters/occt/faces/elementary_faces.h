@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Faces on planes, cylinders, cones, spheres and tori, and what two of them have in common by
+// closed forms.
+
+#pragma once
+
+#include <optional>
+
+#include <Geom_Surface.hxx>
+
+#include "core/bounds/box_tree.h"
+#include "core/forms/elementary.h"
+#include "core/intersection/result.h"
+
+namespace blossom::occt {
+
+/// The elementary surface that a surface is all or part of: Open CASCADE's own, trimmed or not,
+/// and surfaces of revolution and of extrusion that it knows as such. Nothing for others.
+std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface);
+
+/// The line in which two planes cross, over a little more than a box. A direction across it in
+/// either chart is parallel to an axis or not; the parameter is arc length.
+///
+/// a, b      Geom_Plane, or trimmed ones
+/// box       holds what the faces may have in common
+/// returns   nothing if the sine of the angle between the planes is below 1e-4 or the surfaces are
+///           not both planes; a result without a curve if the line misses the box
+std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface) & a,
+                                                      const Handle(Geom_Surface) & b,
+                                                      const Box& box);
+
+}  // namespace blossom::occt

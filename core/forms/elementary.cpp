@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/forms/elementary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace blossom {
+namespace {
+
+constexpr double kRounding = 0x1p-48;  // of the coordinates: some ten steps
+
+double sine_between(const Elementary& a, const Elementary& b) {
+  return norm(cross(a.axis, b.axis));
+}
+
+double angle_between(const Elementary& a, const Elementary& b) {
+  return 0.5 * std::numbers::pi * std::min(sine_between(a, b), 1.0);
+}
+
+// The part of a vector across a unit vector.
+Vec3 across(const Vec3& vector, const Vec3& axis) { return vector - dot(vector, axis) * axis; }
+
+double plane_bound(const Elementary& a, const Elementary& b, const Ball& ball) {
+  const Vec3 foot = ball.centre - dot(ball.centre - a.centre, a.axis) * a.axis;
+  return std::abs(dot(foot - b.centre, b.axis)) + sine_between(a, b) * ball.radius;
+}
+
+double cylinder_bound(const Elementary& a, const Elementary& b, const Ball& ball) {
+  const Vec3 foot = a.centre + dot(ball.centre - a.centre, a.axis) * a.axis;
+  return norm(across(foot - b.centre, b.axis)) +
+         sine_between(a, b) * (ball.radius + distance(foot, ball.centre)) +
+         std::abs(a.radius - b.radius);
+}
+
+double cone_bound(const Elementary& a, const Elementary& b, const Ball& ball) {
+  return distance(a.centre, b.centre) + (angle_between(a, b) + std::abs(a.angle - b.angle)) *
+                                            (ball.radius + distance(ball.centre, a.centre));
+}
+
+double sphere_bound(const Elementary& a, const Elementary& b) {
+  return distance(a.centre, b.centre) + std::abs(a.radius - b.radius);
+}
+
+double torus_bound(const Elementary& a, const Elementary& b) {
+  return sphere_bound(a, b) + angle_between(a, b) * a.radius + std::abs(a.minor - b.minor);
+}
+
+double bound_of_moves(const Elementary& a, const Elementary& b, const Ball& ball) {
+  switch (a.kind) {
+    case ElementaryKind::Plane: return plane_bound(a, b, ball);
+    case ElementaryKind::Cylinder: return cylinder_bound(a, b, ball);
+    case ElementaryKind::Cone: return cone_bound(a, b, ball);
+    case ElementaryKind::Sphere: return sphere_bound(a, b);
+    case ElementaryKind::Torus: break;
+  }
+  return torus_bound(a, b);
+}
+
+}  // namespace
+
+double distance_bound(const Elementary& a, const Elementary& b, const Ball& ball) {
+  if (a.kind != b.kind) return std::numeric_limits<double>::infinity();
+  const double coordinate = std::max({max_norm(a.centre), max_norm(b.centre), max_norm(ball.centre),
+                                      ball.radius, a.radius, a.minor});
+  return bound_of_moves(a, b, ball) + kRounding * coordinate;
+}
+
+}  // namespace blossom

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Planes, cylinders, cones, spheres and tori as sets of points, and how far two of them are apart.
+//
+// Files keep a surface that two parts have in common twice, with other frames and rounded digits.
+// Whether two such surfaces are one is told by a bound on their distance.
+
+#pragma once
+
+#include "core/math/vec.h"
+
+namespace blossom {
+
+enum class ElementaryKind { Plane, Cylinder, Cone, Sphere, Torus };
+
+/// With d(x, S) the distance of a point from a set:
+///
+///   plane      { x : n (x - centre) = 0 },              n = axis
+///   cylinder   { x : d(x, line through centre along axis) = radius }
+///   cone       both halves round the axis; centre: the apex, angle: between axis and rulings
+///   sphere     { x : |x - centre| = radius }
+///   torus      { x : d(x, circle round centre) = minor }, the circle's radius: radius
+struct Elementary {
+  ElementaryKind kind = ElementaryKind::Plane;
+  Vec3 centre;
+  Vec3 axis{0, 0, 1};  ///< a unit vector; of a sphere without meaning
+  double radius = 0;   ///< model units
+  double minor = 0;    ///< likewise
+  double angle = 0;    ///< in (0, pi / 2)
+};
+
+/// A ball in space.
+struct Ball {
+  Vec3 centre;
+  double radius = 0;
+};
+
+/// A bound on the distance of the points of one surface in a ball from the other surface.
+///
+/// The distance from a set that moves changes by no more than the set does, so it is summed over
+/// the moves that take one surface to the other. With s the sine of the angle between the axes, c
+/// and r the ball's centre and radius, q the point of a's axis, or of a's plane, next to c:
+///
+///   plane      d(q, b) + s r
+///   cylinder   d(q, axis of b) + s (r + |q - c|) + |difference of radii|
+///   cone       |difference of apexes| + (t + |difference of angles|) (r + |c - apex|)
+///   sphere     |difference of centres| + |difference of radii|
+///   torus      |difference of centres| + t radius + |differences of both radii|
+///
+/// where t <= pi s / 2 is the angle between the axes, turned to less than a right one.
+///
+/// returns   infinite for surfaces of two kinds; roundings are added
+double distance_bound(const Elementary& a, const Elementary& b, const Ball& ball);
+
+}  // namespace blossom
