@@ -67,7 +67,7 @@ bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& fin
 SurfaceIntersection settled(SurfaceIntersection finer) {
   finer.status = Status::Tolerance;
   finer.certificate.reasons.push_back(
-      "nearly tangential places were settled at a finer tolerance, without near misses");
+      "nearly tangential contacts were decided at a finer tolerance, without near misses");
   return finer;
 }
 

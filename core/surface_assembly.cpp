@@ -204,7 +204,7 @@ class Assembly {
     place.box_high = box.high + Vec3{r, r, r};
     result_.places.push_back(place);
     result_.overlaps.push_back(std::move(overlap));
-    weaken(Status::Tolerance, "the surfaces coincide in the listed places");
+    weaken(Status::Tolerance, "the surfaces coincide in the listed contacts");
   }
 
   // The critical pairs in a region or along a border, taken out of the search's.
@@ -236,7 +236,7 @@ class Assembly {
     Place place = place_at(contact, options_.tolerances.point);
     place.kind = PlaceKind::Touch;
     result_.places.push_back(place);
-    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
   }
 
   // The curves of chains. What is not done in time gets the length that an untraced one has.
@@ -365,7 +365,7 @@ class Assembly {
       if (contact.is_node()) result_.nodes.push_back(centre);
     }
     result_.places.push_back(place);
-    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
   }
 
   // A curve that only touches the border stays within tolerance of it for about this long.
@@ -383,7 +383,7 @@ class Assembly {
     place.box_low = box.low + origin_;
     place.box_high = box.high + origin_;
     result_.places.push_back(place);
-    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
   }
 
   // A contact in the middle of a curve is no isolated point: so near is the chord of two samples.
@@ -450,13 +450,13 @@ class Assembly {
     }
     result_.places.push_back(place);
     if (coincides)
-      weaken(Status::Tolerance, "the surfaces coincide in the listed places");
+      weaken(Status::Tolerance, "the surfaces coincide in the listed contacts");
     else if (!clump.thin)
-      weaken(Status::Stopped, "places stayed open");
+      weaken(Status::Stopped, "some regions are unresolved");
     else if (clump.singular)
-      weaken(Status::Tolerance, "the surface is singular, or nearly, in the listed places");
+      weaken(Status::Tolerance, "the surface is singular, or nearly, in the listed contacts");
     else
-      weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed places");
+      weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
   }
 
   void add_known_curves() {

@@ -400,4 +400,24 @@ double cone_volume(const TopoDS_Face& face, const Vec3& apex) {
   return face.Orientation() == TopAbs_REVERSED ? -volume : volume;
 }
 
+double polygon_area(const TopoDS_Face& face, std::span<const Vec2> polygon) {
+  const GeomAdaptor_Surface surface(BRep_Tool::Surface(face));
+  const auto density = [&](const Vec2& uv) {
+    gp_Pnt point;
+    gp_Vec along_u, along_v;
+    surface.D1(uv[0], uv[1], point, along_u, along_v);
+    return along_u.Crossed(along_v).Magnitude();
+  };
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vec2 from = polygon[i] - polygon[0], to = polygon[i + 1] - polygon[0];
+    const Vec2 middle = (from + to) * 0.5;
+    // The triangle is thin: along its other direction, the middle stands for all.
+    const auto along_middle = [&](double s) { return s * density(polygon[0] + middle * s); };
+    const double doubled = from[0] * to[1] - from[1] * to[0];
+    sum += doubled * quadrature::cell(along_middle, 0, 1).value;
+  }
+  return std::abs(sum);
+}
+
 }  // namespace blossom::occt

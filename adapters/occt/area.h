@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <span>
+
 #include <TopoDS_Face.hxx>
 
 #include "core/math/vec.h"
@@ -33,5 +35,14 @@ double area(const TopoDS_Face& face, int cells = 1);
 ///           the area times the coordinates
 /// throws    as area
 double cone_volume(const TopoDS_Face& face, const Vec3& apex);
+
+/// About the area within a closed polygon in the parameters of a face's surface, for summaries.
+///
+///   A = sum over the fan of triangles from the first corner of the integral of |S_u x S_v|, with
+///       the triangles' signs
+///
+/// polygon   repeats its first corner; several loops one after the other as `joined_loops` makes
+/// accuracy  that of the polygon, and of taking the middle line of each triangle for all of it
+double polygon_area(const TopoDS_Face& face, std::span<const Vec2> polygon);
 
 }  // namespace blossom::occt

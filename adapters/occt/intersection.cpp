@@ -145,7 +145,7 @@ class PairIntersector {
     identify(result.found.certificate, match.gap);
     if (match.gap <= one_within(options_.tolerances, largest_coordinate(a, b))) return;
     result.found.status = Status::Tolerance;
-    result.found.certificate.reasons = {"the surfaces coincide in the listed places"};
+    result.found.certificate.reasons = {"the surfaces coincide in the listed contacts"};
   }
 
   // Of faces that there was no time for nothing is known but where they may meet.

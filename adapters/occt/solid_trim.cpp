@@ -162,8 +162,11 @@ SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperat
                          const IntersectionOptions& options) {
   const WorkLimit limit(options);
   const SolidPieces pieces = solid_pieces(part, tool, options);
-  SolidTrimResult result{pieces.status,    pieces.certificate, {}, {}, {},
-                         pieces.obstacles, pieces.thin,        {}};
+  SolidTrimResult result;
+  result.status = pieces.status;
+  result.certificate = pieces.certificate;
+  result.obstacles = pieces.obstacles;
+  result.thin = pieces.thin;
   if (!result.obstacles.empty()) return result;
   try {
     put_together(pieces, part, tool, operation, limit, result);
@@ -383,6 +386,29 @@ void check_solids(const TopTools_MapOfShape& given, const WorkLimit& limit,
   });
 }
 
+double volume_of(const std::vector<TopoDS_Face>& faces, const Vec3& apex) {
+  double volume = 0;
+  for (const TopoDS_Face& face : faces) volume += cone_volume(face, apex);
+  return volume;
+}
+
+double volume_of(const TopoDS_Solid& solid, const Vec3& apex) {
+  double volume = 0;
+  for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
+    volume += cone_volume(TopoDS::Face(it.Current()), apex);
+  return volume;
+}
+
+// Steps measure what they combine, which is not always all of an input.
+TotalVolumes total_of(const TrimTool& part, const std::vector<TrimTool>& tools,
+                      const std::vector<TopoDS_Solid>& solids) {
+  const Vec3 apex = apex_of(part);
+  TotalVolumes total{volume_of(part.faces, apex), 0, 0};
+  for (const TrimTool& tool : tools) total.tools += volume_of(tool.faces, apex);
+  for (const TopoDS_Solid& solid : solids) total.result += volume_of(solid, apex);
+  return total;
+}
+
 SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools,
                         SolidOperation operation, const IntersectionOptions& options) {
   const SharedLimit limit(options);
@@ -397,6 +423,8 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
     note(work.told, result);
     result.tolerances = sound.told();
     if (result.obstacles.empty()) check_solids(faces_of(part, tools), own_limit, result);
+    if (result.obstacles.empty())
+      result.total = total_of(sound.part(), sound.tools(), result.solids);
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
     if (own_limit.reached_after_search() != nullptr) result.status = Status::Stopped;

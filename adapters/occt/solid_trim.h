@@ -34,6 +34,13 @@ struct SolidVolumes {
   double fuse_error() const;
 };
 
+/// Of all inputs and of what came out, however many steps that took.
+struct TotalVolumes {
+  double part = 0;
+  double tools = 0;
+  double result = 0;
+};
+
 /// Above this error of volumes a result is not given out.
 inline constexpr double kVolumeError = 1e-6;
 
@@ -50,6 +57,7 @@ struct SolidTrimResult {
   std::vector<TopoDS_Solid> solids;     ///< none if it is empty or refused
   std::vector<SolidFace> faces;         ///< of all solids
   std::vector<SolidVolumes> volumes;    ///< one for each step, of the two that were combined then
+  TotalVolumes total;                   ///< 0 if there is no result
   std::vector<std::string> obstacles;   ///< why there is no result; none if it can be used
   std::vector<std::string> thin;        ///< pieces, or cuts, that are apart and count as one
   std::vector<std::string> tolerances;  ///< what was not true about those of the part and the tools

@@ -73,8 +73,8 @@ ToolFaces all_faces(const std::vector<TrimTool>& tools) {
 void note_places(const FaceIntersection& pair, const PartFace& face, TrimResult& result) {
   for (const Place& place : pair.found.places)
     if (place.kind == PlaceKind::Open)
-      result.notes.push_back(face_name(face) + ": " + to_string(place.kind) +
-                             " with a tool's face, nothing is cut there");
+      result.notes.push_back(face_name(face) +
+                             ": an unresolved region with a tool's face, nothing is cut there");
 }
 
 bool has_overlap(const FaceIntersection& pair) {
@@ -278,7 +278,7 @@ void collect(const std::vector<Job>& jobs, const std::vector<Judged>& sides,
       if (side.side == PieceSide::Unknown && options.keep != Keep::All &&
           options.keep != Keep::Number)
         result.notes.push_back("piece " + std::to_string(number) +
-                               ": its side is not decided, it is not kept");
+                               ": side undecided, it is not kept");
     }
     if (job.of->cut) result.areas[job.of->number] = whole;
     if (kept.size() != 1 || !kept.front().IsSame(job.of->face))

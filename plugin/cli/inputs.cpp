@@ -94,6 +94,17 @@ InputName parse_input(const std::string& text) {
   }
 }
 
+void refuse_special(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status) ||
+      std::filesystem::is_directory(status))
+    return;
+  throw UsageError(file.string() + ": is a " +
+                   (std::filesystem::is_fifo(status) ? "pipe" : "device") +
+                   ", only regular files are read and written");
+}
+
 Input read_input(const std::string& text, Faces need, Repair repair) {
   const InputName name = parse_input(text);
   const std::shared_ptr<occt::Model> model = model_of(name.file);
@@ -107,6 +118,11 @@ Input read_input(const std::string& text, Faces need, Repair repair) {
                                      : model->repair(input.numbers, stop_if_interrupted);
   tell(input.repairs, name.file);
   return input;
+}
+
+std::string FaceLabels::of(int number) const {
+  const std::string& part = parts_.at(static_cast<std::size_t>(number) - 1);
+  return "face " + std::to_string(number) + (part.empty() ? "" : " (" + part + ")");
 }
 
 void refuse_open_wires(const Input& input) {

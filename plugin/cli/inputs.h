@@ -26,6 +26,10 @@ struct InputName {
 /// throws   UsageError if what follows the last '#' is no list of face numbers
 InputName parse_input(const std::string& text);
 
+/// Opening such a file might wait for ever.
+/// throws   UsageError if there is a file of that name that is neither a regular one nor a folder
+void refuse_special(const std::filesystem::path& file);
+
 /// A model with the faces that the user means.
 struct Input {
   std::string name;                    ///< as the user wrote it
@@ -53,6 +57,16 @@ enum class Repair {
 ///          though they are required, or a face number does not exist
 Input read_input(const std::string& text, Faces need = Faces::Required,
                  Repair repair = Repair::Used);
+
+/// Faces as results name them: "face 12 (Bolt)", the part's name if it has one.
+class FaceLabels {
+ public:
+  explicit FaceLabels(const Input& input) : parts_(input.model.part_paths()) {}
+  std::string of(int number) const;
+
+ private:
+  std::vector<std::string> parts_;  // by number - 1
+};
 
 /// Readers of other systems leave such faces out or fill them with all of their surface.
 /// throws   occt::BadModel, with the file and the face, if a wire that bounds a face is open

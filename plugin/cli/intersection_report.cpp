@@ -232,9 +232,10 @@ Json intersection_report(const Input& a, const Input& b, const occt::ShapeInters
   return report;
 }
 
-Json self_intersection_report(const Input& input, const occt::ShapeIntersection& found,
-                              const RunTimes& times) {
-  Json report = {{"schema", "blossom.self-intersection/1"}, {"input", input.name}};
+Json self_intersection_report(const Input& input, const char* verdict,
+                              const occt::ShapeIntersection& found, const RunTimes& times) {
+  Json report = {
+      {"schema", "blossom.self-intersection/1"}, {"input", input.name}, {"verdict", verdict}};
   add_times(found, times, report);
   add_findings(input, input, found, report);
   report["repairs"] = Json::array({repairs_json(input)});

@@ -46,7 +46,8 @@ Json intersection_report(const Input& a, const Input& b, const occt::ShapeInters
 
 /// Likewise of the faces of one input with themselves, schema "blossom.self-intersection/1"; see
 /// schemas/self-intersection-1.md.
-Json self_intersection_report(const Input& input, const occt::ShapeIntersection& found,
-                              const RunTimes& times);
+/// verdict  "none found", "found" or "undecided"
+Json self_intersection_report(const Input& input, const char* verdict,
+                              const occt::ShapeIntersection& found, const RunTimes& times);
 
 }  // namespace blossom::cli

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The program `blossom`: chooses the command and turns errors into messages and exit codes.
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 
 #include <CLI/App.hpp>
@@ -17,6 +17,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
+#include "plugin/cli/usage.h"
 
 namespace blossom::cli {
 namespace {
@@ -26,18 +27,8 @@ int failed(const std::exception& error, int code) {
   return code;
 }
 
-bool is_command(const CLI::App& app, const std::string& name) {
-  return std::ranges::any_of(app.get_subcommands({}),
-                             [&](const CLI::App* command) { return command->get_name() == name; });
-}
-
-int misused(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-  const bool no_such_command = error.get_name() == "RequiredError" && argc > 1 &&
-                               argv[1][0] != '-' && !is_command(app, argv[1]) &&
-                               std::string(error.what()) == "A subcommand is required";
-  const std::string message =
-      no_such_command ? "there is no command '" + std::string(argv[1]) + "'" : error.what();
-  std::cerr << "blossom: " << message << "\n'blossom --help' shows what there is\n";
+int misused(const CLI::App& app, const std::string& message) {
+  std::cerr << "blossom: " << message << '\n' << help_line(app) << '\n';
   return kExitBadInput;
 }
 
@@ -50,7 +41,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help and --version
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    return misused(app, error, argc, argv);
+    return misused(app, usage_message(app, error));
+  } catch (const UsageError& error) {
+    return misused(app, error.what());
   }
   return stated_exit_code(code);
 }
@@ -60,16 +53,18 @@ int run_guarded(int argc, char** argv) {
     return run(argc, argv);
   } catch (const Interrupted& error) {
     return failed(error, kExitInterrupted);
-  } catch (const UsageError& error) {
-    return failed(error, kExitBadInput);
   } catch (const InvalidInput& error) {
     return failed(error, kExitBadInput);
   } catch (const occt::BadModel& error) {
     return failed(error, kExitBadInput);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "blossom: there is not enough memory for " << doing() << '\n';
+    return kExitFailure;
   } catch (const std::exception& error) {
     return failed(error, kExitFailure);
   } catch (...) {  // Open CASCADE's exceptions are no std::exception
-    std::cerr << "blossom: internal error: " << occt::current_failure_text() << '\n';
+    std::cerr << "blossom: broke off while " << doing() << ": " << occt::current_failure_text()
+              << '\n';
     return kExitFailure;
   }
 }

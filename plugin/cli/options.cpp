@@ -4,16 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <map>
-#include <set>
-#include <string_view>
 #include <system_error>
 
 #include <CLI/Config.hpp>
@@ -23,15 +19,14 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
+#include "plugin/cli/values.h"
 #include "plugin/cli/verbosity.h"
 
 namespace blossom::cli {
 namespace {
-
-constexpr std::array<std::string_view, 6> kModelEndings = {".step", ".stp",  ".iges",
-                                                           ".igs",  ".brep", ".brp"};
 
 // Of the time that is left: what follows a search may take a quarter more (see WorkLimit).
 constexpr double kSearchPart = 0.8;
@@ -49,6 +44,7 @@ void require_writable(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error))
     throw occt::Failure(file.string() + ": cannot be written, it is a folder");
+  refuse_special(file);
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (!std::filesystem::is_directory(folder, error))
     throw occt::Failure(file.string() + ": cannot be written, there is no folder " +
@@ -63,20 +59,58 @@ void require_writable(const std::filesystem::path& file) {
   unlink(probe.c_str());
 }
 
-std::string positive_number(const std::string& text) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(text, &used);
-    if (used == text.size() && std::isfinite(value) && value > 0) return {};
-  } catch (const std::exception&) {  // no number: answered below
-  }
-  return "'" + text + "' is no positive number";
+// What a file is called when all links are followed, also one that is not there yet.
+std::filesystem::path real_name(const std::filesystem::path& file) {
+  constexpr int kMostLinks = 40;  // as many as the system follows
+  std::error_code ignored;
+  std::filesystem::path name = std::filesystem::absolute(file, ignored);
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(name, ignored); ++i)
+    name = name.parent_path() / std::filesystem::read_symlink(name, ignored);
+  return std::filesystem::weakly_canonical(name, ignored);
 }
 
-// Through links and other spellings, too; no file is the same as one that is not there.
+// Through links of both kinds and other spellings, too.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code ignored;
-  return std::filesystem::equivalent(a, b, ignored);
+  return std::filesystem::equivalent(a, b, ignored) || real_name(a) == real_name(b);
+}
+
+struct Output {
+  std::string option;
+  std::string file;
+  std::vector<std::string> endings;      // that messages name
+  std::vector<std::string> others = {};  // that are as good; "" is none
+};
+
+std::vector<Output> wanted_outputs(const CommonOptions& options, Outputs outputs) {
+  Output model{"--output", options.output, {".step", ".brep", ".iges"}, {".stp", ".igs", ".brp"}};
+  if (outputs == Outputs::ModelsAndNets) model.endings.emplace_back(".json");
+  std::vector<Output> wanted;
+  for (const Output& output : {model, Output{"--json", options.json, {".json"}, {""}},
+                               Output{"--picture", options.picture, {".png"}}})
+    if (!output.file.empty() && !(output.option == "--json" && is_stream(output.file)))
+      wanted.push_back(output);
+  return wanted;
+}
+
+void check_ending(const Output& output) {
+  if (output.file == "-")
+    throw UsageError(output.option + " takes a file; only --json can write to stdout");
+  const std::string ending = lower_case(std::filesystem::path(output.file).extension());
+  for (const auto* list : {&output.endings, &output.others})
+    if (std::ranges::find(*list, ending) != list->end()) return;
+  throw UsageError(output.file + ": " +
+                   (ending.empty() ? "a name without extension" : "extension " + ending) +
+                   " is not supported by " + output.option + "; " + listed(output.endings, "and") +
+                   (output.endings.size() == 1 ? " is" : " are"));
+}
+
+constexpr const char* kFindings = "findings";
+
+std::vector<std::string> form_words() {
+  std::vector<std::string> words;
+  for (const auto& [word, form] : kForms) words.push_back(word);
+  return words;
 }
 
 }  // namespace
@@ -87,7 +121,7 @@ void add_report_options(CLI::App& command, CommonOptions& options) {
                    "refuse files of which shapes are missing or not as they are there");
   const auto take = [](const double& seconds) { set_time_limit(seconds); };
   command.add_option_function<double>("--time-limit", take, "stop after so many seconds in all")
-      ->check(CLI::Validator(positive_number, "POSITIVE"))
+      ->check(positive_number())
       ->type_name("S");
   const auto flag = [&](const char* name, const char* what, Verbosity level) {
     return command.add_flag_callback(
@@ -104,21 +138,29 @@ void add_common_options(CLI::App& command, CommonOptions& options, const std::st
   add_report_options(command, options);
 }
 
+void add_fail_on(CLI::App& command, CommonOptions& options) {
+  command.add_option("--fail-on", options.fail_on, "exit with code 5 if there are 'findings'")
+      ->check(one_of({kFindings}))
+      ->type_name("WHAT");
+}
+
 void add_engine_options(CLI::App& command, EngineOptions& options) {
   command.add_option("--tolerance", options.tolerance, "what counts as one point, in model units")
-      ->check(CLI::Validator(positive_number, "POSITIVE"))
+      ->check(positive_number())
       ->type_name("T")
-      ->capture_default_str();
-  command.add_option("--form", options.form, "form that the nets of cells are made from")
-      ->check(CLI::IsMember(kForms))
-      ->type_name("")
+      ->default_str(number_text(options.tolerance));
+  command
+      .add_option("--form", options.form,
+                  "form that control nets of cells are made from: auto, bezier, monomial")
+      ->check(one_of(form_words()))
+      ->type_name("FORM")
       ->capture_default_str();
   command.add_option("--budget", options.budget, "stop after so many pairs of cells")
-      ->check(CLI::Range(1L, 1'000'000'000'000L))
+      ->check(whole_number(1, 1'000'000'000'000))
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--threads", options.threads, "how many threads may work; 0 is all")
-      ->check(CLI::Range(0, 4096))
+      ->check(whole_number(0, 4096))
       ->type_name("N")
       ->capture_default_str();
 }
@@ -137,25 +179,28 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
   return result;
 }
 
-void check_outputs(const CommonOptions& options, const std::vector<std::string>& inputs,
-                   Outputs outputs) {
-  std::set<std::filesystem::path> seen;
-  for (const std::string* file : {&options.output, &options.json, &options.picture}) {
-    if (file->empty() || (file == &options.json && *file == "-")) continue;
-    if (!seen.insert(std::filesystem::absolute(*file).lexically_normal()).second)
-      throw UsageError(*file + ": two outputs cannot be the same file");
+void check_files(const CommonOptions& options, const std::vector<std::string>& inputs,
+                 Outputs outputs) {
+  for (const std::string& input : inputs) refuse_special(parse_input(input).file);
+  const std::vector<Output> wanted = wanted_outputs(options, outputs);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const std::string& file = wanted[i].file;
     for (const std::string& input : inputs)
-      if (same_file(parse_input(input).file, *file))
-        throw UsageError(*file + ": is an input, which the output would replace");
-    require_writable(*file);
+      if (same_file(parse_input(input).file, file))
+        throw UsageError(file + ": is an input, which the output would replace");
+    check_ending(wanted[i]);
+    for (std::size_t j = 0; j < i; ++j)
+      if (same_file(wanted[j].file, file))
+        throw UsageError(file + ": is the file of " + wanted[j].option + ", too");
+    require_writable(file);
   }
-  if (options.output.empty()) return;
-  const std::string ending = lower_case(std::filesystem::path(options.output).extension());
-  const bool nets = outputs == Outputs::ModelsAndNets;
-  if (nets && ending == ".json") return;
-  if (std::ranges::find(kModelEndings, ending) == kModelEndings.end())
-    throw UsageError(options.output + ": the ending says no known format; " +
-                     (nets ? ".step, .brep, .iges and .json are" : ".step, .brep and .iges are"));
+}
+
+Findings findings_of(bool any) { return any ? Findings::Some : Findings::None; }
+
+int exit_code(int code, Findings findings, const CommonOptions& options) {
+  const bool fails = findings == Findings::Some && options.fail_on == kFindings;
+  return fails ? kExitFindings : code;
 }
 
 }  // namespace blossom::cli

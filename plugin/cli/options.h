@@ -17,6 +17,7 @@ struct CommonOptions {
   std::string output;   ///< -o: a model file; empty for none
   std::string json;     ///< --json: a file, or "-" for stdout; empty for none
   std::string picture;  ///< --picture: a PNG file; empty for none
+  std::string fail_on;  ///< --fail-on: "findings"; empty for nothing
 };
 
 /// What an intersection may be told; for commands that intersect on their way, too.
@@ -35,6 +36,9 @@ void add_report_options(CLI::App& command, CommonOptions& options);
 /// output    what -o gets, for the help text; empty if the command writes no model
 void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output);
 
+/// --fail-on.
+void add_fail_on(CLI::App& command, CommonOptions& options);
+
 /// --tolerance, --form, --budget, --threads.
 void add_engine_options(CLI::App& command, EngineOptions& options);
 
@@ -47,12 +51,20 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
 /// What -o takes: models, or files of nets (.json), too.
 enum class Outputs { Models, ModelsAndNets };
 
-/// Looks at the outputs before any work is done.
+/// Looks at inputs and outputs before any work is done.
 /// inputs    as the user wrote them
-/// throws    UsageError if an output is an input, two outputs are the same file, -o has an unknown
-///           ending, or as parse_input; occt::Failure if one is a folder or lies in a folder that
-///           cannot be written
-void check_outputs(const CommonOptions& options, const std::vector<std::string>& inputs,
-                   Outputs outputs = Outputs::Models);
+/// throws    UsageError if an output is an input, two outputs are one file, an extension is
+/// unknown,
+///           a file is no regular one, or as parse_input; occt::Failure if an output is a folder or
+///           lies in a folder that cannot be written
+void check_files(const CommonOptions& options, const std::vector<std::string>& inputs,
+                 Outputs outputs = Outputs::Models);
+
+/// Whether a command that looks for something found any of it.
+enum class Findings { None, Some };
+Findings findings_of(bool any);
+
+/// The exit code of such a command: `code`, or kExitFindings if that is asked for.
+int exit_code(int code, Findings findings, const CommonOptions& options);
 
 }  // namespace blossom::cli

@@ -13,15 +13,26 @@
 
 namespace blossom::cli {
 
+namespace {
+
+bool is_stdout(const std::string& target) { return target == "-" || target == "/dev/stdout"; }
+
+}  // namespace
+
 void print(const std::string& text) {
   std::cout << text << std::flush;
   if (!std::cout) throw occt::Failure("stdout: cannot be written");
 }
 
+bool is_stream(const std::string& target) {
+  return is_stdout(target) || target == "/dev/stderr" || target == "/dev/null" ||
+         target.starts_with("/dev/fd/");
+}
+
 void write_plain_json(const Json& json, const std::string& target) {
   // File names may hold bytes that are no UTF-8.
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (target == "-")
+  if (is_stdout(target))
     print(text);
   else
     occt::write_text(text, target);
@@ -38,7 +49,7 @@ void write_json(Json report, const std::string& target) {
 }
 
 void print_summary(const std::string& text, const std::string& json) {
-  if (json != "-" && verbosity() != Verbosity::Quiet) print(text);
+  if (!is_stdout(json) && verbosity() != Verbosity::Quiet) print(text);
 }
 
 void tell_unwritten(const std::string& file, const std::string& reason) {

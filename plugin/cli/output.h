@@ -30,6 +30,9 @@ void write_json(Json report, const std::string& target);
 /// Writes a model, see occt::write_model; an interruption leaves what was there before.
 void write_model(const occt::Model& model, const std::string& file);
 
+/// Whether a name that --json got is one of the program's open streams, or /dev/null: no file.
+bool is_stream(const std::string& target);
+
 /// Writes a summary to stdout, unless -q was given or the report is there.
 /// json     what --json got; empty without it
 void print_summary(const std::string& text, const std::string& json);

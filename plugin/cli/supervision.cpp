@@ -160,20 +160,6 @@ class Watch {
   std::optional<Reason> killed_for_;
 };
 
-/// "reading part.step", "writing rest.step", "intersecting".
-std::string doing() {
-  if (board->step[0] != '\0') return board->step;
-  const std::string subject = board->subject;
-  switch (board->phase.load()) {
-    case Phase::Starting: return "starting";
-    case Phase::Reading:
-    case Phase::ReadingNames: return "reading " + subject;
-    case Phase::Writing: return "writing " + subject;
-    case Phase::Working: break;
-  }
-  return subject;
-}
-
 void say(const std::string& text) { std::cerr << "blossom: " << text << std::endl; }
 
 int Watch::ended_late(Reason reason) const {
@@ -250,6 +236,20 @@ void enter(Phase phase, const std::string& subject, const std::string& step) {
   put(subject, board->subject);
   put(step, board->step);
   board->phase = phase;
+}
+
+std::string doing() {
+  if (board == nullptr) return "starting";
+  if (board->step[0] != '\0') return board->step;
+  const std::string subject = board->subject;
+  switch (board->phase.load()) {
+    case Phase::Starting: return "starting";
+    case Phase::Reading:
+    case Phase::ReadingNames: return "reading " + subject;
+    case Phase::Writing: return "writing " + subject;
+    case Phase::Working: break;
+  }
+  return subject;
 }
 
 void set_time_limit(double seconds) {

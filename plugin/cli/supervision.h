@@ -37,6 +37,9 @@ int supervised(const std::function<int()>& work);
 /// step      what is being done to the file, if that is known: "transferring the shapes of a.step"
 void enter(Phase phase, const std::string& subject, const std::string& step = {});
 
+/// What was entered last, in words: "reading part.step"; "starting" before that.
+std::string doing();
+
 /// The user's limit for the whole command, in seconds from the start of the program.
 void set_time_limit(double seconds);
 

@@ -126,8 +126,8 @@ struct Untold {
 void tell_places(const FaceIntersection& pair, const std::string& both, SolidPieces& result,
                  Untold& untold) {
   for (const Place& place : pair.found.places) {
-    const std::string text =
-        both + ": " + to_string(place.kind) + ", where it is not known how they meet";
+    const char* const kind = place.kind == PlaceKind::Open ? "an unresolved region" : "a cusp";
+    const std::string text = both + ": " + kind + ", where it is not known how they meet";
     if (place.kind == PlaceKind::Open) add_once(text, result.obstacles);
     if (place.kind == PlaceKind::Cusp) add_once(text, untold.cusps);
   }

@@ -308,7 +308,7 @@ void FaceSplitter::add_crossings() {
         for (const double t : crossing.a) a.stops.emplace_back(t, node);
         for (const double t : crossing.b) b.stops.emplace_back(t, node);
       }
-      if (!common.complete) note(a.cut, "runs so close to another cut that not all nodes are sure");
+      if (!common.complete) note(a.cut, "runs so close to another cut that not all branching points are sure");
     }
 }
 

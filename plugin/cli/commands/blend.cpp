@@ -21,6 +21,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/repairs.h"
+#include "plugin/cli/values.h"
 
 namespace blossom::cli {
 namespace {
@@ -139,7 +140,7 @@ void write_outputs(const Input& a, const Input& b, const StripCommand& command,
 }
 
 int run(const StripCommand& command) {
-  check_outputs(command.common, {command.a, command.b});
+  check_files(command.common, {command.a, command.b});
   const Input a = read_one_face(command.a);
   const Input b = read_one_face(command.b);
   stop_if_interrupted();
@@ -153,17 +154,21 @@ void add_strip(CLI::App& blend, int& exit_code) {
   CLI::App* const command = blend.add_subcommand(
       "strip", "a strip between two faces that continues both with their tangent planes, exactly");
   const auto options = std::make_shared<StripCommand>();
-  command->add_option("a", options->a, "one face: A, or A#3")->required()->type_name("A");
+  command->add_option("a", options->a, "face, as A#3 or a model of one")
+      ->required()
+      ->type_name("A");
   command->add_option("b", options->b, "likewise")->required()->type_name("B");
   for (const auto& [name, edge] :
        {std::pair{"--edge-a", &options->edge_a}, {"--edge-b", &options->edge_b}})
-    command->add_option(name, *edge, "border of the face; the nearest when not given")
-        ->check(CLI::IsMember(kSides))
-        ->type_name("");
+    command
+        ->add_option(name, *edge,
+                     "border of the face: umin, umax, vmin or vmax; the nearest when not given")
+        ->check(one_of({"umin", "umax", "vmin", "vmax"}))
+        ->type_name("SIDE");
   for (const auto& [name, weight] :
        {std::pair{"--weight-a", &options->weight_a}, {"--weight-b", &options->weight_b}})
     command->add_option(name, *weight, "how far the face's tangents reach into the strip")
-        ->check(CLI::PositiveNumber)
+        ->check(positive_number())
         ->type_name("X")
         ->capture_default_str();
   add_common_options(*command, options->common, "write the strip (.step, .brep, .iges)");

@@ -65,6 +65,10 @@ std::size_t problem_count(const occt::Soundness& found) {
   return count;
 }
 
+const char* verdict_of(const occt::Soundness& found) {
+  return problem_count(found) == 0 ? "sound" : "not sound";
+}
+
 Json to_json(const std::vector<occt::Problem>& problems) {
   Json list = Json::array();
   for (const occt::Problem& problem : problems) list.push_back(problem.text());
@@ -103,15 +107,11 @@ Json check_json(const Input& input, const occt::Soundness& found) {
   }
   for (const occt::EdgeSoundness& edge : found.edges) edges.push_back(edge_json(edge));
   const std::size_t count = problem_count(found);
-  return {{"schema", "blossom.check/1"},
-          {"file", input.name},
-          {"sound", count == 0},
-          {"problem_count", count},
-          {"summary", to_json(largest_of(found))},
-          {"problems", found.problems},
-          {"faces", std::move(faces)},
-          {"edges", std::move(edges)},
-          {"repairs", Json::array({repairs_json(input)})}};
+  return {{"schema", "blossom.check/1"},  {"file", input.name},
+          {"verdict", verdict_of(found)}, {"sound", count == 0},
+          {"problem_count", count},       {"summary", to_json(largest_of(found))},
+          {"problems", found.problems},   {"faces", std::move(faces)},
+          {"edges", std::move(edges)},    {"repairs", Json::array({repairs_json(input)})}};
 }
 
 // What is wrong in one way with faces or edges.
@@ -123,9 +123,10 @@ struct Kind {
   std::string at{};  // that the worst one is
 };
 
-void add(const char* noun, int number, const std::vector<int>& faces,
+void add(const char* noun, int number, const std::vector<int>& faces, const FaceLabels& labels,
          const std::vector<occt::Problem>& problems, std::vector<Kind>& kinds) {
-  std::string name = noun + (' ' + std::to_string(number));
+  std::string name =
+      std::string_view(noun) == "face" ? labels.of(number) : noun + (' ' + std::to_string(number));
   if (std::string_view(noun) == "edge") {
     name += " (face";
     for (const int face : faces) name += ' ' + std::to_string(face);
@@ -174,19 +175,20 @@ std::string check_text(const Input& input, const occt::Soundness& found) {
   const Largest all = largest_of(found);
   const std::size_t count = problem_count(found);
   std::ostringstream text;
-  text << input.name << ": " << (count == 0 ? "sound" : counted(count, "problem")) << ", "
+  text << input.name << ": " << verdict_of(found)
+       << (count == 0 ? "" : ": " + counted(count, "problem")) << ", "
        << counted(found.faces.size(), "face") << ", " << counted(found.edges.size(), "edge")
        << "\n  gap of curves and surfaces " << all.gap << ", at the same parameter "
        << all.same_parameter << ", to vertices " << all.vertex_gap << "; largest tolerance stated "
-       << all.tolerance << "\n  " << counted(static_cast<std::size_t>(all.free), "free edge")
-       << ", " << counted(static_cast<std::size_t>(all.crowded), "edge")
-       << " used more than twice\n";
+       << all.tolerance << "\n  " << counted(static_cast<std::size_t>(all.free), "open edge")
+       << ", " << counted(static_cast<std::size_t>(all.crowded), "non-manifold edge") << "\n";
   for (const std::string& problem : found.problems) text << "  " << problem << "\n";
+  const FaceLabels labels(input);
   std::vector<Kind> kinds;
   for (const occt::FaceSoundness& face : found.faces)
-    add("face", face.number, {face.number}, face.problems, kinds);
+    add("face", face.number, {face.number}, labels, face.problems, kinds);
   for (const occt::EdgeSoundness& edge : found.edges)
-    add("edge", edge.number, edge.faces, edge.problems, kinds);
+    add("edge", edge.number, edge.faces, labels, edge.problems, kinds);
   for (const Kind& kind : kinds) text << "  " << kind_text(kind) << "\n";
   if (found.problems.size() + kinds.size() < count)
     text << "  --json lists each of them, with its figures\n";
@@ -194,7 +196,7 @@ std::string check_text(const Input& input, const occt::Soundness& found) {
 }
 
 int run(const Options& options) {
-  check_outputs(options.common, {options.input});
+  check_files(options.common, {options.input});
   const Input input = read_input(options.input);
   stop_if_interrupted();
   const bool whole = static_cast<int>(input.numbers.size()) == input.model.face_count();
@@ -204,7 +206,7 @@ int run(const Options& options) {
   const std::string& json = options.common.json;
   if (!json.empty()) write_json(check_json(input, found), json);
   print_summary(check_text(input, found), json);
-  return problem_count(found) == 0 ? kExitComplete : kExitTolerance;
+  return exit_code(kExitComplete, findings_of(problem_count(found) > 0), options.common);
 }
 
 }  // namespace
@@ -212,12 +214,13 @@ int run(const Options& options) {
 void add_check(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "check",
-      "validity, gaps beside stated tolerances, wires, free edges; 3 if anything is wrong");
+      "what is wrong with a model: validity, gaps beside stated tolerances, wires, open edges");
   const auto options = std::make_shared<Options>();
   command->add_option("input", options->input, "model, or some of its faces")
       ->required()
       ->type_name("FILE");
   add_report_options(*command, options->common);
+  add_fail_on(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

@@ -9,6 +9,7 @@
 namespace blossom::cli {
 
 void add_commands(CLI::App& app, int& exit_code) {
+  app.name("blossom");
   app.description("Intersect, trim and blend free-form surfaces of CAD models");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
@@ -24,6 +25,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_subdivide(app, exit_code);
   add_convert(app, exit_code);
   add_query(app, exit_code);
+  add_help(app, exit_code);
 }
 
 }  // namespace blossom::cli

@@ -25,6 +25,7 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/repairs.h"
+#include "plugin/cli/values.h"
 
 namespace blossom::cli {
 namespace {
@@ -191,7 +192,7 @@ std::string summary(const Options& options, const Made& made) {
 }
 
 int run(const Options& options) {
-  check_outputs(options.common, {options.input}, Outputs::ModelsAndNets);
+  check_files(options.common, {options.input}, Outputs::ModelsAndNets);
   const bool to_nets = is_net_file(options.common.output);
   const Form form = options.to.empty() ? Form::AsItIs : kTargets.at(options.to);
   if (form == Form::Monomial && !to_nets)
@@ -218,16 +219,17 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("FILE");
   command
-      ->add_option("--to", options->to,
-                   "every surface in this form; bezier and triangles follow the trims, others "
-                   "leave them out")
-      ->check(CLI::IsMember(kTargets))
-      ->type_name("");
+      ->add_option(
+          "--to", options->to,
+          "every surface in this form: bezier and triangles follow the trims, monomial leaves "
+          "them out")
+      ->check(one_of({"bezier", "monomial", "triangles"}))
+      ->type_name("FORM");
   command
       ->add_option("--tolerance", options->tolerance,
                    "how far pieces may end from trims that they cannot follow exactly, model units")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str()
+      ->check(positive_number())
+      ->default_str(number_text(options->tolerance))
       ->type_name("T");
   add_report_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run(*options); });

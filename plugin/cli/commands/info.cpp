@@ -156,7 +156,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-  check_outputs(options.common, {options.input});
+  check_files(options.common, {options.input});
   const Input input = read_input(options.input, Faces::Optional, Repair::None);
   const ModelFacts facts = model_facts(input);
   stop_if_interrupted();

@@ -9,7 +9,6 @@
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/intersection_parts.h"
-#include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 
@@ -32,7 +31,7 @@ occt::ShapeIntersection intersect_named(const Input& a, const Input& b,
 }
 
 int run(const Options& options) {
-  check_outputs(options.intersect.common, {options.a, options.b});
+  check_files(options.intersect.common, {options.a, options.b});
   start_threads(options.intersect.engine.threads);
   const Input a = read_input(options.a);
   const Input b = read_input(options.b);
@@ -40,8 +39,7 @@ int run(const Options& options) {
   const TimedIntersection result = timed_intersection(
       options.intersect,
       [&](const IntersectionOptions& engine) { return intersect_named(a, b, engine); });
-  write_outputs(a, b, a.name + " x " + b.name, result, options.intersect.common);
-  return exit_code(result.found.status);
+  return write_outputs(a, b, a.name + " x " + b.name, result, options.intersect.common);
 }
 
 }  // namespace

@@ -33,10 +33,10 @@ TimedIntersection timed_intersection(
     const IntersectOptions& options,
     const std::function<occt::ShapeIntersection(const IntersectionOptions&)>& intersect);
 
-/// Writes edges, picture, report and summary, as far as they are wanted.
+/// Writes edges, picture, report and summary, as far as they are wanted; returns the exit code.
 /// a, b      one object for an input with itself
 /// title     of the summary
-void write_outputs(const Input& a, const Input& b, const std::string& title,
+int write_outputs(const Input& a, const Input& b, const std::string& title,
                    const TimedIntersection& result, const CommonOptions& options);
 
 }  // namespace blossom::cli

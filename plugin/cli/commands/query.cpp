@@ -2,7 +2,6 @@
 // `blossom query KIND ...`: questions about points of models.
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include <TopExp_Explorer.hxx>
@@ -12,15 +11,16 @@
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/options.h"
+#include "plugin/cli/values.h"
 
 namespace blossom::cli {
 
 void add_query_options(CLI::App& command, QueryOptions& options) {
   add_report_options(command, options);
   command.add_option("--tolerance", options.tolerance, "what counts as one point, in model units")
-      ->check(CLI::Range(std::numeric_limits<double>::min(), 1e6))
+      ->check(positive_number())
       ->type_name("T")
-      ->capture_default_str();
+      ->default_str(number_text(options.tolerance));
 }
 
 Vec3 parse_vector(const std::string& text, const std::string& what) {

@@ -12,6 +12,7 @@
 #include "plugin/cli/reading.h"
 #include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
+#include "plugin/cli/values.h"
 
 namespace blossom::cli {
 namespace {
@@ -83,6 +84,7 @@ std::string feet_text(const Side& side, const std::vector<occt::ShapeFoot>& feet
 }
 
 int run_point(const Options& options) {
+  check_files(options.common, {options.a});
   const Vec3 point = parse_vector(options.at, "--at");
   Side side(options.a);
   stop_if_interrupted();
@@ -114,6 +116,7 @@ int run_point(const Options& options) {
 }
 
 int run_distance(const Options& options) {
+  check_files(options.common, {options.a, options.b});
   Side a(options.a), b(options.b);
   stop_if_interrupted();
   const Stopwatch watch;
@@ -152,6 +155,7 @@ Status status_of(occt::Meeting answer) {
 }
 
 int run_does_intersect(const Options& options) {
+  check_files(options.common, {options.a, options.b});
   Side a(options.a), b(options.b);
   stop_if_interrupted();
   const Stopwatch watch;
@@ -176,7 +180,7 @@ int run_does_intersect(const Options& options) {
 
 void add_budget(CLI::App& command, Options& options) {
   command.add_option("--budget", options.budget, "stop after so many pairs of cells")
-      ->check(CLI::Range(1L, 1'000'000'000L))
+      ->check(whole_number(1, 1'000'000'000))
       ->type_name("N")
       ->capture_default_str();
 }

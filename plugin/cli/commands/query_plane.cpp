@@ -112,8 +112,10 @@ std::string text_of(const Input& input, const Answer& answer) {
   text << input.name << ": " << to_string(stated(section.status)) << ", "
        << counted(section.wires.size(), "wire") << ", " << counted(section.curves.size(), "curve")
        << ", " << counted(section.points.size(), "point") << ", "
-       << counted(section.faces_in_plane.size(), "face") << " in the plane, "
-       << counted(section.places.size(), "place") << ", " << answer.seconds << " s\n";
+       << counted(section.faces_in_plane.size(), "face") << " in the plane";
+  if (!section.places.empty())
+    text << ", " << counted(section.places.size(), "contact") << " or unresolved regions";
+  text << ", " << answer.seconds << " s\n";
   for (const occt::SectionWire& wire : section.wires)
     text << "  " << (wire.closed ? "closed" : "open") << ", " << counted(wire.uses.size(), "curve")
          << ", length " << wire.length << "\n";
@@ -149,7 +151,7 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
 }
 
 int run(const Options& options) {
-  check_outputs(options.common, {options.input});
+  check_files(options.common, {options.input});
   start_threads(options.engine.threads);
   Answer answer;
   answer.plane = plane_of(options);

@@ -104,6 +104,7 @@ std::string text_of(const Input& input, const Answer& answer) {
 
 int run(const Options& options) {
   Answer answer{ray_of(options), {}};
+  check_files(options.common, {options.input});
   const Input input = read_input(options.input);
   stop_if_interrupted();
   const Stopwatch watch;

@@ -7,7 +7,6 @@
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/intersection_parts.h"
-#include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 
 namespace blossom::cli {
@@ -20,7 +19,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-  check_outputs(options.intersect.common, {options.input});
+  check_files(options.intersect.common, {options.input});
   start_threads(options.intersect.engine.threads);
   const Input input = read_input(options.input);
   stop_if_interrupted();
@@ -29,8 +28,7 @@ int run(const Options& options) {
       timed_intersection(options.intersect, [&](const IntersectionOptions& engine) {
         return occt::self_intersect(input.faces, scope, engine);
       });
-  write_outputs(input, input, input.name + " with itself", result, options.intersect.common);
-  return exit_code(result.found.status);
+  return write_outputs(input, input, input.name + " with itself", result, options.intersect.common);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -23,6 +22,7 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/repairs.h"
+#include "plugin/cli/values.h"
 
 namespace blossom::cli {
 namespace {
@@ -41,9 +41,6 @@ struct Options {
 };
 
 Cut cut_of(const Options& options) {
-  for (const auto* list : {&options.interval, &options.rectangle, &options.triangle, &options.q})
-    for (const double x : *list)
-      if (!std::isfinite(x)) throw UsageError("a parameter of the place or of --q is not finite");
   Cut cut;
   cut.levels = options.levels;
   if (const auto& i = options.interval; !i.empty()) cut.interval = Interval{i[0], i[1]};
@@ -84,7 +81,7 @@ Timed timed_pieces(const NetInput& input, const Cut& cut) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   timed.seconds = took.count();
   if (timed.pieces.empty())
-    throw occt::BadModel(input.name + ": the place lies outside of the parameters " +
+    throw occt::BadModel(input.name + ": what is to be cut out lies outside of the parameters " +
                          box_of(input.nets));
   return timed;
 }
@@ -142,7 +139,7 @@ void write_outputs(NetInput& input, const Options& options, const Timed& timed) 
 }
 
 int run(const Options& options) {
-  check_outputs(options.common, {options.input}, Outputs::ModelsAndNets);
+  check_files(options.common, {options.input}, Outputs::ModelsAndNets);
   const Cut cut = cut_of(options);
   NetInput input =
       read_net_input(options.input, options.interval.empty() ? Take::Faces : Take::Edges);
@@ -164,23 +161,27 @@ void add_subdivide(CLI::App& app, int& exit_code) {
   CLI::Option* const interval =
       command->add_option("--interval", options->interval, "this part of curves and of edges")
           ->expected(2)
+          ->check(finite_number())
           ->type_name("A B");
   CLI::Option* const rectangle =
       command->add_option("--rectangle", options->rectangle, "this part of faces and patches")
           ->expected(4)
+          ->check(finite_number())
           ->type_name("U0 U1 V0 V1")
           ->excludes(interval);
   command->add_option("--triangle", options->triangle, "the triangular patch over these corners")
       ->expected(6)
+      ->check(finite_number())
       ->type_name("U0 V0 U1 V1 U2 V2")
       ->excludes(interval)
       ->excludes(rectangle);
   command->add_option("--levels", options->levels, "halve so often in each direction")
-      ->check(CLI::Range(0, 20))
+      ->check(whole_number(0, 20))
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--q", options->q, "give pieces by their (q1,q2)-Bezier points")
       ->expected(2)
+      ->check(finite_number())
       ->type_name("Q1 Q2");
   add_common_options(*command, options->common, "write the pieces (.step, .brep, .iges, .json)");
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -29,6 +29,7 @@
 #include "plugin/cli/reading.h"
 #include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
+#include "plugin/cli/values.h"
 #include "plugin/cli/watertight_output.h"
 
 namespace blossom::cli {
@@ -166,6 +167,11 @@ Json report_of(const Inputs& inputs, const Options& options, const Timed& timed,
           {"repairs", std::move(repairs)}};
 }
 
+std::string words_of(occt::PieceSide side) {
+  const std::string word = to_string(side);
+  return word == "unknown" ? "side undecided" : word;
+}
+
 std::size_t kept_count(const occt::TrimResult& made) {
   std::size_t count = 0;
   for (const occt::TrimPiece& piece : made.pieces) count += piece.kept ? 1 : 0;
@@ -178,9 +184,11 @@ std::string summary(const Inputs& inputs, const Timed& timed) {
        << counted(timed.made.areas.size(), "face") << " in "
        << counted(timed.made.pieces.size(), "piece") << ", " << kept_count(timed.made) << " kept, "
        << timed.seconds << " s\n";
+  const FaceLabels labels(inputs.part);
   for (const occt::TrimPiece& piece : timed.made.pieces)
-    text << "  piece " << piece.number << " of face " << piece.face << ": " << to_string(piece.side)
-         << ", area " << piece.area << (piece.kept ? "" : ", left out") << "\n";
+    text << "  piece " << piece.number << " of " << labels.of(piece.face) << ": "
+         << words_of(piece.side) << ", area " << number_text(rounded(piece.area)) << " mm²"
+         << (piece.kept ? "" : ", left out") << "\n";
   for (const std::string& note : timed.made.notes) text << "  " << note << "\n";
   return text.str();
 }
@@ -264,8 +272,7 @@ int run(const Options& options) {
   if (options.keep.empty()) throw UsageError("trim needs --keep, or --solid for solids");
   std::vector<std::string> files = options.tools;
   files.push_back(options.part);
-  check_outputs(options.common, files,
-                options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
+  check_files(options.common, files, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   trim_options(options.keep);  // a wrong word is told before a long reading
   start_threads(options.engine.threads);
   Inputs inputs{read_input(options.part), {}};

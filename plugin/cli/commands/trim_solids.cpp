@@ -28,6 +28,8 @@
 #include "plugin/cli/reading.h"
 #include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
+#include "plugin/cli/values.h"
+#include "plugin/cli/verbosity.h"
 #include "plugin/cli/watertight_output.h"
 
 namespace blossom::cli {
@@ -161,6 +163,10 @@ Json report_of(const SolidTrim& options, const Timed& timed, const Json& repairs
           {"solids", std::move(solids)},
           {"volumes", steps.empty() ? Json(nullptr) : steps.back()},
           {"steps", steps},
+          {"total",
+           {{"part", timed.made.total.part},
+            {"tools", timed.made.total.tools},
+            {"result", timed.made.total.result}}},
           {"obstacles", timed.made.obstacles},
           {"thin", timed.made.thin},
           {"tolerances", timed.made.tolerances},
@@ -170,20 +176,26 @@ Json report_of(const SolidTrim& options, const Timed& timed, const Json& repairs
           {"repairs", repairs}};
 }
 
-// Of the last step, and how well those of all add up.
-std::string told_volumes(const std::vector<occt::SolidVolumes>& steps) {
-  if (steps.empty()) return "";
-  const occt::SolidVolumes& last = steps.back();
+// Of the inputs and the result, and how well those of all steps add up.
+std::string told_volumes(const occt::SolidTrimResult& made) {
+  const auto number = [](double value) { return number_text(rounded(value)); };
+  std::ostringstream text;
+  if (made.obstacles.empty())
+    text << "  volumes: part " << number(made.total.part) << ", tools " << number(made.total.tools)
+         << ", result " << number(made.total.result) << " mm³\n";
   double cut = 0, fuse = 0;
-  for (const occt::SolidVolumes& step : steps) {
+  std::size_t count = 0;
+  for (const occt::SolidVolumes& step : made.volumes) {
     cut = std::max(cut, step.cut_error());
     fuse = std::max(fuse, step.fuse_error());
+    if (++count; verbosity() != Verbosity::Verbose) continue;
+    text << "  step " << count << ": part " << number(step.part) << ", tool " << number(step.tool)
+         << ", cut " << number(step.cut) << ", common " << number(step.common) << ", fuse "
+         << number(step.fuse) << " mm³\n";
   }
-  std::ostringstream text;
-  text << "  volumes" << (steps.size() > 1 ? " of the last step" : "") << ": part " << last.part
-       << ", tool " << last.tool << ", cut " << last.cut << ", common " << last.common << ", fuse "
-       << last.fuse << "\n  they add up within " << cut << " (cut) and " << fuse << " (fuse)"
-       << (steps.size() > 1 ? " in all " + std::to_string(steps.size()) + " steps" : "") << "\n";
+  if (count > 0)
+    text << "  the volumes of " << counted(count, "step") << " add up within " << number(cut)
+         << " (cut) and " << number(fuse) << " (fuse) of the whole\n";
   return text.str();
 }
 
@@ -191,7 +203,7 @@ std::string summary(const SolidTrim& options, const Timed& timed) {
   std::ostringstream text;
   text << options.part << ": " << options.operation << ", " << to_string(stated(timed.made.status))
        << ", " << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
-  text << told_volumes(timed.made.volumes);
+  text << told_volumes(timed.made);
   if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
   for (const std::string& thin : timed.made.thin) text << "  " << thin << "\n";
@@ -247,7 +259,7 @@ std::string reason_of(const occt::SolidTrimResult& made) {
 void tell_no_solid(const CommonOptions& outputs, const std::string& reason) {
   for (const std::string& file : {outputs.output, outputs.picture})
     if (!file.empty()) tell_unwritten(file, reason);
-  if (!wants_shape(outputs)) std::cerr << "blossom: no solid: " << reason << '\n';
+  if (!wants_shape(outputs)) std::cerr << "blossom: there is no solid: " << reason << '\n';
 }
 
 int exit_code_of(const occt::SolidTrimResult& made, const CommonOptions& outputs) {
@@ -263,8 +275,7 @@ bool is_solid_operation(const std::string& word) { return kOperations.contains(w
 int trim_solids(const SolidTrim& options) {
   std::vector<std::string> files = options.tools;
   files.push_back(options.part);
-  check_outputs(options.common, files,
-                options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
+  check_files(options.common, files, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   start_threads(options.engine.threads);
   Json repairs = Json::array();
   occt::Model part = model_of(options.part, repairs);

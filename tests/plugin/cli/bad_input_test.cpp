@@ -182,10 +182,6 @@ TEST_F(BadOutput, FolderInThePlaceOfTheFile) {
 
 TEST_F(BadOutput, EndingThatIsNoFormat) { expect_failure({"-o", folder / "out.docx"}, 2); }
 
-TEST_F(BadOutput, SameFileTwice) {
-  expect_failure({"--picture", folder / "out.x", "--json", folder / "out.x"}, 2);
-}
-
 TEST_F(BadOutput, FailureKeepsWhatWasThere) {
   write_text("out.json", "old");
   testing::write({testing::lid(0.25)}, folder / "out.step");
@@ -230,39 +226,6 @@ TEST_F(BadOutput, FullDiskIsAFailure) {
   EXPECT_EQ(run.code, 1);
   EXPECT_NE(run.err.find("stdout"), std::string::npos) << run.err;
 }
-
-class BadUsage : public ::testing::TestWithParam<std::vector<std::string>> {};
-
-TEST_P(BadUsage, IsToldOnStderrWithExitCode2) {
-  const Finished run = blossom(GetParam());
-  EXPECT_EQ(run.code, 2);
-  EXPECT_EQ(run.out, "");
-  EXPECT_EQ(run.err.rfind("blossom: ", 0), 0u) << run.err;
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Arguments, BadUsage,
-    ::testing::Values(
-        std::vector<std::string>{}, std::vector<std::string>{"unite"},
-        std::vector<std::string>{"info"}, std::vector<std::string>{"intersect", "a.step"},
-        std::vector<std::string>{"intersect", "a.step", "b.step", "c.step"},
-        std::vector<std::string>{"intersect", "a.step", "b.step", "--tolerance", "0"},
-        std::vector<std::string>{"intersect", "a.step", "b.step", "--tolerance", "nan"},
-        std::vector<std::string>{"intersect", "a.step", "b.step", "--form", "spline"},
-        std::vector<std::string>{"intersect", "a.step", "b.step", "--repeat", "0"},
-        std::vector<std::string>{"intersect", "a.step", "b.step", "--time-limit", "-1"},
-        std::vector<std::string>{"intersect", "a.step", "b.step", "--colour"},
-        std::vector<std::string>{"subdivide"},
-        std::vector<std::string>{"subdivide", "a.step", "--levels", "-1"},
-        std::vector<std::string>{"subdivide", "a.step", "--interval", "0"},
-        std::vector<std::string>{"subdivide", "a.step", "--rectangle", "0", "1", "0"},
-        std::vector<std::string>{"subdivide", "a.step", "--rectangle", "0", "1", "0", "nan"},
-        std::vector<std::string>{"subdivide", "a.step", "--q", "1"},
-        std::vector<std::string>{"subdivide", "a.step", "-o", "a.txt"},
-        std::vector<std::string>{"convert", "a.step"},
-        std::vector<std::string>{"convert", "a.step", "-o", "a.txt"},
-        std::vector<std::string>{"convert", "a.step", "-o", "a.json", "--to", "spheres"},
-        std::vector<std::string>{"convert", "a.step", "-o", "b.step", "--to", "monomial"}));
 
 }  // namespace
 }  // namespace blossom

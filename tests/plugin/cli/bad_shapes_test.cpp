@@ -164,7 +164,7 @@ TEST_F(BadShapes, MissingParameterCurvesAreMadeAndTold) {
   const Finished copy = blossom({"convert", folder / "tube.brep", "-o", folder / "tube.step"});
   EXPECT_EQ(copy.code, 0) << copy.err;
   EXPECT_NE(copy.err.find(told), std::string::npos) << copy.err;
-  const Finished sound = blossom({"check", folder / "tube.step"});
+  const Finished sound = blossom({"check", folder / "tube.step", "--fail-on", "findings"});
   EXPECT_EQ(sound.code, 0) << sound.out << sound.err;
 }
 
@@ -178,7 +178,7 @@ TEST_F(BadShapes, ToolsThatMissLeaveThePartAsItIs) {
     words.insert(words.end(), options.begin(), options.end());
     const Finished run = blossom(words);
     EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_EQ(blossom({"check", folder / "out.brep"}).code, 0);
+    EXPECT_EQ(blossom({"check", folder / "out.brep", "--fail-on", "findings"}).code, 0);
   }
 }
 

@@ -47,16 +47,17 @@ TEST(CheckCommand, AnswersZeroForASoundBox) {
   const Finished run = blossom({"check", folder / "box.step"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  EXPECT_NE(run.out.find("sound, 6 faces, 12 edges"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("box.step: sound, 6 faces, 12 edges"), std::string::npos) << run.out;
 }
 
 TEST(CheckCommand, ReportsAnOpenSolidWithItsEdges) {
   const testing::TestFolder folder;
   write_shape(open_box(), folder / "open.brep");
   const Finished run = blossom({"check", folder / "open.brep", "--json", "-"});
-  ASSERT_EQ(run.code, 3) << run.err;
+  ASSERT_EQ(run.code, 0) << run.err;
   const json report = json::parse(run.out);
   EXPECT_EQ(report["schema"], "blossom.check/1");
+  EXPECT_EQ(report["verdict"], "not sound");
   EXPECT_EQ(report["sound"], false);
   EXPECT_EQ(report["summary"]["free_edges"], 4);
   EXPECT_EQ(report["faces"].size(), 5u);
@@ -87,8 +88,9 @@ TEST(CheckCommand, WritesTheReportBesideTheText) {
   const testing::TestFolder folder;
   write_shape(open_box(), folder / "open.brep");
   const Finished run = blossom({"check", folder / "open.brep", "--json", folder / "check.json"});
-  EXPECT_EQ(run.code, 3);
-  EXPECT_NE(run.out.find("4 free edges"), std::string::npos) << run.out;
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.out.find("open.brep: not sound: 4 problems, "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("4 open edges"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("the solid is open there"), std::string::npos) << run.out;
   EXPECT_EQ(json::parse(testing::text_of(folder / "check.json"))["sound"], false);
 }
@@ -107,7 +109,7 @@ TEST(CheckCommand, SaysOnceWhatIsWrongWithManyEdges) {
 
   const Finished run = blossom({"check", folder / "loose.brep", "--json", folder / "loose.json"});
 
-  EXPECT_EQ(run.code, 3);
+  EXPECT_EQ(run.code, 0);
   const json report = json::parse(testing::text_of(folder / "loose.json"));
   std::size_t edges = 0;
   for (const json& edge : report["edges"]) edges += edge["problems"].size();
@@ -116,6 +118,29 @@ TEST(CheckCommand, SaysOnceWhatIsWrongWithManyEdges) {
   ASSERT_NE(line, std::string::npos) << run.out;
   EXPECT_NE(run.out.find("by 0.005, more than the tolerance 1e-07\n", line), std::string::npos);
   EXPECT_EQ(run.out.find("misses", line + 40), std::string::npos) << run.out;
+}
+
+TEST(CheckCommand, FailsOnFindingsIfAsked) {
+  const testing::TestFolder folder;
+  write_shape(open_box(), folder / "open.brep");
+  EXPECT_EQ(blossom({"check", folder / "open.brep", "--fail-on", "findings"}).code, 5);
+  write_shape(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), folder / "box.brep");
+  EXPECT_EQ(blossom({"check", folder / "box.brep", "--fail-on", "findings"}).code, 0);
+}
+
+TEST(CheckCommand, NamesThePartOfAFace) {
+  const testing::TestFolder folder;
+  testing::write({testing::bowl()}, folder / "bowl.brep");
+  BRep_Builder builder;
+  TopoDS_Face face = testing::bowl();
+  const TopExp_Explorer wire(face, TopAbs_WIRE);
+  builder.Add(face, wire.Current().Reversed());  // a second wire on top of the first
+  occt::quiet_messages();
+  occt::Model model;
+  model.add(face, "Bolt");
+  occt::write_model(model, folder / "twice.step");
+  const Finished run = blossom({"check", folder / "twice.step"});
+  EXPECT_NE(run.out.find("face 1 (Bolt): "), std::string::npos) << run.out << run.err;
 }
 
 TEST(CheckCommand, RefusesWhatIsNoModel) {

@@ -53,6 +53,7 @@ TEST_F(SelfIntersectCommand, FindsTheLineOfALoop) {
   const json report = json::parse(run.out);
   EXPECT_EQ(report["schema"], "blossom.self-intersection/1");
   EXPECT_EQ(report["status"], "complete");
+  EXPECT_EQ(report["verdict"], "found");
   ASSERT_EQ(report["curves"].size(), 1u);
   const json& line = report["curves"][0];
   EXPECT_NEAR(line["length"], 2, 1e-9);
@@ -81,7 +82,9 @@ TEST_F(SelfIntersectCommand, KeepsWhatLiesWithinTheTrims) {
 TEST_F(SelfIntersectCommand, WritesTheEdge) {
   const Finished run = self_intersect(face_of(0, 1, 0, 1), {"-o", folder / "edges.brep"});
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.out.find("face 1: open, length 2"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("face.brep with itself: found, complete, 1 curve (0 closed), "),
+            std::string::npos)
+      << run.out;
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(occt::read_model(folder / "edges.brep").shape(), TopAbs_EDGE, edges);
   EXPECT_EQ(edges.Extent(), 1);
@@ -115,6 +118,21 @@ TEST_F(SelfIntersectCommand, FindsNothingOnASphere) {
   const json report = json::parse(run.out);
   EXPECT_TRUE(report["curves"].empty());
   EXPECT_TRUE(report["places"].empty());
+  EXPECT_EQ(report["verdict"], "none found");
+}
+
+TEST_F(SelfIntersectCommand, FailsOnFindingsIfAsked) {
+  EXPECT_EQ(self_intersect(face_of(0, 1, 0, 1), {"--fail-on", "findings"}).code, 5);
+  const Finished none = self_intersect(face_of(0.2, 1, 0, 1), {"--fail-on", "findings"});
+  EXPECT_EQ(none.code, 0);
+  EXPECT_NE(none.out.find("none found, complete, no curve and no point, "), std::string::npos)
+      << none.out;
+}
+
+TEST_F(SelfIntersectCommand, IsUndecidedWhenItWasStopped) {
+  const Finished run = self_intersect(face_of(0, 1, 0, 1), {"--budget", "1", "--json", "-"});
+  EXPECT_EQ(run.code, 4);
+  EXPECT_EQ(json::parse(run.out)["verdict"], "undecided") << run.out;
 }
 
 TEST_F(SelfIntersectCommand, RefusesAMissingFile) {

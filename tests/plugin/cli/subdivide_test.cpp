@@ -327,7 +327,7 @@ TEST_F(Subdivide, RefusesPlacesThatDoNotFit) {
   write_text(folder / "curve.json",
              R"({"schema":"blossom.net/1","kind":"curve","degree":1,"points":[[0,0,0],[1,0,0]]})");
   expect_refused({path("bowl.brep"), "--rectangle", "2", "3", "0", "1"},
-                 "bowl.brep: the place lies outside of the parameters [0, 1] x [0, 1]");
+                 "bowl.brep: what is to be cut out lies outside of the parameters [0, 1] x [0, 1]");
   expect_refused({path("curve.json"), "--rectangle", "0", "1", "0", "1"},
                  "curve.json: net 1: it is a curve");
   expect_refused({path("curve.json"), "--q", "2", "1", "--levels", "1", "--interval", "1", "1"},

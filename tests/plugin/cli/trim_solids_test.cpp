@@ -70,7 +70,7 @@ TEST_F(TrimSolidsCommand, WritesTheBoxWithoutTheBall) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(cut.shape(), properties, 1e-8);
   EXPECT_NEAR(properties.Mass(), 48 - kCap, 1e-5);
-  EXPECT_EQ(blossom({"check", folder / "cut.step"}).code, 0);
+  EXPECT_EQ(blossom({"check", folder / "cut.step", "--fail-on", "findings"}).code, 0);
 
   const json report = json::parse(testing::text_of(folder / "cut.json"));
   EXPECT_EQ(report["schema"], "blossom.solid/1");
@@ -143,7 +143,7 @@ TEST_F(TrimSolidsCommand, PrintsVolumesForPeople) {
   const Finished run = combine("ball.step", {"fuse"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("fuse, complete, 1 solid"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("part 48"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("volumes: part 48, tools "), std::string::npos) << run.out;
 }
 
 TEST_F(TrimSolidsCommand, FusesSolidsThatShareAFace) {
@@ -152,7 +152,7 @@ TEST_F(TrimSolidsCommand, FusesSolidsThatShareAFace) {
   const json report = json::parse(run.out);
   EXPECT_EQ(report["solids"], json::parse(R"([{"faces": 10, "voids": 0}])"));
   EXPECT_NEAR(report["volumes"]["fuse"].get<double>(), 72, 1e-9);
-  EXPECT_EQ(blossom({"check", folder / "out.step"}).code, 0);
+  EXPECT_EQ(blossom({"check", folder / "out.step", "--fail-on", "findings"}).code, 0);
 }
 
 TEST_F(TrimSolidsCommand, TakesSeveralTools) {
@@ -168,6 +168,11 @@ TEST_F(TrimSolidsCommand, TakesSeveralTools) {
   EXPECT_NEAR(report["steps"][0]["common"].get<double>(), kCap, 1e-7);
   EXPECT_NEAR(report["volumes"]["fuse"].get<double>(), 72 + 1 + 4 * std::numbers::pi / 3 - kCap,
               1e-6);
+  // The last step has the part and two tools for its part; the total has all inputs.
+  const json& total = report["total"];
+  EXPECT_NEAR(total["part"].get<double>(), 48, 1e-9);
+  EXPECT_NEAR(total["tools"].get<double>(), 24 + 1 + 4 * std::numbers::pi / 3, 1e-6);
+  EXPECT_NEAR(total["result"].get<double>(), 72 + 1 + 4 * std::numbers::pi / 3 - kCap, 1e-6);
   const occt::Model made = occt::read_model(folder / "out.step");
   // A .brep has no names, so the box is called as its file.
   const std::set<std::string> names{made.part_name(1), made.part_name(made.face_count())};

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What options take as values, and numbers as people write them.
+//
+// The messages of the checks go on after the option's name: "--tolerance takes a positive number,
+// not '0'".
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+namespace blossom::cli {
+
+CLI::Validator positive_number();
+
+/// Not nan and not infinite.
+CLI::Validator finite_number();
+
+CLI::Validator whole_number(long from, long to);
+
+CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// "cut, common or split".
+std::string listed(const std::vector<std::string>& words, const std::string& last = "or");
+
+/// The shortest text that reads back as the same number, with exponents as people write them:
+/// 1e-9, 0.25, 300.
+std::string number_text(double value);
+
+/// The nearest number of six digits, for summaries.
+double rounded(double value);
+
+/// The word that was most likely meant: the nearest one by edit distance; empty if none is near.
+std::string nearest_word(const std::string& typed, const std::vector<std::string>& words);
+
+}  // namespace blossom::cli

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Every line of tests/data/cli/bad_inputs.txt: a command line that cannot be done, the exit code
+// and the message that it gets, or the beginning of it. Nothing is printed on stdout, nothing is
+// written, nothing hangs.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Shell.hxx>
+
+#include "adapters/occt/shapes.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using testing::blossom;
+using testing::Finished;
+
+struct Line {
+  int number = 0;  // in the file
+  int code = 0;
+  std::vector<std::string> arguments;
+  std::string message;  // the first line on stderr, without "blossom: "
+  bool whole = true;    // or only the beginning
+
+  bool is_message(const std::string& told) const {
+    return whole ? told == message : told.starts_with(message);
+  }
+};
+
+// "2 | intersect bowl.brep | intersect needs two models; the second is missing".
+Line parsed(int number, const std::string& text) {
+  const std::size_t first = text.find(" | "), last = text.find(" | ", first + 2);
+  Line line{number, std::stoi(text.substr(0, first)), {}, text.substr(last + 3)};
+  if (line.message.ends_with("...")) {
+    line.whole = false;
+    line.message.erase(line.message.size() - 3);
+  }
+  std::istringstream words(text.substr(first + 2, last - first - 2));
+  for (std::string word; words >> word;) line.arguments.push_back(word);
+  return line;
+}
+
+std::vector<Line> table() {
+  std::ifstream in(BLOSSOM_TEST_FILES "/cli/bad_inputs.txt");
+  std::vector<Line> lines;
+  std::string text;
+  for (int number = 1; std::getline(in, text); ++number)
+    if (!text.empty() && text[0] != '#') lines.push_back(parsed(number, text));
+  return lines;
+}
+
+class BadInputsTable : public ::testing::Test {
+ protected:
+  BadInputsTable() {
+    write_models();
+    write_texts();
+    std::filesystem::create_directory(folder / "folder.step");
+    for (const char* name : {"pipe.step", "pipe.json"}) ::mkfifo((folder / name).c_str(), 0600);
+    std::filesystem::create_symlink("bowl.brep", folder / "link_to_bowl.brep");
+    std::filesystem::create_symlink("a.json", folder / "b_is_a.png");
+    std::filesystem::create_symlink("target.step", folder / "dangling.json");
+    testing::write_text(folder / "a.json", "{}");
+    std::filesystem::create_hard_link(folder / "a.json", folder / "hard_a.png");
+  }
+
+  void write_models() {
+    testing::write({testing::bowl()}, folder / "bowl.brep");
+    testing::write({testing::lid(0.25)}, folder / "lid.step");
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+    write(box, "box.step");
+    write(BRepPrimAPI_MakeBox(gp_Pnt(9, 9, 9), gp_Pnt(10, 10, 10)).Shape(), "far.step");
+    TopoDS_Shell shell;
+    BRep_Builder().MakeShell(shell);
+    TopExp_Explorer it(box, TopAbs_FACE);
+    for (int i = 0; i < 5; ++i, it.Next()) BRep_Builder().Add(shell, it.Current());
+    write(shell, "open.brep");
+  }
+
+  void write_texts() {
+    const std::string step = testing::text_of(folder / "lid.step");
+    const std::string brep = testing::text_of(folder / "bowl.brep");
+    const std::string letter = "Dear shipyard, please find the hull enclosed.\n";
+    const std::string net = R"({"schema": "blossom.net/1", "nets": [{"kind": "patch", )";
+    const std::vector<std::pair<const char*, std::string>> files = {
+        {"empty.step", ""},
+        {"empty.brep", ""},
+        {"empty.igs", ""},
+        {"empty.json", ""},
+        {"letter.step", letter},
+        {"letter.brep", letter},
+        {"letter.igs", letter},
+        {"cut.step", step.substr(0, step.size() * 2 / 3)},
+        {"cut.brep", brep.substr(0, brep.size() / 2)},
+        {"bowl.doc", brep},
+        {"bowl", brep},
+        {"broken.json", "{\"schema\": "},
+        {"other.json", R"({"schema": "geo/1"})"},
+        {"nonets.json", R"({"schema": "blossom.net/1", "nets": []})"},
+        {"nan.json", net + R"("degree": [1, 1], "points": [[[0, 0, 0], [0, 1, NaN]]]}]})"},
+        {"short.json", net + R"("degree": [1, 1], "points": [[[0, 0, 0], [0, 1, 0]]]}]})"}};
+    for (const auto& [name, text] : files) testing::write_text(folder / name, text);
+    ASSERT_EQ(blossom({"convert", folder / "bowl.brep", "-o", folder / "nets.json", "-q"}).code, 0);
+  }
+
+  void write(const TopoDS_Shape& shape, const std::string& file) {
+    occt::quiet_messages();
+    occt::Model model;
+    model.add(shape, "part");
+    occt::write_model(model, folder / file);
+  }
+
+  testing::TestFolder folder;
+};
+
+TEST_F(BadInputsTable, GetTheirCodeAndMessageAndLeaveNothingBehind) {
+  const std::vector<Line> lines = table();
+  ASSERT_GE(lines.size(), 80u);
+  const std::vector<std::string> before = folder.listing();
+  const std::string there = "cd '" + (folder / "").string() + "' && timeout 30";
+  for (const Line& line : lines) {
+    SCOPED_TRACE("bad_inputs.txt:" + std::to_string(line.number));
+    const Finished run = blossom(line.arguments, there);
+    EXPECT_EQ(run.code, line.code) << run.out << run.err;
+    EXPECT_EQ(run.out, "");
+    const std::string told = run.err.substr(0, run.err.find('\n'));
+    EXPECT_TRUE(told.starts_with("blossom: ") && line.is_message(told.substr(9))) << told;
+    EXPECT_EQ(run.err.find("Standard_"), std::string::npos) << run.err;
+    EXPECT_EQ(folder.listing(), before);
+  }
+}
+
+}  // namespace
+}  // namespace blossom
