@@ -120,7 +120,7 @@ class PreparedSet {
   friend DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                                        const DistanceOptions& options);
   friend bool proven_to_cross(const PreparedSet& a, int part_a, const PreparedSet& b, int part_b,
-                              const Vec3& point, double within);
+                              const Vec3& point, double within, double room);
   std::unique_ptr<DistanceParts> parts_;
 };
 
@@ -135,8 +135,9 @@ DistanceResult least_distance(const MeasuredSet& a, const MeasuredSet& b,
 /// along their intersection, from a point that both come near to.
 ///
 /// within    how near, model units
+/// room      how far both surfaces go on within their trims round the crossing, model units
 /// returns   false if no proof was found; always so of approximated surfaces
 bool proven_to_cross(const PreparedSet& a, int part_a, const PreparedSet& b, int part_b,
-                     const Vec3& point, double within);
+                     const Vec3& point, double within, double room = 0);
 
 }  // namespace blossom

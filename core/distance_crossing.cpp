@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/distance.h"
+
+#include <algorithm>
+
 #include "core/distance_parts.h"
 #include "core/queries/nearest_pair.h"
 #include "core/queries/proven_crossing.h"
@@ -28,10 +31,22 @@ std::vector<NearItem> items_near(const DistanceParts& parts, int part, const Vec
   return near;
 }
 
+// Whether a rectangle of a patch, with as much room round it, is inside of the patch and its trims.
+bool is_inside(const DistanceParts& parts, int part, const DistanceItem& item, const Interval& u,
+               const Interval& v, double room) {
+  const PatchJet jet = jet_at(item.patch, (u.from + u.to) / 2, (v.from + v.to) / 2, 1);
+  // At a singular point there is room without end in parameters.
+  const double room_u = room > 0 ? room / norm(jet.u) : 0;
+  const double room_v = room > 0 ? room / norm(jet.v) : 0;
+  const Vec2 low{u.from - room_u, v.from - room_v}, high{u.to + room_u, v.to + room_v};
+  if (std::min(low[0], low[1]) < 0 || std::max(high[0], high[1]) > 1) return false;
+  return parts.side(part, item, low, high) == TrimSide::Inside;
+}
+
 }  // namespace
 
 bool proven_to_cross(const PreparedSet& a, int part_a, const PreparedSet& b, int part_b,
-                     const Vec3& point, double within) {
+                     const Vec3& point, double within, double room) {
   const DistanceParts &of_a = *a.parts_, &of_b = *b.parts_;
   const int i = part_a + of_a.points(), j = part_b + of_b.points();
   if (!of_a.is_exact(i) || !of_b.is_exact(j)) return false;
@@ -39,10 +54,8 @@ bool proven_to_cross(const PreparedSet& a, int part_a, const PreparedSet& b, int
   for (const NearItem& p : items_near(of_a, i, point, within))
     for (const NearItem& q : near_b) {
       const auto counts = [&](const Box4& x) {
-        return of_a.side(i, *p.item, {x[0].from, x[1].from}, {x[0].to, x[1].to}) ==
-                   TrimSide::Inside &&
-               of_b.side(j, *q.item, {x[2].from, x[3].from}, {x[2].to, x[3].to}) ==
-                   TrimSide::Inside;
+        return is_inside(of_a, i, *p.item, x[0], x[1], room) &&
+               is_inside(of_b, j, *q.item, x[2], x[3], room);
       };
       if (proven_crossing(p.item->patch, q.item->patch, {p.at[0], p.at[1], q.at[0], q.at[1]},
                           counts))

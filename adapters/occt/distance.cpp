@@ -254,10 +254,12 @@ bool has_proven_curve(const TopoDS_Face& a, const TopoDS_Face& b,
   return false;
 }
 
-// Whether faces that are within tolerance of each other in a point are proven to cross: near it,
-// else anywhere.
-bool cross_proven(const MeasuredShape& a, const MeasuredShape& b, const ShapeDistance& found,
-                  double tolerance, const IntersectionOptions& options) {
+enum class Crossing { NotProven, InACurve, ThroughBoth };
+
+// How faces that are within tolerance of each other in a point are proven to cross: near it, else
+// anywhere.
+Crossing crossing_of(const MeasuredShape& a, const MeasuredShape& b, const ShapeDistance& found,
+                     double tolerance, const IntersectionOptions& options) {
   const std::vector<TopoDS_Face> faces_a = a.faces(), faces_b = b.faces();
   const std::vector<int> of_a = faces_with(found.a.on, faces_a);
   const std::vector<int> of_b = faces_with(found.b.on, faces_b);
@@ -265,16 +267,28 @@ bool cross_proven(const MeasuredShape& a, const MeasuredShape& b, const ShapeDis
     return std::ranges::any_of(
         of_a, [&](int i) { return std::ranges::any_of(of_b, [&](int j) { return test(i, j); }); });
   };
-  if (any_pair([&](int i, int j) {
-        return proven_to_cross(a.set(), i, b.set(), j, found.a.point, kNearCrossing * tolerance);
-      }))
-    return true;
+  const auto proven = [&](double room) {
+    return any_pair([&](int i, int j) {
+      return proven_to_cross(a.set(), i, b.set(), j, found.a.point, kNearCrossing * tolerance,
+                             room);
+    });
+  };
+  if (proven(tolerance)) return Crossing::ThroughBoth;
+  if (proven(0)) return Crossing::InACurve;
   const SharedLimit limit(options);
-  return any_pair([&](int i, int j) {
+  const bool in_a_curve = any_pair([&](int i, int j) {
     return !limit.is_reached() &&
            has_proven_curve(faces_a[static_cast<std::size_t>(i)],
                             faces_b[static_cast<std::size_t>(j)], limit.remaining());
   });
+  return in_a_curve ? Crossing::InACurve : Crossing::NotProven;
+}
+
+IntersectionOptions limits_of(const DistanceOptions& options) {
+  IntersectionOptions result;
+  result.time_limit = options.time_limit;
+  result.cancelled = options.cancelled;
+  return result;
 }
 
 }  // namespace
@@ -326,19 +340,30 @@ std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point
 ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b, double tolerance,
                      const DistanceOptions& options) {
   if (!(tolerance > 0)) throw InvalidInput("meeting: the tolerance must be positive");
-  IntersectionOptions of_job;
-  of_job.time_limit = options.time_limit;
-  of_job.cancelled = options.cancelled;
+  const IntersectionOptions of_job = limits_of(options);
   const SharedLimit limit(of_job);
   DistanceOptions sided = options;
   sided.enough = 0;
   const ShapeDistance found = least_distance(a, b, sided);
-  ShapeMeeting result{Meeting::Unknown, found.a, found.b, found.lower, found.upper, found.pairs};
-  if (found.lower > 0)
+  sided.time_limit = limit.remaining().time_limit;
+  return meeting_at(found, a, b, tolerance, sided);
+}
+
+ShapeMeeting meeting_at(const ShapeDistance& found, const MeasuredShape& a, const MeasuredShape& b,
+                        double tolerance, const DistanceOptions& options) {
+  ShapeMeeting result;
+  result.a = found.a;
+  result.b = found.b;
+  result.lower = found.lower;
+  result.upper = found.upper;
+  result.pairs = found.pairs;
+  if (found.lower > 0) {
     result.answer = Meeting::No;
-  else if (found.upper <= tolerance)
-    result.answer =
-        cross_proven(a, b, found, tolerance, limit.remaining()) ? Meeting::Yes : Meeting::Within;
+  } else if (found.upper <= tolerance) {
+    const Crossing crossing = crossing_of(a, b, found, tolerance, limits_of(options));
+    result.answer = crossing == Crossing::NotProven ? Meeting::Within : Meeting::Yes;
+    result.through = crossing == Crossing::ThroughBoth;
+  }
   return result;
 }
 

@@ -87,6 +87,8 @@ enum class Meeting {
 
 struct ShapeMeeting {
   Meeting answer = Meeting::Unknown;
+  /// Of a Yes: both faces go on by more than the tolerance round the place where they cross.
+  bool through = false;
   ShapePoint a, b;   ///< the nearest points found; where they meet unless the answer is No
   double lower = 0;  ///< the distance is at least this: above 0 if the answer is No
   double upper = 0;  ///< that of `a` and `b`
@@ -98,5 +100,9 @@ struct ShapeMeeting {
 /// tolerance  distance that counts as meeting where nothing is proven, model units
 ShapeMeeting meeting(const MeasuredShape& a, const MeasuredShape& b, double tolerance = 1e-7,
                      const DistanceOptions& options = {});
+
+/// The same where the distance is known already.
+ShapeMeeting meeting_at(const ShapeDistance& found, const MeasuredShape& a, const MeasuredShape& b,
+                        double tolerance = 1e-7, const DistanceOptions& options = {});
 
 }  // namespace blossom::occt

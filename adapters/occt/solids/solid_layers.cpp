@@ -49,10 +49,7 @@ class SolidContacts::Neighbour {
     const gp_Pnt point = BRep_Tool::Pnt(TopoDS::Vertex(vertices(1)));
     if (box_.IsOut(point)) return false;
     SolidRays rays(measured().faces(), tolerance);
-    for (const Vec3& direction : kRayDirections)
-      if (const auto inside = rays.is_inside({point.X(), point.Y(), point.Z()}, direction))
-        return *inside;
-    return true;
+    return rays.is_inside({point.X(), point.Y(), point.Z()}).value_or(true);
   }
 
  private:

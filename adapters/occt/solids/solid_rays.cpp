@@ -68,6 +68,12 @@ std::optional<bool> SolidRays::is_inside(const Vec3& point, const Vec3& directio
   return count % 2 == 1;
 }
 
+std::optional<bool> SolidRays::is_inside(const Vec3& point) {
+  for (const Vec3& direction : kRayDirections)
+    if (const std::optional<bool> inside = is_inside(point, direction)) return inside;
+  return std::nullopt;
+}
+
 std::optional<bool> SolidRays::leaves(const Vec3& point, const Vec3& direction) {
   ElementaryFace::Hit last{-kEndless, {}};
   const bool certain =

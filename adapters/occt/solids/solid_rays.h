@@ -41,6 +41,9 @@ class SolidRays {
   /// tolerance of an edge, is tangent or starts on a face, or a hit is not proven.
   std::optional<bool> is_inside(const Vec3& point, const Vec3& direction);
 
+  /// The same by the first of kRayDirections that tells.
+  std::optional<bool> is_inside(const Vec3& point);
+
   /// Whether the faces are turned outwards where the line leaves the solid for good; nothing as
   /// above, or if it meets none.
   std::optional<bool> leaves(const Vec3& point, const Vec3& direction);

@@ -11,7 +11,6 @@
 
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepCheck_Shell.hxx>
-#include <BRepClass3d_SolidClassifier.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
 #include <IntTools_Context.hxx>
@@ -46,6 +45,14 @@ constexpr long kMostPairs = 500;
 constexpr double kEquallyNear = 1e-3;
 // Places on a cut, as fractions, where the side is looked at.
 constexpr std::array kLooks{0.5, 0.23, 0.77};
+
+std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, TopAbs_FACE, map);
+  std::vector<TopoDS_Face> faces;
+  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
+  return faces;
+}
 
 gp_Vec oriented_normal(const TopoDS_Face& face, const Vec2& uv) {
   gp_Pnt point;
@@ -99,15 +106,29 @@ Votes votes_of(const SidedPiece& piece, int tool) {
   return votes;
 }
 
-ToolSide side_of_solids(const std::vector<TopoDS_Solid>& solids, const gp_Pnt& point) {
-  for (const TopoDS_Solid& solid : solids) {
-    const TopAbs_State state =
-        BRepClass3d_SolidClassifier(solid, point, Precision::Confusion()).State();
-    if (state == TopAbs_IN) return ToolSide::Below;
-    if (state != TopAbs_OUT) return ToolSide::Unknown;
+// The solids of a tool, made ready for rays when the first point is asked for.
+class SolidClassifier {
+ public:
+  explicit SolidClassifier(const std::vector<TopoDS_Solid>& solids) : solids_(solids) {}
+
+  /// Below is inside of one of them; unknown if no ray tells.
+  ToolSide side(const gp_Pnt& point) {
+    if (rays_.empty())
+      for (const TopoDS_Solid& solid : solids_)
+        rays_.emplace_back(faces_of(solid), Precision::Confusion());
+    ToolSide side = ToolSide::Above;
+    for (SolidRays& rays : rays_) {
+      const std::optional<bool> inside = rays.is_inside({point.X(), point.Y(), point.Z()});
+      if (!inside) side = ToolSide::Unknown;
+      if (inside.value_or(false)) return ToolSide::Below;
+    }
+    return side;
   }
-  return ToolSide::Above;
-}
+
+ private:
+  const std::vector<TopoDS_Solid>& solids_;
+  std::vector<SolidRays> rays_;
+};
 
 std::optional<ShapeDistance> nearest_on(const TopoDS_Face& face, const gp_Pnt& point) {
   try {
@@ -151,10 +172,10 @@ ToolSide side_of_faces(const std::vector<TopoDS_Face>& faces, const gp_Pnt& poin
   return least_open > least + Precision::Confusion() ? side_from(decided) : ToolSide::Unknown;
 }
 
-ToolSide side_by_point(const TopoDS_Face& piece, const TrimTool& tool) {
+ToolSide side_by_point(const TopoDS_Face& piece, const TrimTool& tool, SolidClassifier& solids) {
   const std::optional<gp_Pnt> point = point_inside(piece);
   if (!point) return ToolSide::Unknown;
-  return tool.is_solid() ? side_of_solids(tool.solids, *point) : side_of_faces(tool.faces, *point);
+  return tool.is_solid() ? solids.side(*point) : side_of_faces(tool.faces, *point);
 }
 
 }  // namespace
@@ -182,10 +203,7 @@ namespace {
 // Whether the solid's faces are turned inwards, by the first line that tells. What cannot be
 // converted says so when it is used.
 bool is_inside_out(const TopoDS_Solid& solid) try {
-  TopTools_IndexedMapOfShape map;
-  TopExp::MapShapes(solid, TopAbs_FACE, map);
-  std::vector<TopoDS_Face> faces;
-  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
+  const std::vector<TopoDS_Face> faces = faces_of(solid);
   SolidRays rays(faces, Precision::Confusion());
   for (const TopoDS_Face& face : faces) {
     const std::optional<gp_Pnt> point = point_inside(face);
@@ -211,24 +229,31 @@ void check_orientation(const TopoDS_Solid& solid) {
 
 }  // namespace
 
+bool is_closed_solid(const TopoDS_Shape& solid) {
+  if (!TopExp_Explorer(solid, TopAbs_FACE).More()) return false;
+  TopTools_IndexedDataMapOfShapeListOfShape users;
+  TopExp::MapShapesAndAncestors(solid, TopAbs_EDGE, TopAbs_FACE, users);
+  for (int i = 1; i <= users.Extent(); ++i)
+    if (users(i).Extent() < 2 && !BRep_Tool::Degenerated(TopoDS::Edge(users.FindKey(i))))
+      return false;
+  return true;
+}
+
 TrimTool trim_tool(const TopoDS_Shape& shape) {
   TrimTool tool;
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  for (int i = 1; i <= faces.Extent(); ++i) tool.faces.push_back(TopoDS::Face(faces(i)));
+  tool.faces = faces_of(shape);
   TopTools_IndexedMapOfShape bounding;
   for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
     if (!TopExp_Explorer(it.Current(), TopAbs_FACE).More()) continue;  // bounds nothing
-    TopTools_IndexedDataMapOfShapeListOfShape users;
-    TopExp::MapShapesAndAncestors(it.Current(), TopAbs_EDGE, TopAbs_FACE, users);
-    for (int i = 1; i <= users.Extent(); ++i)
-      if (users(i).Extent() < 2 && !BRep_Tool::Degenerated(TopoDS::Edge(users.FindKey(i))))
-        return tool;  // an open shell
+    if (!is_closed_solid(it.Current())) {
+      tool.solids.clear();
+      return tool;
+    }
     check_orientation(TopoDS::Solid(it.Current()));
     TopExp::MapShapes(it.Current(), TopAbs_FACE, bounding);
     tool.solids.push_back(TopoDS::Solid(it.Current()));
   }
-  if (bounding.Extent() != faces.Extent()) tool.solids.clear();
+  if (bounding.Extent() != static_cast<int>(tool.faces.size())) tool.solids.clear();
   return tool;
 }
 
@@ -267,6 +292,7 @@ ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {
 std::vector<ToolSide> sides_of(const std::vector<SidedPiece>& pieces, const TrimTool& tool,
                                int number, const WorkLimit* limit) {
   std::vector<ToolSide> sides(pieces.size(), ToolSide::Unknown);
+  SolidClassifier solids(tool.solids);
   for (const FaceGroup& group : groups_of(pieces, number)) {
     if (limit != nullptr && limit->reached_after_search() != nullptr) break;
     std::vector<Votes> own;
@@ -279,7 +305,7 @@ std::vector<ToolSide> sides_of(const std::vector<SidedPiece>& pieces, const Trim
     const bool torn = common.above && common.below;
     const ToolSide side = common.above || common.below
                               ? common.side()
-                              : side_by_point(pieces[group.front()].piece->face, tool);
+                              : side_by_point(pieces[group.front()].piece->face, tool, solids);
     for (std::size_t k = 0; k < group.size(); ++k) sides[group[k]] = torn ? own[k].side() : side;
   }
   return sides;

@@ -24,6 +24,9 @@ struct TrimTool {
   bool is_solid() const { return !solids.empty(); }
 };
 
+/// Whether a solid has faces, and each of their edges bounds two of them, or one twice.
+bool is_closed_solid(const TopoDS_Shape& solid);
+
 /// A tool of all the shape's faces; solid if all belong to closed solids. Empty ones are left out.
 /// throws   BadModel if faces of a closed solid are turned differently, or all inwards
 TrimTool trim_tool(const TopoDS_Shape& shape);

@@ -5,9 +5,15 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <nlohmann/json.hpp>
 
+#include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom {
@@ -176,7 +182,96 @@ TEST_F(QueryCommand, TellsWhetherModelsMeet) {
   };
   EXPECT_EQ(answer(pot_, folder_ / "floor.brep", 0), "no");
   EXPECT_EQ(answer(pot_ + "#1", folder_ / "ring.brep", 0), "yes");
-  EXPECT_EQ(answer(pot_ + "#1", folder_ / "table.brep", 3), "within tolerance");
+  EXPECT_EQ(answer(pot_ + "#1", folder_ / "table.brep", 3), "touching");
+}
+
+void write_parts(const std::vector<std::pair<TopoDS_Shape, std::string>>& parts,
+                 const std::filesystem::path& file) {
+  occt::quiet_messages();
+  occt::Model model;
+  for (const auto& [shape, name] : parts) model.add(shape, name);
+  occt::write_model(model, file);
+}
+
+class QueryOfSolids : public QueryCommand {
+ protected:
+  void SetUp() override {
+    QueryCommand::SetUp();
+    const TopoDS_Shape cube = BRepPrimAPI_MakeBox(gp_Pnt(-2, -2, -2), gp_Pnt(2, 2, 2)).Shape();
+    write_parts({{cube, "Box"}}, box_);
+    write_parts({{BRepPrimAPI_MakeSphere(1).Shape(), "Ball"}}, ball_);
+    write_parts({{BRepPrimAPI_MakeSphere(gp_Pnt(9, 0, 0), 1).Shape(), "Far"},
+                 {BRepPrimAPI_MakeSphere(gp_Pnt(2, 0, 0), 1).Shape(), "Near"}},
+                two_);
+  }
+
+  const std::string box_ = folder_ / "box.step", ball_ = folder_ / "ball.step",
+                    two_ = folder_ / "two.step";
+};
+
+TEST_F(QueryOfSolids, KnowsThatABallInABoxMeetsIt) {
+  const Finished run = blossom({"query", "does-intersect", ball_, box_, "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json found = json::parse(run.out);
+  EXPECT_EQ(found["answer"], "yes");
+  EXPECT_EQ(found["relation"], "a inside b");
+  EXPECT_EQ(found["distance"], json({0.0, 0.0}));
+  EXPECT_GT(found["boundary_distance"][0], 0);
+  EXPECT_EQ(found["solids_a"], 1);
+  EXPECT_EQ(found["surface_faces_a"], 0);
+  const Finished turned = blossom({"query", "does-intersect", box_, ball_});
+  EXPECT_NE(turned.out.find("yes, " + ball_ + " is inside " + box_), std::string::npos)
+      << turned.out;
+}
+
+TEST_F(QueryOfSolids, TellsTheDistanceOfBoundariesApart) {
+  const Finished run = blossom({"query", "distance", ball_, box_, "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json found = json::parse(run.out);
+  EXPECT_EQ(found["distance"], json({0.0, 0.0}));
+  EXPECT_NEAR(found["boundary_distance"][0].get<double>(), 1, 1e-9);
+  EXPECT_NEAR(found["boundary_distance"][1].get<double>(), 1, 1e-12);
+  EXPECT_EQ(found["relation"], "a inside b");
+  const std::string text = blossom({"query", "distance", ball_, box_}).out;
+  EXPECT_NE(text.find("boundaries: distance 1"), std::string::npos) << text;
+}
+
+TEST_F(QueryOfSolids, TakesNamedFacesForASurfaceAndSaysSo) {
+  const std::string wall = box_ + "#1";
+  const Finished run = blossom({"query", "does-intersect", ball_, wall});
+  EXPECT_EQ(run.out.rfind(ball_ + " - " + wall + ": no\n", 0), 0U) << run.out;
+  EXPECT_NE(run.out.find(wall + " is taken as a surface"), std::string::npos) << run.out;
+  const json found = json::parse(blossom({"query", "distance", ball_, wall, "--json", "-"}).out);
+  EXPECT_NEAR(found["distance"][1].get<double>(), 1, 1e-12);
+  EXPECT_EQ(found["solids_b"], 0);
+  EXPECT_EQ(found["surface_faces_b"], 1);
+  const Finished sheets = blossom({"query", "does-intersect", pot_, box_});
+  EXPECT_NE(sheets.out.find("it has no closed solid"), std::string::npos) << sheets.out;
+}
+
+TEST_F(QueryOfSolids, ListsPairsByTheirParts) {
+  const Finished run = blossom({"query", "does-intersect", two_, box_, "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json found = json::parse(run.out);
+  EXPECT_EQ(found["relation"], "crossing");
+  ASSERT_EQ(found["pairs"].size(), 1U);
+  EXPECT_EQ(found["pairs"][0],
+            json::parse(R"({"a": {"solid": 2, "part": "Near"}, "b": {"solid": 1, "part": "Box"},
+                            "relation": "crossing", "status": "complete"})"));
+  const std::string text = blossom({"query", "does-intersect", two_, box_}).out;
+  EXPECT_NE(text.find("solid 2 of " + two_ + " (Near) - "), std::string::npos) << text;
+}
+
+TEST_F(QueryOfSolids, TellWhereAPointLies) {
+  const auto place = [&](const std::string& at) {
+    const Finished run = blossom({"query", "point", box_, "--at", at, "--json", "-"});
+    return json::parse(run.out)["solids"][0]["place"].get<std::string>();
+  };
+  EXPECT_EQ(place("0.5,0.25,1"), "inside");
+  EXPECT_EQ(place("0.5,0.25,2"), "on the boundary");
+  EXPECT_EQ(place("0.5,0.25,3"), "outside");
+  const std::string text = blossom({"query", "point", box_, "--at", "0,0,1"}).out;
+  EXPECT_NE(text.find("inside: solid 1 of " + box_), std::string::npos) << text;
 }
 
 TEST_F(QueryCommand, StopsWhenTheTimeIsSpent) {
