@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <string>
@@ -208,6 +209,8 @@ struct LayerWork {
   SolidTrimResult step(const Stage& first, const Stage& second, SolidOperation operation);
   /// The layer without all tools, or together with them.
   SolidTrimResult folded(Stage layer, std::span<const Stage> tools, SolidOperation operation);
+  /// The layer in pieces, each of which one tool after the other divides.
+  SolidTrimResult split(const Stage& layer, std::span<const Stage> tools);
   /// What is in the layer and in every tool.
   SolidTrimResult common(const Stage& layer, std::span<const Stages> tools);
 };
@@ -231,6 +234,34 @@ SolidTrimResult LayerWork::folded(Stage layer, std::span<const Stage> tools,
     made = step(layer, tools[i], operation);
     if (is_refused() || made.solids.empty()) break;
     if (i + 1 < tools.size()) layer = stage_of(made.solids, made.faces);
+  }
+  return made;
+}
+
+// One solid of a result with the origins of its faces.
+Stage piece_of(const SolidTrimResult& made, const TopoDS_Solid& solid) {
+  TopTools_IndexedMapOfShape own;
+  TopExp::MapShapes(solid, TopAbs_FACE, own);
+  std::vector<SolidFace> known;
+  std::ranges::copy_if(made.faces, std::back_inserter(known),
+                       [&](const SolidFace& face) { return own.RemoveKey(face.face); });
+  return stage_of({solid}, known);
+}
+
+// Pieces have faces in common, so each is worked on by itself.
+SolidTrimResult LayerWork::split(const Stage& layer, std::span<const Stage> tools) {
+  Stages pieces{layer};
+  SolidTrimResult made;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    made = {};
+    for (const Stage& piece : pieces) {
+      const SolidTrimResult divided = step(piece, tools[i], SolidOperation::Split);
+      if (is_refused()) return {};
+      give_out(divided, made);
+    }
+    pieces.clear();
+    if (i + 1 < tools.size())
+      for (const TopoDS_Solid& solid : made.solids) pieces.push_back(piece_of(made, solid));
   }
   return made;
 }
@@ -278,18 +309,32 @@ SolidTrimResult fused(const std::vector<std::vector<Stages>>& sets, LayerWork& w
   return all;
 }
 
+// What splits a part: the tools as one, and each half-space.
+Stages splitters(const Stages& cutters, std::size_t half_spaces, LayerWork& work) {
+  const auto first = cutters.end() - static_cast<std::ptrdiff_t>(half_spaces);
+  const Stages united(cutters.begin(), first);
+  Stages all;
+  if (!united.empty()) all.push_back(as_one(united, work));
+  all.insert(all.end(), first, cutters.end());
+  return all;
+}
+
 // Each layer of the part by itself.
-SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation, LayerWork& work) {
+SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation,
+                        std::size_t half_spaces, LayerWork& work) {
   const std::vector<Stages> tools = inputs.tools();
   Stages cutters;
   if (operation != SolidOperation::Common) cutters = each_as_one(tools, work);
-  if (operation == SolidOperation::Split && !work.is_refused()) cutters = {as_one(cutters, work)};
+  if (operation == SolidOperation::Split && !work.is_refused())
+    cutters = splitters(cutters, half_spaces, work);
   SolidTrimResult all;
   for (const Stage& layer : inputs.part()) {
     if (work.is_refused()) break;
-    give_out(operation == SolidOperation::Common ? work.common(layer, tools)
-                                                 : work.folded(layer, cutters, operation),
-             all);
+    switch (operation) {
+      case SolidOperation::Common: give_out(work.common(layer, tools), all); break;
+      case SolidOperation::Split: give_out(work.split(layer, cutters), all); break;
+      default: give_out(work.folded(layer, cutters, operation), all); break;
+    }
   }
   return all;
 }
@@ -320,7 +365,8 @@ std::size_t free_edges(const std::vector<TopoDS_Face>& faces, const FaceGroup& g
   return static_cast<std::size_t>(std::ranges::count(uses, 1));
 }
 
-// Why faces bound no solid.
+}  // namespace
+
 std::string told_open(const TrimTool& tool) {
   const std::vector<TopoDS_Shape> faces(tool.faces.begin(), tool.faces.end());
   const std::vector<FaceGroup> shells = groups_over_edges(faces, [](const auto&) { return false; });
@@ -334,6 +380,8 @@ std::string told_open(const TrimTool& tool) {
   return std::to_string(open) + " of its " + counted(shells.size(), "shell") +
          (open == 1 ? " is" : " are") + " open, at " + counted(edges, "edge");
 }
+
+namespace {
 
 void check_closed(const TrimTool& input, const std::string& name) {
   if (!input.is_solid())
@@ -410,7 +458,8 @@ TotalVolumes total_of(const TrimTool& part, const std::vector<TrimTool>& tools,
 }
 
 SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools,
-                        SolidOperation operation, const IntersectionOptions& options) {
+                        SolidOperation operation, const IntersectionOptions& options,
+                        std::size_t half_spaces) {
   const SharedLimit limit(options);
   const WorkLimit own_limit(options);
   SolidTrimResult result;
@@ -419,7 +468,7 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
     StagedInputs inputs(sound.part(), sound.tools(), options.tolerances.point, limit);
     LayerWork work{limit, {}};
     result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
-                                               : divided(inputs, operation, work);
+                                               : divided(inputs, operation, half_spaces, work);
     note(work.told, result);
     result.tolerances = sound.told();
     if (result.obstacles.empty()) check_solids(faces_of(part, tools), own_limit, result);
@@ -441,12 +490,15 @@ double SolidVolumes::fuse_error() const {
 }
 
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
-                            SolidOperation operation, const IntersectionOptions& options) {
+                            SolidOperation operation, const IntersectionOptions& options,
+                            std::size_t half_spaces) {
+  if (half_spaces > tools.size()) throw InvalidInput("trim: more half-spaces than tools");
   if (tools.empty()) throw InvalidInput("trim: there is no tool");
   check_closed(part, part_name(part));
   for (std::size_t i = 0; i < tools.size(); ++i) check_closed(tools[i], tool_name(tools, i));
   SolidTrimResult result;
-  with_threads(options.threads, [&] { result = trimmed(part, tools, operation, options); });
+  with_threads(options.threads,
+               [&] { result = trimmed(part, tools, operation, options, half_spaces); });
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.
     std::vector<std::string> causes;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,9 @@ struct SolidTrimResult {
   std::vector<std::string> tolerances;  ///< what was not true about those of the part and the tools
 };
 
+/// Why the faces of a tool that is no solid bound none: "1 of its 2 shells is open, at 4 edges".
+std::string told_open(const TrimTool& tool);
+
 /// Combines closed solids.
 ///
 /// Faces are split along each other, pieces on the wanted sides put together by their common edges
@@ -73,9 +77,10 @@ struct SolidTrimResult {
 /// of the inputs, as they were.
 ///
 /// Tools are taken one after the other: the part, and then the result so far, is combined with the
-/// next one, until the result is empty. To split, the tools are fused first. Solids of one input
-/// that touch each other are worked on apart, in layers, and stay apart; fused, they become one
-/// only where solids of another input join them.
+/// next one, until the result is empty. To split, the tools are fused first, but half-spaces: each
+/// of these divides all pieces, which have copies of the common faces that it goes through. Solids
+/// of one input that touch each other are worked on apart, in layers, and stay apart; fused, they
+/// become one only where solids of another input join them.
 ///
 /// Pieces of two solids that have the same border and are less than two tolerances apart count as
 /// one, and so do cuts of a face that keep within tolerance of each other from end to end; what is
@@ -86,9 +91,11 @@ struct SolidTrimResult {
 /// options       its time limit is that of the whole work; when it is reached, volumes and solids
 ///               too are left with the obstacle and the status Stopped
 /// part, tools   each one or several solids that do not overlap; at least one tool
+/// half_spaces   how many of the tools, the last ones, stand for what is above a plane
 /// throws        InvalidInput if an input is no closed solid, or there is no tool; BadModel if a
 ///               face cannot be converted
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
-                            SolidOperation operation, const IntersectionOptions& options = {});
+                            SolidOperation operation, const IntersectionOptions& options = {},
+                            std::size_t half_spaces = 0);
 
 }  // namespace blossom::occt

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom query KIND ...`: questions about points of models.
 
-#include <cmath>
-#include <sstream>
-
 #include <TopExp_Explorer.hxx>
 
 #include "adapters/occt/compounds.h"
@@ -21,32 +18,6 @@ void add_query_options(CLI::App& command, QueryOptions& options) {
       ->check(positive_number())
       ->type_name("T")
       ->default_str(number_text(options.tolerance));
-}
-
-Vec3 parse_vector(const std::string& text, const std::string& what) {
-  Vec3 result;
-  std::size_t start = 0;
-  for (int k = 0; k < 3; ++k) {
-    const std::size_t comma = text.find(',', start);
-    const bool ends = comma == std::string::npos;
-    const std::string number = text.substr(start, ends ? std::string::npos : comma - start);
-    std::size_t used = 0;
-    try {
-      result[k] = std::stod(number, &used);
-    } catch (const std::exception&) {  // no number: answered below
-    }
-    if (used == 0 || used != number.size() || !std::isfinite(result[k]) || ends != (k == 2))
-      throw UsageError(what + ": '" + text + "' is not three finite numbers x,y,z");
-    start = comma + 1;
-  }
-  return result;
-}
-
-std::string vector_text(const Vec3& v) {
-  std::ostringstream text;
-  text.precision(12);
-  text << "(" << v[0] << ", " << v[1] << ", " << v[2] << ")";
-  return text.str();
 }
 
 namespace {

@@ -15,6 +15,7 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/shape_numbers.h"
+#include "plugin/cli/vectors.h"
 
 namespace blossom::cli {
 
@@ -24,14 +25,6 @@ struct QueryOptions : CommonOptions {
 
 /// Those of reports, and --tolerance.
 void add_query_options(CLI::App& command, QueryOptions& options);
-
-/// Three numbers, as in "1,-2.5,3e2".
-/// what     names the option in the message
-/// throws   UsageError unless there are three finite numbers
-Vec3 parse_vector(const std::string& text, const std::string& what);
-
-/// "(1, -2.5, 300)".
-std::string vector_text(const Vec3& v);
 
 /// Seconds since its making.
 class Stopwatch {

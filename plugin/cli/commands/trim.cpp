@@ -13,6 +13,7 @@
 #include <BRepCheck_Analyzer.hxx>
 
 #include "adapters/occt/errors.h"
+#include "adapters/occt/half_space.h"
 #include "adapters/occt/trim.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
@@ -30,6 +31,7 @@
 #include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
+#include "plugin/cli/vectors.h"
 #include "plugin/cli/watertight_output.h"
 
 namespace blossom::cli {
@@ -38,6 +40,7 @@ namespace {
 struct Options {
   std::string part;
   std::vector<std::string> tools;
+  std::vector<std::string> planes;
   std::string keep;
   std::string solid;  // an operation on solids, instead of keep
   bool allow_incomplete = false;
@@ -49,6 +52,7 @@ struct Options {
 struct Inputs {
   Input part;
   std::vector<Input> tools;
+  std::vector<occt::Plane> planes;
 };
 
 struct Timed {
@@ -125,6 +129,8 @@ Timed timed_trim(const Inputs& inputs, const Options& options) {
   const std::vector<occt::PartFace> part = part_faces(inputs.part);
   std::vector<occt::TrimTool> tools;
   for (const Input& tool : inputs.tools) tools.push_back(tool_of(tool));
+  for (std::size_t i = 0; i < inputs.planes.size(); ++i)
+    tools.push_back(occt::plane_tool(inputs.planes[i], inputs.part.model.shape(), plane_name(i)));
   const auto start = std::chrono::steady_clock::now();
   Timed result{trim_named(inputs, part, tools, wanted), 0};
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
@@ -155,6 +161,7 @@ Json report_of(const Inputs& inputs, const Options& options, const Timed& timed,
   return {{"schema", "blossom.trim/1"},
           {"part", inputs.part.name},
           {"tools", std::move(tools)},
+          {"planes", planes_json(inputs.planes)},
           {"keep", options.keep},
           {"status", to_string(timed.made.status)},
           {"written", written},
@@ -258,16 +265,24 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   return unwritten ? exit_code_unwritten(timed.made.status) : exit_code(timed.made.status);
 }
 
+std::vector<occt::Plane> planes_of(const Options& options) {
+  std::vector<occt::Plane> planes;
+  for (const std::string& plane : options.planes) planes.push_back(parse_plane(plane, "--plane"));
+  return planes;
+}
+
 int run_solid(const Options& options) {
   if (!options.keep.empty() || options.allow_incomplete)
     throw UsageError("--solid goes without --keep and --allow-incomplete");
   if (!is_solid_operation(options.solid))
     throw UsageError("--solid takes cut, common, fuse or split, not '" + options.solid + "'");
-  return trim_solids({options.part, options.tools, options.solid, options.watertight,
-                      options.common, options.engine});
+  return trim_solids({options.part, options.tools, planes_of(options), options.solid,
+                      options.watertight, options.common, options.engine});
 }
 
 int run(const Options& options) {
+  if (options.tools.empty() && options.planes.empty())
+    throw UsageError("trim needs a TOOL, or a plane by --plane");
   if (!options.solid.empty()) return run_solid(options);
   if (options.keep.empty()) throw UsageError("trim needs --keep, or --solid for solids");
   std::vector<std::string> files = options.tools;
@@ -275,7 +290,8 @@ int run(const Options& options) {
   check_files(options.common, files, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
   trim_options(options.keep);  // a wrong word is told before a long reading
   start_threads(options.engine.threads);
-  Inputs inputs{read_input(options.part), {}};
+  std::vector<occt::Plane> planes = planes_of(options);
+  Inputs inputs{read_input(options.part), {}, std::move(planes)};
   for (const std::string& tool : options.tools) inputs.tools.push_back(read_input(tool));
   stop_if_interrupted();
   Timed timed = timed_trim(inputs, options);
@@ -292,8 +308,14 @@ void add_trim(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("PART");
   command->add_option("tools", options->tools, "models that cut it, or some of their faces")
-      ->required()
       ->type_name("TOOL");
+  command
+      ->add_option(
+          "--plane", options->planes,
+          "a plane that cuts it, by a point and its normal, which points to what is above; "
+          "may be given several times. With --solid what is above is the tool")
+      ->type_name("X,Y,Z,NX,NY,NZ")
+      ->allow_extra_args(false);
   command
       ->add_option("--keep", options->keep,
                    "above (where the tools' normals point), below, inside, outside (of solid "
@@ -303,7 +325,7 @@ void add_trim(CLI::App& app, int& exit_code) {
       ->add_option(
           "--solid", options->solid,
           "combine closed solids instead: cut, common, fuse or split (cut and common side by "
-          "side), with all tools")
+          "side), with all tools; each plane splits all pieces")
       ->type_name("OPERATION");
   command->add_flag("--allow-incomplete", options->allow_incomplete,
                     "write the model even if the intersection was stopped");

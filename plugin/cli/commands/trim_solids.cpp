@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/commands/trim_solids.h"
 
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <optional>
@@ -15,6 +16,7 @@
 #include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/compounds.h"
+#include "adapters/occt/half_space.h"
 #include "adapters/occt/solid_trim.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/exit_code.h"
@@ -44,6 +46,7 @@ const std::map<std::string, occt::SolidOperation> kOperations = {
 struct Timed {
   occt::SolidTrimResult made;
   std::vector<std::string> invalid;  // faces of the result that were given so
+  std::vector<std::string> idle;     // planes in which no face of the result lies
   std::optional<WatertightPieces> watertight;
   double seconds = 0;
 };
@@ -86,35 +89,68 @@ occt::Model model_of(const std::string& text, Json& repairs) {
 
 using Models = std::vector<occt::Model>;
 
+// What a tool is called: the files come first.
+std::string tool_name(const SolidTrim& options, int tool) {
+  const auto index = static_cast<std::size_t>(tool);
+  return index < options.tools.size() ? options.tools[index]
+                                      : plane_name(index - options.tools.size());
+}
+
 // Faces that nothing reached are those of the inputs, and may be invalid as they were given.
 std::vector<std::string> invalid_as_given(const SolidTrim& options,
                                           const occt::SolidTrimResult& made) {
   std::vector<std::string> told;
   for (const occt::SolidFace& face : made.faces) {
     if (BRepCheck_Analyzer(face.face).IsValid()) continue;
-    const std::string& file =
-        face.tool < 0 ? options.part : options.tools[static_cast<std::size_t>(face.tool)];
+    const std::string file = face.tool < 0 ? options.part : tool_name(options, face.tool);
     told.push_back("face " + std::to_string(face.from + 1) + " of " + file +
                    " is not valid by BRepCheck, and in the result as it was given");
   }
   return told;
 }
 
+std::vector<std::string> idle_planes(const SolidTrim& options, const occt::SolidTrimResult& made) {
+  std::vector<std::string> told;
+  for (std::size_t i = 0; i < options.planes.size() && !made.solids.empty(); ++i) {
+    const int tool = static_cast<int>(options.tools.size() + i);
+    if (std::ranges::none_of(made.faces,
+                             [tool](const occt::SolidFace& face) { return face.tool == tool; }))
+      told.push_back(plane_name(i) + " cuts nothing of what is in the result");
+  }
+  return told;
+}
+
+// Who takes a sheet for a tool is told what else there is.
+void check_solid(const occt::TrimTool& input, const std::string& name) {
+  if (input.is_solid()) return;
+  throw UsageError(name + " is no closed solid: " + occt::told_open(input) +
+                   "; --solid takes closed solids, and planes by --plane; a sheet cuts faces with "
+                   "--keep");
+}
+
+occt::TrimTool named_solid(const occt::Model& model, const std::string& name) {
+  occt::TrimTool tool = occt::trim_tool(model.shape());
+  tool.name = name;
+  check_solid(tool, name);
+  return tool;
+}
+
 Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models& tools) {
   Progress progress("combining solids");
   const IntersectionOptions engine = intersection_options(options.engine, progress);
-  const auto named = [](const occt::Model& model, const std::string& name) {
-    occt::TrimTool tool = occt::trim_tool(model.shape());
-    tool.name = name;
-    return tool;
-  };
-  const occt::TrimTool solid = named(part, options.part);
+  const occt::TrimTool solid = named_solid(part, options.part);
   std::vector<occt::TrimTool> others;
-  for (std::size_t i = 0; i < tools.size(); ++i)
-    others.push_back(named(tools[i], options.tools[i]));
+  for (std::size_t i = 0; i < options.tools.size(); ++i)
+    others.push_back(named_solid(tools[i], options.tools[i]));
+  for (std::size_t i = 0; i < options.planes.size(); ++i)
+    others.push_back(occt::half_space_tool(options.planes[i], part.shape(), plane_name(i)));
   const auto start = std::chrono::steady_clock::now();
-  Timed result{
-      occt::trim_solids(solid, others, kOperations.at(options.operation), engine), {}, {}, 0};
+  Timed result{occt::trim_solids(solid, others, kOperations.at(options.operation), engine,
+                                 options.planes.size()),
+               {},
+               {},
+               {},
+               0};
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
@@ -122,6 +158,7 @@ Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models
   stop_if_interrupted();
   result.seconds = seconds();
   result.invalid = invalid_as_given(options, result.made);
+  result.idle = idle_planes(options, result.made);
   return result;
 }
 
@@ -156,6 +193,7 @@ Json report_of(const SolidTrim& options, const Timed& timed, const Json& repairs
   return {{"schema", "blossom.solid/1"},
           {"part", options.part},
           {"tools", options.tools},
+          {"planes", planes_json(options.planes)},
           {"operation", options.operation},
           {"status", to_string(timed.made.status)},
           {"written", written},
@@ -171,6 +209,7 @@ Json report_of(const SolidTrim& options, const Timed& timed, const Json& repairs
           {"thin", timed.made.thin},
           {"tolerances", timed.made.tolerances},
           {"invalid", timed.invalid},
+          {"idle", timed.idle},
           {"watertight", timed.watertight ? to_json(*timed.watertight) : Json(nullptr)},
           {"certificate", to_json(timed.made.certificate)},
           {"repairs", repairs}};
@@ -208,8 +247,17 @@ std::string summary(const SolidTrim& options, const Timed& timed) {
   for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
   for (const std::string& thin : timed.made.thin) text << "  " << thin << "\n";
   for (const std::string& invalid : timed.invalid) text << "  " << invalid << "\n";
+  for (const std::string& idle : timed.idle) text << "  " << idle << "\n";
   for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
   return text.str();
+}
+
+// What gives the faces of a cut along a plane their name: the plane as a part.
+occt::Model plane_model(const occt::Plane& plane, const occt::Model& part,
+                        const std::string& name) {
+  occt::Model model;
+  model.add(occt::plane_tool(plane, part.shape(), name).faces.front(), name);
+  return model;
 }
 
 // Where the faces of a solid come from, those of the part first.
@@ -272,7 +320,18 @@ int exit_code_of(const occt::SolidTrimResult& made, const CommonOptions& outputs
 
 bool is_solid_operation(const std::string& word) { return kOperations.contains(word); }
 
+std::string plane_name(std::size_t index) { return "plane " + std::to_string(index + 1); }
+
+Json planes_json(const std::vector<occt::Plane>& planes) {
+  Json list = Json::array();
+  for (const occt::Plane& plane : planes)
+    list.push_back({{"point", plane.point.coordinates}, {"normal", plane.normal.coordinates}});
+  return list;
+}
+
 int trim_solids(const SolidTrim& options) {
+  if (options.operation == "fuse" && !options.planes.empty())
+    throw UsageError("--solid fuse takes no --plane: what is above a plane has no end");
   std::vector<std::string> files = options.tools;
   files.push_back(options.part);
   check_files(options.common, files, options.watertight ? Outputs::ModelsAndNets : Outputs::Models);
@@ -283,6 +342,8 @@ int trim_solids(const SolidTrim& options) {
   for (const std::string& tool : options.tools) tools.push_back(model_of(tool, repairs));
   stop_if_interrupted();
   const Timed timed = timed_trim(options, part, tools);
+  for (std::size_t i = 0; i < options.planes.size(); ++i)
+    tools.push_back(plane_model(options.planes[i], part, plane_name(i)));
   const std::string reason = reason_of(timed.made);
   const CommonOptions& outputs = options.common;
   const bool write = reason.empty() && !outputs.output.empty();

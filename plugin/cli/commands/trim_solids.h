@@ -6,15 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "adapters/occt/plane_section.h"
 #include "plugin/cli/options.h"
+#include "plugin/cli/output.h"
 
 namespace blossom::cli {
 
 struct SolidTrim {
   std::string part;
   std::vector<std::string> tools;
-  std::string operation;    ///< cut, common, fuse or split
-  bool watertight = false;  ///< as untrimmed faces with common sides
+  std::vector<occt::Plane> planes;  ///< above which they cut like a tool, after the tools
+  std::string operation;            ///< cut, common, fuse or split
+  bool watertight = false;          ///< as untrimmed faces with common sides
   CommonOptions common;
   EngineOptions engine;
 };
@@ -22,9 +25,15 @@ struct SolidTrim {
 /// The operations as words of the command line.
 bool is_solid_operation(const std::string& word);
 
+/// What a plane is called in messages and results: "plane 1" is the first.
+std::string plane_name(std::size_t index);
+
+/// [{"point", "normal"}, ...].
+Json planes_json(const std::vector<occt::Plane>& planes);
+
 /// Does the work, writes the outputs and returns the exit code. Nothing but the report is written
 /// when the solids cannot be combined.
-/// throws   UsageError as read_input; InvalidInput if an input is no closed solid
+/// throws   UsageError as read_input, if an input is no closed solid, or to fuse with planes
 int trim_solids(const SolidTrim& options);
 
 }  // namespace blossom::cli

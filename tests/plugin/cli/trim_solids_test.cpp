@@ -227,6 +227,61 @@ TEST_F(TrimSolidsCommand, SaysThatNothingIsCommon) {
   EXPECT_EQ(combine("away.brep", {"common"}).code, 0) << "no file was asked for";
 }
 
+double volume_of(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties, 1e-8);
+  return properties.Mass();
+}
+
+TEST_F(TrimSolidsCommand, TakesAPlaneForWhatIsAboveIt) {
+  const auto cut = [&](const std::string& operation, const std::string& plane) {
+    const std::string out = folder / "out.step";
+    const Finished run =
+        blossom({"trim", folder / "box.brep", "--plane", plane, "--solid", operation, "-o", out});
+    EXPECT_EQ(run.code, 0) << run.err << run.out;
+    return occt::read_model(out);
+  };
+  EXPECT_NEAR(volume_of(cut("cut", "0,0,1,0,0,1").shape()), 16, 1e-9);
+  EXPECT_NEAR(volume_of(cut("common", "0,0,1,0,0,1").shape()), 32, 1e-9);
+  EXPECT_NEAR(volume_of(cut("cut", "0,0,1,0,0,-2").shape()), 32, 1e-9);
+  const occt::Model halves = cut("split", "0,0,1,0,0,1");
+  EXPECT_EQ(halves.face_count(), 12);
+  EXPECT_NEAR(volume_of(halves.shape()), 48, 1e-9);
+  EXPECT_EQ(halves.part_name(1), "box.1");
+  const std::vector<std::string> names = halves.face_names();
+  EXPECT_EQ(std::ranges::count(names, "plane 1.1"), 1);
+  EXPECT_EQ(std::ranges::count(names, "plane 1.2"), 1);
+}
+
+TEST_F(TrimSolidsCommand, SplitsByEachPlane) {
+  const Finished run =
+      blossom({"trim", folder / "box.brep", "--plane", "0,0,1,0,0,1", "--plane", "-1,0,0,1,0,0",
+               "--plane", "0,0,9,0,0,1", "--solid", "split", "--json", "-"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const json report = json::parse(run.out);
+  EXPECT_EQ(report["solids"].size(), 4U);
+  EXPECT_EQ(report["planes"].size(), 3U);
+  EXPECT_EQ(report["planes"][1],
+            json::parse(R"({"point": [-1.0, 0.0, 0.0], "normal": [1.0, 0.0, 0.0]})"));
+  EXPECT_EQ(report["idle"], json::parse(R"(["plane 3 cuts nothing of what is in the result"])"));
+}
+
+TEST_F(TrimSolidsCommand, RefusesPlanesThatMakeNoSense) {
+  const auto error = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"trim", folder / "box.brep"});
+    const Finished run = blossom(options);
+    EXPECT_EQ(run.code, 2) << run.out;
+    return run.err;
+  };
+  EXPECT_NE(error({"--solid", "cut"}).find("--plane"), std::string::npos);
+  EXPECT_NE(error({"--solid", "cut", "--plane", "0,0,1"}).find("six finite numbers"),
+            std::string::npos);
+  EXPECT_NE(error({"--solid", "cut", "--plane", "0,0,1,0,0,0"}).find("normal"), std::string::npos);
+  EXPECT_NE(error({"--keep", "all", "--plane", "0,0,x,0,0,1"}).find("'0,0,x,0,0,1'"),
+            std::string::npos);
+  EXPECT_NE(error({"--solid", "fuse", "--plane", "0,0,1,0,0,1"}).find("fuse"), std::string::npos);
+}
+
 TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   EXPECT_NE(combine("ball.step", {"join"}).err.find("'join'"), std::string::npos);
   EXPECT_EQ(combine("ball.step", {"join"}).code, 2);
@@ -237,6 +292,8 @@ TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   const Finished open = combine("bowl.brep", {"cut"});
   EXPECT_EQ(open.code, 2);
   EXPECT_NE(open.err.find("bowl.brep is no closed solid"), std::string::npos) << open.err;
+  EXPECT_NE(open.err.find("planes by --plane; a sheet cuts faces with --keep"), std::string::npos)
+      << open.err;
 }
 
 }  // namespace

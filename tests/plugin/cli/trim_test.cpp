@@ -95,6 +95,26 @@ TEST_F(TrimCommand, ImprintsACutThatEndsInsideWhereTheFormatHasInternalEdges) {
   }
 }
 
+TEST_F(TrimCommand, CutsAtAPlaneAsAtALid) {
+  testing::write({testing::bowl()}, folder / "bowl.brep");
+  for (const auto& [plane, below] :
+       {std::pair{"0,0,0.25,0,0,1", true}, {"9,9,0.25,0,0,-3", false}}) {
+    const Finished run = blossom({"trim", folder / "bowl.brep", "--plane", plane, "--keep",
+                                  below ? "below" : "above", "-o", folder / "cap.step"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const occt::Model cap = occt::read_model(folder / "cap.step");
+    ASSERT_EQ(cap.face_count(), 1);
+    EXPECT_NEAR(occt::area(cap.face(1)), bowl_area(0.25), 1e-6);
+  }
+  const Finished off = blossom(
+      {"trim", folder / "bowl.brep", "--plane", "0,0,-1,0,0,1", "--keep", "above", "--json", "-"});
+  EXPECT_EQ(off.code, 0);
+  const json report = json::parse(off.out);
+  ASSERT_EQ(report["pieces"].size(), 1U);
+  EXPECT_EQ(report["pieces"][0]["side"], "above");
+  EXPECT_EQ(report["planes"].size(), 1U);
+}
+
 TEST_F(TrimCommand, KeepsAPieceByTheNumberThatItPrinted) {
   ASSERT_EQ(trim(0.25, {"--keep", "1", "-o", folder / "one.brep"}).code, 0);
   ASSERT_EQ(trim(0.25, {"--keep", "2", "-o", folder / "two.brep"}).code, 0);
