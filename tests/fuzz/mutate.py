@@ -6,8 +6,8 @@
 
 Every file is damaged COUNT times: bytes flipped, numbers and references changed, lines deleted or
 doubled, the end cut off. The command gets the damaged file as its last argument. Reported are
-signals, exit codes that the command does not have, runs beyond the limit or slower than SLOW
-seconds, and messages that are names of C++ things instead of words. The same seed makes the same
+signals, exit codes that the command does not have, runs beyond the limit or of more than SLOW
+seconds of computing, and messages that are names of C++ things instead of words. The same seed makes the same
 damage; `--only N` runs damage N alone and keeps its file.
 """
 
@@ -16,11 +16,11 @@ import collections
 import pathlib
 import random
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 
 KNOWN_CODES = {0, 2, 3, 4}
 NO_WORDS = re.compile(rb"Standard_\w+|StdFail_|NCollection|TColStd|basic_ios|std::|[A-Za-z_]\w+::\w+")
@@ -86,12 +86,13 @@ def damaged(original, seed, number):
 
 def fault_of(command, file, limit, slow):
     """What is wrong with a run, in a few words; empty if all is well."""
-    start = time.monotonic()
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
         run = subprocess.run([*command, str(file)], capture_output=True, timeout=limit, check=False)
     except subprocess.TimeoutExpired:
         return "hang", b""
-    seconds = time.monotonic() - start
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     if run.returncode < 0 or run.returncode > 128:
         return f"signal {abs(run.returncode) % 128}", run.stderr
     if run.returncode not in KNOWN_CODES:
@@ -114,7 +115,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--count", type=int, default=100, help="damages of each file")
     parser.add_argument("--limit", type=float, default=20, help="seconds that a run may last")
-    parser.add_argument("--slow", type=float, default=2, help="seconds beyond which a run is slow")
+    parser.add_argument("--slow", type=float, default=2, help="seconds of computing beyond which a run is slow")
     parser.add_argument("--only", type=int, help="the number of one damage")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the files with findings")
     wanted = parser.parse_args(arguments)

@@ -121,6 +121,10 @@ struct Reading {
   void with_names(const XSControl_Reader& reader, const std::function<bool()>& transfer);
 };
 
+/// Refuses a file of which nothing is left, for the first loss of shape or else for `cause`.
+/// throws   BadModel
+[[noreturn]] void refuse(const std::string& cause, const ReadingReport& report);
+
 /// A length unit's name in a file, "millimetre" or "INCH", in the words of `write.step.unit`.
 std::string unit_named(std::string name);
 

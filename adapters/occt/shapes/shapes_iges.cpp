@@ -176,7 +176,7 @@ void read_iges(Reading& reading) {
   list_missing_lines(reading.text, reading.report);
   const MemoryFile text(reading.text);
   if (reader.ReadFile(text.name().c_str()) != IFSelect_RetDone)
-    throw BadModel("is no readable IGES file");
+    refuse("is no readable IGES file", reading.report);
   const auto model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
   list_loading_faults(*model, reading.report);
   name_subfigures(*model);

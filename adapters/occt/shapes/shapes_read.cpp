@@ -21,10 +21,7 @@ bool is_empty(const TopoDS_Shape& shape) {
 }
 
 void require_shape(const TopoDS_Shape& shape, const ReadingReport& report) {
-  if (!is_empty(shape)) return;
-  const auto lost = std::ranges::find_if(report.losses, [](const Loss& l) { return l.of_shape; });
-  if (lost == report.losses.end()) throw BadModel("holds no shape");
-  throw BadModel("holds no shape that can be used: " + lost->text());
+  if (is_empty(shape)) refuse("holds no shape", report);
 }
 
 void read_format(Format format, Reading& reading) {
@@ -49,6 +46,12 @@ Format read_into(Reading& reading) {
 }
 
 }  // namespace
+
+void refuse(const std::string& cause, const ReadingReport& report) {
+  const auto lost = std::ranges::find_if(report.losses, [](const Loss& l) { return l.of_shape; });
+  if (lost == report.losses.end()) throw BadModel(cause);
+  throw BadModel("holds no shape that can be used: " + lost->text());
+}
 
 void Reading::begin(const char* doing) {
   step = doing;

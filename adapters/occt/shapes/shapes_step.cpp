@@ -185,7 +185,7 @@ void read_step(Reading& reading) {
   mend_step_text(reading.text, reading.report);
   std::istringstream in(std::move(reading.text));
   if (shapes.ReadStream(reading.file.c_str(), in) != IFSelect_RetDone)
-    throw BadModel("is no readable STEP file");
+    refuse("is no readable STEP file", reading.report);
   const auto model = Handle(StepData_StepModel)::DownCast(shapes.Model());
   const StepOwners owners(*model, shapes.WS()->Graph());
   const auto left_out = leave_out_damage(owners, reading.report);

@@ -79,9 +79,11 @@ TEST_F(BadInput, TextIsNoModel) {
   expect_refused("letter.step", "");
 }
 
-TEST_F(BadInput, UnknownEndingIsRefused) {
+TEST_F(BadInput, UnknownEndingIsRefusedUnlessTheContentIsKnown) {
+  write_text("letter.doc", "Dear shipyard, please find the hull enclosed.\n");
+  expect_refused("letter.doc", "'.doc' is not known");
   write_text("lid.doc", testing::text_of(folder / "lid.step"));
-  expect_refused("lid.doc", "");
+  EXPECT_EQ(blossom({"info", folder / "lid.doc"}).code, 0);
 }
 
 // A rational face of one span, with the numbers 7.125 as a coordinate and 0.625 as a weight.

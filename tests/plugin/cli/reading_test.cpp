@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Files that are damaged in parts: what is whole is used, and every command says what is not.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using nlohmann::json;
+using testing::blossom;
+using testing::Finished;
+
+class Reading : public ::testing::Test {
+ protected:
+  Reading() {
+    testing::write({testing::bowl(), testing::lid(0.25)}, folder / "whole.step");
+    testing::write({testing::half_pipe()}, folder / "pipe.brep");
+    std::string text = testing::text_of(folder / "whole.step");
+    testing::write_text(folder / "end.step", text.substr(0, text.rfind("END-ISO")));
+    // One corner of the second face is a point in a plane.
+    const std::size_t corner = text.find('#', text.rfind("VERTEX_POINT("));
+    const std::string point = text.substr(corner, text.find(')', corner) - corner);
+    const std::size_t numbers =
+        text.find("(", text.find("CARTESIAN_POINT", text.find("\n" + point + " ")) + 16);
+    text.erase(numbers + 1, text.find(',', numbers) - numbers);
+    testing::write_text(folder / "corner.step", text);
+  }
+
+  json report_of(const std::string& file) const {
+    return json::parse(blossom({"info", folder / file, "--json", "-"}).out);
+  }
+
+  testing::TestFolder folder;
+};
+
+TEST_F(Reading, WholeFilesAreReadWithoutAWord) {
+  const Finished run = blossom({"info", folder / "whole.step"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(report_of("whole.step")["reading"][0]["grade"], "whole");
+}
+
+TEST_F(Reading, LossesThatTouchNoShapeAreALineAndNothingMore) {
+  const Finished run = blossom({"info", folder / "end.step"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
+  EXPECT_NE(run.err.find("read without 1 attribute"), std::string::npos) << run.err;
+  EXPECT_EQ(report_of("end.step")["reading"][0]["grade"], "attributes lost");
+  EXPECT_EQ(blossom({"info", folder / "end.step", "--strict"}).code, 0);
+}
+
+TEST_F(Reading, LossesOfShapeLowerTheStatusAndAreRefusedByStrict) {
+  const Finished run = blossom({"info", folder / "corner.step"});
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_EQ(std::ranges::count(run.err, '\n'), 1) << run.err;
+  EXPECT_NE(run.err.find("SHAPES ARE MISSING"), std::string::npos) << run.err;
+  const json reading = report_of("corner.step")["reading"][0];
+  EXPECT_EQ(reading["grade"], "shapes lost");
+  EXPECT_EQ(reading["losses"][0]["what"], "face");
+  EXPECT_TRUE(reading["losses"][0]["of_shape"]);
+  const Finished strict = blossom({"info", folder / "corner.step", "--strict"});
+  EXPECT_EQ(strict.code, 2);
+  EXPECT_NE(strict.err.find("corner.step: is refused by --strict"), std::string::npos)
+      << strict.err;
+}
+
+TEST_F(Reading, NoStatusIsBetterThanToleranceThen) {
+  const std::string pipe = folder / "pipe.brep";
+  const Finished whole = blossom({"query", "distance", folder / "whole.step", pipe, "--json", "-"});
+  const Finished lost = blossom({"query", "distance", folder / "corner.step", pipe, "--json", "-"});
+  EXPECT_EQ(json::parse(whole.out)["status"], "complete");
+  EXPECT_EQ(json::parse(lost.out)["status"], "tolerance");
+  EXPECT_EQ(whole.code, 0) << whole.err;
+  EXPECT_EQ(lost.code, 3) << lost.err;
+  EXPECT_EQ(json::parse(lost.out)["reading"].size(), 2U);
+}
+
+/// Counts of a file of other readers' test data.
+struct Known {
+  const char* file;
+  int solids, faces;
+};
+
+TEST(ReadingForeignFiles, GiveTheShapesThatOtherReadersFind) {
+  const char* const data = std::getenv("BLOSSOM_TEST_DATA");
+  if (data == nullptr) GTEST_SKIP() << "BLOSSOM_TEST_DATA is not set";
+  const std::filesystem::path files = std::filesystem::path(data) / "files";
+  const Known known[] = {
+      {"crash_2.igs", 0, 41},      {"refused_01.stp", 1, 6},   {"refused_02.stp", 0, 1},
+      {"refused_03.stp", 1, 6},    {"refused_04.stp", 10, 96}, {"refused_05.stp", 1, 30},
+      {"refused_06.stp", 4, 46},   {"refused_07.stp", 1, 12},  {"refused_08.stp", 1, 9},
+      {"refused_09.stp", 11, 138}, {"refused_10.stp", 2, 16},  {"refused_11.stp", 1, 7},
+      {"refused_12.stp", 0, 1},    {"refused_13.stp", 1, 415}, {"refused_14.stp", 1, 9},
+      {"refused_15.igs", 0, 1}};
+  for (const Known& one : known) {
+    const Finished run = blossom({"info", files / one.file, "--json", "-"});
+    ASSERT_TRUE(run.code == 0 || run.code == 3) << one.file << ": " << run.err;
+    const json counts = json::parse(run.out)["counts"];
+    EXPECT_EQ(counts["solids"], one.solids) << one.file;
+    EXPECT_GE(counts["faces"], one.faces) << one.file;  // we save faces of solids that others drop
+  }
+  for (const char* file : {"hang_1.brep", "hang_2.brep"}) {
+    const Finished run = blossom({"info", files / file}, "timeout 10");
+    EXPECT_EQ(run.code, 2) << file;
+    EXPECT_EQ(run.err.find("Standard_"), std::string::npos) << run.err;
+  }
+}
+
+}  // namespace
+}  // namespace blossom
