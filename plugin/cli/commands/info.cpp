@@ -34,6 +34,8 @@ constexpr std::array kCounted = {std::pair{TopAbs_SOLID, "solids"},
                                  std::pair{TopAbs_EDGE, "edges"},
                                  std::pair{TopAbs_VERTEX, "vertices"}};
 
+constexpr double kUsualPrecision = 1e-7;  // of a box, model units: what is not told
+
 struct ModelFacts {
   std::vector<FaceFacts> faces;
   std::map<std::string, int> surfaces;  ///< faces per surface type
@@ -142,6 +144,7 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
   if (facts.box)
     text << "\n  box (mm): " << corner_text(facts.box->box.low) << " to "
          << corner_text(facts.box->box.high);
+  if (facts.box && facts.box->precision > kUsualPrecision) text << ", to " << facts.box->precision;
   text << "\n  tolerances: " << facts.least_tolerance << " to " << facts.largest_tolerance << "\n  "
        << (facts.valid ? "valid" : "NOT VALID") << ", file in " << input.model.file_unit() << "\n";
   if (!facts.faces.empty())

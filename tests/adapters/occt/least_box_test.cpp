@@ -23,7 +23,8 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kAccuracy = 1e-9;
+// kDistanceResolution of what the largest coordinates of a shape and a plane beyond it sum up to.
+constexpr double kAccuracy = 1e-8;
 
 void expect_box(const LeastBox& found, const Vec3& low, const Vec3& high) {
   EXPECT_LE(found.precision, kAccuracy);
