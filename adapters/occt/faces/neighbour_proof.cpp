@@ -225,8 +225,8 @@ class CellsOfFace {
   bool is_outside(int patch, const Cell& cell) const {
     if (cell.part != PartSide::Mixed) return cell.part == PartSide::Outside;
     const PlanarBox box = chart_box(patch, cell);
-    return coedge_near(data_.trims, box, data_.trims.largest_gap, kMostHalvings,
-                       Wires::AsTheyAre) == nullptr &&
+    return !meets_gap(box) &&
+           coedge_near(data_.trims, box, 0, kMostHalvings, Wires::AsTheyAre) == nullptr &&
            !is_inside(data_.trims, 0.5 * (box.low + box.high));
   }
 
@@ -255,6 +255,22 @@ class CellsOfFace {
     PlanarBox box;         // of the stretch
     double shortfall = 0;  // its end does not reach the cell's by so much
   };
+
+  // Whether a box meets what closes a gap between the ends of coedges.
+  bool meets_gap(const PlanarBox& box) const {
+    if (data_.trims.largest_gap == 0) return false;
+    const auto is_in_gap = [&](const Coedge& coedge, int corner, bool start) {
+      const Interval domain = coedge.curve.domain();
+      const Vec2 end = point_at(coedge.curve, start == coedge.reversed() ? domain.to : domain.from);
+      const Vec2& joint = data_.trims.corners[static_cast<std::size_t>(corner)];
+      return !apart(box, united({end, end}, {joint, joint}));
+    };
+    for (const auto& loop : data_.trims.loops)
+      for (const Coedge& coedge : loop)
+        if (is_in_gap(coedge, coedge.from, true) || is_in_gap(coedge, coedge.to, false))
+          return true;
+    return false;
+  }
 
   PlanarBox chart_box(int patch, const Cell& cell) const {
     const BezierSurface& s = data_.surface;
