@@ -152,18 +152,17 @@ class PairIntersector {
   void leave_open(FaceIntersection& result) const {
     const FaceData& a = faces_a_.data(static_cast<std::size_t>(result.face_a));
     const FaceData& b = faces_b_.data(static_cast<std::size_t>(result.face_b));
-    Place place;
-    const Box common = common_box(a, b);
-    place.box_low = common.low;
-    place.box_high = common.high;
-    place.gap_high = distance(place.box_low, place.box_high);
-    place.parameters = parameters_of(a, b);
-    result.found.places = {place};
+    result.found.places = {open_place(a, b)};
     result.found.status = Status::Stopped;
     result.found.certificate.limited = true;
     const IntersectionOptions left = limit_.remaining();
     const char* cancelled = WorkLimit(left).reached();
     result.found.certificate.reasons = {cancelled != nullptr ? cancelled : kNoTime};
+  }
+
+  static Place open_place(const FaceData& a, const FaceData& b) {
+    const Box common = common_box(a, b);
+    return {PlaceKind::Open, common.low, common.high, 0, diagonal(common), parameters_of(a, b)};
   }
 
   static std::array<Interval, 4> parameters_of(const FaceData& a, const FaceData& b) {
@@ -182,7 +181,7 @@ class PairIntersector {
     const double within = one_within(options_.tolerances, largest_coordinate(a, b));
     std::vector<Touch> touches;
     if (const auto gap = gap_of_one_surface(a, b); gap && *gap <= within) {
-      result.found = on_surface_of_both(shape_a, shape_b, *gap, within);
+      result.found = on_surface_of_both({result.face_a, result.face_b}, *gap, within);
       drop_along_edges(result.found, touches, edges, options_.tolerances.point);
     } else if (is_settled_by_neighbours(a, b, edges, result)) {
       return;
@@ -245,19 +244,24 @@ class PairIntersector {
     return common;
   }
 
-  SurfaceIntersection on_surface_of_both(const TopoDS_Face& a, const TopoDS_Face& b, double gap,
+  // What the outlines leave open is listed.
+  SurfaceIntersection on_surface_of_both(const std::pair<int, int>& pair, double gap,
                                          double within) const {
+    const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
     const IntersectionOptions left = limit_.remaining();
+    SurfaceIntersection found;
     try {
-      return guarded("laying two outlines over each other", [&] {
-        return on_one_surface(a, b, gap, within, left.tolerances.point, WorkLimit(left));
+      found = guarded("laying two outlines over each other", [&] {
+        return on_one_surface(faces_a_.face(i), faces_b_.face(j), gap, within,
+                              left.tolerances.point, WorkLimit(left));
       });
     } catch (const std::exception& error) {
-      SurfaceIntersection open;
-      open.status = Status::Stopped;
-      open.certificate.reasons.emplace_back(error.what());
-      return open;
+      found.status = Status::Stopped;
+      found.certificate.reasons.emplace_back(error.what());
     }
+    if (found.status == Status::Stopped)
+      found.places.push_back(open_place(faces_a_.data(i), faces_b_.data(j)));
+    return found;
   }
 
   // Planes that cross do so in a line; all else is searched.
