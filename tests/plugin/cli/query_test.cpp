@@ -304,8 +304,8 @@ TEST_F(QueryCommand, RefusesQuestionsThatMakeNoSense) {
   };
   const std::string missing = folder_ / "missing.step";
   const std::vector<Bad> all{
-      {{"query"}, "A subcommand is required"},
-      {{"query", "ray", pot_}, "--from is required"},
+      {{"query"}, "query needs one of its commands"},
+      {{"query", "ray", pot_}, "query ray needs --from X,Y,Z"},
       {{"query", "ray", pot_, "--from", "0,0,0", "--direction", "0,0,0"}, "zero vector"},
       {{"query", "ray", pot_, "--from", "0,0", "--direction", "0,0,1"}, "three finite numbers"},
       {{"query", "ray", pot_, "--from", "0,0,0,0", "--direction", "0,0,1"}, "three finite"},
@@ -314,10 +314,10 @@ TEST_F(QueryCommand, RefusesQuestionsThatMakeNoSense) {
       {{"query", "ray", pot_, "--from", "0,0,0", "--direction", "0,x,1"}, "three finite"},
       {{"query", "ray", pot_, "--from", "0,0,0", "--direction", "0,0,1", "--tolerance", "0"},
        "--tolerance"},
-      {{"query", "point", pot_}, "--at is required"},
+      {{"query", "point", pot_}, "query point needs --at X,Y,Z"},
       {{"query", "point", pot_, "--at", "1;2;3"}, "three finite numbers"},
       {{"query", "point", missing, "--at", "1,2,3"}, "missing.step"},
-      {{"query", "distance", pot_}, "b is required"},
+      {{"query", "distance", pot_}, "needs two models; the second is missing"},
       {{"query", "distance", pot_, missing}, "missing.step"},
       {{"query", "does-intersect", pot_, missing}, "missing.step"},
       {{"query", "does-intersect", pot_, pot_, "--budget", "0"}, "--budget"},
