@@ -21,6 +21,7 @@
 #include <GProp_GProps.hxx>
 #include <Geom_Plane.hxx>
 #include <gp_GTrsf.hxx>
+#include <gp_Pln.hxx>
 
 #include "adapters/occt/errors.h"
 #include "adapters/occt/solid_trim.h"
