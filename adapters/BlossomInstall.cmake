@@ -33,7 +33,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/BlossomConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/BlossomConfig.cmake
               ${PROJECT_BINARY_DIR}/BlossomConfigVersion.cmake DESTINATION ${package_folder})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/LICENSES/
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom/LICENSES FILES_MATCHING PATTERN "*.txt")
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom/LICENSES)
 
 # All that is installed; it takes less time to build than the tests beside it.
 add_custom_target(installable)

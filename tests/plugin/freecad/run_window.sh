@@ -30,7 +30,7 @@ env -i PATH=/usr/bin:/bin HOME="$folder" FREECAD_USER_HOME="$folder/profile" \
   LIBGL_ALWAYS_SOFTWARE=1 \
   BLOSSOM_PACKAGE="$package" BLOSSOM_README="$readme" BLOSSOM_EXAMPLE="$example" \
   BLOSSOM_CLAIMS="$folder/claims" BLOSSOM_SHOT="$folder/window.png" \
-  timeout 120 xvfb-run -a -s "-screen 0 1280x1024x24" freecad "$test" \
+  timeout 300 xvfb-run -a -s "-screen 0 1280x1024x24" freecad "$test" \
   >"$folder/output" 2>&1 </dev/null || code=$?
 cat "$folder/claims" || cat "$folder/output"
 exit "$code"

@@ -27,9 +27,13 @@ if(TARGET blossom_python)
   math(EXPR next "${BLOSSOM_PYTHON_MINOR} + 1")
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
       "python3 (>= 3.${BLOSSOM_PYTHON_MINOR}), python3 (<< 3.${next}), python3-numpy")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/postinst
+                                         ${CMAKE_CURRENT_LIST_DIR}/prerm)
 endif()
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "freecad, occt-draw, libtbb-dev, libocct-data-exchange-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+    "freecad, occt-draw, libocct-draw-dev, libtbb-dev, libocct-data-exchange-dev")
 
-install(FILES LICENSES/copyright CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom)
+install(FILES plugin/package/copyright CHANGELOG.md
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom)
 install(DIRECTORY plugin/cli/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom)
 include(CPack)
