@@ -89,7 +89,7 @@ claim "DRAW intersects" prints "ALL CLAIMS HOLD" \
   as_user occt-draw-7.6 -b -f /srv/tests/draw/blintersect_test.tcl
 
 step "remove"
-remove() { inside apt-get remove -y -q blossom >>"$folder/apt.log" 2>&1; }
+remove() { inside apt-get purge -y -q blossom >>"$folder/apt.log" 2>&1; }
 claim "apt removes the package" remove
 nothing_left() { ! inside find /usr /etc /var/lib/dpkg/info -iname '*blossom*' | grep .; }
 claim "and nothing of it is left" nothing_left
