@@ -30,9 +30,10 @@ struct Repairs {
   std::vector<RaisedTolerance> vertices;  ///< likewise, of the ends of curves
   std::vector<RemadeCurve> remade;        ///< curves in parameters that did not fit those in space
   std::vector<MissingCurve> missing;      ///< edges without a curve in the parameters of a face
+  std::vector<int> failed;                ///< faces that Open CASCADE fails on; used as they are
 
   bool empty() const {
-    return edges.empty() && vertices.empty() && remade.empty() && missing.empty();
+    return edges.empty() && vertices.empty() && remade.empty() && missing.empty() && failed.empty();
   }
   double largest_tolerance() const {
     double most = 0;

@@ -56,6 +56,8 @@ std::string summary_of(const occt::Repairs& repairs) {
   if (added > 0) parts.push_back(counted(added, "missing parameter curve") + " made");
   if (missing > 0)
     parts.push_back(counted(missing, "missing parameter curve") + " could not be made");
+  if (!repairs.failed.empty())
+    parts.push_back(counted(repairs.failed.size(), "face") + " used without repairs, which fail");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
   return text;
@@ -80,6 +82,9 @@ std::vector<std::string> details_of(const occt::Repairs& repairs) {
         return place_of(each.face, each.edge) + (each.added ? "" : " (not made)");
       },
       lines);
+  add_line(
+      "repairs fail of faces", repairs.failed, [](int face) { return std::to_string(face); },
+      lines);
   return lines;
 }
 
@@ -94,7 +99,8 @@ Json repairs_json(const Input& input) {
             {"vertices", repairs.vertices.size()},
             {"largest", repairs.largest_tolerance()}}},
           {"curves_added", added},
-          {"curves_missing", repairs.missing.size() - added}};
+          {"curves_missing", repairs.missing.size() - added},
+          {"faces_not_repaired", repairs.failed}};
 }
 
 }  // namespace blossom::cli

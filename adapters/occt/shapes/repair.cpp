@@ -9,6 +9,7 @@
 #include <BRep_TEdge.hxx>
 #include <BRep_TVertex.hxx>
 #include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -96,6 +97,15 @@ void Repairer::raise(const Part& part) {
 }
 
 void Repairer::repair_group(const Group& group, const Stop& stop) {
+  try {
+    raise_and_remake(group, stop);
+  } catch (const Standard_Failure&) {
+    failed_.insert(failed_.end(), group.begin(), group.end());
+  }
+  for (const int number : group) done_[static_cast<std::size_t>(number)] = true;
+}
+
+void Repairer::raise_and_remake(const Group& group, const Stop& stop) {
   std::vector<TopoDS_Face> faces;
   for (const int number : group) faces.push_back(TopoDS::Face(faces_(number)));
   if (stated_ == StatedTolerances::Raised)
@@ -106,7 +116,6 @@ void Repairer::repair_group(const Group& group, const Stop& stop) {
     }
   for (RemadeImage& made : remake_loose_images(faces, parts_, raised_, stop))
     remade_.push_back(std::move(made));
-  for (const int number : group) done_[static_cast<std::size_t>(number)] = true;
 }
 
 void Repairer::add_missing_curves() {
@@ -123,6 +132,7 @@ void Repairer::add_missing_curves() {
 Repairs Repairer::told() {
   Repairs made;
   made.missing = std::exchange(missing_, {});
+  made.failed = std::exchange(failed_, {});
   if (told_ == raised_.Extent() && remade_.empty()) return made;
   TopTools_IndexedMapOfShape edges, vertices;
   TopExp::MapShapes(shape_, TopAbs_EDGE, edges);

@@ -59,6 +59,7 @@ class Repairer {
   std::vector<TopoDS_Shape> loose_edges_at(const TopoDS_Face& face);
   Group group_of(int face);
   void repair_group(const Group& group, const Stop& stop);
+  void raise_and_remake(const Group& group, const Stop& stop);
   template <class Part>
   void raise(const Part& part);
   void add_missing_curves();
@@ -75,6 +76,7 @@ class Repairer {
   int told_ = 0;                       ///< how many of them earlier calls returned
   std::vector<RemadeImage> remade_;    ///< of this call
   std::vector<Repairs::MissingCurve> missing_;
+  std::vector<int> failed_;  // faces
 };
 
 }  // namespace blossom::occt
