@@ -19,6 +19,8 @@
 namespace blossom::cli {
 namespace {
 
+constexpr const char* kNoName = "Open CASCADE STEP translator";  // its writer's word for no name
+
 // Face numbers of one entry, "3" or "5-9".
 std::pair<int, int> face_range(const std::string& entry, const std::string& input) {
   const auto bad = [&]() {
@@ -122,7 +124,8 @@ Input read_input(const std::string& text, Faces need, Repair repair) {
 
 std::string FaceLabels::of(int number) const {
   const std::string& part = parts_.at(static_cast<std::size_t>(number) - 1);
-  return "face " + std::to_string(number) + (part.empty() ? "" : " (" + part + ")");
+  const bool named = !part.empty() && !part.starts_with(kNoName);
+  return "face " + std::to_string(number) + (named ? " (" + part + ")" : "");
 }
 
 void refuse_open_wires(const Input& input) {

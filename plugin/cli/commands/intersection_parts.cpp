@@ -96,7 +96,6 @@ const char* words_of(PlaceKind kind) {
 // "3 curves (1 closed), 1 overlap of about 20.5 mm²"; what there is none of is left out.
 std::string counts_text(const Counts& counts) {
   std::ostringstream text;
-  text.precision(3);
   const auto item = [&text](std::size_t count, const char* noun) -> std::ostream& {
     return text << (text.tellp() > 0 ? ", " : "") << counted(count, noun);
   };
@@ -104,7 +103,8 @@ std::string counts_text(const Counts& counts) {
   if (counts.points > 0) item(counts.points, "point");
   if (counts.nodes > 0) item(counts.nodes, "branching point");
   if (counts.overlaps > 0)
-    item(counts.overlaps, "overlap") << " of about " << counts.overlap_area << " mm²";
+    item(counts.overlaps, "overlap")
+        << " of about " << number_text(rounded(counts.overlap_area)) << " mm²";
   if (counts.contacts > 0) item(counts.contacts, "contact") << " within tolerance";
   if (counts.unresolved > 0) item(counts.unresolved, "unresolved region");
   return text.tellp() > 0 ? text.str() : "no curve and no point";

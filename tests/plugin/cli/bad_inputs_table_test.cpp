@@ -50,16 +50,21 @@ Line parsed(int number, const std::string& text) {
   return line;
 }
 
-std::vector<Line> table() {
+// The lines by sections, which empty lines divide.
+std::vector<std::vector<Line>> table() {
   std::ifstream in(BLOSSOM_TEST_FILES "/cli/bad_inputs.txt");
-  std::vector<Line> lines;
+  std::vector<std::vector<Line>> sections(1);
   std::string text;
-  for (int number = 1; std::getline(in, text); ++number)
-    if (!text.empty() && text[0] != '#') lines.push_back(parsed(number, text));
-  return lines;
+  for (int number = 1; std::getline(in, text); ++number) {
+    if (text.empty()) sections.emplace_back();
+    if (!text.empty() && text[0] != '#') sections.back().push_back(parsed(number, text));
+  }
+  return sections;
 }
 
-class BadInputsTable : public ::testing::Test {
+constexpr int kSections = 8;  // the first is the file's comment
+
+class BadInputsTable : public ::testing::TestWithParam<int> {
  protected:
   BadInputsTable() {
     write_models();
@@ -122,9 +127,16 @@ class BadInputsTable : public ::testing::Test {
   testing::TestFolder folder;
 };
 
-TEST_F(BadInputsTable, GetTheirCodeAndMessageAndLeaveNothingBehind) {
-  const std::vector<Line> lines = table();
-  ASSERT_GE(lines.size(), 80u);
+TEST(BadInputs, AreManyInEverySectionOfTheTable) {
+  const std::vector<std::vector<Line>> sections = table();
+  ASSERT_EQ(sections.size(), std::size_t{kSections});
+  std::size_t count = 0;
+  for (const std::vector<Line>& lines : sections) count += lines.size();
+  EXPECT_GE(count, 80u);
+}
+
+TEST_P(BadInputsTable, GetTheirCodeAndMessageAndLeaveNothingBehind) {
+  const std::vector<Line> lines = table().at(static_cast<std::size_t>(GetParam()));
   const std::vector<std::string> before = folder.listing();
   const std::string there = "cd '" + (folder / "").string() + "' && timeout 30";
   for (const Line& line : lines) {
@@ -138,6 +150,8 @@ TEST_F(BadInputsTable, GetTheirCodeAndMessageAndLeaveNothingBehind) {
     EXPECT_EQ(folder.listing(), before);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Sections, BadInputsTable, ::testing::Range(1, kSections));
 
 }  // namespace
 }  // namespace blossom

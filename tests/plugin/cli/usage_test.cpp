@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "plugin/cli/values.h"
 #include "plugin/cli/verbosity.h"
 #include "tests/plugin/cli/program.h"
 
@@ -35,6 +36,48 @@ TEST_F(Verbose, NotesAreSilencedByQuietAndDetailsNeedVerbose) {
             "blossom: 2 edges were repaired\nblossom: edge 7: its tolerance is 1e-3\n");
 }
 
+TEST(Values, NumbersAreWrittenAsPeopleWriteThem) {
+  EXPECT_EQ(cli::number_text(1e-9), "1e-9");
+  EXPECT_EQ(cli::number_text(1e22), "1e22");
+  EXPECT_EQ(cli::number_text(0.25), "0.25");
+  EXPECT_EQ(cli::number_text(300), "300");
+  EXPECT_EQ(cli::number_text(cli::rounded(2.0 / 3)), "0.666667");
+}
+
+TEST(Values, TheNearestWordIsWithinAFewLetters) {
+  const std::vector<std::string> words = {"json", "tolerance", "help"};
+  EXPECT_EQ(cli::nearest_word("jsno", words), "json");
+  EXPECT_EQ(cli::nearest_word("tolernce", words), "tolerance");
+  EXPECT_EQ(cli::nearest_word("keep", words), "");
+}
+
+TEST(Help, OfACommandIsThatOfItsOption) {
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{}, {"intersect"}, {"query", "ray"}}) {
+    std::vector<std::string> asked = {"help"}, option = command;
+    asked.insert(asked.end(), command.begin(), command.end());
+    option.emplace_back("--help");
+    const Finished help = blossom(asked);
+    EXPECT_EQ(help.code, 0) << help.err;
+    EXPECT_NE(help.out, "");
+    EXPECT_EQ(help.out, blossom(option).out);
+  }
+}
+
+TEST(Summary, NamesPartsAndCountsOverlaps) {
+  const testing::TestFolder folder;
+  testing::write({testing::lid(0.25)}, folder / "a.step");
+  testing::write({testing::half_pipe(), testing::lid(0.25)}, folder / "b.step");
+  const Finished run = blossom({"intersect", folder / "a.step", (folder / "b.step").string() + "#2",
+                                "--fail-on", "findings"});
+  EXPECT_EQ(run.code, 5) << run.err;
+  EXPECT_NE(run.out.find(", 1 overlap of about 9 mm², "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("  face 1 (part 1) x face 2 (part 2): coinciding over an area near "
+                         "(0, 0, 0.25), 4.24264 across, gap 0 to "),
+            std::string::npos)
+      << run.out;
+}
+
 TEST(EveryCommand, IsSilentWithQuietAndTakesVerbose) {
   const testing::TestFolder folder;
   testing::write({testing::bowl()}, folder / "bowl.brep");
@@ -49,7 +92,7 @@ TEST(EveryCommand, IsSilentWithQuietAndTakesVerbose) {
       {"subdivide", a, "--levels", "1"},
       {"convert", a, "-o", folder / "out.brep"},
       {"query", "ray", a, "--from", "0,0,5", "--direction", "0,0,-1"},
-      {"query", "plane", a, "--point", "0,0,1", "--normal", "0,0,1"},
+      {"query", "plane", a, "--point", "0,0,0.5", "--normal", "0,0,1"},
       {"query", "distance", a, b},
       {"query", "does-intersect", a, b},
       {"query", "point", a, "--at", "0,0,5"}};
