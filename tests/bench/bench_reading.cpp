@@ -57,8 +57,8 @@ void tell(const std::filesystem::path& file) {
   CLI::App app;
   int code = 0;
   cli::add_info(app, code);
-  std::vector<std::string> words = {"/dev/null", "--json", file.string(), "info"};  // backwards
-  app.parse(words);
+  std::vector<std::string> words = {"/dev/null", "--json", "-q", file.string(), "info"};
+  app.parse(words);  // from the last one on
 }
 
 // The best of some runs; none if one did not end well.
