@@ -19,7 +19,9 @@
 #include <BRep_Tool.hxx>
 #include <BinTools.hxx>
 #include <BinTools_ShapeSet.hxx>
+#include <GeomTools_CurveSet.hxx>
 #include <GeomTools_SurfaceSet.hxx>
+#include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
@@ -248,6 +250,16 @@ std::string why_without_surface(const std::string& text) {
   if (is_binary_brep(text)) return {};
   const Listening listening;
   return refused_surface(text);
+}
+
+bool loses_curves(const std::string& text) {
+  if (is_binary_brep(text)) return false;
+  const Listening listening;
+  const Table table = table_of(text, "Curves");
+  std::istringstream in{std::string(table.rest)};
+  for (long i = 0; i < table.count && in; ++i)
+    if (GeomTools_CurveSet::ReadCurve(in).IsNull()) return true;
+  return false;
 }
 
 void read_brep(Reading& reading) {

@@ -145,6 +145,9 @@ TopoDS_Shape brep_shape(const std::string& bytes, ReadingReport& report);
 /// reads them all.
 std::string why_without_surface(const std::string& text);
 
+/// Whether a BREP text has curves whose numbers Open CASCADE refuses; edges have none instead.
+bool loses_curves(const std::string& text);
+
 /// Takes faces out of the document that have no surface, or whose surface, curves or points have
 /// numbers that are none, and lists them. Curves that a BREP text has and Open CASCADE does not
 /// read count among these.

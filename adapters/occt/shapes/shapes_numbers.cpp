@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,13 @@ namespace {
 struct Source {
   Format format;
   const std::string& text;
+  mutable std::optional<bool> lost_curves{};
+
+  /// Found out once, since the text has to be read again for it.
+  bool loses_curves() const {
+    if (!lost_curves) lost_curves = format == Format::Brep && occt::loses_curves(text);
+    return *lost_curves;
+  }
 };
 
 void check_tolerance(double tolerance) {
@@ -102,7 +110,11 @@ void check_edge(const TopoDS_Edge& edge, const Source& source) {
   TopLoc_Location location;
   double first = 0, last = 0;
   const Handle(Geom_Curve)& curve = BRep_Tool::Curve(edge, location, first, last);
-  if (curve.IsNull()) return;
+  if (curve.IsNull()) {
+    if (has_curve && source.loses_curves())
+      throw BadModel("the numbers of its curve make no curve");
+    return;
+  }
   check_numbers(*curve);
   check_finite({first, last, 0}, "its range");
 }
@@ -212,13 +224,14 @@ class BadShapes {
 
 void leave_out_bad_faces(const Document& document, Format format, const std::string& text,
                          ReadingReport& report) {
+  const Source source{format, text};
   const Handle(XCAFDoc_ShapeTool) shapes = document.shapes();
   TDF_LabelSequence labels;
   shapes->GetShapes(labels);
   for (const TDF_Label& label : labels) {
     if (!XCAFDoc_ShapeTool::IsSimpleShape(label)) continue;
     const TopoDS_Shape part = XCAFDoc_ShapeTool::GetShape(label);
-    const BadShapes bad(part, {format, text});
+    const BadShapes bad(part, source);
     if (bad.none()) continue;
     bad.list(name_of(label), report);
     bool left = bad.removals().empty() || replace_in_part(shapes, label, bad.removals());

@@ -141,6 +141,14 @@ void want_attributes(STEPCAFControl_Reader& reader) {
   reader.SetSHUOMode(true);  // styles of single instances
 }
 
+/// Names of faces are wanted, but Open CASCADE looks for them in all shells without asking what is
+/// there: beside damaged shapes they are given up, and the names of parts are kept.
+void name_faces(ReadingReport& report) {
+  const bool sound = report.grade() != ReadingGrade::ShapesLost;
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", sound ? 1 : 0);
+  if (!sound) report.add({"the names of faces", "they are not read beside damaged shapes"});
+}
+
 /// The unit of the file, "MM" if it has none.
 void find_unit(STEPControl_Reader& reader, Document& document) {
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
@@ -179,7 +187,6 @@ void read_step(Reading& reading) {
   STEPCAFControl_Reader reader;
   STEPControl_Reader& shapes = reader.ChangeReader();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
   want_attributes(reader);
   reading.begin("reading the entities");
   mend_step_text(reading.text, reading.report);
@@ -189,6 +196,8 @@ void read_step(Reading& reading) {
   const auto model = Handle(StepData_StepModel)::DownCast(shapes.Model());
   const StepOwners owners(*model, shapes.WS()->Graph());
   const auto left_out = leave_out_damage(owners, reading.report);
+
+  name_faces(reading.report);
 
   reading.begin("transferring the shapes");
   transfer_roots(shapes, reading.report);
