@@ -134,7 +134,7 @@ def main():
                 if fault:
                     findings[fault] += 1
                     line = said.strip().splitlines()[-1:] or [b""]
-                    print(f"{file.name}: {fault}: {line[0].decode(errors='replace')}")
+                    print(f"{file.name}: {fault}: {line[0].decode(errors='replace')}", flush=True)
                     if wanted.keep:
                         wanted.keep.mkdir(parents=True, exist_ok=True)
                         shutil.copy(file, wanted.keep)
