@@ -21,11 +21,11 @@ double reach_at(double angle) {
   return path_reach(across, kAlongX);
 }
 
-TEST(PathReach, IsOneWhereFacesGoOnSmoothly) { EXPECT_NEAR(reach_at(0), 1, 1e-9); }
+TEST(PathReach, IsOneWhereFacesGoOnSmoothly) { EXPECT_NEAR(reach_at(0), 1, 2e-5); }
 
 TEST(PathReach, IsThatOfTheBisectorAcrossACrease) {
   for (const double angle : {0.5, 1.0, std::numbers::pi / 2, 2.5})
-    EXPECT_NEAR(reach_at(angle), 1 / std::cos(angle / 2), 1e-9) << angle;
+    EXPECT_NEAR(reach_at(angle), 1 / std::cos(angle / 2), 2e-5) << angle;
 }
 
 TEST(PathReach, IsInfiniteWhereAFaceFoldsBackOnTheOther) {
@@ -34,7 +34,7 @@ TEST(PathReach, IsInfiniteWhereAFaceFoldsBackOnTheOther) {
 
 TEST(PathReach, DoesNotGrowWithStepsThatAreAskewToTheEdge) {
   const std::array across{exactly({1, 1, 0}), exactly({-1, 1, 0})};
-  EXPECT_NEAR(path_reach(across, kAlongX), 1, 1e-9);
+  EXPECT_NEAR(path_reach(across, kAlongX), 1, 2e-5);
 }
 
 TEST(PathReach, IsInfiniteWhereAStepMayRunAlongTheEdge) {
