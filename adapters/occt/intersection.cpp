@@ -33,20 +33,31 @@ constexpr double kSmoothAngle = 0.05;  // radians: so flat an edge is taken for 
 constexpr double kExact = 1e-9;        // of the size: borders as near as this agree
 constexpr double kEdgeReach = 4;       // of a shared edge's tolerance: what is so near is the edge
 constexpr double kEdgeStrip = 2e-3;    // of the faces' size: so near, smooth faces are one
-constexpr double kEdgeSag = 1e-4;      // of a shared edge's length, for the chords of its samples
+constexpr int kNewtonSteps = 8;        // to the nearest point of a shared edge
 constexpr const char* kNoTime = "the limit was reached before these faces were searched";
 
 // --- edges that two faces share
 
-double distance_to(const std::vector<SurfacePoint>& polygon, const Vec3& p) {
-  double least = 1e300;
-  for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
-    const Vec3 from = polygon[i].point, step = polygon[i + 1].point - from;
+// From the nearest chord between its samples on by Newton's method.
+double distance_to(const IntersectionCurve& edge, const Vec3& p) {
+  double least = 1e300, nearest = 0;
+  for (std::size_t i = 0; i + 1 < edge.samples.size(); ++i) {
+    const Vec3 from = edge.samples[i].point, step = edge.samples[i + 1].point - from;
     const double square = dot(step, step);
     const double t = square > 0 ? std::clamp(dot(p - from, step) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, distance(p, from + step * t));
+    const double gap = distance(p, from + step * t);
+    if (gap >= least) continue;
+    least = gap;
+    nearest = at(Interval{edge.sample_parameters[i], edge.sample_parameters[i + 1]}, t);
   }
-  return least;
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const Vec3 along = derivative_at(edge.curve, nearest);
+    const double square = dot(along, along);
+    if (square > 0)
+      nearest = std::clamp(nearest + dot(p - point_at(edge.curve, nearest), along) / square,
+                           edge.curve.knots.front(), edge.curve.knots.back());
+  }
+  return distance(p, point_at(edge.curve, nearest));
 }
 
 // Where the faces go on smoothly, or their borders agree only roughly, nothing beside the edge can
@@ -63,9 +74,7 @@ void drop_along_edges(SurfaceIntersection& found, std::vector<Touch>& touches,
                       const std::vector<SharedEdge>& edges, double tolerance) {
   const auto along_edge = [&](const Vec3& p) {
     return std::any_of(edges.begin(), edges.end(), [&](const SharedEdge& edge) {
-      const double reach =
-          kEdgeReach * std::max(edge.tolerance, tolerance) + kEdgeSag * edge.curve.length;
-      return distance_to(edge.curve.samples, p) <= reach;
+      return distance_to(edge.curve, p) <= kEdgeReach * std::max(edge.tolerance, tolerance);
     });
   };
   std::erase_if(found.curves, [&](const IntersectionCurve& curve) {
