@@ -34,6 +34,7 @@ constexpr double kExact = 1e-9;        // of the size: borders as near as this a
 constexpr double kEdgeReach = 4;       // of a shared edge's tolerance: what is so near is the edge
 constexpr double kEdgeStrip = 2e-3;    // of the faces' size: so near, smooth faces are one
 constexpr int kNewtonSteps = 8;        // to the nearest point of a shared edge
+constexpr double kBeyondBox = 1e-2;    // of the faces' size: what a line goes on past their box
 constexpr const char* kNoTime = "the limit was reached before these faces were searched";
 
 // --- edges that two faces share
@@ -279,7 +280,8 @@ class PairIntersector {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     if (&a == &b) return self_intersect(a.surface, options_for(a, b, edges));
     auto line = crossing_of_planes(BRep_Tool::Surface(faces_a_.face(i)),
-                                   BRep_Tool::Surface(faces_b_.face(j)), common_box(a, b));
+                                   BRep_Tool::Surface(faces_b_.face(j)), common_box(a, b),
+                                   kBeyondBox * std::max(diagonal(a.box), diagonal(b.box)));
     return line ? *std::move(line) : found_between(i, j, edges);
   }
 

@@ -23,7 +23,6 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kLeastSine = 1e-4;    // of planes that cross: the line is known to 1e4 roundings
-constexpr double kBeyond = 1e-2;       // of the box, on either end of a line
 constexpr double kRounding = 0x1p-48;  // of the coordinates
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
@@ -129,7 +128,7 @@ std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface) {
 
 std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface) & a,
                                                       const Handle(Geom_Surface) & b,
-                                                      const Box& box) {
+                                                      const Box& box, double beyond) {
   const auto plane_a = Handle(Geom_Plane)::DownCast(basis_of(a));
   const auto plane_b = Handle(Geom_Plane)::DownCast(basis_of(b));
   if (plane_a.IsNull() || plane_b.IsNull()) return {};
@@ -150,7 +149,6 @@ std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface)
   found.certificate.certified = range.from <= range.to ? 1 : 0;
   found.certificate.excluded = 1 - found.certificate.certified;
   if (!(range.from <= range.to)) return found;
-  const double beyond = kBeyond * distance(box.low, box.high);
   const double coordinate = std::max(max_norm(box.low), max_norm(box.high));
   found.curves.push_back(line_curve(plane_a->Pln(), plane_b->Pln(), start, direction,
                                     {range.from - beyond, range.to + beyond},

@@ -18,15 +18,15 @@ namespace blossom::occt {
 /// and surfaces of revolution and of extrusion that it knows as such. Nothing for others.
 std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface);
 
-/// The line in which two planes cross, over a little more than a box. A direction across it in
-/// either chart is parallel to an axis or not; the parameter is arc length.
+/// The line in which two planes cross, as far as a box holds it and a little more on either end.
 ///
 /// a, b      Geom_Plane, or trimmed ones
 /// box       holds what the faces may have in common
+/// beyond    the length on either end, model units: it should not be short beside the faces
 /// returns   nothing if the sine of the angle between the planes is below 1e-4 or the surfaces are
 ///           not both planes; a result without a curve if the line misses the box
 std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface) & a,
                                                       const Handle(Geom_Surface) & b,
-                                                      const Box& box);
+                                                      const Box& box, double beyond);
 
 }  // namespace blossom::occt

@@ -115,6 +115,17 @@ INSTANTIATE_TEST_SUITE_P(Solids, ExactContacts,
                                   (std::get<1>(of.param) ? "Placed" : "");
                          });
 
+// Lines in which sides of boxes cross are as long as the sides, even if all they share is a corner.
+TEST(FacesOfBoxesInContact, AreDecidedExactlyWithoutGoingBeyondTheirTrims) {
+  for (const Contact& contact : contacts()) {
+    if (contact.name.find("Rod") != std::string::npos) continue;
+    const ShapeIntersection found =
+        intersect(trim_tool(contact.a).faces, trim_tool(contact.b).faces);
+    EXPECT_EQ(found.status, Status::Complete) << contact.name;
+    EXPECT_FALSE(found.pairs.empty()) << contact.name;
+  }
+}
+
 // --- beside the rule
 
 Status status_of_boxes(double off, double tilt = 0) {
