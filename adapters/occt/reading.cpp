@@ -2,6 +2,7 @@
 #include "adapters/occt/reading.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 
 namespace blossom::occt {
@@ -39,7 +40,10 @@ const char* to_string(ReadingGrade grade) {
 }
 
 std::string Loss::text() const {
-  std::string text = count == 1 ? what : std::to_string(count) + " times " + what;
+  // Words are counted as words, names of a format as what they are.
+  const bool word = std::islower(static_cast<unsigned char>(what.front())) != 0;
+  std::string text = what;
+  if (count > 1) text = std::to_string(count) + " " + what + (word ? "s" : " entities");
   std::string places = listed(which);
   if (count > static_cast<int>(which.size()) && !which.empty()) places += ", ...";
   if (!belongs_to.empty()) places += (places.empty() ? "of " : " of ") + listed(belongs_to);

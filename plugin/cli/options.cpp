@@ -139,9 +139,8 @@ void add_common_options(CLI::App& command, CommonOptions& options, const std::st
 }
 
 void add_fail_on(CLI::App& command, CommonOptions& options) {
-  command.add_option("--fail-on", options.fail_on, "exit with code 5 if there are 'findings'")
-      ->check(one_of({kFindings}))
-      ->type_name("WHAT");
+  limit_to(*command.add_option("--fail-on", options.fail_on, "exit with code 5 if there are any"),
+           {kFindings});
 }
 
 void add_engine_options(CLI::App& command, EngineOptions& options) {
@@ -149,12 +148,10 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
       ->check(positive_number())
       ->type_name("T")
       ->default_str(number_text(options.tolerance));
-  command
-      .add_option("--form", options.form,
-                  "form that control nets of cells are made from: auto, bezier, monomial")
-      ->check(one_of(form_words()))
-      ->type_name("FORM")
-      ->capture_default_str();
+  limit_to(
+      *command.add_option("--form", options.form, "form that control nets of cells are made from")
+           ->capture_default_str(),
+      form_words());
   command.add_option("--budget", options.budget, "stop after so many pairs of cells")
       ->check(whole_number(1, 1'000'000'000'000))
       ->type_name("N")

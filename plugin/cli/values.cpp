@@ -82,10 +82,12 @@ CLI::Validator whole_number(long from, long to) {
                 });
 }
 
-CLI::Validator one_of(const std::vector<std::string>& words) {
-  return taking(listed(words), [words](const std::string& text) {
+void limit_to(CLI::Option& option, const std::vector<std::string>& words) {
+  std::string braced;
+  for (const std::string& word : words) braced += (braced.empty() ? "{" : ",") + word;
+  option.type_name(braced + "}")->check(taking(listed(words), [words](const std::string& text) {
     return std::ranges::find(words, text) != words.end();
-  });
+  }));
 }
 
 std::string listed(const std::vector<std::string>& words, const std::string& last) {

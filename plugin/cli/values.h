@@ -20,7 +20,8 @@ CLI::Validator finite_number();
 
 CLI::Validator whole_number(long from, long to);
 
-CLI::Validator one_of(const std::vector<std::string>& words);
+/// Limits an option to some words, which its help shows as "{cut,common,split}".
+void limit_to(CLI::Option& option, const std::vector<std::string>& words);
 
 /// "cut, common or split".
 std::string listed(const std::vector<std::string>& words, const std::string& last = "or");

@@ -266,8 +266,8 @@ void read_brep(Reading& reading) {
   reading.begin("reading the shapes");
   mend_line_ends(reading.text);
   const TopoDS_Shape shape = brep_shape(reading.text, reading.report);
-  if (shape.IsNull()) throw BadModel("holds no shape");
-  reading.document.shapes()->SetShape(reading.document.shapes()->NewShape(), shape);
+  if (!shape.IsNull())
+    reading.document.shapes()->SetShape(reading.document.shapes()->NewShape(), shape);
 }
 
 }  // namespace blossom::occt

@@ -160,11 +160,8 @@ void add_strip(CLI::App& blend, int& exit_code) {
   command->add_option("b", options->b, "likewise")->required()->type_name("B");
   for (const auto& [name, edge] :
        {std::pair{"--edge-a", &options->edge_a}, {"--edge-b", &options->edge_b}})
-    command
-        ->add_option(name, *edge,
-                     "border of the face: umin, umax, vmin or vmax; the nearest when not given")
-        ->check(one_of({"umin", "umax", "vmin", "vmax"}))
-        ->type_name("SIDE");
+    limit_to(*command->add_option(name, *edge, "border of the face; the nearest when not given"),
+             {"umin", "umax", "vmin", "vmax"});
   for (const auto& [name, weight] :
        {std::pair{"--weight-a", &options->weight_a}, {"--weight-b", &options->weight_b}})
     command->add_option(name, *weight, "how far the face's tangents reach into the strip")

@@ -218,13 +218,10 @@ void add_convert(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", options->common.output, "write .step, .brep, .iges or .json")
       ->required()
       ->type_name("FILE");
-  command
-      ->add_option(
-          "--to", options->to,
-          "every surface in this form: bezier and triangles follow the trims, monomial leaves "
-          "them out")
-      ->check(one_of({"bezier", "monomial", "triangles"}))
-      ->type_name("FORM");
+  limit_to(*command->add_option("--to", options->to,
+                                "every surface in this form: bezier and triangles follow the "
+                                "trims, monomial leaves them out"),
+           {"bezier", "monomial", "triangles"});
   command
       ->add_option("--tolerance", options->tolerance,
                    "how far pieces may end from trims that they cannot follow exactly, model units")

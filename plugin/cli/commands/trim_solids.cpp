@@ -260,7 +260,8 @@ occt::Model plane_model(const occt::Plane& plane, const occt::Model& part,
   return model;
 }
 
-// Where the faces of a solid come from, those of the part first.
+// Where the faces of a solid come from, those of the part first. Faces that two solids have in
+// common stand twice among those of the result.
 std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
                                          const occt::SolidTrimResult& made, const occt::Model& part,
                                          const Models& tools) {
@@ -268,7 +269,7 @@ std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
   TopExp::MapShapes(solid, TopAbs_FACE, faces);
   std::vector<occt::FaceOrigin> origins;
   for (const occt::SolidFace& face : made.faces)
-    if (faces.Contains(face.face))
+    if (faces.RemoveKey(face.face))
       origins.push_back({face.face,
                          face.tool < 0 ? &part : &tools[static_cast<std::size_t>(face.tool)],
                          face.from + 1});

@@ -155,10 +155,9 @@ TEST_F(BadShapes, SolidsInsideOutAreRefused) {
 
 TEST_F(BadShapes, MissingParameterCurvesAreMadeAndTold) {
   write(face_without_parameter_curves(), "tube.brep");
-  const std::string told =
-      "tube.brep: 4 edges have no curve in the parameters of their face; 4 are";
+  const std::string told = "tube.brep: 4 missing parameter curves made";
   const Finished cut = blossom({"trim", folder / "tube.brep", folder / "ball.brep", "--keep",
-                                "outside", "-o", folder / "cut.step", "--quiet"});
+                                "outside", "-o", folder / "cut.step"});
   EXPECT_TRUE(cut.code == 0 || cut.code == 3) << cut.code << cut.err;
   EXPECT_NE(cut.err.find(told), std::string::npos) << cut.err;
   const Finished copy = blossom({"convert", folder / "tube.brep", "-o", folder / "tube.step"});

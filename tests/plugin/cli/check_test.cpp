@@ -148,7 +148,7 @@ TEST(CheckCommand, RefusesWhatIsNoModel) {
   testing::write_text(folder / "words.brep", "no model at all\n");
   const Finished run = blossom({"check", folder / "words.brep"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("is no BREP text file"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("is no BREP file"), std::string::npos) << run.err;
   EXPECT_EQ(blossom({"check", folder / "nowhere.step"}).code, 2);
   testing::write({testing::bowl()}, folder / "bowl.brep");
   EXPECT_EQ(blossom({"check", (folder / "bowl.brep").string() + "#2"}).code, 2);

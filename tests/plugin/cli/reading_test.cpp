@@ -23,7 +23,7 @@ class Reading : public ::testing::Test {
  protected:
   Reading() {
     testing::write({testing::bowl(), testing::lid(0.25)}, folder / "whole.step");
-    testing::write({testing::half_pipe()}, folder / "pipe.brep");
+    testing::write({testing::lid(-1)}, folder / "floor.brep");
     std::string text = testing::text_of(folder / "whole.step");
     testing::write_text(folder / "end.step", text.substr(0, text.rfind("END-ISO")));
     // One corner of the second face is a point in a plane.
@@ -74,9 +74,11 @@ TEST_F(Reading, LossesOfShapeLowerTheStatusAndAreRefusedByStrict) {
 }
 
 TEST_F(Reading, NoStatusIsBetterThanToleranceThen) {
-  const std::string pipe = folder / "pipe.brep";
-  const Finished whole = blossom({"query", "distance", folder / "whole.step", pipe, "--json", "-"});
-  const Finished lost = blossom({"query", "distance", folder / "corner.step", pipe, "--json", "-"});
+  const std::string floor = folder / "floor.brep";
+  const Finished whole =
+      blossom({"query", "distance", folder / "whole.step", floor, "--json", "-"});
+  const Finished lost =
+      blossom({"query", "distance", folder / "corner.step", floor, "--json", "-"});
   EXPECT_EQ(json::parse(whole.out)["status"], "complete");
   EXPECT_EQ(json::parse(lost.out)["status"], "tolerance");
   EXPECT_EQ(whole.code, 0) << whole.err;
