@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include "core/base/parallel.h"
@@ -471,8 +472,10 @@ class Assembly {
 
   void note_approximations() {
     const double error = std::max(a_.error, b_.error);
-    if (error > 0)
-      weaken(Status::Tolerance, "a surface is an approximation within " + std::to_string(error));
+    if (!(error > 0)) return;
+    std::ostringstream text;
+    text << "a surface is an approximation within " << error;
+    weaken(Status::Tolerance, text.str());
   }
 
   const BezierSurface& a_;

@@ -7,6 +7,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 
 #include "adapters/occt/soundness.h"
+#include "plugin/cli/reading.h"
+#include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
 namespace {
@@ -34,9 +36,21 @@ int count(const TopoDS_Face& face, TopAbs_ShapeEnum kind) {
   return map.Extent();
 }
 
+// Open CASCADE's check takes for ever with some curves.
+std::vector<std::string> problems_of(const TopoDS_Face& face, int number,
+                                     const std::filesystem::path& file) {
+  const std::string step = "checking face " + std::to_string(number) + " of " + file.string();
+  if (has_failed(step)) return {"Open CASCADE's check of it crashes or never ends"};
+  enter(Phase::Optional, file.string(), step);
+  allow_processor_time(reading_allowance(file));
+  std::vector<std::string> problems = occt::face_problems(face);
+  enter(Phase::Working, "looking at the faces of " + file.string());
+  return problems;
+}
+
 }  // namespace
 
-FaceFacts face_facts(const TopoDS_Face& face, int number) {
+FaceFacts face_facts(const TopoDS_Face& face, int number, const std::filesystem::path& file) {
   FaceFacts facts;
   facts.number = number;
   facts.wires = count(face, TopAbs_WIRE);
@@ -59,7 +73,7 @@ FaceFacts face_facts(const TopoDS_Face& face, int number) {
   }
   facts.periodic_u = surface.IsUPeriodic();
   facts.periodic_v = surface.IsVPeriodic();
-  facts.problems = occt::face_problems(face);
+  facts.problems = problems_of(face, number, file);
   return facts;
 }
 

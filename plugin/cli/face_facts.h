@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct FaceFacts {
   std::vector<std::string> problems;  ///< empty when the face is valid
 };
 
-/// Looks at a face and checks it.
-FaceFacts face_facts(const TopoDS_Face& face, int number);
+/// Looks at a face and checks it, as an optional step (see supervision.h).
+/// file   that it is of, for messages
+FaceFacts face_facts(const TopoDS_Face& face, int number, const std::filesystem::path& file);
 
 }  // namespace blossom::cli

@@ -31,14 +31,6 @@ Json loss_json(const occt::Loss& loss) {
           {"which", loss.which}, {"belongs_to", loss.belongs_to}, {"of_shape", loss.of_shape}};
 }
 
-/// Processor seconds that Open CASCADE may take for a file. Sound ones take less than 5e-6 s a
-/// byte; small ones may hold a shape that takes long to repair.
-double reading_allowance(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  return error ? 1.5 : 1.5 + 5e-5 * static_cast<double>(bytes);
-}
-
 void tell(const std::filesystem::path& file, const occt::ReadingReport& report) {
   if (report.losses.empty()) return;
   const bool more = report.losses.size() > 1 && verbosity() != Verbosity::Verbose;
@@ -54,14 +46,23 @@ ReadingPolicy& reading_policy() {
   return policy;
 }
 
+double reading_allowance(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
+  const std::string ending = file.extension().string();
+  const bool packed =
+      ending.ends_with('z') || ending.ends_with('Z') || ending == ".zip" || ending == ".ZIP";
+  return error ? 1 : 1 + (packed ? 1.5e-4 : 1.5e-5) * bytes;
+}
+
 occt::Model read_told(const std::filesystem::path& file) {
   const std::string name = file.string();
   enter(Phase::Reading, name);
-  allow_reading(reading_allowance(file));
-  occt::ReadOptions options{.names = !names_crashed(name)};
+  allow_processor_time(reading_allowance(file));
+  occt::ReadOptions options{.names = !has_failed(occt::kReadingNames + (" of " + name))};
   options.step = [&name](const char* step) {
     const bool names = std::string_view(step).starts_with(occt::kReadingNames);
-    enter(names ? Phase::ReadingNames : Phase::Reading, name, step);
+    enter(names ? Phase::Optional : Phase::Reading, name, step);
   };
   occt::Model model = occt::read_model(file, options);
   enter(Phase::Working, "working on " + name);

@@ -33,8 +33,8 @@ constexpr timespec kTick{0, 20 * 1000 * 1000};  // between two looks at the work
 
 /// What the work tells its parent, in memory of both.
 struct Board {
-  std::atomic<double> time_limit{0};     // seconds from the start; 0 for none
-  std::atomic<double> reading_limit{0};  // processor seconds of the child; 0 for none
+  std::atomic<double> time_limit{0};       // seconds from the start; 0 for none
+  std::atomic<double> processor_limit{0};  // processor seconds of the child; 0 for none
   std::atomic<Phase> phase{Phase::Starting};
   // Read after the end of the child only.
   char subject[4096] = "";
@@ -44,7 +44,7 @@ static_assert(std::atomic<double>::is_always_lock_free && std::atomic<Phase>::is
 
 Clock::time_point started = Clock::now();
 Board* board = nullptr;
-std::set<std::string> nameless;  // files whose names crashed; known to children made later
+std::set<std::string> failed;  // optional steps; known to children made later
 
 double now() { return std::chrono::duration<double>(Clock::now() - started).count(); }
 
@@ -118,7 +118,7 @@ class Watch {
   }
 
   /// Waits for the end of the child and says what was not as it should be.
-  /// returns  the exit code; nothing if the work is to begin again without names
+  /// returns  the exit code; nothing if the work is to begin again without an optional step
   std::optional<int> finish(const sigset_t& signals) {
     int status = 0;
     while (waitpid(child_, &status, WNOHANG) != child_) {
@@ -128,11 +128,14 @@ class Watch {
       if (!killed_for_ && (killed_for_ = overdue())) kill(child_, SIGKILL);
     }
     if (WIFEXITED(status)) return WEXITSTATUS(status);
+    const bool wanted = killed_for_ && *killed_for_ != Reason::ProcessorLimit;
+    if (board->phase == Phase::Optional && !wanted && failed.insert(doing()).second)
+      return std::nullopt;
     return killed_for_ ? ended_late(*killed_for_) : crashed(WTERMSIG(status));
   }
 
  private:
-  enum class Reason { Asked, TimeLimit, ReadingLimit };
+  enum class Reason { Asked, TimeLimit, ProcessorLimit };
 
   /// A terminal sends its signals to the child, too; others reach only the parent.
   void ask(const siginfo_t& told) {
@@ -143,11 +146,12 @@ class Watch {
   std::optional<Reason> overdue() const {
     if (asked_ && now() > *asked_ + kGrace) return Reason::Asked;
     const Phase phase = board->phase;
-    const bool reading = phase == Phase::Reading || phase == Phase::ReadingNames;
-    const double limit = board->time_limit, reading_limit = board->reading_limit;
+    const bool bounded = phase == Phase::Reading || phase == Phase::Optional;
+    const double limit = board->time_limit, processor_limit = board->processor_limit;
     if (limit > 0 && phase != Phase::Writing && now() > limit + kGrace) return Reason::TimeLimit;
-    if (reading && !(limit > 0) && reading_limit > 0 && processor_seconds(clock_) > reading_limit)
-      return Reason::ReadingLimit;
+    if (bounded && !(limit > 0) && processor_limit > 0 &&
+        processor_seconds(clock_) > processor_limit)
+      return Reason::ProcessorLimit;
     return std::nullopt;
   }
 
@@ -171,9 +175,9 @@ int Watch::ended_late(Reason reason) const {
            << ", nothing was written";
       say(text.str());
       return kExitStopped;
-    case Reason::ReadingLimit: break;
+    case Reason::ProcessorLimit: break;
   }
-  text << board->subject << ": reading it takes more than " << board->reading_limit
+  text << board->subject << ": reading it takes more than " << board->processor_limit
        << " s of processor time, which no sound file of its size does; --time-limit allows more";
   say(text.str());
   return kExitBadInput;
@@ -185,8 +189,7 @@ std::optional<int> Watch::crashed(int signal) const {
     raise(SIGPIPE);
   }
   const Phase phase = board->phase;
-  if (phase == Phase::ReadingNames && nameless.insert(board->subject).second) return std::nullopt;
-  if (phase == Phase::Reading || phase == Phase::ReadingNames) {
+  if (phase == Phase::Reading) {
     say(board->subject + (": cannot be read: Open CASCADE crashes while " + doing() + " (" +
                           name_of_signal(signal) + ")"));
     return kExitBadInput;
@@ -244,8 +247,8 @@ std::string doing() {
   const std::string subject = board->subject;
   switch (board->phase.load()) {
     case Phase::Starting: return "starting";
-    case Phase::Reading:
-    case Phase::ReadingNames: return "reading " + subject;
+    case Phase::Reading: return "reading " + subject;
+    case Phase::Optional: break;
     case Phase::Writing: return "writing " + subject;
     case Phase::Working: break;
   }
@@ -261,11 +264,11 @@ double seconds_left() {
   return std::max(1e-6, board->time_limit - now());
 }
 
-void allow_reading(double seconds) {
+void allow_processor_time(double seconds) {
   if (board != nullptr)
-    board->reading_limit = processor_seconds(CLOCK_PROCESS_CPUTIME_ID) + seconds;
+    board->processor_limit = processor_seconds(CLOCK_PROCESS_CPUTIME_ID) + seconds;
 }
 
-bool names_crashed(const std::string& file) { return nameless.contains(file); }
+bool has_failed(const std::string& step) { return failed.contains(step); }
 
 }  // namespace blossom::cli

@@ -16,8 +16,8 @@ namespace blossom::cli {
 /// What the work is at, which decides how its end is told and how long it may still take.
 enum class Phase {
   Starting,
-  Reading,       ///< an input; a crash is the file's fault
-  ReadingNames,  ///< of an input; after a crash the work begins again without them
+  Reading,   ///< an input; a crash is the file's fault
+  Optional,  ///< what can be done without: after a crash the work begins again and leaves it out
   Working,
   Writing,  ///< an output; finishes it after the time limit
 };
@@ -46,11 +46,11 @@ void set_time_limit(double seconds);
 /// Seconds of the time limit that are left, at least a microsecond; 0 if there is no limit.
 double seconds_left();
 
-/// In reading: more processor time than that, in seconds from now, is taken for a reader that never
-/// ends. Without effect if the user gave a time limit.
-void allow_reading(double seconds);
+/// In reading and in what is optional: more processor time than that, in seconds from now, is taken
+/// for work that never ends. Without effect if the user gave a time limit.
+void allow_processor_time(double seconds);
 
-/// Whether reading names and colours of a file has crashed before.
-bool names_crashed(const std::string& file);
+/// Whether an optional step has crashed or did not end, by what `doing` said then.
+bool has_failed(const std::string& step);
 
 }  // namespace blossom::cli

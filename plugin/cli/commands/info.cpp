@@ -29,10 +29,16 @@
 namespace blossom::cli {
 namespace {
 
-constexpr std::array kCounted = {std::pair{TopAbs_SOLID, "solids"},
-                                 std::pair{TopAbs_SHELL, "shells"}, std::pair{TopAbs_FACE, "faces"},
-                                 std::pair{TopAbs_EDGE, "edges"},
-                                 std::pair{TopAbs_VERTEX, "vertices"}};
+struct Counted {
+  TopAbs_ShapeEnum kind;
+  const char* one;
+  const char* many;
+};
+
+constexpr std::array kCounted = {
+    Counted{TopAbs_SOLID, "solid", "solids"}, Counted{TopAbs_SHELL, "shell", "shells"},
+    Counted{TopAbs_FACE, "face", "faces"}, Counted{TopAbs_EDGE, "edge", "edges"},
+    Counted{TopAbs_VERTEX, "vertex", "vertices"}};
 
 constexpr double kUsualPrecision = 1e-7;  // of a box, model units: what is not told
 
@@ -57,7 +63,7 @@ ModelFacts model_facts(const Input& input) {
   const std::vector<std::string> names = input.model.face_names();
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
     stop_if_interrupted();
-    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i]));
+    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], input.model.file()));
     FaceFacts& face = facts.faces.back();
     face.name = names[static_cast<std::size_t>(face.number - 1)];
     ++facts.surfaces[face.surface];
@@ -98,7 +104,8 @@ Json info_json(const Input& input, const ModelFacts& facts) {
                {"file", input.name},
                {"unit", "mm"},
                {"file_unit", input.model.file_unit()}};
-  for (const auto& [kind, word] : kCounted) json["counts"][word] = count(input.model.shape(), kind);
+  for (const auto& [kind, one, many] : kCounted)
+    json["counts"][many] = count(input.model.shape(), kind);
   json["surfaces"] = facts.surfaces;
   json["box"] = nullptr;
   if (facts.box) {
@@ -137,8 +144,10 @@ std::string corner_text(const Vec3& corner) {
 std::string info_text(const Input& input, const ModelFacts& facts) {
   std::ostringstream text;
   text << input.name << "\n ";
-  for (const auto& [kind, word] : kCounted)
-    text << " " << count(input.model.shape(), kind) << " " << word;
+  for (const auto& [kind, one, many] : kCounted) {
+    const int number = count(input.model.shape(), kind);
+    text << " " << number << " " << (number == 1 ? one : many);
+  }
   text << "\n  surfaces:";
   for (const auto& [word, number] : facts.surfaces) text << " " << number << " " << word;
   if (facts.box)

@@ -43,7 +43,8 @@ Json head(const char* kind, const Options& options, Status status, double second
 std::string bounds_text(double lower, double upper) {
   std::ostringstream text;
   text.precision(12);
-  text << "distance " << upper << ", proven to be at least " << lower;
+  text << "distance " << upper;
+  if (lower < upper) text << ", proven to be at least " << lower;
   return text.str();
 }
 

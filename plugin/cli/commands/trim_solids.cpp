@@ -216,12 +216,14 @@ Json report_of(const SolidTrim& options, const Timed& timed, const Json& repairs
 }
 
 // Of the inputs and the result, and how well those of all steps add up.
-std::string told_volumes(const occt::SolidTrimResult& made) {
+std::string told_volumes(const SolidTrim& options, const occt::SolidTrimResult& made) {
   const auto number = [](double value) { return number_text(rounded(value)); };
   std::ostringstream text;
-  if (made.obstacles.empty())
-    text << "  volumes: part " << number(made.total.part) << ", tools " << number(made.total.tools)
-         << ", result " << number(made.total.result) << " mm³\n";
+  if (made.obstacles.empty()) {
+    text << "  volumes: part " << number(made.total.part);
+    if (!options.tools.empty()) text << ", tools " << number(made.total.tools);
+    text << ", result " << number(made.total.result) << " mm³\n";
+  }
   double cut = 0, fuse = 0;
   std::size_t count = 0;
   for (const occt::SolidVolumes& step : made.volumes) {
@@ -242,13 +244,15 @@ std::string summary(const SolidTrim& options, const Timed& timed) {
   std::ostringstream text;
   text << options.part << ": " << options.operation << ", " << to_string(stated(timed.made.status))
        << ", " << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
-  text << told_volumes(timed.made);
+  text << told_volumes(options, timed.made);
   if (timed.watertight) text << summary_of(*timed.watertight);
   for (const std::string& wrong : timed.made.tolerances) text << "  " << wrong << "\n";
   for (const std::string& thin : timed.made.thin) text << "  " << thin << "\n";
   for (const std::string& invalid : timed.invalid) text << "  " << invalid << "\n";
   for (const std::string& idle : timed.idle) text << "  " << idle << "\n";
   for (const std::string& obstacle : timed.made.obstacles) text << "  " << obstacle << "\n";
+  if (timed.made.status != Status::Complete)
+    for (const std::string& reason : timed.made.certificate.reasons) text << "  " << reason << "\n";
   return text.str();
 }
 

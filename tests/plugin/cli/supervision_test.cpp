@@ -72,21 +72,34 @@ TEST(Supervision, CrashElsewhereIsAFailure) {
       "please report it with the command and its inputs\n");
 }
 
-TEST(Supervision, CrashInNamesReadsTheFileWithoutThem) {
+TEST(Supervision, CrashInAnOptionalStepBeginsAgainWithoutIt) {
   const Ended end = ended([] {
-    enter(Phase::ReadingNames, "named.step");
-    return names_crashed("named.step") ? 0 : raise(SIGSEGV);
+    enter(Phase::Optional, "named.step", "reading names of named.step");
+    return has_failed("reading names of named.step") ? 0 : raise(SIGSEGV);
   });
   EXPECT_EQ(end.code, 0);
   EXPECT_EQ(end.said, "");
 }
 
-TEST(Supervision, CrashInNamesAgainEnds) {
+TEST(Supervision, OptionalStepThatNeverEndsIsLeftOut) {
   const Ended end = ended([] {
-    enter(Phase::ReadingNames, "worse.step");
+    enter(Phase::Optional, "loop.step", "checking face 1 of loop.step");
+    if (has_failed("checking face 1 of loop.step")) return 0;
+    allow_processor_time(0.2);
+    while (!interrupted()) {
+    }
+    return 1;
+  });
+  EXPECT_EQ(end.code, 0);
+  EXPECT_EQ(end.said, "");
+}
+
+TEST(Supervision, CrashInAnOptionalStepAgainEnds) {
+  const Ended end = ended([] {
+    enter(Phase::Optional, "worse.step", "reading names of worse.step");
     return raise(SIGSEGV);
   });
-  EXPECT_EQ(end.code, 2);
+  EXPECT_EQ(end.code, 1);
 }
 
 TEST(Supervision, WorkThatDoesNotLookAtTheTimeLimitIsEnded) {
@@ -116,7 +129,7 @@ TEST(Supervision, WritingIsFinishedAfterTheTimeLimit) {
 TEST(Supervision, ReaderThatNeverEndsIsEnded) {
   const Ended end = ended([] {
     enter(Phase::Reading, "loop.brep");
-    allow_reading(0.2);
+    allow_processor_time(0.2);
     while (!interrupted()) {
     }
     return 0;
@@ -130,7 +143,7 @@ TEST(Supervision, TimeLimitOfTheUserGoesBeforeThatOfReading) {
   const Ended end = ended([] {
     set_time_limit(60);
     enter(Phase::Reading, "slow.brep");
-    allow_reading(0.01);
+    allow_processor_time(0.01);
     const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
     while (std::chrono::steady_clock::now() < until) {
     }
