@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 #include <CLI/App.hpp>
@@ -59,6 +60,10 @@ int run_guarded(int argc, char** argv) {
     return failed(error, kExitBadInput);
   } catch (const std::bad_alloc&) {
     std::cerr << "blossom: there is not enough memory for " << doing() << '\n';
+    return kExitFailure;
+  } catch (const std::logic_error& error) {
+    std::cerr << "blossom: internal error while " << doing() << ": " << error.what()
+              << "; please report it with the command and its inputs\n";
     return kExitFailure;
   } catch (const std::exception& error) {
     return failed(error, kExitFailure);

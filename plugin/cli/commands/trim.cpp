@@ -185,13 +185,13 @@ std::size_t kept_count(const occt::TrimResult& made) {
   return count;
 }
 
-std::string summary(const Inputs& inputs, const Timed& timed) {
+// labels   of the faces as the part had them when it was read
+std::string summary(const Inputs& inputs, const FaceLabels& labels, const Timed& timed) {
   std::ostringstream text;
   text << inputs.part.name << ": " << to_string(stated(timed.made.status)) << ", "
        << counted(timed.made.areas.size(), "face") << " in "
        << counted(timed.made.pieces.size(), "piece") << ", " << kept_count(timed.made) << " kept, "
        << timed.seconds << " s\n";
-  const FaceLabels labels(inputs.part);
   for (const occt::TrimPiece& piece : timed.made.pieces)
     text << "  piece " << piece.number << " of " << labels.of(piece.face) << ": "
          << words_of(piece.side) << ", area " << number_text(rounded(piece.area)) << " mm²"
@@ -237,6 +237,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   std::string reason = obstacle(inputs, timed, options);
   std::string png;
   if (!options.common.picture.empty()) png = picture_png(picture_of(inputs, timed.made));
+  const FaceLabels labels(inputs.part);
   if (reason.empty()) inputs.part.model.replace_faces(timed.made.replacements);
   std::optional<WatertightPieces> watertight;
   if (options.watertight && reason.empty()) {
@@ -246,7 +247,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   }
   const bool write = !options.common.output.empty() && reason.empty();
   const bool unwritten = !options.common.output.empty() && !write;
-  std::string text = summary(inputs, timed);
+  std::string text = summary(inputs, labels, timed);
   Json report = report_of(inputs, options, timed, write);
   if (watertight) {
     text += summary_of(*watertight);

@@ -9,6 +9,7 @@
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <TopExp_Explorer.hxx>
 #include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
@@ -185,6 +186,18 @@ TEST_F(TrimCommand, RefusesInsideOfAnOpenToolAndANumberThatIsNotThere) {
 TEST_F(TrimCommand, DrawsAPicture) {
   ASSERT_EQ(trim(0.25, {"--keep", "below", "--picture", folder / "cap.png"}).code, 0);
   EXPECT_GT(std::filesystem::file_size(folder / "cap.png"), 1000u);
+}
+
+TEST_F(TrimCommand, NamesFacesByTheNumbersThatTheyHadBefore) {
+  occt::Model box;
+  box.add(BRepPrimAPI_MakeBox(2, 2, 2).Shape(), "box");
+  occt::write_model(box, folder / "box.step");
+
+  const Finished run =
+      blossom({"trim", folder / "box.step", "--plane", "1,0,0,1,0,0", "--keep", "below"});
+
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("of face 6 (box)"), std::string::npos) << run.out;
 }
 
 }  // namespace
