@@ -158,8 +158,9 @@ class Search {
         a_(a),
         b_(b),
         rounding_(kRounding * (a.scale() + b.scale())),
-        floor_((options.enough < 0 ? kDistanceResolution : kDistanceRounding) *
-               (a.scale() + b.scale())) {
+        floor_(std::max(options.resolution,
+                        (options.enough < 0 ? kDistanceResolution : kDistanceRounding) *
+                            (a.scale() + b.scale()))) {
     result_.upper = kInfinity;
   }
 

@@ -71,7 +71,7 @@ struct DistanceResult {
   double upper = 0;  ///< and at most this, taken at `a` and `b`
   DistanceEnd a, b;
 
-  /// Complete: the bounds agree to kDistanceAccuracy or kDistanceResolution.
+  /// Complete: the bounds agree to kDistanceAccuracy, kDistanceResolution or what was asked for.
   /// Stopped: the budget, the time or the limit of halving was spent before.
   Status status = Status::Complete;
   long pairs = 0;  ///< of cells looked at
@@ -97,6 +97,8 @@ struct DistanceOptions {
   /// Stops as soon as the distance is proven to be above this, or found to be below; model units.
   /// Then only the side is told: lower > enough, or upper <= enough.
   double enough = -1;
+  /// Bounds that agree to this need not be made closer; model units.
+  double resolution = 0;
 };
 
 class DistanceParts;

@@ -16,6 +16,7 @@ namespace {
 
 // Of the size of a box: how far beyond it planes are. Near ones lose fewer digits.
 constexpr double kBeyond = 1e-3;
+constexpr double kPrecision = 1e-7;  // model units, what is Open CASCADE's confusion
 
 // A box that is not the least, but holds all of the shape, and more.
 Box some_box(const TopoDS_Shape& shape) {
@@ -55,8 +56,8 @@ LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cance
   for (int axis = 0; axis < 3; ++axis)
     for (const auto& [side, at] : {std::pair{&least.box.low, around.low[axis]},
                                    std::pair{&least.box.high, around.high[axis]}}) {
-      const DistanceResult found =
-          least_distance(parts.set(), wall(around, axis, at), {.cancelled = cancelled});
+      const DistanceResult found = least_distance(
+          parts.set(), wall(around, axis, at), {.cancelled = cancelled, .resolution = kPrecision});
       (*side)[axis] = found.a.point[axis];
       least.precision = std::max(least.precision, found.upper - found.lower);
     }
