@@ -44,8 +44,7 @@ std::vector<Outline> outlines_of(const TopoDS_Face& face) {
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
     if (curve.IsNull() || chart.IsNull())
       throw BadModel("an edge has no curve in space or on its face");
-    outlines.push_back(
-        {{edge, chart, bool(BRep_Tool::IsClosed(edge, face))}, bezier_spans(curve, range), {}});
+    outlines.push_back({{edge, chart, is_seam(edge, face)}, bezier_spans(curve, range), {}});
     outlines.back().box = box_of(outlines.back().spans);
   }
   return outlines;

@@ -349,7 +349,7 @@ std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet,
   std::vector<FaceCut> cuts;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-    if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face)) continue;
+    if (BRep_Tool::Degenerated(edge) || is_seam(edge, face)) continue;
     const CurveBeside beside(edge, face, feet);
     const double allowed = std::max(tolerance, BRep_Tool::Tolerance(edge));
     for (const Interval& run : beside.runs(reach, allowed))

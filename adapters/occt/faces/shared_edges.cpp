@@ -25,15 +25,20 @@ constexpr int kMostPieces = 1024;
 constexpr double kFitShare = 0.25;        // of the edge's tolerance, left to the curves' fit
 constexpr double kTangentialSine = 1e-3;  // below it all along, the faces touch
 
+// An edge as each of two faces has it: turned the other way it may have another chart curve.
+struct EdgeUses {
+  TopoDS_Edge in_a, in_b;
+};
+
 // The edge and its two chart curves, evaluated by one parameter.
 class EdgeOnFaces {
  public:
-  EdgeOnFaces(const TopoDS_Edge& edge, const TopoDS_Face& a, const TopoDS_Face& b)
+  EdgeOnFaces(const EdgeUses& edge, const TopoDS_Face& a, const TopoDS_Face& b)
       : surface_a_(a, false), surface_b_(b, false) {
-    space_ = BRep_Tool::Curve(edge, range_.from, range_.to);
+    space_ = BRep_Tool::Curve(edge.in_a, range_.from, range_.to);
     Interval ignored;
-    chart_a_ = chart_curve_of(edge, a, ignored);
-    chart_b_ = chart_curve_of(edge, b, ignored);
+    chart_a_ = chart_curve_of(edge.in_a, a, ignored);
+    chart_b_ = chart_curve_of(edge.in_b, b, ignored);
     if (space_.IsNull() || chart_a_.IsNull() || chart_b_.IsNull())
       throw BadModel("a shared edge has no curve in space or on a face");
   }
@@ -166,8 +171,9 @@ IntersectionCurve curve_of(const EdgeOnFaces& edge, double tolerance) {
   }
 }
 
-SharedEdge shared_edge(const TopoDS_Edge& edge, const TopoDS_Face& a, const TopoDS_Face& b) {
-  const EdgeOnFaces on_faces(edge, a, b);
+SharedEdge shared_edge(const EdgeUses& uses, const TopoDS_Face& a, const TopoDS_Face& b) {
+  const EdgeOnFaces on_faces(uses, a, b);
+  const TopoDS_Edge& edge = uses.in_a;
   SharedEdge result{edge, {}, BRep_Tool::Tolerance(edge), 0, 0};
   result.curve = curve_of(on_faces, result.tolerance);
   IntersectionCurve& curve = result.curve;
@@ -206,8 +212,8 @@ std::vector<SharedEdge> shared_edges(const TopoDS_Face& a, const TopoDS_Face& b)
   for (int i = 1; i <= of_a.Extent(); ++i) {
     const TopoDS_Edge edge = TopoDS::Edge(of_a(i));
     if (!of_b.Contains(edge) || BRep_Tool::Degenerated(edge)) continue;
-    if (BRep_Tool::IsClosed(edge, a) || BRep_Tool::IsClosed(edge, b)) continue;
-    result.push_back(shared_edge(edge, a, b));
+    if (is_seam(edge, a) || is_seam(edge, b)) continue;
+    result.push_back(shared_edge({edge, TopoDS::Edge(of_b(of_b.FindIndex(edge)))}, a, b));
   }
   return result;
 }

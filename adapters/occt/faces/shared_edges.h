@@ -20,7 +20,7 @@ struct SharedEdge {
   double most_sine = 0;     ///< of the angle between the faces along it
 };
 
-/// The edges that both faces use, but for degenerated ones and the seams of closed faces.
+/// The edges that both faces use, but for degenerated ones and seams, which a face has twice.
 /// throws   BadModel if an edge has no curve in space or on a face
 std::vector<SharedEdge> shared_edges(const TopoDS_Face& a, const TopoDS_Face& b);
 

@@ -13,6 +13,7 @@
 
 #include "adapters/occt/faces/edge_images.h"
 #include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/forms/edge_charts.h"
 #include "adapters/occt/splitting/face_splitter.h"
 #include "adapters/occt/splitting/trim_sides.h"
 
@@ -175,7 +176,7 @@ Overlap whole_overlap(const TopoDS_Face& face, const FaceTrims& trims, const Cha
                       double gap) {
   const bool bounded = std::ranges::any_of(trims.loops, [&](const std::vector<Coedge>& loop) {
     return std::ranges::any_of(loop, [&](const Coedge& coedge) {
-      return !coedge.degenerated && !BRep_Tool::IsClosed(coedge.edge, face);
+      return !coedge.degenerated && !is_seam(coedge.edge, face);
     });
   });
   if (!bounded) return {{}, gap};

@@ -16,6 +16,7 @@
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <gp_Ax22d.hxx>
 #include <gp_Trsf.hxx>
@@ -113,6 +114,14 @@ Handle(Geom2d_Curve) plane_curve_of(const TopoDS_Edge& edge, const TopoDS_Face& 
   const auto plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face, place));
   Interval range;
   return plane.IsNull() ? nullptr : in_plane(edge, plane, place, range);
+}
+
+bool is_seam(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  if (!BRep_Tool::IsClosed(edge, face)) return false;
+  int uses = 0;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (it.Current().IsSame(edge)) ++uses;
+  return uses > 1;
 }
 
 bool keeps_chart_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {

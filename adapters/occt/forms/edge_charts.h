@@ -24,6 +24,10 @@ Handle(Geom2d_Curve)
 /// null for every other curve or surface. Its parameter is that of the curve in space.
 Handle(Geom2d_Curve) plane_curve_of(const TopoDS_Edge& edge, const TopoDS_Face& face);
 
+/// Whether a face has an edge twice, and so lies on both sides of it. An edge that keeps two curves
+/// on a closed surface need not be a seam of each face there: two halves may have it once each.
+bool is_seam(const TopoDS_Edge& edge, const TopoDS_Face& face);
+
 /// Whether the edge keeps a curve in the parameters of the face's surface.
 bool keeps_chart_curve(const TopoDS_Edge& edge, const TopoDS_Face& face);
 

@@ -3,20 +3,28 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <vector>
 
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp.hxx>
 #include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
 
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
@@ -78,6 +86,39 @@ TEST(SharedEdges, SeamsAndStrangersAreNone) {
       EXPECT_LT(edge.curve.deviation.between, 1e-7);
     }
   EXPECT_EQ(circles, 2u);
+}
+
+// A tube that a plane through its seam cuts in two: the old seam keeps two curves on the surface,
+// but each half has it once.
+std::vector<TopoDS_Face> halves_of_a_tube() {
+  TopTools_ListOfShape tubes, tools;
+  for (const TopoDS_Face& face : faces_of(BRepPrimAPI_MakeCylinder(1, 2).Shape()))
+    if (BRepAdaptor_Surface(face).GetType() == GeomAbs_Cylinder) tubes.Append(face);
+  tools.Append(BRepBuilderAPI_MakeFace(gp_Pln(gp::ZOX()), -3, 3, -3, 3).Face());
+  BRepAlgoAPI_Splitter split;
+  split.SetArguments(tubes);
+  split.SetTools(tools);
+  split.Build();
+  return faces_of(split.Shape());
+}
+
+TEST(SharedEdges, OfTwoHalvesIncludeTheOldSeam) {
+  const std::vector<TopoDS_Face> halves = halves_of_a_tube();
+  ASSERT_EQ(halves.size(), 2u);
+  const std::vector<SharedEdge> edges = shared_edges(halves[0], halves[1]);
+  ASSERT_EQ(edges.size(), 2u);
+  EXPECT_TRUE(std::ranges::any_of(
+      edges, [&](const SharedEdge& x) { return BRep_Tool::IsClosed(x.edge, halves[0]); }));
+  for (const SharedEdge& edge : edges) {
+    EXPECT_NEAR(edge.curve.length, 2, 1e-9);
+    EXPECT_LT(edge.gap, 1e-9);
+  }
+}
+
+TEST(SharedEdges, AreAllThatTwoHalvesOfOneSurfaceHaveInCommon) {
+  const auto found = self_intersect(halves_of_a_tube(), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
 }
 
 // Both faces have the edge, and nothing else in common: that is proven.
