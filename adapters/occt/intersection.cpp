@@ -189,12 +189,11 @@ class PairIntersector {
     const TopoDS_Face &shape_a = faces_a_.face(i), &shape_b = faces_b_.face(j);
     const std::vector<SharedEdge> edges = copies_.shared(result.face_a, result.face_b);
     const double within = one_within(options_.tolerances, largest_coordinate(a, b));
+    if (is_settled_by_neighbours(a, b, edges, result)) return;
     std::vector<Touch> touches;
     if (const auto gap = gap_of_one_surface(a, b); gap && *gap <= within) {
       result.found = on_surface_of_both({result.face_a, result.face_b}, *gap, within);
       drop_along_edges(result.found, touches, edges, options_.tolerances.point);
-    } else if (is_settled_by_neighbours(a, b, edges, result)) {
-      return;
     } else {
       result.found = between(i, j, edges);
       const std::vector<Overlap> whole = result.found.overlaps;

@@ -28,9 +28,9 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kCut = 0.4865;  // cells are halved off their middle, as in every search
-constexpr int kDeepest = 60;     // halvings of a patch
-constexpr long kMostPairs = 30'000;
+constexpr double kCut = 0.4865;       // cells are halved off their middle, as in every search
+constexpr int kDeepest = 60;          // halvings of a patch
+constexpr long kMostPairs = 30'000;   // of cells, for each pair of patches
 constexpr double kReach = 4;          // tolerances: what is so near an edge or a vertex is it
 constexpr double kPast = 0.1;         // of a cell: so far beside it an edge is known, if it goes on
 constexpr int kMostHalvings = 40;     // of a span of a wire, to see whether it meets a cell
@@ -462,8 +462,10 @@ class Proof {
 
   bool holds() {
     const PatchBoxes boxes_a(a_data_.surface), boxes_b(b_data_.surface);
-    for (const auto& [i, j] : meeting_patches(boxes_a, boxes_b))
+    for (const auto& [i, j] : meeting_patches(boxes_a, boxes_b)) {
+      pairs_ = 0;
       if (!holds(i, 0, j, 0)) return false;
+    }
     return true;
   }
 
@@ -532,7 +534,7 @@ class Proof {
   const KnownCurves balls_;
   CellsOfFace a_, b_;
   std::vector<CommonEdge> edges_;
-  long pairs_ = 0;
+  long pairs_ = 0;  // of the patches at hand
   Certificate certificate_;
 };
 

@@ -9,7 +9,8 @@
 //   beside a common edge, where paths prove it (`core/intersection/contacts/path_reach.h`): in the
 //   chart of each face a parameter line leads from every point of the cell to the edge.
 // That holds for smooth neighbours, too, as fillets and what they round, whose surfaces come as
-// near to each other as one likes and nearly parallel. Faces that share nothing are apart or not.
+// near to each other as one likes and nearly parallel, and for parts of one surface. Faces that
+// share nothing are apart or not.
 
 #pragma once
 
@@ -31,7 +32,8 @@ struct NeighbourProof {
 /// tolerance   of points, model units. What the faces have in common lies no farther from a common
 ///             edge or vertex than four times the larger one of this and its own tolerance
 /// limit       nothing is proven once it is reached
-/// cost        no more than some 30,000 pairs of cells
+/// cost        no more than some 30,000 pairs of cells for each pair of patches whose boxes meet;
+///             the first place where nothing is proven ends it
 NeighbourProof meet_in_shared_only(const FaceData& a, const FaceData& b,
                                    const std::vector<SharedEdge>& edges, double tolerance,
                                    const WorkLimit& limit);
