@@ -69,19 +69,33 @@ bool is_told(const CurvePlace& place, const CurveIntersection& found) {
   });
 }
 
+// The end of one of two edges that is nearest to a point, as its distance from it.
+double distance_to_ends(const Outline& p, const Outline& q, const Vec3& point) {
+  double least = 1e300;
+  for (const CurveSpans* of : {&p.spans, &q.spans})
+    for (const double end : {of->domain().from, of->domain().to})
+      least = std::min(least, distance(point_at(*of, end), point));
+  return least;
+}
+
+// Edges that cross within tolerance of their ends may as well only touch there: they are as far
+// apart as what one goes past the other.
 void add(const Outline& p, const Outline& q, const CurveIntersection& found, double tolerance,
          OutlineContacts& contacts) {
   for (const CurvePoint& x : found.points) {
-    const double gap = distance(point_at(p.spans, x.a), point_at(q.spans, x.b));
+    double gap = distance(point_at(p.spans, x.a), point_at(q.spans, x.b));
+    const double past = distance_to_ends(p, q, x.point);
+    const bool crosses = x.proven && past > tolerance;
+    if (x.proven && !crosses) gap = std::max(gap, past);
     const auto known = std::ranges::find_if(contacts.points, [&](const OutlinePoint& other) {
       return distance(other.at.point, x.point) <= 2 * tolerance;
     });
     if (known == contacts.points.end()) {
       contacts.points.push_back(
-          {{x.point, value(p.of.chart, x.a), value(q.of.chart, x.b)}, gap, x.proven});
+          {{x.point, value(p.of.chart, x.a), value(q.of.chart, x.b)}, gap, crosses});
     } else {
       known->gap = std::max(known->gap, gap);
-      known->crosses = known->crosses || x.proven;
+      known->crosses = known->crosses || crosses;
     }
   }
   for (const CurveOverlap& run : found.overlaps)

@@ -27,8 +27,10 @@ struct OutlineEdge {
 
 struct OutlinePoint {
   SurfacePoint at;
-  double gap = 0;        ///< distance of the edges there, model units
-  bool crosses = false;  ///< one edge is proven to pass the other one there
+  double gap = 0;        ///< distance of the edges there, or of an end from the other edge, model
+                         ///< units
+  bool crosses = false;  ///< one edge is proven to pass the other one, farther than tolerance from
+                         ///< the ends of both
 };
 
 struct OutlineRun {

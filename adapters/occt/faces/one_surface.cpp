@@ -11,6 +11,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/faces/edge_contacts.h"
+#include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/run_curves.h"
 #include "adapters/occt/faces/surface_feet.h"
 #include "adapters/occt/faces/trimmed_overlaps.h"
@@ -58,6 +59,10 @@ Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double g
   return place;
 }
 
+bool lies_inside(const FaceTrims& trims, const Vec2& uv) {
+  return part_side(trims, {uv[0], uv[0]}, {uv[1], uv[1]}) == PartSide::Inside;
+}
+
 class OneSurface {
  public:
   OneSurface(const TopoDS_Face& a, const TopoDS_Face& b, double gap, double within,
@@ -76,7 +81,7 @@ class OneSurface {
     for (const OutlineRun& run : contacts_.runs)
       if (lie_side_by_side(run)) add_curve(run);
     for (const OutlinePoint& point : contacts_.points)
-      if (!point.crosses && !is_known(point.at.point)) add_point(point);
+      if (!is_known(point.at.point)) add_point(point);
     return std::move(found_);
   }
 
@@ -128,18 +133,36 @@ class OneSurface {
     found_.curves.push_back(std::move(curve));
   }
 
+  // Whether both faces have a point in common as far from a given one: then a region is there, even
+  // if its border is not, as round a pole. A seam lies along one or two of the directions at most.
+  bool are_both_beside(const Vec3& point, double reach) const {
+    const SurfaceFeet on_a(a_, tolerance_), on_b(b_, tolerance_);
+    const FaceTrims trims_a = face_trims(a_), trims_b = face_trims(b_);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 to_corner{corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0,
+                           corner & 4 ? 1.0 : -1.0};
+      const Vec2 uv_a = on_a.foot(point + reach / std::sqrt(3.0) * to_corner, {});
+      const Vec2 uv_b = on_b.foot(frame_at(on_a.surface(), uv_a).point, {});
+      if (lies_inside(trims_a, uv_a) && lies_inside(trims_b, uv_b)) return true;
+    }
+    return false;
+  }
+
   bool is_known(const Vec3& point) const {
     const double reach = kReach * tolerance_;
     return std::ranges::any_of(found_.overlaps,
                                [&](const Overlap& region) {
                                  return distance_to(region.boundary, point) <= reach;
                                }) ||
-           std::ranges::any_of(found_.curves, [&](const IntersectionCurve& curve) {
-             return distance_to(curve.samples, point) <= reach;
-           });
+           std::ranges::any_of(found_.curves,
+                               [&](const IntersectionCurve& curve) {
+                                 return distance_to(curve.samples, point) <= reach;
+                               }) ||
+           (!found_.overlaps.empty() && are_both_beside(point, reach));
   }
 
   void add_point(const OutlinePoint& point) {
+    if (point.crosses) weaken(Status::Tolerance, "edges cross beside no common region");
     found_.points.push_back(point.at);
     found_.places.push_back(
         place_of({point.at}, PlaceKind::Touch, std::max(point.gap, gap_), tolerance_));

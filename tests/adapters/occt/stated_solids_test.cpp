@@ -99,7 +99,7 @@ TEST(StatedSolids, CylindersOnOneAxisWithEqualSides) {
   const TopoDS_Shape high =
       BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 50), gp::DZ()), 20, 100).Shape();
   const ShapeIntersection found = intersect(faces_of(low), faces_of(high));
-  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_EQ(found.status, Status::Complete);
   EXPECT_EQ(overlaps_in(found), 1);
   const CurveIntersection seams = intersect(seam_of(low), seam_of(high));
   ASSERT_EQ(seams.overlaps.size(), 1);

@@ -80,6 +80,7 @@ struct Touch {
   TopoDS_Face a, b;
   gp_Pnt at;
   On on_a, on_b;
+  Status status = Status::Complete;
 };
 
 std::vector<Touch> touches() {
@@ -126,22 +127,26 @@ std::vector<Touch> touches() {
        ball(gp_Ax3({2, 0, 0}, {0, 1, 0.3}), 1),
        {1, 0, 0},
        On::Edge,
-       On::Face},
+       On::Face,
+       Status::Tolerance},
       {"a rim inside of a wall",
        disc(turned({0.5, 0, 1}, Z, 1), 0.5),
        wall(gp_Ax3(O, Z, {-1, 0.2, 0}), 1, 0, 2),
        {1, 0, 1},
        On::Edge,
-       On::Face},
+       On::Face,
+       Status::Tolerance},
       {"a rim outside of a wall",
        disc(turned({2, 0, 1}, Z, 1), 1),
        wall(gp_Ax3(O, Z, {-1, 0.2, 0}), 1, 0, 2),
        {1, 0, 1},
        On::Edge,
-       On::Face},
+       On::Face,
+       Status::Tolerance},
   };
 }
 
+// Decided exactly where planes cross; surfaces that touch are within tolerance.
 TEST(TrimContacts, ASinglePointOfTheTrimsIsAContact) {
   for (const Touch& row : touches())
     for (const bool swapped : {false, true}) {
@@ -149,7 +154,7 @@ TEST(TrimContacts, ASinglePointOfTheTrimsIsAContact) {
       const ShapeIntersection all =
           swapped ? intersect({row.b}, {row.a}) : intersect({row.a}, {row.b});
 
-      EXPECT_EQ(all.status, Status::Tolerance);
+      EXPECT_EQ(all.status, row.status);
       ASSERT_EQ(all.pairs.size(), 1u);
       const FaceIntersection& pair = all.pairs[0];
       EXPECT_TRUE(pair.found.curves.empty());
@@ -178,8 +183,11 @@ TEST(TrimContacts, TheParametersOfAContactGiveItsPoint) {
 // The chord at a distance h from a rim of radius 1 is about 2 sqrt(2 h) long.
 TEST(TrimContacts, TellATouchFromAMissAndAChord) {
   const TopoDS_Face rim = disc(gp_Ax2(O, Z), 1);
-  for (const double y : {1 + 1e-6, 1 + 5e-8, 1.0, 1 - 5e-8, 1 - 1e-6}) {
+  for (const double y : {1 + 1e-6, 1 + 5e-8, 1 + 1e-12, 1.0, 1 - 1e-12, 1 - 5e-8, 1 - 1e-6}) {
     const ShapeIntersection all = intersect({rim}, {square_across({0, y, 0}, Y)});
+    EXPECT_EQ(all.status,
+              std::abs(std::abs(y - 1) - 5e-8) < 1e-8 ? Status::Tolerance : Status::Complete)
+        << y;
     const SurfaceIntersection found =
         all.pairs.empty() ? SurfaceIntersection{} : all.pairs[0].found;
     EXPECT_EQ(found.curves.size(), y == 1 - 1e-6 ? 1u : 0u) << y;
@@ -248,17 +256,53 @@ TEST(TrimContacts, FacesInOnePlaneThatMeetInAPointHaveAContact) {
   const auto square = [](double low, double high) {
     return TopoDS_Face(BRepBuilderAPI_MakeFace(gp_Pln(), low, high, low, high));
   };
+  const auto tip_at = [](double x) {
+    return TopoDS_Face(BRepBuilderAPI_MakeFace(
+        BRepBuilderAPI_MakePolygon(gp_Pnt(x, 0.4, 0), gp_Pnt(2, 0.1, 0), gp_Pnt(2, 0.9, 0), true)
+            .Wire(),
+        true));
+  };
   const gp_Ax2 beside(gp_Pnt(1.5, 0.4, 0), Z, gp_Dir(std::cos(1.0), std::sin(1.0), 0));
+  const auto round = [](const gp_Pnt& at) { return disc(gp_Ax2(at, Z), 1); };
   const struct {
     const char* name;
     TopoDS_Face a, b;
     Vec3 at;
     bool meet;
+    Status status = Status::Complete;
   } rows[] = {
       {"corners", square(0, 1), square(1, 2), {1, 1, 0}, true},
+      {"corners hardly apart", square(0, 1), square(1 + 1e-12, 2), {1, 1, 0}, true},
+      {"corners hardly past", square(0, 1), square(1 - 1e-12, 2), {1, 1, 0}, true},
+      {"corners nearly apart",
+       square(0, 1),
+       square(1 + 4e-8, 2),
+       {1, 1, 0},
+       true,
+       Status::Tolerance},
+      {"corners nearly past",
+       square(0, 1),
+       square(1 - 4e-8, 2),
+       {1, 1, 0},
+       true,
+       Status::Tolerance},
+      {"a tip at a side", square(0, 1), tip_at(1), {1, 0.4, 0}, true},
+      {"a tip nearly at a side",
+       square(0, 1),
+       tip_at(1 + 5e-8),
+       {1, 0.4, 0},
+       true,
+       Status::Tolerance},
+      {"a tip nearly past a side",
+       square(0, 1),
+       tip_at(1 - 5e-8),
+       {1, 0.4, 0},
+       true,
+       Status::Tolerance},
       {"a disc at a side", square(0, 1), disc(beside, 0.5), {1, 0.4, 0}, true},
-      {"discs", disc(gp_Ax2(O, Z), 1), disc(gp_Ax2(gp_Pnt(2, 0, 0), Z), 1), {1, 0, 0}, true},
-      {"discs apart", disc(gp_Ax2(O, Z), 1), disc(gp_Ax2(gp_Pnt(1.9, 0.9, 0), Z), 1), {}, false},
+      {"discs", round(O), round({2, 0, 0}), {1, 0, 0}, true},
+      {"discs nearly apart", round(O), round({2 + 5e-8, 0, 0}), {1, 0, 0}, true, Status::Tolerance},
+      {"discs apart", round(O), round({1.9, 0.9, 0}), {}, false},
       {"corners apart", square(0, 1), square(1.1, 2), {}, false},
   };
   for (const auto& row : rows)
@@ -266,6 +310,7 @@ TEST(TrimContacts, FacesInOnePlaneThatMeetInAPointHaveAContact) {
       SCOPED_TRACE(std::string(row.name) + (swapped ? ", swapped" : ""));
       const ShapeIntersection all =
           swapped ? intersect({row.b}, {row.a}) : intersect({row.a}, {row.b});
+      EXPECT_EQ(all.status, row.status);
       const SurfaceIntersection found =
           all.pairs.empty() ? SurfaceIntersection{} : all.pairs[0].found;
       EXPECT_TRUE(found.curves.empty() && found.overlaps.empty());
@@ -276,7 +321,7 @@ TEST(TrimContacts, FacesInOnePlaneThatMeetInAPointHaveAContact) {
     }
 }
 
-// With edges of their own, the common curve is known within tolerance only.
+// Edges of their own that are one with the common curve.
 TEST(TrimContacts, ACurveAlongTheTrimsIsWhole) {
   for (const AlongTrims& row : runs())
     for (const bool swapped : {false, true}) {
@@ -285,10 +330,23 @@ TEST(TrimContacts, ACurveAlongTheTrimsIsWhole) {
           swapped ? intersect({row.b}, {row.a}) : intersect({row.a}, {row.b});
       ASSERT_EQ(all.pairs.size(), 1u);
       const SurfaceIntersection& found = all.pairs[0].found;
-      EXPECT_EQ(found.status, Status::Tolerance);
+      EXPECT_EQ(found.status, Status::Complete)
+          << ::testing::PrintToString(found.certificate.reasons);
+      EXPECT_GT(found.certificate.identified, 0);
       EXPECT_TRUE(found.points.empty() && found.nodes.empty());
       EXPECT_EQ(found.curves.size(), 1u);
       EXPECT_NEAR(total_length(found), row.length, 1e-6 * row.length);
+    }
+}
+
+TEST(TrimContacts, ACurveBesideTheTrimsIsKnownWithinTolerance) {
+  const TopoDS_Face round = wall(gp_Ax3(O, Z), 1, 0, 2);
+  for (const double off : {-5e-8, 5e-8})
+    for (const double z : {0.0, 1.0}) {
+      const ShapeIntersection all = intersect({disc(gp_Ax2(gp_Pnt(0, 0, z), Z), 1 + off)}, {round});
+      EXPECT_EQ(all.status, Status::Tolerance) << off << ' ' << z;
+      ASSERT_EQ(all.pairs.size(), 1u);
+      EXPECT_NEAR(total_length(all.pairs[0].found), 2 * kPi, 1e-6) << off << ' ' << z;
     }
 }
 
