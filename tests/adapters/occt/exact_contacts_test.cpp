@@ -16,6 +16,7 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
@@ -120,10 +121,31 @@ TEST(FacesOfBoxesInContact, AreDecidedExactlyWithoutGoingBeyondTheirTrims) {
   for (const Contact& contact : contacts()) {
     if (contact.name.find("Rod") != std::string::npos) continue;
     const ShapeIntersection found =
-        intersect(trim_tool(contact.a).faces, trim_tool(contact.b).faces);
+        intersect(trim_tool(contact.a).faces, trim_tool(contact.b).faces, {}, Extent::Trims);
     EXPECT_EQ(found.status, Status::Complete) << contact.name;
     EXPECT_FALSE(found.pairs.empty()) << contact.name;
   }
+}
+
+TopoDS_Shape half_torus(bool upper) {
+  return BRepPrimAPI_MakeTorus(gp_Ax2({0, 0, 0}, gp::DZ()), 5, 2, upper ? 0 : -kPi,
+                               upper ? kPi : 0);
+}
+
+// A rim of one face that runs along the other one is found as what lies inside of it is.
+TEST(FacesOfRoundSolidsInContact, AreDecidedExactly) {
+  std::vector<Contact> all = contacts();
+  all.push_back({"HalvesOfATorus", half_torus(true), half_torus(false), 0, 0, 0});
+  for (const Contact& contact : all)
+    for (const bool moved : {false, true}) {
+      const auto faces = [&](const TopoDS_Shape& shape) {
+        return trim_tool(moved ? placed(shape) : shape).faces;
+      };
+      const ShapeIntersection found = intersect(faces(contact.a), faces(contact.b));
+      EXPECT_EQ(found.status, Status::Complete)
+          << contact.name << ' ' << ::testing::PrintToString(found.certificate.reasons);
+      EXPECT_FALSE(found.pairs.empty()) << contact.name;
+    }
 }
 
 // --- beside the rule
