@@ -8,6 +8,7 @@
 
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/faces/edge_contacts.h"
@@ -57,6 +58,13 @@ Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double g
   place.box_low = box.low;
   place.box_high = box.high;
   return place;
+}
+
+double loosest_edge(const TopoDS_Face& face) {
+  double loosest = 0;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    loosest = std::max(loosest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  return loosest;
 }
 
 bool lies_inside(const FaceTrims& trims, const Vec2& uv) {
@@ -149,7 +157,8 @@ class OneSurface {
   }
 
   bool is_known(const Vec3& point) const {
-    const double reach = kReach * tolerance_;
+    // Borders are where they are to the tolerances of their edges.
+    const double reach = kReach * std::max({tolerance_, loosest_edge(a_), loosest_edge(b_)});
     return std::ranges::any_of(found_.overlaps,
                                [&](const Overlap& region) {
                                  return distance_to(region.boundary, point) <= reach;

@@ -166,7 +166,7 @@ double area_of(const Overlap& region, Vec2 SurfacePoint::*uv) {
 std::vector<Overlap> regions_of(const TopoDS_Face& a, const TopoDS_Face& b,
                                 Status status = Status::Complete) {
   const ShapeIntersection all = intersect({a}, {b});
-  EXPECT_EQ(all.status, status);
+  EXPECT_EQ(all.status, status) << ::testing::PrintToString(all.certificate.reasons);
   return all.pairs.empty() ? std::vector<Overlap>{} : all.pairs[0].found.overlaps;
 }
 
