@@ -17,6 +17,9 @@ namespace {
 // Of the size of a box: how far beyond it planes are. Near ones lose fewer digits.
 constexpr double kBeyond = 1e-3;
 constexpr double kPrecision = 1e-7;  // model units, what is Open CASCADE's confusion
+// Of cells, for a side: where a shape comes as far all along a curve, the last digits take a time
+// that nobody wants to wait; the box says how precise it is.
+constexpr long kMostPairs = 20'000;
 
 // A box that is not the least, but holds all of the shape, and more.
 Box some_box(const TopoDS_Shape& shape) {
@@ -56,8 +59,9 @@ LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cance
   for (int axis = 0; axis < 3; ++axis)
     for (const auto& [side, at] : {std::pair{&least.box.low, around.low[axis]},
                                    std::pair{&least.box.high, around.high[axis]}}) {
-      const DistanceResult found = least_distance(
-          parts.set(), wall(around, axis, at), {.cancelled = cancelled, .resolution = kPrecision});
+      const DistanceResult found =
+          least_distance(parts.set(), wall(around, axis, at),
+                         {.budget = kMostPairs, .cancelled = cancelled, .resolution = kPrecision});
       (*side)[axis] = found.a.point[axis];
       least.precision = std::max(least.precision, found.upper - found.lower);
     }
