@@ -99,7 +99,7 @@ void add_blintersect(Draw_Interpretor& interpreter) {
                   "\n\t\t: curves, one across seams counted once, and complete, tolerance or"
                   "\n\t\t: stopped; then for each isolated contact where it is and what of A and"
                   "\n\t\t: B it is on: {{x y z} {edge 3} {face 1}}.",
-                  __FILE__, blintersect, kGroup);
+                  "plugin/draw/commands/blintersect.cpp", blintersect, kGroup);
 }
 
 }  // namespace blossom::draw
