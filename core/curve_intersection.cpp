@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/curve_intersection.h"
 
-#include "core/intersection/curves/curve_meeting.h"
+#include "core/curves/curve_meeting.h"
 
 namespace blossom {
 

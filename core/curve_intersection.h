@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/forms/curve_spans.h"
-#include "core/intersection/curves/curve_result.h"
-#include "core/intersection/options.h"
+#include "core/results/curve_result.h"
+#include "core/results/options.h"
 
 namespace blossom {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/base/errors.h"
-#include "core/intersection/curves/curve_closing.h"
-#include "core/intersection/curves/curve_surface_assembly.h"
+#include "core/curves/curve_closing.h"
+#include "core/curves/curve_surface_assembly.h"
 
 namespace blossom {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "core/forms/curve_spans.h"
 #include "core/forms/surface.h"
-#include "core/intersection/curves/curve_surface_result.h"
-#include "core/intersection/options.h"
+#include "core/results/curve_surface_result.h"
+#include "core/results/options.h"
 
 namespace blossom {
 

@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "core/distance_parts.h"
-#include "core/intersection/cells/cell_tree.h"
-#include "core/intersection/work_limit.h"
-#include "core/queries/convex_pair.h"
-#include "core/queries/curvature_centre.h"
-#include "core/queries/nearest_pair.h"
-#include "core/queries/square_form.h"
+#include "core/base/work_limit.h"
+#include "core/cells/cell_tree.h"
+#include "core/distance/convex_pair.h"
+#include "core/distance/curvature_centre.h"
+#include "core/distance/distance_parts.h"
+#include "core/distance/nearest_pair.h"
+#include "core/distance/square_form.h"
 
 namespace blossom {
 namespace {

@@ -8,12 +8,12 @@
 
 #include "core/base/errors.h"
 #include "core/bounds/patch_boxes.h"
-#include "core/forms/degree.h"
-#include "core/forms/derivatives.h"
+#include "core/cells/surface_cells.h"
+#include "core/forms/algebra/degree.h"
+#include "core/forms/algebra/derivatives.h"
+#include "core/forms/algebra/products.h"
 #include "core/forms/evaluation.h"
-#include "core/forms/products.h"
-#include "core/intersection/cells/surface_cells.h"
-#include "core/queries/two_forms.h"
+#include "core/rays/two_forms.h"
 #include "core/subdivision/cell_nets.h"
 
 namespace blossom {

@@ -11,8 +11,8 @@
 
 #include <vector>
 
+#include "core/base/work_limit.h"
 #include "core/distance.h"
-#include "core/intersection/work_limit.h"
 
 namespace blossom {
 

@@ -5,8 +5,8 @@
 
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
-#include "core/intersection/self_pairs.h"
-#include "core/surface_assembly.h"
+#include "core/surfaces/assembly/surface_assembly.h"
+#include "core/surfaces/search/self_pairs.h"
 
 namespace blossom {
 

@@ -9,11 +9,11 @@
 
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
-#include "core/exchanged_order.h"
-#include "core/finer_tolerance.h"
 #include "core/forms/evaluation.h"
-#include "core/shorter_patches.h"
-#include "core/surface_assembly.h"
+#include "core/surfaces/assembly/surface_assembly.h"
+#include "core/surfaces/retry/exchanged_order.h"
+#include "core/surfaces/retry/finer_tolerance.h"
+#include "core/surfaces/retry/shorter_patches.h"
 
 namespace blossom {
 namespace {

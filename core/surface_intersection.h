@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/forms/surface.h"
-#include "core/intersection/options.h"
-#include "core/intersection/result.h"
+#include "core/results/options.h"
+#include "core/results/result.h"
 
 namespace blossom {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "core/blossom/q_curve.h"
-#include "core/forms/de_casteljau.h"
+#include "core/forms/algebra/de_casteljau.h"
+#include "core/papers/q_curve.h"
 
 namespace {
 

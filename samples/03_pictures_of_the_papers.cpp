@@ -22,8 +22,8 @@
 
 #include "adapters/occt/shapes.h"
 #include "core/blossom/patch_blossom.h"
-#include "core/blossom/q_curve.h"
 #include "core/blossom/triangle_blossom.h"
+#include "core/papers/q_curve.h"
 #include "plugin/cli/nets/net.h"
 #include "plugin/cli/nets/net_shapes.h"
 #include "plugin/cli/picture/canvas.h"

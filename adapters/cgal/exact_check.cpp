@@ -11,7 +11,7 @@
 #include "core/blossom/detail/closed_form.h"
 #include "core/blossom/detail/composition.h"
 #include "core/blossom/detail/normal_net.h"
-#include "core/forms/detail/sign.h"
+#include "core/forms/algebra/detail/sign.h"
 
 namespace blossom::cgal {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/blossom/normal_net.h"
 #include "core/blossom/patch_blossom.h"
 #include "core/blossom/triangle_blossom.h"
-#include "core/forms/sign.h"
+#include "core/forms/algebra/sign.h"
 
 namespace blossom::cgal {
 

@@ -14,12 +14,12 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/compounds.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/face_groups.h"
-#include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/solids/solid_pieces.h"
-#include "adapters/occt/solids/solid_rays.h"
 #include "adapters/occt/splitting/trim_sides.h"
 #include "adapters/occt/trim.h"
 

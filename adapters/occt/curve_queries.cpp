@@ -9,10 +9,10 @@
 #include <gp.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/curves.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
-#include "adapters/occt/surfaces.h"
 
 namespace blossom::occt {
 namespace {

@@ -18,14 +18,14 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/placed_shapes.h"
+#include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/hulls.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/curve_queries.h"
-#include "adapters/occt/errors.h"
 #include "adapters/occt/faces/chart_region.h"
-#include "adapters/occt/faces/shared_limit.h"
-#include "adapters/occt/hulls.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/shapes/placed_shapes.h"
-#include "adapters/occt/surfaces.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {

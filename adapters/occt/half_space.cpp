@@ -13,7 +13,7 @@
 #include <TopoDS.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {

@@ -8,7 +8,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/plane_section.h"
-#include "adapters/occt/splitting/trim_sides.h"
+#include "adapters/occt/trim_tool.h"
 
 namespace blossom::occt {
 

@@ -11,20 +11,20 @@
 
 #include <BRep_Tool.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/coincidence/one_surface.h"
+#include "adapters/occt/coincidence/trimmed_overlaps.h"
 #include "adapters/occt/faces/edge_contacts.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/equal_faces.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_list.h"
 #include "adapters/occt/faces/neighbour_proof.h"
-#include "adapters/occt/faces/one_surface.h"
 #include "adapters/occt/faces/shared_edges.h"
-#include "adapters/occt/faces/shared_limit.h"
-#include "adapters/occt/faces/trimmed_overlaps.h"
 #include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
-#include "core/exchanged_order.h"
+#include "core/surfaces/retry/exchanged_order.h"
 
 namespace blossom::occt {
 namespace {

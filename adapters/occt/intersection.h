@@ -12,10 +12,10 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "adapters/occt/forms/arc_cuts.h"
-#include "core/intersection/arcs/seam_chains.h"
+#include "adapters/occt/convert/arc_cuts.h"
 #include "core/self_intersection.h"
 #include "core/surface_intersection.h"
+#include "core/surfaces/branches/seam_chains.h"
 
 namespace blossom::occt {
 

@@ -9,7 +9,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 
 namespace blossom::occt {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "adapters/occt/curves.h"
+#include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_list.h"
-#include "adapters/occt/faces/shared_limit.h"
 #include "adapters/occt/queries/section_frame.h"
 #include "adapters/occt/queries/section_nodes.h"
 #include "adapters/occt/queries/section_wires.h"

@@ -14,8 +14,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "core/intersection/options.h"
-#include "core/intersection/result.h"
+#include "core/results/options.h"
+#include "core/results/result.h"
 
 namespace blossom::occt {
 

@@ -17,10 +17,10 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/chart_region.h"
 #include "adapters/occt/faces/face_trims.h"
-#include "adapters/occt/surfaces.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom::occt {

@@ -10,8 +10,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "adapters/occt/faces/shared_limit.h"
-#include "core/ray_casting.h"
+#include "adapters/occt/base/shared_limit.h"
+#include "core/rays/ray_casting.h"
 
 namespace blossom::occt {
 

@@ -21,8 +21,8 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/shapes/shapes_detail.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/exchange/detail.h"
 
 namespace blossom::occt {
 

@@ -17,12 +17,12 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/area.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_groups.h"
-#include "adapters/occt/faces/shared_limit.h"
-#include "adapters/occt/shapes/edge_tolerances.h"
+#include "adapters/occt/repair/edge_tolerances.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/solid_stages.h"

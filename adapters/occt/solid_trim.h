@@ -9,7 +9,7 @@
 
 #include <TopoDS_Solid.hxx>
 
-#include "adapters/occt/splitting/trim_sides.h"
+#include "adapters/occt/trim_tool.h"
 #include "core/surface_intersection.h"
 
 namespace blossom::occt {

@@ -22,9 +22,9 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/shapes/edge_gaps.h"
-#include "adapters/occt/surfaces.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/repair/edge_gaps.h"
 
 namespace blossom::occt {
 namespace {

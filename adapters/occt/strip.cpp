@@ -15,14 +15,15 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/surfaces.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "core/base/tolerances.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr std::array kSides{Side::UMin, Side::UMax, Side::VMin, Side::VMax};
+constexpr std::array kSides{SurfaceSide::UMin, SurfaceSide::UMax, SurfaceSide::VMin,
+                            SurfaceSide::VMax};
 
 /// Points of a pcurve looked at to see whether it runs along a border.
 constexpr int kSamples = 9;
@@ -30,21 +31,23 @@ constexpr int kSamples = 9;
 /// How far a pcurve may leave a border, as a part of the face's range of parameters.
 constexpr double kOnBorder = 1e-6;
 
-bool runs_along_v(Side side) { return side == Side::UMin || side == Side::UMax; }
+bool runs_along_v(SurfaceSide side) {
+  return side == SurfaceSide::UMin || side == SurfaceSide::UMax;
+}
 
-double constant_of(const ParameterBox& box, Side side) {
+double constant_of(const ParameterBox& box, SurfaceSide side) {
   switch (side) {
-    case Side::UMin: return box.u.from;
-    case Side::UMax: return box.u.to;
-    case Side::VMin: return box.v.from;
-    case Side::VMax: break;
+    case SurfaceSide::UMin: return box.u.from;
+    case SurfaceSide::UMax: return box.u.to;
+    case SurfaceSide::VMin: return box.v.from;
+    case SurfaceSide::VMax: break;
   }
   return box.v.to;
 }
 
 /// The part of a border, as a fraction of its length, that an edge covers; 0 when it leaves it.
 double covered(const TopoDS_Edge& edge, const TopoDS_Face& face, const ParameterBox& box,
-               Side side) {
+               SurfaceSide side) {
   double first = 0, last = 0;
   const Handle(Geom2d_Curve) pcurve = BRep_Tool::CurveOnSurface(edge, face, first, last);
   if (pcurve.IsNull()) return 0;
@@ -63,7 +66,7 @@ double covered(const TopoDS_Edge& edge, const TopoDS_Face& face, const Parameter
   return (high - low) / length(along);
 }
 
-bool is_open(const TopoDS_Face& face, const ParameterBox& box, Side side) {
+bool is_open(const TopoDS_Face& face, const ParameterBox& box, SurfaceSide side) {
   double sum = 0;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
@@ -74,24 +77,28 @@ bool is_open(const TopoDS_Face& face, const ParameterBox& box, Side side) {
 }
 
 /// The sides that may be used: the named one, or all that are open.
-std::vector<Side> candidates(const TopoDS_Face& face, const std::optional<Side>& named,
-                             const std::string& name) {
-  const std::vector<Side> open = open_sides(face);
+std::vector<SurfaceSide> candidates(const TopoDS_Face& face,
+                                    const std::optional<SurfaceSide>& named,
+                                    const std::string& name) {
+  const std::vector<SurfaceSide> open = open_sides(face);
   if (open.empty())
     throw BadModel("face " + name + " has no edge along a border of its parameters");
   if (!named) return open;
   if (std::find(open.begin(), open.end(), *named) != open.end()) return {*named};
   std::string known;
-  for (const Side side : open) known += std::string(known.empty() ? "" : ", ") + to_string(side);
+  for (const SurfaceSide side : open)
+    known += std::string(known.empty() ? "" : ", ") + to_string(side);
   throw BadModel("face " + name + " has no edge along " + to_string(*named) + ", it has " + known);
 }
 
-std::pair<Side, Side> nearest_sides(const BezierSurface& a, const std::vector<Side>& sides_a,
-                                    const BezierSurface& b, const std::vector<Side>& sides_b) {
-  std::pair<Side, Side> best{sides_a.front(), sides_b.front()};
+std::pair<SurfaceSide, SurfaceSide> nearest_sides(const BezierSurface& a,
+                                                  const std::vector<SurfaceSide>& sides_a,
+                                                  const BezierSurface& b,
+                                                  const std::vector<SurfaceSide>& sides_b) {
+  std::pair<SurfaceSide, SurfaceSide> best{sides_a.front(), sides_b.front()};
   double least = border_distance(a, best.first, b, best.second);
-  for (const Side side_a : sides_a)
-    for (const Side side_b : sides_b) {
+  for (const SurfaceSide side_a : sides_a)
+    for (const SurfaceSide side_b : sides_b) {
       const double apart = border_distance(a, side_a, b, side_b);
       if (apart < least) {
         least = apart;
@@ -133,11 +140,11 @@ TopoDS_Face face_on(const Handle(Geom_BSplineSurface) & surface) {
 
 }  // namespace
 
-std::vector<Side> open_sides(const TopoDS_Face& face) {
+std::vector<SurfaceSide> open_sides(const TopoDS_Face& face) {
   return guarded("looking at the edges of a face", [&] {
     const ParameterBox box = parameter_box(face);
-    std::vector<Side> open;
-    for (const Side side : kSides)
+    std::vector<SurfaceSide> open;
+    for (const SurfaceSide side : kSides)
       if (is_open(face, box, side)) open.push_back(side);
     return open;
   });
@@ -145,8 +152,8 @@ std::vector<Side> open_sides(const TopoDS_Face& face) {
 
 FaceStrip strip_between(const TopoDS_Face& a, const TopoDS_Face& b,
                         const FaceStripOptions& options) {
-  const std::vector<Side> sides_a = candidates(a, options.side_a, "a");
-  const std::vector<Side> sides_b = candidates(b, options.side_b, "b");
+  const std::vector<SurfaceSide> sides_a = candidates(a, options.side_a, "a");
+  const std::vector<SurfaceSide> sides_b = candidates(b, options.side_b, "b");
   const BezierSurface surface_a = bezier_surface(a), surface_b = bezier_surface(b);
   FaceStrip result;
   std::tie(result.side_a, result.side_b) = nearest_sides(surface_a, sides_a, surface_b, sides_b);

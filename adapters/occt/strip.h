@@ -15,22 +15,22 @@ namespace blossom::occt {
 
 struct FaceStripOptions {
   /// The borders to join; none means the nearest of those that have edges.
-  std::optional<Side> side_a = {};
-  std::optional<Side> side_b = {};
+  std::optional<SurfaceSide> side_a = {};
+  std::optional<SurfaceSide> side_b = {};
   StripOptions strip = {};
 };
 
 struct FaceStrip {
   Strip strip;  ///< its surface and its figures are those of `surface`
-  Side side_a = Side::UMin;
-  Side side_b = Side::UMin;
+  SurfaceSide side_a = SurfaceSide::UMin;
+  SurfaceSide side_b = SurfaceSide::UMin;
   Handle(Geom_BSplineSurface) surface;  ///< inner knots as smooth as the strip is
   TopoDS_Face face;
 };
 
 /// The borders of a face that an iso-parameter edge covers from end to end; not a seam and not
 /// an edge without length. In the order umin, umax, vmin, vmax.
-std::vector<Side> open_sides(const TopoDS_Face& face);
+std::vector<SurfaceSide> open_sides(const TopoDS_Face& face);
 
 /// The strip between two faces, in model space.
 /// throws   BadModel if a face has no iso-parameter edge, or none on the side that was named;

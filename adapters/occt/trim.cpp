@@ -11,10 +11,10 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/area.h"
-#include "adapters/occt/errors.h"
-#include "adapters/occt/faces/edge_images.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/intersection.h"
+#include "adapters/occt/splitting/edge_images.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {

@@ -24,11 +24,11 @@
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/faces/untrimmed.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/splitting/edge_joins.h"
-#include "adapters/occt/surfaces.h"
-#include "adapters/occt/untrimmed.h"
 #include "adapters/occt/watertight_faces.h"
 
 namespace blossom::occt {

@@ -9,7 +9,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "core/trimming/watertight.h"
+#include "core/watertight/watertight.h"
 
 namespace blossom::occt {
 

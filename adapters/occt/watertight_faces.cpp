@@ -13,10 +13,10 @@
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TopLoc_Location.hxx>
 
-#include "adapters/occt/curves.h"
-#include "adapters/occt/surfaces.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "core/blossom/triangle_conversion.h"
-#include "core/forms/conversion.h"
+#include "core/forms/algebra/conversion.h"
 
 namespace blossom::occt {
 namespace {

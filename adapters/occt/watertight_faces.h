@@ -15,8 +15,8 @@
 #include <TopoDS_Wire.hxx>
 
 #include "core/base/tolerances.h"
-#include "core/trimming/flat_pieces.h"
-#include "core/trimming/watertight.h"
+#include "core/watertight/flat_pieces.h"
+#include "core/watertight/watertight.h"
 
 namespace blossom::occt {
 

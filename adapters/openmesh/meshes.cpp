@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/errors.h"
-#include "core/forms/conversion.h"
+#include "core/forms/algebra/conversion.h"
 #include "core/subdivision/tessellation.h"
 
 namespace blossom::openmesh {

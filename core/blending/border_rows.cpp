@@ -9,14 +9,16 @@
 namespace blossom {
 namespace {
 
-bool runs_along_v(Side side) { return side == Side::UMin || side == Side::UMax; }
+bool runs_along_v(SurfaceSide side) {
+  return side == SurfaceSide::UMin || side == SurfaceSide::UMax;
+}
 
-bool is_at_end(Side side) { return side == Side::UMax || side == Side::VMax; }
+bool is_at_end(SurfaceSide side) { return side == SurfaceSide::UMax || side == SurfaceSide::VMax; }
 
 /// One patch behind a border: its points counted inwards from the border, then along it.
 struct PatchView {
   const RationalBezierPatch& patch;
-  Side side;
+  SurfaceSide side;
 
   int along() const { return runs_along_v(side) ? patch.degree_v() : patch.degree_u(); }
   int inwards() const { return runs_along_v(side) ? patch.degree_u() : patch.degree_v(); }
@@ -26,7 +28,7 @@ struct PatchView {
   }
 };
 
-const RationalBezierPatch& patch_behind(const BezierSurface& surface, Side side, int span) {
+const RationalBezierPatch& patch_behind(const BezierSurface& surface, SurfaceSide side, int span) {
   const Grid<RationalBezierPatch>& all = surface.patches;
   if (runs_along_v(side)) return all(is_at_end(side) ? all.rows() - 1 : 0, span);
   return all(span, is_at_end(side) ? all.columns() - 1 : 0);
@@ -103,7 +105,7 @@ Vec3 in_space(const Vec4& vector, const Vec4& value) {
 
 }  // namespace
 
-Border border_of(const BezierSurface& surface, Side side) {
+Border border_of(const BezierSurface& surface, SurfaceSide side) {
   const bool along_v = runs_along_v(side);
   const std::vector<double>& along = along_v ? surface.v_knots : surface.u_knots;
   const std::vector<double>& inwards = along_v ? surface.u_knots : surface.v_knots;

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "core/blending/strip.h"
+#include "core/blending/surface_side.h"
 #include "core/forms/surface.h"
 #include "core/math/interval.h"
 
@@ -28,7 +28,7 @@ struct Border {
 };
 
 /// A border of a surface. The surface has to be valid.
-Border border_of(const BezierSurface& surface, Side side);
+Border border_of(const BezierSurface& surface, SurfaceSide side);
 
 /// One piece of a border, inside one of its spans.
 struct BorderPiece {

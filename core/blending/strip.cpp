@@ -246,18 +246,18 @@ bool is_closed(const BezierSurface& strip) {
 
 }  // namespace
 
-const char* to_string(Side side) {
+const char* to_string(SurfaceSide side) {
   switch (side) {
-    case Side::UMin: return "umin";
-    case Side::UMax: return "umax";
-    case Side::VMin: return "vmin";
-    case Side::VMax: break;
+    case SurfaceSide::UMin: return "umin";
+    case SurfaceSide::UMax: return "umax";
+    case SurfaceSide::VMin: return "vmin";
+    case SurfaceSide::VMax: break;
   }
   return "vmax";
 }
 
-Strip strip_between(const BezierSurface& a, Side side_a, const BezierSurface& b, Side side_b,
-                    const StripOptions& options) {
+Strip strip_between(const BezierSurface& a, SurfaceSide side_a, const BezierSurface& b,
+                    SurfaceSide side_b, const StripOptions& options) {
   validate(a, "a");
   validate(b, "b");
   check_weight(options.weight_a, "weight_a");
@@ -297,8 +297,8 @@ Strip strip_between(const BezierSurface& a, Side side_a, const BezierSurface& b,
 }
 
 std::array<StripContact, 2> strip_contacts(const BezierSurface& strip, const BezierSurface& a,
-                                           Side side_a, const BezierSurface& b, Side side_b,
-                                           bool backward) {
+                                           SurfaceSide side_a, const BezierSurface& b,
+                                           SurfaceSide side_b, bool backward) {
   validate(strip, "strip");
   validate(a, "a");
   validate(b, "b");
@@ -320,7 +320,8 @@ double strip_gap_bound(const BezierSurface& strip) {
   return (24 * strip.patches(0, 0).degree_u() + 32) * 0x1p-53 * size;
 }
 
-double border_distance(const BezierSurface& a, Side side_a, const BezierSurface& b, Side side_b) {
+double border_distance(const BezierSurface& a, SurfaceSide side_a, const BezierSurface& b,
+                       SurfaceSide side_b) {
   validate(a, "a");
   validate(b, "b");
   const Border border_a = border_of(a, side_a), border_b = border_of(b, side_b);

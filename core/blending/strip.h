@@ -12,15 +12,10 @@
 
 #include <array>
 
+#include "core/blending/surface_side.h"
 #include "core/forms/surface.h"
 
 namespace blossom {
-
-/// A border of a surface, by the parameter that is constant along it.
-enum class Side { UMin, UMax, VMin, VMax };
-
-/// "umin", "umax", "vmin" or "vmax".
-const char* to_string(Side side);
 
 /// How the parameters of the two borders correspond.
 enum class Pairing {
@@ -73,15 +68,15 @@ struct Strip {
 ///
 /// Source: Farin 2002, "Curves and Surfaces for CAGD", composite surfaces (cubic cross-boundary
 /// Hermite data); Vlachkova 2025, Theorem 1, for the pieces between inserted knots.
-Strip strip_between(const BezierSurface& a, Side side_a, const BezierSurface& b, Side side_b,
-                    const StripOptions& options = {});
+Strip strip_between(const BezierSurface& a, SurfaceSide side_a, const BezierSurface& b,
+                    SurfaceSide side_b, const StripOptions& options = {});
 
 /// How well a surface with the spans of a strip meets the borders; for a strip that went through
 /// other hands. `scale` stays 0.
 /// throws    InvalidInput if a surface is not well formed or the strip has other spans
 std::array<StripContact, 2> strip_contacts(const BezierSurface& strip, const BezierSurface& a,
-                                           Side side_a, const BezierSurface& b, Side side_b,
-                                           bool backward);
+                                           SurfaceSide side_a, const BezierSurface& b,
+                                           SurfaceSide side_b, bool backward);
 
 /// Bound on the gap between a strip and its neighbours, model units: (24 n + 32) u times the
 /// largest coordinate, n the degree along the borders and u = 2^-53. A row goes through at most
@@ -90,6 +85,7 @@ double strip_gap_bound(const BezierSurface& strip);
 
 /// The mean distance between corresponding points of two borders, in the nearer pairing.
 /// Model units; throws InvalidInput if a surface is not well formed.
-double border_distance(const BezierSurface& a, Side side_a, const BezierSurface& b, Side side_b);
+double border_distance(const BezierSurface& a, SurfaceSide side_a, const BezierSurface& b,
+                       SurfaceSide side_b);
 
 }  // namespace blossom

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/blossom/detail/triangle_conversion.h"
-#include "core/forms/degree.h"
+#include "core/forms/algebra/degree.h"
 #include "core/forms/detail/checks.h"
 
 namespace blossom {

@@ -27,7 +27,7 @@ struct BezierCurveOf {
 /// C(t) = sum_i coefficients[i] ((t - centre) / scale)^i; n + 1 coefficients.
 ///
 /// centre 0 and scale 1 give the plain power basis. A curve that is re-centred keeps the
-/// relative accuracy of its local shape (see `core/forms/conversion.h`).
+/// relative accuracy of its local shape (see `core/forms/algebra/conversion.h`).
 template <class Point>
 struct MonomialCurveOf {
   std::vector<Point> coefficients;

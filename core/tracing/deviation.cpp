@@ -10,8 +10,8 @@
 
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
-#include "core/forms/degree.h"
-#include "core/math/power_series.h"
+#include "core/forms/algebra/degree.h"
+#include "core/math/series/power_series.h"
 #include "core/tracing/image_gap.h"
 #include "core/tracing/seven.h"
 #include "core/tracing/sites.h"

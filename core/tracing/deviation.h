@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/forms/surface.h"
-#include "core/intersection/result.h"
+#include "core/results/result.h"
 
 namespace blossom {
 

@@ -379,7 +379,7 @@ class Fitter {
       if (const auto found = tracer_.beside(station, near, kLastStep * options_.size))
         return *found;
     }
-    const CurvePoint p = tracer_.at(station, true);
+    const TracePoint p = tracer_.at(station, true);
     return {{p.point, p.a, p.b}, p.sine};
   }
 

@@ -10,9 +10,9 @@
 
 #pragma once
 
+#include "core/base/work_limit.h"
 #include "core/forms/surface.h"
-#include "core/intersection/result.h"
-#include "core/intersection/work_limit.h"
+#include "core/results/result.h"
 #include "core/tracing/trace.h"
 
 namespace blossom {

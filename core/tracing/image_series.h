@@ -12,7 +12,7 @@
 #include <span>
 
 #include "core/forms/patch.h"
-#include "core/math/power_series.h"
+#include "core/math/series/power_series.h"
 
 namespace blossom {
 

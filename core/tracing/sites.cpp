@@ -86,7 +86,7 @@ BLOSSOM_HOT double arc_length(const std::array<Vec3, 6>& points) {
 
 // Value and derivatives by a parameter with ds/dt = speed and d^2 s/dt^2 = change, s the arc
 // length.
-std::array<Vec7, 3> jet(const CurvePoint& x, double speed, double change) {
+std::array<Vec7, 3> jet(const TracePoint& x, double speed, double change) {
   const Vec7 first = seven(x.first, x.a_first, x.b_first);
   const Vec7 second = seven(x.second, x.a_second, x.b_second);
   return {seven(x.point, x.a, x.b), first * speed, second * (speed * speed) + first * change};
@@ -100,7 +100,7 @@ struct Step {
 
 // The parameter is arc length, which the curve itself has to tell: from that of a circle's arc, two
 // rounds settle it.
-Step step_by_length(const CurvePoint& p, const CurvePoint& q) {
+Step step_by_length(const TracePoint& p, const TracePoint& q) {
   const std::array start{p.point, p.first, p.second}, stop{q.point, q.first, q.second};
   const Vec3 turn = q.first - p.first;
   double width = distance(p.point, q.point) * (1 + dot(turn, turn) / 24);
@@ -110,11 +110,11 @@ Step step_by_length(const CurvePoint& p, const CurvePoint& q) {
 
 // The parameter is that of the conic; where it does not grow, or by half a turn or more, the piece
 // has no width.
-Step step_by_conic(const CurvePoint& p, const CurvePoint& q, const Conic& conic) {
+Step step_by_conic(const TracePoint& p, const TracePoint& q, const Conic& conic) {
   const double from = parameter_at(conic, p.point), to = parameter_at(conic, q.point);
   double width = to - from;
   if (conic.is_closed()) width = std::remainder(width, 2 * std::numbers::pi);
-  const auto jet_at = [&](const CurvePoint& x, double t) {
+  const auto jet_at = [&](const TracePoint& x, double t) {
     const Vec3 rate = derivative_at(conic, t);
     const double speed = norm(rate);
     return jet(x, speed, dot(rate, second_derivative_at(conic, t)) / speed);
@@ -134,7 +134,7 @@ bool jumps(const Vec<double, Dim>& x, const Vec<double, Dim>& y, double scale, d
 }
 
 // Of a knot where one link meets the next: in space and in both charts.
-int multiplicity(const CurvePoint& before, const CurvePoint& after) {
+int multiplicity(const TracePoint& before, const TracePoint& after) {
   if (distance(before.first, after.first) > kKink ||
       jumps(before.a_first, after.a_first, 0, kKink) ||
       jumps(before.b_first, after.b_first, 0, kKink))
@@ -178,7 +178,7 @@ class Sampler {
   std::vector<SmoothRun> run() {
     const std::size_t links = tracer_.stations().size() - 1;
     const double station = tracer_.stations().front();
-    const CurvePoint first = tracer_.at(station, true);
+    const TracePoint first = tracer_.at(station, true);
     begin_run({station, first_parameter(first), 0, first});
     last_.stop = runs_.front().sites.front();
     for (std::size_t from = 0; from < links; from += kLinksAtOnce)
@@ -190,7 +190,7 @@ class Sampler {
  private:
   // Where a derivative jumps: the point that a new run begins with.
   struct Break {
-    CurvePoint point;
+    TracePoint point;
     int multiplicity;
   };
 
@@ -263,7 +263,7 @@ class Sampler {
   const Site& last_site() const { return runs_.back().sites.back(); }
 
   // Of a circle it is 0 but for rounding.
-  double first_parameter(const CurvePoint& first) const {
+  double first_parameter(const TracePoint& first) const {
     constexpr double kRounding = 1e-14;
     const double t = conic_ != nullptr ? parameter_at(*conic_, first.point) : 0;
     return std::abs(t) <= kRounding ? 0 : t;
@@ -273,8 +273,8 @@ class Sampler {
 
   // Both runs have one point, and the derivatives in common that agree.
   std::optional<Break> break_at(const Site& site) const {
-    const CurvePoint& before = site.point;
-    CurvePoint after = tracer_.at(site.station, true);
+    const TracePoint& before = site.point;
+    TracePoint after = tracer_.at(site.station, true);
     const int found = multiplicity(before, after);
     if (found == kFitDegree - 2 && !on_line_knot(before)) return {};
     after.point = before.point;
@@ -305,7 +305,7 @@ class Sampler {
   }
 
   // A loop ends in its first point, exactly; at a seam only in space.
-  void close(CurvePoint& last, const CurvePoint& first) const {
+  void close(TracePoint& last, const TracePoint& first) const {
     if (distance(last.point, first.point) > kSamePoint * wanted_.gap) return;
     last.point = first.point;
     if (distance(last.a, first.a) <= kSameParameter * norm(first.a)) last.a = first.a;
@@ -313,7 +313,7 @@ class Sampler {
   }
 
   // Surfaces are smooth but at their knots.
-  bool may_break(const CurvePoint& p) const {
+  bool may_break(const TracePoint& p) const {
     return on_knot(a_.u_knots, p.a[0]) || on_knot(a_.v_knots, p.a[1]) ||
            on_knot(b_.u_knots, p.b[0]) || on_knot(b_.v_knots, p.b[1]);
   }
@@ -325,7 +325,7 @@ class Sampler {
   }
 
   // The knots of an angle are those of its circle's arcs: the surface goes on unchanged there.
-  bool on_line_knot(const CurvePoint& p) const {
+  bool on_line_knot(const TracePoint& p) const {
     return (a_.u_law == ParameterLaw::Linear && on_knot(a_.u_knots, p.a[0])) ||
            (a_.v_law == ParameterLaw::Linear && on_knot(a_.v_knots, p.a[1])) ||
            (b_.u_law == ParameterLaw::Linear && on_knot(b_.u_knots, p.b[0])) ||

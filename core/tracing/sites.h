@@ -5,9 +5,9 @@
 
 #include <vector>
 
+#include "core/base/work_limit.h"
 #include "core/forms/conic.h"
 #include "core/forms/surface.h"
-#include "core/intersection/work_limit.h"
 #include "core/tracing/spline_fit.h"
 #include "core/tracing/trace.h"
 
@@ -18,7 +18,7 @@ struct Site {
   double station = 0;
   double parameter = 0;  ///< of the curve: arc length, or that of its conic
   double length = 0;     ///< of the curve up to there, model units
-  CurvePoint point;
+  TracePoint point;
 };
 
 /// A part of a chain along which the curve is smooth in space and in both charts.

@@ -7,7 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
-#include "core/intersection/contacts/contact_points.h"
+#include "core/surfaces/gap/contact_points.h"
 
 namespace blossom {
 namespace {
@@ -129,11 +129,11 @@ std::size_t ChainTracer::link_at(double station, bool after) const {
   return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(found - first - 1, 0, last_link));
 }
 
-CurvePoint ChainTracer::at(double station, bool after) const {
+TracePoint ChainTracer::at(double station, bool after) const {
   const std::size_t link = link_at(station, after);
   const double width = stations_[link + 1] - stations_[link];
   const double fraction = std::clamp((station - stations_[link]) / width, 0.0, 1.0);
-  CurvePoint p = on_link(link, fraction);
+  TracePoint p = on_link(link, fraction);
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(chain_.links[link].arc)];
   const bool to_pole = arc.to_pole || (arc.arc.tangential && p.sine == 0);  // or to such a node
   const bool is_end = fraction <= 0 || fraction >= 1;
@@ -143,29 +143,29 @@ CurvePoint ChainTracer::at(double station, bool after) const {
   // the derivatives are taken from points beside it, by quadratic extrapolation. Where contact is
   // of higher order, more of the link is too near to the node for that.
   double step = (fraction < 0.5 ? 1 : -1) * (to_pole ? kBesidePole : kBeside);
-  CurvePoint q1 = on_link(link, fraction + step);
+  TracePoint q1 = on_link(link, fraction + step);
   while (!to_pole && !(q1.sine > kLeastSine) && std::abs(step) < kFarthestBeside) {
     step *= 2;
     q1 = on_link(link, fraction + step);
   }
-  const CurvePoint q2 = on_link(link, fraction + 2 * step), q3 = on_link(link, fraction + 3 * step);
-  const auto extrapolated = [&](auto CurvePoint::*member) {
+  const TracePoint q2 = on_link(link, fraction + 2 * step), q3 = on_link(link, fraction + 3 * step);
+  const auto extrapolated = [&](auto TracePoint::*member) {
     return 3 * (q1.*member - q2.*member) + q3.*member;
   };
-  p.sine = std::max(extrapolated(&CurvePoint::sine), 0.0);
+  p.sine = std::max(extrapolated(&TracePoint::sine), 0.0);
   // An iso-line tells everything but the image on the other surface.
   const bool on_a = arc.arc.iso == 0 || arc.arc.iso == 1, on_b = arc.arc.iso > 1;
   if (!on_a && !on_b) {
-    p.first = unit(extrapolated(&CurvePoint::first));
-    p.second = extrapolated(&CurvePoint::second);
+    p.first = unit(extrapolated(&TracePoint::first));
+    p.second = extrapolated(&TracePoint::second);
   }
   if (!on_a) {
-    p.a_first = extrapolated(&CurvePoint::a_first);
-    p.a_second = extrapolated(&CurvePoint::a_second);
+    p.a_first = extrapolated(&TracePoint::a_first);
+    p.a_second = extrapolated(&TracePoint::a_second);
   }
   if (!on_b) {
-    p.b_first = extrapolated(&CurvePoint::b_first);
-    p.b_second = extrapolated(&CurvePoint::b_second);
+    p.b_first = extrapolated(&TracePoint::b_first);
+    p.b_second = extrapolated(&TracePoint::b_second);
   }
   const double width_here = distance(q3.point, p.point);
   const Vec3 chord = unit(q3.point - p.point) * (step > 0 ? 1.0 : -1.0);
@@ -208,7 +208,7 @@ std::optional<CrossingPoint> ChainTracer::beside(double station, const SurfacePo
   return std::nullopt;
 }
 
-CurvePoint ChainTracer::on_link(std::size_t index, double fraction) const {
+TracePoint ChainTracer::on_link(std::size_t index, double fraction) const {
   const ChainLink& link = chain_.links[index];
   const FoundArc& arc = found_.arcs[static_cast<std::size_t>(link.arc)];
   return differentiate(arc, parameters_on(arc, link.forward ? fraction : 1 - fraction),
@@ -255,7 +255,7 @@ Point4 ChainTracer::parameters_on(const FoundArc& arc, double fraction) const {
 
 // Along an iso-line everything follows from it; the parameters of the other surface are those of
 // its foot.
-CurvePoint ChainTracer::differentiate_iso(const FoundArc& arc, const Point4& x,
+TracePoint ChainTracer::differentiate_iso(const FoundArc& arc, const Point4& x,
                                           bool forward) const {
   const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
   const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);
@@ -270,7 +270,7 @@ CurvePoint ChainTracer::differentiate_iso(const FoundArc& arc, const Point4& x,
   Vec2 rate, second;
   rate[along] = sign / std::sqrt(square);
   second[along] = -dot(d, dd) / (square * square);
-  CurvePoint result;
+  TracePoint result;
   result.point = own.point + origin_;
   result.first = d * rate[along];
   result.second = dd * (rate[along] * rate[along]) + d * second[along];
@@ -291,7 +291,7 @@ CurvePoint ChainTracer::differentiate_iso(const FoundArc& arc, const Point4& x,
 
 // Where the surfaces touch the tangent is that of the valley; the second derivative is the
 // difference of two of them.
-CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& x,
+TracePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& x,
                                              bool forward) const {
   const auto& patch_a = a_.tree(arc.patch_a).patch();
   const auto& patch_b = b_.tree(arc.patch_b).patch();
@@ -324,7 +324,7 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
   const Rates r0 = rates_at(x0), r1 = rates_at(x1);
   const double width = (forward ? 1 : -1) *
                        (distance(point_at(patch_a, x0[0], x0[1]), point_at(patch_a, x1[0], x1[1])));
-  CurvePoint result;
+  TracePoint result;
   result.point = point_at(patch_a, x[0], x[1]) + origin_;
   result.first = here.tangent;
   result.second = (r1.tangent - r0.tangent) * (1 / width);
@@ -341,13 +341,13 @@ CurvePoint ChainTracer::differentiate_valley(const FoundArc& arc, const Point4& 
   return result;
 }
 
-CurvePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool forward) const {
+TracePoint ChainTracer::differentiate(const FoundArc& arc, const Point4& x, bool forward) const {
   if (arc.arc.iso >= 0) return differentiate_iso(arc, x, forward);
   if (arc.arc.tangential) return differentiate_valley(arc, x, forward);
   const PatchJet p = jet_at(a_.tree(arc.patch_a).patch(), x[0], x[1], 2);
   const PatchJet q = jet_at(b_.tree(arc.patch_b).patch(), x[2], x[3], 2);
   const Vec3 n1 = unit(cross(p.u, p.v)), n2 = unit(cross(q.u, q.v));
-  CurvePoint result;
+  TracePoint result;
   Vec3 tangent = cross(n1, n2);
   result.sine = norm(tangent);
   tangent = unit(tangent);

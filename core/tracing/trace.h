@@ -10,14 +10,15 @@
 #include <optional>
 #include <vector>
 
-#include "core/intersection/arcs/arc_chains.h"
-#include "core/intersection/pair_search.h"
-#include "core/intersection/result.h"
+#include "core/cells/surface_cells.h"
+#include "core/results/result.h"
+#include "core/surfaces/branches/arc_chains.h"
+#include "core/surfaces/pairs/pair_search_result.h"
 
 namespace blossom {
 
 /// A point of an intersection curve with derivatives by arc length.
-struct CurvePoint {
+struct TracePoint {
   Vec3 point;  ///< in space
   Vec3 first;  ///< unit tangent
   Vec3 second;
@@ -45,7 +46,7 @@ class ChainTracer {
 
   /// The point at a rough length. At a station shared by two links, `after` chooses the link
   /// that starts there.
-  CurvePoint at(double station, bool after) const;
+  TracePoint at(double station, bool after) const;
 
   /// The point of the link at a station beside one that is nearly on it, in the plane across the
   /// curve: by Newton's method from there, which a step or two settle.
@@ -57,11 +58,11 @@ class ChainTracer {
 
  private:
   std::size_t link_at(double station, bool after) const;
-  CurvePoint on_link(std::size_t link, double fraction) const;
+  TracePoint on_link(std::size_t link, double fraction) const;
   Point4 parameters_on(const FoundArc& arc, double fraction) const;
-  CurvePoint differentiate(const FoundArc& arc, const Point4& x, bool forward) const;
-  CurvePoint differentiate_iso(const FoundArc& arc, const Point4& x, bool forward) const;
-  CurvePoint differentiate_valley(const FoundArc& arc, const Point4& x, bool forward) const;
+  TracePoint differentiate(const FoundArc& arc, const Point4& x, bool forward) const;
+  TracePoint differentiate_iso(const FoundArc& arc, const Point4& x, bool forward) const;
+  TracePoint differentiate_valley(const FoundArc& arc, const Point4& x, bool forward) const;
 
   const PairSearchResult& found_;
   SurfaceCells& a_;

@@ -6,7 +6,7 @@
 #include <set>
 #include <system_error>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/soundness.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"

@@ -12,8 +12,8 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/curves.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves.h"
 
 namespace blossom::cli {
 namespace {

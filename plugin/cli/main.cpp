@@ -11,7 +11,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/shapes.h"
 #include "core/base/errors.h"
 #include "plugin/cli/commands/commands.h"

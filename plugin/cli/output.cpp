@@ -5,7 +5,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"

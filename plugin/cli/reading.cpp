@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"

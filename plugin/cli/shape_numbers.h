@@ -7,7 +7,7 @@
 
 #include <TopoDS_Shape.hxx>
 
-#include "adapters/occt/border_numbers.h"
+#include "adapters/occt/convert/border_numbers.h"
 #include "plugin/cli/output.h"
 
 namespace blossom::cli {

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "adapters/occt/errors.h"
-#include "core/intersection/work_limit.h"
+#include "adapters/occt/base/errors.h"
+#include "core/base/work_limit.h"
 #include "plugin/cli/interruption.h"
 
 namespace blossom::cli {

@@ -13,8 +13,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "adapters/occt/brep_bytes.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/exchange/brep_bytes.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
@@ -41,8 +41,10 @@ Value one_of(const std::map<std::string, Value>& known, const std::string& word,
 const std::map<std::string, CellForm> kForms = {
     {"auto", CellForm::Auto}, {"bezier", CellForm::Bezier}, {"monomial", CellForm::Monomial}};
 
-const std::map<std::string, Side> kSides = {
-    {"umax", Side::UMax}, {"umin", Side::UMin}, {"vmax", Side::VMax}, {"vmin", Side::VMin}};
+const std::map<std::string, SurfaceSide> kSides = {{"umax", SurfaceSide::UMax},
+                                                   {"umin", SurfaceSide::UMin},
+                                                   {"vmax", SurfaceSide::VMax},
+                                                   {"vmin", SurfaceSide::VMin}};
 
 IntersectionOptions options_from(double tolerance, const std::string& form, double time_limit,
                                  std::optional<long> budget, int threads) {
@@ -95,7 +97,8 @@ py::object intersect_bytes(const std::string& a, const std::string& b, double to
   }));
 }
 
-std::optional<Side> side_from(const std::optional<std::string>& word, const std::string& name) {
+std::optional<SurfaceSide> side_from(const std::optional<std::string>& word,
+                                     const std::string& name) {
   if (!word) return std::nullopt;
   return one_of(kSides, *word, name);
 }

@@ -6,8 +6,8 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BinTools.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/surfaces.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "core/base/errors.h"
 #include "core/base/tolerances.h"
 

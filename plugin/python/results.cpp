@@ -9,7 +9,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include "adapters/occt/brep_bytes.h"
+#include "adapters/occt/exchange/brep_bytes.h"
 #include "adapters/occt/intersection_edges.h"
 
 namespace py = pybind11;

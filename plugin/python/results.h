@@ -7,7 +7,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "adapters/occt/border_numbers.h"
+#include "adapters/occt/convert/border_numbers.h"
 #include "adapters/occt/intersection.h"
 
 namespace blossom::python {

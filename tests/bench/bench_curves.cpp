@@ -35,9 +35,9 @@
 #include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/curve_queries.h"
-#include "adapters/occt/curves.h"
-#include "adapters/occt/surfaces.h"
 #include "tests/bench/curves_families.h"
 #include "tests/support/curves.h"
 

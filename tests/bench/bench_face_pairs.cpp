@@ -29,7 +29,7 @@
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <TopoDS_Compound.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"

@@ -33,9 +33,9 @@
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/area.h"
-#include "adapters/occt/compounds.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "core/base/errors.h"

@@ -41,8 +41,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 
-#include "adapters/occt/area.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"

@@ -17,8 +17,8 @@
 
 #include "core/blossom/patch_blossom.h"
 #include "core/blossom/triangle_blossom.h"
-#include "core/subdivision/bulk.h"
-#include "core/subdivision/bulk_triangles.h"
+#include "core/subdivision/bulk/bulk.h"
+#include "core/subdivision/bulk/bulk_triangles.h"
 #include "core/subdivision/subdivision_matrix.h"
 #include "tests/bench/subdivision_rivals.h"
 

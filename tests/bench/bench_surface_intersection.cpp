@@ -23,8 +23,8 @@
 #include <Geom_BezierSurface.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/surfaces.h"
 #include "tests/support/cubic_family.h"
 
 namespace {

@@ -35,8 +35,8 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/compounds.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/forms/degree.h"
+#include "core/forms/algebra/degree.h"
 #include "core/math/binomial.h"
 #include "core/subdivision/curve_subdivision.h"
 #include "tests/bench/curves_families.h"

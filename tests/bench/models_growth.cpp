@@ -17,8 +17,8 @@
 #include <Geom_BSplineSurface.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/surfaces.h"
 #include "core/base/parallel.h"
 #include "core/forms/surface.h"
 #include "core/surface_intersection.h"

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/forms/patch.h"
-#include "core/subdivision/bulk.h"
+#include "core/subdivision/bulk/bulk.h"
 
 namespace blossom::bench {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/errors.h"
-#include "core/forms/conversion.h"
+#include "core/forms/algebra/conversion.h"
 #include "tests/support/curves.h"
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"

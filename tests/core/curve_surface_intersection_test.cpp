@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "core/base/errors.h"
-#include "core/forms/degree.h"
+#include "core/forms/algebra/degree.h"
 #include "core/forms/evaluation.h"
 #include "tests/support/curves.h"
 #include "tests/support/random.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "core/forms/conversion.h"
+#include "core/forms/algebra/conversion.h"
 #include "tests/support/random.h"
 #include "tests/support/solids.h"
 #include "tests/support/spline_surfaces.h"

@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "core/intersection/result.h"
+#include "core/results/result.h"
 
 namespace blossom::testing {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/forms/algebra/degree.h"
 #include "core/forms/curve_spans.h"
-#include "core/forms/degree.h"
 #include "core/subdivision/curve_subdivision.h"
 
 namespace blossom::testing {

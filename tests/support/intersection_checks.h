@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/intersection/result.h"
+#include "core/results/result.h"
 
 namespace blossom::testing {
 

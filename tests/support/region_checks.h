@@ -15,8 +15,8 @@
 #include "core/blossom/triangle_blossom.h"
 #include "core/blossom/triangle_composition.h"
 #include "core/forms/evaluation.h"
-#include "core/trimming/loops.h"
-#include "core/trimming/triangulated_region.h"
+#include "core/plane/loops.h"
+#include "core/regions/triangulated_region.h"
 
 namespace blossom::testing {
 

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/forms/degree.h"
-#include "core/forms/products.h"
+#include "core/forms/algebra/degree.h"
+#include "core/forms/algebra/products.h"
 #include "core/forms/surface.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "tests/support/random.h"

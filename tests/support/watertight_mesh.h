@@ -12,8 +12,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/forms/de_casteljau.h"
-#include "core/trimming/watertight.h"
+#include "core/forms/algebra/de_casteljau.h"
+#include "core/watertight/watertight.h"
 
 namespace blossom::testing {
 

@@ -8,9 +8,9 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/curves.h"
-#include "adapters/occt/errors.h"
-#include "adapters/occt/forms/edge_charts.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/edge_charts.h"
 #include "core/bounds/box_tree.h"
 #include "core/curve_intersection.h"
 

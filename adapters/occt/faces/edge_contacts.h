@@ -13,8 +13,8 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "core/intersection/result.h"
 #include "core/math/interval.h"
+#include "core/results/result.h"
 
 namespace blossom::occt {
 

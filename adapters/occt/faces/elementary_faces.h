@@ -10,7 +10,7 @@
 
 #include "core/bounds/box_tree.h"
 #include "core/forms/elementary.h"
-#include "core/intersection/result.h"
+#include "core/results/result.h"
 
 namespace blossom::occt {
 

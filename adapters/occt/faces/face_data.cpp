@@ -16,10 +16,10 @@
 #include <Geom_Surface.hxx>
 #include <Geom_TrimmedCurve.hxx>
 
-#include "adapters/occt/curves.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/elementary_faces.h"
-#include "adapters/occt/surfaces.h"
 
 namespace blossom::occt {
 namespace {

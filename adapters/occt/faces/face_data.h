@@ -8,14 +8,14 @@
 
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/surfaces.h"
 #include "core/bounds/box_tree.h"
 #include "core/forms/elementary.h"
 #include "core/forms/surface.h"
-#include "core/intersection/options.h"
-#include "core/intersection/result.h"
+#include "core/results/options.h"
+#include "core/results/result.h"
 
 namespace blossom::occt {
 

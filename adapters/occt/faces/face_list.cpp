@@ -10,8 +10,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/hulls.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/hulls.h"
 #include "core/base/parallel.h"
 
 namespace blossom::occt {

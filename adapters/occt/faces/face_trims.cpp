@@ -17,11 +17,11 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/faces/face_trims_detail.h"
-#include "adapters/occt/forms/edge_charts.h"
-#include "adapters/occt/forms/pcurves.h"
-#include "core/trimming/loops.h"
+#include "core/plane/loops.h"
 
 namespace blossom::occt {
 namespace {

@@ -15,9 +15,9 @@
 #include <TopoDS_Shape.hxx>
 
 #include "core/forms/spline.h"
-#include "core/intersection/curves/planar_crossings.h"
-#include "core/intersection/options.h"
 #include "core/math/interval.h"
+#include "core/plane/planar_crossings.h"
+#include "core/results/options.h"
 
 namespace blossom::occt {
 

@@ -18,12 +18,12 @@
 
 #include "adapters/occt/faces/face_trims_detail.h"
 #include "core/bounds/patch_boxes.h"
-#include "core/intersection/arcs/known_curves.h"
-#include "core/intersection/cells/cell_pair.h"
-#include "core/intersection/cells/direction_cones.h"
-#include "core/intersection/cells/surface_cells.h"
-#include "core/intersection/contacts/path_reach.h"
-#include "core/intersection/start_pairs.h"
+#include "core/cells/cell_pair.h"
+#include "core/cells/direction_cones.h"
+#include "core/cells/known_curves.h"
+#include "core/cells/surface_cells.h"
+#include "core/surfaces/contacts/path_reach.h"
+#include "core/surfaces/search/start_pairs.h"
 
 namespace blossom::occt {
 namespace {

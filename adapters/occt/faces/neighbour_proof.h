@@ -6,7 +6,7 @@
 // nowhere else. Cells of both are halved until each pair of them is
 //   outside of the trims, or apart by a box or a plane, or
 //   within the tolerance of a common vertex, or
-//   beside a common edge, where paths prove it (`core/intersection/contacts/path_reach.h`): in the
+//   beside a common edge, where paths prove it (`core/surfaces/contacts/path_reach.h`): in the
 //   chart of each face a parameter line leads from every point of the cell to the edge.
 // That holds for smooth neighbours, too, as fillets and what they round, whose surfaces come as
 // near to each other as one likes and nearly parallel, and for parts of one surface. Faces that
@@ -18,8 +18,8 @@
 
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/shared_edges.h"
-#include "core/intersection/result.h"
-#include "core/intersection/work_limit.h"
+#include "core/base/work_limit.h"
+#include "core/results/result.h"
 
 namespace blossom::occt {
 

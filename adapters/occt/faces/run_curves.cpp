@@ -13,7 +13,7 @@
 #include <TopExp.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/curves.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/faces/surface_feet.h"
 
 namespace blossom::occt {

@@ -6,7 +6,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/faces/edge_contacts.h"
-#include "core/intersection/result.h"
+#include "core/results/result.h"
 
 namespace blossom::occt {
 

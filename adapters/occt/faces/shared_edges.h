@@ -8,7 +8,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "core/intersection/result.h"
+#include "core/results/result.h"
 
 namespace blossom::occt {
 

@@ -11,7 +11,7 @@
 #include <ShapeAnalysis_Surface.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "core/intersection/work_limit.h"
+#include "core/base/work_limit.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {

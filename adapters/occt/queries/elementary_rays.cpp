@@ -12,10 +12,10 @@
 #include <Geom_Surface.hxx>
 #include <gp_Ax3.hxx>
 
+#include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/faces/face_trims_detail.h"
-#include "adapters/occt/forms/curves_detail.h"
-#include "core/intersection/curves/planar_curves.h"
 #include "core/math/polynomial.h"
+#include "core/plane/planar_curves.h"
 
 namespace blossom::occt {
 namespace {

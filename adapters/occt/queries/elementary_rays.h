@@ -14,7 +14,7 @@
 
 #include "adapters/occt/faces/face_trims.h"
 #include "core/math/vec.h"
-#include "core/queries/ray.h"
+#include "core/rays/ray.h"
 
 namespace blossom::occt {
 

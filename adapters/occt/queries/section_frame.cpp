@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/forms/curves_detail.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves_detail.h"
 
 namespace blossom::occt {
 namespace {

@@ -12,8 +12,8 @@
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/curve_queries.h"
-#include "adapters/occt/forms/curves_detail.h"
 
 namespace blossom::occt {
 namespace {

@@ -9,8 +9,8 @@
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/forms/curves_detail.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves_detail.h"
 
 namespace blossom::occt {
 namespace {

@@ -11,9 +11,9 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/distance.h"
-#include "adapters/occt/errors.h"
-#include "adapters/occt/solids/solid_rays.h"
+#include "adapters/occt/queries/solid_rays.h"
 
 namespace blossom::occt {
 namespace {

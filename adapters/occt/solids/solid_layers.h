@@ -11,7 +11,7 @@
 
 #include <TopoDS_Solid.hxx>
 
-#include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/base/shared_limit.h"
 
 namespace blossom::occt {
 

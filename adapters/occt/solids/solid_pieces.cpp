@@ -14,15 +14,15 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/faces/common_edges.h"
-#include "adapters/occt/faces/edge_images.h"
-#include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/curve_edges.h"
 #include "adapters/occt/solids/solid_loose_ends.h"
+#include "adapters/occt/splitting/common_edges.h"
+#include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edge_union.h"
-#include "core/intersection/work_limit.h"
+#include "core/base/work_limit.h"
 
 namespace blossom::occt {
 namespace {

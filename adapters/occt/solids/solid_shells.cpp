@@ -21,11 +21,11 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/faces/edge_images.h"
-#include "adapters/occt/faces/shared_limit.h"
-#include "adapters/occt/forms/edge_charts.h"
-#include "adapters/occt/solids/solid_rays.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/queries/solid_rays.h"
+#include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/trim_sides.h"
 
 namespace blossom::occt {

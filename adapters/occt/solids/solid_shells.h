@@ -9,7 +9,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 
-#include "core/intersection/work_limit.h"
+#include "core/base/work_limit.h"
 
 namespace blossom::occt {
 

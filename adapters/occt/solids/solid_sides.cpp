@@ -13,11 +13,11 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/faces/common_edges.h"
-#include "adapters/occt/faces/edge_images.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/face_groups.h"
-#include "adapters/occt/faces/shared_limit.h"
-#include "adapters/occt/solids/solid_rays.h"
+#include "adapters/occt/queries/solid_rays.h"
+#include "adapters/occt/splitting/common_edges.h"
+#include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {

@@ -12,7 +12,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/splitting/trim_sides.h"
-#include "core/intersection/work_limit.h"
+#include "core/base/work_limit.h"
 
 namespace blossom::occt {
 

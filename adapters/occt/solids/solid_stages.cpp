@@ -7,7 +7,7 @@
 
 #include <TopTools_IndexedMapOfShape.hxx>
 
-#include "adapters/occt/compounds.h"
+#include "adapters/occt/base/compounds.h"
 
 namespace blossom::occt {
 

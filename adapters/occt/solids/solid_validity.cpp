@@ -15,7 +15,7 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 
-#include "adapters/occt/forms/edge_charts.h"
+#include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/solids/polygon_faces.h"
 
 namespace blossom::occt {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "core/intersection/curves/planar_crossings.h"
+#include "core/plane/planar_crossings.h"
 
 namespace blossom::occt {
 

@@ -17,8 +17,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/forms/edge_charts.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/edge_charts.h"
 #include "core/bounds/box_tree.h"
 
 namespace blossom::occt {

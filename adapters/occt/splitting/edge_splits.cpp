@@ -19,7 +19,7 @@
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 
 namespace blossom::occt {
 namespace {

@@ -13,8 +13,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 
-#include "adapters/occt/curves.h"
-#include "adapters/occt/forms/edge_charts.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/splitting/face_splitter.h"
 
 namespace blossom::occt {

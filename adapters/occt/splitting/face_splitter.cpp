@@ -13,7 +13,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
-#include "adapters/occt/faces/shared_limit.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/splitting/cut_crossings.h"
 
 namespace blossom::occt {
@@ -308,7 +308,8 @@ void FaceSplitter::add_crossings() {
         for (const double t : crossing.a) a.stops.emplace_back(t, node);
         for (const double t : crossing.b) b.stops.emplace_back(t, node);
       }
-      if (!common.complete) note(a.cut, "runs so close to another cut that not all branching points are sure");
+      if (!common.complete)
+        note(a.cut, "runs so close to another cut that not all branching points are sure");
     }
 }
 

@@ -14,10 +14,10 @@
 
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/splitting/edge_splits.h"
+#include "core/base/work_limit.h"
 #include "core/forms/conic.h"
 #include "core/forms/spline.h"
-#include "core/intersection/work_limit.h"
-#include "core/trimming/pieces.h"
+#include "core/plane/pieces.h"
 
 namespace blossom::occt {
 

@@ -9,28 +9,23 @@
 #include <optional>
 #include <stdexcept>
 
-#include <BOPTools_AlgoTools3D.hxx>
-#include <BRepCheck_Shell.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
-#include <IntTools_Context.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 #include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/distance.h"
-#include "adapters/occt/errors.h"
-#include "adapters/occt/faces/edge_images.h"
 #include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/faces/face_trims.h"
-#include "adapters/occt/solids/solid_rays.h"
+#include "adapters/occt/faces/point_inside.h"
+#include "adapters/occt/queries/solid_rays.h"
+#include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
@@ -180,14 +175,6 @@ ToolSide side_by_point(const TopoDS_Face& piece, const TrimTool& tool, SolidClas
 
 }  // namespace
 
-std::optional<gp_Pnt> point_inside(const TopoDS_Face& face) {
-  gp_Pnt point;
-  gp_Pnt2d uv;
-  const Handle(IntTools_Context) context = new IntTools_Context;
-  if (BOPTools_AlgoTools3D::PointInFace(face, point, uv, context) != 0) return std::nullopt;
-  return point;
-}
-
 bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach) {
   const std::optional<gp_Pnt> point = point_inside(piece);
   if (!point) return false;
@@ -196,74 +183,6 @@ bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach) {
   const Vec2 uv = feet.foot(p, {});
   return feet.gap(p, uv) <= reach &&
          part_side(face_trims(face), {uv[0], uv[0]}, {uv[1], uv[1]}) != PartSide::Outside;
-}
-
-namespace {
-
-// Whether the solid's faces are turned inwards, by the first line that tells. What cannot be
-// converted says so when it is used.
-bool is_inside_out(const TopoDS_Solid& solid) try {
-  const std::vector<TopoDS_Face> faces = faces_of(solid);
-  SolidRays rays(faces, Precision::Confusion());
-  for (const TopoDS_Face& face : faces) {
-    const std::optional<gp_Pnt> point = point_inside(face);
-    if (!point) continue;
-    for (const Vec3& direction : kRayDirections)
-      if (const auto outwards = rays.leaves({point->X(), point->Y(), point->Z()}, direction))
-        return !*outwards;
-  }
-  return false;
-} catch (const std::runtime_error&) {
-  return false;
-}
-
-// Of a closed solid whose faces are turned differently, or inwards, nothing is inside for sure.
-void check_orientation(const TopoDS_Solid& solid) {
-  for (TopExp_Explorer shell(solid, TopAbs_SHELL); shell.More(); shell.Next()) {
-    BRepCheck_Shell check(TopoDS::Shell(shell.Current()));
-    if (check.Orientation() != BRepCheck_NoError)
-      throw BadModel("the faces of a solid are not all turned the same way");
-  }
-  if (is_inside_out(solid)) throw BadModel("a solid is turned inside out");
-}
-
-}  // namespace
-
-bool is_closed_solid(const TopoDS_Shape& solid) {
-  if (!TopExp_Explorer(solid, TopAbs_FACE).More()) return false;
-  TopTools_IndexedDataMapOfShapeListOfShape users;
-  TopExp::MapShapesAndAncestors(solid, TopAbs_EDGE, TopAbs_FACE, users);
-  for (int i = 1; i <= users.Extent(); ++i)
-    if (users(i).Extent() < 2 && !BRep_Tool::Degenerated(TopoDS::Edge(users.FindKey(i))))
-      return false;
-  return true;
-}
-
-TrimTool trim_tool(const TopoDS_Shape& shape) {
-  TrimTool tool;
-  tool.faces = faces_of(shape);
-  TopTools_IndexedMapOfShape bounding;
-  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
-    if (!TopExp_Explorer(it.Current(), TopAbs_FACE).More()) continue;  // bounds nothing
-    if (!is_closed_solid(it.Current())) {
-      tool.solids.clear();
-      return tool;
-    }
-    check_orientation(TopoDS::Solid(it.Current()));
-    TopExp::MapShapes(it.Current(), TopAbs_FACE, bounding);
-    tool.solids.push_back(TopoDS::Solid(it.Current()));
-  }
-  if (bounding.Extent() != static_cast<int>(tool.faces.size())) tool.solids.clear();
-  return tool;
-}
-
-TrimTool solid_tool(const std::vector<TopoDS_Solid>& solids) {
-  TopTools_IndexedMapOfShape faces;
-  for (const TopoDS_Solid& solid : solids) TopExp::MapShapes(solid, TopAbs_FACE, faces);
-  TrimTool tool;
-  for (int i = 1; i <= faces.Extent(); ++i) tool.faces.push_back(TopoDS::Face(faces(i)));
-  tool.solids = solids;
-  return tool;
 }
 
 ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use) {

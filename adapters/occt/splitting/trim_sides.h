@@ -3,36 +3,14 @@
 
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Solid.hxx>
-#include <gp_Pnt.hxx>
 
 #include "adapters/occt/splitting/face_splitter.h"
+#include "adapters/occt/trim_tool.h"
 
 namespace blossom::occt {
-
-/// What parts are trimmed with. Faces are oriented: above is where their normals point.
-struct TrimTool {
-  std::vector<TopoDS_Face> faces;
-  std::vector<TopoDS_Solid> solids;  ///< those that the faces bound; empty for an open tool
-  std::string name{};                ///< in messages; empty: "the part" or "the tool"
-
-  bool is_solid() const { return !solids.empty(); }
-};
-
-/// Whether a solid has faces, and each of their edges bounds two of them, or one twice.
-bool is_closed_solid(const TopoDS_Shape& solid);
-
-/// A tool of all the shape's faces; solid if all belong to closed solids. Empty ones are left out.
-/// throws   BadModel if faces of a closed solid are turned differently, or all inwards
-TrimTool trim_tool(const TopoDS_Shape& shape);
-
-/// The same of solids that are known to be closed and turned outwards: nothing is checked.
-TrimTool solid_tool(const std::vector<TopoDS_Solid>& solids);
 
 /// The tool's part in a cut.
 struct CutSource {
@@ -58,9 +36,6 @@ ToolSide side_at_cut(const SidedPiece& piece, const CutUse& use);
 /// Whether a piece lies on a face: a point inside of it is within reach of it, inside of its trims
 /// or on its border.
 bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach);
-
-/// A point inside of a face; none if Open CASCADE finds none.
-std::optional<gp_Pnt> point_inside(const TopoDS_Face& face);
 
 /// The side of each piece with respect to one tool, in the order of `pieces`.
 ///

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/forms/detail/conversion.h"
+#include "core/forms/algebra/detail/conversion.h"
 #include "core/forms/triangle.h"
 
 namespace blossom::detail {

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/forms/detail/derivatives.h"
+#include "core/forms/algebra/detail/derivatives.h"
 
 namespace blossom::detail {
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "core/blossom/detail/checks.h"
-#include "core/forms/detail/products.h"
+#include "core/forms/algebra/detail/products.h"
 
 namespace blossom::detail {
 

@@ -26,8 +26,10 @@
 namespace blossom::cli {
 namespace {
 
-const std::map<std::string, Side> kSides = {
-    {"umin", Side::UMin}, {"umax", Side::UMax}, {"vmin", Side::VMin}, {"vmax", Side::VMax}};
+const std::map<std::string, SurfaceSide> kSides = {{"umin", SurfaceSide::UMin},
+                                                   {"umax", SurfaceSide::UMax},
+                                                   {"vmin", SurfaceSide::VMin},
+                                                   {"vmax", SurfaceSide::VMax}};
 
 struct StripCommand {
   std::string a;
@@ -48,7 +50,7 @@ Input read_one_face(const std::string& text) {
   return input;
 }
 
-std::optional<Side> side_of(const std::string& word) {
+std::optional<SurfaceSide> side_of(const std::string& word) {
   if (word.empty()) return std::nullopt;
   return kSides.at(word);
 }
@@ -80,7 +82,7 @@ StripContact worst_of(const Strip& strip) {
   return {std::max(a.gap, b.gap), std::max(a.normal_angle, b.normal_angle), 0};
 }
 
-Json side_json(const Input& input, Side side, double weight) {
+Json side_json(const Input& input, SurfaceSide side, double weight) {
   return {{"file", input.name},
           {"face", input.numbers.front()},
           {"edge", to_string(side)},

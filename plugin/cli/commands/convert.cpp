@@ -13,8 +13,8 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "adapters/occt/errors.h"
-#include "core/trimming/border_arcs.h"
+#include "adapters/occt/base/errors.h"
+#include "core/regions/border_arcs.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"

@@ -16,8 +16,8 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/least_box.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/queries/least_box.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/face_facts.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/intersection.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-#include "adapters/occt/area.h"
+#include "adapters/occt/faces/area.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/intersection_model.h"

@@ -3,7 +3,7 @@
 
 #include <TopExp_Explorer.hxx>
 
-#include "adapters/occt/compounds.h"
+#include "adapters/occt/base/compounds.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/exit_code.h"

@@ -12,7 +12,7 @@
 
 #include <BRepCheck_Analyzer.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/half_space.h"
 #include "adapters/occt/trim.h"
 #include "core/base/parallel.h"

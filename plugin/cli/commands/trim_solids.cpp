@@ -15,7 +15,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
-#include "adapters/occt/compounds.h"
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/half_space.h"
 #include "adapters/occt/solid_trim.h"
 #include "core/base/parallel.h"

@@ -7,14 +7,14 @@
 #include <variant>
 #include <vector>
 
-#include "core/blossom/q_curve.h"
-#include "core/blossom/q_patch.h"
 #include "core/blossom/triangle_blossom.h"
 #include "core/forms/curve.h"
 #include "core/forms/patch.h"
 #include "core/forms/surface.h"
 #include "core/forms/triangle.h"
 #include "core/math/interval.h"
+#include "core/papers/q_curve.h"
+#include "core/papers/q_patch.h"
 
 namespace blossom::cli {
 

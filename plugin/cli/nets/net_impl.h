@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
 #include "plugin/cli/nets/net.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <system_error>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "plugin/cli/nets/net_json.h"
 
 namespace blossom::cli {

@@ -9,8 +9,8 @@
 #include <Geom_BezierCurve.hxx>
 #include <Geom_BezierSurface.hxx>
 
-#include "adapters/occt/curves.h"
-#include "adapters/occt/surfaces.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "core/base/tolerances.h"
 #include "plugin/cli/nets/pieces.h"
 

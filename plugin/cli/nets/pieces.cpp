@@ -10,7 +10,7 @@
 #include "core/blossom/curve_blossom.h"
 #include "core/blossom/patch_blossom.h"
 #include "core/blossom/triangle_conversion.h"
-#include "core/forms/conversion.h"
+#include "core/forms/algebra/conversion.h"
 #include "core/subdivision/curve_subdivision.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/subdivision/triangle_subdivision.h"

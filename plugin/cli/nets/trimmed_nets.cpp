@@ -6,8 +6,8 @@
 
 #include <TopExp_Explorer.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/untrimmed.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/faces/untrimmed.h"
 #include "core/base/errors.h"
 #include "plugin/cli/interruption.h"
 

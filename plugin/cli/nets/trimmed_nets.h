@@ -9,7 +9,7 @@
 
 #include <TopoDS_Face.hxx>
 
-#include "core/trimming/triangle_lowering.h"
+#include "core/regions/triangle_lowering.h"
 #include "plugin/cli/nets/net.h"
 
 namespace blossom::cli {

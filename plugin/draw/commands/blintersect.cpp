@@ -11,8 +11,8 @@
 #include <DBRep.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "adapters/occt/border_numbers.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/border_numbers.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
 #include "plugin/draw/commands/commands.h"

@@ -13,7 +13,7 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 
 #include "adapters/cgal/gpl/mesh_check.h"
-#include "adapters/occt/compounds.h"
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/watertight.h"

@@ -15,8 +15,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/compounds.h"
-#include "tests/adapters/occt/solid_contacts.h"
+#include "adapters/occt/base/compounds.h"
+#include "tests/adapters/occt/solids/solid_contacts.h"
 #include "tests/support/shapes.h"
 
 namespace blossom::occt {

@@ -31,7 +31,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/curves.h"
+#include "adapters/occt/convert/curves.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/plane_section.h"

@@ -22,7 +22,7 @@
 #include <gp_Pln.hxx>
 #include <gp_Sphere.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 
 namespace blossom::occt {
 namespace {

@@ -24,7 +24,7 @@
 
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solid_trim.h"
-#include "tests/adapters/occt/solid_contacts.h"
+#include "tests/adapters/occt/solids/solid_contacts.h"
 
 namespace blossom::occt {
 namespace {

@@ -23,9 +23,9 @@
 #include <gp_GTrsf.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/solid_trim.h"
-#include "tests/adapters/occt/solid_contacts.h"
+#include "tests/adapters/occt/solids/solid_contacts.h"
 
 namespace blossom::occt {
 namespace {

@@ -38,8 +38,8 @@
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/intersection.h"
-#include "adapters/occt/surfaces.h"
 #include "core/surface_intersection.h"
 #include "tests/support/intersection_checks.h"
 #include "tests/support/random.h"

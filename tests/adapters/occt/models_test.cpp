@@ -13,11 +13,11 @@
 #include <gtest/gtest.h>
 #include <BRep_Tool.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/shapes.h"
-#include "adapters/occt/surfaces.h"
-#include "tests/adapters/occt/surfaces_samples.h"
+#include "tests/adapters/occt/convert/surfaces_samples.h"
 #include "tests/support/models.h"
 
 namespace blossom::occt {

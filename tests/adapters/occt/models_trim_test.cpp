@@ -22,7 +22,7 @@
 #include <TopoDS.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/trim.h"

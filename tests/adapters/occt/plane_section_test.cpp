@@ -27,7 +27,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/shapes.h"
 #include "tests/support/models.h"

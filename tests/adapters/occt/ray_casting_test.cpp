@@ -21,7 +21,7 @@
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
 #include "tests/support/shapes.h"
 

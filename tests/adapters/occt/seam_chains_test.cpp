@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Curves across the seams of closed faces are one curve, in as many edges as seams cut.
 
-#include "core/intersection/arcs/seam_chains.h"
+#include "core/surfaces/branches/seam_chains.h"
 
 #include <gtest/gtest.h>
 

@@ -34,7 +34,7 @@
 #include <TopoDS_Solid.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/shapes/edge_gaps.h"
+#include "adapters/occt/repair/edge_gaps.h"
 
 namespace blossom::occt {
 namespace {

@@ -29,7 +29,7 @@
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {
@@ -84,8 +84,8 @@ double angle_between(const Handle(Geom_Surface) & strip, double x, double y,
 TEST(FaceStrip, BetweenTwoSquaresInOnePlaneIsFlatAndValid) {
   const FaceStrip made = strip_between(square(0), square(3));
 
-  EXPECT_EQ(made.side_a, Side::UMax);
-  EXPECT_EQ(made.side_b, Side::UMin);
+  EXPECT_EQ(made.side_a, SurfaceSide::UMax);
+  EXPECT_EQ(made.side_b, SurfaceSide::UMin);
   EXPECT_TRUE(BRepCheck_Analyzer(made.face).IsValid());
   const gp_Pnt middle = made.surface->Value(0.5, 0.5);
   EXPECT_NEAR(middle.X(), 2, 1e-15);
@@ -96,7 +96,7 @@ TEST(FaceStrip, JoinsARationalCylinderToABSpline) {
   const Handle(Geom_BSplineSurface) spline = waves();
 
   const FaceStrip made = strip_between(cylinder(0.4, 2.7), face_on(spline),
-                                       {.side_a = Side::VMin, .side_b = Side::UMin});
+                                       {.side_a = SurfaceSide::VMin, .side_b = SurfaceSide::UMin});
 
   EXPECT_TRUE(BRepCheck_Analyzer(made.face).IsValid());
   EXPECT_TRUE(made.surface->IsURational());
@@ -118,8 +118,8 @@ TEST(FaceStrip, JoinsARationalCylinderToABSpline) {
 TEST(FaceStrip, KeepsFewKnots) {
   const Handle(Geom_BSplineSurface) spline = waves();
 
-  const FaceStrip made =
-      strip_between(square(-3), face_on(spline), {.side_a = Side::UMax, .side_b = Side::UMin});
+  const FaceStrip made = strip_between(square(-3), face_on(spline),
+                                       {.side_a = SurfaceSide::UMax, .side_b = SurfaceSide::UMin});
 
   ASSERT_EQ(made.surface->NbUKnots(), spline->NbVKnots());
   for (int k = 2; k < made.surface->NbUKnots(); ++k)
@@ -144,17 +144,17 @@ TEST(FaceStrip, TakesTheBordersOfTheTrimNotOfTheSurface) {
   const double cut = u0 + 0.4 * (u1 - u0);
   const TopoDS_Face part = BRepBuilderAPI_MakeFace(spline, u0, cut, v0, v1, 1e-7);
 
-  const FaceStrip made = strip_between(part, square(8), {.side_a = Side::UMax});
+  const FaceStrip made = strip_between(part, square(8), {.side_a = SurfaceSide::UMax});
 
   EXPECT_LE(made.surface->Value(0, 0).Distance(spline->Value(cut, v0)), 1e-12);
   EXPECT_LE(made.surface->Value(1, 0).Distance(spline->Value(cut, v1)), 1e-12);
 }
 
 TEST(FaceStrip, ASeamAndAPoleAreNoBorders) {
-  EXPECT_EQ(open_sides(cylinder(0, 2 * kPi)), (std::vector{Side::VMin, Side::VMax}));
+  EXPECT_EQ(open_sides(cylinder(0, 2 * kPi)), (std::vector{SurfaceSide::VMin, SurfaceSide::VMax}));
   const Handle(Geom_SphericalSurface) sphere = new Geom_SphericalSurface(gp_Ax3(), 1);
   const TopoDS_Face cap = BRepBuilderAPI_MakeFace(sphere, 0, 2 * kPi, 0.5, kPi / 2, 1e-7);
-  EXPECT_EQ(open_sides(cap), std::vector{Side::VMin});
+  EXPECT_EQ(open_sides(cap), std::vector{SurfaceSide::VMin});
 }
 
 TEST(FaceStrip, BetweenFullCylindersIsAClosedTube) {
@@ -162,8 +162,8 @@ TEST(FaceStrip, BetweenFullCylindersIsAClosedTube) {
 
   const FaceStrip made = strip_between(cylinder(0, 2 * kPi), wide);
 
-  EXPECT_EQ(made.side_a, Side::VMin);
-  EXPECT_EQ(made.side_b, Side::VMax);
+  EXPECT_EQ(made.side_a, SurfaceSide::VMin);
+  EXPECT_EQ(made.side_b, SurfaceSide::VMax);
   EXPECT_TRUE(made.surface->IsUClosed());
   EXPECT_TRUE(BRepCheck_Analyzer(made.face).IsValid());
 }
@@ -183,7 +183,7 @@ TEST(FaceStrip, SaysWhyThereIsNone) {
   };
 
   EXPECT_EQ(message(square(4), disc, {}), "face b has no edge along a border of its parameters");
-  EXPECT_EQ(message(cylinder(0, 2 * kPi), square(0), {.side_a = Side::UMin}),
+  EXPECT_EQ(message(cylinder(0, 2 * kPi), square(0), {.side_a = SurfaceSide::UMin}),
             "face a has no edge along umin, it has vmin, vmax");
   EXPECT_THROW(strip_between(square(0), square(1), {}), InvalidInput);
 }

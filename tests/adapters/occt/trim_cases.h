@@ -21,8 +21,8 @@
 #include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/area.h"
-#include "adapters/occt/curves.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/splitting/face_splitter.h"
 
 namespace blossom::occt::testing {

@@ -32,7 +32,7 @@
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/area.h"
+#include "adapters/occt/faces/area.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {

@@ -34,7 +34,7 @@
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/watertight_faces.h"
 #include "core/blossom/triangle_composition.h"
-#include "tests/adapters/occt/shapes_files.h"
+#include "tests/adapters/occt/exchange/shapes_files.h"
 #include "tests/support/models.h"
 
 namespace blossom::occt {

@@ -91,9 +91,9 @@ struct BorderJet {
 };
 
 /// The border at fraction x of its range, from the whole patch.
-BorderJet border_jet(const BezierSurface& surface, Side side, double x) {
-  const bool along_v = side == Side::UMin || side == Side::UMax;
-  const bool at_end = side == Side::UMax || side == Side::VMax;
+BorderJet border_jet(const BezierSurface& surface, SurfaceSide side, double x) {
+  const bool along_v = side == SurfaceSide::UMin || side == SurfaceSide::UMax;
+  const bool at_end = side == SurfaceSide::UMax || side == SurfaceSide::VMax;
   const std::vector<double>& knots = along_v ? surface.v_knots : surface.u_knots;
   const double parameter = knots.front() + x * (knots.back() - knots.front());
   const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
@@ -120,15 +120,15 @@ constexpr double kAngle = 1e-10;
 
 /// What the strip promises, checked against the neighbours' own patches at fractions that are
 /// not sampled by the strip itself.
-void expect_smooth(const Strip& strip, const BezierSurface& a, Side side_a, const BezierSurface& b,
-                   Side side_b) {
+void expect_smooth(const Strip& strip, const BezierSurface& a, SurfaceSide side_a,
+                   const BezierSurface& b, SurfaceSide side_b) {
   const double bound = strip_gap_bound(strip.surface);
   for (int k = 0; k <= 50; ++k) {
     const double x = k / 50.0;
     const BorderJet of_a = border_jet(a, side_a, x);
     const BorderJet of_b = border_jet(b, side_b, strip.backward ? 1 - x : x);
-    const BorderJet first = border_jet(strip.surface, Side::VMin, x);
-    const BorderJet last = border_jet(strip.surface, Side::VMax, x);
+    const BorderJet first = border_jet(strip.surface, SurfaceSide::VMin, x);
+    const BorderJet last = border_jet(strip.surface, SurfaceSide::VMax, x);
     EXPECT_LE(distance(first.point, of_a.point), bound);
     EXPECT_LE(distance(last.point, of_b.point), bound);
     EXPECT_LE(plane_angle(first.along, first.outwards, of_a.along, of_a.outwards), kAngle);
@@ -149,7 +149,7 @@ void expect_smooth(const Strip& strip, const BezierSurface& a, Side side_a, cons
 }
 
 TEST(Strip, BetweenTwoSquaresIsThePlaneWithEvenRows) {
-  const Strip strip = strip_between(square(0), Side::UMax, square(4), Side::UMin);
+  const Strip strip = strip_between(square(0), SurfaceSide::UMax, square(4), SurfaceSide::UMin);
 
   const Grid<Vec4>& net = strip.surface.patches(0, 0).points;
   ASSERT_EQ(net.rows(), 2);
@@ -161,8 +161,8 @@ TEST(Strip, BetweenTwoSquaresIsThePlaneWithEvenRows) {
 }
 
 TEST(Strip, WeightsMoveTheInnerRows) {
-  const Strip strip =
-      strip_between(square(0), Side::UMax, square(4), Side::UMin, {.weight_a = 2, .weight_b = 0.5});
+  const Strip strip = strip_between(square(0), SurfaceSide::UMax, square(4), SurfaceSide::UMin,
+                                    {.weight_a = 2, .weight_b = 0.5});
 
   const Grid<Vec4>& net = strip.surface.patches(0, 0).points;
   EXPECT_EQ(net(0, 1), weighted(3, 0, 0, 1));
@@ -190,10 +190,10 @@ TEST(Strip, GivesBackTheMiddleOfACubicSurface) {
                       {0, 1}, {from, to});
   };
   const BezierSurface low = part(0, 0.3), high = part(0.7, 1);
-  const Strip natural = strip_between(low, Side::VMax, high, Side::VMin);
+  const Strip natural = strip_between(low, SurfaceSide::VMax, high, SurfaceSide::VMin);
 
   const Strip strip = strip_between(
-      low, Side::VMax, high, Side::VMin,
+      low, SurfaceSide::VMax, high, SurfaceSide::VMin,
       {.weight_a = 0.4 / natural.contacts[0].scale, .weight_b = 0.4 / natural.contacts[1].scale});
 
   for (int i = 0; i <= 10; ++i)
@@ -211,7 +211,7 @@ TEST(Strip, JoinsACylinderToASplineSurface) {
   for (RationalBezierPatch& patch : other.patches.values())
     for (Vec4& point : patch.points.values()) point = {point[0], point[1] + 1, point[2] + 3, 1};
 
-  const Strip strip = strip_between(cylinder, Side::VMax, other, Side::VMin);
+  const Strip strip = strip_between(cylinder, SurfaceSide::VMax, other, SurfaceSide::VMin);
 
   ASSERT_EQ(strip.surface.patches.rows(), 2);
   EXPECT_EQ(strip.surface.patches(0, 0).degree_u(), 3);
@@ -234,10 +234,10 @@ TEST(Strip, KeepsTheDegreeWhereWeightsSeparate) {
   BezierSurface plane = square(0);
   for (Vec4& point : plane.patches(0, 0).points.values()) point = {-2 - point[0], 1, point[1], 1};
 
-  const Strip strip = strip_between(cylinder, Side::UMax, plane, Side::UMin);
+  const Strip strip = strip_between(cylinder, SurfaceSide::UMax, plane, SurfaceSide::UMin);
 
   EXPECT_EQ(strip.surface.patches(0, 0).degree_u(), 1);
-  expect_smooth(strip, cylinder, Side::UMax, plane, Side::UMin);
+  expect_smooth(strip, cylinder, SurfaceSide::UMax, plane, SurfaceSide::UMin);
 }
 
 TEST(Strip, DoublesTheDegreeWhereWeightsDoNotSeparate) {
@@ -245,29 +245,30 @@ TEST(Strip, DoublesTheDegreeWhereWeightsDoNotSeparate) {
   const BezierSurface a = random_surface(random, 0, 2, 3, 1, 1, 0.4);
   const BezierSurface b = random_surface(random, 5, 3, 2, 1, 1, 0.4);
 
-  const Strip strip = strip_between(a, Side::UMax, b, Side::UMin);
+  const Strip strip = strip_between(a, SurfaceSide::UMax, b, SurfaceSide::UMin);
 
   EXPECT_EQ(strip.surface.patches(0, 0).degree_u(), 6);
   for (const Vec4& point : strip.surface.patches(0, 0).points.values()) EXPECT_GT(point[3], 0);
-  expect_smooth(strip, a, Side::UMax, b, Side::UMin);
+  expect_smooth(strip, a, SurfaceSide::UMax, b, SurfaceSide::UMin);
 }
 
 TEST(Strip, FindsThatTheOtherBorderRunsBackwards) {
   std::mt19937 random(5);
   const BezierSurface a = random_surface(random, 0, 3, 2, 1, 2, 0);
   BezierSurface b = random_surface(random, 5, 2, 4, 1, 3, 0);
-  const Strip forward = strip_between(a, Side::UMax, b, Side::UMin);
+  const Strip forward = strip_between(a, SurfaceSide::UMax, b, SurfaceSide::UMin);
   EXPECT_FALSE(forward.backward);
 
   for (RationalBezierPatch& patch : b.patches.values())
     for (Vec4& point : patch.points.values()) point[1] = 3 - point[1];
-  const Strip strip = strip_between(a, Side::UMax, b, Side::UMin);
+  const Strip strip = strip_between(a, SurfaceSide::UMax, b, SurfaceSide::UMin);
 
   EXPECT_TRUE(strip.backward);
-  expect_smooth(strip, a, Side::UMax, b, Side::UMin);
-  const Strip twisted = strip_between(a, Side::UMax, b, Side::UMin, {.pairing = Pairing::Forward});
+  expect_smooth(strip, a, SurfaceSide::UMax, b, SurfaceSide::UMin);
+  const Strip twisted =
+      strip_between(a, SurfaceSide::UMax, b, SurfaceSide::UMin, {.pairing = Pairing::Forward});
   EXPECT_FALSE(twisted.backward);
-  expect_smooth(twisted, a, Side::UMax, b, Side::UMin);
+  expect_smooth(twisted, a, SurfaceSide::UMax, b, SurfaceSide::UMin);
 }
 
 // The same surface, its second span with homogeneous points three times as long.
@@ -278,9 +279,9 @@ TEST(Strip, DoesNotSeeACommonFactorOfASpansWeights) {
   BezierSurface scaled = a;
   for (Vec4& point : scaled.patches(0, 1).points.values()) point *= 3;
 
-  const Strip strip = strip_between(scaled, Side::UMax, b, Side::UMin);
+  const Strip strip = strip_between(scaled, SurfaceSide::UMax, b, SurfaceSide::UMin);
 
-  expect_smooth(strip, a, Side::UMax, b, Side::UMin);
+  expect_smooth(strip, a, SurfaceSide::UMax, b, SurfaceSide::UMin);
 }
 
 TEST(Strip, BetweenClosedBordersIsClosed) {
@@ -299,11 +300,11 @@ TEST(Strip, BetweenClosedBordersIsClosed) {
   for (RationalBezierPatch& patch : wider.patches.values())
     for (Vec4& p : patch.points.values()) p = {2 * p[0], 2 * p[1], p[2] + 4 * p[3], p[3]};
 
-  const Strip strip = strip_between(tube, Side::VMax, wider, Side::VMin);
+  const Strip strip = strip_between(tube, SurfaceSide::VMax, wider, SurfaceSide::VMin);
 
   EXPECT_TRUE(strip.surface.closed_u);
   EXPECT_FALSE(strip.backward);
-  expect_smooth(strip, tube, Side::VMax, wider, Side::VMin);
+  expect_smooth(strip, tube, SurfaceSide::VMax, wider, SurfaceSide::VMin);
 }
 
 TEST(Strip, RefusesWhatHasNoStrip) {
@@ -317,55 +318,58 @@ TEST(Strip, RefusesWhatHasNoStrip) {
     return "nothing was thrown";
   };
 
-  EXPECT_EQ(message([&] { strip_between(a, Side::UMax, a, Side::UMax); }),
+  EXPECT_EQ(message([&] { strip_between(a, SurfaceSide::UMax, a, SurfaceSide::UMax); }),
             "strip_between: the borders coincide, there is nothing between them");
-  EXPECT_THROW(strip_between(a, Side::UMax, b, Side::UMin, {.weight_a = 0}), InvalidInput);
-  EXPECT_THROW(strip_between(a, Side::UMax, b, Side::UMin,
+  EXPECT_THROW(strip_between(a, SurfaceSide::UMax, b, SurfaceSide::UMin, {.weight_a = 0}),
+               InvalidInput);
+  EXPECT_THROW(strip_between(a, SurfaceSide::UMax, b, SurfaceSide::UMin,
                              {.weight_b = std::numeric_limits<double>::infinity()}),
                InvalidInput);
 
   const BezierSurface cone = surface_of(
       patch_of(1, 1, [](int i, int j) { return weighted(i, i * j, 0, 1); }), {0, 1}, {0, 1});
-  EXPECT_EQ(message([&] { strip_between(a, Side::UMax, cone, Side::UMin); }),
+  EXPECT_EQ(message([&] { strip_between(a, SurfaceSide::UMax, cone, SurfaceSide::UMin); }),
             "strip_between: the border umin of b is a point");
 
   const BezierSurface folded =
       surface_of(patch_of(2, 1, [](int i, int j) { return weighted(i < 2 ? 0 : 1, j, 0, 1); }),
                  {0, 1}, {0, 1});
-  EXPECT_THROW(strip_between(folded, Side::UMin, b, Side::UMin), InvalidInput);
+  EXPECT_THROW(strip_between(folded, SurfaceSide::UMin, b, SurfaceSide::UMin), InvalidInput);
 
   std::mt19937 random(2);
   const BezierSurface high = random_surface(random, 0, 2, 13, 1, 1, 0.2);
-  EXPECT_EQ(message([&] { strip_between(high, Side::UMin, b, Side::UMin); }),
+  EXPECT_EQ(message([&] { strip_between(high, SurfaceSide::UMin, b, SurfaceSide::UMin); }),
             "strip_between: the strip would have degree 26, at most 25 is possible");
 
   BezierSurface broken = a;
   broken.u_knots = {1, 0};
-  EXPECT_THROW(strip_between(broken, Side::UMax, b, Side::UMin), InvalidInput);
+  EXPECT_THROW(strip_between(broken, SurfaceSide::UMax, b, SurfaceSide::UMin), InvalidInput);
 }
 
 TEST(Strip, MeasuresWhatOthersHaveMadeOfIt) {
   std::mt19937 random(23);
   const BezierSurface a = random_surface(random, 0, 3, 2, 1, 2, 0);
   const BezierSurface b = random_surface(random, 5, 3, 2, 1, 1, 0);
-  BezierSurface strip = strip_between(a, Side::UMax, b, Side::UMin).surface;
+  BezierSurface strip = strip_between(a, SurfaceSide::UMax, b, SurfaceSide::UMin).surface;
   for (Vec4& point : strip.patches(1, 0).points.values()) point[2] += 0.25;
 
-  const auto contacts = strip_contacts(strip, a, Side::UMax, b, Side::UMin, false);
+  const auto contacts = strip_contacts(strip, a, SurfaceSide::UMax, b, SurfaceSide::UMin, false);
 
   EXPECT_NEAR(contacts[0].gap, 0.25, 1e-14);
   EXPECT_NEAR(contacts[1].gap, 0.25, 1e-14);
   EXPECT_LE(contacts[0].normal_angle, kAngle);
   for (int i = 0; i < 3; ++i) strip.patches(0, 0).points(i, 1)[2] += 0.1;
-  EXPECT_GT(strip_contacts(strip, a, Side::UMax, b, Side::UMin, false)[0].normal_angle, 0.01);
-  EXPECT_THROW(strip_contacts(b, a, Side::UMax, b, Side::UMin, false), InvalidInput);
+  EXPECT_GT(
+      strip_contacts(strip, a, SurfaceSide::UMax, b, SurfaceSide::UMin, false)[0].normal_angle,
+      0.01);
+  EXPECT_THROW(strip_contacts(b, a, SurfaceSide::UMax, b, SurfaceSide::UMin, false), InvalidInput);
 }
 
 TEST(Strip, NamesItsSides) {
-  EXPECT_STREQ(to_string(Side::UMin), "umin");
-  EXPECT_STREQ(to_string(Side::UMax), "umax");
-  EXPECT_STREQ(to_string(Side::VMin), "vmin");
-  EXPECT_STREQ(to_string(Side::VMax), "vmax");
+  EXPECT_STREQ(to_string(SurfaceSide::UMin), "umin");
+  EXPECT_STREQ(to_string(SurfaceSide::UMax), "umax");
+  EXPECT_STREQ(to_string(SurfaceSide::VMin), "vmin");
+  EXPECT_STREQ(to_string(SurfaceSide::VMax), "vmax");
 }
 
 // All pairs of sides, degrees 1 to 7, one to three spans, polynomial and rational. The parameter
@@ -382,8 +386,8 @@ TEST_P(StripProperty, MeetsBothSurfacesToRounding) {
     return random_surface(random, x, pick(1, 7), pick(1, 7), pick(1, 3), pick(1, 3), weight);
   };
   const BezierSurface a = surface(0), b = surface(6);
-  const Side side_a = static_cast<Side>(GetParam() % 4);
-  const Side side_b = static_cast<Side>(GetParam() / 4 % 4);
+  const SurfaceSide side_a = static_cast<SurfaceSide>(GetParam() % 4);
+  const SurfaceSide side_b = static_cast<SurfaceSide>(GetParam() / 4 % 4);
 
   const Strip strip = strip_between(a, side_a, b, side_b, {.weight_b = 1.5});
 

@@ -9,8 +9,8 @@
 #include <numeric>
 
 #include "core/blossom/curve_blossom.h"
-#include "core/forms/conversion.h"
-#include "core/forms/de_casteljau.h"
+#include "core/forms/algebra/conversion.h"
+#include "core/forms/algebra/de_casteljau.h"
 #include "core/math/binomial.h"
 #include "core/subdivision/curve_subdivision.h"
 #include "tests/support/random.h"

@@ -5,7 +5,7 @@
 
 #include "core/base/errors.h"
 #include "core/blossom/detail/composition.h"
-#include "core/forms/de_casteljau.h"
+#include "core/forms/algebra/de_casteljau.h"
 #include "tests/core/forms/exact_forms.h"
 #include "tests/support/shapes.h"
 

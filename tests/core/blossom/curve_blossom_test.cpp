@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "core/base/errors.h"
-#include "core/forms/conversion.h"
-#include "core/forms/de_casteljau.h"
+#include "core/forms/algebra/conversion.h"
+#include "core/forms/algebra/de_casteljau.h"
 #include "tests/support/shapes.h"
 
 namespace blossom {

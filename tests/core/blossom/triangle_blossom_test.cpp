@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/base/errors.h"
-#include "core/forms/de_casteljau.h"
+#include "core/forms/algebra/de_casteljau.h"
 #include "tests/support/shapes.h"
 
 namespace blossom {

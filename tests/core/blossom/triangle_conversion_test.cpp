@@ -6,7 +6,7 @@
 #include "core/base/errors.h"
 #include "core/blossom/detail/triangle_conversion.h"
 #include "core/blossom/triangle_blossom.h"
-#include "core/forms/degree.h"
+#include "core/forms/algebra/degree.h"
 #include "tests/core/forms/exact_forms.h"
 #include "tests/support/shapes.h"
 

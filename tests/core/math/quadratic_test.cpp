@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/math/taylor_series.h"
+#include "core/math/series/taylor_series.h"
 #include "tests/support/random.h"
 
 namespace blossom {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/forms/conversion.h"
-#include "core/forms/detail/conversion.h"
+#include "core/forms/algebra/conversion.h"
+#include "core/forms/algebra/detail/conversion.h"
 #include "core/math/detail/bernstein.h"
 #include "core/math/matrix.h"
 #include "tests/support/exact.h"

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/base/errors.h"
-#include "core/forms/conversion.h"
+#include "core/forms/algebra/conversion.h"
 #include "core/math/detail/bernstein.h"
 #include "core/math/matrix.h"
 #include "tests/support/exact.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/errors.h"
-#include "core/forms/de_casteljau.h"
+#include "core/forms/algebra/de_casteljau.h"
 #include "tests/support/shapes.h"
 
 namespace blossom {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/base/errors.h"
-#include "core/forms/de_casteljau.h"
+#include "core/forms/algebra/de_casteljau.h"
 #include "core/subdivision/detail/triangle.h"
 #include "tests/support/exact.h"
 #include "tests/support/shapes.h"

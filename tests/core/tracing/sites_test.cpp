@@ -7,7 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/bounds/patch_boxes.h"
-#include "core/intersection/pair_search.h"
+#include "core/surfaces/search/pair_search.h"
 #include "tests/core/tracing/surface_pairs.h"
 
 namespace blossom {

@@ -35,9 +35,9 @@ TEST_F(TracedLoop, DerivativesAreThoseOfTheCurve) {
   for (int i = 1; i < 40; ++i) {
     const double station = total * i / 40;
     const double step = 1e-4 * total;
-    const CurvePoint p = tracer.at(station, true);
-    const CurvePoint before = tracer.at(station - step, true);
-    const CurvePoint after = tracer.at(station + step, true);
+    const TracePoint p = tracer.at(station, true);
+    const TracePoint before = tracer.at(station - step, true);
+    const TracePoint after = tracer.at(station + step, true);
     // Central differences over arc length; their error is of second order in the step.
     const double forth = distance(after.point, p.point), back = distance(p.point, before.point);
     const Vec3 first = (after.point - before.point) * (1 / (forth + back));
@@ -55,7 +55,7 @@ TEST_F(TracedLoop, APointBesideTheCurveLeadsOntoIt) {
   const double total = tracer.stations().back();
   for (int i = 0; i < 40; ++i) {
     const double station = total * (i + 0.5) / 40;
-    const CurvePoint p = tracer.at(station, true);
+    const TracePoint p = tracer.at(station, true);
     const SurfacePoint start{p.point + Vec3{3e-5, -2e-5, 1e-5}, p.a + Vec2{1e-5, 2e-5},
                              p.b + Vec2{-2e-5, 1e-5}};
     const auto found = tracer.beside(station, start, 1e-8);
@@ -88,7 +88,7 @@ TEST_F(TracedLoop, LinksMeetInPositionTangentAndCurvature) {
   const ChainTracer tracer(found_, a_, b_, {0.5, 0.5, 0}, chains_.at(0));
   const auto& stations = tracer.stations();
   for (std::size_t i = 1; i + 1 < stations.size(); ++i) {
-    const CurvePoint before = tracer.at(stations[i], false), after = tracer.at(stations[i], true);
+    const TracePoint before = tracer.at(stations[i], false), after = tracer.at(stations[i], true);
     EXPECT_LE(distance(before.point, after.point), 1e-11);
     EXPECT_LE(distance(before.first, after.first), 1e-9);
     EXPECT_LE(distance(before.second, after.second), 1e-6);

@@ -27,9 +27,9 @@
 #include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
-#include "adapters/occt/area.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/shapes.h"
-#include "core/forms/conversion.h"
+#include "core/forms/algebra/conversion.h"
 #include "core/math/quadrature.h"
 #include "tests/plugin/cli/program.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output.h"
 #include "tests/plugin/cli/program.h"

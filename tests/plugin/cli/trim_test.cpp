@@ -14,7 +14,7 @@
 #include <gp_Pln.hxx>
 #include <nlohmann/json.hpp>
 
-#include "adapters/occt/area.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
 

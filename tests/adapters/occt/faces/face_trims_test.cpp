@@ -29,8 +29,8 @@
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/forms/pcurves.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/pcurves.h"
 
 namespace blossom::occt {
 namespace {

@@ -28,7 +28,7 @@
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 
-#include "adapters/occt/errors.h"
+#include "adapters/occt/base/errors.h"
 #include "tests/adapters/occt/trim_cases.h"
 
 namespace blossom::occt {

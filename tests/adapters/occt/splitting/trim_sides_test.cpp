@@ -16,8 +16,8 @@
 #include <TColgp_Array2OfPnt.hxx>
 #include <gp_Pln.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/distance.h"
-#include "adapters/occt/errors.h"
 
 namespace blossom::occt {
 namespace {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Two faces on one surface: what they have in common, told by their outlines.
+
+#pragma once
+
+#include <TopoDS_Face.hxx>
+
+#include "core/base/work_limit.h"
+#include "core/results/result.h"
+
+namespace blossom::occt {
+
+/// The intersection of two faces on one surface.
+///
+/// Their edges are intersected in space, which tells whether they cross, run along each other or
+/// end on each other. Common regions are overlaps; edges along which the faces lie side by side are
+/// tangential curves; corners and other points in which nothing else meets are points. The status
+/// is Complete if every contact of two edges is a proven crossing or within `within`; these
+/// contacts are identified. It is Tolerance if some are farther apart.
+///
+/// gap         bound on the distance of the two surfaces, model units, within `within`
+/// within      what is as near as this is one (core/base/tolerances.h)
+/// tolerance   model units
+/// throws      Failure or BadModel if the outlines cannot be laid over each other
+SurfaceIntersection on_one_surface(const TopoDS_Face& a, const TopoDS_Face& b, double gap,
+                                   double within, double tolerance, const WorkLimit& limit);
+
+}  // namespace blossom::occt

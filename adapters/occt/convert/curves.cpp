@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Bezier curves and splines, number by number.
+
+#include "adapters/occt/convert/curves.h"
+
+#include <algorithm>
+
+#include <Geom_Circle.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Hyperbola.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Parabola.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves_detail.h"
+
+namespace blossom::occt {
+namespace {
+
+int size_of(const std::vector<double>& values) { return static_cast<int>(values.size()); }
+
+TColStd_Array1OfReal knot_array(const std::vector<double>& knots) {
+  TColStd_Array1OfReal array(1, size_of(knots));
+  std::copy(knots.begin(), knots.end(), array.begin());
+  return array;
+}
+
+TColStd_Array1OfInteger multiplicity_array(const std::vector<int>& multiplicities) {
+  TColStd_Array1OfInteger array(1, static_cast<int>(multiplicities.size()));
+  std::copy(multiplicities.begin(), multiplicities.end(), array.begin());
+  return array;
+}
+
+}  // namespace
+
+RationalBezierCurve from_occt(const Geom_BezierCurve& curve) {
+  check_numbers(curve);
+  RationalBezierCurve result;
+  for (int i = 1; i <= curve.NbPoles(); ++i)
+    result.points.push_back(homogeneous(curve.Pole(i), curve.IsRational() ? curve.Weight(i) : 1));
+  return result;
+}
+
+Handle(Geom_BezierCurve) to_occt(const RationalBezierCurve& curve) {
+  const int count = curve.degree() + 1;
+  TColgp_Array1OfPnt poles(1, count);
+  TColStd_Array1OfReal weights(1, count);
+  bool rational = false;
+  for (int i = 1; i <= count; ++i) {
+    const Vec4& point = curve.points[static_cast<std::size_t>(i - 1)];
+    poles(i) = euclidean(point);
+    weights(i) = point[3];
+    rational = rational || point[3] != 1;
+  }
+  return guarded("making a Bezier curve", [&]() -> Handle(Geom_BezierCurve) {
+    if (rational) return new Geom_BezierCurve(poles, weights);
+    return new Geom_BezierCurve(poles);
+  });
+}
+
+Handle(Geom_BSplineCurve) to_occt(const Spline& spline) {
+  TColgp_Array1OfPnt poles(1, static_cast<int>(spline.points.size()));
+  std::transform(spline.points.begin(), spline.points.end(), poles.begin(), to_pnt);
+  return guarded("making a B-spline curve", [&]() -> Handle(Geom_BSplineCurve) {
+    return new Geom_BSplineCurve(poles, knot_array(spline.knots),
+                                 multiplicity_array(spline.multiplicities), spline.degree);
+  });
+}
+
+Handle(Geom2d_BSplineCurve) to_occt(const Spline2& spline) {
+  TColgp_Array1OfPnt2d poles(1, static_cast<int>(spline.points.size()));
+  std::transform(spline.points.begin(), spline.points.end(), poles.begin(),
+                 [](const Vec2& p) { return gp_Pnt2d(p[0], p[1]); });
+  return guarded("making a B-spline curve in a chart", [&]() -> Handle(Geom2d_BSplineCurve) {
+    return new Geom2d_BSplineCurve(poles, knot_array(spline.knots),
+                                   multiplicity_array(spline.multiplicities), spline.degree);
+  });
+}
+
+Handle(Geom_Curve) to_occt(const Conic& conic) {
+  return guarded("making a conic", [&]() -> Handle(Geom_Curve) {
+    const gp_Pnt centre = to_pnt(conic.centre);
+    const gp_Dir x(conic.x[0], conic.x[1], conic.x[2]);
+    if (conic.kind == ConicKind::Line) return new Geom_Line(centre, x);
+    const Vec3 normal = cross(conic.x, conic.y);
+    const gp_Ax2 axes(centre, gp_Dir(normal[0], normal[1], normal[2]), x);
+    switch (conic.kind) {
+      case ConicKind::Circle: return new Geom_Circle(axes, conic.major);
+      case ConicKind::Parabola: return new Geom_Parabola(axes, conic.major);
+      case ConicKind::Hyperbola: return new Geom_Hyperbola(axes, conic.major, conic.minor);
+      default: return new Geom_Ellipse(axes, conic.major, conic.minor);
+    }
+  });
+}
+
+Handle(Geom_Curve) basis_of(Handle(Geom_Curve) curve) {
+  for (auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve); !trimmed.IsNull();
+       trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
+    curve = trimmed->BasisCurve();
+  return curve;
+}
+
+}  // namespace blossom::occt

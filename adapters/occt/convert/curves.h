@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Curves of Open CASCADE to core forms and back.
+
+#pragma once
+
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <Geom_Curve.hxx>
+
+#include "adapters/occt/convert/arc_cuts.h"
+#include "core/forms/conic.h"
+#include "core/forms/curve.h"
+#include "core/forms/curve_spans.h"
+#include "core/forms/spline.h"
+#include "core/math/interval.h"
+
+namespace blossom::occt {
+
+/// The Bezier points of a Bezier curve: bit for bit when it is polynomial, else (wx, wy, wz, w),
+/// with what surfaces.h says about the way back.
+RationalBezierCurve from_occt(const Geom_BezierCurve& curve);
+
+/// Any curve on a finite parameter range as Bezier spans: B-splines split at their knots, conics
+/// exactly, others (hyperbolas, for their parameters, and offset curves) within `tolerance` (model
+/// units); `error` is then twice the largest distance sampled, and above `tolerance` only if a
+/// 1024th of the range is still too long.
+/// throws   BadModel if the range is not finite, empty or outside of the curve, a number of the
+///          curve is not finite or a weight not positive
+CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range,
+                        double tolerance = 1e-7, ArcCuts cuts = ArcCuts::Even);
+
+/// A Bezier curve with the same points; polynomial, and bit for bit, when all weights are 1.
+/// throws   Failure if Open CASCADE refuses the points
+Handle(Geom_BezierCurve) to_occt(const RationalBezierCurve& curve);
+
+/// The same knots and points, bit for bit.
+/// throws   Failure if Open CASCADE refuses the knots or the number of points
+Handle(Geom_BSplineCurve) to_occt(const Spline& spline);
+Handle(Geom2d_BSplineCurve) to_occt(const Spline2& spline);
+
+/// The whole line or conic with the same parameter; of a hyperbola the branch.
+/// throws   Failure if Open CASCADE refuses its axes or lengths
+Handle(Geom_Curve) to_occt(const Conic& conic);
+
+/// The curve without trims; they do not change its parameter.
+Handle(Geom_Curve) basis_of(Handle(Geom_Curve) curve);
+
+}  // namespace blossom::occt

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Any curve as Bezier spans.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <GeomAdaptor_Curve.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_Ellipse.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_OffsetCurve.hxx>
+#include <Geom_Parabola.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <Precision.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/curves_detail.h"
+
+namespace blossom::occt {
+namespace {
+
+/// A span that does not meet the tolerance is halved at most this often.
+constexpr int kMaxHalvings = 10;
+
+/// Samples of the error in a span, between the nodes.
+constexpr int kSamples = 4 * kFitDegree + 3;
+
+CurveSpans polynomial(const std::vector<Vec3>& points, const Interval& place) {
+  RationalBezierCurve curve;
+  for (const Vec3& p : points) curve.points.push_back(with_weight(p, 1));
+  return {{{std::move(curve), place, ParameterLaw::Linear}}};
+}
+
+CurveSpans line_spans(const Geom_Line& line, const Interval& range) {
+  return polynomial({to_vec(line.Value(range.from)), to_vec(line.Value(range.to))}, range);
+}
+
+/// P(t) = O + t^2 / (4 f) X + t Y; the middle Bezier point has t^2 -> t0 t1.
+CurveSpans parabola_spans(const Geom_Parabola& parabola, const Interval& range) {
+  const gp_Parab shape = parabola.Parab();
+  const Vec3 origin = to_vec(shape.Location());
+  const Vec3 x = to_vec(shape.XAxis().Direction().XYZ()) * (1 / (4 * shape.Focal()));
+  const Vec3 y = to_vec(shape.YAxis().Direction().XYZ());
+  const double t0 = range.from, t1 = range.to;
+  const Vec3 middle = origin + (t0 * t1) * x + ((t0 + t1) / 2) * y;
+  return polynomial({to_vec(parabola.Value(t0)), middle, to_vec(parabola.Value(t1))}, range);
+}
+
+/// P(t) = O + cos(t) a + sin(t) b.
+CurveSpans ellipse_spans(const Vec3& origin, const Vec3& a, const Vec3& b, const Interval& range,
+                         ArcCuts cuts) {
+  CurveSpans result;
+  result.rational = true;
+  for (const ArcSpan& arc : arc_spans(range, cuts)) {
+    RationalBezierCurve curve;
+    for (int k = 0; k < 3; ++k)
+      curve.points.push_back(
+          with_weight(arc.weight[k] * origin + arc.cosine[k] * a + arc.sine[k] * b, arc.weight[k]));
+    result.spans.push_back({std::move(curve), arc.place, ParameterLaw::Angle});
+  }
+  return result;
+}
+
+CurveSpans conic_spans(const gp_Ax2& axes, double a, double b, const Interval& range,
+                       ArcCuts cuts) {
+  return ellipse_spans(to_vec(axes.Location()), a * to_vec(axes.XDirection().XYZ()),
+                       b * to_vec(axes.YDirection().XYZ()), range, cuts);
+}
+
+CurveSpans spline_spans(const FlatKnots& knots, const std::vector<Vec4>& poles,
+                        const Interval& range) {
+  CurveSpans result;
+  for (const FlatKnots::Span& span : knots.spans(range)) {
+    std::vector<Vec4> local;
+    for (int i = span.index - knots.degree(); i <= span.index; ++i)
+      local.push_back(poles[static_cast<std::size_t>(knots.pole(i))]);
+    RationalBezierCurve curve{std::vector<Vec4>(local.size())};
+    SpanForm(knots, span).bezier_points(local.data(), curve.points.data());
+    result.spans.push_back({std::move(curve), span.place, ParameterLaw::Linear});
+  }
+  for (const Vec4& p : poles) result.rational = result.rational || p[3] != 1;
+  return result;
+}
+
+CurveSpans bspline_spans(const Geom_BSplineCurve& curve, const Interval& range) {
+  std::vector<Vec4> poles;
+  for (int i = 1; i <= curve.NbPoles(); ++i)
+    poles.push_back(homogeneous(curve.Pole(i), curve.IsRational() ? curve.Weight(i) : 1));
+  const FlatKnots knots(curve.Degree(), curve.Knots(), curve.Multiplicities(), curve.IsPeriodic());
+  return spline_spans(knots, poles, range);
+}
+
+/// Approximation by interpolation, span by span, each halved until it meets the tolerance.
+class Fit {
+ public:
+  Fit(const Geom_Curve& curve, double tolerance) : curve_(curve), tolerance_(tolerance) {}
+
+  void add(const Interval& place, int halvings = 0) {
+    RationalBezierCurve fitted = fit(place);
+    const double error = kErrorSafety * error_of(fitted, place);
+    if (error > tolerance_ && halvings < kMaxHalvings) {
+      const double middle = at(place, 0.5);
+      add({place.from, middle}, halvings + 1);
+      add({middle, place.to}, halvings + 1);
+      return;
+    }
+    result.error = std::max(result.error, error);
+    result.spans.push_back({std::move(fitted), place, ParameterLaw::Linear});
+  }
+
+  CurveSpans result;
+
+ private:
+  Vec3 value(double t) const {
+    const gp_Pnt point = curve_.Value(t);
+    check_finite(point.XYZ(), "the curve at " + std::to_string(t));
+    return to_vec(point);
+  }
+
+  RationalBezierCurve fit(const Interval& place) const {
+    RationalBezierCurve fitted;
+    fitted.points.resize(kFitDegree + 1, Vec4{0, 0, 0, 1});
+    for (int j = 0; j <= kFitDegree; ++j) {
+      const Vec3 p = value(at(place, fit_nodes()[static_cast<std::size_t>(j)]));
+      for (int i = 0; i <= kFitDegree; ++i)
+        fitted.points[static_cast<std::size_t>(i)] += fit_matrix()(i, j) * with_weight(p, 0);
+    }
+    return fitted;
+  }
+
+  double error_of(const RationalBezierCurve& fitted, const Interval& place) const {
+    double largest = 0;
+    for (int k = 1; k < kSamples; ++k) {
+      const double t = static_cast<double>(k) / kSamples;
+      std::vector<Vec4> points = fitted.points;
+      for (std::size_t n = points.size() - 1; n > 0; --n)
+        for (std::size_t i = 0; i < n; ++i) points[i] = (1 - t) * points[i] + t * points[i + 1];
+      largest = std::max(largest, distance(head(points.front()), value(at(place, t))));
+    }
+    return largest;
+  }
+
+  const Geom_Curve& curve_;
+  double tolerance_;
+};
+
+CurveSpans fitted_spans(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance) {
+  const GeomAdaptor_Curve adaptor(curve, range.from, range.to);
+  const int count = adaptor.NbIntervals(GeomAbs_CN);
+  TColStd_Array1OfReal breaks(1, count + 1);
+  adaptor.Intervals(breaks, GeomAbs_CN);
+  breaks(1) = range.from;
+  breaks(count + 1) = range.to;
+  Fit fit(*curve, tolerance);
+  for (int i = 1; i <= count; ++i)
+    if (breaks(i) < breaks(i + 1)) fit.add({breaks(i), breaks(i + 1)});
+  return std::move(fit.result);
+}
+
+CurveSpans spans_of(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance,
+                    ArcCuts cuts) {
+  if (const auto line = Handle(Geom_Line)::DownCast(curve); !line.IsNull())
+    return line_spans(*line, range);
+  if (const auto circle = Handle(Geom_Circle)::DownCast(curve); !circle.IsNull())
+    return conic_spans(circle->Position(), circle->Radius(), circle->Radius(), range, cuts);
+  if (const auto ellipse = Handle(Geom_Ellipse)::DownCast(curve); !ellipse.IsNull())
+    return conic_spans(ellipse->Position(), ellipse->MajorRadius(), ellipse->MinorRadius(), range,
+                       cuts);
+  if (const auto parabola = Handle(Geom_Parabola)::DownCast(curve); !parabola.IsNull())
+    return parabola_spans(*parabola, range);
+  if (const auto bezier = Handle(Geom_BezierCurve)::DownCast(curve); !bezier.IsNull()) {
+    const RationalBezierCurve whole = from_occt(*bezier);
+    if (range == Interval{0, 1}) return curve_spans(whole);
+    return spline_spans(FlatKnots(bezier->Degree()), whole.points, range);
+  }
+  if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(curve); !spline.IsNull())
+    return bspline_spans(*spline, range);
+  return fitted_spans(curve, range, tolerance);
+}
+
+// The words of a message are made only where there is one to write.
+template <class Curve>
+void check_poles(const Curve& curve) {
+  const bool rational = curve.IsRational();
+  for (int i = 1; i <= curve.NbPoles(); ++i) {
+    const gp_XYZ pole = curve.Pole(i).XYZ();
+    if (!std::isfinite(pole.X() + pole.Y() + pole.Z()))
+      check_finite(pole, "control point " + std::to_string(i));
+    if (rational && !(curve.Weight(i) > 0 && std::isfinite(curve.Weight(i))))
+      check_weight(curve.Weight(i), "weight " + std::to_string(i));
+  }
+}
+
+}  // namespace
+
+void check_numbers(const Geom_Curve& curve) {
+  if (const auto* bezier = dynamic_cast<const Geom_BezierCurve*>(&curve)) {
+    check_poles(*bezier);
+  } else if (const auto* spline = dynamic_cast<const Geom_BSplineCurve*>(&curve)) {
+    check_poles(*spline);
+    for (int i = 1; i <= spline->NbKnots(); ++i)
+      check_finite({spline->Knot(i), 0, 0}, "knot " + std::to_string(i));
+  } else if (const auto* trimmed = dynamic_cast<const Geom_TrimmedCurve*>(&curve)) {
+    check_numbers(*trimmed->BasisCurve());
+  } else if (const auto* offset = dynamic_cast<const Geom_OffsetCurve*>(&curve)) {
+    check_finite({offset->Offset(), 0, 0}, "the offset");
+    check_numbers(*offset->BasisCurve());
+  } else {
+    check_finite(curve.Value(0.5).XYZ(), "a number of the curve");
+  }
+}
+
+CurveSpans bezier_spans(const Handle(Geom_Curve) & curve, const Interval& range, double tolerance,
+                        ArcCuts cuts) {
+  if (curve.IsNull()) throw BadModel("there is no curve");
+  return guarded("converting a curve", [&] {
+    const Handle(Geom_Curve) basis = basis_of(curve);
+    check_numbers(*basis);
+    Interval natural{basis->FirstParameter(), basis->LastParameter()};
+    if (basis->IsPeriodic()) natural = {-Precision::Infinite(), Precision::Infinite()};
+    return spans_of(basis, checked_range(range, natural, "the curve's range"), tolerance, cuts);
+  });
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/convert/pcurves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <Geom2dConvert.hxx>
+#include <Geom2dConvert_ApproxCurve.hxx>
+#include <Geom2dConvert_BSplineCurveToBezierCurve.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_BezierCurve.hxx>
+#include <Geom2d_Circle.hxx>
+#include <Geom2d_Ellipse.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
+#include <TColStd_Array1OfReal.hxx>
+
+#include "adapters/occt/base/errors.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kRelativeError = 1e-9;
+constexpr int kMostSpans = 400;
+
+Vec2 vec(const gp_Pnt2d& p) { return {p.X(), p.Y()}; }
+
+// C(a) = centre + cos a * x + sin a * y, over the range of the angle, in arcs of at most a
+// quarter; the middle weight of an arc of half angle h is cos h.
+PlanarCurve conic(const Vec2& centre, const Vec2& x, const Vec2& y, const Interval& range) {
+  const int count =
+      std::max(1, static_cast<int>(std::ceil(length(range) / (std::numbers::pi / 2) - 1e-9)));
+  PlanarCurve curve;
+  for (int k = 0; k < count; ++k) {
+    const Interval place{at(range, static_cast<double>(k) / count),
+                         at(range, static_cast<double>(k + 1) / count)};
+    const double w = std::cos(0.5 * length(place)), middle = at(place, 0.5);
+    const auto point = [&](double angle, double stretch, double weight) {
+      const Vec2 p = centre + stretch * (std::cos(angle) * x + std::sin(angle) * y);
+      return Vec3{weight * p[0], weight * p[1], weight};
+    };
+    curve.spans.push_back(
+        {{{point(place.from, 1, 1), point(middle, 1 / w, w), point(place.to, 1, 1)}},
+         place,
+         ParameterLaw::Angle});
+  }
+  return curve;
+}
+
+PlanarBezier bezier(const Handle(Geom2d_BezierCurve) & curve) {
+  PlanarBezier result;
+  for (int i = 1; i <= curve->NbPoles(); ++i) {
+    const double w = curve->IsRational() ? curve->Weight(i) : 1;
+    const Vec2 p = vec(curve->Pole(i));
+    result.points.push_back({w * p[0], w * p[1], w});
+  }
+  return result;
+}
+
+PlanarCurve spans(const Handle(Geom2d_BSplineCurve) & given, const Interval& range) {
+  Interval reach = range;
+  if (!given->IsPeriodic()) {  // an edge's range may exceed its curve by rounding
+    reach = {std::max(range.from, given->FirstParameter()),
+             std::min(range.to, given->LastParameter())};
+    if (!(reach.from < reach.to))
+      throw BadModel("the range of an edge lies outside of its parametric curve");
+  }
+  Geom2dConvert_BSplineCurveToBezierCurve convert(given, reach.from, reach.to, 1e-12);
+  TColStd_Array1OfReal knots(1, convert.NbArcs() + 1);
+  convert.Knots(knots);
+  PlanarCurve curve;
+  for (int i = 1; i <= convert.NbArcs(); ++i)
+    curve.spans.push_back({bezier(convert.Arc(i)), {knots(i), knots(i + 1)}, ParameterLaw::Linear});
+  curve.spans.front().place.from = range.from;
+  curve.spans.back().place.to = range.to;
+  return curve;
+}
+
+// Keeps the parameter, which an exact conversion of a hyperbola, say, would not.
+PlanarCurve approximated(const Handle(Geom2d_Curve) & curve, const Interval& range) {
+  const Handle(Geom2d_TrimmedCurve) trimmed = new Geom2d_TrimmedCurve(curve, range.from, range.to);
+  const double size = curve->Value(range.from).Distance(curve->Value(range.to)) +
+                      curve->Value(range.from).Distance(curve->Value(at(range, 0.5)));
+  Geom2dConvert_ApproxCurve convert(trimmed, kRelativeError * std::max(size, 1e-6), GeomAbs_C1,
+                                    kMostSpans, 8);
+  if (!convert.HasResult())
+    throw BadModel(std::string("a parametric curve of type ") + curve->DynamicType()->Name() +
+                   " cannot be converted");
+  return spans(convert.Curve(), range);
+}
+
+}  // namespace
+
+PlanarCurve planar_curve(const Handle(Geom2d_Curve) & curve, const Interval& range) {
+  if (!std::isfinite(range.from) || !std::isfinite(range.to) || !(range.from < range.to))
+    throw BadModel("an edge has an empty or infinite parameter range");
+  if (const auto trimmed = Handle(Geom2d_TrimmedCurve)::DownCast(curve); !trimmed.IsNull())
+    return planar_curve(trimmed->BasisCurve(), range);
+  if (const auto line = Handle(Geom2d_Line)::DownCast(curve); !line.IsNull())
+    return planar_line(vec(line->Value(range.from)), vec(line->Value(range.to)), range);
+  if (const auto circle = Handle(Geom2d_Circle)::DownCast(curve); !circle.IsNull()) {
+    const Vec2 centre = vec(circle->Location());
+    return conic(centre, vec(circle->Value(0)) - centre,
+                 vec(circle->Value(std::numbers::pi / 2)) - centre, range);
+  }
+  if (const auto ellipse = Handle(Geom2d_Ellipse)::DownCast(curve); !ellipse.IsNull()) {
+    const Vec2 centre = vec(ellipse->Location());
+    return conic(centre, vec(ellipse->Value(0)) - centre,
+                 vec(ellipse->Value(std::numbers::pi / 2)) - centre, range);
+  }
+  if (const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(curve); !spline.IsNull())
+    return spans(spline, range);
+  if (const auto single = Handle(Geom2d_BezierCurve)::DownCast(curve); !single.IsNull())
+    return spans(Geom2dConvert::CurveToBSplineCurve(single), range);
+  return approximated(curve, range);
+}
+
+}  // namespace blossom::occt

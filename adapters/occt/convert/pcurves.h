@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Parametric curves of edges to planar curves of the core.
+
+#pragma once
+
+#include <Geom2d_Curve.hxx>
+
+#include "core/plane/planar_curves.h"
+
+namespace blossom::occt {
+
+/// The curve over a finite range as rational Bezier spans with its own parameters: lines,
+/// circles, ellipses and B-splines exactly, others within 1e-9 of the size of the piece.
+/// throws   BadModel if the range is not finite or empty, or the curve cannot be converted
+PlanarCurve planar_curve(const Handle(Geom2d_Curve) & curve, const Interval& range);
+
+}  // namespace blossom::occt

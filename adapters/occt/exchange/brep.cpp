@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Models from BREP, text and binary, and why Open CASCADE leaves a surface out, which it does not
+// tell.
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+#include <ios>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <BRepTools_ShapeSet.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <BinTools.hxx>
+#include <BinTools_ShapeSet.hxx>
+#include <GeomTools_CurveSet.hxx>
+#include <GeomTools_SurfaceSet.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/exchange/file_text.h"
+#include "adapters/occt/exchange/listening.h"
+
+namespace blossom::occt {
+namespace {
+
+/// Open CASCADE's readers of BREP go on for ever when a stream has failed; this one throws.
+class StrictStream : public std::istringstream {
+ public:
+  explicit StrictStream(std::string text)
+      : std::istringstream(std::move(text), std::ios::in | std::ios::binary) {
+    exceptions(std::ios::failbit | std::ios::badbit);
+  }
+};
+
+bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0 || c == '\0'; }
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// The count behind the name of a table, and what follows it.
+struct Table {
+  bool found = false;
+  long count = -1;
+  std::string_view rest;
+};
+
+Table table_of(std::string_view text, std::string_view name) {
+  Table table;
+  const std::size_t start = text.rfind("\n" + std::string(name) + " ");
+  if (start == std::string_view::npos) return table;
+  table.found = true;
+  std::string_view rest = text.substr(start + name.size() + 2);
+  while (!rest.empty() && is_blank(rest.front())) rest.remove_prefix(1);
+  const auto end = std::from_chars(rest.data(), rest.data() + rest.size(), table.count);
+  table.rest = rest.substr(static_cast<std::size_t>(end.ptr - rest.data()));
+  return table;
+}
+
+/// No table has more entries than the text has lines: Open CASCADE would look for as many as a
+/// damaged number says.
+void check_tables(std::string_view text) {
+  const long lines = std::count(text.begin(), text.end(), '\n');
+  for (const char* name : {"Locations", "Curve2ds", "Curves", "Polygon3D",
+                           "PolygonOnTriangulations", "Surfaces", "Triangulations"}) {
+    const Table table = table_of(text, name);
+    if (table.found && (table.count < 0 || table.count > lines))
+      throw BadModel(std::string("is damaged: it cannot have as many entries as its table '") +
+                     name + "' says");
+  }
+}
+
+/// The shapes stand behind all that they are made of, each closed by a star; then comes the whole's
+/// orientation and place ("+1 0"). Shapes are counted from the end: when there are more or less of
+/// them than the table says, though the end is there, their references are wrong.
+/// returns   whether the text is cut off among the shapes
+bool is_cut_off(std::string_view text) {
+  const Table table = table_of(text, "TShapes");
+  if (!table.found || table.count < 0) throw BadModel("is cut off before its shapes");
+  const long stars = std::count(table.rest.begin(), table.rest.end(), '*');
+  const std::size_t last = table.rest.rfind('*');
+  const std::string_view end =
+      trimmed(last == std::string_view::npos ? table.rest : table.rest.substr(last + 1));
+  const bool ends =
+      !end.empty() && std::string_view("+-ie").find(end.front()) != std::string_view::npos;
+  if (stars > table.count || (ends && stars < table.count))
+    throw BadModel("is damaged: " + std::to_string(stars) + " of " + std::to_string(table.count) +
+                   " shapes are there");
+  return stars < table.count || !ends;
+}
+
+/// What is whole when the rest is not there: shapes that are no part of others, faces and what is
+/// made of them, or else edges.
+TopoDS_Shape whole_shapes(const TopTools_ShapeSet& set) {
+  TopTools_MapOfShape parts;
+  for (int i = 1; i <= set.NbShapes(); ++i)
+    for (TopoDS_Iterator part(set.Shape(i), false, false); part.More(); part.Next())
+      parts.Add(part.Value().Located({}));
+  std::vector<TopoDS_Shape> faces, edges;
+  for (int i = 1; i <= set.NbShapes(); ++i) {
+    const TopoDS_Shape& shape = set.Shape(i);
+    if (parts.Contains(shape)) continue;
+    if (shape.ShapeType() <= TopAbs_FACE) faces.push_back(shape);
+    if (shape.ShapeType() == TopAbs_EDGE || shape.ShapeType() == TopAbs_WIRE)
+      edges.push_back(shape);
+  }
+  const std::vector<TopoDS_Shape>& whole = faces.empty() ? edges : faces;
+  return whole.empty() ? TopoDS_Shape() : compound_of(whole);
+}
+
+TopoDS_Shape text_shape(std::string_view text, ReadingReport& report) {
+  text.remove_prefix(text.find("CASCADE Topology V"));
+  check_tables(text);
+  const bool cut = is_cut_off(text);
+  StrictStream in{std::string(text)};
+  BRepTools_ShapeSet set{BRep_Builder()};
+  TopoDS_Shape shape;
+  if (!cut) {
+    set.Read(in);
+    set.Read(shape, in);
+    return shape;
+  }
+  try {
+    set.Read(in);
+  } catch (const std::ios_base::failure&) {
+    // The end of what is there.
+  } catch (const Standard_Failure&) {
+    // A reference that the end has cut to another one.
+  }
+  report.add({"the rest of the file",
+              "it is cut off: " + std::to_string(set.NbShapes()) + " of " +
+                  std::to_string(table_of(text, "TShapes").count) + " shapes are there",
+              true});
+  return whole_shapes(set);
+}
+
+/// Both kinds of binary BRep write a set of shapes. FreeCAD ends it with three integers (shape,
+/// location, orientation), BinTools::Write with a shape of nine bytes.
+constexpr std::streamoff kFreeCadEnding = 12;
+
+TopoDS_Shape freecad_shape(BinTools_ShapeSet& set, std::istream& in) {
+  Standard_Integer index = 0, location = 0, orientation = 0;
+  BinTools::GetInteger(in, index);
+  BinTools::GetInteger(in, location);
+  BinTools::GetInteger(in, orientation);
+  if (index < 1 || index > set.NbShapes() || location < 0 ||
+      location > set.Locations().NbLocations() || orientation < TopAbs_FORWARD ||
+      orientation > TopAbs_EXTERNAL)
+    return {};
+  TopoDS_Shape shape = set.Shape(index);
+  shape.Location(set.Locations().Location(location));
+  shape.Orientation(static_cast<TopAbs_Orientation>(orientation));
+  return shape;
+}
+
+TopoDS_Shape binary_shape(const std::string& bytes) {
+  StrictStream in(bytes);
+  BinTools_ShapeSet set;
+  set.Read(in);
+  if (set.NbShapes() == 0) return {};
+  if (static_cast<std::streamoff>(bytes.size()) - in.tellg() == kFreeCadEnding)
+    return freecad_shape(set, in);
+  TopoDS_Shape shape;
+  set.ReadSubs(shape, in, set.NbShapes());
+  return shape;
+}
+
+/// A number as Open CASCADE writes it, "nan" too, which streams do not read.
+double next_number(std::istream& in) {
+  std::string word;
+  in >> word;
+  return std::strtod(word.c_str(), nullptr);
+}
+
+/// Control points and weights in the text of a Bezier (type 8) or B-spline (type 9) surface.
+void check_surface_text(std::istream& in) {
+  constexpr int kBezier = 8, kSpline = 9;
+  int type = 0, u_rational = 0, v_rational = 0, rows = 0, columns = 0, other = 0;
+  in >> type >> u_rational >> v_rational;
+  if (type == kBezier) {
+    in >> rows >> columns;
+    ++rows;
+    ++columns;
+  } else if (type == kSpline) {
+    in >> other >> other >> other >> other >> rows >> columns >> other >> other;
+  }
+  for (int i = 1; i <= rows; ++i)
+    for (int j = 1; j <= columns && in; ++j) {
+      const std::string place = " (" + std::to_string(i) + ", " + std::to_string(j) + ")";
+      const double x = next_number(in), y = next_number(in), z = next_number(in);
+      check_finite({x, y, z}, "control point" + place);
+      if (u_rational != 0 || v_rational != 0) check_weight(next_number(in), "weight" + place);
+    }
+}
+
+/// Why the first surface is refused that Open CASCADE cannot read; nothing if it reads them all.
+std::string refused_surface(const std::string& text) {
+  const Table table = table_of(text, "Surfaces");
+  std::istringstream in{std::string(table.rest)};
+  for (long i = 0; i < table.count && in; ++i) {
+    const std::istringstream::pos_type place = in.tellg();
+    if (!GeomTools_SurfaceSet::ReadSurface(in).IsNull()) continue;
+    try {
+      in.clear();
+      in.seekg(place);
+      check_surface_text(in);
+    } catch (const BadModel& cause) {
+      return cause.what();
+    }
+    return "its numbers make no surface";
+  }
+  return {};
+}
+
+}  // namespace
+
+TopoDS_Shape brep_shape(const std::string& bytes, ReadingReport& report) {
+  const Listening listening;
+  TopoDS_Shape shape;
+  try {
+    shape = is_binary_brep(bytes) ? binary_shape(bytes) : text_shape(bytes, report);
+  } catch (const Standard_Failure&) {
+    throw BadModel("is damaged: " + current_failure_text());
+  } catch (const std::ios_base::failure&) {
+    throw BadModel("is damaged: " + current_failure_text());
+  }
+  if (shape.IsNull() && !listening.first().empty())
+    throw BadModel("is damaged: " + listening.first());
+  return shape;
+}
+
+std::string why_without_surface(const std::string& text) {
+  if (is_binary_brep(text)) return {};
+  const Listening listening;
+  return refused_surface(text);
+}
+
+bool loses_curves(const std::string& text) {
+  if (is_binary_brep(text)) return false;
+  const Listening listening;
+  const Table table = table_of(text, "Curves");
+  std::istringstream in{std::string(table.rest)};
+  for (long i = 0; i < table.count && in; ++i)
+    if (GeomTools_CurveSet::ReadCurve(in).IsNull()) return true;
+  return false;
+}
+
+void read_brep(Reading& reading) {
+  reading.begin("reading the shapes");
+  mend_line_ends(reading.text);
+  const TopoDS_Shape shape = brep_shape(reading.text, reading.report);
+  if (!shape.IsNull())
+    reading.document.shapes()->SetShape(reading.document.shapes()->NewShape(), shape);
+}
+
+}  // namespace blossom::occt

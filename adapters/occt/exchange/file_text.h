@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What is in a model file: its bytes, unpacked, and their format. For this folder only.
+
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "adapters/occt/exchange/detail.h"
+
+namespace blossom::occt {
+
+/// The bytes of a file and their format.
+struct FileText {
+  Format format = Format::Step;
+  std::string text;
+  bool cut = false;  ///< unpacking ended before the end
+};
+
+/// Bytes that were packed.
+struct Unpacked {
+  std::string text;
+  bool cut = false;  ///< what is there came before a place where the packing is damaged
+};
+
+/// Reads a file, unpacks it if it is packed by gzip or zip, and finds its format. A zip archive
+/// gives the first model in it.
+/// throws   BadModel with the cause, without the file's name, if it is no regular file, cannot be
+///          read, is empty, larger than the memory, damaged in its packing or of no known format
+FileText file_text(const std::filesystem::path& file);
+
+/// The format that a content shows; none if it shows none.
+std::optional<Format> format_of_content(std::string_view text);
+
+/// What follows a byte-order mark, blanks and comments in the manner of STEP.
+std::string_view after_preface(std::string_view text);
+
+/// Whether a content is binary BREP; text has the same words without "Open".
+bool is_binary_brep(std::string_view text);
+
+/// Unpacks gzip or the first model of a zip archive; other bytes stay as they are.
+/// throws   BadModel with the cause
+Unpacked unpacked(std::string bytes);
+
+}  // namespace blossom::occt

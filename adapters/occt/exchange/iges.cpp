@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Models from IGES files, and what Open CASCADE does not make of them.
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <IGESBasic_SubfigureDef.hxx>
+#include <IGESCAFControl_Reader.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESData_GlobalSection.hxx>
+#include <IGESData_HArray1OfIGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <IGESGeom_BoundedSurface.hxx>
+#include <IGESGeom_TrimmedSurface.hxx>
+#include <IGESSolid_Face.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_Static.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/exchange/detail.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr std::size_t kSectionColumn = 72;
+constexpr std::string_view kSections = "SGDP";
+
+/// Lines of each section, and the last line, which says how many there should be.
+struct Lines {
+  std::array<long, kSections.size()> counted{};
+  std::string_view last;
+};
+
+Lines lines_of(std::string_view text) {
+  Lines lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.size() <= kSectionColumn) continue;
+    lines.last = line;
+    const std::size_t section = kSections.find(line[kSectionColumn]);
+    if (section != std::string_view::npos) ++lines.counted[section];
+  }
+  return lines;
+}
+
+/// The number behind the letter of a section in the last line; the counted one if there is none.
+long stated(const Lines& lines, std::size_t section) {
+  const std::size_t place = lines.last.substr(0, kSectionColumn).find(kSections[section]);
+  if (place == std::string_view::npos) return lines.counted[section];
+  std::string_view number = lines.last.substr(place + 1);
+  while (!number.empty() && number.front() == ' ') number.remove_prefix(1);
+  long value = 0;
+  const auto end = std::from_chars(number.data(), number.data() + number.size(), value);
+  return end.ec == std::errc() ? value : lines.counted[section];
+}
+
+/// Entities are in the sections D and P; the others have what is said of the whole file.
+void list_missing_lines(const std::string& text, ReadingReport& report) {
+  const Lines lines = lines_of(text);
+  if (lines.last.empty() || lines.last[kSectionColumn] != 'T') {
+    report.add({"the rest of the file", "it is cut off: its terminate section is missing", true});
+    return;
+  }
+  for (std::size_t i = 0; i < kSections.size(); ++i)
+    if (const long wanted = stated(lines, i); wanted != lines.counted[i])
+      report.add({std::string("lines of section ") + kSections[i],
+                  std::to_string(lines.counted[i]) + " lines are there instead of " +
+                      std::to_string(wanted),
+                  kSections[i] == 'D' || kSections[i] == 'P'});
+}
+
+/// A file in memory with a name, for a reader that takes names only.
+class MemoryFile {
+ public:
+  explicit MemoryFile(std::string_view text) : descriptor_(memfd_create("model", 0)) {
+    while (descriptor_ >= 0 && !text.empty()) {
+      const ssize_t written = write(descriptor_, text.data(), text.size());
+      if (written <= 0) break;
+      text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    if (descriptor_ < 0 || !text.empty()) throw BadModel("there is no memory for its text");
+  }
+  ~MemoryFile() { close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string name() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_ = -1;
+};
+
+std::string label(const IGESData_IGESModel& model, const Handle(Standard_Transient) & entity) {
+  return model.StringLabel(entity)->ToCString();
+}
+
+/// "TrimmedSurface" of IGESGeom_TrimmedSurface.
+std::string kind_of(const Handle(Standard_Transient) & entity) {
+  const std::string type = entity->DynamicType()->Name();
+  return type.substr(type.find('_') + 1);
+}
+
+/// Entities that could not be loaded whole. Whether a shape is touched shows when faces are made.
+void list_loading_faults(const IGESData_IGESModel& model, ReadingReport& report) {
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const Handle(Interface_Check) check = model.Check(i, true);
+    if (check.IsNull() || !check->HasFailed()) continue;
+    const Handle(Standard_Transient) entity = model.Value(i);
+    report.add({kind_of(entity), check->CFail(1), false, 1, {label(model, entity)}});
+  }
+}
+
+/// Open CASCADE reads the names of subfigures without asking whether they have one.
+void name_subfigures(const IGESData_IGESModel& model) {
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const auto figure = Handle(IGESBasic_SubfigureDef)::DownCast(model.Value(i));
+    if (figure.IsNull() || !figure->Name().IsNull()) continue;
+    Handle(IGESData_HArray1OfIGESEntity) members;
+    if (const int count = figure->NbEntities(); count > 0) {
+      members = new IGESData_HArray1OfIGESEntity(1, count);
+      for (int k = 1; k <= count; ++k) members->SetValue(k, figure->AssociatedEntity(k));
+    }
+    figure->Init(figure->Depth(), new TCollection_HAsciiString(""), members);
+  }
+}
+
+bool is_face(const Handle(Standard_Transient) & entity) {
+  return entity->IsKind(STANDARD_TYPE(IGESGeom_TrimmedSurface)) ||
+         entity->IsKind(STANDARD_TYPE(IGESGeom_BoundedSurface)) ||
+         entity->IsKind(STANDARD_TYPE(IGESSolid_Face));
+}
+
+void list_lost_faces(const IGESData_IGESModel& model, const Transfer_TransientProcess& made,
+                     ReadingReport& report) {
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const Handle(Standard_Transient) entity = model.Value(i);
+    if (!is_face(entity) || !TransferBRep::ShapeResult(made.Find(entity)).IsNull()) continue;
+    report.add({"face", "Open CASCADE makes no face of it", true, 1, {label(model, entity)}});
+  }
+}
+
+void transfer_roots(IGESControl_Reader& reader, ReadingReport& report) {
+  for (int i = 1; i <= reader.NbRootsForTransfer(); ++i) try {
+      reader.TransferOneRoot(i);
+    } catch (const Standard_Failure&) {
+      report.add({"part", current_failure_text(), true, 1, {"number " + std::to_string(i)}});
+    }
+}
+
+}  // namespace
+
+void read_iges(Reading& reading) {
+  IGESControl_Controller::Init();
+  IGESCAFControl_Reader reader;
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  reader.SetColorMode(true);
+  reader.SetNameMode(true);
+  reader.SetLayerMode(true);
+  reading.begin("reading the entities");
+  mend_line_ends(reading.text);
+  list_missing_lines(reading.text, reading.report);
+  const MemoryFile text(reading.text);
+  if (reader.ReadFile(text.name().c_str()) != IFSelect_RetDone)
+    refuse("is no readable IGES file", reading.report);
+  const auto model = Handle(IGESData_IGESModel)::DownCast(reader.Model());
+  list_loading_faults(*model, reading.report);
+  name_subfigures(*model);
+
+  reading.begin("transferring the shapes");
+  transfer_roots(reader, reading.report);
+  list_lost_faces(*model, *reader.WS()->TransferReader()->TransientProcess(), reading.report);
+  const Handle(TCollection_HAsciiString) unit = model->GlobalSection().UnitName();
+  if (!unit.IsNull()) reading.document.unit = unit_named(unit->ToCString());
+
+  Handle(TDocStd_Document) target = reading.document.handle();
+  reading.with_names(reader, [&] { return reader.Transfer(target); });
+}
+
+}  // namespace blossom::occt

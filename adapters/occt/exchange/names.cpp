@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the parts and faces of a model are called, and where parts are used.
+
+#include <utility>
+
+#include <TCollection_AsciiString.hxx>
+#include <TCollection_ExtendedString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+
+#include "adapters/occt/exchange/detail.h"
+
+namespace blossom::occt {
+namespace {
+
+// What an instance is called, or the part that it is one of. Open CASCADE calls those without a
+// name "=>[0:1:1:2]", after the label of the part.
+std::string instance_name(const TDF_Label& label, const TDF_Label& referred) {
+  const std::string own = name_of(label);
+  return own.empty() || own.starts_with("=>[") ? name_of(referred) : own;
+}
+
+void add_usages(const TDF_Label& label, Usage usage, std::vector<Usage>& found) {
+  TDF_Label referred;
+  if (XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
+    usage.location = usage.location * XCAFDoc_ShapeTool::GetLocation(label);
+    const std::string own = instance_name(label, referred);
+    usage.instances.push_back(label);
+    usage.path += (usage.path.empty() || own.empty() ? "" : "/") + own;
+    return add_usages(referred, std::move(usage), found);
+  }
+  if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
+    usage.part = label;
+    found.push_back(std::move(usage));
+    return;
+  }
+  TDF_LabelSequence components;
+  XCAFDoc_ShapeTool::GetComponents(label, components);
+  for (int i = 1; i <= components.Length(); ++i) {
+    usage.components.push_back(i);
+    add_usages(components(i), usage, found);
+    usage.components.pop_back();
+  }
+}
+
+}  // namespace
+
+std::vector<Usage> all_usages(const Document& document) {
+  TDF_LabelSequence roots;
+  document.shapes()->GetFreeShapes(roots);
+  std::vector<Usage> found;
+  for (const TDF_Label& root : roots) add_usages(root, {root, {}, {}, {}, {}, {}}, found);
+  return found;
+}
+
+void set_name(const TDF_Label& label, const std::string& name) {
+  if (!name.empty()) TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
+}
+
+std::string name_of(const TDF_Label& label) {
+  Handle(TDataStd_Name) name;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
+  return TCollection_AsciiString(name->Get()).ToCString();
+}
+
+std::string part_path(const Usage& usage) {
+  return usage.path.empty() ? name_of(usage.part) : usage.path;
+}
+
+namespace {
+
+// Gives the faces of a shape, at its place, a name.
+void name_faces(TopoDS_Shape shape, const TopLoc_Location& place, const std::string& name,
+                const TopTools_IndexedMapOfShape& faces, std::vector<std::string>& names) {
+  if (shape.IsNull() || name.empty()) return;
+  shape.Location(place * shape.Location(), false);
+  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+    if (const int number = faces.FindIndex(it.Current()); number > 0)
+      names[static_cast<std::size_t>(number - 1)] = name;
+}
+
+}  // namespace
+
+std::vector<std::string> Model::face_names() const {
+  std::vector<std::string> names(static_cast<std::size_t>(face_count()));
+  const auto name_all = [&](const TDF_Label& label, const TopLoc_Location& place) {
+    name_faces(XCAFDoc_ShapeTool::GetShape(label), place, name_of(label), impl_->faces, names);
+  };
+  for (const Usage& usage : all_usages(impl_->document)) {
+    name_all(usage.part, usage.location);
+    TDF_LabelSequence subs;
+    XCAFDoc_ShapeTool::GetSubShapes(usage.part, subs);
+    for (const TDF_Label& sub : subs) name_all(sub, usage.location);
+  }
+  return names;
+}
+
+std::vector<std::string> Model::part_paths() const {
+  std::vector<std::string> paths(static_cast<std::size_t>(face_count()));
+  for (const Usage& usage : all_usages(impl_->document))
+    name_faces(XCAFDoc_ShapeTool::GetShape(usage.part), usage.location, part_path(usage),
+               impl_->faces, paths);
+  return paths;
+}
+
+const std::string& Model::file_unit() const { return impl_->document.unit; }
+
+}  // namespace blossom::occt

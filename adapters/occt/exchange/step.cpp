@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Models from STEP files, and what Open CASCADE does not make of them.
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_Static.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <STEPControl_Controller.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepGeom_SphericalSurface.hxx>
+#include <StepShape_Edge.hxx>
+#include <StepShape_EdgeLoop.hxx>
+#include <StepShape_FaceBound.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <StepShape_OrientedEdge.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_Binder.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/exchange/step_faults.h"
+#include "adapters/occt/exchange/step_text.h"
+
+namespace blossom::occt {
+namespace {
+
+/// How many edges the loops of a face use once in each direction, as seams.
+int seams_of(const StepShape_FaceSurface& face) {
+  std::map<const Standard_Transient*, int> uses;
+  for (int i = 1; i <= face.NbBounds(); ++i) {
+    const auto bound = face.BoundsValue(i);
+    if (bound.IsNull()) continue;
+    const auto loop = Handle(StepShape_EdgeLoop)::DownCast(bound->Bound());
+    for (int k = 1; !loop.IsNull() && k <= loop->NbEdgeList(); ++k)
+      ++uses[loop->EdgeListValue(k)->EdgeElement().get()];
+  }
+  return static_cast<int>(
+      std::count_if(uses.begin(), uses.end(), [](const auto& use) { return use.second == 2; }));
+}
+
+/// Open CASCADE takes a seam that runs from a border to a pole of a sphere and back for a notch,
+/// and then turns the border round: what is left is the part of the sphere that was missing.
+bool is_turned_round(const StepShape_FaceSurface& face, const TopoDS_Shape& made) {
+  if (!face.FaceGeometry()->IsKind(STANDARD_TYPE(StepGeom_SphericalSurface))) return false;
+  if (made.ShapeType() != TopAbs_FACE || seams_of(face) == 0) return false;
+  for (TopExp_Explorer it(made, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, TopoDS::Face(made))) return false;
+  }
+  return true;
+}
+
+/// What Open CASCADE says against an entity while it makes shapes.
+std::string transfer_cause(const Transfer_TransientProcess& made,
+                           const Handle(Standard_Transient) & entity) {
+  const Handle(Transfer_Binder) binder = made.Find(entity);
+  if (binder.IsNull()) return {};
+  const Handle(Interface_Check) check = binder->Check();
+  if (check.IsNull()) return {};
+  if (check->HasFailed()) return check->CFail(1);
+  return check->HasWarnings() ? check->CWarning(1) : "";
+}
+
+/// Faces that Open CASCADE could not make, or not as they are in the file, and solids that it gave
+/// up: the model can be used without them, but not silently.
+class Results {
+ public:
+  Results(const StepOwners& owners, const Transfer_TransientProcess& made, ReadingReport& report)
+      : owners_(owners), made_(made), report_(report) {}
+
+  void list(const std::set<const Standard_Transient*>& known) {
+    for (int i = 1; i <= owners_.model().NbEntities(); ++i) {
+      const Handle(Standard_Transient)& entity = owners_.model().Value(i);
+      if (known.contains(entity.get())) continue;
+      if (const auto face = Handle(StepShape_FaceSurface)::DownCast(entity); !face.IsNull())
+        list_face(face);
+      else if (entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)) && has_failed(entity))
+        add(entity, owners_.type(entity), transfer_cause(made_, entity));
+    }
+  }
+
+ private:
+  bool has_failed(const Handle(Standard_Transient) & entity) const {
+    const Handle(Transfer_Binder) binder = made_.Find(entity);
+    return !binder.IsNull() && !binder->Check().IsNull() && binder->Check()->HasFailed();
+  }
+
+  void list_face(const Handle(StepShape_FaceSurface) & face) {
+    const Handle(Transfer_Binder) binder = made_.Find(face);
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(binder);
+    if (shape.IsNull()) {
+      // Faces that nobody asked for: of features, of the history of a part.
+      if (binder.IsNull() && !owners_.product(face).expected) return;
+      const std::string cause = transfer_cause(made_, face);
+      add(face, "face", cause.empty() ? "Open CASCADE makes no face of it" : cause);
+    } else if (is_turned_round(*face, shape)) {
+      add(face, "face",
+          "it is not what the file says: Open CASCADE takes its border for that of the rest of the "
+          "sphere");
+    }
+  }
+
+  void add(const Handle(Standard_Transient) & entity, const std::string& what,
+           const std::string& cause) {
+    Loss loss{what, cause, true};
+    loss.which.push_back(owners_.label(entity));
+    if (const std::string product = owners_.product(entity).name; !product.empty())
+      loss.belongs_to.push_back(product);
+    report_.add(loss);
+  }
+
+  const StepOwners& owners_;
+  const Transfer_TransientProcess& made_;
+  ReadingReport& report_;
+};
+
+void want_attributes(STEPCAFControl_Reader& reader) {
+  reader.SetColorMode(true);
+  reader.SetNameMode(true);
+  reader.SetLayerMode(true);
+  reader.SetPropsMode(true);
+  reader.SetGDTMode(true);
+  reader.SetMatMode(true);
+  reader.SetViewMode(true);
+  reader.SetSHUOMode(true);  // styles of single instances
+}
+
+/// Names of faces are wanted, but Open CASCADE looks for them in all shells without asking what is
+/// there: beside damaged shapes they are given up, and the names of parts are kept.
+void name_faces(ReadingReport& report) {
+  const bool sound = report.grade() != ReadingGrade::ShapesLost;
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", sound ? 1 : 0);
+  if (!sound) report.add({"the names of faces", "they are not read beside damaged shapes"});
+}
+
+/// The unit of the file, "MM" if it has none.
+void find_unit(STEPControl_Reader& reader, Document& document) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  if (!lengths.IsEmpty()) document.unit = unit_named(lengths.First().ToCString());
+}
+
+/// One root after the other, so that one that fails does not take the others with it.
+void transfer_roots(STEPControl_Reader& reader, ReadingReport& report) {
+  for (int i = 1; i <= reader.NbRootsForTransfer(); ++i) try {
+      reader.TransferOneRoot(i);
+    } catch (const Standard_Failure&) {
+      Loss loss{"part", current_failure_text(), true};
+      loss.which.push_back("number " + std::to_string(i));
+      report.add(loss);
+    }
+}
+
+}  // namespace
+
+std::string unit_named(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::pair<const char*, const char*> words[] = {
+      {"milli", "MM"}, {"mm", "MM"},    {"centi", "CM"}, {"cm", "CM"},     {"kilo", "KM"},
+      {"km", "KM"},    {"micro", "UM"}, {"um", "UM"},    {"inch", "INCH"}, {"foot", "FT"},
+      {"feet", "FT"},  {"ft", "FT"},    {"mile", "MI"},  {"mil", "MIL"},   {"in", "INCH"},
+      {"mi", "MI"},    {"uin", "UIN"},  {"m", "M"}};
+  for (const auto& [word, unit] : words)
+    if (name.starts_with(word)) return unit;
+  return "MM";
+}
+
+void read_step(Reading& reading) {
+  STEPControl_Controller::Init();
+  STEPCAFControl_Reader reader;
+  STEPControl_Reader& shapes = reader.ChangeReader();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  want_attributes(reader);
+  reading.begin("reading the entities");
+  mend_step_text(reading.text, reading.report);
+  std::istringstream in(std::move(reading.text));
+  if (shapes.ReadStream(reading.file.c_str(), in) != IFSelect_RetDone)
+    refuse("is no readable STEP file", reading.report);
+  const auto model = Handle(StepData_StepModel)::DownCast(shapes.Model());
+  const StepOwners owners(*model, shapes.WS()->Graph());
+  const auto left_out = leave_out_damage(owners, reading.report);
+
+  name_faces(reading.report);
+
+  reading.begin("transferring the shapes");
+  transfer_roots(shapes, reading.report);
+  find_unit(shapes, reading.document);
+  Results(owners, *shapes.WS()->TransferReader()->TransientProcess(), reading.report)
+      .list(left_out);
+
+  Handle(TDocStd_Document) target = reading.document.handle();
+  reading.with_names(shapes, [&] { return reader.Transfer(target); });
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,411 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/exchange/step_faults.h"
+
+#include <cstddef>
+#include <cstring>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include <Interface_Check.hxx>
+#include <Interface_EntityIterator.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepGeom_BSplineCurveWithKnots.hxx>
+#include <StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve.hxx>
+#include <StepGeom_BSplineSurfaceWithKnots.hxx>
+#include <StepGeom_BSplineSurfaceWithKnotsAndRationalBSplineSurface.hxx>
+#include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_Pcurve.hxx>
+#include <StepGeom_SurfaceCurve.hxx>
+#include <StepRepr_DefinitionalRepresentation.hxx>
+#include <StepRepr_HArray1OfRepresentationItem.hxx>
+#include <StepRepr_ItemDefinedTransformation.hxx>
+#include <StepRepr_MappedItem.hxx>
+#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
+#include <StepRepr_PropertyDefinition.hxx>
+#include <StepRepr_Representation.hxx>
+#include <StepRepr_RepresentationMap.hxx>
+#include <StepRepr_RepresentationRelationship.hxx>
+#include <StepShape_ConnectedFaceSet.hxx>
+#include <StepShape_ContextDependentShapeRepresentation.hxx>
+#include <StepShape_EdgeCurve.hxx>
+#include <StepShape_FaceSurface.hxx>
+#include <StepShape_GeometricSet.hxx>
+#include <StepShape_HArray1OfFace.hxx>
+#include <StepShape_ShapeRepresentation.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <StepShape_TopologicalRepresentationItem.hxx>
+#include <StepShape_VertexPoint.hxx>
+#include <TColStd_HArray1OfInteger.hxx>
+#include <TColStd_HArray1OfReal.hxx>
+#include <TColStd_HArray2OfReal.hxx>
+#include <TCollection_HAsciiString.hxx>
+
+namespace blossom::occt {
+namespace {
+
+using Entity = Handle(Standard_Transient);
+
+bool is_of(const Entity& entity, const char* room) {
+  return std::strncmp(entity->DynamicType()->Name(), room, std::strlen(room)) == 0;
+}
+
+bool is_geometry(const Entity& entity) {
+  return is_of(entity, "StepGeom_") || is_of(entity, "StepShape_");
+}
+
+/// How parts are put together: what is lost here may be a whole part.
+bool is_assembly(const Entity& entity) {
+  return entity->IsKind(STANDARD_TYPE(StepRepr_NextAssemblyUsageOccurrence)) ||
+         entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationRelationship)) ||
+         entity->IsKind(STANDARD_TYPE(StepRepr_ItemDefinedTransformation)) ||
+         entity->IsKind(STANDARD_TYPE(StepRepr_MappedItem)) ||
+         entity->IsKind(STANDARD_TYPE(StepShape_ContextDependentShapeRepresentation));
+}
+
+/// What a damaged entity lacks.
+enum class Harm {
+  None,   ///< it is odd, and read all the same
+  Field,  ///< a field that it refers to or a number is not there
+};
+
+struct Fault {
+  std::string cause;
+  Harm harm = Harm::None;
+  bool unresolved = false;  ///< it refers to an entity that is not in the file
+};
+
+/// Open CASCADE says "Parameter n0.3 (edge_end) : Unresolved reference".
+Fault in_words(std::string_view fail) {
+  constexpr auto npos = std::string_view::npos;
+  const std::size_t open = fail.find('('), close = fail.find(')');
+  const std::string field = fail.starts_with("Parameter") && open != npos && close != npos
+                                ? std::string(fail.substr(open + 1, close - open - 1))
+                                : "";
+  if (field.empty()) return {std::string(fail)};
+  if (fail.find("Unresolved") != npos) return {field + " is not in the file", Harm::Field, true};
+  if (fail.find("illegal type") != npos) return {field + " is of another kind", Harm::Field};
+  if (fail.find("not an Entity") != npos) return {field + " is missing", Harm::Field};
+  for (const char* number : {"Real", "Integer", "number"})
+    if (fail.find(std::string(" ") + number) != npos) return {field + " is no number", Harm::Field};
+  for (const char* list : {"LIST", "List", "list", "Count"})
+    if (fail.find(list) != npos) return {field + " is no list of the right length", Harm::Field};
+  return {field + " cannot be read"};
+}
+
+/// The worst of what loading says. Names are odd in many good files.
+Fault loading_fault(const Interface_Check& check) {
+  Fault worst;
+  for (int i = 1; i <= check.NbFails(); ++i) {
+    const std::string_view fail = check.CFail(i);
+    if (fail.find("(name)") != std::string_view::npos) continue;
+    const Fault fault = in_words(fail);
+    if (worst.cause.empty() || (worst.harm == Harm::None && fault.harm == Harm::Field))
+      worst = fault;
+  }
+  return worst;
+}
+
+/// The number of control points that the knots ask for is the number that is there.
+std::string miscount(const Handle(TColStd_HArray1OfInteger) & multiplicities, int degree,
+                     int points) {
+  if (multiplicities.IsNull()) return "it has no knots";
+  const int knots = std::accumulate(multiplicities->begin(), multiplicities->end(), 0);
+  if (knots == points + degree + 1) return {};
+  return std::to_string(knots) + " knots of degree " + std::to_string(degree) + " do not fit " +
+         std::to_string(points) + " control points";
+}
+
+std::string weight_fault(double weight) {
+  return weight > 0 ? "" : "a weight is " + std::to_string(weight) + ", weights must be positive";
+}
+
+template <class Surface>
+std::string surface_miscount(const Surface& s) {
+  const std::string u = miscount(s.UMultiplicities(), s.UDegree(), s.NbControlPointsListI());
+  return u.empty() ? miscount(s.VMultiplicities(), s.VDegree(), s.NbControlPointsListJ()) : u;
+}
+
+template <class Curve>
+std::string curve_miscount(const Curve& c) {
+  return miscount(c.KnotMultiplicities(), c.Degree(), c.NbControlPointsList());
+}
+
+std::string rational_fault(
+    const StepGeom_BSplineSurfaceWithKnotsAndRationalBSplineSurface& surface) {
+  std::string fault = surface_miscount(surface);
+  const Handle(TColStd_HArray2OfReal) weights = surface.WeightsData();
+  if (weights.IsNull()) return fault.empty() ? "it has no weights" : fault;
+  for (int i = 1; i <= weights->ColLength() && fault.empty(); ++i)
+    for (int j = 1; j <= weights->RowLength() && fault.empty(); ++j)
+      fault = weight_fault(weights->Value(i, j));
+  return fault;
+}
+
+std::string rational_fault(const StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve& curve) {
+  std::string fault = curve_miscount(curve);
+  const Handle(TColStd_HArray1OfReal) weights = curve.WeightsData();
+  if (weights.IsNull()) return fault.empty() ? "it has no weights" : fault;
+  for (int i = 1; i <= weights->Length() && fault.empty(); ++i)
+    fault = weight_fault(weights->Value(i));
+  return fault;
+}
+
+/// Open CASCADE takes a corner for a point in space without asking.
+std::string corner_fault(const StepShape_VertexPoint& vertex) {
+  const auto point = Handle(StepGeom_CartesianPoint)::DownCast(vertex.VertexGeometry());
+  if (point.IsNull()) return "its point is missing";
+  if (point->NbCoordinates() == 3) return {};
+  return "its point has " + std::to_string(point->NbCoordinates()) + " coordinates instead of 3";
+}
+
+/// What is wrong with an entity that Open CASCADE loads without a word; nothing for most.
+std::string silent_fault(const Standard_Transient& entity) {
+  if (const auto* v = dynamic_cast<const StepShape_VertexPoint*>(&entity)) return corner_fault(*v);
+  if (const auto* s = dynamic_cast<const StepGeom_BSplineSurfaceWithKnots*>(&entity))
+    return surface_miscount(*s);
+  if (const auto* c = dynamic_cast<const StepGeom_BSplineCurveWithKnots*>(&entity))
+    return curve_miscount(*c);
+  if (const auto* s =
+          dynamic_cast<const StepGeom_BSplineSurfaceWithKnotsAndRationalBSplineSurface*>(&entity))
+    return rational_fault(*s);
+  if (const auto* c =
+          dynamic_cast<const StepGeom_BSplineCurveWithKnotsAndRationalBSplineCurve*>(&entity))
+    return rational_fault(*c);
+  return {};
+}
+
+Fault fault_of(const StepData_StepModel& model, int number) {
+  const Handle(Interface_Check) check = model.Check(number, true);
+  Fault fault;
+  if (!check.IsNull() && check->HasFailed()) fault = loading_fault(*check);
+  const Entity& entity = model.Value(number);
+  if (fault.harm == Harm::Field || !is_geometry(entity)) return fault;
+  if (const std::string silent = silent_fault(*entity); !silent.empty())
+    return {silent, Harm::Field};
+  return fault;
+}
+
+/// What an entity is used by.
+struct Uses {
+  std::vector<Handle(StepShape_FaceSurface)> faces;
+  std::vector<Handle(StepShape_EdgeCurve)> edges;  ///< in curves in parameters of faces only
+  bool shape = false;                              ///< faces, edges, solids or sets of curves
+};
+
+/// Goes up from an entity through geometry and topology.
+class Climb {
+ public:
+  explicit Climb(const Interface_Graph& graph) : graph_(graph) {}
+
+  Uses from(const Entity& entity) {
+    push(entity);
+    while (!open_.empty()) {
+      const Entity next = open_.back();
+      open_.pop_back();
+      visit(next);
+    }
+    return uses_;
+  }
+
+ private:
+  void push(const Entity& entity) {
+    if (seen_.insert(entity.get()).second) open_.push_back(entity);
+  }
+
+  void visit(const Entity& entity) {
+    if (entity->IsKind(STANDARD_TYPE(StepShape_TopologicalRepresentationItem)) ||
+        entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)) ||
+        entity->IsKind(STANDARD_TYPE(StepShape_GeometricSet)))
+      uses_.shape = true;
+    if (const auto face = Handle(StepShape_FaceSurface)::DownCast(entity); !face.IsNull()) {
+      uses_.faces.push_back(face);
+      return;
+    }
+    const bool in_parameters = entity->IsKind(STANDARD_TYPE(StepGeom_Pcurve));
+    for (Interface_EntityIterator user = graph_.Sharings(entity); user.More(); user.Next()) {
+      if (in_parameters)
+        add_edges_of(user.Value());
+      else if (may_go_to(user.Value()))
+        push(user.Value());
+    }
+  }
+
+  static bool may_go_to(const Entity& user) {
+    if (user->IsKind(STANDARD_TYPE(StepRepr_DefinitionalRepresentation))) return true;
+    return is_geometry(user) && !user->IsKind(STANDARD_TYPE(StepRepr_Representation));
+  }
+
+  void add_edges_of(const Entity& curve) {
+    const auto on_surface = Handle(StepGeom_SurfaceCurve)::DownCast(curve);
+    if (on_surface.IsNull()) return;
+    if (on_surface->Curve3d().IsNull()) return push(curve);
+    for (Interface_EntityIterator user = graph_.Sharings(curve); user.More(); user.Next())
+      if (const auto edge = Handle(StepShape_EdgeCurve)::DownCast(user.Value()); !edge.IsNull())
+        uses_.edges.push_back(edge);
+  }
+
+  const Interface_Graph& graph_;
+  std::vector<Entity> open_;
+  std::set<const Standard_Transient*> seen_;
+  Uses uses_;
+};
+
+Uses uses_of(const Interface_Graph& graph, const Entity& entity) {
+  const auto curve = Handle(StepGeom_SurfaceCurve)::DownCast(entity);
+  if (curve.IsNull() || curve->Curve3d().IsNull()) return Climb(graph).from(entity);
+  // What it lacks is a curve in the parameters of a face: the one in space is there.
+  Uses uses;
+  for (Interface_EntityIterator user = graph.Sharings(entity); user.More(); user.Next())
+    if (const auto edge = Handle(StepShape_EdgeCurve)::DownCast(user.Value()); !edge.IsNull())
+      uses.edges.push_back(edge);
+  return uses;
+}
+
+void keep_curves_in_space(const std::vector<Handle(StepShape_EdgeCurve)>& edges) {
+  for (const Handle(StepShape_EdgeCurve) & edge : edges)
+    if (const auto curve = Handle(StepGeom_SurfaceCurve)::DownCast(edge->EdgeGeometry());
+        !curve.IsNull())
+      edge->SetEdgeGeometry(curve->Curve3d());
+}
+
+using Entities = std::set<const Standard_Transient*>;
+
+/// The members of a list that are there and are not among `out`; null if none is left.
+template <class Array, class Member>
+Handle(Array) remaining(int count, const Member& member, const Entities& out) {
+  std::vector<typename Array::value_type> kept;
+  for (int i = 1; i <= count; ++i)
+    if (const auto one = member(i); !one.IsNull() && !out.contains(one.get())) kept.push_back(one);
+  if (kept.empty()) return {};
+  const Handle(Array) list = new Array(1, static_cast<int>(kept.size()));
+  for (std::size_t i = 0; i < kept.size(); ++i) list->SetValue(static_cast<int>(i) + 1, kept[i]);
+  return list;
+}
+
+/// Takes what is missing or damaged out of shells and representations: where Open CASCADE looks for
+/// names, it does not ask whether there is anything.
+void close_lists(const StepData_StepModel& model, const Entities& out) {
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const Entity& entity = model.Value(i);
+    if (const auto shell = Handle(StepShape_ConnectedFaceSet)::DownCast(entity); !shell.IsNull())
+      shell->SetCfsFaces(remaining<StepShape_HArray1OfFace>(
+          shell->NbCfsFaces(), [&](int k) { return shell->CfsFacesValue(k); }, out));
+    if (const auto whole = Handle(StepRepr_Representation)::DownCast(entity); !whole.IsNull())
+      whole->SetItems(remaining<StepRepr_HArray1OfRepresentationItem>(
+          whole->NbItems(), [&](int k) { return whole->ItemsValue(k); }, out));
+  }
+}
+
+/// Open CASCADE makes no face on a surface of a kind that it does not know.
+void leave_out(const Handle(StepShape_FaceSurface) & face) {
+  face->SetFaceGeometry(new StepGeom_Surface);
+}
+
+/// Takes out what a fault harms, and says what is lost.
+class Damage {
+ public:
+  Damage(const StepOwners& owners, ReadingReport& report) : owners_(owners), report_(report) {}
+
+  void add(const Entity& entity, const Fault& fault) {
+    const Uses uses = fault.harm == Harm::Field && is_geometry(entity)
+                          ? uses_of(owners_.graph(), entity)
+                          : Uses{};
+    keep_curves_in_space(uses.edges);
+    for (const Handle(StepShape_FaceSurface) & face : uses.faces) add_face(face, entity, fault);
+    if (fault.harm == Harm::Field && entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)))
+      out_.insert(entity.get());
+    if (!uses.faces.empty()) return;
+    const bool part = fault.harm == Harm::Field && is_assembly(entity);
+    const bool item = fault.unresolved && entity->IsKind(STANDARD_TYPE(StepRepr_Representation)) &&
+                      is_geometry(entity);
+    Loss loss{owners_.type(entity), fault.cause, uses.shape || part || item};
+    loss.which.push_back(owners_.label(entity));
+    report_.add(loss);
+  }
+
+  /// Faces and solids that must not be made.
+  const Entities& out() const { return out_; }
+
+ private:
+  void add_face(const Handle(StepShape_FaceSurface) & face, const Entity& entity,
+                const Fault& fault) {
+    if (!out_.insert(face.get()).second) return;
+    Loss loss{"face", owners_.type(entity) + ": " + fault.cause, true};
+    loss.which.push_back(owners_.label(face) + " by " + owners_.label(entity));
+    if (const std::string product = owners_.product(face).name; !product.empty())
+      loss.belongs_to.push_back(product);
+    leave_out(face);
+    report_.add(loss);
+  }
+
+  const StepOwners& owners_;
+  ReadingReport& report_;
+  Entities out_;
+};
+
+/// What a shape is used by on the way to its product.
+bool is_part_of_shape(const Entity& entity) {
+  return (is_of(entity, "StepShape_") &&
+          !is_of(entity, "StepShape_ShapeDefinitionRepresentation")) ||
+         entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationRelationship)) ||
+         entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationMap)) ||
+         entity->IsKind(STANDARD_TYPE(StepRepr_MappedItem));
+}
+
+std::string product_name(const Entity& entity) {
+  const auto definition = Handle(StepRepr_PropertyDefinition)::DownCast(entity);
+  if (definition.IsNull()) return {};
+  const Handle(StepBasic_ProductDefinition) product = definition->Definition().ProductDefinition();
+  if (product.IsNull() || product->Formation().IsNull()) return {};
+  const Handle(StepBasic_Product) of = product->Formation()->OfProduct();
+  return of.IsNull() || of->Name().IsNull()
+             ? ""
+             : "product '" + std::string(of->Name()->ToCString()) + "'";
+}
+
+}  // namespace
+
+std::string StepOwners::label(const Handle(Standard_Transient) & entity) const {
+  return model_.StringLabel(entity)->ToCString();
+}
+
+std::string StepOwners::type(const Handle(Standard_Transient) & entity) const {
+  return model_.TypeName(entity, false);
+}
+
+StepProduct StepOwners::product(const Handle(Standard_Transient) & entity) const {
+  StepProduct product;
+  bool represented = false, defined = false;
+  std::vector<Entity> open{entity};
+  Entities seen;
+  while (!open.empty()) {
+    const Entity next = open.back();
+    open.pop_back();
+    represented = represented || next->IsKind(STANDARD_TYPE(StepRepr_Representation));
+    for (Interface_EntityIterator user = graph_.Sharings(next); user.More(); user.Next()) {
+      const Entity& above = user.Value();
+      if (is_part_of_shape(above) && seen.insert(above.get()).second) open.push_back(above);
+      if (!is_of(above, "StepShape_ShapeDefinitionRepresentation")) continue;
+      defined = true;
+      for (Interface_EntityIterator used = graph_.Shareds(above); used.More(); used.Next())
+        if (product.name.empty()) product.name = product_name(used.Value());
+    }
+  }
+  product.expected = !product.name.empty() || (represented && !defined);
+  return product;
+}
+
+std::set<const Standard_Transient*> leave_out_damage(const StepOwners& owners,
+                                                     ReadingReport& report) {
+  Damage damage(owners, report);
+  for (int i = 1; i <= owners.model().NbEntities(); ++i)
+    if (const Fault fault = fault_of(owners.model(), i); !fault.cause.empty())
+      damage.add(owners.model().Value(i), fault);
+  if (!report.losses.empty()) close_lists(owners.model(), damage.out());
+  return damage.out();
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Models to files. All formats are made as text in memory, so that one place writes to the disk and
+// knows why it cannot.
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <BRepTools.hxx>
+#include <IGESCAFControl_Writer.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <IGESData_IGESWriter.hxx>
+#include <IGESData_Protocol.hxx>
+#include <IGESSelect_WorkLibrary.hxx>
+#include <Interface_FloatWriter.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <StepData_Protocol.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepData_StepWriter.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <XCAFDoc_DimTolTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/repair/closed_corners.h"
+#include "adapters/occt/repair/missing_curves.h"
+#include "adapters/occt/repair/spline_hyperbolas.h"
+
+namespace blossom::occt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Numbers to 5e-16, relative or below 1 absolute; the defaults keep only ten digits. Open CASCADE
+/// prints into 24 characters, which leaves no room for more.
+void set_precision(Interface_FloatWriter& numbers) {
+  numbers.SetFormat("%.15E");
+  numbers.SetFormatForRange("%.15f", 0.1, 1000);
+  numbers.SetZeroSuppress(false);
+}
+
+/// AP214 is what most programs read, but only AP242 has dimensions and tolerances of faces.
+const char* schema_for(const Document& document) {
+  const auto tolerances = XCAFDoc_DocumentTool::DimTolTool(document.main());
+  TDF_LabelSequence dimensions, deviations, datums;
+  tolerances->GetDimensionLabels(dimensions);
+  tolerances->GetGeomToleranceLabels(deviations);
+  tolerances->GetDatumLabels(datums);
+  const bool none = dimensions.IsEmpty() && deviations.IsEmpty() && datums.IsEmpty();
+  return none ? "AP214IS" : "AP242DIS";
+}
+
+std::string step_text(const Document& document) {
+  STEPControl_Controller::Init();
+  // The writer's constructor reads the unit: set later, it gives a wrong size without a word.
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetCVal("write.step.unit", document.unit.c_str());
+  Interface_Static::SetCVal("write.step.schema", schema_for(document));
+  STEPCAFControl_Writer writer;
+  Interface_Static::SetIVal("write.stepcaf.subshapes.name", 1);
+  writer.SetColorMode(true);
+  writer.SetNameMode(true);
+  writer.SetLayerMode(true);
+  writer.SetPropsMode(true);
+  writer.SetDimTolMode(true);
+  writer.SetMaterialMode(true);
+  writer.SetSHUOMode(true);  // styles of single instances
+  if (!writer.Transfer(document.handle(), STEPControl_AsIs))
+    throw Failure("Open CASCADE cannot turn the model into STEP");
+  const Handle(StepData_StepModel) model = writer.ChangeWriter().Model();
+  StepData_StepWriter text(model);
+  set_precision(text.FloatWriter());
+  text.SendModel(Handle(StepData_Protocol)::DownCast(model->Protocol()));
+  std::ostringstream out;
+  if (!text.Print(out)) throw Failure("Open CASCADE cannot write the model as STEP");
+  return std::move(out).str();
+}
+
+/// Every instance becomes a part: of an assembly Open CASCADE makes one part without the names of
+/// those in it.
+std::string iges_text(const Document& document) {
+  const Document parts;
+  add_instances(document, parts);
+  IGESControl_Controller::Init();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetCVal("write.iges.unit", document.unit.c_str());
+  Interface_Static::SetIVal("write.iges.brep.mode", 1);
+  IGESCAFControl_Writer writer;
+  writer.SetColorMode(true);
+  writer.SetNameMode(true);
+  writer.SetLayerMode(true);
+  if (!writer.Transfer(parts.handle()))
+    throw Failure("Open CASCADE cannot turn the model into IGES");
+  writer.ComputeModel();
+  IGESData_IGESWriter text(writer.Model());
+  set_precision(text.FloatWriter());
+  text.SendModel(IGESSelect_WorkLibrary::DefineProtocol());
+  std::ostringstream out;
+  if (!text.Print(out)) throw Failure("Open CASCADE cannot write the model as IGES");
+  return std::move(out).str();
+}
+
+/// Version 1 without triangles: every Open CASCADE reads it.
+std::string brep_text(const TopoDS_Shape& shape) {
+  std::ostringstream out;
+  BRepTools::Write(shape, out, false, false, TopTools_FormatVersion_VERSION_1);
+  return std::move(out).str();
+}
+
+[[noreturn]] void fail(const fs::path& file, const std::string& what, int error) {
+  throw Failure(file.string() + ": " + what + ": " + std::strerror(error));
+}
+
+/// An open file that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor& operator=(int number) {
+    if (number_ >= 0) ::close(number_);
+    number_ = number;
+    return *this;
+  }
+
+  bool is_open() const { return number_ >= 0; }
+  int number() const { return number_; }
+  bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+ private:
+  int number_;
+};
+
+void write_all(int descriptor, std::string_view text, const fs::path& file) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(file, "cannot be written", written < 0 ? errno : EIO);
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+/// A file that is gone again unless it is moved to its target. Where the file system can, it has no
+/// name until it is whole, so that nothing of it stays even if the program is killed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const fs::path& target)
+      : target_(target),
+        descriptor_(::open(target.parent_path().c_str(), O_TMPFILE | O_WRONLY, 0600)) {
+    if (!descriptor_.is_open() || !fs::exists(self())) make_named();
+    if (!descriptor_.is_open()) fail(target, "its folder cannot be written to", errno);
+  }
+  ~TemporaryFile() {
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  void write(std::string_view text) {
+    write_all(descriptor_.number(), text, target_);
+    if (::fsync(descriptor_.number()) != 0) fail(target_, "cannot be written", errno);
+  }
+
+  void move_to_target(mode_t mode) {
+    if (::fchmod(descriptor_.number(), mode) != 0 || !has_name() || !descriptor_.close() ||
+        ::rename(name_.c_str(), target_.c_str()) != 0)
+      fail(target_, "cannot be put in place", errno);
+    name_.clear();
+    const Descriptor folder(::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY));
+    // The data are safe; a folder that cannot be synchronized is no reason to fail.
+    if (folder.is_open()) ::fsync(folder.number());
+  }
+
+ private:
+  /// Its link in the table of open files, by which it can be given a name.
+  std::string self() const { return "/proc/self/fd/" + std::to_string(descriptor_.number()); }
+
+  std::string beside(const std::string& ending) const {
+    return (target_.parent_path() / ("." + target_.filename().string() + "." + ending)).string();
+  }
+
+  void make_named() {
+    name_ = beside("XXXXXX");
+    descriptor_ = ::mkstemp(name_.data());
+    if (!descriptor_.is_open()) name_.clear();
+  }
+
+  /// Gives the file a name of its own if it has none: a link cannot replace the target at once.
+  bool has_name() {
+    constexpr int kMostNames = 100;  // tried until one is free
+    for (int i = 0; i < kMostNames && name_.empty(); ++i) {
+      const std::string name = beside(std::to_string(::getpid()) + "-" + std::to_string(i));
+      if (::linkat(AT_FDCWD, self().c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
+        name_ = name;
+      else if (errno != EEXIST)
+        break;
+    }
+    return !name_.empty();
+  }
+
+  fs::path target_;
+  std::string name_;  // empty while the file has none
+  Descriptor descriptor_;
+};
+
+/// The rights of the file that is there, or those that a new file gets.
+mode_t rights_for(const fs::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) == 0) return status.st_mode & 07777;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+/// A device or pipe: there is nothing to keep, and nothing to rename.
+void write_through(const std::string& text, const fs::path& file) {
+  Descriptor target(::open(file.c_str(), O_WRONLY));
+  if (!target.is_open()) fail(file, "cannot be opened for writing", errno);
+  write_all(target.number(), text, file);
+  if (!target.close()) fail(file, "cannot be written", errno);
+}
+
+}  // namespace
+
+bool keeps_internal_edges(const std::filesystem::path& file) {
+  return format_of(file) == Format::Brep;
+}
+
+bool keeps_names(const std::filesystem::path& file) { return format_of(file) != Format::Brep; }
+
+void write_text(const std::string& text, const std::filesystem::path& file,
+                const std::function<void()>& stop) {
+  std::error_code error;
+  // A link stays a link: what it points to is replaced.
+  const fs::path target = fs::weakly_canonical(fs::absolute(file, error), error);
+  if (error || target.filename().empty()) throw Failure(file.string() + ": is no file name");
+  const fs::file_status status = fs::status(target, error);
+  if (fs::is_directory(status)) throw Failure(file.string() + ": is a folder");
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_through(text, file);
+  if (!fs::is_directory(target.parent_path(), error))
+    throw Failure(file.string() + ": the folder '" + target.parent_path().string() +
+                  "' does not exist");
+  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) fail(file, "is protected", errno);
+  TemporaryFile temporary(target);
+  temporary.write(text);
+  if (stop) stop();
+  temporary.move_to_target(rights_for(target));
+}
+
+namespace {
+
+void tell_bent(const ClosedCorners& closed, const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << file.string() << ": " << closed.count() << " ends of curves in space are bent by up to "
+       << closed.worst() << " to meet in their vertices, since readers move whole curves for it";
+  Message::SendInfo(text.str().c_str());
+}
+
+}  // namespace
+
+void write_model(const Model& model, const std::filesystem::path& file,
+                 const std::function<void()>& stop) {
+  const Format format = format_of(file);
+  if (model.shape().IsNull()) throw Failure(file.string() + ": the model is empty");
+  // Open CASCADE's writers break down on them.
+  if (const std::size_t missing = missing_curves(model.shape()).size();
+      keeps_names(file) && missing > 0)
+    throw Failure(file.string() + ": the model has " + std::to_string(missing) +
+                  " edges without a curve in the parameters of their face, which only BREP has");
+  std::string text;
+  try {
+    const std::lock_guard guard(exchange_lock());
+    text = guarded("writing", [&] {
+      switch (format) {
+        case Format::Step: {
+          const ClosedCorners closed(model.shape());
+          if (closed.count() > 0) tell_bent(closed, file);
+          return step_text(model.impl_->document);
+        }
+        case Format::Iges: {
+          const SplineHyperbolas splines(model.shape());
+          return iges_text(model.impl_->document);
+        }
+        case Format::Brep: break;
+      }
+      return brep_text(model.shape());
+    });
+  } catch (const Failure& failure) {
+    throw Failure(file.string() + ": " + failure.what());
+  }
+  if (stop) stop();
+  write_text(text, file, stop);
+}
+
+}  // namespace blossom::occt

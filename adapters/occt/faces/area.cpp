@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/faces/area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <Geom_SweptSurface.hxx>
+#include <Precision.hxx>
+#include <TColStd_Array1OfReal.hxx>
+
+#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/convert/surfaces_detail.h"
+#include "adapters/occt/faces/face_trims.h"
+#include "core/forms/iso_line.h"
+#include "core/math/quadrature.h"
+
+namespace blossom::occt {
+namespace {
+
+// Of the rough integral; the integrals' error estimates exceed their errors by far.
+constexpr double kRelativeTolerance = 1e-11;
+constexpr double kCoordinateRounding = 1e-15;
+// Of the size of values: the integral of noise cannot be had any better, and cells as small as a
+// thousandth of the tolerance are not to see it.
+constexpr double kValueRounding = 1e-12;
+// Of the height of the trims: gaps as low as this are the rounding of coordinates. What they add is
+// below the tolerance unless the density there is a thousand times its mean.
+constexpr double kNoHeight = 1e-14;
+
+// A value, and what its rounding is relative to: more, where it is a difference.
+struct Sample {
+  double value = 0;
+  double size = 0;
+};
+
+// What is integrated over the chart: by point and normal S_u x S_v.
+using Integrand = std::function<Sample(const Vec3&, const Vec3&)>;
+
+// Along v it is constant where that is a length along parallel straight lines; along u it is
+// a + b cos u + c sin u where all turns about one axis with u: points and normals turn alike. On a
+// plane it is one constant.
+enum class Lines { Any, Even, Turning, Constant };
+
+// The surface of a face, no farther than it goes. Splines, and what is swept from them, are taken
+// in Bezier form, since to look up spans and expand them anew for every point takes many times
+// longer.
+class AreaSurface {
+ public:
+  AreaSurface(const TopoDS_Face& face, const ParameterBox& box);
+
+  /// Where the surface is less than smooth along u or v, with the ends of the box.
+  std::vector<double> knots(Along along) const;
+
+  /// How the density of what is integrated, an area or the volume of a cone, runs along the
+  /// surface's own lines.
+  Lines lines() const;
+
+ private:
+  friend class AreaLine;
+  static BezierSurface spans_of(const Handle(Geom_Surface) & surface, const ParameterBox& box);
+
+  ParameterBox box_;
+  GeomAdaptor_Surface adaptor_;
+  BezierSurface spans_;  // none where the surface itself is as quick, or no exact form is known
+};
+
+AreaSurface::AreaSurface(const TopoDS_Face& face, const ParameterBox& box) : box_(box) {
+  const Handle(Geom_Surface) surface = basis_of(BRep_Tool::Surface(face));
+  const ParameterBox natural = natural_bounds(*surface);
+  const auto common = [](const Interval& a, const Interval& b) {
+    return Interval{std::max(a.from, b.from), std::min(a.to, b.to)};
+  };
+  const ParameterBox inside{common(box.u, natural.u), common(box.v, natural.v)};
+  if (inside.u.from < inside.u.to && inside.v.from < inside.v.to) {
+    box_ = inside;
+    spans_ = spans_of(surface, inside);
+  }
+  adaptor_.Load(surface, box_.u.from, box_.u.to, box_.v.from, box_.v.to);
+}
+
+BezierSurface AreaSurface::spans_of(const Handle(Geom_Surface) & surface, const ParameterBox& box) {
+  if (const auto spline = Handle(Geom_BSplineSurface)::DownCast(surface); !spline.IsNull())
+    return spline_patches(*spline, box);
+  if (const auto bezier = Handle(Geom_BezierSurface)::DownCast(surface); !bezier.IsNull())
+    return spline_patches(*bezier, box);
+  if (Handle(Geom_SweptSurface)::DownCast(surface).IsNull()) return {};
+  BezierSurface swept = swept_patches(surface, box, Precision::Confusion());
+  return swept.error == 0 ? swept : BezierSurface{};
+}
+
+std::vector<double> AreaSurface::knots(Along along) const {
+  const bool u = along == Along::U;
+  if (!spans_.patches.empty()) {
+    std::vector<double> knots = u ? spans_.u_knots : spans_.v_knots;
+    const Interval& side = u ? box_.u : box_.v;
+    knots.front() = side.from;
+    knots.back() = side.to;
+    return knots;
+  }
+  const int count = u ? adaptor_.NbUIntervals(GeomAbs_CN) : adaptor_.NbVIntervals(GeomAbs_CN);
+  TColStd_Array1OfReal ends(1, count + 1);
+  if (u)
+    adaptor_.UIntervals(ends, GeomAbs_CN);
+  else
+    adaptor_.VIntervals(ends, GeomAbs_CN);
+  return {ends.begin(), ends.end()};
+}
+
+Lines AreaSurface::lines() const {
+  switch (adaptor_.GetType()) {
+    case GeomAbs_Plane: return Lines::Constant;
+    case GeomAbs_Cylinder:
+    case GeomAbs_SurfaceOfExtrusion: return Lines::Even;
+    case GeomAbs_Cone:
+    case GeomAbs_Sphere:
+    case GeomAbs_Torus: return Lines::Turning;
+    default: return Lines::Any;
+  }
+}
+
+// A line of the surface along x at a constant y, over the span round some x.
+class AreaLine {
+ public:
+  AreaLine(const AreaSurface& surface, Along along, double y, double x)
+      : surface_(surface), along_(along), y_(y) {
+    const BezierSurface& spans = surface.spans_;
+    if (spans.patches.empty()) return;
+    const bool u = along == Along::U;
+    const Span of_u(spans.u_knots, spans.u_law, u ? x : y);
+    const Span of_v(spans.v_knots, spans.v_law, u ? y : x);
+    const Span& across = u ? of_v : of_u;
+    x_ = u ? of_u : of_v;
+    y_rate_ = across.rate(across.local(y));
+    line_.emplace(spans.patches(of_u.number, of_v.number), along, across.local(y));
+  }
+
+  Sample sample(const Integrand& integrand, double x) const {
+    if (line_) {
+      const double t = x_.local(x);
+      const PatchJet jet = line_->jet(t);
+      return integrand(jet.point, (x_.rate(t) * y_rate_) * cross(jet.u, jet.v));
+    }
+    gp_Pnt point;
+    gp_Vec du, dv;
+    const bool u = along_ == Along::U;
+    surface_.adaptor_.D1(u ? x : y_, u ? y_ : x, point, du, dv);
+    return integrand(to_vec(point), to_vec(du.Crossed(dv).XYZ()));
+  }
+
+ private:
+  // A span of the knots; the nearest one, as it goes on, for a parameter outside of all.
+  struct Span {
+    Interval range;
+    ParameterLaw law = ParameterLaw::Linear;
+    int number = 0;
+
+    Span() = default;
+    Span(const std::vector<double>& knots, ParameterLaw of, double parameter) : law(of) {
+      const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
+      range = {*(after - 1), *after};
+      number = static_cast<int>(after - knots.begin()) - 1;
+    }
+    double local(double parameter) const { return local_parameter(law, range, parameter); }
+    // Of the local parameter by the surface's own one.
+    double rate(double t) const { return 1 / parameter_derivative(law, range, t); }
+  };
+
+  const AreaSurface& surface_;
+  Along along_;
+  double y_;
+  Span x_;
+  double y_rate_ = 1;
+  std::optional<IsoLine> line_;
+};
+
+// The surface over the box of the trims. The inner integral runs along the direction called x, that
+// of which the density is known or that with fewer spans; the other one is y.
+class Density {
+ public:
+  Density(const FaceTrims& trims, Integrand integrand)
+      : integrand_(std::move(integrand)),
+        low_{trims.box.low[0] / trims.scale[0], trims.box.low[1] / trims.scale[1]},
+        high_{trims.box.high[0] / trims.scale[0], trims.box.high[1] / trims.scale[1]},
+        surface_(trims.face, {{low_[0], high_[0]}, {low_[1], high_[1]}}) {
+    const std::vector<double> u = surface_.knots(Along::U), v = surface_.knots(Along::V);
+    lines_ = surface_.lines();
+    inner_ = lines_ == Lines::Turning || (lines_ == Lines::Any && u.size() <= v.size()) ? 0 : 1;
+    x_knots_ = inner_ == 0 ? u : v;
+    y_knots_ = inner_ == 0 ? v : u;
+    double rough = 0, size = 0;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        const Sample sample = sample_in_cell(i, j);
+        rough += std::abs(sample.value) / 16;
+        size += sample.size / 16;
+      }
+    double rounding = kCoordinateRounding * rough;
+    for (int k = 0; k < 2; ++k) {
+      rough *= high_[k] - low_[k];
+      size *= high_[k] - low_[k];
+      rounding *= std::max(std::abs(low_[k]), std::abs(high_[k]));
+    }
+    tolerance_ = std::max({kRelativeTolerance * rough, kValueRounding * size, rounding});
+  }
+
+  int inner() const { return inner_; }
+  bool is_constant() const { return lines_ == Lines::Constant; }
+  /// For the whole integral: no sum can be better than the coordinates of the trims.
+  double tolerance() const { return tolerance_; }
+  const std::vector<double>& y_knots() const { return y_knots_; }
+  double height() const { return high_[1 - inner_] - low_[1 - inner_]; }
+
+  // F: the integral along x from the left end to `x`, at y. One of the strips that are added up
+  // over `height` in y: the lower that is, the less exact it has to be. Where a surface has a span
+  // of rounding's width its normals are noise, of which no accuracy can be had. Trims may stray
+  // over its border, beyond which there is nothing.
+  double strip(double x, double y, double height, int cells) const {
+    const double tolerance = tolerance_ / std::max(height, 1e-300);
+    double sum = 0;
+    if (y < y_knots_.front() || y > y_knots_.back()) return sum;
+    x = std::clamp(x, x_knots_.front(), x_knots_.back());
+    if (x == x_knots_.front()) return sum;
+    if (lines_ == Lines::Even || lines_ == Lines::Constant)
+      return (x - x_knots_.front()) * sample_at(x, y).value;
+    if (lines_ == Lines::Turning) return turning_strip(x, y);
+    for (std::size_t i = 0; i + 1 < x_knots_.size(); ++i) {
+      const double to = i + 2 == x_knots_.size() ? x : std::min(x_knots_[i + 1], x);
+      if (i > 0 && x_knots_[i] >= x) break;
+      const AreaLine line(surface_, along(), y, 0.5 * (x_knots_[i] + x_knots_[i + 1]));
+      auto density = [&](double s) { return line.sample(integrand_, s).value; };
+      for (int k = 0; k < cells; ++k) {
+        const double from = x_knots_[i], step = (to - from) / cells;
+        sum += integral(density, from + k * step, from + (k + 1) * step, tolerance).value;
+      }
+    }
+    return sum;
+  }
+
+ private:
+  Along along() const { return inner_ == 0 ? Along::U : Along::V; }
+  // a + b cos + c sin of the angle from the left end, by three values a third of a turn apart.
+  double turning_strip(double x, double y) const {
+    constexpr double kThird = 2 * std::numbers::pi / 3;
+    const double left = x_knots_.front(), angle = x - left;
+    const double at_left = sample_at(left, y).value, second = sample_at(left + kThird, y).value,
+                 third = sample_at(left + 2 * kThird, y).value;
+    const double a = (at_left + second + third) / 3, b = at_left - a,
+                 c = (second - third) / std::numbers::sqrt3;
+    return a * angle + b * std::sin(angle) + c * (1 - std::cos(angle));
+  }
+  Sample sample_at(double x, double y) const {
+    return AreaLine(surface_, along(), y, x).sample(integrand_, x);
+  }
+  // In the middle of one of 4 x 4 cells.
+  Sample sample_in_cell(int i, int j) const {
+    const Vec2 at =
+        low_ + Vec2{(i + 0.5) / 4 * (high_[0] - low_[0]), (j + 0.5) / 4 * (high_[1] - low_[1])};
+    return sample_at(at[inner_], at[1 - inner_]);
+  }
+
+  Integrand integrand_;
+  Vec2 low_, high_;
+  AreaSurface surface_;
+  std::vector<double> x_knots_, y_knots_;  // of the surface inside the box, the box's ends too
+  int inner_ = 0;
+  Lines lines_ = Lines::Any;
+  double tolerance_ = 0;
+};
+
+// What a straight way adds where the density is constant: strips grow evenly along it.
+double straight(const Vec2& from, const Vec2& to, const FaceTrims& trims, const Density& density) {
+  const int x = density.inner(), y = 1 - x;
+  const Vec2 middle = 0.5 * (from + to);
+  return density.strip(middle[x] / trims.scale[x], middle[y] / trims.scale[y], density.height(),
+                       1) *
+         (to[y] - from[y]) / trims.scale[y];
+}
+
+// What a straight way adds, forward along it: gaps that tolerances leave in the wires.
+double across(const Vec2& from, const Vec2& to, const FaceTrims& trims, const Density& density) {
+  const int x = density.inner(), y = 1 - x;
+  const double dy = (to[y] - from[y]) / trims.scale[y];
+  if (std::abs(dy) <= kNoHeight * density.height()) return 0;
+  auto rate = [&](double t) {
+    const Vec2 point = (1 - t) * from + t * to;
+    return density.strip(point[x] / trims.scale[x], point[y] / trims.scale[y], std::abs(dy), 1) *
+           dy;
+  };
+  return integral(rate, 0, 1, density.tolerance()).value;
+}
+
+// Local parameters of a span at which it crosses a knot line of the surface, with 0 and 1: there
+// the integrand is less than smooth. Found between samples; a pair of crossings that none lies
+// between is left to the halving of cells.
+std::vector<double> breaks(const PlanarBezier& curve, int y, double scale,
+                           const std::vector<double>& knots) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Vec3& p : curve.points) {
+    lowest = std::min(lowest, p[y] / (p[2] * scale));
+    highest = std::max(highest, p[y] / (p[2] * scale));
+  }
+  std::vector<double> at{0, 1};
+  const auto is_between = [&](double knot) { return lowest < knot && knot < highest; };
+  if (std::ranges::none_of(knots, is_between)) return at;
+  const int samples = 4 * curve.degree();
+  const auto height = [&](double t) { return jet_at(curve, t).point[y] / scale; };
+  for (int i = 0; i < samples; ++i) {
+    const double from = static_cast<double>(i) / samples, to = (i + 1.0) / samples;
+    const double at_from = height(from), at_to = height(to);
+    for (const double knot : knots) {
+      if ((at_from < knot) == (at_to < knot)) continue;
+      double low = from, high = to;
+      for (int k = 0; k < 50; ++k) {
+        const double middle = 0.5 * (low + high);
+        ((height(middle) < knot) == (at_from < knot) ? low : high) = middle;
+      }
+      at.push_back(high);
+    }
+  }
+  std::sort(at.begin(), at.end());
+  return at;
+}
+
+// Along the coedge as the wire walks it, from corner to corner.
+double along(const Coedge& coedge, const FaceTrims& trims, const Density& density, int cells) {
+  const int x = density.inner(), y = 1 - x;
+  const double tolerance = density.tolerance();
+  double sum = 0;
+  for (const PlanarSpan& span : coedge.curve.spans) {
+    if (density.is_constant() && span.curve.degree() == 1) {
+      const Vec2 from = jet_at(span.curve, 0).point, to = jet_at(span.curve, 1).point;
+      sum += straight(from, to, trims, density);
+      continue;
+    }
+    auto rate = [&](double t) {
+      const PlanarJet jet = jet_at(span.curve, t);
+      const double dy = jet.first[y] / trims.scale[y];
+      if (dy == 0) return 0.0;
+      return density.strip(jet.point[x] / trims.scale[x], jet.point[y] / trims.scale[y],
+                           density.height(), cells) *
+             dy;
+    };
+    const std::vector<double> ends = breaks(span.curve, y, trims.scale[y], density.y_knots());
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      for (int k = 0; k < cells; ++k)
+        sum += integral(rate, at({ends[i], ends[i + 1]}, static_cast<double>(k) / cells),
+                        at({ends[i], ends[i + 1]}, (k + 1.0) / cells), tolerance)
+                   .value;
+  }
+  const auto end = [&](bool last) {
+    const Interval domain = coedge.curve.domain();
+    return point_at(coedge.curve, last != coedge.reversed() ? domain.to : domain.from);
+  };
+  const auto corner = [&](int i) { return trims.corners[static_cast<std::size_t>(i)]; };
+  const double gaps = across(corner(coedge.from), end(false), trims, density) +
+                      across(end(true), corner(coedge.to), trims, density);
+  // A region on the left of its border has the integral of F dv, but minus that of F du.
+  return ((coedge.reversed() ? -sum : sum) + gaps) * (x == 0 ? 1 : -1);
+}
+
+double integral_over(const TopoDS_Face& face, const Integrand& integrand, int cells) {
+  const FaceTrims trims = face_trims(face);
+  const Density density(trims, integrand);
+  double sum = 0;
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) sum += along(coedge, trims, density, cells);
+  return sum;
+}
+
+}  // namespace
+
+double area(const TopoDS_Face& face, int cells) {
+  return integral_over(
+      face,
+      [](const Vec3&, const Vec3& normal) {
+        return Sample{norm(normal), 0};
+      },
+      cells);
+}
+
+double cone_volume(const TopoDS_Face& face, const Vec3& apex) {
+  const double volume = integral_over(
+      face,
+      [&](const Vec3& point, const Vec3& normal) {
+        const double reach = norm(point) + norm(apex);
+        return Sample{dot(point - apex, normal) / 3, reach * norm(normal) / 3};
+      },
+      1);
+  return face.Orientation() == TopAbs_REVERSED ? -volume : volume;
+}
+
+double polygon_area(const TopoDS_Face& face, std::span<const Vec2> polygon) {
+  const GeomAdaptor_Surface surface(BRep_Tool::Surface(face));
+  const auto density = [&](const Vec2& uv) {
+    gp_Pnt point;
+    gp_Vec along_u, along_v;
+    surface.D1(uv[0], uv[1], point, along_u, along_v);
+    return along_u.Crossed(along_v).Magnitude();
+  };
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vec2 from = polygon[i] - polygon[0], to = polygon[i + 1] - polygon[0];
+    const Vec2 middle = (from + to) * 0.5;
+    // The triangle is thin: along its other direction, the middle stands for all.
+    const auto along_middle = [&](double s) { return s * density(polygon[0] + middle * s); };
+    const double doubled = from[0] * to[1] - from[1] * to[0];
+    sum += doubled * quadrature::cell(along_middle, 0, 1).value;
+  }
+  return std::abs(sum);
+}
+
+}  // namespace blossom::occt

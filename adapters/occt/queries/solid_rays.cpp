@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/queries/solid_rays.h"
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "adapters/occt/faces/face_list.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+// A hit beside an edge of two faces may be one of each of them, so no edge is to be near.
+std::optional<std::vector<ElementaryFace::Hit>> certain(const std::vector<ShapeHit>& all) {
+  std::vector<ElementaryFace::Hit> hits;
+  for (const auto& [hit, on] : all) {
+    if (hit.status != Status::Complete || hit.grazing || hit.mark != 0 || !on.IsNull() ||
+        hit.first != hit.last)
+      return {};
+    hits.push_back({hit.parameter, hit.normal});
+  }
+  return hits;
+}
+
+}  // namespace
+
+SolidRays::SolidRays(std::vector<TopoDS_Face> faces, double tolerance)
+    : faces_(std::move(faces)),
+      tolerance_(tolerance),
+      tree_(FaceList(faces_, "", tolerance, Extent::Trims).boxes()),
+      rayed_(faces_.size()) {}
+
+SolidRays::Hits SolidRays::hits_of(std::size_t face, const Ray& ray) {
+  Rayed& of = rayed_[face];
+  if (!of.known) of.elementary = ElementaryFace::of(faces_[face], tolerance_);
+  of.known = true;
+  if (of.elementary)
+    if (Hits hits = of.elementary->hits(ray)) return hits;
+  if (!of.rays) of.rays = std::make_unique<ShapeRays>(std::vector{faces_[face]}, tolerance_);
+  return certain(of.rays->all_hits(ray));
+}
+
+template <class Found>
+bool SolidRays::for_each_hit(const Ray& ray, Found found) {
+  bool certain = true;
+  tree_.for_each_along({ray.origin, ray.direction, ray.from, ray.to}, [&](int face, double) {
+    const Hits hits = hits_of(static_cast<std::size_t>(face), ray);
+    certain = certain && hits.has_value();
+    if (hits)
+      for (const ElementaryFace::Hit& hit : *hits) found(hit);
+    return certain ? kEndless : -kEndless;
+  });
+  return certain;
+}
+
+std::optional<bool> SolidRays::is_inside(const Vec3& point, const Vec3& direction) {
+  std::size_t count = 0;
+  bool starts_on_a_face = false;
+  const double reach = tolerance_ / norm(direction);
+  const bool certain =
+      for_each_hit({point, direction, -reach}, [&](const ElementaryFace::Hit& hit) {
+        starts_on_a_face = starts_on_a_face || hit.parameter <= reach;
+        ++count;
+      });
+  if (!certain || starts_on_a_face) return std::nullopt;
+  return count % 2 == 1;
+}
+
+std::optional<bool> SolidRays::is_inside(const Vec3& point) {
+  for (const Vec3& direction : kRayDirections)
+    if (const std::optional<bool> inside = is_inside(point, direction)) return inside;
+  return std::nullopt;
+}
+
+std::optional<bool> SolidRays::leaves(const Vec3& point, const Vec3& direction) {
+  ElementaryFace::Hit last{-kEndless, {}};
+  const bool certain =
+      for_each_hit({point, direction, -kEndless, kEndless}, [&](const ElementaryFace::Hit& hit) {
+        if (hit.parameter > last.parameter) last = hit;
+      });
+  if (!certain || last.parameter == -kEndless) return std::nullopt;
+  return dot(last.normal, direction) > 0;
+}
+
+}  // namespace blossom::occt

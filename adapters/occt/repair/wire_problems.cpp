@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Degenerate and self-touching wires, by the common points of their pcurves.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS_Iterator.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/soundness.h"
+#include "core/plane/loops.h"
+
+namespace blossom::occt {
+namespace {
+
+// Two edges that leave their corner at a small angle stay close for a while: common points within
+// so many tolerances of the corner, or runs that start there, are the corner.
+constexpr double kCornerReach = 100;
+
+struct PlacedCoedge {
+  const Coedge* coedge = nullptr;
+  PlanarBox box;
+  int loop = 0;
+};
+
+bool apart(const PlanarBox& a, const PlanarBox& b, double margin) {
+  for (int k = 0; k < 2; ++k)
+    if (a.low[k] > b.high[k] + margin || b.low[k] > a.high[k] + margin) return true;
+  return false;
+}
+
+double length_of(const Coedge& coedge) {
+  double length = 0;
+  for (const PlanarSpan& span : coedge.curve.spans)
+    for (std::size_t i = 0; i + 1 < span.curve.points.size(); ++i)
+      length += distance(projected(span.curve.points[i]), projected(span.curve.points[i + 1]));
+  return length;
+}
+
+// What the loop encloses is no more than its edges' tolerances cover.
+bool is_degenerate(const FaceTrims& trims, const std::vector<Coedge>& loop) {
+  double area = 0, covered = 0;
+  for (const Coedge& coedge : loop) {
+    const double sign = coedge.reversed() ? -1 : 1;
+    for (const PlanarSpan& span : coedge.curve.spans)
+      area += sign * area_along(PlanarPath{span.curve}, trims.corners.front());
+    covered += std::max(Precision::Confusion(), coedge.tolerance) * length_of(coedge);
+  }
+  return std::abs(area) <= covered;
+}
+
+// The nearest corner that joins the two, or infinitely far.
+double from_common_corner(const FaceTrims& trims, const Coedge& a, const Coedge& b,
+                          const Vec2& point) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int corner : {a.from, a.to})
+    if (corner == b.from || corner == b.to)
+      least = std::min(least, distance(trims.corners[static_cast<std::size_t>(corner)], point));
+  return least;
+}
+
+// A point where two coedges meet though nothing joins them there.
+std::optional<Vec2> meeting_place(const FaceTrims& trims, const Coedge& a, const Coedge& b) {
+  const double tolerance = Precision::Confusion();
+  const double reach =
+      std::max({kCornerReach * tolerance, a.tolerance, b.tolerance}) + trims.largest_gap;
+  const PlanarCrossings common = crossings(a.curve, b.curve, tolerance);
+  for (const PlanarCrossing& crossing : common.points)
+    if (from_common_corner(trims, a, b, crossing.point) > reach) return crossing.point;
+  for (const PlanarOverlap& run : common.overlaps) {
+    const Vec2 ends[] = {point_at(a.curve, run.a.from), point_at(a.curve, run.a.to)};
+    const double near = std::min(from_common_corner(trims, a, b, ends[0]),
+                                 from_common_corner(trims, a, b, ends[1]));
+    if (near > reach || distance(ends[0], ends[1]) > kCornerReach * reach)
+      return point_at(a.curve, 0.5 * (run.a.from + run.a.to));
+  }
+  return std::nullopt;
+}
+
+Problem meeting_problem(const FaceTrims& trims, const PlacedCoedge& a, const PlacedCoedge& b,
+                        const Vec2& place) {
+  const gp_Pnt point =
+      BRep_Tool::Surface(trims.face)->Value(place[0] / trims.scale[0], place[1] / trims.scale[1]);
+  return {a.loop == b.loop ? "a wire meets itself" : "two wires meet", to_vec(point)};
+}
+
+bool bounds(const TopoDS_Shape& shape) {
+  return shape.Orientation() == TopAbs_FORWARD || shape.Orientation() == TopAbs_REVERSED;
+}
+
+// Edges inside of the face may end; those that bound it come to each vertex as often as they leave.
+bool is_open(const TopoDS_Shape& wire) {
+  TopTools_MapOfShape ends;
+  for (TopoDS_Iterator edge(wire); edge.More(); edge.Next()) {
+    if (!bounds(edge.Value())) continue;
+    bool has_ends = false;
+    for (TopoDS_Iterator vertex(edge.Value()); vertex.More(); vertex.Next()) {
+      if (!bounds(vertex.Value())) continue;
+      has_ends = true;
+      if (!ends.Add(vertex.Value())) ends.Remove(vertex.Value());
+    }
+    if (!has_ends) return true;
+  }
+  return !ends.IsEmpty();
+}
+
+}  // namespace
+
+bool has_open_wire(const TopoDS_Face& face) {
+  for (TopoDS_Iterator it(face); it.More(); it.Next())
+    if (it.Value().ShapeType() == TopAbs_WIRE && is_open(it.Value())) return true;
+  return false;
+}
+
+std::vector<Problem> wire_problems(const TopoDS_Face& face) {
+  FaceTrims trims;
+  try {
+    trims = face_trims(face);
+  } catch (const BadModel& error) {
+    return {{error.what()}};
+  }
+  std::vector<Problem> problems;
+  std::vector<PlacedCoedge> all;
+  for (std::size_t i = 0; i < trims.loops.size(); ++i) {
+    if (is_degenerate(trims, trims.loops[i]))
+      problems.push_back({"a wire encloses no more than its edges' tolerances cover"});
+    for (const Coedge& coedge : trims.loops[i])
+      all.push_back({&coedge, box_of(coedge.curve), static_cast<int>(i)});
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = i + 1; k < all.size(); ++k) {
+      if (apart(all[i].box, all[k].box, Precision::Confusion())) continue;
+      if (const auto place = meeting_place(trims, *all[i].coedge, *all[k].coedge))
+        problems.push_back(meeting_problem(trims, all[i], all[k], *place));
+    }
+  return problems;
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/splitting/edge_images.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <GeomProjLib.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curve_breaks.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/edge_charts.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr int kEdgeSamples = 64;  // of an edge, to see where it lies on the other surface
+constexpr int kHalvings = 48;     // of the interval between two samples, for the end of a run
+constexpr int kNewtonSteps = 4;
+constexpr int kLeastPieces = 16, kMostPieces = 512;  // between knots of a fitted run
+constexpr double kFitShare = 0.1;                    // of the tolerance
+constexpr double kExactShare = 1e-3;  // of the tolerance: a projection so near is taken as exact
+constexpr int kImageSamples = 33;
+constexpr double kStart = 1e-3;      // of a run: a place on it near its start
+constexpr double kSamePlace = 1e-9;  // of a run: joints so near are one
+
+Vec3 vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
+Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
+
+double deviation(const Handle(Geom_Curve) & curve, const Handle(Geom2d_Curve) & chart,
+                 const Interval& range, const SurfaceFeet& feet) {
+  double largest = 0;
+  for (int i = 0; i < kImageSamples; ++i) {
+    const double t = at(range, static_cast<double>(i) / (kImageSamples - 1));
+    const gp_Pnt2d uv = chart->Value(t);
+    largest = std::max(largest, feet.gap(vec(curve->Value(t)), {uv.X(), uv.Y()}));
+  }
+  return largest;
+}
+
+// What Open CASCADE makes of it; null if that is not exact.
+Handle(Geom2d_Curve) projected(const Handle(Geom_Curve) & curve, const Interval& range,
+                               const SurfaceFeet& feet, double tolerance) {
+  try {
+    double found = tolerance;
+    const Handle(Geom2d_Curve) chart =
+        GeomProjLib::Curve2d(curve, range.from, range.to, feet.surface(), found);
+    if (!chart.IsNull() && deviation(curve, chart, range, feet) <= kExactShare * tolerance)
+      return chart;
+  } catch (const Standard_Failure&) {
+    return {};  // it has none; one is fitted
+  }
+  return {};
+}
+
+}  // namespace
+
+CurveBeside::CurveBeside(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceFeet& feet)
+    : feet_(feet), surface_(BRep_Tool::Surface(face)) {
+  chart_ = chart_curve_of(edge, face, range_);
+  if (chart_.IsNull()) throw BadModel("an edge has no parametric curve on the face it bounds");
+}
+
+CurveBeside::CurveBeside(Handle(Geom_Curve) curve, const Interval& range, const SurfaceFeet& feet)
+    : feet_(feet), curve_(std::move(curve)), range_(range) {}
+
+CurveJet CurveBeside::in_space(double t) const {
+  if (!curve_.IsNull()) {
+    gp_Pnt point;
+    gp_Vec rate;
+    curve_->D1(t, point, rate);
+    return {vec(point), vec(rate), {}, {}};
+  }
+  gp_Pnt2d c;
+  gp_Vec2d d;
+  chart_->D1(t, c, d);
+  const SurfaceFrame own = frame_at(surface_, {c.X(), c.Y()});
+  return {own.point, d.X() * own.du + d.Y() * own.dv, {}, {}};
+}
+
+Vec3 CurveBeside::bend(double t) const {
+  if (!curve_.IsNull()) return vec(curve_->DN(t, 2));
+  gp_Pnt2d c;
+  gp_Vec2d d, dd;
+  chart_->D2(t, c, d, dd);
+  const Vec2 uv{c.X(), c.Y()};
+  const SurfaceFrame own = frame_at(surface_, uv);
+  const SurfaceBend of = bend_at(surface_, uv);
+  return dd.X() * own.du + dd.Y() * own.dv + d.X() * d.X() * of.uu + 2 * d.X() * d.Y() * of.uv +
+         d.Y() * d.Y() * of.vv;
+}
+
+CurveJet CurveBeside::jet(double t, const std::optional<Vec2>& near) const {
+  CurveJet jet = in_space(t);
+  jet.uv = feet_.foot(jet.point, near);
+  jet.uv_rate = chart_step(frame_at(feet_.surface(), jet.uv), jet.rate);
+  return jet;
+}
+
+CurveJet CurveBeside::end_jet(double end, double inner, const std::optional<Vec2>& near) const {
+  const CurveJet found = jet(end, near);
+  const SurfacePole* pole = feet_.pole_at(found.point);
+  if (pole == nullptr) return found;
+  return pole_jet(*pole, end, jet(at({end, inner}, kStart), near).uv);
+}
+
+// In a pole S does not depend on its free parameter f, and a curve that comes to it with the rate T
+// and the second derivative K has
+//   T = S_g g'    K = S_gg g'^2 + 2 S_fg f' g' + S_g g''
+// with g the other parameter: f is where S_g is along T, and f' follows from K without its share
+// along S_g.
+CurveJet CurveBeside::pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const {
+  const int g = pole.fixed, f = 1 - g;
+  CurveJet jet = in_space(t);
+  jet.uv = beside;
+  jet.uv[g] = pole.value;
+  const auto along = [&] {
+    const SurfaceFrame frame = frame_at(feet_.surface(), jet.uv);
+    return g == 0 ? frame.du : frame.dv;
+  };
+  for (int i = 0; i < kNewtonSteps; ++i) {
+    const Vec3 s_g = along(), s_fg = bend_at(feet_.surface(), jet.uv).uv;
+    const Vec3 normal = cross(s_g, s_fg);
+    const double slope = dot(cross(jet.rate, s_fg), normal);
+    if (slope == 0) return jet;  // a curve that stops there has no direction
+    jet.uv[f] -= dot(cross(jet.rate, s_g), normal) / slope;
+  }
+  const Vec3 s_g = along();
+  const SurfaceBend of = bend_at(feet_.surface(), jet.uv);
+  const Vec3 aside = of.uv - (dot(of.uv, s_g) / dot(s_g, s_g)) * s_g;
+  jet.uv_rate[g] = dot(jet.rate, s_g) / dot(s_g, s_g);
+  const Vec3 rest = bend(t) - jet.uv_rate[g] * jet.uv_rate[g] * (g == 0 ? of.uu : of.vv);
+  jet.uv_rate[f] = dot(rest, aside) / (2 * jet.uv_rate[g] * dot(aside, aside));
+  return jet;
+}
+
+std::vector<Interval> CurveBeside::between_poles(const Interval& run) const {
+  std::vector<Interval> parts{run};
+  for (const SurfacePole& pole : feet_.poles()) {
+    const auto approach = [&](double t) {
+      const CurveJet at = in_space(t);
+      return dot(at.point - pole.point, at.rate);
+    };
+    for (int i = 0; i < kEdgeSamples; ++i) {
+      Interval around{at(run, static_cast<double>(i) / kEdgeSamples),
+                      at(run, (i + 1.0) / kEdgeSamples)};
+      if (approach(around.from) > 0 || approach(around.to) <= 0) continue;
+      for (int halving = 0; halving < kHalvings; ++halving) {
+        const double middle = at(around, 0.5);
+        (approach(middle) > 0 ? around.to : around.from) = middle;
+      }
+      const double least = kSamePlace * length(run);
+      if (feet_.pole_at(in_space(around.to).point) != &pole || around.to < run.from + least ||
+          around.to > run.to - least)
+        continue;
+      const auto part = std::find_if(parts.begin(), parts.end(),
+                                     [&](const Interval& each) { return around.to < each.to; });
+      const double end = part->to;
+      part->to = around.to;
+      parts.insert(std::next(part), {around.to, end});
+    }
+  }
+  return parts;
+}
+
+CurveBeside::Standing CurveBeside::standing(double t) const {
+  const Vec3 point = in_space(t).point;
+  const Vec2 uv = feet_.foot(point, {});
+  return {point, feet_.gap(point, uv), feet_.clearance(point, uv)};
+}
+
+bool CurveBeside::lies_on(double t, const RunLimits& limits) const {
+  return limits.hold(standing(t));
+}
+
+// The end of a run between a parameter that belongs to it and one that does not. A curve that
+// leaves over the border ends there, and not where the border is too far behind.
+double CurveBeside::run_end(double on, double off, RunLimits limits) const {
+  const RunLimits sharp{limits.reach, kFitShare * kFitShare * limits.past};
+  if (lies_on(on, sharp)) limits = sharp;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (on + off);
+    (lies_on(middle, limits) ? on : off) = middle;
+  }
+  return on;
+}
+
+// Where between two parameters the curve is nearest to the border, or farthest past it.
+double CurveBeside::least_clearance(Interval around) const {
+  constexpr double kGolden = 0.381966011250105;
+  Interval inner{at(around, kGolden), at(around, 1 - kGolden)};
+  double from = standing(inner.from).clearance, to = standing(inner.to).clearance;
+  for (int i = 0; i < kHalvings; ++i) {
+    if (from < to) {
+      around.to = inner.to;
+      inner = {at(around, kGolden), inner.from};
+      to = from;
+      from = standing(inner.from).clearance;
+    } else {
+      around.from = inner.from;
+      inner = {inner.to, at(around, 1 - kGolden)};
+      from = to;
+      to = standing(inner.to).clearance;
+    }
+  }
+  return from < to ? inner.from : inner.to;
+}
+
+std::vector<Interval> CurveBeside::runs(double reach, double past) const {
+  const RunLimits limits{reach, past};
+  std::vector<Interval> runs;
+  double before = range_.from;
+  Standing there = standing(before);
+  for (int i = 0; i <= kEdgeSamples; ++i) {
+    const double t = at(range_, static_cast<double>(i) / kEdgeSamples);
+    const Standing here = standing(t);
+    const bool on = limits.hold(here);
+    const bool goes_on = !runs.empty() && runs.back().to == before;
+    if (on && goes_on) {
+      // It may be past the border between two samples, if it does not run along it.
+      const auto [low, high] = std::minmax(there.clearance, here.clearance);
+      const bool may_leave = low < distance(there.point, here.point) &&
+                             (high > past || !lies_on(0.5 * (before + t), limits));
+      const double out = may_leave ? least_clearance({before, t}) : before;
+      if (may_leave && !lies_on(out, limits)) {
+        runs.back().to = run_end(before, out, limits);
+        runs.push_back({run_end(t, out, limits), t});
+      }
+      runs.back().to = t;
+    } else if (on) {
+      runs.push_back({i > 0 ? run_end(t, before, limits) : t, t});
+    } else if (goes_on) {
+      runs.back().to = run_end(before, t, limits);
+    }
+    before = t;
+    there = here;
+  }
+  std::erase_if(runs, [](const Interval& run) { return !(run.from < run.to); });
+  return runs;
+}
+
+// Where the image crosses a knot line of the surface, which it does with a jump of its curvature.
+void CurveBeside::add_knot_lines(const Interval& run, std::vector<double>& joints) const {
+  const GeomAdaptor_Surface surface(feet_.surface());
+  std::array<TColStd_Array1OfReal, 2> knots{
+      TColStd_Array1OfReal(1, surface.NbUIntervals(GeomAbs_CN) + 1),
+      TColStd_Array1OfReal(1, surface.NbVIntervals(GeomAbs_CN) + 1)};
+  surface.UIntervals(knots[0], GeomAbs_CN);
+  surface.VIntervals(knots[1], GeomAbs_CN);
+  std::vector<Vec2> samples{jet(at(run, kStart), {}).uv};
+  for (int i = 1; i <= kEdgeSamples; ++i)
+    samples.push_back(i < kEdgeSamples
+                          ? jet(at(run, static_cast<double>(i) / kEdgeSamples), samples.back()).uv
+                          : end_jet(run.to, run.from, samples.back()).uv);
+  for (int k = 0; k < 2; ++k)
+    for (const double knot : knots[static_cast<std::size_t>(k)])
+      for (int i = 0; i < kEdgeSamples; ++i) {
+        const Vec2 &from = samples[static_cast<std::size_t>(i)],
+                   &to = samples[static_cast<std::size_t>(i) + 1];
+        if ((from[k] < knot) == (to[k] < knot)) continue;
+        Interval around{at(run, static_cast<double>(i) / kEdgeSamples),
+                        at(run, (i + 1.0) / kEdgeSamples)};
+        for (int halving = 0; halving < kHalvings; ++halving) {
+          const double middle = at(around, 0.5);
+          ((jet(middle, from).uv[k] < knot) == (from[k] < knot) ? around.from : around.to) = middle;
+        }
+        joints.push_back(around.to);
+      }
+}
+
+// The ends of the run, and between them where the curve or its image is less than smooth.
+std::vector<double> CurveBeside::joints(const Interval& run) const {
+  std::vector<double> at{run.from};
+  const std::vector<double> breaks =
+      chart_.IsNull() ? breaks_of(curve_, run) : breaks_of(chart_, run);
+  at.insert(at.end(), breaks.begin(), breaks.end());
+  add_knot_lines(run, at);
+  std::sort(at.begin(), at.end());
+  const double least = kSamePlace * length(run);
+  std::vector<double> apart{run.from};
+  for (const double t : at)
+    if (t > apart.back() + least && t < run.to - least) apart.push_back(t);
+  apart.push_back(run.to);
+  return apart;
+}
+
+FaceCut CurveBeside::hermite_cut(const std::vector<double>& ends, double tolerance) const {
+  FaceCut cut;
+  cut.tolerance = tolerance;
+  // A start on a seam has two places.
+  std::optional<Vec2> near = jet(at({ends.front(), ends.back()}, kStart), {}).uv;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const bool first = i == 0, last = i + 1 == ends.size();
+    const CurveJet here = first  ? end_jet(ends[i], ends[1], near)
+                          : last ? end_jet(ends[i], ends[i - 1], near)
+                                 : jet(ends[i], near);
+    near = here.uv;
+    const auto add = [&](double step) {
+      cut.curve.points.push_back(here.point + step * here.rate);
+      cut.chart.points.push_back(here.uv + step * here.uv_rate);
+    };
+    if (!first) add((ends[i - 1] - ends[i]) / 3);
+    if (first || last) add(0);
+    if (!last) add((ends[i + 1] - ends[i]) / 3);
+    cut.curve.knots.push_back(ends[i]);
+    cut.curve.multiplicities.push_back(first || last ? 4 : 2);
+  }
+  cut.curve.degree = cut.chart.degree = 3;
+  cut.chart.knots = cut.curve.knots;
+  cut.chart.multiplicities = cut.curve.multiplicities;
+  return cut;
+}
+
+FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double tolerance) const {
+  const std::vector<double> joints = this->joints(run);
+  for (int pieces = kLeastPieces;; pieces *= 2) {
+    std::vector<double> ends{run.from};
+    for (std::size_t k = 0; k + 1 < joints.size(); ++k)
+      for (int i = 1; i <= pieces; ++i)
+        ends.push_back(at({joints[k], joints[k + 1]}, static_cast<double>(i) / pieces));
+    FaceCut cut = hermite_cut(ends, tolerance);
+    double off = 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const double t = 0.5 * (ends[i] + ends[i + 1]);
+      const Vec3 point = jet(t, {}).point;
+      off = std::max(
+          {off, distance(point, point_at(cut.curve, t)), feet_.gap(point, point_at(cut.chart, t))});
+    }
+    if (off <= wanted) return cut;
+    if (pieces < kMostPieces) continue;
+    // As where it crosses the seam of a surface that is closed but has no period.
+    if (off > tolerance) throw Failure("an edge has no image in the chart of the other face");
+    return cut;
+  }
+}
+
+std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet, double reach,
+                               double tolerance) {
+  std::vector<FaceCut> cuts;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    if (BRep_Tool::Degenerated(edge) || is_seam(edge, face)) continue;
+    const CurveBeside beside(edge, face, feet);
+    const double allowed = std::max(tolerance, BRep_Tool::Tolerance(edge));
+    for (const Interval& run : beside.runs(reach, allowed))
+      for (const Interval& part : beside.between_poles(run))
+        cuts.push_back(beside.fitted_cut(part, kFitShare * allowed, allowed));
+  }
+  return cuts;
+}
+
+ChartImage image_of(const Handle(Geom_Curve) & curve, const Interval& range,
+                    const SurfaceFeet& feet, const std::optional<Vec2>& near, double tolerance) {
+  Handle(Geom2d_Curve) chart = projected(curve, range, feet, tolerance);
+  if (chart.IsNull()) {
+    const CurveBeside beside(curve, range, feet);
+    chart = to_occt(beside.fitted_cut(range, kExactShare * tolerance, tolerance).chart);
+  }
+  if (near) {
+    const gp_Pnt2d middle = chart->Value(at(range, 0.5));
+    const Vec2 wanted = feet.foot(vec(curve->Value(at(range, 0.5))), near);
+    const Handle(Geom_Surface)& surface = feet.surface();
+    gp_Vec2d move(0, 0);
+    if (surface->IsUPeriodic())
+      move.SetX(surface->UPeriod() * std::round((wanted[0] - middle.X()) / surface->UPeriod()));
+    if (surface->IsVPeriodic())
+      move.SetY(surface->VPeriod() * std::round((wanted[1] - middle.Y()) / surface->VPeriod()));
+    chart = Handle(Geom2d_Curve)::DownCast(chart->Translated(move));
+  }
+  return {chart, deviation(curve, chart, range, feet)};
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The edges inside of a face that FaceSplitter splits: internal ones, and those of other shapes.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/convert/pcurves.h"
+#include "adapters/occt/splitting/edge_images.h"
+#include "adapters/occt/splitting/face_splitter.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kMargin = 1.1;
+constexpr double kReach = 10;    // tolerances: what is so near a wire lies on it
+constexpr int kTurns = 2;        // periods that trims reach beyond the first one at most
+constexpr double kOnEnd = 1e-9;  // of an edge: a place so near its end is it
+
+}  // namespace
+
+void FaceSplitter::add_inner_stops(Strand& strand) {
+  for (std::size_t i = 0; i < trims_.inner.size(); ++i) {
+    const int index = static_cast<int>(i);
+    check_limit(limit_, "dividing faces");
+    const PlanarCrossings common = crossings(strand.curve, trims_.inner[i].curve, reach(strand));
+    for (const PlanarCrossing& crossing : common.points) {
+      const TrimMeeting meeting{crossing.a, inner_loop(), index, crossing.b};
+      strand.stops.emplace_back(crossing.a, vertex_of(meeting, 0, obliqueness(strand, meeting)));
+    }
+    for (const PlanarOverlap& run : common.overlaps)
+      strand.runs.push_back({run.a, inner_loop(), index, run.b});
+    if (!common.complete)
+      note(strand.cut, "runs so close to an edge that not all crossings are sure");
+  }
+}
+
+// An end is perhaps that of another edge, or on the border.
+int FaceSplitter::inner_vertex(int index, int split) {
+  const Coedge& of = coedge(inner_loop(), index);
+  const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
+  if (const int known = vertex_of_shape(splits_.vertex(of.edge, split), point); known >= 0)
+    return known;
+  vertices_.push_back({point, inner_loop(), index, split});
+  return static_cast<int>(vertices_.size()) - 1;
+}
+
+// Of the vertices that stand for a shape, as on both sides of a seam, the nearest; -1 if none does.
+int FaceSplitter::vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point) const {
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  const auto consider = [&](int vertex) {
+    const double gap = distance(vertices_[static_cast<std::size_t>(vertex)].point, point);
+    if (gap >= least) return;
+    least = gap;
+    nearest = vertex;
+  };
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    const Vertex& of = vertices_[i];
+    const TopoDS_Vertex own =
+        of.split >= 0 ? splits_.vertex(coedge(of.loop, of.coedge).edge, of.split) : of.shape;
+    if (!own.IsNull() && splits_.are_one(own, shape)) consider(static_cast<int>(i));
+  }
+  for (const auto& [other, vertex] : ties_)
+    if (splits_.are_one(other, shape)) consider(vertex);
+  return nearest;
+}
+
+bool FaceSplitter::add_inner_arcs() {
+  for (std::size_t i = 0; i < trims_.inner.size(); ++i) {
+    const int index = static_cast<int>(i);
+    for (const EdgePiece& piece : splits_.pieces(trims_.inner[i].edge)) {
+      PlanarPath path = bezier_pieces(trims_.inner[i].curve, piece.range);
+      if (path.empty()) continue;
+      const int from = inner_vertex(index, piece.from), to = inner_vertex(index, piece.to);
+      arcs_.push_back({from, to, std::move(path), false});
+      origins_.push_back({piece.edge, runs_along(inner_loop(), index, piece), -1, inner_loop()});
+    }
+  }
+  return !trims_.inner.empty();
+}
+
+bool FaceSplitter::add_laid_arcs() {
+  if (laid_.empty()) return false;
+  const std::size_t before = arcs_.size();
+  const SurfaceFeet feet(trims_.face, tolerance_);
+  for (const auto& [edge, reach] : laid_)
+    for (const EdgePiece& piece : splits_.pieces(edge)) add_laid_arc(piece, reach, feet);
+  return arcs_.size() > before;
+}
+
+bool FaceSplitter::lies_on_wire(const PlanarCurve& curve) const {
+  for (const auto& loop : trims_.loops)
+    for (const Coedge& of : loop) {
+      const auto near = [&](double part) {
+        const Vec2 point = point_at(curve, at(curve.domain(), part));
+        return nearest(of.curve, point).distance <= kReach * tolerance_;
+      };
+      if (near(0.5) && near(0.25) && near(0.75)) return true;
+    }
+  return false;
+}
+
+// A pole is one vertex but a whole side of the chart: it is split where the edge comes to it.
+void FaceSplitter::lay(const TopoDS_Edge& edge, double reach) {
+  laid_.emplace_back(edge, reach);
+  for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i)
+      if (trims_.loops[loop][i].degenerated)
+        lay_in_pole(edge, static_cast<int>(loop), static_cast<int>(i));
+}
+
+void FaceSplitter::lay_in_pole(const TopoDS_Edge& edge, int loop, int index) {
+  const Coedge& pole = coedge(loop, index);
+  const SurfaceFeet feet(trims_.face, tolerance_);
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  const CurveBeside beside(curve, range, feet);
+  const auto come = [&](double there, double from) {
+    if (!(std::abs(there - from) > kOnEnd * length(range))) return;
+    const Vec2 uv = beside.end_jet(there, from, {}).uv;
+    const Vec2 at{uv[0] * trims_.scale[0], uv[1] * trims_.scale[1]};
+    for (int turn = -2; turn <= 2; ++turn) {
+      const PlanarFoot foot = nearest(pole.curve, at + static_cast<double>(turn) * trims_.period);
+      if (foot.distance <= kReach * tolerance_) splits_.add(pole.edge, foot.parameter, trims_.face);
+    }
+  };
+  const TopoDS_Vertex there = TopExp::FirstVertex(pole.edge);
+  for (int i = splits_.count(edge) - 1; i >= 0; --i) {
+    if (!splits_.are_one(splits_.vertex(edge, i), there)) continue;
+    come(splits_.parameter(edge, i), range.from);
+    come(splits_.parameter(edge, i), range.to);
+  }
+}
+
+FaceSplitter::LaidCurve FaceSplitter::laid_curve(const TopoDS_Edge& edge,
+                                                 const SurfaceFeet& feet) const {
+  LaidCurve of;
+  Interval range;
+  of.curve = BRep_Tool::Curve(edge, range.from, range.to);
+  const double allowed = std::max(kReach * tolerance_, BRep_Tool::Tolerance(edge));
+  const ChartImage image = image_of(of.curve, range, feet, {}, allowed);
+  of.image = image.chart;
+  of.tolerance = std::max(BRep_Tool::Tolerance(edge), kMargin * image.deviation);
+  of.chart = transformed(planar_curve(image.chart, range), trims_.scale, {});
+  return of;
+}
+
+// The edge that takes the place of a piece of another shape's, its chart curve moved by periods.
+TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of,
+                                    const Vec2& shift) const {
+  TopLoc_Location location;
+  const Handle(Geom_Surface) raw = BRep_Tool::Surface(trims_.face, location);
+  const gp_Vec2d move(shift[0] / trims_.scale[0], shift[1] / trims_.scale[1]);
+  const BRep_Builder builder;
+  TopoDS_Edge edge;
+  builder.MakeEdge(edge, of.curve, of.tolerance);
+  builder.UpdateEdge(edge, Handle(Geom2d_Curve)::DownCast(of.image->Translated(move)), raw,
+                     location, of.tolerance);
+  builder.Range(edge, piece.range.from, piece.range.to);
+  builder.Add(edge, TopExp::FirstVertex(piece.edge).Oriented(TopAbs_FORWARD));
+  builder.Add(edge, TopExp::LastVertex(piece.edge).Oriented(TopAbs_REVERSED));
+  return edge;
+}
+
+// What does not, but begins or ends on a border, may leave a surface that ends beside the face.
+bool FaceSplitter::lies_in_face(const EdgePiece& piece, double reach,
+                                const SurfaceFeet& feet) const {
+  double first = 0, last = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(piece.edge, first, last);
+  const auto point = [&](double part) {
+    const gp_Pnt of = curve->Value(at(piece.range, part));
+    return Vec3{of.X(), of.Y(), of.Z()};
+  };
+  for (const double part : {0.5, 0.2, 0.8})
+    if (std::abs(feet.height(point(part))) > reach) return false;
+  const Vec2 uv = feet.foot(point(0.5), {});
+  const Vec2 chart{uv[0] * trims_.scale[0], uv[1] * trims_.scale[1]};
+  // Trims may be longer than a period.
+  const int turns_u = trims_.period[0] > 0 ? kTurns : 0,
+            turns_v = trims_.period[1] > 0 ? kTurns : 0;
+  for (int i = -turns_u; i <= turns_u; ++i)
+    for (int j = -turns_v; j <= turns_v; ++j)
+      if (is_inside(trims_, {chart[0] + i * trims_.period[0], chart[1] + j * trims_.period[1]}))
+        return true;
+  return false;
+}
+
+void FaceSplitter::add_laid_arc(const EdgePiece& piece, double reach, const SurfaceFeet& feet) {
+  if (!lies_in_face(piece, reach, feet)) return;
+  const LaidCurve of = laid_curve(piece.edge, feet);
+  const auto vertex = [&](const TopoDS_Vertex& shape, const Vec2& point) {
+    if (const int known = vertex_of_shape(shape, point); known >= 0) return known;
+    vertices_.push_back({point, -1, -1, -1, shape});
+    return static_cast<int>(vertices_.size()) - 1;
+  };
+  for (const Vec2& shift : period_shifts(trims_, of.chart)) {
+    const PlanarCurve moved = transformed(of.chart, {1, 1}, shift);
+    if (!is_inside(trims_, point_at(moved, at(piece.range, 0.5))) || lies_on_wire(moved)) continue;
+    PlanarPath path = bezier_pieces(moved, piece.range);
+    if (path.empty()) continue;
+    const int from = vertex(TopExp::FirstVertex(piece.edge), start_of(path));
+    const int to = vertex(TopExp::LastVertex(piece.edge), end_of(path));
+    arcs_.push_back({from, to, std::move(path), false});
+    origins_.push_back({laid_edge(piece, of, shift), {}, -1, -1, piece.edge});
+  }
+}
+
+// Of arcs that divide nothing, those that stay: the face's own internal edges, and cuts if wanted.
+std::vector<int> FaceSplitter::imprints_among(const std::vector<int>& arcs, OpenCuts open) const {
+  std::vector<int> kept;
+  for (const int arc : arcs) {
+    const Origin& of = origins_[static_cast<std::size_t>(arc)];
+    if (of.strand >= 0 ? open == OpenCuts::Imprint : of.loop == inner_loop()) kept.push_back(arc);
+  }
+  return kept;
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/trim_tool.h"
+
+#include <optional>
+#include <stdexcept>
+
+#include <BRepCheck_Shell.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <gp_Pnt.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/faces/point_inside.h"
+#include "adapters/occt/queries/solid_rays.h"
+
+namespace blossom::occt {
+namespace {
+
+std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, TopAbs_FACE, map);
+  std::vector<TopoDS_Face> faces;
+  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
+  return faces;
+}
+
+// Whether the solid's faces are turned inwards, by the first line that tells. What cannot be
+// converted says so when it is used.
+bool is_inside_out(const TopoDS_Solid& solid) try {
+  const std::vector<TopoDS_Face> faces = faces_of(solid);
+  SolidRays rays(faces, Precision::Confusion());
+  for (const TopoDS_Face& face : faces) {
+    const std::optional<gp_Pnt> point = point_inside(face);
+    if (!point) continue;
+    for (const Vec3& direction : kRayDirections)
+      if (const auto outwards = rays.leaves({point->X(), point->Y(), point->Z()}, direction))
+        return !*outwards;
+  }
+  return false;
+} catch (const std::runtime_error&) {
+  return false;
+}
+
+// Of a closed solid whose faces are turned differently, or inwards, nothing is inside for sure.
+void check_orientation(const TopoDS_Solid& solid) {
+  for (TopExp_Explorer shell(solid, TopAbs_SHELL); shell.More(); shell.Next()) {
+    BRepCheck_Shell check(TopoDS::Shell(shell.Current()));
+    if (check.Orientation() != BRepCheck_NoError)
+      throw BadModel("the faces of a solid are not all turned the same way");
+  }
+  if (is_inside_out(solid)) throw BadModel("a solid is turned inside out");
+}
+
+}  // namespace
+
+bool is_closed_solid(const TopoDS_Shape& solid) {
+  if (!TopExp_Explorer(solid, TopAbs_FACE).More()) return false;
+  TopTools_IndexedDataMapOfShapeListOfShape users;
+  TopExp::MapShapesAndAncestors(solid, TopAbs_EDGE, TopAbs_FACE, users);
+  for (int i = 1; i <= users.Extent(); ++i)
+    if (users(i).Extent() < 2 && !BRep_Tool::Degenerated(TopoDS::Edge(users.FindKey(i))))
+      return false;
+  return true;
+}
+
+TrimTool trim_tool(const TopoDS_Shape& shape) {
+  TrimTool tool;
+  tool.faces = faces_of(shape);
+  TopTools_IndexedMapOfShape bounding;
+  for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) {
+    if (!TopExp_Explorer(it.Current(), TopAbs_FACE).More()) continue;  // bounds nothing
+    if (!is_closed_solid(it.Current())) {
+      tool.solids.clear();
+      return tool;
+    }
+    check_orientation(TopoDS::Solid(it.Current()));
+    TopExp::MapShapes(it.Current(), TopAbs_FACE, bounding);
+    tool.solids.push_back(TopoDS::Solid(it.Current()));
+  }
+  if (bounding.Extent() != static_cast<int>(tool.faces.size())) tool.solids.clear();
+  return tool;
+}
+
+TrimTool solid_tool(const std::vector<TopoDS_Solid>& solids) {
+  TopTools_IndexedMapOfShape faces;
+  for (const TopoDS_Solid& solid : solids) TopExp::MapShapes(solid, TopAbs_FACE, faces);
+  TrimTool tool;
+  for (int i = 1; i <= faces.Extent(); ++i) tool.faces.push_back(TopoDS::Face(faces(i)));
+  tool.solids = solids;
+  return tool;
+}
+
+}  // namespace blossom::occt

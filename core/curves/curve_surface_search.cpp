@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/curves/curve_surface_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/work_limit.h"
+#include "core/surfaces/contacts/contact_length.h"
+
+namespace blossom {
+namespace {
+
+constexpr double kCut = 31.0 / 64;  // where cells of surfaces are halved, off the middle
+constexpr long kAskEvery = 256;     // pairs between two looks at the clock
+constexpr int kNewtonSteps = 20;
+constexpr double kSettled = 1e-15;
+constexpr double kStalled = 1e-12;
+constexpr double kReach = 0.5;  // how far outside the cells Newton's steps may lead
+constexpr int kKrawczykSteps = 6;
+constexpr double kParameterSlack = 1e-13;
+
+bool apart(const ValueRange& a, double low, double high, double tolerance) {
+  return a.low > high + tolerance || low > a.high + tolerance;
+}
+
+// Solves x c0 + y c1 + z c2 = r by Cramer's rule.
+std::optional<Vec3> solve(const Vec3& c0, const Vec3& c1, const Vec3& c2, const Vec3& r) {
+  const Vec3 n = cross(c1, c2);
+  const double d = dot(c0, n);
+  if (d == 0 || !std::isfinite(1 / d)) return std::nullopt;
+  return Vec3{dot(r, n) / d, dot(c0, cross(r, c2)) / d, dot(c0, cross(c1, r)) / d};
+}
+
+bool within(double t, const Interval& range, double slack) {
+  return t >= range.from - slack && t <= range.to + slack;
+}
+
+}  // namespace
+
+SurfaceTrees::SurfaceTrees(const BezierSurface& surface, const Vec3& origin, CellForm form)
+    : surface_(surface) {
+  double scale = max_norm(origin);
+  int degree = 0;
+  for (const RationalBezierPatch& patch : surface.patches.values()) {
+    trees_.push_back(std::make_unique<CellTree>(patch, surface.rational, origin, form, kCut));
+    degree = std::max(degree, patch.degree_u() + patch.degree_v());
+    const RationalBezierPatch& moved = trees_.back()->patch();
+    for (const Vec4& p : moved.points.values())
+      for (int k = 0; k < 3; ++k) scale = std::max(scale, std::abs(p[k] / p[3]));
+  }
+  // Weights of each direction carry 3 roundings a degree, sums one a term, the quotient as much.
+  evaluation_margin_ = (8.0 * degree + 16) * 0x1p-53 * scale;
+}
+
+Vec2 SurfaceTrees::parameters(int patch, const Vec2& uv) const {
+  const auto i = static_cast<std::size_t>(patch / surface_.patches.columns());
+  const auto j = static_cast<std::size_t>(patch % surface_.patches.columns());
+  return {parameter_at(surface_.u_law, {surface_.u_knots[i], surface_.u_knots[i + 1]}, uv[0]),
+          parameter_at(surface_.v_law, {surface_.v_knots[j], surface_.v_knots[j + 1]}, uv[1])};
+}
+
+std::optional<Pierce> pierce(const CurveTree& curve, int span, const Interval& t,
+                             const RationalBezierPatch& patch, const Interval& u,
+                             const Interval& v) {
+  Pierce x{at(t, 0.5), {at(u, 0.5), at(v, 0.5)}};
+  const auto inside = [](double value, const Interval& range) {
+    return within(value, range, kReach * length(range));
+  };
+  double last = 1;
+  for (int k = 0; k < kNewtonSteps; ++k) {
+    const CurveJet c = curve.jet({span, x.t});
+    const PatchJet s = jet_at(patch, x.uv[0], x.uv[1], 1);
+    const auto step = solve(c.first, -s.u, -s.v, s.point - c.point);
+    if (!step) return std::nullopt;
+    x = {x.t + (*step)[0], {x.uv[0] + (*step)[1], x.uv[1] + (*step)[2]}};
+    if (!inside(x.t, t) || !inside(x.uv[0], u) || !inside(x.uv[1], v)) return std::nullopt;
+    const double size = max_norm(*step);
+    if (size < kSettled || (size < kStalled && size > 0.25 * last)) return x;
+    last = size;
+  }
+  return std::nullopt;
+}
+
+PierceSearch::PierceSearch(CurveTree& curve, SurfaceTrees& surface,
+                           const IntersectionOptions& options, double tolerance)
+    : curve_(curve),
+      surface_(surface),
+      options_(options),
+      tolerance_(tolerance),
+      valley_{tolerance, longest_touch(tolerance, curve.size()),
+              4 * (curve.evaluation_margin() + surface.evaluation_margin())} {}
+
+PierceFindings PierceSearch::run(const std::vector<PierceContact>& inside) {
+  inside_ = &inside;
+  for (int i = 0; i < curve_.spans(); ++i)
+    for (int p = 0; p < surface_.count(); ++p) {
+      if (separated(curve_[i], surface_[p][0]))
+        ++found_.excluded;
+      else
+        pairs_.push_back({i, p, 0});
+    }
+  work_off();
+  return std::move(found_);
+}
+
+PierceFindings PierceSearch::run_within(const std::vector<PierceContact>& contacts,
+                                        const std::vector<PierceContact>& inside) {
+  inside_ = &inside;
+  for (const PierceContact& c : contacts) pairs_.push_back({c.cell, c.patch, c.surface_cell});
+  work_off();
+  return std::move(found_);
+}
+
+void PierceSearch::work_off() {
+  const WorkLimit limit(options_);
+  for (long count = 1; !pairs_.empty(); ++count) {
+    if (count % kAskEvery == 0) found_.stopped = limit.reached();
+    if (count > options_.budget) found_.stopped = "the budget is spent";
+    if (found_.stopped) break;
+    const Pair pair = pairs_.back();
+    pairs_.pop_back();
+    examine(pair);
+  }
+  for (const Pair& pair : pairs_) found_.open.push_back(contact(pair));
+}
+
+void PierceSearch::examine(const Pair& pair) {
+  const CurveCell& c = curve_[pair.cell];
+  const Cell& s = surface_[pair.patch][pair.surface_cell];
+  if (separated(c, s)) {
+    ++found_.excluded;
+    return;
+  }
+  if (is_inside(c, pair, s)) return;
+  if (settle(c, pair, s) || settle_valley(c, pair, s)) {
+    ++found_.certified;
+    return;
+  }
+  const double least = tolerance_ + 8 * (c.margin + s.margin);
+  if (std::max(c.extent, s.extent) <= least || within_slab(c, s)) {
+    found_.contacts.push_back(contact(pair));
+    return;
+  }
+  halve(pair, c.extent >= s.extent);
+}
+
+void PierceSearch::halve(const Pair& pair, bool curve) {
+  const int child = curve ? curve_.split(pair.cell) : surface_[pair.patch].split(pair.surface_cell);
+  for (const int half : {child, child + 1})
+    pairs_.push_back({curve ? half : pair.cell, pair.patch, curve ? pair.surface_cell : half});
+}
+
+bool PierceSearch::separated(const CurveCell& c, const Cell& s) const {
+  for (int k = 0; k < 3; ++k)
+    if (apart({c.low[k], c.high[k]}, s.low[k], s.high[k], tolerance_)) return true;
+  if (s.plane.normal == Vec3{}) return false;
+  return apart(range_along(c, 3, s.plane.normal), s.plane.low, s.plane.high, tolerance_);
+}
+
+bool PierceSearch::within_slab(const CurveCell& c, const Cell& s) const {
+  if (s.plane.normal == Vec3{}) return false;
+  const ValueRange range = range_along(c, 3, s.plane.normal);
+  const double thickness = std::max(range.high, s.plane.high) - std::min(range.low, s.plane.low);
+  return thickness <= tolerance_ + 8 * (c.margin + s.margin);
+}
+
+VectorBounds PierceSearch::derivative(const CurveCell& c) const {
+  VectorBounds bounds;
+  for (int k = 0; k < 3; ++k) {
+    Vec3 direction;
+    direction[k] = 1;
+    const ValueRange range = curve_.derivative_ranges(c, direction)[0];
+    bounds.middle[k] = 0.5 * (range.low + range.high);
+    bounds.radius[k] = 0.5 * (range.high - range.low);
+  }
+  return bounds;
+}
+
+// The cell is a graph over some plane, in which the curve lies: elsewhere in the cell there is no
+// common point.
+bool PierceSearch::is_inside(const CurveCell& c, const Pair& pair, const Cell& s) const {
+  const auto meets = [](const Interval& a, const Interval& b) {
+    return a.from <= b.to && b.from <= a.to;
+  };
+  for (const PierceContact& piece : *inside_) {
+    if (piece.span != c.span || piece.patch != pair.patch) continue;
+    if (!(piece.t.from <= c.local.from && c.local.to <= piece.t.to)) continue;
+    if (!meets(piece.u, s.u) || !meets(piece.v, s.v)) continue;
+    const VectorBounds normal{cross(s.du.middle, s.dv.middle), Vec3{}};
+    if (JacobianBounds(normal, s).minor(1).regular) return true;
+  }
+  return false;
+}
+
+// The one common point that a pair with regular Jacobian can have. False if it is not decided.
+bool PierceSearch::settle(const CurveCell& c, const Pair& pair, const Cell& s) {
+  const Minor minor = JacobianBounds(derivative(c), s).minor(1);
+  if (!minor.regular) return false;
+  const RationalBezierPatch& patch = surface_[pair.patch].patch();
+  const auto found = pierce(curve_, c.span, c.local, patch, s.u, s.v);
+  if (!found) return krawczyk_empties(c, pair.patch, s, minor);
+  // How far an error of the distance moves the solution, as parts of the cells.
+  const auto reach = [&](std::size_t row, double error) {
+    double sum = 0;
+    for (const double x : minor.inverse[row]) sum += std::abs(x);
+    return 2 * sum * error;
+  };
+  const double rounding = valley_.rounding;
+  const auto inside = [&](double error) {
+    return within(found->t, c.local, reach(0, error) * length(c.local) + kParameterSlack) &&
+           within(found->uv[0], s.u, reach(1, error) * length(s.u) + kParameterSlack) &&
+           within(found->uv[1], s.v, reach(2, error) * length(s.v) + kParameterSlack);
+  };
+  if (!inside(tolerance_)) return krawczyk_empties(c, pair.patch, s, minor);
+  const SpanPoint t{c.span, std::clamp(found->t, 0.0, 1.0)};
+  const Vec2 uv{std::clamp(found->uv[0], 0.0, 1.0), std::clamp(found->uv[1], 0.0, 1.0)};
+  const double gap = distance(curve_.jet(t).point, jet_at(patch, uv[0], uv[1], 1).point);
+  const bool exact = gap <= rounding;
+  if (exact || gap <= tolerance_) {
+    found_.points.push_back(
+        {t, pair.patch, uv, exact,
+         Vec3{reach(0, rounding) * length(c.local), reach(1, rounding) * length(s.u),
+              reach(2, rounding) * length(s.v)}});
+    return true;
+  }
+  return krawczyk_empties(c, pair.patch, s, minor);
+}
+
+// False if the gap is not proven to be a valley.
+bool PierceSearch::settle_valley(const CurveCell& c, const Pair& pair, const Cell& s) {
+  const auto valley = pierce_valley(curve_, c, pair.patch, surface_[pair.patch], s, valley_);
+  if (!valley) return false;
+  for (int i = 0; i < valley->count; ++i)
+    found_.points.push_back(valley->points[static_cast<std::size_t>(i)]);
+  if (valley->touch) found_.touches.push_back(*valley->touch);
+  return true;
+}
+
+// Any root in the box with middle y and radius r lies in y - C F(y) +- E r; intersecting again and
+// again empties the box if there is none. In the cells' own parameters.
+// Source: Krawczyk 1969.
+bool PierceSearch::krawczyk_empties(const CurveCell& c, int patch, const Cell& s,
+                                    const Minor& minor) const {
+  std::array<double, 3> y{0.5, 0.5, 0.5}, radius{0.5, 0.5, 0.5};
+  const double rounding = valley_.rounding;
+  for (int step = 0; step < kKrawczykSteps; ++step) {
+    const Vec3 f = curve_.jet({c.span, at(c.local, y[0])}).point -
+                   jet_at(surface_[patch].patch(), at(s.u, y[1]), at(s.v, y[2]), 1).point;
+    std::array<double, 3> next{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      double shift = 0, spread = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        shift += minor.inverse[i][j] * f[static_cast<int>(j)];
+        spread += minor.spread[i][j] * radius[j] + std::abs(minor.inverse[i][j]) * rounding;
+      }
+      spread = spread * (1 + 1e-12) + 1e-14;
+      const double low = std::max(y[i] - shift - spread, y[i] - radius[i]);
+      const double high = std::min(y[i] - shift + spread, y[i] + radius[i]);
+      if (low > high) return true;
+      y[i] = 0.5 * (low + high);
+      next[i] = 0.5 * (high - low);
+    }
+    radius = next;
+  }
+  return false;
+}
+
+PierceContact PierceSearch::contact(const Pair& pair) const {
+  const CurveCell& c = curve_[pair.cell];
+  const Cell& s = surface_[pair.patch][pair.surface_cell];
+  return {c.span, c.local, pair.patch, s.u, s.v, pair.cell, pair.surface_cell};
+}
+
+}  // namespace blossom

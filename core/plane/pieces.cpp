@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/plane/pieces.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+namespace blossom {
+namespace {
+
+// Which arcs hang together, over common vertices.
+class Components {
+ public:
+  explicit Components(std::span<const ChartArc> arcs) {
+    int count = 0;
+    for (const ChartArc& arc : arcs) count = std::max({count, arc.from + 1, arc.to + 1});
+    parent_.resize(static_cast<std::size_t>(count));
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    for (const ChartArc& arc : arcs) parent_[root(index(arc.from))] = root(index(arc.to));
+  }
+  std::size_t of(const ChartArc& arc) { return root(index(arc.from)); }
+
+ private:
+  static std::size_t index(int vertex) { return static_cast<std::size_t>(vertex); }
+  std::size_t root(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  std::vector<std::size_t> parent_;
+};
+
+bool is_inside(std::span<const ChartArc> arcs, const Cycle& cycle) {
+  return std::none_of(cycle.begin(), cycle.end(), [&](const HalfEdge& edge) {
+    return edge.reversed && arcs[static_cast<std::size_t>(edge.arc)].border;
+  });
+}
+
+// The cycle in parts that come to no vertex twice: where a hole touches the outer loop or another
+// hole in a vertex, the walk round the piece goes through it once for each of them.
+std::vector<Cycle> simple_parts(std::span<const ChartArc> arcs, const Cycle& cycle) {
+  const auto vertex = [&](const HalfEdge& edge, bool start) {
+    const ChartArc& arc = arcs[static_cast<std::size_t>(edge.arc)];
+    return edge.reversed != start ? arc.from : arc.to;
+  };
+  std::vector<Cycle> parts;
+  Cycle open;
+  for (const HalfEdge& edge : cycle) {
+    open.push_back(edge);
+    const int end = vertex(edge, false);
+    const auto last = std::find_if(open.rbegin(), open.rend(), [&](const HalfEdge& known) {
+      return vertex(known, true) == end;
+    });
+    if (last == open.rend()) continue;
+    parts.emplace_back(last.base() - 1, open.end());
+    open.erase(last.base() - 1, open.end());
+  }
+  return parts;
+}
+
+struct Outer {
+  std::size_t piece = 0;
+  std::size_t component = 0;
+  double area = 0;
+};
+
+constexpr std::size_t kNoComponent = static_cast<std::size_t>(-1);
+
+const ChartArc& first_arc(std::span<const ChartArc> arcs, const Cycle& cycle) {
+  return arcs[static_cast<std::size_t>(cycle.front().arc)];
+}
+
+// Of the parts one goes round the others.
+ChartPiece piece_of(std::span<const ChartArc> arcs, std::vector<Cycle> parts) {
+  const auto outer = std::max_element(
+      parts.begin(), parts.end(),
+      [&](const Cycle& a, const Cycle& b) { return signed_area(arcs, a) < signed_area(arcs, b); });
+  ChartPiece piece{std::move(*outer), {}, {}};
+  parts.erase(outer);
+  piece.holes = std::move(parts);
+  return piece;
+}
+
+// The smallest piece round an arc, but none that a part of the arrangement bounds.
+ChartPiece* around(std::span<const ChartArc> arcs, const std::vector<Outer>& by_area,
+                   const ChartArc& arc, std::size_t but, std::vector<ChartPiece>& pieces) {
+  const Vec2 inside = middle_of(arc.path);
+  const auto found = std::find_if(by_area.begin(), by_area.end(), [&](const Outer& outer) {
+    return outer.component != but && encloses(arcs, pieces[outer.piece].outer, inside);
+  });
+  return found == by_area.end() ? nullptr : &pieces[found->piece];
+}
+
+}  // namespace
+
+ChartPieces pieces(std::span<const ChartArc> arcs, double tolerance) {
+  Cycles all = cycles(arcs, tolerance);
+  std::vector<ChartArc> kept(arcs.begin(), arcs.end());
+  for (const int arc : all.dangling)  // a cut that is left out connects nothing
+    kept[static_cast<std::size_t>(arc)].to = kept[static_cast<std::size_t>(arc)].from;
+  Components components(kept);
+
+  ChartPieces result;
+  result.dangling = std::move(all.dangling);
+  std::vector<Outer> outers;
+  std::vector<Cycle> holes;
+  for (const Cycle& cycle : all.cycles) {
+    if (!is_inside(arcs, cycle)) continue;
+    const double area = signed_area(arcs, cycle);
+    std::vector<Cycle> parts = simple_parts(arcs, cycle);
+    if (area <= 0) {
+      std::move(parts.begin(), parts.end(), std::back_inserter(holes));
+      continue;
+    }
+    outers.push_back({result.pieces.size(), components.of(first_arc(arcs, cycle)), area});
+    result.pieces.push_back(piece_of(arcs, std::move(parts)));
+  }
+  std::sort(outers.begin(), outers.end(),
+            [](const Outer& a, const Outer& b) { return a.area < b.area; });
+  for (Cycle& hole : holes) {
+    const ChartArc& arc = first_arc(arcs, hole);
+    ChartPiece* const piece = around(arcs, outers, arc, components.of(arc), result.pieces);
+    if (piece == nullptr)
+      result.consistent = false;
+    else
+      piece->holes.push_back(std::move(hole));
+  }
+  for (const int index : result.dangling) {
+    const ChartArc& arc = arcs[static_cast<std::size_t>(index)];
+    if (ChartPiece* const piece = around(arcs, outers, arc, kNoComponent, result.pieces))
+      piece->inner.push_back(index);
+  }
+  return result;
+}
+
+}  // namespace blossom

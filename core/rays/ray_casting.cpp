@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/rays/ray_casting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "core/base/errors.h"
+#include "core/base/parallel.h"
+
+namespace blossom {
+namespace {
+
+// Parameters of one root that two cells of a patch find differ by rounding only.
+constexpr double kSameRoot = 1e-8;
+// Rays that a thread takes at a time: some hundred microseconds of work.
+constexpr std::size_t kBatch = 256;
+
+bool is_finite(const Vec3& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+void validate(const Ray& ray) {
+  if (!is_finite(ray.origin)) throw InvalidInput("ray: the origin is not finite");
+  if (!is_finite(ray.direction)) throw InvalidInput("ray: the direction is not finite");
+  const double square = dot(ray.direction, ray.direction);
+  if (!(square > 0) || !std::isfinite(1 / square) || !std::isfinite(square))
+    throw InvalidInput("ray: the direction is zero, or too short or long for its square");
+  if (!(ray.from <= ray.to)) throw InvalidInput("ray: its end must not be before its start");
+}
+
+std::vector<Box> reachable(const FlatCells& cells) {
+  std::vector<Box> result;
+  result.reserve(cells.boxes().size());
+  for (std::size_t i = 0; i < cells.boxes().size(); ++i) {
+    const auto patch = static_cast<std::size_t>(cells.cells()[i].patch);
+    result.push_back(widened(cells.boxes()[i], cells.patches()[patch].reach));
+  }
+  return result;
+}
+
+double checked(const Tolerances& tolerances) {
+  if (!(tolerances.point > 0) || !std::isfinite(tolerances.point))
+    throw InvalidInput("RayCaster: the tolerance must be positive");
+  return tolerances.point;
+}
+
+bool is_same(const RayHit& a, const RayHit& b, double tolerance) {
+  const bool proven_a = a.status == Status::Complete, proven_b = b.status == Status::Complete;
+  if (!proven_a && !proven_b) return true;  // their stretches touch
+  // A stretch takes in the roots of its own surface, and edges of others that it meets.
+  if (!proven_a || !proven_b) return a.surface == b.surface || (proven_a ? a : b).border;
+  if (distance(a.point, b.point) > 2 * tolerance) return false;
+  if (a.patch == b.patch && max_norm(a.local - b.local) <= kSameRoot) return true;
+  return a.border && b.border;
+}
+
+void join(RayHit& into, const RayHit& hit) {
+  const double first = std::min(into.first, hit.first), last = std::max(into.last, hit.last);
+  const bool grazing = into.grazing || hit.grazing, border = into.border || hit.border;
+  const Status status = weaker(into.status, hit.status);
+  const int mark = std::max(into.mark, hit.mark);
+  if (into.status != Status::Complete && hit.status == Status::Complete) into = hit;
+  into.first = first;
+  into.last = last;
+  into.grazing = grazing;
+  into.border = border;
+  into.status = status;
+  into.mark = mark;
+}
+
+template <class Ask>
+std::vector<std::vector<RayHit>> for_all(const RayCaster& caster, std::span<const Ray> rays,
+                                         Ask ask) {
+  for (const Ray& ray : rays) validate(ray);
+  std::vector<std::vector<RayHit>> results(rays.size());
+  parallel_for((rays.size() + kBatch - 1) / kBatch, 1, [&](std::size_t batch) {
+    RayQuery query(caster);
+    const std::size_t last = std::min(rays.size(), (batch + 1) * kBatch);
+    for (std::size_t i = batch * kBatch; i < last; ++i) {
+      const std::span<const RayHit> hits = ask(query, rays[i]);
+      results[i].assign(hits.begin(), hits.end());
+    }
+  });
+  return results;
+}
+
+}  // namespace
+
+void join_hits(std::vector<RayHit>& hits, double speed, double tolerance) {
+  std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
+    return a.first != b.first ? a.first < b.first : a.parameter < b.parameter;
+  });
+  const double near = 2 * tolerance / speed;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    std::size_t same = kept;
+    for (std::size_t k = kept; k-- > 0 && same == kept;)
+      if (hits[k].last + near >= hits[i].first && is_same(hits[k], hits[i], tolerance)) same = k;
+    if (same < kept)
+      join(hits[same], hits[i]);
+    else
+      hits[kept++] = hits[i];
+  }
+  hits.resize(kept);
+  std::sort(hits.begin(), hits.end(),
+            [](const RayHit& a, const RayHit& b) { return a.parameter < b.parameter; });
+}
+
+RayCaster::RayCaster(std::vector<BezierSurface> surfaces, const Tolerances& tolerances,
+                     std::vector<double> reaches)
+    : cells_(std::move(surfaces), checked(tolerances), std::move(reaches)),
+      tree_(reachable(cells_)),
+      tolerance_(tolerances.point) {}
+
+std::vector<RayHit> RayCaster::all_hits(const Ray& ray) const {
+  RayQuery query(*this);
+  const std::span<const RayHit> hits = query.all_hits(ray);
+  return {hits.begin(), hits.end()};
+}
+
+std::vector<RayHit> RayCaster::first_hits(const Ray& ray) const {
+  RayQuery query(*this);
+  const std::span<const RayHit> hits = query.first_hits(ray);
+  return {hits.begin(), hits.end()};
+}
+
+std::vector<std::vector<RayHit>> RayCaster::all_hits(std::span<const Ray> rays) const {
+  return for_all(*this, rays, [](RayQuery& query, const Ray& ray) { return query.all_hits(ray); });
+}
+
+std::vector<std::vector<RayHit>> RayCaster::first_hits(std::span<const Ray> rays) const {
+  return for_all(*this, rays,
+                 [](RayQuery& query, const Ray& ray) { return query.first_hits(ray); });
+}
+
+RayQuery::RayQuery(const RayCaster& caster)
+    : caster_(caster), search_(caster.cells_, caster.tolerance_) {}
+
+// Of the hits found last, those within the ray that count.
+void RayQuery::keep(std::size_t from, const Ray& ray, const HitFilter& accept) {
+  const double slack = caster_.tolerance_ / norm(ray.direction);
+  for (std::size_t i = from; i < hits_.size(); ++i) {
+    RayHit& hit = hits_[i];
+    if (hit.last < ray.from - slack || hit.first > ray.to + slack) continue;
+    const BezierSurface& surface = caster_.cells_.surfaces()[static_cast<std::size_t>(hit.surface)];
+    if (surface.error > 0) hit.status = weaker(hit.status, Status::Tolerance);
+    if (accept && !accept(hit)) continue;
+    hits_[from++] = hit;
+  }
+  hits_.resize(from);
+}
+
+void RayQuery::collect(const Ray& ray, const HitFilter& accept, bool first_only) {
+  validate(ray);
+  hits_.clear();
+  search_.aim(ray);
+  const double speed = norm(ray.direction);
+  const double slack = 4 * caster_.tolerance_ / speed;
+  double wanted = ray.to + slack;
+  caster_.tree_.for_each_along(
+      {ray.origin, ray.direction, ray.from - slack, wanted}, [&](int cell, double) {
+        const std::size_t before = hits_.size();
+        search_.examine(caster_.cells_.cells()[static_cast<std::size_t>(cell)], hits_);
+        keep(before, ray, accept);
+        for (std::size_t i = before; first_only && i < hits_.size(); ++i)
+          if (hits_[i].status == Status::Complete)
+            wanted = std::min(wanted, hits_[i].parameter + slack);
+        return wanted;
+      });
+  join_hits(hits_, speed, caster_.tolerance_);
+}
+
+std::span<const RayHit> RayQuery::all_hits(const Ray& ray, const HitFilter& accept) {
+  collect(ray, accept, false);
+  return hits_;
+}
+
+std::span<const RayHit> RayQuery::first_hits(const Ray& ray, const HitFilter& accept) {
+  collect(ray, accept, true);
+  const auto proven = std::find_if(
+      hits_.begin(), hits_.end(), [](const RayHit& hit) { return hit.status == Status::Complete; });
+  if (proven != hits_.end()) hits_.erase(proven + 1, hits_.end());
+  return hits_;
+}
+
+}  // namespace blossom

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/surfaces/assembly/result_places.h"
+
+#include <algorithm>
+
+namespace blossom {
+namespace {
+
+double distance_to_chord(const Vec3& point, const Vec3& from, const Vec3& to) {
+  const Vec3 step = to - from;
+  const double square = dot(step, step);
+  const double t = square > 0 ? std::clamp(dot(point - from, step) / square, 0.0, 1.0) : 0.0;
+  return distance(point, from + step * t);
+}
+
+}  // namespace
+
+bool is_known_contact(const SurfaceIntersection& result, const Vec3& point, double reach) {
+  return std::ranges::any_of(
+      result.points, [&](const SurfacePoint& p) { return distance(p.point, point) <= reach; });
+}
+
+bool is_on_curve(const SurfaceIntersection& result, const Vec3& point, double reach,
+                 bool tangential_only) {
+  return std::ranges::any_of(result.curves, [&](const IntersectionCurve& curve) {
+    if (tangential_only && !curve.tangential) return false;
+    for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i)
+      if (distance_to_chord(point, curve.samples[i].point, curve.samples[i + 1].point) <= reach)
+        return true;
+    return false;
+  });
+}
+
+bool ends_curve(const SurfaceIntersection& result, const Vec3& point, double reach) {
+  return std::ranges::any_of(result.curves, [&](const IntersectionCurve& curve) {
+    return distance(curve.samples.front().point, point) <= reach ||
+           distance(curve.samples.back().point, point) <= reach;
+  });
+}
+
+bool bounds_overlap(const SurfaceIntersection& result, const Vec3& point, double reach) {
+  return std::ranges::any_of(result.overlaps, [&](const Overlap& overlap) {
+    return std::ranges::any_of(
+        overlap.boundary, [&](const SurfacePoint& p) { return distance(p.point, point) <= reach; });
+  });
+}
+
+}  // namespace blossom

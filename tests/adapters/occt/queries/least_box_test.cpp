@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/queries/least_box.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Circ.hxx>
+
+#include "adapters/occt/base/errors.h"
+
+namespace blossom::occt {
+namespace {
+
+// kDistanceResolution of what the largest coordinates of a shape and a plane beyond it sum up to.
+constexpr double kAccuracy = 1e-8;
+
+void expect_box(const LeastBox& found, const Vec3& low, const Vec3& high) {
+  EXPECT_LE(found.precision, kAccuracy);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_NEAR(found.box.low[k], low[k], kAccuracy) << k;
+    EXPECT_NEAR(found.box.high[k], high[k], kAccuracy) << k;
+  }
+}
+
+TEST(LeastBox, OfABoxIsTheBox) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-1, 2, 30), gp_Pnt(4, 5, 31)).Shape();
+  expect_box(least_box(box), {-1, 2, 30}, {4, 5, 31});
+}
+
+TEST(LeastBox, OfAnUprightTorusHasItsOuterRadii) {
+  const gp_Ax2 axes(gp_Pnt(1, 0, 0), gp_Dir(0, 1, 0));
+  expect_box(least_box(BRepPrimAPI_MakeTorus(axes, 3, 1).Shape()), {-3, -1, -4}, {5, 1, 4});
+}
+
+// With angles of 45 degrees to the axis a torus reaches R cos 45 + r along it.
+TEST(LeastBox, OfATurnedTorusIsTangentToIt) {
+  const gp_Ax2 axes(gp_Pnt(0, 0, 0), gp_Dir(0, 1, 1));
+  const double reach = 3 * std::numbers::sqrt2 / 2 + 1;
+  expect_box(least_box(BRepPrimAPI_MakeTorus(axes, 3, 1).Shape()), {-4, -reach, -reach},
+             {4, reach, reach});
+}
+
+TEST(LeastBox, EndsWhereTrimsDo) {
+  const TopoDS_Shape half = BRepPrimAPI_MakeSphere(2, 0, std::numbers::pi / 2).Shape();
+  expect_box(least_box(half), {-2, -2, 0}, {2, 2, 2});
+}
+
+// z = 2 u (1 - u) (1 + v) over the unit square: the control points reach up to 2.
+TEST(LeastBox, OfASplineIsLessThanThatOfItsControlPoints) {
+  TColgp_Array2OfPnt poles(1, 3, 1, 2);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 2; ++j) poles(i + 1, j + 1) = gp_Pnt(0.5 * i, j, i == 1 ? 1 + j : 0);
+  const TopoDS_Shape face = BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Shape();
+  expect_box(least_box(face), {0, 0, 0}, {1, 1, 1});
+}
+
+TEST(LeastBox, TakesEdgesAndVerticesWithoutFaces) {
+  const gp_Circ circle(gp_Ax2(), 2);
+  const TopoDS_Shape arc = BRepBuilderAPI_MakeEdge(circle, 0, 0.75 * std::numbers::pi).Shape();
+  expect_box(least_box(arc), {-std::numbers::sqrt2, 0, 0}, {2, 2, 0});
+  expect_box(least_box(BRepBuilderAPI_MakeVertex(gp_Pnt(1, 2, 3)).Shape()), {1, 2, 3}, {1, 2, 3});
+}
+
+TEST(LeastBox, OfNothingIsRefused) {
+  TopoDS_Compound nothing;
+  BRep_Builder().MakeCompound(nothing);
+  EXPECT_THROW(least_box(nothing), BadModel);
+}
+
+}  // namespace
+}  // namespace blossom::occt
