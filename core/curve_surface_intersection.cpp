@@ -23,7 +23,7 @@ Vec3 origin_of(const CurveSpans& curve) {
   return max_norm(middle) > max_norm(high - low) ? middle : Vec3{};
 }
 
-CurvePlace open_place(const CurveTree& curve, const PierceContact& pair) {
+CurvePlace open_place(const CurveTree& curve, const CurveSurfaceContact& pair) {
   const CurveCell& cell = curve[pair.span];
   return {PlaceKind::Open,
           cell.low,
@@ -48,15 +48,17 @@ CurveSurfaceIntersection intersect(const CurveSpans& curve, const BezierSurface&
   CurveTree tree(curve, origin, 3);
   SurfaceTrees trees(surface, origin, options.form);
   const auto inside = pieces_in_surface(tree, trees, tolerance);
-  std::vector<PierceContact> pieces;
+  std::vector<CurveSurfaceContact> pieces;
   for (const CurveInSurface& piece : inside) pieces.push_back(piece.piece);
-  const PierceFindings found = PierceSearch(tree, trees, options, tolerance).run(pieces);
-  const auto closer = [&](const std::vector<PierceContact>& contacts, double smaller) {
-    return PierceSearch(tree, trees, options, smaller).run_within(contacts, pieces);
+  const CurveSurfaceFindings found =
+      CurveSurfaceSearch(tree, trees, options, tolerance).run(pieces);
+  const auto closer = [&](const std::vector<CurveSurfaceContact>& contacts, double smaller) {
+    return CurveSurfaceSearch(tree, trees, options, smaller).run_within(contacts, pieces);
   };
   CurveSurfaceIntersection result =
-      PierceAssembly(tree, surface, trees, tolerance).finish(inside, found, closer);
-  for (const PierceContact& pair : found.open) result.places.push_back(open_place(tree, pair));
+      CurveSurfaceAssembly(tree, surface, trees, tolerance).finish(inside, found, closer);
+  for (const CurveSurfaceContact& pair : found.open)
+    result.places.push_back(open_place(tree, pair));
   CurveCertificate& certificate = result.certificate;
   certificate.contacts = static_cast<long>(found.contacts.size() + found.touches.size());
   certificate.depth = tree.depth();

@@ -356,7 +356,7 @@ class Search {
     const NetShape& shape_b = b_.tree(pair.b).cells.shape();
     const int points_a = shape_a.plane_size(), points_b = shape_b.plane_size();
     const double bound = distance_bound({&cell_a, points_a}, {&cell_b, points_b}, direction_);
-    if (is_settled(bound) || std::max(points_a, points_b) > kMostSquarePoints) return bound;
+    if (is_settled(bound) || std::max(points_a, points_b) > kMaxSquarePoints) return bound;
     if (item_a.dimension() == 0) return std::max(bound, bound_of(pair.a, a_, pair.b, b_));
     if (item_b.dimension() == 0) return std::max(bound, bound_of(pair.b, b_, pair.a, a_));
     if (pair.depth % kHalvingsPerCentre != kHalvingsPerCentre - 1) return bound;
@@ -478,22 +478,22 @@ class Search {
 
 }  // namespace
 
-PreparedSet::PreparedSet(MeasuredSet set)
+PreparedSet::PreparedSet(DistanceOperand set)
     : parts_(std::make_unique<DistanceParts>(std::move(set))) {}
-PreparedSet::PreparedSet(MeasuredParts parts)
+PreparedSet::PreparedSet(OperandParts parts)
     : parts_(std::make_unique<DistanceParts>(std::move(parts))) {}
 PreparedSet::~PreparedSet() = default;
 PreparedSet::PreparedSet(PreparedSet&&) noexcept = default;
 PreparedSet& PreparedSet::operator=(PreparedSet&&) noexcept = default;
-const MeasuredSet& PreparedSet::set() const { return parts_->set(); }
-const MeasuredSet& PreparedSet::part(int number) const { return parts_->own_set(number); }
+const DistanceOperand& PreparedSet::set() const { return parts_->set(); }
+const DistanceOperand& PreparedSet::part(int number) const { return parts_->own_set(number); }
 
 DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                               const DistanceOptions& options) {
   return Search(*a.parts_, *b.parts_, options).run();
 }
 
-DistanceResult least_distance(const MeasuredSet& a, const MeasuredSet& b,
+DistanceResult least_distance(const DistanceOperand& a, const DistanceOperand& b,
                               const DistanceOptions& options) {
   return least_distance(PreparedSet(a), PreparedSet(b), options);
 }

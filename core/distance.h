@@ -23,12 +23,12 @@ namespace blossom {
 
 /// Whether a rectangle of a surface's own parameters lies inside of its trims.
 enum class TrimSide { Inside, Outside, Mixed };
-/// surface   index into MeasuredSet::surfaces
+/// surface   index into DistanceOperand::surfaces
 /// low, high the corners of the rectangle; equal for a point, of which Mixed means on a border
 using TrimFilter = std::function<TrimSide(int surface, const Vec2& low, const Vec2& high)>;
 
 /// Points, curves and surfaces, taken together. Positive weights; curves of degree 1..kMaxDegree.
-struct MeasuredSet {
+struct DistanceOperand {
   std::vector<Vec3> points;
   std::vector<RationalBezierCurve> curves;
   std::vector<BezierSurface> surfaces;
@@ -36,25 +36,25 @@ struct MeasuredSet {
 };
 
 /// Points near whose convex hull all of a part lies.
-struct PartHull {
+struct HullBound {
   std::vector<Vec3> points;  ///< model units; at least one
   double margin = 0;         ///< how far outside of it a coordinate may be
 };
 
 /// A set of which only hulls are there at first: a part is made when a question comes near it.
-struct MeasuredParts {
-  std::vector<Vec3> points;                   ///< need no making
-  std::vector<PartHull> hulls;                ///< one for each part
-  std::function<MeasuredSet(int part)> make;  ///< once at most for each, from any thread
+struct OperandParts {
+  std::vector<Vec3> points;                       ///< need no making
+  std::vector<HullBound> hulls;                   ///< one for each part
+  std::function<DistanceOperand(int part)> make;  ///< once at most for each, from any thread
   TrimFilter trims{};  ///< takes the part for the surface; a part has one surface at most
 };
 
 /// A surface with its borders and corners.
-MeasuredSet measured(const BezierSurface& surface);
+DistanceOperand measured(const BezierSurface& surface);
 /// A curve with its ends.
-MeasuredSet measured(const RationalBezierCurve& curve);
+DistanceOperand measured(const RationalBezierCurve& curve);
 /// A point.
-MeasuredSet measured(const Vec3& point);
+DistanceOperand measured(const Vec3& point);
 
 /// Where a distance is taken.
 struct DistanceEnd {
@@ -107,16 +107,16 @@ class DistanceParts;
 class PreparedSet {
  public:
   /// throws   InvalidInput if the set is empty or a form is not sound
-  explicit PreparedSet(MeasuredSet set);
-  explicit PreparedSet(MeasuredParts parts);
+  explicit PreparedSet(DistanceOperand set);
+  explicit PreparedSet(OperandParts parts);
   ~PreparedSet();
   PreparedSet(PreparedSet&&) noexcept;
   PreparedSet& operator=(PreparedSet&&) noexcept;
 
   /// What is there from the beginning: everything, or the points of a set in parts.
-  const MeasuredSet& set() const;
+  const DistanceOperand& set() const;
   /// What a part is made of; made if it is not yet. Only of a set in parts.
-  const MeasuredSet& part(int number) const;
+  const DistanceOperand& part(int number) const;
 
  private:
   friend DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
@@ -130,7 +130,7 @@ class PreparedSet {
 DistanceResult least_distance(const PreparedSet& a, const PreparedSet& b,
                               const DistanceOptions& options = {});
 /// throws   as PreparedSet
-DistanceResult least_distance(const MeasuredSet& a, const MeasuredSet& b,
+DistanceResult least_distance(const DistanceOperand& a, const DistanceOperand& b,
                               const DistanceOptions& options = {});
 
 /// Whether the surfaces of two parts of sets are proven to cross within their trims. Looked for

@@ -21,7 +21,7 @@ namespace {
 
 // Off the middle: feet on symmetric shapes like dyadic lines.
 constexpr double kCut = 0.5 - 1.0 / 64;
-constexpr double kLeastSlack = 1e-9;
+constexpr double kMinSlack = 1e-9;
 // Values must be this exact, in parameters of the piece, for a foot to be placed in it.
 constexpr double kExact = 1e-3;
 constexpr int kSteps = 60;
@@ -161,7 +161,7 @@ class PatchFeet {
     bool exact = true;
     for (std::size_t i = 0; i < 2; ++i) {
       const int k = static_cast<int>(i);
-      slack[k] = std::max(kLeastSlack, 4 * forms.rounding[k]);
+      slack[k] = std::max(kMinSlack, 4 * forms.rounding[k]);
       const double bound = 0.5 * (1 + forms.spread[i][0] + forms.spread[i][1]) + slack[k];
       if (std::abs(centre[k]) > bound + forms.rounding[k]) return true;
       exact = exact && forms.rounding[k] < kExact;
@@ -267,7 +267,7 @@ void join(std::vector<FootPoint>& feet, double tolerance) {
 }
 
 // Of one patch, within the trims.
-void add_patch(const MeasuredSet& set, int surface, int row, int column, const Vec3& point,
+void add_patch(const DistanceOperand& set, int surface, int row, int column, const Vec3& point,
                double tolerance, std::vector<FootPoint>& feet) {
   const BezierSurface& s = set.surfaces[static_cast<std::size_t>(surface)];
   PatchFeet found(s.patches(row, column), false, point, tolerance);
@@ -284,7 +284,7 @@ void add_patch(const MeasuredSet& set, int surface, int row, int column, const V
   }
 }
 
-void add_curve(const MeasuredSet& set, int curve, const Vec3& point, double tolerance,
+void add_curve(const DistanceOperand& set, int curve, const Vec3& point, double tolerance,
                std::vector<FootPoint>& feet) {
   const std::vector<Vec4>& points = set.curves[static_cast<std::size_t>(curve)].points;
   const int count = static_cast<int>(points.size());
@@ -315,7 +315,7 @@ FootPoint open_surface(const BezierSurface& surface, int number, const Vec3& poi
   return foot;
 }
 
-void add_surface(const MeasuredSet& set, int number, const Vec3& point, double tolerance,
+void add_surface(const DistanceOperand& set, int number, const Vec3& point, double tolerance,
                  const WorkLimit* limit, std::vector<FootPoint>& feet) {
   const BezierSurface& surface = set.surfaces[static_cast<std::size_t>(number)];
   for (int row = 0; row < surface.patches.rows(); ++row) {
@@ -340,7 +340,7 @@ const char* to_string(Extremum extremum) {
   return "unknown";
 }
 
-std::vector<FootPoint> foot_points(const MeasuredSet& set, const Vec3& point, double tolerance,
+std::vector<FootPoint> foot_points(const DistanceOperand& set, const Vec3& point, double tolerance,
                                    const WorkLimit* limit) {
   if (!(tolerance > 0)) throw InvalidInput("foot_points: the tolerance must be positive");
   if (!std::isfinite(dot(point, point))) throw InvalidInput("foot_points: the point is not finite");

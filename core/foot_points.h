@@ -41,7 +41,7 @@ struct FootPoint {
 /// tolerance    size of the regions in which what is not decided counts as one foot, model units
 /// limit        of the whole question; null: none. A surface it ends midway has one foot, Stopped
 /// throws       InvalidInput if a form is not sound, or the tolerance is not positive
-std::vector<FootPoint> foot_points(const MeasuredSet& set, const Vec3& point, double tolerance,
+std::vector<FootPoint> foot_points(const DistanceOperand& set, const Vec3& point, double tolerance,
                                    const WorkLimit* limit = nullptr);
 
 }  // namespace blossom

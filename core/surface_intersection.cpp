@@ -48,7 +48,7 @@ struct Attempt {
 bool may_gain(const BoxedSurface& a, const BoxedSurface& b, const SurfaceIntersection& found,
               const IntersectionOptions& options) {
   return &a.surface != &b.surface &&
-         may_gain_by_exchange(found, a.surface, b.surface, options.tolerances.point);
+         should_retry_swapped(found, a.surface, b.surface, options.tolerances.point);
 }
 
 // In the order asked for; if that leaves something open, in the other one.

@@ -90,7 +90,7 @@ struct MeasuredEdge {
 struct MeasuredShape::Impl {
   explicit Impl(const TopoDS_Shape& shape)
       : shapes(shape), faces(shapes.faces().size()), converted(shapes.faces().size()) {
-    MeasuredParts parts;
+    OperandParts parts;
     for (const PlacedShape& vertex : shapes.vertices()) {
       gp_XYZ p = BRep_Tool::Pnt(TopoDS::Vertex(vertex.shape)).XYZ();
       shapes.place_of(vertex).Transforms(p);
@@ -124,7 +124,7 @@ struct MeasuredShape::Impl {
 
   // Of control points where they do. Other forms are converted at once, so that the error of what
   // is only approximated does not depend on the questions.
-  PartHull face_hull(int i) {
+  HullBound face_hull(int i) {
     const PlacedShape& part = shapes.faces()[static_cast<std::size_t>(i)];
     std::vector<Vec3> hull;
     if (add_hull(TopoDS::Face(part.shape), hull) && has_end(hull))
@@ -138,7 +138,7 @@ struct MeasuredShape::Impl {
     return {std::move(hull), surface.error};
   }
 
-  PartHull edge_hull(const MeasuredEdge& of) {
+  HullBound edge_hull(const MeasuredEdge& of) {
     const PlacedShape& part = shapes.edges()[static_cast<std::size_t>(of.number)];
     std::vector<Vec3> hull;
     if (add_hull(TopoDS::Edge(part.shape), hull) && has_end(hull))
@@ -152,9 +152,9 @@ struct MeasuredShape::Impl {
   }
 
   // What was converted for its box is handed over; should that fail, it is converted again.
-  MeasuredSet make(int part) {
+  DistanceOperand make(int part) {
     return guarded("converting a part to measure", [&] {
-      MeasuredSet set;
+      DistanceOperand set;
       if (is_face(part)) {
         auto& known = converted[static_cast<std::size_t>(part)];
         set.surfaces.push_back(known ? std::move(*known)
@@ -316,7 +316,7 @@ std::vector<ShapeFoot> foot_points(const MeasuredShape& shape, const Vec3& point
                                    const WorkLimit* limit) {
   std::vector<ShapeFoot> feet;
   for (int part = 0; part < shape.parts(); ++part) {
-    MeasuredSet set = shape.set().part(part);
+    DistanceOperand set = shape.set().part(part);
     const TrimFilter& trims = shape.set().set().trims;
     set.trims = [&](int, const Vec2& low, const Vec2& high) { return trims(part, low, high); };
     for (FootPoint& foot : blossom::foot_points(set, point, tolerance, limit)) {

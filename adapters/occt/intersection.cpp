@@ -291,7 +291,7 @@ class PairIntersector {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
     SurfaceIntersection found = intersect(a.surface, b.surface, options_for(a, b, edges));
     if (found.status != Status::Stopped || found.certificate.limited ||
-        faces_a_.cuts() == ArcCuts::Uneven ||
+        faces_a_.cuts() == ArcCuts::Shifted ||
         !(has_inner_arcs(a.surface) || has_inner_arcs(b.surface)))
       return found;
     SurfaceIntersection again =

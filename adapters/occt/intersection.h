@@ -74,8 +74,8 @@ struct ShapeIntersection {
 /// decided, too. The certificate counts what is taken for one, and how far apart it is at most.
 /// throws   BadModel if a face cannot be converted; the message has the face's place in its list
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
-                            const IntersectionOptions& options = {}, Extent extent = Extent::Beyond,
-                            ArcCuts cuts = ArcCuts::Even);
+                            const IntersectionOptions& options = {},
+                            Extent extent = Extent::Extended, ArcCuts cuts = ArcCuts::Even);
 
 /// What of a shape is compared with itself.
 enum class SelfScope {

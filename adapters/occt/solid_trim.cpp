@@ -23,9 +23,9 @@
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/repair/edge_tolerances.h"
+#include "adapters/occt/solids/labelled_solids.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
-#include "adapters/occt/solids/solid_stages.h"
 #include "adapters/occt/solids/solid_validity.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
@@ -188,7 +188,7 @@ void note(const SolidTrimResult& step, SolidTrimResult& result) {
 }
 
 // Solids that nothing was done to.
-void give_out(const Stage& stage, SolidTrimResult& result) {
+void give_out(const LabelledSolid& stage, SolidTrimResult& result) {
   const std::vector<TopoDS_Solid>& solids = stage.solid.solids;
   result.solids.insert(result.solids.end(), solids.begin(), solids.end());
   result.faces.insert(result.faces.end(), stage.faces.begin(), stage.faces.end());
@@ -206,19 +206,22 @@ struct LayerWork {
 
   bool is_refused() const { return !told.obstacles.empty(); }
   /// Two stages; faces come from where those of the two do.
-  SolidTrimResult step(const Stage& first, const Stage& second, SolidOperation operation);
+  SolidTrimResult step(const LabelledSolid& first, const LabelledSolid& second,
+                       SolidOperation operation);
   /// The layer without all tools, or together with them.
-  SolidTrimResult folded(Stage layer, std::span<const Stage> tools, SolidOperation operation);
+  SolidTrimResult folded(LabelledSolid layer, std::span<const LabelledSolid> tools,
+                         SolidOperation operation);
   /// The layer in pieces, each of which one tool after the other divides.
-  SolidTrimResult split(const Stage& layer, std::span<const Stage> tools);
+  SolidTrimResult split(const LabelledSolid& layer, std::span<const LabelledSolid> tools);
   /// What is in the layer and in every tool.
-  SolidTrimResult common(const Stage& layer, std::span<const Stages> tools);
+  SolidTrimResult common(const LabelledSolid& layer, std::span<const LabelledSolids> tools);
 };
 
-SolidTrimResult LayerWork::step(const Stage& first, const Stage& second, SolidOperation operation) {
+SolidTrimResult LayerWork::step(const LabelledSolid& first, const LabelledSolid& second,
+                                SolidOperation operation) {
   SolidTrimResult made = combined(first.solid, second.solid, operation, limit.remaining());
   for (SolidFace& face : made.faces) {
-    const Stage& of = face.tool < 0 ? first : second;
+    const LabelledSolid& of = face.tool < 0 ? first : second;
     const SolidFace& origin = of.faces[static_cast<std::size_t>(face.from)];
     face = {face.face, origin.tool, origin.from};
   }
@@ -227,7 +230,7 @@ SolidTrimResult LayerWork::step(const Stage& first, const Stage& second, SolidOp
 }
 
 // One tool after the other, until there is an obstacle or nothing left.
-SolidTrimResult LayerWork::folded(Stage layer, std::span<const Stage> tools,
+SolidTrimResult LayerWork::folded(LabelledSolid layer, std::span<const LabelledSolid> tools,
                                   SolidOperation operation) {
   SolidTrimResult made;
   for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -239,7 +242,7 @@ SolidTrimResult LayerWork::folded(Stage layer, std::span<const Stage> tools,
 }
 
 // One solid of a result with the origins of its faces.
-Stage piece_of(const SolidTrimResult& made, const TopoDS_Solid& solid) {
+LabelledSolid piece_of(const SolidTrimResult& made, const TopoDS_Solid& solid) {
   TopTools_IndexedMapOfShape own;
   TopExp::MapShapes(solid, TopAbs_FACE, own);
   std::vector<SolidFace> known;
@@ -249,12 +252,12 @@ Stage piece_of(const SolidTrimResult& made, const TopoDS_Solid& solid) {
 }
 
 // Pieces have faces in common, so each is worked on by itself.
-SolidTrimResult LayerWork::split(const Stage& layer, std::span<const Stage> tools) {
-  Stages pieces{layer};
+SolidTrimResult LayerWork::split(const LabelledSolid& layer, std::span<const LabelledSolid> tools) {
+  LabelledSolids pieces{layer};
   SolidTrimResult made;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     made = {};
-    for (const Stage& piece : pieces) {
+    for (const LabelledSolid& piece : pieces) {
       const SolidTrimResult divided = step(piece, tools[i], SolidOperation::Split);
       if (is_refused()) return {};
       give_out(divided, made);
@@ -266,9 +269,10 @@ SolidTrimResult LayerWork::split(const Stage& layer, std::span<const Stage> tool
   return made;
 }
 
-SolidTrimResult LayerWork::common(const Stage& layer, std::span<const Stages> tools) {
+SolidTrimResult LayerWork::common(const LabelledSolid& layer,
+                                  std::span<const LabelledSolids> tools) {
   SolidTrimResult all;
-  for (const Stage& tool : tools.front()) {
+  for (const LabelledSolid& tool : tools.front()) {
     const SolidTrimResult made = step(layer, tool, SolidOperation::Common);
     if (is_refused()) break;
     if (made.solids.empty()) continue;
@@ -280,25 +284,25 @@ SolidTrimResult LayerWork::common(const Stage& layer, std::span<const Stages> to
 
 // All layers of one input as one. Where they touch they fit each other better than what another
 // solid has left of one of them fits the next.
-Stage as_one(const Stages& layers, LayerWork& work) {
+LabelledSolid fused(const LabelledSolids& layers, LayerWork& work) {
   if (layers.size() == 1) return layers.front();
   const SolidTrimResult made =
       work.folded(layers.front(), std::span(layers).subspan(1), SolidOperation::Fuse);
-  return work.is_refused() ? Stage{} : stage_of(made.solids, made.faces);
+  return work.is_refused() ? LabelledSolid{} : stage_of(made.solids, made.faces);
 }
 
-Stages each_as_one(const std::vector<Stages>& inputs, LayerWork& work) {
-  Stages made;
-  for (const Stages& layers : inputs)
-    if (!work.is_refused()) made.push_back(as_one(layers, work));
+LabelledSolids each_fused(const std::vector<LabelledSolids>& inputs, LayerWork& work) {
+  LabelledSolids made;
+  for (const LabelledSolids& layers : inputs)
+    if (!work.is_refused()) made.push_back(fused(layers, work));
   return made;
 }
 
 // Sets of solids that become one, each by itself.
-SolidTrimResult fused(const std::vector<std::vector<Stages>>& sets, LayerWork& work) {
+SolidTrimResult fused(const std::vector<std::vector<LabelledSolids>>& sets, LayerWork& work) {
   SolidTrimResult all;
-  for (const std::vector<Stages>& set : sets) {
-    const Stages inputs = each_as_one(set, work);
+  for (const std::vector<LabelledSolids>& set : sets) {
+    const LabelledSolids inputs = each_fused(set, work);
     if (work.is_refused()) break;
     if (inputs.size() > 1)
       give_out(work.folded(inputs.front(), std::span(inputs).subspan(1), SolidOperation::Fuse),
@@ -310,11 +314,11 @@ SolidTrimResult fused(const std::vector<std::vector<Stages>>& sets, LayerWork& w
 }
 
 // What splits a part: the tools as one, and each half-space.
-Stages splitters(const Stages& cutters, std::size_t half_spaces, LayerWork& work) {
+LabelledSolids splitters(const LabelledSolids& cutters, std::size_t half_spaces, LayerWork& work) {
   const auto first = cutters.end() - static_cast<std::ptrdiff_t>(half_spaces);
-  const Stages united(cutters.begin(), first);
-  Stages all;
-  if (!united.empty()) all.push_back(as_one(united, work));
+  const LabelledSolids united(cutters.begin(), first);
+  LabelledSolids all;
+  if (!united.empty()) all.push_back(fused(united, work));
   all.insert(all.end(), first, cutters.end());
   return all;
 }
@@ -322,13 +326,13 @@ Stages splitters(const Stages& cutters, std::size_t half_spaces, LayerWork& work
 // Each layer of the part by itself.
 SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation,
                         std::size_t half_spaces, LayerWork& work) {
-  const std::vector<Stages> tools = inputs.tools();
-  Stages cutters;
-  if (operation != SolidOperation::Common) cutters = each_as_one(tools, work);
+  const std::vector<LabelledSolids> tools = inputs.tools();
+  LabelledSolids cutters;
+  if (operation != SolidOperation::Common) cutters = each_fused(tools, work);
   if (operation == SolidOperation::Split && !work.is_refused())
     cutters = splitters(cutters, half_spaces, work);
   SolidTrimResult all;
-  for (const Stage& layer : inputs.part()) {
+  for (const LabelledSolid& layer : inputs.part()) {
     if (work.is_refused()) break;
     switch (operation) {
       case SolidOperation::Common: give_out(work.common(layer, tools), all); break;
@@ -367,7 +371,7 @@ std::size_t free_edges(const std::vector<TopoDS_Face>& faces, const FaceGroup& g
 
 }  // namespace
 
-std::string told_open(const TrimTool& tool) {
+std::string describe_open_shell(const TrimTool& tool) {
   const std::vector<TopoDS_Shape> faces(tool.faces.begin(), tool.faces.end());
   const std::vector<FaceGroup> shells = groups_over_edges(faces, [](const auto&) { return false; });
   std::size_t open = 0, edges = 0;
@@ -385,7 +389,7 @@ namespace {
 
 void check_closed(const TrimTool& input, const std::string& name) {
   if (!input.is_solid())
-    throw InvalidInput("trim: " + name + " is no closed solid: " + told_open(input));
+    throw InvalidInput("trim: " + name + " is no closed solid: " + describe_open_shell(input));
 }
 
 // Inputs with true tolerances; tells what was not true.

@@ -65,7 +65,7 @@ struct SolidTrimResult {
 };
 
 /// Why the faces of a tool that is no solid bound none: "1 of its 2 shells is open, at 4 edges".
-std::string told_open(const TrimTool& tool);
+std::string describe_open_shell(const TrimTool& tool);
 
 /// Combines closed solids.
 ///

@@ -86,7 +86,7 @@ bool has_overlap(const FaceIntersection& pair) {
 void add_common_border(const FaceIntersection& pair, const ToolFaces& tools, double tolerance,
                        Job& job) {
   const auto place = static_cast<std::size_t>(pair.face_b);
-  const SurfaceFeet feet(job.of->face, tolerance);
+  const SurfaceProjector feet(job.of->face, tolerance);
   for (FaceCut& cut : edge_cuts(tools.faces[place], feet, kReach * tolerance, tolerance)) {
     cut.may_repeat = true;
     job.cuts.push_back(std::move(cut));

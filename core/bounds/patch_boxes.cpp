@@ -19,7 +19,7 @@ constexpr int kBlock = 4;  // so many boxes a side have one above them
 constexpr std::size_t kFewPatches = 1024;
 constexpr std::size_t kPatchGrain = 256;    // patches, and
 constexpr std::size_t kBlockGrain = 64;     // blocks that one thread bounds in a row
-constexpr std::size_t kLeastShared = 64;    // pairs of blocks, to share out
+constexpr std::size_t kMinShared = 64;      // pairs of blocks, to share out
 constexpr double kRounding = 16 * 0x1p-53;  // of the coordinates: as much as cells allow for
 
 // All four coordinates at a time, the weights for nothing.
@@ -120,7 +120,7 @@ class Meeting {
     std::vector<BlockPair> blocks;
     const Block p{a_.size() - 1, 0, 0}, q{b_.size() - 1, 0, 0};
     if (meet(widened(box(a_, p), margin_), box(b_, q))) blocks.push_back({p, q});
-    while (!blocks.empty() && blocks.size() < kLeastShared &&
+    while (!blocks.empty() && blocks.size() < kMinShared &&
            !std::ranges::all_of(blocks, are_patches)) {
       std::vector<BlockPair> parts;
       for (const BlockPair& pair : blocks)

@@ -12,7 +12,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostBlock = 1 << 15;  // doubles per block of the arena
+constexpr int kMaxBlock = 1 << 15;  // doubles per block of the arena
 constexpr double kRoundoff = 0x1p-53;
 constexpr double kDerivativeSlack = 1e-13;  // covers the few roundings of a difference of bounds
 
@@ -90,7 +90,7 @@ void CellTree::choose_form(CellForm form, const double* net) {
 double* CellTree::allocate(int count) {
   if (count > free_in_block_) {
     free_in_block_ = std::max(count, block_);
-    block_ = std::min(2 * block_, kMostBlock);
+    block_ = std::min(2 * block_, kMaxBlock);
     blocks_.push_back(
         std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(free_in_block_)));
   }

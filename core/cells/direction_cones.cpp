@@ -14,9 +14,9 @@
 namespace blossom {
 namespace {
 
-constexpr int kPowerSteps = 30;            // of the search for the main direction
-constexpr std::size_t kMostSampled = 128;  // patches, for the axes
-constexpr double kAngleSlack = 1e-12;      // radians, for the roundings of projected directions
+constexpr int kPowerSteps = 30;           // of the search for the main direction
+constexpr std::size_t kMaxSampled = 128;  // patches, for the axes
+constexpr double kAngleSlack = 1e-12;     // radians, for the roundings of projected directions
 
 // Paths that jump by d: projected, a U and b V are no longer than d / sin(kRoom) where a U +- b V
 // is no longer than d. In cones narrower than a right angle the sum of steps is no shorter than
@@ -292,7 +292,7 @@ Vec3 main_direction(const Grid<double>& square) {
 Axes axes_of(const BezierSurface& surface) {
   Grid<double> square(3, 3);
   const auto patches = surface.patches.values();
-  const std::size_t step = patches.size() / kMostSampled + 1;
+  const std::size_t step = patches.size() / kMaxSampled + 1;
   for (std::size_t p = 0; p < patches.size(); p += step) {
     const PatchJet middle = jet_at(patches[p], 0.5, 0.5, 1);
     for (int i = 0; i < 4; ++i) {

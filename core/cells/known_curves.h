@@ -38,7 +38,7 @@ class KnownCurves {
 
   /// True if a cell of this size is not much larger than the curves' radii: larger ones may yet
   /// tell what is beside the curve exactly.
-  bool compare_with(double extent) const { return extent <= kMostRadii * widest_; }
+  bool compare_with(double extent) const { return extent <= kMaxRadii * widest_; }
 
  private:
   // A piece of a polygon with all that lies within a radius of it.
@@ -65,7 +65,7 @@ class KnownCurves {
   bool any_round(const Vec3& p, Wanted wanted) const;
   bool hold(const Box& box, int halvings) const;
 
-  static constexpr double kMostRadii = 16;
+  static constexpr double kMaxRadii = 16;
 
   std::vector<Capsule> capsules_;
   std::vector<Run> runs_;

@@ -13,9 +13,9 @@
 namespace blossom {
 
 struct CurveInSurface {
-  PierceContact piece;  ///< with the box of the parameters
-  Vec2 uv_from, uv_to;  ///< local, on the piece's patch
-  double gap = 0;       ///< bound on the distance along it, model units
+  CurveSurfaceContact piece;  ///< with the box of the parameters
+  Vec2 uv_from, uv_to;        ///< local, on the piece's patch
+  double gap = 0;             ///< bound on the distance along it, model units
 };
 
 /// All such pieces down to a 64th of a span, in order.

@@ -11,7 +11,7 @@ namespace {
 constexpr int kNewtonSteps = 24;
 constexpr double kConverging = 1e-6;  // steps below this, in parts of the cells, square
 constexpr double kSettled = 1e-16;    // the next step, in parts of the cells
-constexpr double kLeastStep = 1e-17;  // in parameters of the span
+constexpr double kMinStep = 1e-17;    // in parameters of the span
 constexpr double kStalled = 1e-12;    // below this, steps that shrink no more are rounding
 constexpr double kReach = 0.5;        // how far outside the cells Newton's steps may lead
 constexpr double kAngleSlack = 1e-14;
@@ -91,7 +91,7 @@ std::optional<CurveFoot> nearest_feet(const CurvePair& pair, CurveFoot foot) {
                                  std::abs((*step)[1]) / length(pair.b.local));
     const double shrink = size / last;
     const bool settled = part < kConverging && part * shrink * shrink < kSettled;
-    if (settled || size < kLeastStep || (size < kStalled && shrink > 0.25)) return foot;
+    if (settled || size < kMinStep || (size < kStalled && shrink > 0.25)) return foot;
     last = size;
   }
   return std::nullopt;

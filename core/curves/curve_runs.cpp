@@ -21,7 +21,7 @@ constexpr double kReachStep = 0.125;  // of a run
 constexpr int kSections = 50;         // golden ones, of a part of a run
 constexpr int kDeepest = 10;          // halvings of a piece between knots, to prove how near it is
 constexpr double kAtKnot = 1e-12;     // of a span
-constexpr double kLeastEven = 0.1;    // of a piece of b: as near an end its middle's foot may be
+constexpr double kMinEven = 0.1;      // of a piece of b: as near an end its middle's foot may be
 
 struct SpanPart {
   const RationalBezierCurve* curve;
@@ -202,7 +202,7 @@ bool CurveAssembly::is_near(const Interval& on_a, const Interval& on_b, double m
   const auto part_a = between_knots(a_, on_a), part_b = between_knots(b_, on_b);
   if (part_a && part_b) {
     const double along = (foot.t - part_b->local.from) / length(part_b->local);
-    const bool is_even = along > kLeastEven && along < 1 - kLeastEven;
+    const bool is_even = along > kMinEven && along < 1 - kMinEven;
     const LinearRational map{part_a->local, part_b->local, is_even ? (1 - along) / along : 1};
     if (distance_bound(*part_a->curve, *part_b->curve, map) <= most) return true;
   }

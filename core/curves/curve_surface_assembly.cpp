@@ -17,23 +17,23 @@ constexpr int kHalvings = 60;
 constexpr double kTangential = 1e-6;  // sine below which a contact counts as tangential
 constexpr double kBorder = 1e-9;     // of a patch; places this near its border may be a neighbour's
 constexpr double kCloser = 1. / 16;  // the tolerances of closer looks fall by this
-constexpr double kLeastCloser = 32;  // times the rounding: below, a closer look tells no more
+constexpr double kMinCloser = 32;    // times the rounding: below, a closer look tells no more
 constexpr double kAtEnd = 1e-6;      // of a run
 constexpr double kSafeGap = 0.9;     // of the gap found, which is proven to be there
 
 }  // namespace
 
-PierceAssembly::PierceAssembly(const CurveTree& curve, const BezierSurface& surface,
-                               const SurfaceTrees& trees, double tolerance)
+CurveSurfaceAssembly::CurveSurfaceAssembly(const CurveTree& curve, const BezierSurface& surface,
+                                           const SurfaceTrees& trees, double tolerance)
     : curve_(curve),
       surface_(surface),
       trees_(trees),
       tolerance_(tolerance),
       margin_(2 * (curve.evaluation_margin() + trees.evaluation_margin())),
-      touch_length_(longest_touch(tolerance, curve.size())) {}
+      touch_length_(tangency_length(tolerance, curve.size())) {}
 
-PierceAssembly::Candidate PierceAssembly::candidate(const SpanPoint& t, int patch,
-                                                    const Vec2& uv) const {
+CurveSurfaceAssembly::Candidate CurveSurfaceAssembly::candidate(const SpanPoint& t, int patch,
+                                                                const Vec2& uv) const {
   Candidate result;
   result.t = t;
   result.parameter = curve_.parameter(t);
@@ -53,7 +53,7 @@ PierceAssembly::Candidate PierceAssembly::candidate(const SpanPoint& t, int patc
 // The pair of cells had a regular Jacobian, so the solution is the only one in them. It exists if
 // all that rounding may move it lies on curve and surface: by Markov's inequality the derivatives
 // change by next to nothing over that distance, even beyond the cells.
-void PierceAssembly::prove(Candidate& point, const Vec3& reach) const {
+void CurveSurfaceAssembly::prove(Candidate& point, const Vec3& reach) const {
   const double low = point.t.t - reach[0], high = point.t.t + reach[0];
   point.box = {curve_.parameter({point.t.span, std::max(0.0, low)}),
                curve_.parameter({point.t.span, std::min(1.0, high)})};
@@ -64,7 +64,7 @@ void PierceAssembly::prove(Candidate& point, const Vec3& reach) const {
 }
 
 // Where spans or patches join, all directions of the curve pass all normals the same way.
-bool PierceAssembly::passes_joins(const Candidate& point, const Vec3& reach) const {
+bool CurveSurfaceAssembly::passes_joins(const Candidate& point, const Vec3& reach) const {
   std::vector<Vec3> directions{point.on_curve.first};
   std::vector<Vec3> normals{cross(point.on_surface.u, point.on_surface.v)};
   SpanPoint end = point.t;
@@ -92,14 +92,14 @@ bool PierceAssembly::passes_joins(const Candidate& point, const Vec3& reach) con
   return true;
 }
 
-bool PierceAssembly::is_free_border(int patch, int axis, bool high) const {
+bool CurveSurfaceAssembly::is_free_border(int patch, int axis, bool high) const {
   const int i = patch / surface_.patches.columns(), j = patch % surface_.patches.columns();
   const int place = axis == 0 ? i : j;
   const int last = (axis == 0 ? surface_.patches.rows() : surface_.patches.columns()) - 1;
   return place == (high ? last : 0) && !(axis == 0 ? surface_.closed_u : surface_.closed_v);
 }
 
-int PierceAssembly::neighbour(int patch, int axis, bool high) const {
+int CurveSurfaceAssembly::neighbour(int patch, int axis, bool high) const {
   const int rows = surface_.patches.rows(), columns = surface_.patches.columns();
   int i = patch / columns, j = patch % columns;
   const int step = high ? 1 : -1;
@@ -111,7 +111,7 @@ int PierceAssembly::neighbour(int patch, int axis, bool high) const {
 }
 
 // One place of the curve, and one sheet of the surface: near on one patch, or on a border.
-bool PierceAssembly::same(const Candidate& p, const Candidate& q) const {
+bool CurveSurfaceAssembly::same(const Candidate& p, const Candidate& q) const {
   if (!curve_.stays_near(p.parameter, q.parameter, tolerance_)) return false;
   const auto on_border = [](const Candidate& x) {
     for (int k = 0; k < 2; ++k)
@@ -124,7 +124,7 @@ bool PierceAssembly::same(const Candidate& p, const Candidate& q) const {
   return distance(between, p.on_surface.point) <= 4 * tolerance_;
 }
 
-void PierceAssembly::add(const Candidate& point) {
+void CurveSurfaceAssembly::add(const Candidate& point) {
   if (on_overlap(point)) return;
   for (Candidate& known : points_) {
     if (!same(known, point)) continue;
@@ -134,8 +134,8 @@ void PierceAssembly::add(const Candidate& point) {
   points_.push_back(point);
 }
 
-void PierceAssembly::add_points(const std::vector<PiercePoint>& points) {
-  for (const PiercePoint& known : points) {
+void CurveSurfaceAssembly::add_points(const std::vector<FoundCurveSurfacePoint>& points) {
+  for (const FoundCurveSurfacePoint& known : points) {
     Candidate point = candidate(known.t, known.patch, known.uv);
     if (known.exact) prove(point, known.reach);
     add(point);
@@ -143,8 +143,8 @@ void PierceAssembly::add_points(const std::vector<PiercePoint>& points) {
 }
 
 // Least gaps of valleys, which neighbouring pairs may tell of both.
-void PierceAssembly::add_touches(const std::vector<PierceTouch>& touches) {
-  for (const PierceTouch& found : touches) {
+void CurveSurfaceAssembly::add_touches(const std::vector<CurveSurfaceTouch>& touches) {
+  for (const CurveSurfaceTouch& found : touches) {
     Candidate touch = candidate(found.t, found.patch, found.uv);
     if (on_overlap(touch)) continue;
     touch.touch = true;
@@ -163,14 +163,14 @@ void PierceAssembly::add_touches(const std::vector<PierceTouch>& touches) {
 }
 
 // True for touches on one sheet of the surface if their runs meet, and for points in such a run.
-bool PierceAssembly::in_one_run(const Candidate& p, const Candidate& q) const {
+bool CurveSurfaceAssembly::in_one_run(const Candidate& p, const Candidate& q) const {
   const bool meet = p.box.from <= q.box.to && q.box.from <= p.box.to;
   return (meet && p.patch == q.patch &&
           distance(p.on_surface.point, q.on_surface.point) <= p.half_length + q.half_length) ||
          same(p, q);
 }
 
-void PierceAssembly::add_inside(const std::vector<CurveInSurface>& inside) {
+void CurveSurfaceAssembly::add_inside(const std::vector<CurveInSurface>& inside) {
   for (const CurveInSurface& piece : inside) {
     const Interval t{curve_.parameter({piece.piece.span, piece.piece.t.from}),
                      curve_.parameter({piece.piece.span, piece.piece.t.to})};
@@ -187,7 +187,7 @@ void PierceAssembly::add_inside(const std::vector<CurveInSurface>& inside) {
   }
 }
 
-bool PierceAssembly::on_overlap(const Candidate& point) const {
+bool CurveSurfaceAssembly::on_overlap(const Candidate& point) const {
   return std::any_of(overlaps_.begin(), overlaps_.end(), [&](const CurveSurfaceOverlap& run) {
     const bool inside = point.parameter >= run.t.from && point.parameter <= run.t.to;
     return (inside && !point.proven) ||
@@ -198,14 +198,15 @@ bool PierceAssembly::on_overlap(const Candidate& point) const {
 
 // Pieces of the curve that follow each other are one contact: where two sheets of the surface are
 // within tolerance of one point, they are within tolerance of each other.
-void PierceAssembly::add_contacts(const std::vector<PierceContact>& contacts) {
-  const auto range = [&](const PierceContact& c) {
+void CurveSurfaceAssembly::add_contacts(const std::vector<CurveSurfaceContact>& contacts) {
+  const auto range = [&](const CurveSurfaceContact& c) {
     return Interval{curve_.parameter({c.span, c.t.from}), curve_.parameter({c.span, c.t.to})};
   };
-  std::vector<PierceContact> sorted = contacts;
-  std::sort(sorted.begin(), sorted.end(), [&](const PierceContact& x, const PierceContact& y) {
-    return range(x).from < range(y).from;
-  });
+  std::vector<CurveSurfaceContact> sorted = contacts;
+  std::sort(sorted.begin(), sorted.end(),
+            [&](const CurveSurfaceContact& x, const CurveSurfaceContact& y) {
+              return range(x).from < range(y).from;
+            });
   for (std::size_t i = 0; i < sorted.size();) {
     Interval run = range(sorted[i]);
     std::size_t k = i + 1;
@@ -217,12 +218,12 @@ void PierceAssembly::add_contacts(const std::vector<PierceContact>& contacts) {
   }
 }
 
-PierceAssembly::Candidate PierceAssembly::nearest(double parameter,
-                                                  const std::vector<PierceContact>& pieces) const {
+CurveSurfaceAssembly::Candidate CurveSurfaceAssembly::nearest(
+    double parameter, const std::vector<CurveSurfaceContact>& pieces) const {
   const SpanPoint t = curve_.place(parameter);
   const Vec3 point = curve_.jet(t).point;
   SurfaceFoot best{0, {}, std::numeric_limits<double>::infinity()};
-  for (const PierceContact& piece : pieces) {
+  for (const CurveSurfaceContact& piece : pieces) {
     if (piece.span != t.span || t.t < piece.t.from || t.t > piece.t.to) continue;
     const Vec2 start{at(piece.u, 0.5), at(piece.v, 0.5)};
     const SurfaceFoot foot = foot_on(trees_, piece.patch, start, point);
@@ -232,7 +233,8 @@ PierceAssembly::Candidate PierceAssembly::nearest(double parameter,
   return candidate(t, best.patch, best.uv);
 }
 
-void PierceAssembly::add_run(const Interval& run, const std::vector<PierceContact>& pieces) {
+void CurveSurfaceAssembly::add_run(const Interval& run,
+                                   const std::vector<CurveSurfaceContact>& pieces) {
   std::array<double, kSamples> gaps{};
   double run_length = 0;
   Candidate first, last;
@@ -252,8 +254,8 @@ void PierceAssembly::add_run(const Interval& run, const std::vector<PierceContac
                        *std::max_element(gaps.begin(), gaps.end()) + margin_, false});
 }
 
-double PierceAssembly::root_between(double from, double to,
-                                    const std::vector<PierceContact>& pieces) const {
+double CurveSurfaceAssembly::root_between(double from, double to,
+                                          const std::vector<CurveSurfaceContact>& pieces) const {
   const bool rising = nearest(from, pieces).signed_gap < 0;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (from + to);
@@ -263,9 +265,10 @@ double PierceAssembly::root_between(double from, double to,
 }
 
 // What a closer look tells of a contact.
-PierceAssembly::CloserLook PierceAssembly::look_closer(const std::vector<PierceContact>& pieces) {
-  for (double closer = kCloser * tolerance_; closer > kLeastCloser * margin_; closer *= kCloser) {
-    const PierceFindings found = closer_(pieces, closer);
+CurveSurfaceAssembly::CloserLook CurveSurfaceAssembly::look_closer(
+    const std::vector<CurveSurfaceContact>& pieces) {
+  for (double closer = kCloser * tolerance_; closer > kMinCloser * margin_; closer *= kCloser) {
+    const CurveSurfaceFindings found = closer_(pieces, closer);
     if (found.stopped) return CloserLook::Undecided;
     if (!found.contacts.empty()) continue;
     add_points(found.points);
@@ -276,8 +279,9 @@ PierceAssembly::CloserLook PierceAssembly::look_closer(const std::vector<PierceC
 }
 
 // A contact as a point; with proven points in it, as a place in which there may be more.
-void PierceAssembly::add_touch(const Interval& run, const std::vector<PierceContact>& pieces,
-                               double run_length) {
+void CurveSurfaceAssembly::add_touch(const Interval& run,
+                                     const std::vector<CurveSurfaceContact>& pieces,
+                                     double run_length) {
   const CloserLook look = look_closer(pieces);
   if (look == CloserLook::Points) return;
   Candidate whole = nearest(at(run, 0.5), pieces);
@@ -297,8 +301,8 @@ void PierceAssembly::add_touch(const Interval& run, const std::vector<PierceCont
   places_.push_back(place_of(whole));
 }
 
-void PierceAssembly::add_contact(double parameter, bool crosses, const Candidate& run,
-                                 const std::vector<PierceContact>& pieces) {
+void CurveSurfaceAssembly::add_contact(double parameter, bool crosses, const Candidate& run,
+                                       const std::vector<CurveSurfaceContact>& pieces) {
   Candidate point = nearest(parameter, pieces);
   if (point.gap.low > tolerance_ || on_overlap(point)) return;
   const auto is_known = [&](const Candidate& known) { return known.proven && same(known, point); };
@@ -312,9 +316,9 @@ void PierceAssembly::add_contact(double parameter, bool crosses, const Candidate
   } else {
     // A search with a smaller tolerance that finds nothing proves the gap; others may be 0.
     const double gap = kSafeGap * point.gap.low;
-    bool proven = gap > kLeastCloser * margin_;
+    bool proven = gap > kMinCloser * margin_;
     if (proven) {
-      const PierceFindings found = closer_(pieces, gap);
+      const CurveSurfaceFindings found = closer_(pieces, gap);
       proven =
           !found.stopped && found.contacts.empty() && found.points.empty() && found.touches.empty();
     }
@@ -323,8 +327,9 @@ void PierceAssembly::add_contact(double parameter, bool crosses, const Candidate
   points_.push_back(point);
 }
 
-void PierceAssembly::add_least(const Interval& run, const Candidate& whole,
-                               const std::vector<PierceContact>& pieces, CloserLook look) {
+void CurveSurfaceAssembly::add_least(const Interval& run, const Candidate& whole,
+                                     const std::vector<CurveSurfaceContact>& pieces,
+                                     CloserLook look) {
   const double at_from = nearest(run.from, pieces).signed_gap;
   const double at_to = nearest(run.to, pieces).signed_gap;
   if (at_from * at_to < 0)
@@ -352,7 +357,7 @@ void PierceAssembly::add_least(const Interval& run, const Candidate& whole,
   add_contact(second, true, whole, pieces);
 }
 
-CurvePlace PierceAssembly::place_of(const Candidate& point) const {
+CurvePlace CurveSurfaceAssembly::place_of(const Candidate& point) const {
   CurvePlace place{point.crosses ? PlaceKind::Tangential : PlaceKind::Touch,
                    point.on_curve.point,
                    point.on_curve.point,
@@ -369,7 +374,7 @@ CurvePlace PierceAssembly::place_of(const Candidate& point) const {
   return place;
 }
 
-void PierceAssembly::write(CurveSurfaceIntersection& result) const {
+void CurveSurfaceAssembly::write(CurveSurfaceIntersection& result) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& point : points_) {
     result.points.push_back(
@@ -407,8 +412,9 @@ void PierceAssembly::write(CurveSurfaceIntersection& result) const {
   }
 }
 
-CurveSurfaceIntersection PierceAssembly::finish(const std::vector<CurveInSurface>& inside,
-                                                const PierceFindings& found, CloserSearch closer) {
+CurveSurfaceIntersection CurveSurfaceAssembly::finish(const std::vector<CurveInSurface>& inside,
+                                                      const CurveSurfaceFindings& found,
+                                                      CloserSearch closer) {
   closer_ = std::move(closer);
   add_inside(inside);
   add_points(found.points);

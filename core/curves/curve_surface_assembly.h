@@ -11,18 +11,18 @@
 
 namespace blossom {
 
-using CloserSearch =
-    std::function<PierceFindings(const std::vector<PierceContact>& contacts, double tolerance)>;
+using CloserSearch = std::function<CurveSurfaceFindings(
+    const std::vector<CurveSurfaceContact>& contacts, double tolerance)>;
 
-class PierceAssembly {
+class CurveSurfaceAssembly {
  public:
   /// surface   the whole of what `trees` holds; its knots and closed directions are used
-  PierceAssembly(const CurveTree& curve, const BezierSurface& surface, const SurfaceTrees& trees,
-                 double tolerance);
+  CurveSurfaceAssembly(const CurveTree& curve, const BezierSurface& surface,
+                       const SurfaceTrees& trees, double tolerance);
 
   /// closer   searches contacts again, with a smaller tolerance
   CurveSurfaceIntersection finish(const std::vector<CurveInSurface>& inside,
-                                  const PierceFindings& found, CloserSearch closer);
+                                  const CurveSurfaceFindings& found, CloserSearch closer);
 
  private:
   enum class CloserLook { Points, Empty, Undecided };
@@ -50,20 +50,21 @@ class PierceAssembly {
   void add(const Candidate& point);
   void add_inside(const std::vector<CurveInSurface>& inside);
   bool on_overlap(const Candidate& point) const;
-  void add_contacts(const std::vector<PierceContact>& contacts);
-  void add_points(const std::vector<PiercePoint>& points);
-  void add_touches(const std::vector<PierceTouch>& touches);
+  void add_contacts(const std::vector<CurveSurfaceContact>& contacts);
+  void add_points(const std::vector<FoundCurveSurfacePoint>& points);
+  void add_touches(const std::vector<CurveSurfaceTouch>& touches);
   bool in_one_run(const Candidate& p, const Candidate& q) const;
-  CloserLook look_closer(const std::vector<PierceContact>& pieces);
-  void add_run(const Interval& run, const std::vector<PierceContact>& pieces);
-  void add_touch(const Interval& run, const std::vector<PierceContact>& pieces, double length);
+  CloserLook look_closer(const std::vector<CurveSurfaceContact>& pieces);
+  void add_run(const Interval& run, const std::vector<CurveSurfaceContact>& pieces);
+  void add_touch(const Interval& run, const std::vector<CurveSurfaceContact>& pieces,
+                 double length);
   void add_least(const Interval& run, const Candidate& whole,
-                 const std::vector<PierceContact>& pieces, CloserLook look);
+                 const std::vector<CurveSurfaceContact>& pieces, CloserLook look);
   void add_contact(double parameter, bool crosses, const Candidate& run,
-                   const std::vector<PierceContact>& pieces);
+                   const std::vector<CurveSurfaceContact>& pieces);
   CurvePlace place_of(const Candidate& point) const;
-  Candidate nearest(double parameter, const std::vector<PierceContact>& pieces) const;
-  double root_between(double from, double to, const std::vector<PierceContact>& pieces) const;
+  Candidate nearest(double parameter, const std::vector<CurveSurfaceContact>& pieces) const;
+  double root_between(double from, double to, const std::vector<CurveSurfaceContact>& pieces) const;
   void write(CurveSurfaceIntersection& result) const;
 
   const CurveTree& curve_;

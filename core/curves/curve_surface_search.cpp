@@ -60,10 +60,11 @@ Vec2 SurfaceTrees::parameters(int patch, const Vec2& uv) const {
           parameter_at(surface_.v_law, {surface_.v_knots[j], surface_.v_knots[j + 1]}, uv[1])};
 }
 
-std::optional<Pierce> pierce(const CurveTree& curve, int span, const Interval& t,
-                             const RationalBezierPatch& patch, const Interval& u,
-                             const Interval& v) {
-  Pierce x{at(t, 0.5), {at(u, 0.5), at(v, 0.5)}};
+std::optional<CurveSurfaceParameters> curve_surface_point(const CurveTree& curve, int span,
+                                                          const Interval& t,
+                                                          const RationalBezierPatch& patch,
+                                                          const Interval& u, const Interval& v) {
+  CurveSurfaceParameters x{at(t, 0.5), {at(u, 0.5), at(v, 0.5)}};
   const auto inside = [](double value, const Interval& range) {
     return within(value, range, kReach * length(range));
   };
@@ -82,16 +83,16 @@ std::optional<Pierce> pierce(const CurveTree& curve, int span, const Interval& t
   return std::nullopt;
 }
 
-PierceSearch::PierceSearch(CurveTree& curve, SurfaceTrees& surface,
-                           const IntersectionOptions& options, double tolerance)
+CurveSurfaceSearch::CurveSurfaceSearch(CurveTree& curve, SurfaceTrees& surface,
+                                       const IntersectionOptions& options, double tolerance)
     : curve_(curve),
       surface_(surface),
       options_(options),
       tolerance_(tolerance),
-      valley_{tolerance, longest_touch(tolerance, curve.size()),
+      valley_{tolerance, tangency_length(tolerance, curve.size()),
               4 * (curve.evaluation_margin() + surface.evaluation_margin())} {}
 
-PierceFindings PierceSearch::run(const std::vector<PierceContact>& inside) {
+CurveSurfaceFindings CurveSurfaceSearch::run(const std::vector<CurveSurfaceContact>& inside) {
   inside_ = &inside;
   for (int i = 0; i < curve_.spans(); ++i)
     for (int p = 0; p < surface_.count(); ++p) {
@@ -104,15 +105,16 @@ PierceFindings PierceSearch::run(const std::vector<PierceContact>& inside) {
   return std::move(found_);
 }
 
-PierceFindings PierceSearch::run_within(const std::vector<PierceContact>& contacts,
-                                        const std::vector<PierceContact>& inside) {
+CurveSurfaceFindings CurveSurfaceSearch::run_within(
+    const std::vector<CurveSurfaceContact>& contacts,
+    const std::vector<CurveSurfaceContact>& inside) {
   inside_ = &inside;
-  for (const PierceContact& c : contacts) pairs_.push_back({c.cell, c.patch, c.surface_cell});
+  for (const CurveSurfaceContact& c : contacts) pairs_.push_back({c.cell, c.patch, c.surface_cell});
   work_off();
   return std::move(found_);
 }
 
-void PierceSearch::work_off() {
+void CurveSurfaceSearch::work_off() {
   const WorkLimit limit(options_);
   for (long count = 1; !pairs_.empty(); ++count) {
     if (count % kAskEvery == 0) found_.stopped = limit.reached();
@@ -125,7 +127,7 @@ void PierceSearch::work_off() {
   for (const Pair& pair : pairs_) found_.open.push_back(contact(pair));
 }
 
-void PierceSearch::examine(const Pair& pair) {
+void CurveSurfaceSearch::examine(const Pair& pair) {
   const CurveCell& c = curve_[pair.cell];
   const Cell& s = surface_[pair.patch][pair.surface_cell];
   if (separated(c, s)) {
@@ -145,27 +147,27 @@ void PierceSearch::examine(const Pair& pair) {
   halve(pair, c.extent >= s.extent);
 }
 
-void PierceSearch::halve(const Pair& pair, bool curve) {
+void CurveSurfaceSearch::halve(const Pair& pair, bool curve) {
   const int child = curve ? curve_.split(pair.cell) : surface_[pair.patch].split(pair.surface_cell);
   for (const int half : {child, child + 1})
     pairs_.push_back({curve ? half : pair.cell, pair.patch, curve ? pair.surface_cell : half});
 }
 
-bool PierceSearch::separated(const CurveCell& c, const Cell& s) const {
+bool CurveSurfaceSearch::separated(const CurveCell& c, const Cell& s) const {
   for (int k = 0; k < 3; ++k)
     if (apart({c.low[k], c.high[k]}, s.low[k], s.high[k], tolerance_)) return true;
   if (s.plane.normal == Vec3{}) return false;
   return apart(range_along(c, 3, s.plane.normal), s.plane.low, s.plane.high, tolerance_);
 }
 
-bool PierceSearch::within_slab(const CurveCell& c, const Cell& s) const {
+bool CurveSurfaceSearch::within_slab(const CurveCell& c, const Cell& s) const {
   if (s.plane.normal == Vec3{}) return false;
   const ValueRange range = range_along(c, 3, s.plane.normal);
   const double thickness = std::max(range.high, s.plane.high) - std::min(range.low, s.plane.low);
   return thickness <= tolerance_ + 8 * (c.margin + s.margin);
 }
 
-VectorBounds PierceSearch::derivative(const CurveCell& c) const {
+VectorBounds CurveSurfaceSearch::derivative(const CurveCell& c) const {
   VectorBounds bounds;
   for (int k = 0; k < 3; ++k) {
     Vec3 direction;
@@ -179,11 +181,11 @@ VectorBounds PierceSearch::derivative(const CurveCell& c) const {
 
 // The cell is a graph over some plane, in which the curve lies: elsewhere in the cell there is no
 // common point.
-bool PierceSearch::is_inside(const CurveCell& c, const Pair& pair, const Cell& s) const {
+bool CurveSurfaceSearch::is_inside(const CurveCell& c, const Pair& pair, const Cell& s) const {
   const auto meets = [](const Interval& a, const Interval& b) {
     return a.from <= b.to && b.from <= a.to;
   };
-  for (const PierceContact& piece : *inside_) {
+  for (const CurveSurfaceContact& piece : *inside_) {
     if (piece.span != c.span || piece.patch != pair.patch) continue;
     if (!(piece.t.from <= c.local.from && c.local.to <= piece.t.to)) continue;
     if (!meets(piece.u, s.u) || !meets(piece.v, s.v)) continue;
@@ -194,11 +196,11 @@ bool PierceSearch::is_inside(const CurveCell& c, const Pair& pair, const Cell& s
 }
 
 // The one common point that a pair with regular Jacobian can have. False if it is not decided.
-bool PierceSearch::settle(const CurveCell& c, const Pair& pair, const Cell& s) {
+bool CurveSurfaceSearch::settle(const CurveCell& c, const Pair& pair, const Cell& s) {
   const Minor minor = JacobianBounds(derivative(c), s).minor(1);
   if (!minor.regular) return false;
   const RationalBezierPatch& patch = surface_[pair.patch].patch();
-  const auto found = pierce(curve_, c.span, c.local, patch, s.u, s.v);
+  const auto found = curve_surface_point(curve_, c.span, c.local, patch, s.u, s.v);
   if (!found) return krawczyk_empties(c, pair.patch, s, minor);
   // How far an error of the distance moves the solution, as parts of the cells.
   const auto reach = [&](std::size_t row, double error) {
@@ -228,7 +230,7 @@ bool PierceSearch::settle(const CurveCell& c, const Pair& pair, const Cell& s) {
 }
 
 // False if the gap is not proven to be a valley.
-bool PierceSearch::settle_valley(const CurveCell& c, const Pair& pair, const Cell& s) {
+bool CurveSurfaceSearch::settle_valley(const CurveCell& c, const Pair& pair, const Cell& s) {
   const auto valley = pierce_valley(curve_, c, pair.patch, surface_[pair.patch], s, valley_);
   if (!valley) return false;
   for (int i = 0; i < valley->count; ++i)
@@ -240,8 +242,8 @@ bool PierceSearch::settle_valley(const CurveCell& c, const Pair& pair, const Cel
 // Any root in the box with middle y and radius r lies in y - C F(y) +- E r; intersecting again and
 // again empties the box if there is none. In the cells' own parameters.
 // Source: Krawczyk 1969.
-bool PierceSearch::krawczyk_empties(const CurveCell& c, int patch, const Cell& s,
-                                    const Minor& minor) const {
+bool CurveSurfaceSearch::krawczyk_empties(const CurveCell& c, int patch, const Cell& s,
+                                          const Minor& minor) const {
   std::array<double, 3> y{0.5, 0.5, 0.5}, radius{0.5, 0.5, 0.5};
   const double rounding = valley_.rounding;
   for (int step = 0; step < kKrawczykSteps; ++step) {
@@ -266,7 +268,7 @@ bool PierceSearch::krawczyk_empties(const CurveCell& c, int patch, const Cell& s
   return false;
 }
 
-PierceContact PierceSearch::contact(const Pair& pair) const {
+CurveSurfaceContact CurveSurfaceSearch::contact(const Pair& pair) const {
   const CurveCell& c = curve_[pair.cell];
   const Cell& s = surface_[pair.patch][pair.surface_cell];
   return {c.span, c.local, pair.patch, s.u, s.v, pair.cell, pair.surface_cell};

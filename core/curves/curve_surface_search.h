@@ -45,7 +45,7 @@ class SurfaceTrees {
 };
 
 /// A piece of the curve and a cell within tolerance of each other.
-struct PierceContact {
+struct CurveSurfaceContact {
   int span = 0;
   Interval t;  ///< local parameters
   int patch = 0;
@@ -54,28 +54,28 @@ struct PierceContact {
   int surface_cell = -1;
 };
 
-struct PierceFindings {
-  std::vector<PiercePoint> points;
-  std::vector<PierceTouch> touches;
-  std::vector<PierceContact> contacts;
-  std::vector<PierceContact> open;  ///< not examined when the search was stopped
+struct CurveSurfaceFindings {
+  std::vector<FoundCurveSurfacePoint> points;
+  std::vector<CurveSurfaceTouch> touches;
+  std::vector<CurveSurfaceContact> contacts;
+  std::vector<CurveSurfaceContact> open;  ///< not examined when the search was stopped
   long excluded = 0;
   long certified = 0;
   const char* stopped = nullptr;  ///< why
 };
 
-class PierceSearch {
+class CurveSurfaceSearch {
  public:
-  PierceSearch(CurveTree& curve, SurfaceTrees& surface, const IntersectionOptions& options,
-               double tolerance);
+  CurveSurfaceSearch(CurveTree& curve, SurfaceTrees& surface, const IntersectionOptions& options,
+                     double tolerance);
 
   /// All pairs; pieces of the curve in `inside` lie in the surface, and only common points
   /// elsewhere are sought.
-  PierceFindings run(const std::vector<PierceContact>& inside);
+  CurveSurfaceFindings run(const std::vector<CurveSurfaceContact>& inside);
 
   /// The same within contacts that a search with a larger tolerance has left.
-  PierceFindings run_within(const std::vector<PierceContact>& contacts,
-                            const std::vector<PierceContact>& inside);
+  CurveSurfaceFindings run_within(const std::vector<CurveSurfaceContact>& contacts,
+                                  const std::vector<CurveSurfaceContact>& inside);
 
  private:
   struct Pair {
@@ -94,28 +94,29 @@ class PierceSearch {
   bool settle(const CurveCell& c, const Pair& pair, const Cell& s);
   bool settle_valley(const CurveCell& c, const Pair& pair, const Cell& s);
   bool krawczyk_empties(const CurveCell& c, int patch, const Cell& s, const Minor& minor) const;
-  PierceContact contact(const Pair& pair) const;
+  CurveSurfaceContact contact(const Pair& pair) const;
 
   CurveTree& curve_;
   SurfaceTrees& surface_;
   const IntersectionOptions& options_;
   double tolerance_;
-  PierceValleyOptions valley_;
-  const std::vector<PierceContact>* inside_ = nullptr;
+  CurveSurfaceValleyOptions valley_;
+  const std::vector<CurveSurfaceContact>* inside_ = nullptr;
   std::vector<Pair> pairs_;
-  PierceFindings found_;
+  CurveSurfaceFindings found_;
 };
 
 /// Newton's method for C(t) = S(u, v).
 ///
 /// returns   the solution, clamped to the span and the patch only by the caller; nothing if the
 ///           steps do not settle or leave the given ranges blown up to twice their size
-struct Pierce {
+struct CurveSurfaceParameters {
   double t;
   Vec2 uv;
 };
-std::optional<Pierce> pierce(const CurveTree& curve, int span, const Interval& t,
-                             const RationalBezierPatch& patch, const Interval& u,
-                             const Interval& v);
+std::optional<CurveSurfaceParameters> curve_surface_point(const CurveTree& curve, int span,
+                                                          const Interval& t,
+                                                          const RationalBezierPatch& patch,
+                                                          const Interval& u, const Interval& v);
 
 }  // namespace blossom

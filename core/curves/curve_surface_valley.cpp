@@ -49,10 +49,10 @@ bool is_within(const Interval& inner, const Interval& outer) {
 class Valley {
  public:
   Valley(const CurveTree& curve, const CurveCell& piece, int patch, const CellTree& tree,
-         const Cell& cell, const PierceValleyOptions& options)
+         const Cell& cell, const CurveSurfaceValleyOptions& options)
       : curve_(curve), piece_(piece), patch_(patch), tree_(tree), cell_(cell), options_(options) {}
 
-  std::optional<PierceValleyPoints> points() {
+  std::optional<CurveSurfaceValleyPoints> points() {
     region_ = {cell_.u, cell_.v};
     if (!make_frame(cell_) || !runs_along()) return std::nullopt;
     const auto middle = first_foot();
@@ -70,7 +70,7 @@ class Valley {
   };
 
   // The same over a region that holds the cell and the feet of the piece.
-  std::optional<PierceValleyPoints> points_beyond(const std::array<Interval, 2>& feet) {
+  std::optional<CurveSurfaceValleyPoints> points_beyond(const std::array<Interval, 2>& feet) {
     for (std::size_t k = 0; k < 2; ++k) {
       const double wider = kWider * length(feet[k]);
       const Interval hull{std::min(0.0, feet[k].from - wider), std::max(1.0, feet[k].to + wider)};
@@ -299,7 +299,7 @@ class Valley {
     if (place == Where::AtBorder && !is_near(side)) return false;
     const double off = 4 * error_ / slope;
     const double moved = fastest_ * off + stretch_ * error_;
-    PiercePoint& point = result_.points[static_cast<std::size_t>(result_.count++)];
+    FoundCurveSurfacePoint& point = result_.points[static_cast<std::size_t>(result_.count++)];
     point = {{piece_.span, std::clamp(at(piece_.local, side.x), 0.0, 1.0)},
              patch_,
              on_patch(side),
@@ -332,7 +332,7 @@ class Valley {
   const int patch_;
   const CellTree& tree_;
   const Cell& cell_;
-  const PierceValleyOptions& options_;
+  const CurveSurfaceValleyOptions& options_;
   std::array<Interval, 2> region_;  // of the patch
   Vec3 n_, a_, b_;                  // the frame: the normal, and the rows of the inverse
   double turn_ = 0, growth_ = 1, stretch_ = 0, tilt_ = 0, error_ = 0;
@@ -345,14 +345,15 @@ class Valley {
   Side guess_;
   Vec2 guess_rate_;
   bool settled_ = true;
-  PierceValleyPoints result_;
+  CurveSurfaceValleyPoints result_;
 };
 
 }  // namespace
 
-std::optional<PierceValleyPoints> pierce_valley(const CurveTree& curve, const CurveCell& piece,
-                                                int patch, const CellTree& tree, const Cell& cell,
-                                                const PierceValleyOptions& options) {
+std::optional<CurveSurfaceValleyPoints> pierce_valley(const CurveTree& curve,
+                                                      const CurveCell& piece, int patch,
+                                                      const CellTree& tree, const Cell& cell,
+                                                      const CurveSurfaceValleyOptions& options) {
   return Valley(curve, piece, patch, tree, cell, options).points();
 }
 

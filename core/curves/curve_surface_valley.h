@@ -22,7 +22,7 @@
 namespace blossom {
 
 /// A place on the curve and one on the surface.
-struct PiercePoint {
+struct FoundCurveSurfacePoint {
   SpanPoint t;
   int patch = 0;
   Vec2 uv;  ///< local, in [0, 1]
@@ -32,7 +32,7 @@ struct PiercePoint {
 };
 
 /// A least gap within tolerance.
-struct PierceTouch {
+struct CurveSurfaceTouch {
   SpanPoint t;
   int patch = 0;
   Vec2 uv;                 ///< local, in [0, 1]
@@ -42,14 +42,14 @@ struct PierceTouch {
   bool at_end = false;     ///< of the piece: the gap may go on falling beyond it
 };
 
-struct PierceValleyPoints {
-  std::array<PiercePoint, 2> points;
+struct CurveSurfaceValleyPoints {
+  std::array<FoundCurveSurfacePoint, 2> points;
   int count = 0;
-  std::optional<PierceTouch> touch;
+  std::optional<CurveSurfaceTouch> touch;
 };
 
 /// What a valley is measured by.
-struct PierceValleyOptions {
+struct CurveSurfaceValleyOptions {
   double tolerance;  ///< least values up to this count as touches, model units
   double longest;    ///< longer contacts are left to others, model units
   double rounding;   ///< bound on the error of the distance of two points, model units
@@ -60,8 +60,9 @@ struct PierceValleyOptions {
 /// patch     index of the tree's patch, for the answer
 /// returns   nothing if the pair is not decided: the gap is not proven convex, the contact would be
 ///           too long, or an end of the curve or the border of the patch is within tolerance of it
-std::optional<PierceValleyPoints> pierce_valley(const CurveTree& curve, const CurveCell& piece,
-                                                int patch, const CellTree& tree, const Cell& cell,
-                                                const PierceValleyOptions& options);
+std::optional<CurveSurfaceValleyPoints> pierce_valley(const CurveTree& curve,
+                                                      const CurveCell& piece, int patch,
+                                                      const CellTree& tree, const Cell& cell,
+                                                      const CurveSurfaceValleyOptions& options);
 
 }  // namespace blossom

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNarrow = 0.97;     // least cosine of half cones that are worth trying
 constexpr double kNearlyOne = 0.97;  // least cosine between the axes
-constexpr double kMostOf = 0.5;      // of the tolerance, at the ends of a contact
+constexpr double kMaxOf = 0.5;       // of the tolerance, at the ends of a contact
 constexpr int kSolveSteps = 12;      // of Newton's method for the place with a given x
 constexpr double kNearX = 1e-8;      // of a cell; of what is left third powers do not matter
 // Graphs are steeper than e by an angle of which this is the secant at most, and distances shorter
@@ -145,7 +145,7 @@ class Valley {
   bool decide_crossing() {
     const Side low = side_at(low_), high = side_at(high_);
     const Side &above = low.gap > high.gap ? low : high, &below = low.gap > high.gap ? high : low;
-    const double least = std::max(error_, kMostOf * tolerance_);
+    const double least = std::max(error_, kMaxOf * tolerance_);
     if (!(above.gap > least && below.gap < -least)) return false;
     const auto from_last = [&, last = above](double x) mutable { return last = side_at(x, last); };
     return add(zero_between(above, below, from_last, detail::kConvexNoise * error_), false);
@@ -342,7 +342,7 @@ class LineValley {
     half_length_ = speed_ * (tolerance_ + error_) / least_slope;
     if (!(least_slope > 8 * error_ && 2 * half_length_ <= longest_)) return false;
     const Side low = side_at(0), high = side_at(1);
-    const double least = std::max(error_, kMostOf * tolerance_);
+    const double least = std::max(error_, kMaxOf * tolerance_);
     const Side &above = low.gap > high.gap ? low : high, &below = low.gap > high.gap ? high : low;
     if (!(above.gap > least && below.gap < -least)) return false;
     const auto place = [&](double x) { return side_at(x); };

@@ -12,9 +12,9 @@
 namespace blossom {
 namespace {
 
-constexpr double kLeastPart = 1e-3;  // of a; shorter common parts are contacts
-constexpr double kParallel = 1e-4;   // sine above which directions are not the same
-constexpr double kSameEnd = 1e-12;   // a foot this near an end is the end: rounding
+constexpr double kMinPart = 1e-3;   // of a; shorter common parts are contacts
+constexpr double kParallel = 1e-4;  // sine above which directions are not the same
+constexpr double kSameEnd = 1e-12;  // a foot this near an end is the end: rounding
 constexpr int kFootSteps = 8;
 
 // t = t0 + p (s - s0) / (1 + q (s - s0)), by value and two derivatives at one point.
@@ -54,7 +54,7 @@ std::optional<Interval> common_part(const LocalMap& map) {
       part.from = std::max(part.from, *s);
   }
   const double low = 1 + map.q * (part.from - map.s0), high = 1 + map.q * (part.to - map.s0);
-  if (!(low > 0 && high > 0 && length(part) > kLeastPart)) return std::nullopt;
+  if (!(low > 0 && high > 0 && length(part) > kMinPart)) return std::nullopt;
   return part;
 }
 

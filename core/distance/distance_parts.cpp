@@ -108,7 +108,7 @@ Box checked_box(std::span<const Vec4> points) {
   return box;
 }
 
-Box checked_box(const MeasuredSet& set, std::size_t surface) {
+Box checked_box(const DistanceOperand& set, std::size_t surface) {
   validate(set.surfaces[surface], ("number " + std::to_string(surface)).c_str());
   Box box;
   for (const RationalBezierPatch& patch : set.surfaces[surface].patches.values())
@@ -127,16 +127,16 @@ DistanceItem item_of(DistanceEnd::Kind kind, std::size_t index, RationalBezierPa
   return item;
 }
 
-void add_point(const MeasuredSet& set, std::size_t i, std::vector<DistanceItem>& items) {
+void add_point(const DistanceOperand& set, std::size_t i, std::vector<DistanceItem>& items) {
   const Vec4 p = homogeneous(set.points[i]);
   items.push_back(item_of(DistanceEnd::Kind::Point, i, as_patch({p, p})));
 }
 
-void add_curve(const MeasuredSet& set, std::size_t i, std::vector<DistanceItem>& items) {
+void add_curve(const DistanceOperand& set, std::size_t i, std::vector<DistanceItem>& items) {
   items.push_back(item_of(DistanceEnd::Kind::Curve, i, as_patch(set.curves[i].points)));
 }
 
-void add_surface(const MeasuredSet& set, std::size_t number, std::vector<DistanceItem>& items) {
+void add_surface(const DistanceOperand& set, std::size_t number, std::vector<DistanceItem>& items) {
   const BezierSurface& surface = set.surfaces[number];
   for (int row = 0; row < surface.patches.rows(); ++row)
     for (int column = 0; column < surface.patches.columns(); ++column) {
@@ -163,16 +163,16 @@ RationalBezierCurve border(const RationalBezierPatch& patch, bool along_u, bool 
 
 }  // namespace
 
-MeasuredSet measured(const Vec3& point) { return {{point}, {}, {}}; }
+DistanceOperand measured(const Vec3& point) { return {{point}, {}, {}}; }
 
-MeasuredSet measured(const RationalBezierCurve& curve) {
+DistanceOperand measured(const RationalBezierCurve& curve) {
   if (curve.degree() < 1) throw InvalidInput("measured: a curve needs two points at least");
   return {{projected(curve.points.front()), projected(curve.points.back())}, {curve}, {}};
 }
 
-MeasuredSet measured(const BezierSurface& surface) {
+DistanceOperand measured(const BezierSurface& surface) {
   validate(surface, "to measure");
-  MeasuredSet set{{}, {}, {surface}};
+  DistanceOperand set{{}, {}, {surface}};
   const auto& patches = surface.patches;
   const auto add = [&](const RationalBezierPatch& patch, bool along_u, bool last) {
     set.curves.push_back(border(patch, along_u, last));
@@ -200,7 +200,7 @@ std::array<bool, 2> DistanceItem::across(const Cell& cell) const {
   return {dimension() > 0 && !at_kink(0, cell.u), dimension() > 1 && !at_kink(1, cell.v)};
 }
 
-DistanceParts::DistanceParts(MeasuredSet set) : set_(std::move(set)) {
+DistanceParts::DistanceParts(DistanceOperand set) : set_(std::move(set)) {
   const std::size_t points = set_.points.size(), curves = set_.curves.size();
   parts_ = std::vector<Part>(points + curves + set_.surfaces.size());
   for (std::size_t i = 0; i < curves; ++i)
@@ -210,7 +210,7 @@ DistanceParts::DistanceParts(MeasuredSet set) : set_(std::move(set)) {
   finish();
 }
 
-DistanceParts::DistanceParts(MeasuredParts parts)
+DistanceParts::DistanceParts(OperandParts parts)
     : hulls_(std::move(parts.hulls)),
       set_{std::move(parts.points), {}, {}, std::move(parts.trims)},
       make_(std::move(parts.make)) {
@@ -254,7 +254,7 @@ Interval DistanceParts::heights(int part, const Vec3& direction) const {
     }
     return {middle - radius, middle + radius};
   }
-  const PartHull& hull = hulls_[static_cast<std::size_t>(part - points())];
+  const HullBound& hull = hulls_[static_cast<std::size_t>(part - points())];
   Interval range{dot(direction, hull.points[0]), dot(direction, hull.points[0])};
   for (const Vec3& p : hull.points) {
     const double height = dot(direction, p);
@@ -296,7 +296,7 @@ std::unique_ptr<DistanceParts::Made> DistanceParts::make(int part) const {
   return made;
 }
 
-const MeasuredSet& DistanceParts::own_set(int part) const { return made(part + points()).own; }
+const DistanceOperand& DistanceParts::own_set(int part) const { return made(part + points()).own; }
 
 bool DistanceParts::is_exact(int part) const {
   const std::vector<BezierSurface>& surfaces = make_ ? made(part).own.surfaces : set_.surfaces;

@@ -42,8 +42,8 @@ struct DistanceItem {
 class DistanceParts {
  public:
   /// throws   InvalidInput if the set is empty or a form is not sound
-  explicit DistanceParts(MeasuredSet set);
-  explicit DistanceParts(MeasuredParts parts);
+  explicit DistanceParts(DistanceOperand set);
+  explicit DistanceParts(OperandParts parts);
 
   int size() const { return static_cast<int>(parts_.size()); }
   const Box& box(int part) const { return parts_[static_cast<std::size_t>(part)].box; }
@@ -62,9 +62,9 @@ class DistanceParts {
   const std::vector<DistanceItem>& items(int part) const { return made(part).items; }
   const BoxTree& item_tree(int part) const { return made(part).tree; }
 
-  const MeasuredSet& set() const { return set_; }
+  const DistanceOperand& set() const { return set_; }
   /// What a part that was asked for is made of; counted without the points.
-  const MeasuredSet& own_set(int part) const;
+  const DistanceOperand& own_set(int part) const;
   /// Whether none of the part's surfaces is approximated.
   bool is_exact(int part) const;
 
@@ -76,7 +76,7 @@ class DistanceParts {
 
  private:
   struct Made {
-    MeasuredSet own;
+    DistanceOperand own;
     std::vector<DistanceItem> items;
     BoxTree tree{{}};
   };
@@ -90,9 +90,9 @@ class DistanceParts {
   std::unique_ptr<Made> make(int part) const;
   void finish();
 
-  std::vector<PartHull> hulls_;  // of the parts behind the points
-  MeasuredSet set_;              // all of it, or the points and trims of a set in parts
-  std::function<MeasuredSet(int)> make_;
+  std::vector<HullBound> hulls_;  // of the parts behind the points
+  DistanceOperand set_;           // all of it, or the points and trims of a set in parts
+  std::function<DistanceOperand(int)> make_;
   mutable std::vector<Part> parts_;  // behind the points: curves and surfaces, or parts
   Box bounds_;
   double scale_ = 0;

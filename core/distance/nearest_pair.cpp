@@ -13,7 +13,7 @@ namespace {
 // Roundings of the few operations in a bound.
 constexpr double kSlack = 1e-14;
 constexpr int kSteps = 40;
-constexpr double kLeastDamping = 1e-12, kMostDamping = 1e8;
+constexpr double kMinDamping = 1e-12, kMaxDamping = 1e8;
 // A step this small changes no digit of a parameter any more.
 constexpr double kLastStep = 1e-16;
 
@@ -141,7 +141,7 @@ NearPair near_pair(const PatchOf& a, const PatchOf& b, const Vec2& start_a, cons
   Vec4d x{start_a[0], start_a[1], start_b[0], start_b[1]};
   SquaredGap gap = squared_gap(a, b, x);
   double damping = 0;
-  for (int k = 0; k < kSteps && damping < kMostDamping; ++k) {
+  for (int k = 0; k < kSteps && damping < kMaxDamping; ++k) {
     std::array<bool, 4> free = counts;
     for (std::size_t i = 0; i < 4; ++i)  // not those that a side of the piece holds
       free[i] = free[i] && !(x[i] <= sides[i].from && gap.slope[i] > 0) &&
@@ -164,7 +164,7 @@ NearPair near_pair(const PatchOf& a, const PatchOf& b, const Vec2& start_a, cons
     if (there.value < gap.value) {
       x = next;
       gap = there;
-      damping = damping < kLeastDamping ? 0 : damping / 10;
+      damping = damping < kMinDamping ? 0 : damping / 10;
     } else {
       if (moved < 1e-12) break;
       damping = std::max(10 * damping, 1e-3);

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // (2 n + 1) (2 m + 1) < 4 (n + 1) (m + 1)
-constexpr std::size_t kMost = 4 * kMostSquarePoints;
+constexpr std::size_t kMax = 4 * kMaxSquarePoints;
 
 // N = f w^2 and W = w^2 as Bernstein forms of degrees n and m.
 struct Squares {
   int n = 0, m = 0;
-  std::array<double, kMost> numerator, weight;
+  std::array<double, kMax> numerator, weight;
   double error = 0;  // of a coefficient of N - c W, where f reaches c
 
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(i * (m + 1) + j); }
@@ -38,7 +38,7 @@ Squares squares_of(const Cell& cell, const NetShape& shape, const Centre& centre
   const auto weight = [&](int i) {
     return shape.planes == 4 ? cell.homogeneous[3 * size + i] : 1.0;
   };
-  std::array<Vec3, kMostSquarePoints> x;
+  std::array<Vec3, kMaxSquarePoints> x;
   for (int i = 0; i < size; ++i) {
     Vec3& at = x[static_cast<std::size_t>(i)];
     at = Vec3{cell.homogeneous[i], cell.homogeneous[i + size], cell.homogeneous[i + 2 * size]} -
@@ -71,10 +71,10 @@ Squares squares_of(const Cell& cell, const NetShape& shape, const Centre& centre
 // Coefficients of the derivatives of a form, raised to its own degrees:
 //   i (a_i - a_(i-1)) + (n - i) (a_(i+1) - a_i)
 struct Slopes {
-  std::array<double, kMost> u, v;
+  std::array<double, kMax> u, v;
 };
 
-Slopes slopes_of(const Squares& f, const std::array<double, kMost>& a) {
+Slopes slopes_of(const Squares& f, const std::array<double, kMax>& a) {
   Slopes s;
   for (int i = 0; i <= f.n; ++i)
     for (int j = 0; j <= f.m; ++j) {
@@ -91,7 +91,7 @@ Slopes slopes_of(const Squares& f, const std::array<double, kMost>& a) {
 }
 
 // How much a form changes from one end of a direction to the other, summed over the other one.
-double growth(const Squares& f, const std::array<double, kMost>& a, bool along_u) {
+double growth(const Squares& f, const std::array<double, kMax>& a, bool along_u) {
   double sum = 0;
   for (int k = 0; k <= (along_u ? f.m : f.n); ++k)
     sum += along_u ? a[f.index(f.n, k)] - a[f.index(0, k)] : a[f.index(k, f.m)] - a[f.index(k, 0)];
@@ -108,7 +108,7 @@ class SlopeTest {
         of_weight_(slopes_of(f, f.weight)),
         error_(2 * std::max(f.n, f.m) * f.error) {
     const double c = 0.5 * (low + high);
-    std::array<double, kMost> rest;
+    std::array<double, kMax> rest;
     for (std::size_t i = 0; i <= f.index(f.n, f.m); ++i) rest[i] = f.numerator[i] - c * f.weight[i];
     of_rest_ = slopes_of(f, rest);
   }
@@ -147,10 +147,10 @@ class SlopeTest {
 // Coefficients of degrees n and m as they enter products: times their binomials.
 struct Scaled {
   int n, m;
-  std::array<double, kMost> values;
+  std::array<double, kMax> values;
 };
 
-Scaled scaled(const Squares& of, const std::array<double, kMost>& form) {
+Scaled scaled(const Squares& of, const std::array<double, kMax>& form) {
   Scaled result{of.n, of.m, {}};
   for (int i = 0; i <= of.n; ++i)
     for (int j = 0; j <= of.m; ++j)
@@ -169,7 +169,7 @@ double product_at(const Scaled& a, const Scaled& b, int r, int c) {
 }
 
 // Least and largest quotient of coefficients, widened.
-Interval quotients(const Squares& of, const std::array<double, kMost>& form, double error) {
+Interval quotients(const Squares& of, const std::array<double, kMax>& form, double error) {
   Interval range{kInfinity, -kInfinity};
   for (std::size_t i = 0; i <= of.index(of.n, of.m); ++i) {
     range.from = std::min(range.from, form[i] / of.weight[i]);
@@ -209,7 +209,7 @@ SquareForm square_form(const Cell& cell, const NetShape& shape, const Centre& ce
   const double error = error_of_square(farthest, cell.margin, max_norm(centre.point));
   // Sums of |N| and c |W|, and the rounding of a difference of them.
   f.error = 4 * error * most_weight * most_weight;
-  std::array<double, kMost> ratio;
+  std::array<double, kMax> ratio;
   double low = kInfinity, high = 0;
   for (std::size_t i = 0; i <= f.index(f.n, f.m); ++i) {
     ratio[i] = f.numerator[i] / f.weight[i];
@@ -227,7 +227,7 @@ SquareForm square_form(const Cell& cell, const NetShape& shape, const Centre& ce
 
 // Of |X|^2 + R^2 - r^2, rho^2 and g by their coefficients.
 DistanceRange circle_distance(const Cell& cell, const NetShape& shape, const Centre& centre) {
-  if (std::max(shape.rows, shape.columns) > kMostCircleDegree + 1) return {0, kInfinity};
+  if (std::max(shape.rows, shape.columns) > kMaxCircleDegree + 1) return {0, kInfinity};
   const int size = shape.plane_size();
   const double radius = centre.radius;
   const double r = distance_from({cell.hull[0], cell.hull[size], cell.hull[2 * size]}, centre);

@@ -39,14 +39,14 @@ struct DistanceRange {
 /// g is a form and vanishes on the torus of radius r about the circle, so the bounds are exact
 /// there.
 ///
-/// cell     likewise, of degrees up to kMostCircleDegree
+/// cell     likewise, of degrees up to kMaxCircleDegree
 DistanceRange circle_distance(const Cell& cell, const NetShape& shape, const Centre& centre);
-inline constexpr int kMostCircleDegree = 5;
+inline constexpr int kMaxCircleDegree = 5;
 
 /// The largest nets that this is made of.
-inline constexpr int kMostSquarePoints = 121;
+inline constexpr int kMaxSquarePoints = 121;
 
-/// cell     of no more than kMostSquarePoints control points
+/// cell     of no more than kMaxSquarePoints control points
 /// across   u and v: whether f has to be stationary along it, to be of interest
 SquareForm square_form(const Cell& cell, const NetShape& shape, const Centre& centre,
                        const std::array<bool, 2>& across = {false, false});

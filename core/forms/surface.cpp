@@ -114,7 +114,7 @@ Vec3 point_at(const BezierSurface& surface, const Vec2& uv) {
   return point_at(*place.patch, place.s, place.t);
 }
 
-std::array<Vec3, 4> normals_beside(const BezierSurface& surface, const Vec2& uv) {
+std::array<Vec3, 4> one_sided_normals(const BezierSurface& surface, const Vec2& uv) {
   const auto beside = [](const std::vector<double>& knots, double x) {
     x = std::clamp(x, knots.front(), knots.back());
     const std::size_t span = span_of(knots, x);

@@ -59,7 +59,7 @@ Vec3 point_at(const BezierSurface& surface, const Vec2& uv);
 
 /// S_u x S_v up to positive factors, likewise, at four places beside the point: 1e-6 of a span away
 /// in both directions, on either side of knot lines that it is on.
-std::array<Vec3, 4> normals_beside(const BezierSurface& surface, const Vec2& uv);
+std::array<Vec3, 4> one_sided_normals(const BezierSurface& surface, const Vec2& uv);
 
 /// Throws InvalidInput, naming `name`, unless the surface is well formed: sizes agree, knots
 /// increase, degrees are in 1..kMaxDegree, all numbers are finite and all weights positive.

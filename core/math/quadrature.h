@@ -39,7 +39,7 @@ inline constexpr int kDeepest = 40;
 // Below these no halving helps: rounding of the sums, relative to the size; and a part of the
 // wanted tolerance, so that noise in the function does not ask for ever smaller cells.
 inline constexpr double kRounding = 1e-14;
-inline constexpr double kLeastPart = 1.0 / 1024;
+inline constexpr double kMinPart = 1.0 / 1024;
 
 template <class Function>
 Integral cell(Function& function, double from, double to) {
@@ -82,7 +82,7 @@ Integral halved(Function& function, double from, double to, double tolerance, do
 /// Source: Gauss and Kronrod's pair of 7 and 15 points.
 template <class Function>
 Integral integral(Function&& function, double from, double to, double tolerance) {
-  return quadrature::halved(function, from, to, tolerance, quadrature::kLeastPart * tolerance, 0);
+  return quadrature::halved(function, from, to, tolerance, quadrature::kMinPart * tolerance, 0);
 }
 
 }  // namespace blossom

@@ -18,8 +18,8 @@ constexpr double kFlat = 0.2;
 // Halvings of a patch that is nowhere flat, as at a pole; searches go on from there.
 constexpr int kDeepest = 12;
 // Cells of one patch, however many patches there are; and of all patches that are curved alike.
-constexpr std::size_t kLeastCells = 16;
-constexpr std::size_t kMostCells = 1'000'000;
+constexpr std::size_t kMinCells = 16;
+constexpr std::size_t kMaxCells = 1'000'000;
 // A rounding of each of the few operations that make a bound.
 constexpr double kSlack = 1 + 1e-12;
 
@@ -78,7 +78,7 @@ FlatCells::FlatCells(std::vector<BezierSurface> surfaces, double smallest,
     validate(surfaces_[i], ("number " + std::to_string(i)).c_str());
     count += surfaces_[i].patches.values().size();
   }
-  most_cells_ = std::max(kLeastCells, kMostCells / count);
+  most_cells_ = std::max(kMinCells, kMaxCells / count);
   for (std::size_t i = 0; i < surfaces_.size(); ++i)
     for (int row = 0; row < surfaces_[i].patches.rows(); ++row)
       for (int column = 0; column < surfaces_[i].patches.columns(); ++column)

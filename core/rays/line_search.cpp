@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kRoundoff = 0x1p-53;
 // Roots this little outside of a region belong to it, too; the neighbour finds the same root.
-constexpr double kLeastSlack = 1e-9;
-constexpr double kMostSlack = 0.25;
+constexpr double kMinSlack = 1e-9;
+constexpr double kMaxSlack = 0.25;
 // Newton's method squares its error, so a step of this size ends at rounding.
 constexpr double kLastStep = 1e-8;
 constexpr int kNewtonSteps = 12;
@@ -22,7 +22,7 @@ constexpr double kSingular = 1e-9;
 
 // A root within rounding of the border belongs to the region, and one within tolerance.
 double LineSearch::clamped_slack(double tolerance, double rounding) {
-  return std::clamp(std::max(tolerance, 4 * rounding), kLeastSlack, kMostSlack);
+  return std::clamp(std::max(tolerance, 4 * rounding), kMinSlack, kMaxSlack);
 }
 
 LineSearch::LineSearch(const FlatCells& cells, double tolerance)
@@ -169,11 +169,11 @@ bool LineSearch::add_hit(const Newton& root, std::vector<RayHit>& hits) const {
     // A length along the surface; at a collapsed side all of it is one point.
     const double speed = norm(*derivatives[i]);
     const double from_border = std::min(hit.local[k], 1 - hit.local[k]);
-    hit.border = hit.border || from_border <= kLeastSlack || from_border * speed <= tolerance_;
+    hit.border = hit.border || from_border <= kMinSlack || from_border * speed <= tolerance_;
     if (from_border >= 0) continue;
     const bool ends = hit.local[k] < 0 ? placed().ends_low[i] : placed().ends_high[i];
     const double beyond = -from_border * speed;
-    if (from_border < -kLeastSlack && beyond > (ends ? placed().reach : tolerance_)) return false;
+    if (from_border < -kMinSlack && beyond > (ends ? placed().reach : tolerance_)) return false;
     hit.beyond = std::max(hit.beyond, beyond);
     hit.local[k] = std::clamp(hit.local[k], 0.0, 1.0);
   }

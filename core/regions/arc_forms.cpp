@@ -19,8 +19,8 @@
 namespace blossom {
 namespace {
 
-constexpr double kLeastBox = 1e-6;  // of a side of a box: below, differences of points are rounding
-constexpr int kFitDegree = 5;       // of polynomials that take a curve's place, as local_form wants
+constexpr double kMinBox = 1e-6;  // of a side of a box: below, differences of points are rounding
+constexpr int kFitDegree = 5;     // of polynomials that take a curve's place, as local_form wants
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -266,7 +266,7 @@ Vec2 derivative_bounds(const RationalBezierPatch& patch) {
 
 Vec2 derivative_bounds(const RationalBezierPatch& patch, PlanarBox box) {
   for (int k = 0; k < 2; ++k) {
-    const double wider = std::max(0.5 * (kLeastBox - (box.high[k] - box.low[k])), 0.0);
+    const double wider = std::max(0.5 * (kMinBox - (box.high[k] - box.low[k])), 0.0);
     box.low[k] -= wider;
     box.high[k] += wider;
   }

@@ -19,7 +19,7 @@ namespace {
 // Relative to the surface's range of a parameter: ends that moved less than this moved by rounding.
 constexpr double kRounding = 1e-13;
 constexpr double kLoweringPart = 0.25;  // of the tolerance, for a lower degree
-constexpr double kLeastCosine = 0.5;    // of the angle that an arc's control polygon may turn
+constexpr double kMinCosine = 0.5;      // of the angle that an arc's control polygon may turn
 constexpr double kLongest = 1.5;        // of an arc, in cells
 constexpr double kCrossing = 1e-4;      // of a border: as near to a line at so far from where it
                                         // crosses it, it runs along it but for rounding
@@ -97,7 +97,7 @@ BorderArcs::BorderArcs(const BezierSurface& surface, const TrimmedChart& chart,
 int BorderArcs::arc_degree(int patch_u, int patch_v) const {
   const int straight = straight_degree(surface_.patches(patch_u, patch_v));
   const int exact = options_.highest_degree / straight;
-  return std::max(exact, std::min(kCommonArcs, kMostComposed / straight));
+  return std::max(exact, std::min(kCommonArcs, kMaxComposed / straight));
 }
 
 double BorderArcs::tolerance_of(int border) const {
@@ -343,8 +343,8 @@ void BorderArcs::divide(int number, BorderStops stops) {
 
 void BorderArcs::add(int number, const Interval& place, int from, int to, int across,
                      std::size_t first) {
-  if (arcs_.size() - first > kMostArcs)
-    throw InvalidInput("trimmed region: a border takes more than " + std::to_string(kMostArcs) +
+  if (arcs_.size() - first > kMaxArcs)
+    throw InvalidInput("trimmed region: a border takes more than " + std::to_string(kMaxArcs) +
                        " arcs within the tolerance; a larger one takes fewer");
   const RegionBorder& border = chart_.borders[index(number)];
   const bool shortest = std::abs(length(place)) <= 2 * kShortestArc * length(border.curve.domain());
@@ -490,7 +490,7 @@ bool BorderArcs::is_too_long(const RegionArc& arc) const {
   const Vec2 first = leg(0, 1);
   for (std::size_t i = 1; i < last; ++i) {
     const Vec2 next = leg(i, i + 1);
-    if (dot(first, next) < kLeastCosine * norm(first) * norm(next)) return true;
+    if (dot(first, next) < kMinCosine * norm(first) * norm(next)) return true;
   }
   return false;
 }

@@ -16,7 +16,7 @@
 namespace blossom {
 
 /// Highest degree of a patch over a curved triangle that `composition` takes.
-inline constexpr int kMostComposed = 2 * kMaxDegree;
+inline constexpr int kMaxComposed = 2 * kMaxDegree;
 
 /// Degree of arcs that is worth triangles above the highest degree: the number of straight arcs
 /// grows with the root of the inverse of the tolerance, that of cubic ones with its fourth root.
@@ -27,7 +27,7 @@ struct RegionOptions {
   /// besides from the surface; model units.
   double tolerance = 1e-7;
   /// Of triangles, at least n + m. Where trims have no exact arcs of a degree that leaves, or
-  /// borders are common, surfaces are composed in up to kMostComposed over arcs of degree
+  /// borders are common, surfaces are composed in up to kMaxComposed over arcs of degree
   /// kCommonArcs, and lowered: with common borders by those who move them.
   int highest_degree = kMaxDegree;
   /// Rows and columns of cells in each patch; a power of two, 0 for as many as seem right.
@@ -62,12 +62,12 @@ inline constexpr double kShortestArc = 1e-9;
 class BorderArcs {
  public:
   /// throws   InvalidInput if the patches' degrees leave no triangle below the highest degree, or a
-  ///          border takes more than kMostArcs
+  ///          border takes more than kMaxArcs
   BorderArcs(const BezierSurface& surface, const TrimmedChart& chart, const RegionOptions& options,
              int cells);
 
   /// Highest number of arcs of one border: as many triangles of the highest degree take 45 MB.
-  static constexpr std::size_t kMostArcs = 5'000;
+  static constexpr std::size_t kMaxArcs = 5'000;
 
   const std::vector<RegionArc>& arcs() const { return arcs_; }
   const std::vector<Vec2>& vertices() const { return vertices_; }  ///< grid coordinates

@@ -12,13 +12,13 @@
 #include "core/blossom/triangle_composition.h"
 #include "core/forms/algebra/degree.h"
 #include "core/forms/evaluation.h"
-#include "core/regions/low_triangles.h"
 #include "core/regions/plane_predicates.h"
+#include "core/regions/sliver_triangles.h"
 
 namespace blossom {
 namespace {
 
-constexpr int kMostRounds = 16;        // of halving; chords come nearer to arcs by 4 each time
+constexpr int kMaxRounds = 16;         // of halving; chords come nearer to arcs by 4 each time
 constexpr double kFlat = -0.5;         // cosine of an angle beyond which a triangle is flat
 constexpr double kInLine = -0.999;     // likewise, beyond which its corners are in one line
 constexpr double kBetter = 0.01;       // gain of cosines that is worth a flip
@@ -26,7 +26,7 @@ constexpr double kLessFlat = 4;        // likewise, of distances of cosines from
 constexpr double kLine = 1e-15;        // as near to -1 are cosines for rounding alone
 constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees
 constexpr double kHigh = 1e3;          // of tolerances of borders: heights that need not be raised
-constexpr int kMostFlips = 64;         // rounds of flips, each of which may call for another
+constexpr int kMaxFlips = 64;          // rounds of flips, each of which may call for another
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -49,7 +49,7 @@ class FlatEars {
 
   void flip_all() {
     bool flipped = true;
-    for (int round = 0; flipped && round < kMostFlips; ++round) {
+    for (int round = 0; flipped && round < kMaxFlips; ++round) {
       flipped = false;
       for (std::size_t i = 0; i < triangles_.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k) flipped = flip(i, k) || flipped;
@@ -134,9 +134,9 @@ class Region {
         scale_(borders.metric(patch_u, patch_v)) {}
 
   CurvedTriangles triangles() {
-    const std::size_t most = arcs_.size() + BorderArcs::kMostArcs;
+    const std::size_t most = arcs_.size() + BorderArcs::kMaxArcs;
     std::string obstacle;
-    for (int round = 0; round < kMostRounds && arcs_.size() <= most; ++round) {
+    for (int round = 0; round < kMaxRounds && arcs_.size() <= most; ++round) {
       CurvedTriangles made;
       std::set<int> to_halve = attempt(made);
       const bool is_covered = to_halve.empty();

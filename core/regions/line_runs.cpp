@@ -11,11 +11,11 @@
 namespace blossom {
 namespace {
 
-constexpr int kSamples = 9;          // of a piece, its ends among them
-constexpr double kMostSlope = 1e-3;  // of a run: how far it may leave its line, to its length
+constexpr int kSamples = 9;         // of a piece, its ends among them
+constexpr double kMaxSlope = 1e-3;  // of a run: how far it may leave its line, to its length
 
-constexpr double kLeastSlope = 1e-3;  // of a crossing, across the line, that is improved
-constexpr int kNewtonSteps = 3;       // from a crossing within kOnLine to one within rounding
+constexpr double kMinSlope = 1e-3;  // of a crossing, across the line, that is improved
+constexpr int kNewtonSteps = 3;     // from a crossing within kOnLine to one within rounding
 
 using Samples = std::array<Vec2, kSamples>;  // grid coordinates
 
@@ -23,7 +23,7 @@ double improved(const PlanarCurve& curve, int direction, double value, double pa
   const Interval domain = curve.domain();
   for (int step = 0; step < kNewtonSteps; ++step) {
     const PlanarJet jet = jet_at(curve, parameter);
-    if (std::abs(jet.first[direction]) <= kLeastSlope * norm(jet.first)) break;
+    if (std::abs(jet.first[direction]) <= kMinSlope * norm(jet.first)) break;
     parameter = std::clamp(parameter - (jet.point[direction] - value) / jet.first[direction],
                            domain.from, domain.to);
   }
@@ -53,7 +53,7 @@ bool keeps_to(const BezierSurface& surface, const Samples& samples, const LineRu
     if (i > 0) way += distance(last, on);
     last = on;
   }
-  return way > 0 && farthest <= kMostSlope * way;
+  return way > 0 && farthest <= kMaxSlope * way;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kMostError = 1e-4;  // of the size: no surface loses more with narrow spans
+constexpr double kMaxError = 1e-4;  // of the size: no surface loses more with narrow spans
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -105,7 +105,7 @@ double size_of(const BezierSurface& surface) {
 
 // Narrow spans that are long in space stay.
 BezierSurface without_runs(BezierSurface surface) {
-  const double most = surface.error + kMostError * size_of(surface);
+  const double most = surface.error + kMaxError * size_of(surface);
   for (Run run = narrow_run(surface.u_knots); run.count > 0; run = narrow_run(surface.u_knots)) {
     BezierSurface less = without_run(surface, run);
     if (!(less.error <= most)) break;

@@ -51,12 +51,12 @@ Sum<Scalar> lifted(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 // circle's sign: 2 + 2 differences, squares and their sum, products, sums. One more for this bound.
 constexpr double kTurnError = 8 * 0x1p-53;
 constexpr double kLiftedError = 24 * 0x1p-53;
-constexpr double kLeastSize = 0x1p-900;  // above it an underflow is far below the error bound
+constexpr double kMinSize = 0x1p-900;  // above it an underflow is far below the error bound
 
 int sign_of(const auto& x) { return (x > 0) - (x < 0); }
 
 bool decides(const Sum<double>& sum, double error) {
-  return sum.size > kLeastSize && std::abs(sum.value) > error * sum.size;
+  return sum.size > kMinSize && std::abs(sum.value) > error * sum.size;
 }
 
 }  // namespace

@@ -12,10 +12,10 @@
 namespace blossom {
 namespace {
 
-constexpr int kSamples = 8;          // of a span
-constexpr double kLeastPole = 0.25;  // of a pole's length in the chart: as much of it is left
+constexpr int kSamples = 8;        // of a span
+constexpr double kMinPole = 0.25;  // of a pole's length in the chart: as much of it is left
 // Of the surface's range of a parameter: no harm comes of corners that are swept over less of it.
-constexpr double kLeastSweep = 1e-2;
+constexpr double kMinSweep = 1e-2;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -145,7 +145,7 @@ class Straightener {
     const Vec2& other = chart_.corners[index(end.at_start ? pole.to : pole.from)];
     const double before = corner[end.direction] - other[end.direction];
     const double after = value - other[end.direction];
-    if (pole.from == pole.to || !(after / before >= kLeastPole)) return false;
+    if (pole.from == pole.to || !(after / before >= kMinPole)) return false;
     corner[end.direction] = value;
     const int along = 1 - end.direction;
     const double last = nearest_end(along, corner[along]);
@@ -211,7 +211,7 @@ class Straightener {
     if (leaving.spans > 0) to[direction] = leaving.value;
     const bool runs_up = (from[along] == knots(along).front()) == (along == 1);
     const double way = (to[direction] - from[direction]) * (runs_up ? 1 : -1);
-    if (!(way > kLeastSweep * (knots(direction).back() - knots(direction).front()))) return false;
+    if (!(way > kMinSweep * (knots(direction).back() - knots(direction).front()))) return false;
     make_straight(meeting.arriving, to_first, direction, arriving);
     make_straight(meeting.leaving, from_first, direction, leaving);
     add_pole(corner, meeting, from, to);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kAngleFit = 4;     // degree along an angle
 constexpr int kHighestFit = 10;  // as far as kLebesgue holds
-constexpr int kMostParts = 64;   // of a span
+constexpr int kMaxParts = 64;    // of a span
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -207,7 +207,7 @@ Parts parts_within(const BezierSurface& surface, double tolerance) {
     for (int i = 0; i < surface.patches.rows(); ++i)
       for (int j = 0; j < surface.patches.columns(); ++j) {
         const int u = parts.u[index(i)], v = parts.v[index(j)];
-        if (std::max(u, v) >= kMostParts) continue;
+        if (std::max(u, v) >= kMaxParts) continue;
         if (error_in_parts(surface, i, j, u, v) <= tolerance) continue;
         if (error_in_parts(surface, i, j, 2 * u, v) <= error_in_parts(surface, i, j, u, 2 * v))
           more.u[index(i)] = 2 * u;

@@ -13,19 +13,19 @@
 #include "core/forms/algebra/degree.h"
 #include "core/math/series/power_series.h"
 #include "core/tracing/image_gap.h"
-#include "core/tracing/seven.h"
 #include "core/tracing/sites.h"
+#include "core/tracing/vec7.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kSlack = 1.1;            // of a bound over the largest value seen
-constexpr int kMostHalvings = 400;        // of error forms, for one of the three bounds
+constexpr int kMaxHalvings = 400;         // of error forms, for one of the three bounds
 constexpr int kDeepest = 12;              // halvings of a span before its forms are made
 constexpr int kUnprovenSamples = 33;      // of a piece without a bound
 constexpr double kEndOfPiece = 1e-9;      // cuts so near an end of a span are none
 constexpr std::size_t kSpansOfProof = 8;  // that one thread proves in a row
-constexpr std::size_t kLeastShared = 16;  // forms whose bounds are worth sharing out
+constexpr std::size_t kMinShared = 16;    // forms whose bounds are worth sharing out
 constexpr std::size_t kUsualForms = 8;    // that are kept: memory for them at once
 constexpr double kConicError = 5e-11;     // model units: of a conic's polynomials
 constexpr double kConicRounding = 16 * 0x1p-53;
@@ -56,7 +56,7 @@ BLOSSOM_HOT QuinticPoints span_points(const std::vector<Vec7>& poles,
     for (std::size_t j = 5; j >= r; --j) {
       const double low = flat[span - 5 + j], high = flat[span + 1 + j - r];
       const double s = (t - low) / (high - low);
-      Seven sum;
+      Vec7 sum;
       add(1 - s, d[j - 1], sum);
       add(s, d[j], sum);
       store(sum, d[j]);
@@ -130,7 +130,7 @@ class ErrorForms {
   // A bound on the largest length of all forms: the form with the largest bound is halved until
   // that is hardly more than a value that occurs.
   double proven_maximum() && {
-    for (int step = 0; step < kMostHalvings && !heap_.empty(); ++step) {
+    for (int step = 0; step < kMaxHalvings && !heap_.empty(); ++step) {
       const auto [bound, worst] = heap_.front();
       ErrorForm second = forms_[worst];
       if (bound - second.margin <= kSlack * seen_ || bound <= 2 * second.margin) break;
@@ -228,10 +228,9 @@ class Proof {
   Deviation bounds() && {
     const std::array forms{&forms_a_, &forms_b_, &forms_between_};
     const std::array bounds{&result_.a, &result_.b, &result_.between};
-    parallel_for(forms.size(), forms_a_.size() < kLeastShared ? forms.size() : 1,
-                 [&](std::size_t k) {
-                   *bounds[k] = std::max(*bounds[k], std::move(*forms[k]).proven_maximum());
-                 });
+    parallel_for(forms.size(), forms_a_.size() < kMinShared ? forms.size() : 1, [&](std::size_t k) {
+      *bounds[k] = std::max(*bounds[k], std::move(*forms[k]).proven_maximum());
+    });
     result_.a += conic_error_;
     result_.b += conic_error_;
     return result_;

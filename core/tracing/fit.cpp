@@ -24,13 +24,13 @@ constexpr double kGaps = 16;              // no fit is asked for less: half of a
 constexpr double kRounding = 1e-12;       // of the size: no fit is asked for more, nor
 constexpr double kRoundings = 0x1p-46;    // of the coordinates: far from the origin they are coarse
 constexpr double kSamplingShare = 0.125;  // of the fit's error, left to the pieces it is made from
-constexpr int kMostRounds = 8;            // of choosing knots
+constexpr int kMaxRounds = 8;             // of choosing knots
 constexpr double kAim = 0.7;              // part of the wanted accuracy that knots are chosen for
 constexpr int kMovingRounds = 2;          // then knots stay, and are only added
 constexpr double kWorthARound = 0.9;      // of the knots at most, or no further round is made
-constexpr double kLeastError = 1e-12;     // of the wanted, to guess from: below it is rounding
+constexpr double kMinError = 1e-12;       // of the wanted, to guess from: below it is rounding
 constexpr double kWidening = 0.6;         // of spans, over a unit of length
-constexpr std::size_t kLeastSamples = 49;
+constexpr std::size_t kMinSamples = 49;
 constexpr double kCountRounding = 1e-9;  // of samples
 constexpr std::size_t kRunGrain = 8;     // runs that one thread fits in a row
 constexpr std::size_t kSampleGrain = 8;  // pieces that it takes samples on
@@ -71,7 +71,7 @@ Density first_density(const SmoothRun& run) {
   density.parameters.push_back(run.sites.front().parameter);
   for (std::size_t i = 0; i < run.pieces.size(); ++i) {
     const double width = length(run.pieces[i].place);
-    const double error = std::max(run.errors[i], kLeastError);
+    const double error = std::max(run.errors[i], kMinError);
     density.parameters.push_back(run.pieces[i].place.to);
     density.values.push_back(std::pow(error * kSplineOverHermite / kAim, 1.0 / 6) / width);
   }
@@ -243,7 +243,7 @@ class Fitter {
   std::optional<RunSpline> fit(const SmoothRun& run) const {
     std::optional<RunSpline> best;
     std::vector<double> knots = knots_of(first_density(run));
-    for (int round = 0; round < kMostRounds && increase(knots) && !late(); ++round) {
+    for (int round = 0; round < kMaxRounds && increase(knots) && !late(); ++round) {
       RunSpline spline = least_squares_spline(run.pieces, knots);
       // Hermite pieces with triple knots would be as short.
       if (spline.poles.size() > 3 * run.pieces.size() + 3) break;
@@ -390,7 +390,7 @@ class Fitter {
     const double by_sag = width * std::sqrt(bend / (6 * sag));
     // Of as many as the whole curve gets: rounding up in every piece would make more of them.
     const auto reached = [&](const Site& site) {
-      return std::floor(static_cast<double>(kLeastSamples) * site.length / whole + kCountRounding);
+      return std::floor(static_cast<double>(kMinSamples) * site.length / whole + kCountRounding);
     };
     const double by_count = reached(stop) - reached(start);
     const double wanted = std::max(std::ceil(by_sag), by_count);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kUnit = 0x1p-53;
 constexpr double kLargestTurn = 1.2;  // tan is bounded on discs of this radius
 constexpr double kFarthest = 64;      // from the middle, in half widths of the piece
-constexpr int kLeastDegree = 5;
+constexpr int kMinDegree = 5;
 
 // Chebyshev's nodes in [0, 1] of the degree, and the matrix from values there to Bezier points.
 struct Interpolation {
@@ -143,7 +143,7 @@ LocalForm linear_form(const std::array<double, 6>& parameters, const Interval& s
 LocalForm local_form(const std::array<double, 6>& parameters, ParameterLaw law,
                      const Interval& span, int degree) {
   if (law == ParameterLaw::Linear) return linear_form(parameters, span);
-  if (degree < kLeastDegree || degree > kAngleDegree)
+  if (degree < kMinDegree || degree > kAngleDegree)
     throw InvalidInput("local_form: the degree must be 5..8, got " + std::to_string(degree));
   return angle_form(parameters, span, degree);
 }

@@ -19,7 +19,7 @@ namespace blossom {
 namespace {
 
 constexpr int kDeepest = 24;               // halvings of a link
-constexpr std::size_t kMostPieces = 5000;  // where sampling ends whatever the accuracy: this, and
+constexpr std::size_t kMaxPieces = 5000;   // where sampling ends whatever the accuracy: this, and
 constexpr std::size_t kPiecesOfLink = 32;  // so many more for each link
 constexpr std::size_t kUsualPieces = 4;    // of a link: more take another allocation
 constexpr std::size_t kLinksAtOnce = 256;  // refined ahead of being joined
@@ -28,7 +28,7 @@ constexpr std::size_t kJointGrain = 8;     // and stations that it looks at
 constexpr double kShortest = 0.1;          // of the wanted accuracy: no piece needs to be shorter
 constexpr double kNoLength = 1e-4;         // likewise: a piece shorter than this is a point
 constexpr double kLongestTurn = 1.0;       // radians of the tangent in one piece
-constexpr double kLeastSine = 1e-3;        // below it, agreement is not tightened further
+constexpr double kMinSine = 1e-3;          // below it, agreement is not tightened further
 constexpr double kStraightOn = 0.9;        // cosine: tangents at a contact that agree so far
 constexpr double kKink = 1e-7;             // tangents farther apart than this: a kink
 constexpr double kCurvatureJump = 1e-6;    // relative; curvatures farther apart: tangent continuous
@@ -320,7 +320,7 @@ class Sampler {
 
   // Where surfaces touch a branch may turn back.
   bool turns_back(const Site& site) const {
-    return site.point.sine < kLeastSine &&
+    return site.point.sine < kMinSine &&
            dot(site.point.first, tracer_.at(site.station, true).first) < kStraightOn;
   }
 
@@ -427,7 +427,7 @@ class Sampler {
   const Conic* conic_;
   const WorkLimit* work_;
   std::size_t count_ = 0;
-  const std::size_t most_pieces_ = kMostPieces + kPiecesOfLink * tracer_.stations().size();
+  const std::size_t most_pieces_ = kMaxPieces + kPiecesOfLink * tracer_.stations().size();
   bool stands_still_ = false;  // the parameter, somewhere along the chain
   bool is_at_stop_ = true;     // the last site is where its link ends
   Joint last_;                 // of the links so far
@@ -453,7 +453,7 @@ Gaps gaps_at(const BezierSurface& a, const BezierSurface& b, const Vec7& x, cons
 }
 
 double relative_gap(const Gaps& gaps, const Agreement& wanted, double sine) {
-  const double between = std::max(wanted.gap * std::clamp(sine, kLeastSine, 1.0), wanted.rounding);
+  const double between = std::max(wanted.gap * std::clamp(sine, kMinSine, 1.0), wanted.rounding);
   return std::max(std::max(gaps.a, gaps.b) / wanted.gap, gaps.between / between);
 }
 

@@ -13,7 +13,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostTurning = 2 * kMaxDegree / 3;  // degree that turning_form takes
+constexpr int kMaxTurning = 2 * kMaxDegree / 3;  // degree that turning_form takes
 
 const WatertightSide& side_of_piece(const WatertightPieces& pieces, const WatertightPiece& piece,
                                     std::size_t k) {
@@ -73,7 +73,7 @@ double height_of(const BezierTriangle& triangle) {
 std::optional<PiecePlane> plane_of(const WatertightPieces& pieces, const WatertightPiece& piece,
                                    double within, double height) {
   const auto* triangle = std::get_if<BezierTriangle>(&piece.form);
-  if (!triangle || triangle->degree < 1 || triangle->degree > kMostTurning) return {};
+  if (!triangle || triangle->degree < 1 || triangle->degree > kMaxTurning) return {};
   if (height_of(*triangle) < height) return {};
   std::optional<PiecePlane> plane = plane_through(*triangle);
   if (!plane) return {};

@@ -20,19 +20,19 @@
 #include "core/regions/polynomial_surface.h"
 #include "core/regions/short_spans.h"
 #include "core/regions/triangulated_region.h"
-#include "core/watertight/closed_tips.h"
+#include "core/watertight/border_fitting.h"
 #include "core/watertight/equal_degrees.h"
+#include "core/watertight/fold_repair.h"
 #include "core/watertight/lower_degrees.h"
-#include "core/watertight/moved_sides.h"
 #include "core/watertight/paired_parameters.h"
 #include "core/watertight/piece_sides.h"
-#include "core/watertight/spared_turns.h"
+#include "core/watertight/two_triangle_vertices.h"
 
 namespace blossom {
 namespace {
 
 constexpr int kSideDegree = 5;         // of the curves that take the place of edges
-constexpr int kMostRounds = 12;        // of dividing edges until all faces agree
+constexpr int kMaxRounds = 12;         // of dividing edges until all faces agree
 constexpr double kFoldPart = 1e-3;     // of the tolerance: narrower parts of triangles may fold
 constexpr double kSurfacePart = 0.1;   // of the tolerance, for polynomials in place of surfaces
 constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees of sides
@@ -140,7 +140,7 @@ class Builder {
 
   void agree() {
     std::vector<bool> stale(model_.faces.size(), true);
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxRounds; ++round) {
       if (!make_regions(stale)) return;
       if (agree_on_stops(stale)) continue;
       make_pieces();

@@ -61,10 +61,10 @@ void require_writable(const std::filesystem::path& file) {
 
 // What a file is called when all links are followed, also one that is not there yet.
 std::filesystem::path real_name(const std::filesystem::path& file) {
-  constexpr int kMostLinks = 40;  // as many as the system follows
+  constexpr int kMaxLinks = 40;  // as many as the system follows
   std::error_code ignored;
   std::filesystem::path name = std::filesystem::absolute(file, ignored);
-  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(name, ignored); ++i)
+  for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(name, ignored); ++i)
     name = name.parent_path() / std::filesystem::read_symlink(name, ignored);
   return std::filesystem::weakly_canonical(name, ignored);
 }

@@ -22,10 +22,10 @@
 namespace blossom::bench {
 namespace {
 
-constexpr int kMostDoublings = 3;     // of parts of a side, where facets cross
+constexpr int kMaxDoublings = 3;      // of parts of a side, where facets cross
 constexpr double kDeflection = 1e-3;  // of Open CASCADE's mesh, of the diagonal, at first
 constexpr double kFiner = 0.2;        // where that is not right
-constexpr int kMostFiner = 2;
+constexpr int kMaxFiner = 2;
 constexpr double kOffFaces = 0.1;  // of their size: how far facets are from the faces they are of
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -112,7 +112,7 @@ void check_samples(const occt::WatertightShape& made, const std::vector<TopoDS_F
           box = joined(box, at(mesh.points[index(corner)]));
       crossings[faces].push_back(widened(box, kOffFaces * diagonal(box)));
     }
-    if (doubling == kMostDoublings) break;
+    if (doubling == kMaxDoublings) break;
     for (const int piece : coarse) parts_of[index(piece)] *= 2;
   }
   sort_out(pieces, crossings, given, result);
@@ -146,7 +146,7 @@ void check_occt(const occt::WatertightShape& made, const std::vector<TopoDS_Face
   for (const TopoDS_Face& face : given) builder.Add(faces, face);
   result.given = occt_mesh(faces, diagonal, kDeflection);
   result.first = result.last = occt_mesh(shape, diagonal, kDeflection);
-  for (int finer = 0; finer < kMostFiner; ++finer) {
+  for (int finer = 0; finer < kMaxFiner; ++finer) {
     const OcctMesh& mesh = result.last;
     if (mesh.meshed && mesh.check.manifold && mesh.check.self_intersections == 0) return;
     result.last = occt_mesh(shape, diagonal, kFiner * mesh.deflection);

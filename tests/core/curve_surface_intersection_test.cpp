@@ -268,17 +268,18 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomPierces, ::testing::Range(0, 50));
 
 // The parabola over a surface of degree (2, 1), above it by (t - c)^2 + gap at every t: its control
 // points by interpolation at thirds of the height along a line in the plane.
-struct Graze {
+struct CornerContact {
   BezierSurface surface;
   CurveSpans curve;
   double place;
 };
 
-Graze random_graze(testing::Random& random, double bend, double gap) {
+CornerContact random_graze(testing::Random& random, double bend, double gap) {
   const auto uniform = [&](double low, double high) { return testing::uniform(random, low, high); };
   Grid<double> z(3, 2);
   for (double& value : z.values()) value = uniform(-1, 1);
-  Graze result{height_field(2, 1, [&](int i, int j) { return z(i, j); }), {}, uniform(0.02, 0.98)};
+  CornerContact result{
+      height_field(2, 1, [&](int i, int j) { return z(i, j); }), {}, uniform(0.02, 0.98)};
   const Vec2 from{uniform(-0.2, 1.2), uniform(-0.2, 1.2)},
       to{uniform(-0.2, 1.2), uniform(-0.2, 1.2)};
   std::array<double, 4> height{};
@@ -313,12 +314,12 @@ TEST(CurveSurfaceIntersection, RandomGrazesMissTouchOrCross) {
     const double bend = testing::uniform(random, 0.3, 3) * (trial % 2 == 0 ? 1 : -1);
     const double size = std::pow(10, testing::uniform(random, -10, -2));
     for (const double gap : {size, 0.0, -size}) {
-      const Graze graze = random_graze(random, bend, bend > 0 ? gap : -gap);
+      const CornerContact corner_contact = random_graze(random, bend, bend > 0 ? gap : -gap);
       const double reach = gap < 0 ? std::sqrt(size / std::abs(bend)) : 0;
       int inside = 0;
       bool clear = true;
-      for (const double t : {graze.place - reach, graze.place + reach}) {
-        const double depth = depth_inside(graze.curve, t);
+      for (const double t : {corner_contact.place - reach, corner_contact.place + reach}) {
+        const double depth = depth_inside(corner_contact.curve, t);
         clear = clear && std::abs(depth) > 1e-2 && std::abs(t) > 1e-3 && std::abs(1 - t) > 1e-3;
         inside += depth > 0 && t > 0 && t < 1;
       }
@@ -326,11 +327,12 @@ TEST(CurveSurfaceIntersection, RandomGrazesMissTouchOrCross) {
       if (gap >= 0) inside = gap < 8e-8 ? inside / 2 : 0;
       const bool too_near = gap > 0 && gap > 3e-8 && gap < 1e-6;
       if (!clear || too_near) continue;
-      const CurveSurfaceIntersection found = intersect(graze.curve, graze.surface);
+      const CurveSurfaceIntersection found =
+          intersect(corner_contact.curve, corner_contact.surface);
       EXPECT_EQ(static_cast<int>(found.points.size()), inside)
           << "trial " << trial << " gap " << gap;
       EXPECT_EQ(found.status == Status::Complete, inside == 0 || gap < 0) << "trial " << trial;
-      expect_on_both(found, graze.curve, graze.surface);
+      expect_on_both(found, corner_contact.curve, corner_contact.surface);
     }
   }
 }

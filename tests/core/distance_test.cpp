@@ -52,7 +52,7 @@ TEST(LeastDistance, OfPointsIsTheirs) {
 }
 
 TEST(LeastDistance, OfAPointAndASegmentIsTakenInsideOrAtAnEnd) {
-  const MeasuredSet line = measured(segment({0, 0, 0}, {4, 0, 0}));
+  const DistanceOperand line = measured(segment({0, 0, 0}, {4, 0, 0}));
   const DistanceResult inside = least_distance(measured(Vec3{1, 2, 0}), line);
   expect_distance(inside, 2);
   EXPECT_EQ(inside.b.kind, DistanceEnd::Kind::Curve);
@@ -70,7 +70,7 @@ TEST(LeastDistance, OfSkewSegmentsIsThatOfTheirCommonNormal) {
 
 TEST(LeastDistance, ToASphereIsKnown) {
   auto random = seeded(3);
-  const MeasuredSet sphere = measured(testing::unit_sphere());
+  const DistanceOperand sphere = measured(testing::unit_sphere());
   for (int i = 0; i < 50; ++i) {
     const Vec3 point = 3 * random_point(random);
     expect_distance(least_distance(measured(point), sphere), std::abs(norm(point) - 1));
@@ -87,7 +87,7 @@ TEST(LeastDistance, FromTheCentreOfASphereIsItsRadius) {
 }
 
 TEST(LeastDistance, OfTwoSpheresIsKnown) {
-  const MeasuredSet sphere = measured(testing::unit_sphere());
+  const DistanceOperand sphere = measured(testing::unit_sphere());
   for (const Vec3& by : {Vec3{3, 0.1, -0.2}, Vec3{1.2, 1.5, 1.7}, Vec3{0.4, 0.3, 5}})
     expect_distance(least_distance(sphere, measured(moved(testing::unit_sphere(), by))),
                     norm(by) - 2);
@@ -170,7 +170,7 @@ TEST(LeastDistance, FindsTheKinkBetweenLegsThatAreParallelByDifferentNumbers) {
 TEST(LeastDistance, TakesLinesBetweenPartsOfOneBallForSmooth) {
   // Only what is higher than 1/2 is there. Below, cells on the meridians between quarters are
   // nearer.
-  MeasuredSet cap{{}, {}, {testing::unit_sphere()}};
+  DistanceOperand cap{{}, {}, {testing::unit_sphere()}};
   const double latitude = std::numbers::pi / 6;
   for (int i = 0; i < 4; ++i) {
     const RationalBezierPatch& quarter = cap.surfaces[0].patches(i, 1);
@@ -208,8 +208,8 @@ TEST(LeastDistance, OfSurfacesThatCrossIsZero) {
 }
 
 TEST(LeastDistance, StopsWhenItsSideOfALimitIsKnown) {
-  const MeasuredSet sphere = measured(testing::unit_sphere());
-  const MeasuredSet other = measured(moved(testing::unit_sphere(), {3, 0, 0}));
+  const DistanceOperand sphere = measured(testing::unit_sphere());
+  const DistanceOperand other = measured(moved(testing::unit_sphere(), {3, 0, 0}));
   const DistanceResult above = least_distance(sphere, other, {.enough = 0.5});
   EXPECT_GT(above.lower, 0.5);
   EXPECT_LE(above.lower, 1);
@@ -229,8 +229,8 @@ TEST(LeastDistance, KeepsItsBoundsWhenTheBudgetIsSpent) {
 }
 
 TEST(LeastDistance, KeepsItsBoundsWhenTheTimeIsSpentOrItIsCancelled) {
-  const MeasuredSet a = measured(testing::unit_sphere());
-  const MeasuredSet b = measured(Vec3{3, 0.2, 0.1});
+  const DistanceOperand a = measured(testing::unit_sphere());
+  const DistanceOperand b = measured(Vec3{3, 0.2, 0.1});
   const double expected = norm(Vec3{3, 0.2, 0.1}) - 1;
   const auto expect_stopped = [&](const DistanceOptions& options) {
     const DistanceResult found = least_distance(a, b, options);
@@ -243,8 +243,8 @@ TEST(LeastDistance, KeepsItsBoundsWhenTheTimeIsSpentOrItIsCancelled) {
 }
 
 TEST(LeastDistance, OfBallsAboutOneCentreIsKnownAtOnce) {
-  const MeasuredSet inner = measured(testing::unit_sphere());
-  const MeasuredSet outer = measured(testing::revolved_circle(0, 2, -std::numbers::pi / 2, 2));
+  const DistanceOperand inner = measured(testing::unit_sphere());
+  const DistanceOperand outer = measured(testing::revolved_circle(0, 2, -std::numbers::pi / 2, 2));
   for (const bool turned : {false, true}) {
     const DistanceResult found =
         turned ? least_distance(outer, inner) : least_distance(inner, outer);
@@ -274,7 +274,7 @@ BezierSurface tube(double radius, double low, double high) {
 }
 
 TEST(LeastDistance, OfTubesAboutOneAxisIsKnownAtOnce) {
-  const MeasuredSet shaft = measured(tube(1, -1, 2)), bore = measured(tube(1.25, 0, 3));
+  const DistanceOperand shaft = measured(tube(1, -1, 2)), bore = measured(tube(1.25, 0, 3));
   const DistanceResult found = least_distance(shaft, bore);
   expect_distance(found, 0.25);
   EXPECT_LE(found.pairs, 10'000);
@@ -284,8 +284,8 @@ TEST(LeastDistance, OfTubesAboutOneAxisIsKnownAtOnce) {
 }
 
 TEST(LeastDistance, OfTubesAboutOneCircleIsKnownAtOnce) {
-  const MeasuredSet core = measured(testing::torus(2, 0.25)),
-                    pipe = measured(testing::torus(2, 0.5));
+  const DistanceOperand core = measured(testing::torus(2, 0.25)),
+                        pipe = measured(testing::torus(2, 0.5));
   for (const bool turned : {false, true}) {
     const DistanceResult found = turned ? least_distance(pipe, core) : least_distance(core, pipe);
     expect_distance(found, 0.25);
@@ -315,7 +315,7 @@ TEST(LeastDistance, EndsWhereTheSurfaceGoesOnAlmostAsNearBeyondItsTrims) {
         for (int x = 0; x < 3; ++x) q[x] += part * c[k] * p[x];
         q[3] += part * p[3];
       }
-  MeasuredSet part{{}, {}, {one_patch(whole)}};
+  DistanceOperand part{{}, {}, {one_patch(whole)}};
   const Grid<Vec4> rest = sub_patch(whole, {0, 1}, {cut, 1}).points;
   part.curves = {RationalBezierCurve{{rest(0, 0), rest(1, 0), rest(2, 0)}}};
   part.trims = [cut](int, const Vec2& low, const Vec2& high) {
@@ -328,7 +328,8 @@ TEST(LeastDistance, EndsWhereTheSurfaceGoesOnAlmostAsNearBeyondItsTrims) {
 
 TEST(LeastDistance, LeavesOutWhatIsTrimmedAway) {
   // Of the square only x > 1/2 is there; its cut border is no part of this set.
-  MeasuredSet part = measured(testing::quadrilateral({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}));
+  DistanceOperand part =
+      measured(testing::quadrilateral({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}));
   part.points.clear();
   part.curves = {segment({0.5, 0, 0}, {0.5, 1, 0})};
   part.trims = [](int, const Vec2& low, const Vec2& high) {
@@ -340,7 +341,7 @@ TEST(LeastDistance, LeavesOutWhatIsTrimmedAway) {
 
 TEST(LeastDistance, EndsForPointsHardlyOffASurface) {
   // Far from the origin, so that roundings of coordinates are larger than the distance.
-  const MeasuredSet sphere = measured(moved(testing::unit_sphere(), {20, 10, 5}));
+  const DistanceOperand sphere = measured(moved(testing::unit_sphere(), {20, 10, 5}));
   const Vec3 normal = unit(Vec3{1, 2, 3});
   for (const double off : {0.0, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3}) {
     const Vec3 point = Vec3{20, 10, 5} + (1 + off) * normal;
@@ -353,7 +354,7 @@ TEST(LeastDistance, EndsForPointsHardlyOffASurface) {
 }
 
 TEST(LeastDistance, EndsForPointsNearTheCentreOfASphere) {
-  const MeasuredSet sphere = measured(testing::unit_sphere());
+  const DistanceOperand sphere = measured(testing::unit_sphere());
   for (const double off : {1e-14, 1e-11, 1e-8, 1e-5, 1e-3}) {
     const DistanceResult found = least_distance(measured(off * unit(Vec3{1, 2, 3})), sphere);
     EXPECT_EQ(found.status, Status::Complete) << off;
@@ -374,7 +375,7 @@ TEST(LeastDistance, OfConvexPartsNeedsFewPairs) {
 TEST(LeastDistance, MakesOnlyPartsThatMatter) {
   // Short segments in two rows, one behind the other.
   const auto row = [](double x, std::vector<int>& made) {
-    MeasuredParts parts;
+    OperandParts parts;
     for (int i = 0; i < 12; ++i) {
       const Vec3 start{x + i, 0, 0};
       parts.hulls.push_back({{start, start + Vec3{0.01, 0, 0}}, 0});
@@ -404,17 +405,17 @@ TEST(ProvenToCross, IsNothingThatIsApproximated) {
     }
   BezierSurface exact = one_patch(wall), fitted = exact;
   fitted.error = 1e-3;
-  const PreparedSet ground(MeasuredSet{{}, {}, {one_patch(floor)}});
+  const PreparedSet ground(DistanceOperand{{}, {}, {one_patch(floor)}});
   const auto crosses = [&](const BezierSurface& other) {
-    return proven_to_cross(ground, 0, PreparedSet(MeasuredSet{{}, {}, {other}}), 0, {0.3, 0.5, 0},
-                           1e-6);
+    return proven_to_cross(ground, 0, PreparedSet(DistanceOperand{{}, {}, {other}}), 0,
+                           {0.3, 0.5, 0}, 1e-6);
   };
   EXPECT_TRUE(crosses(exact));
   EXPECT_FALSE(crosses(fitted));
 }
 
 TEST(LeastDistance, RefusesWhatIsNotThere) {
-  const MeasuredSet point = measured(Vec3{0, 0, 0});
+  const DistanceOperand point = measured(Vec3{0, 0, 0});
   EXPECT_THROW(least_distance({}, point), InvalidInput);
   EXPECT_THROW(least_distance(point, measured(Vec3{0, std::nan(""), 0})), InvalidInput);
   EXPECT_THROW(measured(RationalBezierCurve{}), InvalidInput);
@@ -434,7 +435,7 @@ TEST_P(LeastDistanceProperty, IsNeverMoreThanThatOfSamples) {
   };
   const RationalBezierPatch a = net({0, 0, 0}, 1 + GetParam() % 3);
   const RationalBezierPatch b = net({uniform(random, 1, 3), 0.5, 0}, 1);
-  const MeasuredSet set_a = measured(one_patch(a)), set_b = measured(one_patch(b));
+  const DistanceOperand set_a = measured(one_patch(a)), set_b = measured(one_patch(b));
 
   const DistanceResult found = least_distance(set_a, set_b), turned = least_distance(set_b, set_a);
 

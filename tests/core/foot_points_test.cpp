@@ -22,7 +22,7 @@ using testing::uniform;
 
 constexpr double kTolerance = 1e-7;
 
-MeasuredSet only(const BezierSurface& surface) { return {{}, {}, {surface}}; }
+DistanceOperand only(const BezierSurface& surface) { return {{}, {}, {surface}}; }
 
 TEST(FootPoints, ThatThereWasNoTimeForMayBeAnywhereOnTheirSurface) {
   const std::function<bool()> always = [] { return true; };
@@ -68,7 +68,7 @@ TEST(FootPoints, OnATorusAreFour) {
 
 TEST(FootPoints, OnACurveAreWhereTheLineIsAcrossIt) {
   // y = x^2 for x in [-1, 1]; from (0, 2) the feet have x = 0 and x = +-sqrt(3/2), outside.
-  MeasuredSet parabola;
+  DistanceOperand parabola;
   parabola.curves = {{{{-1, 1, 0, 1}, {0, -1, 0, 1}, {1, 1, 0, 1}}}};
   ASSERT_EQ(foot_points(parabola, {0, 2, 0}, kTolerance).size(), 1u);
   const std::vector<FootPoint> feet = foot_points(parabola, {0, 1, 0}, kTolerance);
@@ -92,7 +92,7 @@ TEST(FootPoints, FromTheCentreOfASphereAreNotDecided) {
 }
 
 TEST(FootPoints, OutsideOfTrimsAreLeftOut) {
-  MeasuredSet half = only(testing::unit_sphere());
+  DistanceOperand half = only(testing::unit_sphere());
   half.trims = [](int, const Vec2& low, const Vec2& high) {
     return high[1] < 0 ? TrimSide::Outside : low[1] > 0 ? TrimSide::Inside : TrimSide::Mixed;
   };
@@ -100,7 +100,7 @@ TEST(FootPoints, OutsideOfTrimsAreLeftOut) {
 }
 
 TEST(FootPoints, RefusesWhatMakesNoSense) {
-  const MeasuredSet sphere = only(testing::unit_sphere());
+  const DistanceOperand sphere = only(testing::unit_sphere());
   EXPECT_THROW(foot_points(sphere, {0, std::nan(""), 0}, kTolerance), InvalidInput);
   EXPECT_THROW(foot_points(sphere, {0, 0, 0}, 0), InvalidInput);
 }

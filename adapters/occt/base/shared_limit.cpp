@@ -7,11 +7,11 @@
 namespace blossom::occt {
 
 IntersectionOptions SharedLimit::remaining() const {
-  constexpr double kLeastSeconds = 1e-3;
+  constexpr double kMinSeconds = 1e-3;
   IntersectionOptions left = options_;
   left.threads = 0;
   if (options_.time_limit > 0)
-    left.time_limit = std::max(kLeastSeconds, options_.time_limit - seconds());
+    left.time_limit = std::max(kMinSeconds, options_.time_limit - seconds());
   if (options_.cancelled)
     left.cancelled = [this] {
       const std::lock_guard lock(asking_);

@@ -15,7 +15,7 @@
 #include "adapters/occt/faces/edge_contacts.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/run_curves.h"
-#include "adapters/occt/faces/surface_feet.h"
+#include "adapters/occt/faces/surface_projector.h"
 #include "core/bounds/box_tree.h"
 
 namespace blossom::occt {
@@ -144,7 +144,7 @@ class OneSurface {
   // Whether both faces have a point in common as far from a given one: then a region is there, even
   // if its border is not, as round a pole. A seam lies along one or two of the directions at most.
   bool are_both_beside(const Vec3& point, double reach) const {
-    const SurfaceFeet on_a(a_, tolerance_), on_b(b_, tolerance_);
+    const SurfaceProjector on_a(a_, tolerance_), on_b(b_, tolerance_);
     const FaceTrims trims_a = face_trims(a_), trims_b = face_trims(b_);
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3 to_corner{corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0,

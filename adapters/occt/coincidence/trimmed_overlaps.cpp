@@ -114,7 +114,7 @@ std::vector<SurfacePoint> boundary_of(const FaceTrims& trims, const Handle(Geom_
   return joined_loops(loops);
 }
 
-double largest_gap(const std::vector<SurfacePoint>& boundary, const SurfaceFeet& on_b) {
+double largest_gap(const std::vector<SurfacePoint>& boundary, const SurfaceProjector& on_b) {
   double largest = 0;
   for (const SurfacePoint& x : boundary) largest = std::max(largest, on_b.gap(x.point, x.uv_b));
   return largest;
@@ -126,7 +126,7 @@ TrimmedOverlaps clipped(const TopoDS_Face& a, const TopoDS_Face& b,
   // Splitting writes tolerances of vertices; other pairs of faces may be at work on them.
   const TopoDS_Face cut_face = TopoDS::Face(
       BRepBuilderAPI_Copy(a.Oriented(TopAbs_FORWARD), Standard_False, Standard_False).Shape());
-  const SurfaceFeet on_a(cut_face, tolerance, &limit), on_b(b, tolerance, &limit);
+  const SurfaceProjector on_a(cut_face, tolerance, &limit), on_b(b, tolerance, &limit);
   const FaceTrims trims_a = face_trims(cut_face), trims_b = face_trims(b);
   double gap = 0;
   for (const Overlap& region : whole) gap = std::max(gap, region.gap_high);

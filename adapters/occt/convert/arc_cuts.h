@@ -6,8 +6,8 @@
 namespace blossom::occt {
 
 enum class ArcCuts {
-  Even,    ///< into as many equal spans as are at most quarters of a turn
-  Uneven,  ///< a little off those places, to which symmetric shapes are often tangent
+  Even,     ///< into as many equal spans as are at most quarters of a turn
+  Shifted,  ///< a little off those places, to which symmetric shapes are often tangent
 };
 
 }  // namespace blossom::occt

@@ -158,7 +158,7 @@ std::vector<ArcSpan> arc_spans(const Interval& angles, ArcCuts cuts) {
   const int count = std::max(1, static_cast<int>(std::ceil(size / (turn / 4) - 1e-9)));
   const bool whole = std::abs(size - turn) <= 1e-12 * turn;
   std::vector<ArcSpan> spans;
-  const double off = cuts == ArcCuts::Uneven ? kOffEven * (size / count) : 0;
+  const double off = cuts == ArcCuts::Shifted ? kOffEven * (size / count) : 0;
   const auto start = [&](int i) {
     return i == 0 ? angles.from : angles.from + i * (size / count) + off;
   };

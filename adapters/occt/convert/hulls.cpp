@@ -336,7 +336,7 @@ bool has_end(const std::vector<Vec3>& hull) {
          std::all_of(hull.begin(), hull.end(), [](const Vec3& p) { return norm(p) < kEndless; });
 }
 
-PartHull placed_hull(std::vector<Vec3> hull, const gp_Trsf& place) {
+HullBound placed_hull(std::vector<Vec3> hull, const gp_Trsf& place) {
   if (place.Form() != gp_Identity) move_points(place, 0, hull);
   Box box;
   for (const Vec3& p : hull) box = joined(box, {p, p});

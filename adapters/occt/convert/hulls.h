@@ -30,6 +30,6 @@ bool add_hull(const TopoDS_Face& face, std::vector<Vec3>& hull);
 bool has_end(const std::vector<Vec3>& hull);
 
 /// The points where they are placed, with a margin for roundings.
-PartHull placed_hull(std::vector<Vec3> hull, const gp_Trsf& place);
+HullBound placed_hull(std::vector<Vec3> hull, const gp_Trsf& place);
 
 }  // namespace blossom::occt

@@ -23,7 +23,7 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kRelativeError = 1e-9;
-constexpr int kMostSpans = 400;
+constexpr int kMaxSpans = 400;
 
 Vec2 vec(const gp_Pnt2d& p) { return {p.X(), p.Y()}; }
 
@@ -84,7 +84,7 @@ PlanarCurve approximated(const Handle(Geom2d_Curve) & curve, const Interval& ran
   const double size = curve->Value(range.from).Distance(curve->Value(range.to)) +
                       curve->Value(range.from).Distance(curve->Value(at(range, 0.5)));
   Geom2dConvert_ApproxCurve convert(trimmed, kRelativeError * std::max(size, 1e-6), GeomAbs_C1,
-                                    kMostSpans, 8);
+                                    kMaxSpans, 8);
   if (!convert.HasResult())
     throw BadModel(std::string("a parametric curve of type ") + curve->DynamicType()->Name() +
                    " cannot be converted");

@@ -205,8 +205,8 @@ class TemporaryFile {
 
   /// Gives the file a name of its own if it has none: a link cannot replace the target at once.
   bool has_name() {
-    constexpr int kMostNames = 100;  // tried until one is free
-    for (int i = 0; i < kMostNames && name_.empty(); ++i) {
+    constexpr int kMaxNames = 100;  // tried until one is free
+    for (int i = 0; i < kMaxNames && name_.empty(); ++i) {
       const std::string name = beside(std::to_string(::getpid()) + "-" + std::to_string(i));
       if (::linkat(AT_FDCWD, self().c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
         name_ = name;

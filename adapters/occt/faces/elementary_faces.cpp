@@ -22,7 +22,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kLeastSine = 1e-4;    // of planes that cross: the line is known to 1e4 roundings
+constexpr double kMinSine = 1e-4;      // of planes that cross: the line is known to 1e4 roundings
 constexpr double kRounding = 0x1p-48;  // of the coordinates
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
@@ -136,7 +136,7 @@ std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface)
              nb = vec(plane_b->Axis().Direction().XYZ());
   const Vec3 along = cross(na, nb);
   const double sine = norm(along);
-  if (sine < kLeastSine) return {};
+  if (sine < kMinSine) return {};
   // The point of the line next to the middle of the box, which keeps the digits.
   const Vec3 middle = 0.5 * (box.low + box.high);
   const double off_a = dot(vec(plane_a->Location().XYZ()) - middle, na);

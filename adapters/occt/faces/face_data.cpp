@@ -24,10 +24,10 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kLeastEdgeTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
-constexpr double kEdgeMargin = 1.1;           // of the edge's tolerance over the deviation
-constexpr double kBeyondTrims = 1e-3;         // of the box of the trims, on every side
-constexpr double kSamePoint = 1e-6;           // contacts as near as this are one, model units
+constexpr double kMinEdgeTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
+constexpr double kEdgeMargin = 1.1;         // of the edge's tolerance over the deviation
+constexpr double kBeyondTrims = 1e-3;       // of the box of the trims, on every side
+constexpr double kSamePoint = 1e-6;         // contacts as near as this are one, model units
 
 Interval wider(const Interval& side, const Interval& natural, double period) {
   double margin = kBeyondTrims * length(side);
@@ -68,7 +68,7 @@ BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double toleranc
                          FaceTrims& trims) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   ParameterBox box = box_of(face, trims);
-  if ((!trims.natural || extent == Extent::Beyond) && goes_on(GeomAdaptor_Surface(surface))) {
+  if ((!trims.natural || extent == Extent::Extended) && goes_on(GeomAdaptor_Surface(surface))) {
     const ParameterBox own = box;
     Interval u, v;
     surface->Bounds(u.from, u.to, v.from, v.to);
@@ -83,7 +83,7 @@ BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double toleranc
 }
 
 double edge_tolerance(const Deviation& d) {
-  return std::max(kLeastEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}));
+  return std::max(kMinEdgeTolerance, kEdgeMargin * std::max({d.a, d.b, d.between}));
 }
 
 SurfacePoint point_of(const IntersectionCurve& curve, double t) {

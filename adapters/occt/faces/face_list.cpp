@@ -43,15 +43,15 @@ bool has_hull(const TopoDS_Face& face, std::vector<Vec3>& points) {
 }
 
 // Without points if nothing is known before the face is converted.
-PartHull hull_of(const TopoDS_Face& face, double tolerance) {
+HullBound hull_of(const TopoDS_Face& face, double tolerance) {
   std::vector<Vec3> points;
   if (!has_hull(face, points)) return {};
-  PartHull hull = placed_hull(std::move(points), face.Location().Transformation());
+  HullBound hull = placed_hull(std::move(points), face.Location().Transformation());
   hull.margin += kReach * (tolerance + largest_edge_tolerance(face));
   return hull;
 }
 
-Box box_of(const PartHull& hull) {
+Box box_of(const HullBound& hull) {
   Box box;
   for (const Vec3& p : hull.points) box = joined(box, {p, p});
   return widened(box, hull.margin);
@@ -95,7 +95,7 @@ FaceList::~FaceList() {
 }
 
 BezierSurface FaceList::unevenly_cut(std::size_t i) const {
-  return face_data(faces_[i], tolerance_, extent_, ArcCuts::Uneven).surface;
+  return face_data(faces_[i], tolerance_, extent_, ArcCuts::Shifted).surface;
 }
 
 void FaceList::convert(const std::vector<char>& wanted) {

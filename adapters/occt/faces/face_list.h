@@ -33,7 +33,7 @@ class FaceList {
   const TopoDS_Face& face(std::size_t i) const { return faces_[i]; }
 
   /// Holds what the trims leave of a face, its tolerance included.
-  const PartHull& hull(std::size_t i) const { return hulls_[i]; }
+  const HullBound& hull(std::size_t i) const { return hulls_[i]; }
   /// Of the hulls.
   const std::vector<Box>& boxes() const { return boxes_; }
 
@@ -53,7 +53,7 @@ class FaceList {
   double tolerance_;
   Extent extent_;
   ArcCuts cuts_;
-  std::vector<PartHull> hulls_;
+  std::vector<HullBound> hulls_;
   std::vector<Box> boxes_;
   std::vector<FaceData> data_;
   std::vector<char> converted_;

@@ -26,7 +26,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr int kMostHalvings = 6;    // of a wire's span, to see whether it meets a rectangle
+constexpr int kMaxHalvings = 6;     // of a wire's span, to see whether it meets a rectangle
 constexpr int kPointHalvings = 24;  // likewise a point: pieces are about as long as kOnBorder then
 
 Coedge coedge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
@@ -254,7 +254,7 @@ bool may_cross(const PlanarBox& box, const Vec2& point) {
 
 // What lies within an edge's tolerance of its wire, or in a gap between coedges, is on the wire.
 PartSide side_of(const FaceTrims& trims, const PlanarBox& box) {
-  const int halvings = box.low == box.high ? kPointHalvings : kMostHalvings;
+  const int halvings = box.low == box.high ? kPointHalvings : kMaxHalvings;
   if (coedge_near(trims, box, kOnBorder + trims.largest_gap, halvings) != nullptr)
     return PartSide::Mixed;
   return is_inside(trims, 0.5 * (box.low + box.high)) ? PartSide::Inside : PartSide::Outside;

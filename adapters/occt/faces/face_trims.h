@@ -88,7 +88,7 @@ struct ClippedCurve {
 
 /// What touches a wire with a radius of curvature r keeps within a tolerance t for sqrt(8 r t).
 /// What does so longer than this runs along the wire.
-double longest_touch(const FaceTrims& trims, double tolerance);
+double tangency_length(const FaceTrims& trims, double tolerance);
 
 /// Clips a curve in chart coordinates, where it lies (no periods are added).
 /// tolerance   distance that counts as meeting, chart coordinates

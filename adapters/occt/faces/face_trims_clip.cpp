@@ -84,7 +84,7 @@ std::vector<char> along_wires(const FaceTrims& trims, const PlanarCurve& curve,
                 distance(middle, point_at(curve, piece.to));
       tolerance = std::max(tolerance, *kept);
     }
-    const bool is_long = length > longest_touch(trims, tolerance);
+    const bool is_long = length > tangency_length(trims, tolerance);
     for (std::size_t k = i; k < next; ++k) along[k] = is_long;
   }
   for (std::size_t i = 0; i < pieces; ++i)
@@ -182,7 +182,7 @@ std::optional<double> one_touch_at(const FaceTrims& trims, const PlanarCurve& cu
   const Vec2 middle = point_at(curve, half_way);
   const double length =
       distance(point_at(curve, a.at), middle) + distance(middle, point_at(curve, b.at));
-  if (length <= tolerance || length > longest_touch(trims, tolerance)) return {};
+  if (length <= tolerance || length > tangency_length(trims, tolerance)) return {};
   const bool keeps = std::all_of(kBetween.begin(), kBetween.end(), [&](double t) {
     const Vec2 point = point_at(curve, at(Interval{a.at, b.at}, t));
     return nearest(of_a.curve, point).distance <= tolerance ||
@@ -234,7 +234,7 @@ void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
   for (Interval& part : inside) {
     const Vec2 middle = point_at(curve, at(part, 0.5));
     if (distance(point_at(curve, part.from), middle) + distance(middle, point_at(curve, part.to)) >
-        longest_touch(trims, kOnBorder))
+        tangency_length(trims, kOnBorder))
       continue;
     const bool touches = [&] {
       for (const double t : {0.5, 0.25, 0.75})
@@ -337,7 +337,7 @@ double distance_to_wires(const FaceTrims& trims, const Vec2& point) {
 
 }  // namespace
 
-double longest_touch(const FaceTrims& trims, double tolerance) {
+double tangency_length(const FaceTrims& trims, double tolerance) {
   return 4 * std::sqrt(tolerance * norm(trims.box.high - trims.box.low));
 }
 

@@ -30,13 +30,13 @@ namespace {
 
 constexpr double kCut = 0.4865;       // cells are halved off their middle, as in every search
 constexpr int kDeepest = 60;          // halvings of a patch
-constexpr long kMostPairs = 30'000;   // of cells, for each pair of patches
+constexpr long kMaxPairs = 30'000;    // of cells, for each pair of patches
 constexpr double kReach = 4;          // tolerances: what is so near an edge or a vertex is it
 constexpr double kPast = 0.1;         // of a cell: so far beside it an edge is known, if it goes on
-constexpr int kMostHalvings = 40;     // of a span of a wire, to see whether it meets a cell
+constexpr int kMaxHalvings = 40;      // of a span of a wire, to see whether it meets a cell
 constexpr double kTooSmall = 0x1p-8;  // of a cell: so small pieces of a wire beside it may meet it
 constexpr double kFootPiece = 0x1p-8;  // of a wire, in which its point nearest to a cell is sought
-constexpr double kLeastPiece = 0x1p-40;  // of a span, likewise
+constexpr double kMinPiece = 0x1p-40;  // of a span, likewise
 constexpr int kNewtonSteps = 8;
 constexpr double kFar = 4;  // cells: what is so far from an edge has to be apart without it
 constexpr int kBisections = 60;
@@ -74,7 +74,7 @@ bool meets(const Coedge& edge, const Interval& range, const PlanarBox& box) {
     if (!(common.from < common.to) || apart(edge.boxes[i], box)) continue;
     const Interval local{local_parameter(span.law, span.place, common.from),
                          local_parameter(span.law, span.place, common.to)};
-    if (meets(bezier_piece(span.curve, local), box, kMostHalvings)) return true;
+    if (meets(bezier_piece(span.curve, local), box, kMaxHalvings)) return true;
   }
   return false;
 }
@@ -131,7 +131,7 @@ double foot_on(const Coedge& edge, const Vec2& target) {
     pieces.pop();
     const PlanarSpan& span = edge.curve.spans[piece.span];
     const double middle = 0.5 * (piece.local.from + piece.local.to);
-    if (piece.size <= kFootPiece * largest || length(piece.local) < kLeastPiece)
+    if (piece.size <= kFootPiece * largest || length(piece.local) < kMinPiece)
       return improved_foot(edge.curve, target, parameter_at(span.law, span.place, middle));
     for (const Interval& half :
          {Interval{piece.local.from, middle}, Interval{middle, piece.local.to}})
@@ -226,7 +226,7 @@ class CellsOfFace {
     if (cell.part != PartSide::Mixed) return cell.part == PartSide::Outside;
     const PlanarBox box = chart_box(patch, cell);
     return !meets_gap(box) &&
-           coedge_near(data_.trims, box, 0, kMostHalvings, Wires::AsTheyAre) == nullptr &&
+           coedge_near(data_.trims, box, 0, kMaxHalvings, Wires::AsTheyAre) == nullptr &&
            !is_inside(data_.trims, 0.5 * (box.low + box.high));
   }
 
@@ -347,7 +347,7 @@ class CellsOfFace {
   // Whether all of the cell that counts is on the face's side of the stretch.
   bool is_beside(const Coedge& edge, const Stretch& stretch, const PlanarBox& box) const {
     const Interval domain = edge.curve.domain();
-    if (coedge_near(data_.trims, box, 0, kMostHalvings, Wires::AsTheyAre, &edge) != nullptr ||
+    if (coedge_near(data_.trims, box, 0, kMaxHalvings, Wires::AsTheyAre, &edge) != nullptr ||
         meets(edge, {domain.from, stretch.range.from}, box) ||
         meets(edge, {stretch.range.to, domain.to}, box))
       return false;
@@ -473,7 +473,7 @@ class Proof {
 
  private:
   bool holds(int patch_a, int cell_a, int patch_b, int cell_b) {
-    if (++pairs_ > kMostPairs || (pairs_ % 64 == 0 && limit_.reached() != nullptr)) return false;
+    if (++pairs_ > kMaxPairs || (pairs_ % 64 == 0 && limit_.reached() != nullptr)) return false;
     CellTree &tree_a = a_.cells().tree(patch_a), &tree_b = b_.cells().tree(patch_b);
     const Cell a = tree_a[cell_a], b = tree_b[cell_b];
     if (are_apart(tree_a, a, tree_b, b) ||

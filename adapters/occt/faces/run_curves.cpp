@@ -14,14 +14,14 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/convert/curves.h"
-#include "adapters/occt/faces/surface_feet.h"
+#include "adapters/occt/faces/surface_projector.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr double kFitShare = 0.1;  // of the tolerance
-constexpr int kMostPieces = 1024;
-constexpr int kLeastPieces = 16;  // of a curve that is not straight
+constexpr int kMaxPieces = 1024;
+constexpr int kMinPieces = 16;    // of a curve that is not straight
 constexpr double kInside = 1e-3;  // of a run: a place on it near its start
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
@@ -92,7 +92,7 @@ class RunOnFaces {
   }
 
  private:
-  SurfaceFeet on_a_, on_b_;
+  SurfaceProjector on_a_, on_b_;
   Handle(Geom_Curve) curve_;
   const OutlineRun& run_;
 };
@@ -163,7 +163,7 @@ IntersectionCurve run_curve(const OutlineRun& run, const TopoDS_Face& a, const T
   const std::optional<Conic> conic = conic_of(curve_of(run.a.edge));
   const bool straight = conic && conic->kind == ConicKind::Line;
   IntersectionCurve curve;
-  for (int pieces = straight ? 1 : kLeastPieces; pieces <= kMostPieces; pieces *= 2) {
+  for (int pieces = straight ? 1 : kMinPieces; pieces <= kMaxPieces; pieces *= 2) {
     curve = hermite_curve(on_faces.jets(pieces), run.at_a);
     curve.conic = conic;
     measure(on_faces, curve);

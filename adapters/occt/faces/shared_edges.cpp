@@ -20,8 +20,8 @@
 namespace blossom::occt {
 namespace {
 
-constexpr int kLeastPieces = 48;
-constexpr int kMostPieces = 1024;
+constexpr int kMinPieces = 48;
+constexpr int kMaxPieces = 1024;
 constexpr double kFitShare = 0.25;        // of the edge's tolerance, left to the curves' fit
 constexpr double kTangentialSine = 1e-3;  // below it all along, the faces touch
 
@@ -158,14 +158,14 @@ void measure(const EdgeOnFaces& edge, IntersectionCurve& curve) {
 
 // More pieces until the fit adds little to what the edge itself is off by.
 IntersectionCurve curve_of(const EdgeOnFaces& edge, double tolerance) {
-  for (int pieces = kLeastPieces;; pieces *= 2) {
+  for (int pieces = kMinPieces;; pieces *= 2) {
     IntersectionCurve curve = hermite_curve(edge, pieces);
     double off = 0;
     for (int i = 0; i < pieces; ++i) {
       const double t = at(edge.range(), (i + 0.5) / pieces);
       off = std::max(off, distance(point_at(curve.curve, t), edge.at(t).point));
     }
-    if (off > kFitShare * tolerance && pieces < kMostPieces) continue;
+    if (off > kFitShare * tolerance && pieces < kMaxPieces) continue;
     measure(edge, curve);
     return curve;
   }

@@ -22,12 +22,12 @@ namespace {
 
 // |sin| of the angle between ray and surface. Below it, a hit is left to others; above, what is off
 // the surface by some distance is off the hit by less than a thousand times that.
-constexpr double kLeastSine = 1e-3;
+constexpr double kMinSine = 1e-3;
 // In tolerances of wires and points: hits are known within one, and so are wires; chart lengths of
 // cylinders are right to a factor of 1.42.
 constexpr double kReach = 2;
 // How many times shorter than in the chart a length on the surface may be; more so near poles.
-constexpr double kMostStretch = 4;
+constexpr double kMaxStretch = 4;
 constexpr int kHalvings = 24;  // of wires, as for points in face_trims.cpp
 // Of the coefficients of a quartic, whose sums have some twenty roundings.
 constexpr double kQuarticRounding = 1e-14;
@@ -57,7 +57,7 @@ struct LocalLine {
 };
 
 Roots plane_roots(const LocalLine& line) {
-  if (std::abs(line.direction[2]) < kLeastSine) return {};
+  if (std::abs(line.direction[2]) < kMinSine) return {};
   return std::vector{line.parameter(-line.point[2] / line.direction[2])};
 }
 
@@ -65,9 +65,9 @@ Roots plane_roots(const LocalLine& line) {
 // per_length   of the image, by the line's
 Roots circle_roots(const LocalLine& line, double middle, double distance, double radius,
                    double per_length) {
-  if (distance > (1 + kLeastSine) * radius) return std::vector<double>{};
+  if (distance > (1 + kMinSine) * radius) return std::vector<double>{};
   const double half = std::sqrt(std::max(0.0, (radius - distance) * (radius + distance)));
-  if (half * per_length < kLeastSine * radius) return {};
+  if (half * per_length < kMinSine * radius) return {};
   return std::vector{line.parameter(middle - half / per_length),
                      line.parameter(middle + half / per_length)};
 }
@@ -75,7 +75,7 @@ Roots circle_roots(const LocalLine& line, double middle, double distance, double
 Roots cylinder_roots(const LocalLine& line, double radius) {
   const Vec2 p{line.point[0], line.point[1]}, d{line.direction[0], line.direction[1]};
   const double square = dot(d, d);
-  if (square < kLeastSine * kLeastSine) return {};
+  if (square < kMinSine * kMinSine) return {};
   const double per_length = std::sqrt(square);
   return circle_roots(line, -dot(p, d) / square, std::abs(cross(p, d)) / per_length, radius,
                       per_length);
@@ -87,8 +87,8 @@ Roots sphere_roots(const LocalLine& line, double radius) {
 
 // (x^2 + R^2 - r^2)^2 = 4 R^2 (x_0^2 + x_1^2), where |x| <= R + r: that is the unit here.
 Roots torus_roots(const LocalLine& line, double major, double minor) {
-  const double size = (1 + kLeastSine) * (major + minor), nearest = norm(line.point) / size;
-  if (minor > (1 - kLeastSine) * major) return {};  // it touches or meets itself
+  const double size = (1 + kMinSine) * (major + minor), nearest = norm(line.point) / size;
+  if (minor > (1 - kMinSine) * major) return {};  // it touches or meets itself
   if (nearest > 1) return std::vector<double>{};
   const double ring = major / size, tube = minor / size;
   const double square = nearest * nearest, k = square + ring * ring - tube * tube;
@@ -174,7 +174,7 @@ ElementaryFace::Turns ElementaryFace::turns(double parameter, int k) const {
 ElementaryFace::Place ElementaryFace::place(const Vec2& uv, const Vec2& speeds) const {
   double margin = reach_;
   for (int k = 0; k < 2; ++k) {
-    if (kMostStretch * speeds[k] < trims_.scale[k]) return Place::Near;
+    if (kMaxStretch * speeds[k] < trims_.scale[k]) return Place::Near;
     margin = std::max(margin, reach_ * trims_.scale[k] / speeds[k]);
   }
   const Turns along_u = turns(uv[0], 0), along_v = turns(uv[1], 1);
@@ -200,12 +200,11 @@ std::optional<std::vector<ElementaryFace::Hit>> ElementaryFace::hits(const Ray& 
     gp_Pnt on_surface;
     gp_Vec du, dv;
     surface_.D1(uv[0], uv[1], on_surface, du, dv);
-    if (point.Distance(on_surface) > kLeastSine * tolerance_) return {};
+    if (point.Distance(on_surface) > kMinSine * tolerance_) return {};
     const Place where = place(uv, {du.Magnitude(), dv.Magnitude()});
     if (where == Place::Outside) continue;
     const Vec3 normal = unit(to_vec(du.Crossed(dv).XYZ()));
-    if (where == Place::Near || std::abs(dot(normal, ray.direction)) < kLeastSine * speed)
-      return {};
+    if (where == Place::Near || std::abs(dot(normal, ray.direction)) < kMinSine * speed) return {};
     found.push_back({t, reversed_ ? -normal : normal});
   }
   return found;

@@ -19,7 +19,7 @@ constexpr double kBeyond = 1e-3;
 constexpr double kPrecision = 1e-7;  // model units, what is Open CASCADE's confusion
 // Of cells, for a side: where a shape comes as far all along a curve, the last digits take a time
 // that nobody wants to wait; the box says how precise it is.
-constexpr long kMostPairs = 20'000;
+constexpr long kMaxPairs = 20'000;
 
 // A box that is not the least, but holds all of the shape, and more.
 Box some_box(const TopoDS_Shape& shape) {
@@ -61,7 +61,7 @@ LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cance
                                    std::pair{&least.box.high, around.high[axis]}}) {
       const DistanceResult found =
           least_distance(parts.set(), wall(around, axis, at),
-                         {.budget = kMostPairs, .cancelled = cancelled, .resolution = kPrecision});
+                         {.budget = kMaxPairs, .cancelled = cancelled, .resolution = kPrecision});
       (*side)[axis] = found.a.point[axis];
       least.precision = std::max(least.precision, found.upper - found.lower);
     }

@@ -81,7 +81,7 @@ Heights heights_of(const CurveSpans& curve, const SectionFrame& frame) {
   return heights;
 }
 
-Heights heights_of(const PartHull& hull, const SectionFrame& frame) {
+Heights heights_of(const HullBound& hull, const SectionFrame& frame) {
   Heights heights;
   for (const Vec3& p : hull.points) add(p, frame, heights);
   heights.margin += 2 * hull.margin;  // of each coordinate; a height has at most sqrt(3) of it

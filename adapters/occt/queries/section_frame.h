@@ -51,6 +51,6 @@ struct Heights {
 
 Heights heights_of(const BezierSurface& surface, const SectionFrame& frame);
 Heights heights_of(const CurveSpans& curve, const SectionFrame& frame);
-Heights heights_of(const PartHull& hull, const SectionFrame& frame);
+Heights heights_of(const HullBound& hull, const SectionFrame& frame);
 
 }  // namespace blossom::occt

@@ -15,7 +15,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kLeastTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
+constexpr double kMinTolerance = 1e-7;  // Open CASCADE's Precision::Confusion
 
 using End = std::size_t;  // 2 * curve + side
 constexpr End kNone = static_cast<End>(-1);
@@ -76,14 +76,14 @@ SectionWire wire_from(End start, const PlaneSection& section, const std::vector<
 
 TopoDS_Vertex vertex_at(const gp_Pnt& point, double tolerance) {
   TopoDS_Vertex vertex;
-  BRep_Builder().MakeVertex(vertex, point, std::max(kLeastTolerance, tolerance));
+  BRep_Builder().MakeVertex(vertex, point, std::max(kMinTolerance, tolerance));
   return vertex;
 }
 
 TopoDS_Edge edge_of(const SectionCurve& curve, const std::vector<TopoDS_Vertex>& nodes) {
   TopoDS_Edge edge;
   const BRep_Builder builder;
-  builder.MakeEdge(edge, curve.curve, std::max(kLeastTolerance, curve.tolerance));
+  builder.MakeEdge(edge, curve.curve, std::max(kMinTolerance, curve.tolerance));
   const TopoDS_Vertex lone = vertex_at(curve.curve->Value(curve.range.from), curve.tolerance);
   for (std::size_t side = 0; side < 2; ++side) {
     const int node = curve.nodes[side];

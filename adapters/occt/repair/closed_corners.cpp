@@ -25,10 +25,10 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kBend = 8;         // in gaps: how much of a curve is bent
-constexpr double kMostBent = 0.25;  // of a curve
-constexpr double kMostGap = 2;      // in tolerances of the vertex
-constexpr int kLeastDegree = 3;     // so that a straight one, too, is bent smoothly
+constexpr double kBend = 8;        // in gaps: how much of a curve is bent
+constexpr double kMaxBent = 0.25;  // of a curve
+constexpr double kMaxGap = 2;      // in tolerances of the vertex
+constexpr int kMinDegree = 3;      // so that a straight one, too, is bent smoothly
 
 Handle(BRep_Curve3D) curve_of(const TopoDS_Edge& edge) {
   const auto& curves = Handle(BRep_TEdge)::DownCast(edge.TShape())->Curves();
@@ -66,11 +66,11 @@ Handle(Geom_Curve) bent(const End& end, const gp_Pnt& to) {
   if (std::abs(spline->FirstParameter() - first) > slack ||
       std::abs(spline->LastParameter() - last) > slack)
     return {};
-  spline->IncreaseDegree(std::max(kLeastDegree, spline->Degree()));
+  spline->IncreaseDegree(std::max(kMinDegree, spline->Degree()));
   const gp_Pnt own = to.Transformed(end.place.Inverted());
   const double speed = spline->DN(end.parameter(), 1).Magnitude();
   const double length = kBend * own.Distance(spline->Value(end.parameter())) / speed;
-  const double bend = std::min(length, kMostBent * (last - first));
+  const double bend = std::min(length, kMaxBent * (last - first));
   spline->InsertKnot(end.last ? last - bend : first + bend, 1, Precision::PConfusion());
   spline->SetPole(end.last ? spline->NbPoles() : 1, own);
   return spline.get();
@@ -130,7 +130,7 @@ ClosedCorners::ClosedCorners(const TopoDS_Shape& shape) {
     const gp_Pnt common = corner.common();
     for (const End& end : corner.ends) {
       const double gap = end.point().Distance(common);
-      if (gap <= Precision::Confusion() || gap > kMostGap * corner.tolerance ||
+      if (gap <= Precision::Confusion() || gap > kMaxGap * corner.tolerance ||
           !can_be_bent(end.of->Curve3D()))
         continue;
       bend(end.of, bent_or_null(end, common), gap);

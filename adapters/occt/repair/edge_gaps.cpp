@@ -24,10 +24,10 @@ namespace blossom::occt {
 namespace {
 
 constexpr int kSamplesPerSpan = 12;
-constexpr int kLeastSamples = 96;
-constexpr double kShift = 0.381966;      // of samples, as a part of their distance
-constexpr int kLeastSamplesOfArcs = 16;  // of sines and cosines once and twice a turn
-constexpr double kStraight = 1e-9;       // sine: a line in the chart that runs along a direction
+constexpr int kMinSamples = 96;
+constexpr double kShift = 0.381966;    // of samples, as a part of their distance
+constexpr int kMinSamplesOfArcs = 16;  // of sines and cosines once and twice a turn
+constexpr double kStraight = 1e-9;     // sine: a line in the chart that runs along a direction
 constexpr int kRefinements = 40;  // golden sections: the place to 1e-8 of two samples' distance
 constexpr int kNewtonSteps = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -115,7 +115,7 @@ std::vector<double> sample_places(const Curves& curves) {
   knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
   const int spans = static_cast<int>(knots.size()) - 1;
   const int each =
-      are_arcs(curves) ? kLeastSamplesOfArcs : std::max(kSamplesPerSpan, kLeastSamples / spans);
+      are_arcs(curves) ? kMinSamplesOfArcs : std::max(kSamplesPerSpan, kMinSamples / spans);
   std::vector<double> places{0};
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const Interval span{std::clamp(knots[i], 0.0, 1.0), std::clamp(knots[i + 1], 0.0, 1.0)};

@@ -29,7 +29,7 @@ namespace {
 
 constexpr double kMargin = 1.1;  // of gaps, which are measured at samples
 // Of the least tolerance: between samples gaps are not so much larger that it would not cover them.
-constexpr double kLeastGap = 0.25;
+constexpr double kMinGap = 0.25;
 constexpr double kExcess = 10;  // a tolerance this many times as large as it has to be is lowered
 
 // An edge or vertex that states another tolerance than it needs.
@@ -127,7 +127,7 @@ double needed_tolerance(const TopoDS_Edge& edge, const TopTools_ListOfShape& fac
     for (const bool second : {false, true}) {
       if (second && !is_seam) continue;
       const auto gap = same_parameter_gap(second ? TopoDS::Edge(edge.Reversed()) : edge, face,
-                                          kLeastGap * Precision::Confusion());
+                                          kMinGap * Precision::Confusion());
       if (!gap) return BRep_Tool::Tolerance(edge);
       largest = std::max(largest, *gap);
     }

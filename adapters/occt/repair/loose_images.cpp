@@ -44,7 +44,7 @@ constexpr double kShare = 1e-3;    // of an edge's length: what is nearer is lef
 constexpr double kNearer = 0.1;    // of how far a curve is off: what the new one may be
 constexpr double kWanted = 1e-6;   // model units: better is not tried
 constexpr int kSamples = 16;       // parts of an edge
-constexpr int kMostParts = 256;    // likewise
+constexpr int kMaxParts = 256;     // likewise
 constexpr int kSteps = 20;         // of Newton's method
 constexpr double kStill = 1e-12;   // model units: a step of it that is nothing any more
 constexpr double kRegular = 1e-9;  // of a surface's derivatives: the least sine's square
@@ -148,7 +148,7 @@ Handle(Geom2d_Curve)
   const double wanted = std::min(kNearer * gap, kWanted);
   Handle(Geom2d_Curve) best;
   double least = kNearer * gap;
-  for (int parts = kSamples; parts <= kMostParts && (best.IsNull() || least > wanted); parts *= 2) {
+  for (int parts = kSamples; parts <= kMaxParts && (best.IsNull() || least > wanted); parts *= 2) {
     const Feet feet = feet_of(use, *surface, parts);
     if (feet.farthest > least) break;
     Use made = use;

@@ -15,8 +15,8 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kWanted = 1e-9;  // model units
-constexpr int kMostSpans = 100;
-constexpr int kMostDegree = 9;
+constexpr int kMaxSpans = 100;
+constexpr int kMaxSplineDegree = 9;
 
 bool is_hyperbola(Handle(Geom_Curve) curve) {
   while (const auto trimmed = Handle(Geom_TrimmedCurve)::DownCast(curve))
@@ -27,7 +27,7 @@ bool is_hyperbola(Handle(Geom_Curve) curve) {
 // Null if there is none.
 Handle(Geom_Curve) spline_of(const BRep_Curve3D& of) try {
   const Handle(Geom_Curve) part = new Geom_TrimmedCurve(of.Curve3D(), of.First(), of.Last());
-  const GeomConvert_ApproxCurve made(part, kWanted, GeomAbs_C2, kMostSpans, kMostDegree);
+  const GeomConvert_ApproxCurve made(part, kWanted, GeomAbs_C2, kMaxSpans, kMaxSplineDegree);
   if (!made.HasResult() || made.MaxError() > kWanted) return {};
   return made.Curve().get();
 } catch (const Standard_Failure&) {

@@ -30,9 +30,9 @@
 namespace blossom::occt {
 namespace {
 
-constexpr std::size_t kMostEdges = 100;
+constexpr std::size_t kMaxEdges = 100;
 // Of the angle between edges that leave a vertex to the same side.
-constexpr double kLeastSine = 1e-2;
+constexpr double kMinSine = 1e-2;
 
 Vec2 in_plane(const Vec3& p) { return {p[0], p[1]}; }
 
@@ -94,7 +94,7 @@ class PolygonReader {
     Ring ring;
     for (TopoDS_Iterator it(wire); it.More(); it.Next()) {
       const auto side = side_of(TopoDS::Edge(it.Value()));
-      if (!side || ring.size() == kMostEdges) return std::nullopt;
+      if (!side || ring.size() == kMaxEdges) return std::nullopt;
       ring.push_back(*side);
     }
     return in_order(ring) ? std::optional(std::move(ring)) : std::nullopt;
@@ -198,7 +198,7 @@ bool meet_in_corner(const Side& before, const Side& after) {
   const double gap = norm(before.to - after.from);
   const double sine = std::abs(across(back, on)) / (norm(back) * norm(on));
   const bool acute = dot(back, on) > 0;
-  if (acute && !(sine >= kLeastSine)) return false;
+  if (acute && !(sine >= kMinSine)) return false;
   const Corner& corner = after.first;
   const Vec3 off = corner.place - Vec3{after.from[0], after.from[1], 0};
   return norm(off) + (acute ? gap / sine : gap) <= corner.tolerance;
@@ -296,7 +296,7 @@ bool is_sound_polygon(const TopoDS_Face& face) {
         (wire.Orientation() != TopAbs_FORWARD && wire.Orientation() != TopAbs_REVERSED))
       return false;
     auto ring = reader.ring_of(wire);
-    if (!ring || (edges += ring->size()) > kMostEdges) return false;
+    if (!ring || (edges += ring->size()) > kMaxEdges) return false;
     rings.push_back(std::move(*ring));
   }
   const double margin = 2 * largest_tolerance(rings);

@@ -28,7 +28,7 @@ namespace blossom::occt {
 namespace {
 
 // In tolerances of the faces' edges: how long a piece of an intersection may be left out.
-constexpr double kMostRest = 10;
+constexpr double kMaxRest = 10;
 // Of a contact's length: how far beside it the surfaces are looked at.
 constexpr double kBeside = 1e-2;
 
@@ -69,8 +69,8 @@ struct Beside {
   bool above = false, below = false, open = false;
 };
 
-void look_beside(const IntersectionCurve& curve, const SurfaceFeet& on_a, const SurfaceFeet& on_b,
-                 double tolerance, Beside& beside) {
+void look_beside(const IntersectionCurve& curve, const SurfaceProjector& on_a,
+                 const SurfaceProjector& on_b, double tolerance, Beside& beside) {
   const double step = kBeside * curve.length;
   for (const double part : {0.2, 0.5, 0.8}) {
     const double s = at(curve.curve.domain(), part);
@@ -90,7 +90,8 @@ void look_beside(const IntersectionCurve& curve, const SurfaceFeet& on_a, const 
 bool only_touch(const IntersectionCurve& curve, const TopoDS_Face& a, const TopoDS_Face& b,
                 double tolerance) {
   Beside beside;
-  look_beside(curve, SurfaceFeet(a, tolerance), SurfaceFeet(b, tolerance), tolerance, beside);
+  look_beside(curve, SurfaceProjector(a, tolerance), SurfaceProjector(b, tolerance), tolerance,
+              beside);
   return !beside.open && beside.above != beside.below;
 }
 
@@ -115,7 +116,7 @@ void add_once(const std::string& text, std::vector<std::string>& known) {
 }
 
 // What is told beside an obstacle.
-struct Untold {
+struct Pending {
   std::vector<std::string> cusps;
   std::vector<CrossingCurve> curves;  // none but where faces are not divided alike
   std::array<std::vector<std::vector<TopoDS_Edge>>, 2> lying{};
@@ -124,7 +125,7 @@ struct Untold {
 // Where it is not known how faces meet nothing can be divided; but round a cusp, that is a point,
 // all curves are known, and whether pieces fit together there is seen when they are put together.
 void tell_places(const FaceIntersection& pair, const std::string& both, SolidPieces& result,
-                 Untold& untold) {
+                 Pending& untold) {
   for (const Place& place : pair.found.places) {
     const char* const kind = place.kind == PlaceKind::Open ? "an unresolved region" : "a cusp";
     const std::string text = both + ": " + kind + ", where it is not known how they meet";
@@ -134,7 +135,7 @@ void tell_places(const FaceIntersection& pair, const std::string& both, SolidPie
 }
 
 void add_curves(const FaceIntersection& pair, const CommonEdges& common, double tolerance, Side& a,
-                Side& b, std::vector<CurveUse>& uses, SolidPieces& result, Untold& untold) {
+                Side& b, std::vector<CurveUse>& uses, SolidPieces& result, Pending& untold) {
   const auto face_a = static_cast<std::size_t>(pair.face_a);
   const auto face_b = static_cast<std::size_t>(pair.face_b);
   const std::string both = a.face_name(face_a) + " and " + b.face_name(face_b);
@@ -264,8 +265,8 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
     const Spline& curve = a.cuts[use.face_a][use.cut_a].curve;
     // Ends that stick out over the border of a face by its edges' tolerances are left out; more
     // would be an intersection that is lost.
-    const double allowed = kMostRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
-                                                largest_tolerance(b.solid->faces[use.face_b]));
+    const double allowed = kMaxRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
+                                               largest_tolerance(b.solid->faces[use.face_b]));
     const bool alike = match(on_a[i], on_b[i]);
     if (use.touch && !alike) continue;  // what only touches may divide one face alone
     if (!alike || (!use.touch && longest_rest(curve, on_a[i], on_b[i]) > allowed)) {
@@ -336,7 +337,7 @@ std::vector<std::pair<std::size_t, std::size_t>> overlaps_of(const ShapeIntersec
   return overlaps;
 }
 
-void keep_curves(const ShapeIntersection& found, const CommonEdges& common, Untold& untold) {
+void keep_curves(const ShapeIntersection& found, const CommonEdges& common, Pending& untold) {
   untold.lying = {common.in_a(), common.in_b()};
   for (const FaceIntersection& pair : found.pairs)
     for (const IntersectionCurve& curve : pair.found.curves)
@@ -346,7 +347,7 @@ void keep_curves(const ShapeIntersection& found, const CommonEdges& common, Unto
 }
 
 // Where curves break off, which comes first: what it leaves undivided is told of many faces then.
-std::vector<std::string> told_loose_ends(const Untold& untold, const TrimTool& a,
+std::vector<std::string> told_loose_ends(const Pending& untold, const TrimTool& a,
                                          const TrimTool& b) try {
   if (untold.curves.empty()) return {};
   return guarded("telling where cuts break off", [&] {
@@ -357,7 +358,7 @@ std::vector<std::string> told_loose_ends(const Untold& untold, const TrimTool& a
   return {};  // what is told without it stands
 }
 
-void tell(const Untold& untold, const TrimTool& a, const TrimTool& b, SolidPieces& result) {
+void tell(const Pending& untold, const TrimTool& a, const TrimTool& b, SolidPieces& result) {
   std::vector<std::string> all = told_loose_ends(untold, a, b);
   all.insert(all.end(), untold.cusps.begin(), untold.cusps.end());
   result.obstacles.insert(result.obstacles.begin(), all.begin(), all.end());
@@ -393,7 +394,7 @@ void tell_loose(const CommonEdges& common, std::vector<std::string>& thin) {
 // found   of the faces
 SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
                       EdgeTouches touches, EdgesLie lying, const IntersectionOptions& options,
-                      Untold& untold) {
+                      Pending& untold) {
   SolidPieces result;
   const WorkLimit limit(options);
   Side side_a("part", a, limit), side_b("tool", b, limit);
@@ -456,14 +457,14 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
     rest.threads = options.threads;
     return rest;
   };
-  Untold untold;
+  Pending untold;
   const ShapeIntersection first =
-      intersect(a.faces, b.faces, options, Extent::Beyond, ArcCuts::Even);
+      intersect(a.faces, b.faces, options, Extent::Extended, ArcCuts::Even);
   SolidPieces found =
       pieces_of(a, b, first, EdgeTouches::LeftOut, EdgesLie::WithinTolerance, left(), untold);
   if (found.obstacles.empty()) return found;
   const auto again = [&](const ShapeIntersection& faces, EdgesLie lying) {
-    Untold ignored;
+    Pending ignored;
     return pieces_of(a, b, faces, EdgeTouches::Sought, lying, left(), ignored);
   };
   for (const EdgesLie lying : {EdgesLie::WithinTolerance, EdgesLie::WithinOwn}) {
@@ -475,8 +476,8 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
   // in the same place, and curves are easier to follow where they do not go along borders of
   // patches or through their corners.
   for (const auto& [extent, cuts] : {std::pair{Extent::Trims, ArcCuts::Even},
-                                     {Extent::Beyond, ArcCuts::Uneven},
-                                     {Extent::Trims, ArcCuts::Uneven}}) {
+                                     {Extent::Extended, ArcCuts::Shifted},
+                                     {Extent::Trims, ArcCuts::Shifted}}) {
     if (limit.is_reached()) break;
     SolidPieces other =
         again(intersect(a.faces, b.faces, left(), extent, cuts), EdgesLie::WithinTolerance);

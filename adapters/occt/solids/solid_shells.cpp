@@ -32,7 +32,7 @@ namespace blossom::occt {
 namespace {
 
 // Faces that leave an edge in directions closer than this are not told apart. Radians.
-constexpr double kLeastAngle = 1e-6;
+constexpr double kMinAngle = 1e-6;
 constexpr const char* kMakingSolids = "making solids";
 constexpr int kAgreeing = 3;    // rays that have to agree that a void lies in a shell
 constexpr double kStep = 1e-3;  // of an edge's length: how far into a face is looked
@@ -64,7 +64,7 @@ Corner corner_of(const EdgeUse& use, const TopoDS_Face& face) {
   gp_Vec along;
   curve->D1(middle, point, along);
   const gp_Pnt2d uv = chart_curve_of(use.edge, face, range)->Value(middle);
-  const SurfaceFeet feet(face, Precision::Confusion());
+  const SurfaceProjector feet(face, Precision::Confusion());
   const SurfaceFrame frame = frame_at(feet.surface(), {uv.X(), uv.Y()});
   const Vec3 direction = unit(Vec3{along.X(), along.Y(), along.Z()});
   const bool turned = (face.Orientation() == TopAbs_REVERSED) == use.forward;
@@ -101,7 +101,7 @@ std::string sort_about(std::vector<EdgeUse>& uses, const std::vector<BoundingFac
     const bool at_last = i + 1 == uses.size();
     const EdgeUse &use = uses[i], &next = uses[at_last ? 0 : i + 1];
     const double turn = next.angle - use.angle + (at_last ? 2 * std::numbers::pi : 0);
-    if (turn < kLeastAngle || use.forward == next.forward)
+    if (turn < kMinAngle || use.forward == next.forward)
       return "faces that meet in one edge cannot be told apart";
   }
   return {};

@@ -64,7 +64,7 @@ struct Lying {
 // How the second piece lies under a point of the first one; nothing if it does not.
 std::optional<Lying> lying_on(const SolidPiece& piece, const gp_Pnt& point, const SolidPiece& other,
                               double tolerance) {
-  const SurfaceFeet own(piece.face, tolerance), feet(other.face, tolerance);
+  const SurfaceProjector own(piece.face, tolerance), feet(other.face, tolerance);
   const Vec3 p = vec(point);
   const SurfaceFrame at = frame_at(own.surface(), own.foot(p, {}));
   const SurfaceFrame under = frame_at(feet.surface(), feet.foot(p, {}));
@@ -167,7 +167,7 @@ FaceGroup spread(FaceGroup region) {
 }
 
 // A point inside of a piece, and which direction is the next one for a ray from there.
-struct Lookout {
+struct SamplePoint {
   std::optional<gp_Pnt> point;
   std::size_t next = 0;
 };
@@ -182,7 +182,7 @@ struct Agreement {
 };
 
 // Adds up to `most` rays that are certain.
-void look(Lookout& from, int most, SolidRays& rays, Agreement& all) {
+void look(SamplePoint& from, int most, SolidRays& rays, Agreement& all) {
   if (!from.point) return;
   for (int found = 0; all.is_open() && found < most && from.next < kRayDirections.size();) {
     const std::optional<bool> inside =
@@ -204,13 +204,13 @@ std::string settle(SplitSolid& of, const FaceGroup& region, SolidRays& rays) {
   if (!known) return name + ": its side is not certain";
   const int pieces = static_cast<int>(std::min<std::size_t>(region.size(), kAgreeing));
   Agreement all{*known};
-  std::vector<Lookout> lookouts;
+  std::vector<SamplePoint> lookouts;
   for (const std::size_t i : spread(region)) {
     if (!all.is_open()) break;
     lookouts.push_back({point_inside(of.pieces[i].face)});
     look(lookouts.back(), (kAgreeing + pieces - 1) / pieces, rays, all);
   }
-  for (Lookout& from : lookouts) look(from, kAgreeing, rays, all);
+  for (SamplePoint& from : lookouts) look(from, kAgreeing, rays, all);
   if (all.broken) return name + ": its side is not certain";
   if (all.rays < kAgreeing) return name + ": rays cannot tell its side";
   for (const std::size_t k : region) of.pieces[k].side = all.side;

@@ -178,7 +178,7 @@ bool may_lie_on(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& of,
       return comes_near(edge, reach(edge),
                         [&](const gp_Pnt& p) { return plane->Pln().Distance(p); });
     });
-  std::optional<SurfaceFeet> feet;
+  std::optional<SurfaceProjector> feet;
   return std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) {
     if (!BRep_Tool::IsClosed(edge, of)) return false;
     if (!feet) feet.emplace(other, tolerance);
@@ -266,7 +266,7 @@ double CommonEdges::reach(const TopoDS_Edge& edge) const {
 
 // In part within the tolerance, or as a whole within its own: where it leaves what is so near is
 // known no better than that.
-bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceFeet& feet) {
+bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet) {
   const EdgeCurve of = curve_of(edge);
   const CurveBeside beside(of.curve, of.range, feet);
   const auto as_a_whole = [&](double reach) {
@@ -286,7 +286,7 @@ bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceFeet& feet) {
 void CommonEdges::lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face) {
   const TopoDS_Face& in = of == Of::A ? b_[face] : a_[face];
   std::vector<TopoDS_Edge>& lying = of == Of::A ? in_b_[face] : in_a_[face];
-  std::optional<SurfaceFeet> feet;
+  std::optional<SurfaceProjector> feet;
   for (const TopoDS_Edge& edge : edges) {
     const auto is_same = [&](const TopoDS_Edge& known) { return known.IsSame(edge); };
     const Bnd_Box box = box_of(in, most_reach(edge));
@@ -418,7 +418,7 @@ TopoDS_Edge CommonEdges::image(const TopoDS_Edge& first, const TopoDS_Edge& seco
     const TopLoc_Location location = second.Location() * on->Location();
     TopoDS_Face face;
     builder.MakeFace(face, on->Surface(), location, tolerance);
-    const SurfaceFeet feet(face, options_.tolerances.point);
+    const SurfaceProjector feet(face, options_.tolerances.point);
     const auto chart_of = [&](const Handle(Geom2d_Curve) & given) {
       const gp_Pnt2d near = given->Value(middle.parameter);
       const ChartImage found =

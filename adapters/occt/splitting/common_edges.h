@@ -111,7 +111,7 @@ class CommonEdges {
   void ask_limit() const;
   Bnd_Box box_of(const TopoDS_Shape& shape, double margin);
   double most_reach(const TopoDS_Edge& edge) const;
-  bool lies_on(const TopoDS_Edge& edge, const SurfaceFeet& feet);
+  bool lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet);
   void lay(const std::vector<TopoDS_Edge>& edges, Of of, std::size_t face);
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
   void touch(const FaceIntersection& pair, Of whose);

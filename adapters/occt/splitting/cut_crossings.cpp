@@ -155,7 +155,7 @@ class Nodes {
       node.point = point_at(a_, node.a.front());
       if (node.b.empty()) node.b = {nearest(b_, node.point).parameter};
     }
-    node.blur =
+    node.uncertainty =
         kMargin * std::max(distance(node.point, first.point), distance(node.point, last.point));
     node.beside = {first.a, last.a};
     return node;

@@ -14,7 +14,7 @@ namespace blossom::occt {
 struct CutCrossing {
   std::vector<double> a, b;
   Vec2 point;
-  double blur = 0;  ///< how far from the point the cuts cross as well, by what they are off
+  double uncertainty = 0;  ///< how far from the point the cuts cross as well, by what they are off
   std::vector<double> beside{};  ///< on a, where that is
 };
 

@@ -27,8 +27,8 @@ namespace {
 constexpr int kEdgeSamples = 64;  // of an edge, to see where it lies on the other surface
 constexpr int kHalvings = 48;     // of the interval between two samples, for the end of a run
 constexpr int kNewtonSteps = 4;
-constexpr int kLeastPieces = 16, kMostPieces = 512;  // between knots of a fitted run
-constexpr double kFitShare = 0.1;                    // of the tolerance
+constexpr int kMinPieces = 16, kMaxPieces = 512;  // between knots of a fitted run
+constexpr double kFitShare = 0.1;                 // of the tolerance
 constexpr double kExactShare = 1e-3;  // of the tolerance: a projection so near is taken as exact
 constexpr int kImageSamples = 33;
 constexpr double kStart = 1e-3;      // of a run: a place on it near its start
@@ -38,7 +38,7 @@ Vec3 vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 double deviation(const Handle(Geom_Curve) & curve, const Handle(Geom2d_Curve) & chart,
-                 const Interval& range, const SurfaceFeet& feet) {
+                 const Interval& range, const SurfaceProjector& feet) {
   double largest = 0;
   for (int i = 0; i < kImageSamples; ++i) {
     const double t = at(range, static_cast<double>(i) / (kImageSamples - 1));
@@ -50,7 +50,7 @@ double deviation(const Handle(Geom_Curve) & curve, const Handle(Geom2d_Curve) & 
 
 // What Open CASCADE makes of it; null if that is not exact.
 Handle(Geom2d_Curve) projected(const Handle(Geom_Curve) & curve, const Interval& range,
-                               const SurfaceFeet& feet, double tolerance) {
+                               const SurfaceProjector& feet, double tolerance) {
   try {
     double found = tolerance;
     const Handle(Geom2d_Curve) chart =
@@ -65,13 +65,15 @@ Handle(Geom2d_Curve) projected(const Handle(Geom_Curve) & curve, const Interval&
 
 }  // namespace
 
-CurveBeside::CurveBeside(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceFeet& feet)
+CurveBeside::CurveBeside(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                         const SurfaceProjector& feet)
     : feet_(feet), surface_(BRep_Tool::Surface(face)) {
   chart_ = chart_curve_of(edge, face, range_);
   if (chart_.IsNull()) throw BadModel("an edge has no parametric curve on the face it bounds");
 }
 
-CurveBeside::CurveBeside(Handle(Geom_Curve) curve, const Interval& range, const SurfaceFeet& feet)
+CurveBeside::CurveBeside(Handle(Geom_Curve) curve, const Interval& range,
+                         const SurfaceProjector& feet)
     : feet_(feet), curve_(std::move(curve)), range_(range) {}
 
 CurveJet CurveBeside::in_space(double t) const {
@@ -323,7 +325,7 @@ FaceCut CurveBeside::hermite_cut(const std::vector<double>& ends, double toleran
 
 FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double tolerance) const {
   const std::vector<double> joints = this->joints(run);
-  for (int pieces = kLeastPieces;; pieces *= 2) {
+  for (int pieces = kMinPieces;; pieces *= 2) {
     std::vector<double> ends{run.from};
     for (std::size_t k = 0; k + 1 < joints.size(); ++k)
       for (int i = 1; i <= pieces; ++i)
@@ -337,14 +339,14 @@ FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double toler
           {off, distance(point, point_at(cut.curve, t)), feet_.gap(point, point_at(cut.chart, t))});
     }
     if (off <= wanted) return cut;
-    if (pieces < kMostPieces) continue;
+    if (pieces < kMaxPieces) continue;
     // As where it crosses the seam of a surface that is closed but has no period.
     if (off > tolerance) throw Failure("an edge has no image in the chart of the other face");
     return cut;
   }
 }
 
-std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet, double reach,
+std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceProjector& feet, double reach,
                                double tolerance) {
   std::vector<FaceCut> cuts;
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
@@ -360,7 +362,8 @@ std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet,
 }
 
 ChartImage image_of(const Handle(Geom_Curve) & curve, const Interval& range,
-                    const SurfaceFeet& feet, const std::optional<Vec2>& near, double tolerance) {
+                    const SurfaceProjector& feet, const std::optional<Vec2>& near,
+                    double tolerance) {
   Handle(Geom2d_Curve) chart = projected(curve, range, feet, tolerance);
   if (chart.IsNull()) {
     const CurveBeside beside(curve, range, feet);

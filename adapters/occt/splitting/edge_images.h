@@ -12,7 +12,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "adapters/occt/faces/surface_feet.h"
+#include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/face_splitter.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
@@ -30,10 +30,10 @@ class CurveBeside {
  public:
   /// The image of an edge's chart curve on its own face.
   /// throws   BadModel if it has none
-  CurveBeside(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceFeet& feet);
+  CurveBeside(const TopoDS_Edge& edge, const TopoDS_Face& face, const SurfaceProjector& feet);
 
   /// A curve in space.
-  CurveBeside(Handle(Geom_Curve) curve, const Interval& range, const SurfaceFeet& feet);
+  CurveBeside(Handle(Geom_Curve) curve, const Interval& range, const SurfaceProjector& feet);
 
   const Interval& range() const { return range_; }
   CurveJet jet(double t, const std::optional<Vec2>& near) const;
@@ -62,7 +62,7 @@ class CurveBeside {
   struct Standing {
     Vec3 point;
     double gap = 0;        // to the surface
-    double clearance = 0;  // of its foot from the border, as SurfaceFeet has it
+    double clearance = 0;  // of its foot from the border, as SurfaceProjector has it
   };
   struct RunLimits {
     double reach = 0, past = 0;
@@ -76,7 +76,7 @@ class CurveBeside {
   void add_knot_lines(const Interval& run, std::vector<double>& joints) const;
   FaceCut hermite_cut(const std::vector<double>& ends, double tolerance) const;
 
-  const SurfaceFeet& feet_;
+  const SurfaceProjector& feet_;
   Handle(Geom_Surface) surface_;  // with chart_, or else curve_
   Handle(Geom2d_Curve) chart_;
   Handle(Geom_Curve) curve_;
@@ -87,7 +87,7 @@ class CurveBeside {
 /// poles. Seams are none.
 /// feet      of the face to be cut
 /// reach     how near counts as on the surface, model units
-std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceFeet& feet, double reach,
+std::vector<FaceCut> edge_cuts(const TopoDS_Face& face, const SurfaceProjector& feet, double reach,
                                double tolerance);
 
 /// A curve on a surface in its chart, with the same parameter.
@@ -101,6 +101,7 @@ struct ChartImage {
 /// throws    Failure if the curve is not on the surface within the tolerance, or goes through a
 /// pole
 ChartImage image_of(const Handle(Geom_Curve) & curve, const Interval& range,
-                    const SurfaceFeet& feet, const std::optional<Vec2>& near, double tolerance);
+                    const SurfaceProjector& feet, const std::optional<Vec2>& near,
+                    double tolerance);
 
 }  // namespace blossom::occt

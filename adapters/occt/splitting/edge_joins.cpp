@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kSamples = 16;              // intervals of a relation
 constexpr int kNewtonSteps = 12;          // from a sample's neighbourhood to rounding
-constexpr double kLeastLength = 50;       // of edges that are joined, in ways they may be apart
+constexpr double kMinLength = 50;         // of edges that are joined, in ways they may be apart
 constexpr double kSameParameter = 1e-14;  // relative to the range: the steps have settled
 
 Vec3 from_occt(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
@@ -74,7 +74,7 @@ struct Fit {
 std::optional<Fit> fit_of(const FreeEdge& a, const FreeEdge& b, std::size_t other,
                           double tolerance) {
   const double reach = std::min(std::max({tolerance, a.uncertain, b.uncertain}),
-                                std::min(a.length, b.length) / kLeastLength);
+                                std::min(a.length, b.length) / kMinLength);
   std::optional<Fit> best;
   for (const bool reversed : {false, true}) {
     if ((a.backwards == b.backwards) != reversed) continue;

@@ -119,14 +119,14 @@ const EdgeSplits::Record* EdgeSplits::find(const TopoDS_Edge& edge) const {
 
 // How near to an older split or vertex a new one has to be to become the same.
 double EdgeSplits::reach(const Record& of, const Split& split, const TopoDS_Face& face,
-                         double obliqueness) const {
+                         double inverse_sine) const {
   const double own = std::max(tolerance_, BRep_Tool::Tolerance(of.edge));
   if (split.face.IsNull()) return std::max(own, BRep_Tool::Tolerance(split.vertex));
-  return split.face.IsSame(face) ? own : kFaceDisagreement * obliqueness * own;
+  return split.face.IsSame(face) ? own : kFaceDisagreement * inverse_sine * own;
 }
 
 int EdgeSplits::add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face& face,
-                    double uncertainty, double obliqueness) {
+                    double uncertainty, double inverse_sine) {
   Record& of = record(edge);
   assert(of.pieces.empty());
   const bool pole = BRep_Tool::Degenerated(of.edge);
@@ -140,7 +140,7 @@ int EdgeSplits::add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face
     const double along = std::abs(split.parameter - parameter);
     const bool same = pole ? along <= kSameOnPole * range
                            : point.Distance(BRep_Tool::Pnt(split.vertex)) <=
-                                 std::max(reach(of, split, face, obliqueness), uncertainty);
+                                 std::max(reach(of, split, face, inverse_sine), uncertainty);
     if (same && along < least) {  // a closed edge has its vertex at both ends
       least = along;
       nearest = static_cast<int>(i);

@@ -41,10 +41,10 @@ class EdgeSplits {
   /// Asks for a split and returns its number, which may be that of an older one or of a vertex.
   /// face          the face that asks
   /// uncertainty   how far from the parameter's point the split may lie as well; model units
-  /// obliqueness   1 / sin of the angle at which the edge is met: so many times farther apart may
+  /// inverse sine   1 / sin of the angle at which the edge is met: so many times farther apart may
   ///               splits that different faces ask for be one; at least 1
   int add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face& face,
-          double uncertainty = 0, double obliqueness = 1);
+          double uncertainty = 0, double inverse_sine = 1);
 
   /// The vertex of a split gets at least this tolerance, model units, once pieces are made: what
   /// is near it until then does not depend on who asked first.
@@ -93,7 +93,7 @@ class EdgeSplits {
   Record& record(const TopoDS_Edge& edge);
   const Record* find(const TopoDS_Edge& edge) const;
   double reach(const Record& of, const Split& split, const TopoDS_Face& face,
-               double obliqueness) const;
+               double inverse_sine) const;
 
   double tolerance_;
   std::vector<std::pair<TopoDS_Vertex, double>> widened_;

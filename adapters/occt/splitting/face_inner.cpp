@@ -28,19 +28,21 @@ constexpr double kOnEnd = 1e-9;  // of an edge: a place so near its end is it
 
 }  // namespace
 
-void FaceSplitter::add_inner_stops(Strand& strand) {
+void FaceSplitter::add_inner_stops(LiftedCut& lifted_cut) {
   for (std::size_t i = 0; i < trims_.inner.size(); ++i) {
     const int index = static_cast<int>(i);
     check_limit(limit_, "dividing faces");
-    const PlanarCrossings common = crossings(strand.curve, trims_.inner[i].curve, reach(strand));
+    const PlanarCrossings common =
+        crossings(lifted_cut.curve, trims_.inner[i].curve, reach(lifted_cut));
     for (const PlanarCrossing& crossing : common.points) {
       const TrimMeeting meeting{crossing.a, inner_loop(), index, crossing.b};
-      strand.stops.emplace_back(crossing.a, vertex_of(meeting, 0, obliqueness(strand, meeting)));
+      lifted_cut.stops.emplace_back(crossing.a,
+                                    vertex_of(meeting, 0, inverse_sine(lifted_cut, meeting)));
     }
     for (const PlanarOverlap& run : common.overlaps)
-      strand.runs.push_back({run.a, inner_loop(), index, run.b});
+      lifted_cut.runs.push_back({run.a, inner_loop(), index, run.b});
     if (!common.complete)
-      note(strand.cut, "runs so close to an edge that not all crossings are sure");
+      note(lifted_cut.cut, "runs so close to an edge that not all crossings are sure");
   }
 }
 
@@ -70,7 +72,7 @@ int FaceSplitter::vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point)
         of.split >= 0 ? splits_.vertex(coedge(of.loop, of.coedge).edge, of.split) : of.shape;
     if (!own.IsNull() && splits_.are_one(own, shape)) consider(static_cast<int>(i));
   }
-  for (const auto& [other, vertex] : ties_)
+  for (const auto& [other, vertex] : aliases_)
     if (splits_.are_one(other, shape)) consider(vertex);
   return nearest;
 }
@@ -92,7 +94,7 @@ bool FaceSplitter::add_inner_arcs() {
 bool FaceSplitter::add_laid_arcs() {
   if (laid_.empty()) return false;
   const std::size_t before = arcs_.size();
-  const SurfaceFeet feet(trims_.face, tolerance_);
+  const SurfaceProjector feet(trims_.face, tolerance_);
   for (const auto& [edge, reach] : laid_)
     for (const EdgePiece& piece : splits_.pieces(edge)) add_laid_arc(piece, reach, feet);
   return arcs_.size() > before;
@@ -121,7 +123,7 @@ void FaceSplitter::lay(const TopoDS_Edge& edge, double reach) {
 
 void FaceSplitter::lay_in_pole(const TopoDS_Edge& edge, int loop, int index) {
   const Coedge& pole = coedge(loop, index);
-  const SurfaceFeet feet(trims_.face, tolerance_);
+  const SurfaceProjector feet(trims_.face, tolerance_);
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
   const CurveBeside beside(curve, range, feet);
@@ -143,7 +145,7 @@ void FaceSplitter::lay_in_pole(const TopoDS_Edge& edge, int loop, int index) {
 }
 
 FaceSplitter::LaidCurve FaceSplitter::laid_curve(const TopoDS_Edge& edge,
-                                                 const SurfaceFeet& feet) const {
+                                                 const SurfaceProjector& feet) const {
   LaidCurve of;
   Interval range;
   of.curve = BRep_Tool::Curve(edge, range.from, range.to);
@@ -174,7 +176,7 @@ TopoDS_Edge FaceSplitter::laid_edge(const EdgePiece& piece, const LaidCurve& of,
 
 // What does not, but begins or ends on a border, may leave a surface that ends beside the face.
 bool FaceSplitter::lies_in_face(const EdgePiece& piece, double reach,
-                                const SurfaceFeet& feet) const {
+                                const SurfaceProjector& feet) const {
   double first = 0, last = 0;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(piece.edge, first, last);
   const auto point = [&](double part) {
@@ -195,7 +197,8 @@ bool FaceSplitter::lies_in_face(const EdgePiece& piece, double reach,
   return false;
 }
 
-void FaceSplitter::add_laid_arc(const EdgePiece& piece, double reach, const SurfaceFeet& feet) {
+void FaceSplitter::add_laid_arc(const EdgePiece& piece, double reach,
+                                const SurfaceProjector& feet) {
   if (!lies_in_face(piece, reach, feet)) return;
   const LaidCurve of = laid_curve(piece.edge, feet);
   const auto vertex = [&](const TopoDS_Vertex& shape, const Vec2& point) {
@@ -220,7 +223,8 @@ std::vector<int> FaceSplitter::imprints_among(const std::vector<int>& arcs, Open
   std::vector<int> kept;
   for (const int arc : arcs) {
     const Origin& of = origins_[static_cast<std::size_t>(arc)];
-    if (of.strand >= 0 ? open == OpenCuts::Imprint : of.loop == inner_loop()) kept.push_back(arc);
+    if (of.lifted_cut >= 0 ? open == OpenCuts::Imprint : of.loop == inner_loop())
+      kept.push_back(arc);
   }
   return kept;
 }

@@ -63,14 +63,15 @@ void cover(const TopoDS_Vertex& vertex, const gp_Pnt& point, double edge_toleran
 
 }  // namespace
 
-const TopoDS_Vertex& FaceSplitter::shape_of(int vertex, const Strand& strand, double parameter) {
+const TopoDS_Vertex& FaceSplitter::shape_of(int vertex, const LiftedCut& lifted_cut,
+                                            double parameter) {
   Vertex& of = vertices_[static_cast<std::size_t>(vertex)];
   if (!of.shape.IsNull()) return of.shape;
   if (of.split >= 0)
     of.shape = splits_.vertex(coedge(of.loop, of.coedge).edge, of.split);
   else
     BRep_Builder().MakeVertex(
-        of.shape, pnt(space_point(cuts_[static_cast<std::size_t>(strand.cut)], parameter)),
+        of.shape, pnt(space_point(cuts_[static_cast<std::size_t>(lifted_cut.cut)], parameter)),
         Precision::Confusion());
   // Cuts that cross beside their vertex would be wires that intersect each other.
   if (of.touch > 0) BRep_Builder().UpdateVertex(of.shape, of.touch);
@@ -79,19 +80,21 @@ const TopoDS_Vertex& FaceSplitter::shape_of(int vertex, const Strand& strand, do
 
 // The curve of an edge that has none in the parameters yet: on a plane that of its conic, if it is
 // one, which is of the same kind; else what was found with the cut.
-Handle(Geom2d_Curve) FaceSplitter::chart_of(const TopoDS_Edge& edge, const Strand& strand) const {
-  const FaceCut& cut = cuts_[static_cast<std::size_t>(strand.cut)];
+Handle(Geom2d_Curve) FaceSplitter::chart_of(const TopoDS_Edge& edge,
+                                            const LiftedCut& lifted_cut) const {
+  const FaceCut& cut = cuts_[static_cast<std::size_t>(lifted_cut.cut)];
   if (cut.conic)
     if (Handle(Geom2d_Curve) flat = plane_curve_of(edge, trims_.face); !flat.IsNull()) return flat;
   Spline2 chart = cut.chart;
-  const Vec2 shift{strand.shift[0] / trims_.scale[0], strand.shift[1] / trims_.scale[1]};
+  const Vec2 shift{lifted_cut.shift[0] / trims_.scale[0], lifted_cut.shift[1] / trims_.scale[1]};
   for (Vec2& point : chart.points) point += shift;
   return to_occt(chart);
 }
 
 // One edge for both neighbours. Its curves are the whole cut's; only its range is its own.
-TopoDS_Edge FaceSplitter::cut_edge(const Strand& strand, const Interval& range, int from, int to) {
-  const FaceCut& cut = cuts_[static_cast<std::size_t>(strand.cut)];
+TopoDS_Edge FaceSplitter::cut_edge(const LiftedCut& lifted_cut, const Interval& range, int from,
+                                   int to) {
+  const FaceCut& cut = cuts_[static_cast<std::size_t>(lifted_cut.cut)];
   TopLoc_Location location;
   const Handle(Geom_Surface) raw = BRep_Tool::Surface(trims_.face, location);
   const double tolerance =
@@ -101,10 +104,10 @@ TopoDS_Edge FaceSplitter::cut_edge(const Strand& strand, const Interval& range, 
   TopoDS_Edge edge;
   const Handle(Geom_Curve) in_space = cut.conic ? to_occt(*cut.conic) : to_occt(cut.curve);
   builder.MakeEdge(edge, in_space, tolerance);
-  builder.UpdateEdge(edge, chart_of(edge, strand), raw, location, tolerance);
+  builder.UpdateEdge(edge, chart_of(edge, lifted_cut), raw, location, tolerance);
   builder.Range(edge, range.from, range.to);
-  const TopoDS_Vertex first = shape_of(from, strand, range.from);
-  const TopoDS_Vertex last = shape_of(to, strand, range.to);
+  const TopoDS_Vertex first = shape_of(from, lifted_cut, range.from);
+  const TopoDS_Vertex last = shape_of(to, lifted_cut, range.to);
   cover(first, pnt(space_point(cut, range.from)), tolerance);
   cover(last, pnt(space_point(cut, range.to)), tolerance);
   builder.Add(edge, first.Oriented(TopAbs_FORWARD));
@@ -117,19 +120,19 @@ TopoDS_Edge FaceSplitter::cut_edge(const Strand& strand, const Interval& range, 
 std::vector<CutUse> FaceSplitter::runs_along(int loop, int index, const EdgePiece& piece) const {
   std::vector<CutUse> uses;
   const Coedge& of = coedge(loop, index);
-  for (const Strand& strand : strands_)
-    for (const TrimRun& run : strand.runs) {
+  for (const LiftedCut& lifted_cut : lifted_cuts_)
+    for (const TrimRun& run : lifted_cut.runs) {
       const double low = std::min(run.edge_parameters.from, run.edge_parameters.to);
       const double high = std::max(run.edge_parameters.from, run.edge_parameters.to);
       const double middle = at(piece.range, 0.5);
       const Coedge& beside = coedge(run.loop, run.coedge);
       if (!beside.edge.IsSame(of.edge) || middle < low || middle > high) continue;
       const auto parameter = [&](double t) {
-        return nearest(strand.curve, point_at(beside.curve, at(piece.range, t))).parameter;
+        return nearest(lifted_cut.curve, point_at(beside.curve, at(piece.range, t))).parameter;
       };
       Interval along{parameter(0.25), parameter(0.75)};
       if (of.reversed()) std::swap(along.from, along.to);
-      uses.push_back({strand.cut, along, {}, true});
+      uses.push_back({lifted_cut.cut, along, {}, true});
     }
   return uses;
 }
@@ -161,16 +164,16 @@ void FaceSplitter::add_border_arcs() {
 }
 
 // False if the piece lies outside or along a wire.
-bool FaceSplitter::add_cut_arc(const Strand& strand, const std::pair<double, int>& from,
+bool FaceSplitter::add_cut_arc(const LiftedCut& lifted_cut, const std::pair<double, int>& from,
                                const std::pair<double, int>& to) {
   const Interval range{from.first, to.first};
   const double middle = at(range, 0.5);
-  const Vec2 point = point_at(strand.curve, middle);
-  const bool along = std::any_of(strand.runs.begin(), strand.runs.end(), [&](const TrimRun& run) {
-    return run.at.from <= middle && middle <= run.at.to;
-  });
+  const Vec2 point = point_at(lifted_cut.curve, middle);
+  const bool along =
+      std::any_of(lifted_cut.runs.begin(), lifted_cut.runs.end(),
+                  [&](const TrimRun& run) { return run.at.from <= middle && middle <= run.at.to; });
   if (along || !is_inside(trims_, point)) return false;
-  PlanarPath path = bezier_pieces(strand.curve, range);
+  PlanarPath path = bezier_pieces(lifted_cut.curve, range);
   if (path.empty()) return false;
   const auto same_ends = [&](const ChartArc& arc) {
     return (arc.from == from.second && arc.to == to.second) ||
@@ -180,41 +183,46 @@ bool FaceSplitter::add_cut_arc(const Strand& strand, const std::pair<double, int
     const ChartArc& arc = arcs_[i];
     if (arc.border || !same_ends(arc)) continue;
     const bool repeats = std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double part) {
-      return lies_near(arc.path, point_at(strand.curve, at(range, part)), 4 * reach(strand));
+      return lies_near(arc.path, point_at(lifted_cut.curve, at(range, part)),
+                       4 * reach(lifted_cut));
     });
     if (!repeats) continue;
-    if (!cuts_[static_cast<std::size_t>(strand.cut)].may_repeat)
-      note(strand.cut, "repeats another cut");
-    add_repeat(static_cast<int>(i), strand, from, to);
+    if (!cuts_[static_cast<std::size_t>(lifted_cut.cut)].may_repeat)
+      note(lifted_cut.cut, "repeats another cut");
+    add_repeat(static_cast<int>(i), lifted_cut, from, to);
     return true;
   }
   arcs_.push_back({from.second, to.second, std::move(path), false});
-  origins_.push_back(
-      {{}, {{strand.cut, range, {}, false}}, static_cast<int>(&strand - strands_.data()), -1});
+  origins_.push_back({{},
+                      {{lifted_cut.cut, range, {}, false}},
+                      static_cast<int>(&lifted_cut - lifted_cuts_.data()),
+                      -1});
   return true;
 }
 
 // Where the two come round to where they began, which way they go is not told by their ends.
-void FaceSplitter::add_repeat(int arc, const Strand& strand, const std::pair<double, int>& from,
+void FaceSplitter::add_repeat(int arc, const LiftedCut& lifted_cut,
+                              const std::pair<double, int>& from,
                               const std::pair<double, int>& to) {
   Origin& origin = origins_[static_cast<std::size_t>(arc)];
-  if (origin.strand < 0 || from.second == to.second) return;
+  if (origin.lifted_cut < 0 || from.second == to.second) return;
   const Interval range{from.first, to.first};
   Interval along{at(range, 0.25), at(range, 0.75)};
   if (arcs_[static_cast<std::size_t>(arc)].from != from.second) std::swap(along.from, along.to);
-  origin.repeats.push_back({strand.cut, along, {}, true});
+  origin.repeats.push_back({lifted_cut.cut, along, {}, true});
 }
 
 bool FaceSplitter::add_cut_arcs() {
   bool any = false;
   std::vector<bool> useful(cuts_.size(), false);
-  for (const Strand& strand : strands_) {
+  for (const LiftedCut& lifted_cut : lifted_cuts_) {
     bool used = false;
-    for (std::size_t i = 0; i + 1 < strand.stops.size(); ++i)
-      used = add_cut_arc(strand, strand.stops[i], strand.stops[i + 1]) || used;
-    if (!used && !strand.runs.empty() && !cuts_[static_cast<std::size_t>(strand.cut)].may_repeat)
-      note(strand.cut, "runs along an edge");
-    if (used || !strand.runs.empty()) useful[static_cast<std::size_t>(strand.cut)] = true;
+    for (std::size_t i = 0; i + 1 < lifted_cut.stops.size(); ++i)
+      used = add_cut_arc(lifted_cut, lifted_cut.stops[i], lifted_cut.stops[i + 1]) || used;
+    if (!used && !lifted_cut.runs.empty() &&
+        !cuts_[static_cast<std::size_t>(lifted_cut.cut)].may_repeat)
+      note(lifted_cut.cut, "runs along an edge");
+    if (used || !lifted_cut.runs.empty()) useful[static_cast<std::size_t>(lifted_cut.cut)] = true;
     any = any || used;
   }
   for (std::size_t i = 0; i < useful.size(); ++i)
@@ -260,8 +268,8 @@ bool FaceSplitter::adds_up(const ChartPieces& found) const {
 void FaceSplitter::make_edge(int arc) {
   const auto index = static_cast<std::size_t>(arc);
   Origin& origin = origins_[index];
-  const Strand& strand = strands_[static_cast<std::size_t>(origin.strand)];
-  origin.edge = cut_edge(strand, origin.uses.front().at, arcs_[index].from, arcs_[index].to);
+  const LiftedCut& lifted_cut = lifted_cuts_[static_cast<std::size_t>(origin.lifted_cut)];
+  origin.edge = cut_edge(lifted_cut, origin.uses.front().at, arcs_[index].from, arcs_[index].to);
 }
 
 // Internal edges, those that hang together in one wire.
@@ -279,7 +287,7 @@ void FaceSplitter::imprint(std::vector<int> arcs, FacePiece& piece) {
     for (auto next = arcs.begin(); next != arcs.end();
          next = std::find_if(arcs.begin(), arcs.end(), touches)) {
       const auto index = static_cast<std::size_t>(*next);
-      if (origins_[index].strand >= 0) make_edge(*next);
+      if (origins_[index].lifted_cut >= 0) make_edge(*next);
       piece.imprints.push_back(TopoDS::Edge(origins_[index].edge.Oriented(TopAbs_INTERNAL)));
       builder.Add(wire, piece.imprints.back());
       reached.insert(reached.end(), {arcs_[index].from, arcs_[index].to});
@@ -311,7 +319,7 @@ std::vector<CutUse> FaceSplitter::repeats(const std::vector<int>& dangling) {
 FaceSplit FaceSplitter::divided(const ChartPieces& found, OpenCuts open) {
   for (std::size_t i = 0; i < arcs_.size(); ++i) {
     const int arc = static_cast<int>(i);
-    if (origins_[i].strand >= 0 &&
+    if (origins_[i].lifted_cut >= 0 &&
         std::find(found.dangling.begin(), found.dangling.end(), arc) == found.dangling.end())
       make_edge(arc);
   }
@@ -339,7 +347,7 @@ FaceSplit FaceSplitter::undivided(const std::vector<int>& imprinted) {
                        [&](const Coedge& of) { return splits_.is_split(of.edge); });
   };
   const bool only_own = std::all_of(imprinted.begin(), imprinted.end(), [&](int arc) {
-    return origins_[static_cast<std::size_t>(arc)].strand < 0;
+    return origins_[static_cast<std::size_t>(arc)].lifted_cut < 0;
   });
   const bool same = only_own && !any_split(trims_.inner) &&
                     std::none_of(trims_.loops.begin(), trims_.loops.end(), any_split);
@@ -361,7 +369,7 @@ FaceSplit FaceSplitter::split(OpenCuts open) {
   if (!add_cut_arcs() && !any_inner && !any_laid) return undivided();
   const ChartPieces found = pieces(arcs_, tolerance_);
   for (const int arc : found.dangling)
-    if (origins_[static_cast<std::size_t>(arc)].strand >= 0)
+    if (origins_[static_cast<std::size_t>(arc)].lifted_cut >= 0)
       note(origins_[static_cast<std::size_t>(arc)].uses.front().cut,
            open == OpenCuts::Imprint
                ? "ends inside of the face, a part of it divides nothing and is imprinted"

@@ -24,7 +24,7 @@ constexpr double kMargin = 1.1;
 // A cut that stops short of a wire would have met it at most so many times farther along the wire.
 constexpr double kObliqueness = 8;
 // Neighbours that see a crossing farther apart, in tolerances of the edge, see two.
-constexpr double kMostDisagreement = 256;
+constexpr double kMaxDisagreement = 256;
 
 bool boxes_meet(const PlanarBox& a, const PlanarBox& b, double margin) {
   for (int k = 0; k < 2; ++k)
@@ -99,17 +99,17 @@ FaceSplitter::FaceSplitter(const TopoDS_Face& face, std::vector<FaceCut> cuts, E
       start.coedge = static_cast<int>(i);
       start.split = of.reversed() ? EdgeSplits::kLast : EdgeSplits::kFirst;
     }
-  add_strands();
-  for (Strand& strand : strands_) add_wire_stops(strand);
+  add_lifted_cuts();
+  for (LiftedCut& lifted_cut : lifted_cuts_) add_wire_stops(lifted_cut);
 }
 
 void FaceSplitter::settle() {
-  for (Strand& strand : strands_) {
-    add_end_stop(strand, strand.curve.domain().from);
-    add_end_stop(strand, strand.curve.domain().to);
+  for (LiftedCut& lifted_cut : lifted_cuts_) {
+    add_end_stop(lifted_cut, lifted_cut.curve.domain().from);
+    add_end_stop(lifted_cut, lifted_cut.curve.domain().to);
   }
   add_crossings();
-  for (Strand& strand : strands_) finish_stops(strand);
+  for (LiftedCut& lifted_cut : lifted_cuts_) finish_stops(lifted_cut);
 }
 
 const Coedge& FaceSplitter::coedge(int loop, int index) const {
@@ -118,8 +118,8 @@ const Coedge& FaceSplitter::coedge(int loop, int index) const {
   return trims_.loops[static_cast<std::size_t>(loop)][place];
 }
 
-double FaceSplitter::reach(const Strand& strand) const {
-  return std::max(tolerance_, cuts_[static_cast<std::size_t>(strand.cut)].tolerance);
+double FaceSplitter::reach(const LiftedCut& lifted_cut) const {
+  return std::max(tolerance_, cuts_[static_cast<std::size_t>(lifted_cut.cut)].tolerance);
 }
 
 void FaceSplitter::note(int cut, const std::string& what) {
@@ -127,11 +127,11 @@ void FaceSplitter::note(int cut, const std::string& what) {
   if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
 }
 
-void FaceSplitter::add_strands() {
+void FaceSplitter::add_lifted_cuts() {
   for (std::size_t i = 0; i < cuts_.size(); ++i) {
     const PlanarCurve curve = chart_curve(trims_, cuts_[i].chart);
     for (const Vec2& shift : period_shifts(trims_, curve))
-      strands_.push_back(
+      lifted_cuts_.push_back(
           {static_cast<int>(i), shift, transformed(curve, {1, 1}, shift), {}, {}, {}});
   }
 }
@@ -150,18 +150,19 @@ int FaceSplitter::vertex_at_split(int loop, int index, int split) {
   return static_cast<int>(vertices_.size()) - 1;
 }
 
-int FaceSplitter::vertex_of(const TrimMeeting& meeting, double uncertainty, double obliqueness) {
+int FaceSplitter::vertex_of(const TrimMeeting& meeting, double uncertainty, double inverse_sine) {
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
   return vertex_at_split(
       meeting.loop, meeting.coedge,
-      splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty, obliqueness));
+      splits_.add(of.edge, meeting.edge_parameter, trims_.face, uncertainty, inverse_sine));
 }
 
 // The vertex of a touch is to cover the places in which cut and edge cross beside it.
-void FaceSplitter::widen_touch(const Strand& strand, const TrimMeeting& meeting, int vertex) {
+void FaceSplitter::widen_touch(const LiftedCut& lifted_cut, const TrimMeeting& meeting,
+                               int vertex) {
   if (meeting.touch.from == meeting.touch.to) return;
   const Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
-  const Spline& curve = cuts_[static_cast<std::size_t>(strand.cut)].curve;
+  const Spline& curve = cuts_[static_cast<std::size_t>(lifted_cut.cut)].curve;
   const Vec3 point = point_at(curve, meeting.at);
   const double reach = std::max(distance(point, point_at(curve, meeting.touch.from)),
                                 distance(point, point_at(curve, meeting.touch.to)));
@@ -171,81 +172,82 @@ void FaceSplitter::widen_touch(const Strand& strand, const TrimMeeting& meeting,
 // How many times farther along the wire than across it neighbours may see the same crossing: where
 // an edge is off by its tolerance, a surface that it meets at an angle alpha is met farther by
 // 1 / sin alpha, and sin alpha = sin (cut, edge) sin (face, what cuts it).
-double FaceSplitter::obliqueness(const Strand& strand, const TrimMeeting& meeting) const {
-  const Vec2 along = jet_at(strand.curve, meeting.at).first;
+double FaceSplitter::inverse_sine(const LiftedCut& lifted_cut, const TrimMeeting& meeting) const {
+  const Vec2 along = jet_at(lifted_cut.curve, meeting.at).first;
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
   const Vec2 wire = jet_at(of.curve, meeting.edge_parameter).first;
   const double size = norm(along) * norm(wire);
   const double sine =
-      std::abs(cross(along, wire)) * cuts_[static_cast<std::size_t>(strand.cut)].least_sine;
-  return sine * kMostDisagreement > size ? std::max(1.0, size / sine) : kMostDisagreement;
+      std::abs(cross(along, wire)) * cuts_[static_cast<std::size_t>(lifted_cut.cut)].least_sine;
+  return sine * kMaxDisagreement > size ? std::max(1.0, size / sine) : kMaxDisagreement;
 }
 
 // A cut that keeps to an edge, as far as the two faces can tell, from a vertex that was known on it
 // to a meeting beside that: by what cut and edge are off it meets the edge in the vertex alone.
-bool FaceSplitter::add_known_stop(Strand& strand, const TrimMeeting& meeting) {
+bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meeting) {
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
   if (BRep_Tool::Degenerated(of.edge)) return false;
-  const double least_sine = cuts_[static_cast<std::size_t>(strand.cut)].least_sine;
-  const double allowed = reach(strand) / std::max(least_sine, 1 / kMostDisagreement);
-  const Vec2 met = point_at(strand.curve, meeting.at);
+  const double least_sine = cuts_[static_cast<std::size_t>(lifted_cut.cut)].least_sine;
+  const double allowed = reach(lifted_cut) / std::max(least_sine, 1 / kMaxDisagreement);
+  const Vec2 met = point_at(lifted_cut.curve, meeting.at);
   std::optional<PlanarFoot> best;
   int known = -1;
   for (int split = 0; split < splits_.count(of.edge); ++split) {
     if (!splits_.is_known(of.edge, split)) continue;
     const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
     const double length = distance(point, met);
-    if (length > longest_touch(trims_, reach(strand))) continue;
-    const PlanarFoot foot = nearest(strand.curve, point);
-    if (foot.distance > std::max(allowed, 8 * reach(strand))) continue;
+    if (length > tangency_length(trims_, reach(lifted_cut))) continue;
+    const PlanarFoot foot = nearest(lifted_cut.curve, point);
+    if (foot.distance > std::max(allowed, 8 * reach(lifted_cut))) continue;
     const bool keeps = std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75}, [&](double part) {
       const double there =
-          on_the_way(strand.curve, foot.parameter, meeting.at, part, reach(strand));
-      return nearest(of.curve, point_at(strand.curve, there)).distance <= allowed;
+          on_the_way(lifted_cut.curve, foot.parameter, meeting.at, part, reach(lifted_cut));
+      return nearest(of.curve, point_at(lifted_cut.curve, there)).distance <= allowed;
     });
-    if (!keeps || (best && distance(met, point_at(strand.curve, best->parameter)) <= length))
+    if (!keeps || (best && distance(met, point_at(lifted_cut.curve, best->parameter)) <= length))
       continue;
     best = foot;
     known = split;
   }
   if (!best) return false;
   const int vertex = vertex_at_split(meeting.loop, meeting.coedge, known);
-  strand.stops.emplace_back(best->parameter, vertex);
-  const Interval domain = strand.curve.domain();
+  lifted_cut.stops.emplace_back(best->parameter, vertex);
+  const Interval domain = lifted_cut.curve.domain();
   if (meeting.at == domain.from || meeting.at == domain.to) {  // no loose end stays there
-    strand.stops.emplace_back(meeting.at, vertex);
+    lifted_cut.stops.emplace_back(meeting.at, vertex);
     Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
-    at.blur = std::max(at.blur, kMargin * distance(at.point, met));
+    at.uncertainty = std::max(at.uncertainty, kMargin * distance(at.point, met));
   }
   const gp_Pnt place = BRep_Tool::Pnt(splits_.vertex(of.edge, known));
   double moved = 0;
   for (const double t : {meeting.at, meeting.touch.from, meeting.touch.to}) {
-    const Vec3 from = point_at(cuts_[static_cast<std::size_t>(strand.cut)].curve, t);
+    const Vec3 from = point_at(cuts_[static_cast<std::size_t>(lifted_cut.cut)].curve, t);
     moved = std::max(moved, distance(from, Vec3{place.X(), place.Y(), place.Z()}));
   }
-  if (moved > reach(strand)) splits_.widen(of.edge, known, kMargin * moved);
+  if (moved > reach(lifted_cut)) splits_.widen(of.edge, known, kMargin * moved);
   return true;
 }
 
-void FaceSplitter::add_wire_stops(Strand& strand) {
+void FaceSplitter::add_wire_stops(LiftedCut& lifted_cut) {
   check_limit(limit_, kDividing);
-  ClippedCurve found = clipped(trims_, strand.curve, reach(strand));
+  ClippedCurve found = clipped(trims_, lifted_cut.curve, reach(lifted_cut));
   for (const TrimMeeting& meeting : found.meetings) {
-    if (add_known_stop(strand, meeting)) continue;
-    const int vertex = vertex_of(meeting, 0, obliqueness(strand, meeting));
-    strand.stops.emplace_back(meeting.at, vertex);
-    widen_touch(strand, meeting, vertex);
+    if (add_known_stop(lifted_cut, meeting)) continue;
+    const int vertex = vertex_of(meeting, 0, inverse_sine(lifted_cut, meeting));
+    lifted_cut.stops.emplace_back(meeting.at, vertex);
+    widen_touch(lifted_cut, meeting, vertex);
   }
-  strand.runs = std::move(found.runs);
-  if (!found.complete) note(strand.cut, "runs so close to an edge that not all crossings are sure");
-  add_inner_stops(strand);
+  lifted_cut.runs = std::move(found.runs);
+  if (!found.complete)
+    note(lifted_cut.cut, "runs so close to an edge that not all crossings are sure");
+  add_inner_stops(lifted_cut);
 }
 
 // A cut may stop at the natural border of the surface while the wire leaves it, by as much as both
 // tolerances allow, or because the surface goes on there; its end is taken to the wire.
-void FaceSplitter::add_end_stop(Strand& strand, double end) {
-  if (has_stop(strand, end)) return;
-  const Vec2 point = point_at(strand.curve, end);
+void FaceSplitter::add_end_stop(LiftedCut& lifted_cut, double end) {
+  if (has_stop(lifted_cut, end)) return;
+  const Vec2 point = point_at(lifted_cut.curve, end);
   TrimMeeting nearest_meeting;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
@@ -253,21 +255,21 @@ void FaceSplitter::add_end_stop(Strand& strand, double end) {
       const Coedge& of = trims_.loops[loop][i];
       const PlanarFoot foot = nearest(of.curve, point);
       const double allowed =
-          std::max(BRep_Tool::Tolerance(of.edge) + reach(strand), kMargin * trims_.overshoot);
+          std::max(BRep_Tool::Tolerance(of.edge) + reach(lifted_cut), kMargin * trims_.overshoot);
       if (foot.distance >= least || foot.distance > allowed) continue;
       least = foot.distance;
       nearest_meeting = {
           end, static_cast<int>(loop), static_cast<int>(i), foot.parameter, {end, end}};
     }
-  if (std::isfinite(least) && !add_known_stop(strand, nearest_meeting))
-    strand.stops.emplace_back(end, vertex_of(nearest_meeting, kObliqueness * least,
-                                             obliqueness(strand, nearest_meeting)));
+  if (std::isfinite(least) && !add_known_stop(lifted_cut, nearest_meeting))
+    lifted_cut.stops.emplace_back(end, vertex_of(nearest_meeting, kObliqueness * least,
+                                                 inverse_sine(lifted_cut, nearest_meeting)));
 }
 
 // Whether a stop is known that is this place of the curve but for the tolerance.
-bool FaceSplitter::has_stop(const Strand& strand, double at) const {
-  return std::any_of(strand.stops.begin(), strand.stops.end(), [&](const auto& stop) {
-    return is_near(strand.curve, stop.first, at, 8 * reach(strand));
+bool FaceSplitter::has_stop(const LiftedCut& lifted_cut, double at) const {
+  return std::any_of(lifted_cut.stops.begin(), lifted_cut.stops.end(), [&](const auto& stop) {
+    return is_near(lifted_cut.curve, stop.first, at, 8 * reach(lifted_cut));
   });
 }
 
@@ -289,18 +291,18 @@ int FaceSplitter::node_near(const Vec2& point) {
 }
 
 void FaceSplitter::add_crossings() {
-  for (std::size_t i = 0; i < strands_.size(); ++i)
-    for (std::size_t k = i + 1; k < strands_.size(); ++k) {
-      Strand &a = strands_[i], &b = strands_[k];
+  for (std::size_t i = 0; i < lifted_cuts_.size(); ++i)
+    for (std::size_t k = i + 1; k < lifted_cuts_.size(); ++k) {
+      LiftedCut &a = lifted_cuts_[i], &b = lifted_cuts_[k];
       const double widest = std::max(reach(a), reach(b));
       if (!boxes_meet(box_of(a.curve), box_of(b.curve), widest)) continue;
       check_limit(limit_, kDividing);
       const CutCrossings common =
-          cut_crossings(a.curve, b.curve, widest, longest_touch(trims_, widest));
+          cut_crossings(a.curve, b.curve, widest, tangency_length(trims_, widest));
       for (const CutCrossing& crossing : common.nodes) {
         const int node = node_near(crossing.point);
         Vertex& at = vertices_[static_cast<std::size_t>(node)];
-        at.blur = std::max(at.blur, crossing.blur);
+        at.uncertainty = std::max(at.uncertainty, crossing.uncertainty);
         const Spline& curve = cuts_[static_cast<std::size_t>(a.cut)].curve;
         for (const double t : crossing.beside)
           at.touch = std::max(at.touch, kMargin * distance(point_at(curve, crossing.a.front()),
@@ -314,41 +316,41 @@ void FaceSplitter::add_crossings() {
 }
 
 // Adds the ends, sorts, and joins stops at one vertex with next to nothing between them.
-void FaceSplitter::finish_stops(Strand& strand) {
-  const Interval domain = strand.curve.domain();
+void FaceSplitter::finish_stops(LiftedCut& lifted_cut) {
+  const Interval domain = lifted_cut.curve.domain();
   for (const double end : {domain.from, domain.to})
-    if (!has_stop(strand, end))
-      strand.stops.emplace_back(end, node_near(point_at(strand.curve, end)));
-  tidy_stops(strand, 8 * reach(strand));
+    if (!has_stop(lifted_cut, end))
+      lifted_cut.stops.emplace_back(end, node_near(point_at(lifted_cut.curve, end)));
+  tidy_stops(lifted_cut, 8 * reach(lifted_cut));
 }
 
 // Of two stops the one on the other side's border stays.
-void FaceSplitter::tidy_stops(Strand& strand, double reach) const {
+void FaceSplitter::tidy_stops(LiftedCut& lifted_cut, double reach) const {
   const auto is_met = [&](double at) {
-    return std::find(strand.met.begin(), strand.met.end(), at) != strand.met.end();
+    return std::find(lifted_cut.met.begin(), lifted_cut.met.end(), at) != lifted_cut.met.end();
   };
-  std::sort(strand.stops.begin(), strand.stops.end());
+  std::sort(lifted_cut.stops.begin(), lifted_cut.stops.end());
   std::vector<std::pair<double, int>> stops;
   const auto are_one = [&](const std::pair<double, int>& a, const std::pair<double, int>& b) {
     if (a.second != b.second) return false;
     const Vertex& of = vertices_[static_cast<std::size_t>(a.second)];
-    return is_near(strand.curve, a.first, b.first, std::max(reach, of.blur)) ||
-           keeps_near(strand.curve, of.point, a.first, b.first, of.blur);
+    return is_near(lifted_cut.curve, a.first, b.first, std::max(reach, of.uncertainty)) ||
+           keeps_near(lifted_cut.curve, of.point, a.first, b.first, of.uncertainty);
   };
-  for (const auto& stop : strand.stops) {
+  for (const auto& stop : lifted_cut.stops) {
     if (stops.empty() || !are_one(stops.back(), stop))
       stops.push_back(stop);
     else if (is_met(stop.first) && !is_met(stops.back().first))
       stops.back() = stop;
   }
-  strand.stops = std::move(stops);
+  lifted_cut.stops = std::move(stops);
 }
 
 std::vector<CutStop> FaceSplitter::stops(int cut) const {
   std::vector<CutStop> found;
-  for (const Strand& strand : strands_) {
-    if (strand.cut != cut) continue;
-    for (const auto& [parameter, vertex] : strand.stops) {
+  for (const LiftedCut& lifted_cut : lifted_cuts_) {
+    if (lifted_cut.cut != cut) continue;
+    for (const auto& [parameter, vertex] : lifted_cut.stops) {
       const Vertex& at = vertices_[static_cast<std::size_t>(vertex)];
       const bool border = at.split >= 0;
       found.push_back({parameter, border ? splits_.vertex(coedge(at.loop, at.coedge).edge, at.split)
@@ -360,17 +362,19 @@ std::vector<CutStop> FaceSplitter::stops(int cut) const {
   return found;
 }
 
-// The place of the stop nearest to a parameter, -1 if none is within reach, or within the blur of
-// its vertex.
-int FaceSplitter::stop_near(const Strand& strand, double parameter, double reach) const {
-  const Vec2 point = point_at(strand.curve, parameter);
+// The place of the stop nearest to a parameter, -1 if none is within reach, or within the
+// uncertainty of its vertex.
+int FaceSplitter::stop_near(const LiftedCut& lifted_cut, double parameter, double reach) const {
+  const Vec2 point = point_at(lifted_cut.curve, parameter);
   int nearest = -1;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < strand.stops.size(); ++i) {
-    const double own = strand.stops[i].first;
-    const double gap = distance(point_at(strand.curve, own), point);
-    const double blur = vertices_[static_cast<std::size_t>(strand.stops[i].second)].blur;
-    if (gap >= least || !is_near(strand.curve, own, parameter, std::max(reach, blur))) continue;
+  for (std::size_t i = 0; i < lifted_cut.stops.size(); ++i) {
+    const double own = lifted_cut.stops[i].first;
+    const double gap = distance(point_at(lifted_cut.curve, own), point);
+    const double uncertainty =
+        vertices_[static_cast<std::size_t>(lifted_cut.stops[i].second)].uncertainty;
+    if (gap >= least || !is_near(lifted_cut.curve, own, parameter, std::max(reach, uncertainty)))
+      continue;
     least = gap;
     nearest = static_cast<int>(i);
   }
@@ -378,32 +382,34 @@ int FaceSplitter::stop_near(const Strand& strand, double parameter, double reach
 }
 
 void FaceSplitter::meet(int cut, const CutStop& stop) {
-  const double blur = kMargin * BRep_Tool::Tolerance(stop.vertex);
-  for (Strand& strand : strands_) {
-    if (strand.cut != cut) continue;
-    const int near = stop_near(strand, stop.parameter, std::max(8 * reach(strand), blur));
+  const double uncertainty = kMargin * BRep_Tool::Tolerance(stop.vertex);
+  for (LiftedCut& lifted_cut : lifted_cuts_) {
+    if (lifted_cut.cut != cut) continue;
+    const int near =
+        stop_near(lifted_cut, stop.parameter, std::max(8 * reach(lifted_cut), uncertainty));
     if (near < 0) continue;
-    auto& own = strand.stops[static_cast<std::size_t>(near)];
+    auto& own = lifted_cut.stops[static_cast<std::size_t>(near)];
     Vertex& at = vertices_[static_cast<std::size_t>(own.second)];
-    at.blur = std::max(at.blur, blur);
+    at.uncertainty = std::max(at.uncertainty, uncertainty);
     if (at.split < 0) {
       own.first = stop.parameter;
-      strand.met.push_back(stop.parameter);
+      lifted_cut.met.push_back(stop.parameter);
     }
     tie(own.second, stop.vertex);
   }
 }
 
-// Two cuts that lead from one vertex to another within the first one's blur cross there only
+// Two cuts that lead from one vertex to another within the first one's uncertainty cross there only
 // because they reach beyond the border at which they should end.
 void FaceSplitter::unite_blurred() {
   std::vector<std::pair<int, int>> known;
-  for (const Strand& strand : strands_)
-    for (std::size_t i = 0; i + 1 < strand.stops.size(); ++i) {
-      const auto [a, b] = std::minmax(strand.stops[i].second, strand.stops[i + 1].second);
-      const double blur = std::max(vertices_[static_cast<std::size_t>(a)].blur,
-                                   vertices_[static_cast<std::size_t>(b)].blur);
-      if (a != b && is_near(strand.curve, strand.stops[i].first, strand.stops[i + 1].first, blur))
+  for (const LiftedCut& lifted_cut : lifted_cuts_)
+    for (std::size_t i = 0; i + 1 < lifted_cut.stops.size(); ++i) {
+      const auto [a, b] = std::minmax(lifted_cut.stops[i].second, lifted_cut.stops[i + 1].second);
+      const double uncertainty = std::max(vertices_[static_cast<std::size_t>(a)].uncertainty,
+                                          vertices_[static_cast<std::size_t>(b)].uncertainty);
+      if (a != b && is_near(lifted_cut.curve, lifted_cut.stops[i].first,
+                            lifted_cut.stops[i + 1].first, uncertainty))
         known.emplace_back(a, b);
     }
   std::sort(known.begin(), known.end());
@@ -414,33 +420,33 @@ void FaceSplitter::unite_blurred() {
 
 void FaceSplitter::tidy() {
   unite_blurred();
-  for (Strand& strand : strands_) tidy_stops(strand, 8 * reach(strand));
+  for (LiftedCut& lifted_cut : lifted_cuts_) tidy_stops(lifted_cut, 8 * reach(lifted_cut));
 }
 
 void FaceSplitter::divide(int cut, const CutStop& stop) {
-  const double blur = stop.vertex.IsNull() ? 0 : kMargin * BRep_Tool::Tolerance(stop.vertex);
-  for (Strand& strand : strands_) {
-    if (strand.cut != cut) continue;
-    const Vec2 point = point_at(strand.curve, stop.parameter);
-    const double reach_here = std::max(8 * reach(strand), blur);
-    const int near = stop_near(strand, stop.parameter, reach_here);
-    int vertex = near < 0 ? -1 : strand.stops[static_cast<std::size_t>(near)].second;
+  const double uncertainty = stop.vertex.IsNull() ? 0 : kMargin * BRep_Tool::Tolerance(stop.vertex);
+  for (LiftedCut& lifted_cut : lifted_cuts_) {
+    if (lifted_cut.cut != cut) continue;
+    const Vec2 point = point_at(lifted_cut.curve, stop.parameter);
+    const double reach_here = std::max(8 * reach(lifted_cut), uncertainty);
+    const int near = stop_near(lifted_cut, stop.parameter, reach_here);
+    int vertex = near < 0 ? -1 : lifted_cut.stops[static_cast<std::size_t>(near)].second;
     if (vertex < 0) {
       if (!is_inside(trims_, point)) continue;
       vertex = node_near(point);
-      strand.stops.emplace_back(stop.parameter, vertex);
+      lifted_cut.stops.emplace_back(stop.parameter, vertex);
     }
     if (!stop.vertex.IsNull()) tie(vertex, stop.vertex);
-    tidy_stops(strand, reach_here);
+    tidy_stops(lifted_cut, reach_here);
   }
 }
 
 // Vertices that stand for the same vertex of another face become one.
 void FaceSplitter::tie(int vertex, const TopoDS_Vertex& other) {
-  const auto known = std::find_if(ties_.begin(), ties_.end(),
+  const auto known = std::find_if(aliases_.begin(), aliases_.end(),
                                   [&](const auto& tied) { return tied.first.IsSame(other); });
-  if (known == ties_.end()) {
-    ties_.emplace_back(other, vertex);
+  if (known == aliases_.end()) {
+    aliases_.emplace_back(other, vertex);
     return;
   }
   unite(known->second, vertex);
@@ -453,12 +459,13 @@ void FaceSplitter::unite(int kept, int left) {
   if (kept == left || on_border(left)) return;
   Vertex& of = vertices_[static_cast<std::size_t>(kept)];
   const Vertex& other = vertices_[static_cast<std::size_t>(left)];
-  of.blur = std::max({of.blur, other.blur, kMargin * distance(of.point, other.point)});
+  of.uncertainty =
+      std::max({of.uncertainty, other.uncertainty, kMargin * distance(of.point, other.point)});
   of.touch = std::max(of.touch, other.touch);
-  for (auto& tied : ties_)
+  for (auto& tied : aliases_)
     if (tied.second == left) tied.second = kept;
-  for (Strand& strand : strands_)
-    for (auto& stop : strand.stops)
+  for (LiftedCut& lifted_cut : lifted_cuts_)
+    for (auto& stop : lifted_cut.stops)
       if (stop.second == left) stop.second = kept;
 }
 

@@ -21,7 +21,7 @@
 
 namespace blossom::occt {
 
-class SurfaceFeet;
+class SurfaceProjector;
 
 /// A curve that a face is to be cut along. The two splines share their parameter, and the conic.
 struct FaceCut {
@@ -132,11 +132,11 @@ class FaceSplitter {
     Vec2 point;
     int loop = -1, coedge = -1, split = -1;
     TopoDS_Vertex shape = {};  // of nodes, once an edge needed it
-    double blur = 0;           // how far from the point lies what is this vertex as well
+    double uncertainty = 0;    // how far from the point lies what is this vertex as well
     double touch = 0;          // in space, how far from it cuts that touch in it cross as well
   };
   // A cut as it lies over the face, moved by whole periods.
-  struct Strand {
+  struct LiftedCut {
     int cut = 0;
     Vec2 shift;
     PlanarCurve curve;
@@ -155,44 +155,44 @@ class FaceSplitter {
   struct Origin {
     TopoDS_Edge edge;                  // walked along the arc
     std::vector<CutUse> uses;          // of cuts, along the arc
-    int strand = -1;                   // of cuts only
+    int lifted_cut = -1;               // of cuts only
     int loop = -1;                     // of borders and internal edges
     TopoDS_Edge piece = {};            // of laid edges: what the edge stands for
     std::vector<CutUse> repeats = {};  // of cuts that repeat this one
   };
 
-  void add_strands();
-  void widen_touch(const Strand& strand, const TrimMeeting& meeting, int vertex);
-  void add_wire_stops(Strand& strand);
-  void add_end_stop(Strand& strand, double end);
-  bool add_known_stop(Strand& strand, const TrimMeeting& meeting);
-  bool has_stop(const Strand& strand, double at) const;
+  void add_lifted_cuts();
+  void widen_touch(const LiftedCut& lifted_cut, const TrimMeeting& meeting, int vertex);
+  void add_wire_stops(LiftedCut& lifted_cut);
+  void add_end_stop(LiftedCut& lifted_cut, double end);
+  bool add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meeting);
+  bool has_stop(const LiftedCut& lifted_cut, double at) const;
   void add_crossings();
-  void finish_stops(Strand& strand);
-  void tidy_stops(Strand& strand, double reach) const;
-  int stop_near(const Strand& strand, double parameter, double reach) const;
+  void finish_stops(LiftedCut& lifted_cut);
+  void tidy_stops(LiftedCut& lifted_cut, double reach) const;
+  int stop_near(const LiftedCut& lifted_cut, double parameter, double reach) const;
   void tie(int vertex, const TopoDS_Vertex& other);
   void unite(int kept, int left);
   void unite_blurred();
-  int vertex_of(const TrimMeeting& meeting, double uncertainty, double obliqueness = 1);
-  double obliqueness(const Strand& strand, const TrimMeeting& meeting) const;
+  int vertex_of(const TrimMeeting& meeting, double uncertainty, double inverse_sine = 1);
+  double inverse_sine(const LiftedCut& lifted_cut, const TrimMeeting& meeting) const;
   int vertex_at_split(int loop, int coedge, int split);
   int node_near(const Vec2& point);
-  double reach(const Strand& strand) const;
+  double reach(const LiftedCut& lifted_cut) const;
   const Coedge& coedge(int loop, int index) const;
   void note(int cut, const std::string& what);
 
   int inner_loop() const { return static_cast<int>(trims_.loops.size()); }
-  void add_inner_stops(Strand& strand);
+  void add_inner_stops(LiftedCut& lifted_cut);
   int inner_vertex(int index, int split);
   int vertex_of_shape(const TopoDS_Vertex& shape, const Vec2& point) const;
   bool add_inner_arcs();
   bool add_laid_arcs();
-  void add_laid_arc(const EdgePiece& piece, double reach, const SurfaceFeet& feet);
+  void add_laid_arc(const EdgePiece& piece, double reach, const SurfaceProjector& feet);
   void lay_in_pole(const TopoDS_Edge& edge, int loop, int index);
-  LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceFeet& feet) const;
+  LaidCurve laid_curve(const TopoDS_Edge& edge, const SurfaceProjector& feet) const;
   TopoDS_Edge laid_edge(const EdgePiece& piece, const LaidCurve& of, const Vec2& shift) const;
-  bool lies_in_face(const EdgePiece& piece, double reach, const SurfaceFeet& feet) const;
+  bool lies_in_face(const EdgePiece& piece, double reach, const SurfaceProjector& feet) const;
   bool lies_on_wire(const PlanarCurve& curve) const;
   std::vector<int> imprints_among(const std::vector<int>& arcs, OpenCuts open) const;
 
@@ -200,15 +200,15 @@ class FaceSplitter {
   void add_border_arc(int loop, int index, const EdgePiece& piece);
   std::vector<CutUse> runs_along(int loop, int index, const EdgePiece& piece) const;
   bool add_cut_arcs();
-  bool add_cut_arc(const Strand& strand, const std::pair<double, int>& from,
+  bool add_cut_arc(const LiftedCut& lifted_cut, const std::pair<double, int>& from,
                    const std::pair<double, int>& to);
-  TopoDS_Edge cut_edge(const Strand& strand, const Interval& at, int from, int to);
-  Handle(Geom2d_Curve) chart_of(const TopoDS_Edge& edge, const Strand& strand) const;
-  const TopoDS_Vertex& shape_of(int vertex, const Strand& strand, double parameter);
+  TopoDS_Edge cut_edge(const LiftedCut& lifted_cut, const Interval& at, int from, int to);
+  Handle(Geom2d_Curve) chart_of(const TopoDS_Edge& edge, const LiftedCut& lifted_cut) const;
+  const TopoDS_Vertex& shape_of(int vertex, const LiftedCut& lifted_cut, double parameter);
 
   void make_edge(int arc);
   void imprint(std::vector<int> arcs, FacePiece& piece);
-  void add_repeat(int arc, const Strand& strand, const std::pair<double, int>& from,
+  void add_repeat(int arc, const LiftedCut& lifted_cut, const std::pair<double, int>& from,
                   const std::pair<double, int>& to);
   std::vector<CutUse> repeats(const std::vector<int>& dangling);
   FaceSplit divided(const ChartPieces& found, OpenCuts open);
@@ -222,9 +222,9 @@ class FaceSplitter {
   EdgeSplits& splits_;
   double tolerance_;
   const WorkLimit* limit_;
-  std::vector<Vertex> vertices_;                     // the corners of the wires first
-  std::vector<std::pair<TopoDS_Vertex, int>> ties_;  // of the other sides of cuts, and ours
-  std::vector<Strand> strands_;
+  std::vector<Vertex> vertices_;                        // the corners of the wires first
+  std::vector<std::pair<TopoDS_Vertex, int>> aliases_;  // of the other sides of cuts, and ours
+  std::vector<LiftedCut> lifted_cuts_;
   std::vector<std::pair<TopoDS_Edge, double>> laid_;  // and how near they lie
   std::vector<ChartArc> arcs_;
   std::vector<Origin> origins_;  // one for each arc

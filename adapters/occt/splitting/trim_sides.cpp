@@ -31,10 +31,10 @@ namespace blossom::occt {
 namespace {
 
 // Below this cosine between the way into the piece and the tool's normal, a side is not decided.
-constexpr double kLeastCosine = 1e-4;
+constexpr double kMinCosine = 1e-4;
 // Of cells, for a nearest point. More are needed only where many points are all but equally near,
 // as from about the middle of a sphere.
-constexpr long kMostPairs = 500;
+constexpr long kMaxPairs = 500;
 // Of the distance. When the pairs are spent and its bounds are nearer than this to each other, the
 // point is one of those that are all but equally near, and any of them will do.
 constexpr double kEquallyNear = 1e-3;
@@ -63,7 +63,7 @@ double cosine(const gp_Vec& a, const gp_Vec& b) {
 }
 
 ToolSide side_from(double cosine) {
-  if (std::abs(cosine) < kLeastCosine) return ToolSide::Unknown;
+  if (std::abs(cosine) < kMinCosine) return ToolSide::Unknown;
   return cosine > 0 ? ToolSide::Above : ToolSide::Below;
 }
 
@@ -128,7 +128,7 @@ class SolidClassifier {
 std::optional<ShapeDistance> nearest_on(const TopoDS_Face& face, const gp_Pnt& point) {
   try {
     return nearest_point(MeasuredShape(face), {point.X(), point.Y(), point.Z()},
-                         {.budget = kMostPairs});
+                         {.budget = kMaxPairs});
   } catch (const std::runtime_error&) {
     return std::nullopt;  // such a face decides nothing
   }
@@ -179,7 +179,7 @@ bool lies_on(const TopoDS_Face& piece, const TopoDS_Face& face, double reach) {
   const std::optional<gp_Pnt> point = point_inside(piece);
   if (!point) return false;
   const Vec3 p{point->X(), point->Y(), point->Z()};
-  const SurfaceFeet feet(face, Precision::Confusion());
+  const SurfaceProjector feet(face, Precision::Confusion());
   const Vec2 uv = feet.foot(p, {});
   return feet.gap(p, uv) <= reach &&
          part_side(face_trims(face), {uv[0], uv[0]}, {uv[1], uv[1]}) != PartSide::Outside;

@@ -36,7 +36,7 @@ struct Filtered {
 
 // With parts of parameters below 2 and at most 2 kMaxProductDegree levels, an error of 2^-1075 by
 // underflow grows to at most 2^-820; above this size that is nothing.
-constexpr double kLeastSize = 0x1p-500;
+constexpr double kMinSize = 0x1p-500;
 
 void check_finite(std::span<const double> values, const char* function) {
   for (const double value : values)
@@ -79,7 +79,7 @@ std::optional<Ratio> below_two(const Ratio& t) {
 // The sign of a value after `levels` levels of de Casteljau, or nothing. b - a, a product and
 // a sum round 3 times a level; one rounding more covers those of the size and of this bound.
 std::optional<int> decided(const Filtered& f, int levels) {
-  if (!(f.size > kLeastSize && std::isfinite(f.size))) return std::nullopt;
+  if (!(f.size > kMinSize && std::isfinite(f.size))) return std::nullopt;
   const double bound = (4 * levels + 4) * 0x1p-53 * f.size;
   if (std::abs(f.value) > bound) return sign_of(f.value);
   return std::nullopt;

@@ -92,16 +92,17 @@ class Assembly {
   SurfaceIntersection joined_from(SurfaceCells& cells_a, SurfaceCells& cells_b) {
     drop_beside_contacts(found_, cells_a, cells_b, options_.tolerances.point);
     if (!itself()) add_overlaps(cells_a, cells_b);
-    clumps_ = clumps_of(found_.critical);
-    join_singular(clumps_, options_.tolerances.point);
-    contacts_ = contact_chains(found_, cells_a, cells_b, clumps_, size_, options_.tolerances.point);
+    clusters_ = clusters_of(found_.critical);
+    join_singular(clusters_, options_.tolerances.point);
+    contacts_ =
+        contact_chains(found_, cells_a, cells_b, clusters_, size_, options_.tolerances.point);
     drop_beside_known(cells_a);
     attach(loose_ends(found_, cells_a, cells_b, contacts_), found_, cells_a, cells_b, contacts_,
            size_, options_.tolerances.point);
-    drop_scraps(found_, cells_a, cells_b, contacts_, clumps_, options_.tolerances.point);
+    drop_scraps(found_, cells_a, cells_b, contacts_, clusters_, options_.tolerances.point);
     meet_in_centres(contacts_, cells_a, cells_b, found_, options_.tolerances.point);
     drop_regular(contacts_, found_, cells_a);
-    std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clumps_);
+    std::vector<Chain> chains = chains_of(found_, cells_a, cells_b, contacts_, clusters_);
     straighten_at_poles(chains, found_, cells_a, cells_b, contacts_, size_,
                         options_.tolerances.point);
     put_on_borders(found_, cells_a, cells_b, kRoundings * (max_norm(origin_) + size_));
@@ -112,10 +113,10 @@ class Assembly {
     for (std::size_t i = 0; i < chains.size(); ++i)
       fits[i] ? add_curve(cells_a, cells_b, chains[i], std::move(*fits[i]))
               : add_short(cells_a, cells_b, chains[i]);
-    for (const FoundGraze& graze : lone_grazes(found_, cells_a, cells_b))
-      add_corner_contact(cells_a, cells_b, graze);
+    for (const CornerContact& corner_contact : lone_corner_contacts(found_, cells_a, cells_b))
+      add_corner_contact(cells_a, cells_b, corner_contact);
     for (const ContactChain& contact : contacts_) add_contact(cells_a, cells_b, contact);
-    for (const Clump& clump : clumps_) add_place(cells_a, cells_b, clump);
+    for (const CriticalCluster& cluster : clusters_) add_place(cells_a, cells_b, cluster);
     if (found_.cut_by_samples)
       weaken(Status::Tolerance, "a branch near a contact was cut at a border by points of it");
     if (found_.beside_known) add_known_curves();
@@ -161,12 +162,12 @@ class Assembly {
     std::vector<CriticalPair> thin(found_.critical);
     std::erase_if(thin, [](const CriticalPair& pair) { return !pair.thin; });
     const double tolerance = options_.tolerances.point;
-    const auto is_large = [&](const Clump& c) {
+    const auto is_large = [&](const CriticalCluster& c) {
       const double width = diagonal(c.box);
-      return width > kPointClump * size_ ||
+      return width > kPointCluster * size_ ||
              (width > kRegionWidth * std::sqrt(tolerance * size_) && meets_border(c, thin));
     };
-    if (std::ranges::none_of(clumps_of(thin), is_large)) return;
+    if (std::ranges::none_of(clusters_of(thin), is_large)) return;
     const Overlaps overlaps = find_overlaps(cells_a, cells_b, thin, tolerance, size_, limit_);
     if (overlaps.stopped != nullptr) stop_at_limit(overlaps.stopped);
     for (const OverlapRegion& region : overlaps.regions) add_overlap(cells_a, cells_b, region);
@@ -226,12 +227,14 @@ class Assembly {
     weaken(Status::Tolerance, kSharedBorder);
   }
 
-  void add_corner_contact(SurfaceCells& cells_a, SurfaceCells& cells_b, const FoundGraze& graze) {
+  void add_corner_contact(SurfaceCells& cells_a, SurfaceCells& cells_b,
+                          const CornerContact& corner_contact) {
     const SurfacePoint contact =
-        surface_point(cells_a, cells_b, origin_, {graze.patch_a, graze.patch_b, graze.x});
+        surface_point(cells_a, cells_b, origin_,
+                      {corner_contact.patch_a, corner_contact.patch_b, corner_contact.x});
     const Vec3& x = contact.point;
     if (is_known_contact(result_, x, contact_length()) ||
-        ends_curve(result_, x, contact_length()) || in_clump(x) || in_contact(x) || on_curve(x))
+        ends_curve(result_, x, contact_length()) || in_cluster(x) || in_contact(x) || on_curve(x))
       return;
     result_.points.push_back(contact);
     Place place = place_at(contact, options_.tolerances.point);
@@ -268,7 +271,7 @@ class Assembly {
     const bool is_short = length <= kShortestBranch * options_.tolerances.point;
     const bool is_point = length <= kPoint * size_;
     if (is_short && (belongs_to_contact(chain) || chain.closed || is_point)) return {};
-    if (any_arc(chain, &CellArc::slides) && length <= contact_length()) return {};
+    if (any_arc(chain, &CellArc::runs_along_border) && length <= contact_length()) return {};
     const bool tangential = any_arc(chain, &CellArc::tangential);
     const double gap = tangential ? largest_gap() : 0;
     const double tolerance = options_.tolerances.point;
@@ -298,8 +301,8 @@ class Assembly {
     curve.ends = {chain.ends[0].kind, chain.ends[1].kind};
     for (std::size_t side = 0; side < 2; ++side) {
       const SurfacePoint& end = side == 0 ? curve.samples.front() : curve.samples.back();
-      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place && chain.ends[side].clump < 0 &&
-          chain.ends[side].contact < 0 && !curve.tangential &&
+      if (!chain.closed && chain.ends[side].kind == CurveEnd::Place &&
+          chain.ends[side].cluster < 0 && chain.ends[side].contact < 0 && !curve.tangential &&
           !bounds_overlap(result_, end.point, contact_length()) && !beside_known(end.point))
         add_loose_end(end);
     }
@@ -311,7 +314,7 @@ class Assembly {
   // A branch as short as the tolerance at a listed contact is part of it.
   static bool belongs_to_contact(const Chain& chain) {
     return !chain.closed && std::ranges::any_of(chain.ends, [](const ChainEnd& end) {
-      return end.contact >= 0 || end.clump >= 0;
+      return end.contact >= 0 || end.cluster >= 0;
     });
   }
 
@@ -392,11 +395,11 @@ class Assembly {
     return is_on_curve(result_, point, kOnCurve * size_, tangential_only);
   }
 
-  bool in_clump(const Vec3& point) const {
+  bool in_cluster(const Vec3& point) const {
     const double r = options_.tolerances.point;
     const Vec3 low = point - origin_ - Vec3{r, r, r}, high = point - origin_ + Vec3{r, r, r};
-    return std::any_of(clumps_.begin(), clumps_.end(), [&](const Clump& clump) {
-      return meet(clump.box, {low, high});
+    return std::any_of(clusters_.begin(), clusters_.end(), [&](const CriticalCluster& cluster) {
+      return meet(cluster.box, {low, high});
     });
   }
 
@@ -433,18 +436,21 @@ class Assembly {
     weaken(Status::Stopped, "a branch ends inside both surfaces without a reason");
   }
 
-  // What a clump is: by its size, by whether the surfaces are within tolerance all over it, and
+  // What a cluster is: by its size, by whether the surfaces are within tolerance all over it, and
   // by the arcs that end on it.
-  void add_place(SurfaceCells& cells_a, SurfaceCells& cells_b, const Clump& clump) {
-    Place place{PlaceKind::Open,          clump.box.low + origin_,
-                clump.box.high + origin_, 0,
-                diagonal(clump.box),      parameters_of(cells_a, cells_b, found_.critical, clump)};
-    if (clump.thin) {  // within tolerance all over, whatever the surfaces do in it
-      if (!clump.singular) place.gap_high = kThinGap * options_.tolerances.point;
-      place.kind = clump.singular ? PlaceKind::Cusp : PlaceKind::Tangential;
+  void add_place(SurfaceCells& cells_a, SurfaceCells& cells_b, const CriticalCluster& cluster) {
+    Place place{PlaceKind::Open,
+                cluster.box.low + origin_,
+                cluster.box.high + origin_,
+                0,
+                diagonal(cluster.box),
+                parameters_of(cells_a, cells_b, found_.critical, cluster)};
+    if (cluster.thin) {  // within tolerance all over, whatever the surfaces do in it
+      if (!cluster.singular) place.gap_high = kThinGap * options_.tolerances.point;
+      place.kind = cluster.singular ? PlaceKind::Cusp : PlaceKind::Tangential;
     }
     // Where the area has a border of its own it is a region already.
-    const bool coincides = clump.thin && holds_area(clump, found_.critical);
+    const bool coincides = cluster.thin && holds_area(cluster, found_.critical);
     if (coincides) {
       place.kind = PlaceKind::Overlap;
       result_.overlaps.push_back({{}, place.gap_high});
@@ -452,9 +458,9 @@ class Assembly {
     result_.places.push_back(place);
     if (coincides)
       weaken(Status::Tolerance, "the surfaces coincide in the listed contacts");
-    else if (!clump.thin)
+    else if (!cluster.thin)
       weaken(Status::Stopped, "some regions are unresolved");
-    else if (clump.singular)
+    else if (cluster.singular)
       weaken(Status::Tolerance, "the surface is singular, or nearly, in the listed contacts");
     else
       weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
@@ -488,7 +494,7 @@ class Assembly {
   const KnownCurves known_;
   PairSearchResult found_;
   std::vector<ContactChain> contacts_;
-  std::vector<Clump> clumps_;
+  std::vector<CriticalCluster> clusters_;
   double shared_gap_ = 0;  // along borders that both surfaces share
   SurfaceIntersection result_;
 };

@@ -64,14 +64,14 @@ class Graph {
     return ends;
   }
 
-  std::vector<Chain> chains(const std::vector<Clump>& clumps) {
+  std::vector<Chain> chains(const std::vector<CriticalCluster>& clusters) {
     std::vector<Chain> result;
     used_ = dropped_;
     for (std::size_t e = 0; e < points_.size(); ++e)
       if (!used_[e / 2] && (ends_at(e).size() != 2 || contact_of_[e] >= 0))
-        result.push_back(walk(e, clumps));
+        result.push_back(walk(e, clusters));
     for (std::size_t e = 0; e < points_.size(); e += 2)
-      if (!used_[e / 2]) result.push_back(walk(e, clumps));
+      if (!used_[e / 2]) result.push_back(walk(e, clusters));
     return result;
   }
 
@@ -179,7 +179,7 @@ class Graph {
     }
   }
 
-  Chain walk(std::size_t first, const std::vector<Clump>& clumps) {
+  Chain walk(std::size_t first, const std::vector<CriticalCluster>& clusters) {
     Chain chain;
     std::size_t end = first;
     while (true) {
@@ -188,7 +188,7 @@ class Graph {
       const std::size_t far = end ^ 1;
       const auto& there = ends_at(far);
       if (there.size() != 2 || contact_of_[far] >= 0) {
-        chain.ends = {end_kind(first, clumps), end_kind(far, clumps)};
+        chain.ends = {end_kind(first, clusters), end_kind(far, clusters)};
         return chain;
       }
       const std::size_t next = there[0] == far ? there[1] : there[0];
@@ -229,20 +229,20 @@ class Graph {
     bool along = false;
     for (std::size_t i = 0; i < 4; ++i) {
       if (!at_border(end, i)) continue;
-      if (!closed[i] && !found_.arcs[end / 2].arc.slides) return false;
+      if (!closed[i] && !found_.arcs[end / 2].arc.runs_along_border) return false;
       if (std::abs(points_[end][i] - points_[end ^ 1][i]) > kJoin) return false;
       along = true;
     }
     return along;
   }
 
-  ChainEnd end_kind(std::size_t end, const std::vector<Clump>& clumps) const {
+  ChainEnd end_kind(std::size_t end, const std::vector<CriticalCluster>& clusters) const {
     if (contact_of_[end] >= 0) return {CurveEnd::Place, -1, contact_of_[end]};
     if (is_swapped(end)) return {CurveEnd::Closed, -1, -1};
     if (const auto border = on_border(end)) return {*border, -1, -1};
     const Point4& p = points_[end];
-    for (std::size_t c = 0; c < clumps.size(); ++c)
-      for (const int i : clumps[c].pairs)
+    for (std::size_t c = 0; c < clusters.size(); ++c)
+      for (const int i : clusters[c].pairs)
         if (in_pair(found_.critical[static_cast<std::size_t>(i)], p))
           return {CurveEnd::Place, static_cast<int>(c), -1};
     return {CurveEnd::Place, -1, -1};
@@ -300,7 +300,7 @@ class SideAgreement {
       for (const Point4& x : {arc.arc.from, arc.arc.to})
         points_.push_back(over_surfaces(cells, cells, arc.patch_a, arc.patch_b, x));
     find_matches();
-    drop_grazes(cells);
+    drop_corner_contacts(cells);
   }
 
   void run() {
@@ -351,9 +351,10 @@ class SideAgreement {
     matches_[f].push_back({f, e, !direct});
   }
 
-  void drop_grazes(const SurfaceCells& cells) {
-    std::erase_if(found_.grazes, [&](const FoundGraze& graze) {
-      const Point4 p = over_surfaces(cells, cells, graze.patch_a, graze.patch_b, graze.x);
+  void drop_corner_contacts(const SurfaceCells& cells) {
+    std::erase_if(found_.corner_contacts, [&](const CornerContact& corner_contact) {
+      const Point4 p = over_surfaces(cells, cells, corner_contact.patch_a, corner_contact.patch_b,
+                                     corner_contact.x);
       return std::any_of(points_.begin(), points_.end(),
                          [&](const Point4& q) { return same(p, q) || same(mirrored(p), q); });
     });
@@ -388,8 +389,8 @@ void agree_on_sides(PairSearchResult& found, const SurfaceCells& cells) {
 
 std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& a,
                              const SurfaceCells& b, const std::vector<ContactChain>& contacts,
-                             const std::vector<Clump>& clumps) {
-  return Graph(found, a, b, contacts).chains(clumps);
+                             const std::vector<CriticalCluster>& clusters) {
+  return Graph(found, a, b, contacts).chains(clusters);
 }
 
 std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells& a,
@@ -397,22 +398,23 @@ std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells
   return Graph(found, a, b, contacts).loose();
 }
 
-std::vector<FoundGraze> lone_grazes(const PairSearchResult& found, const SurfaceCells& a,
-                                    const SurfaceCells& b) {
-  if (found.grazes.empty()) return {};
+std::vector<CornerContact> lone_corner_contacts(const PairSearchResult& found,
+                                                const SurfaceCells& a, const SurfaceCells& b) {
+  if (found.corner_contacts.empty()) return {};
   std::vector<Point4> known;  // sorted
   for (const FoundArc& arc : found.arcs)
     for (const Point4& x : {arc.arc.from, arc.arc.to})
       known.push_back(over_surfaces(a, b, arc.patch_a, arc.patch_b, x));
   std::ranges::sort(known);
-  std::vector<FoundGraze> lone;
-  for (const FoundGraze& graze : found.grazes) {
-    const Point4 p = over_surfaces(a, b, graze.patch_a, graze.patch_b, graze.x);
+  std::vector<CornerContact> lone;
+  for (const CornerContact& corner_contact : found.corner_contacts) {
+    const Point4 p =
+        over_surfaces(a, b, corner_contact.patch_a, corner_contact.patch_b, corner_contact.x);
     auto near = std::ranges::lower_bound(known, Point4{p[0] - 2 * kJoin});
     while (near != known.end() && (*near)[0] <= p[0] + 2 * kJoin && !same(p, *near)) ++near;
     if (near != known.end() && same(p, *near)) continue;
     known.insert(std::ranges::lower_bound(known, p), p);
-    lone.push_back(graze);
+    lone.push_back(corner_contact);
   }
   return lone;
 }

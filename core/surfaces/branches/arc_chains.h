@@ -22,7 +22,7 @@ struct ChainLink {
 /// Where a chain ends.
 struct ChainEnd {
   CurveEnd kind = CurveEnd::Closed;
-  int clump = -1;    ///< for CurveEnd::Place: the clump of critical pairs it ends in, or -1
+  int cluster = -1;  ///< for CurveEnd::Place: the cluster of critical pairs it ends in, or -1
   int contact = -1;  ///< likewise the contact; if both are -1 nothing explains the end
 };
 
@@ -33,26 +33,28 @@ struct Chain {
 };
 
 /// Joins arcs end to end. Inside the surfaces exactly two arcs meet in a border point; on a
-/// border one ends. An end that is neither, nor in a clump, has no explanation: its chain gets
-/// CurveEnd::Place without a clump, and the result may not be called complete.
+/// border one ends. An end that is neither, nor in a cluster, has no explanation: its chain gets
+/// CurveEnd::Place without a cluster, and the result may not be called complete.
 /// contacts   branches may end in their arms
-/// clumps     of critical pairs, in which branches may end
+/// clusters     of critical pairs, in which branches may end
 std::vector<Chain> chains_of(const PairSearchResult& found, const SurfaceCells& a,
                              const SurfaceCells& b, const std::vector<ContactChain>& contacts,
-                             const std::vector<Clump>& clumps);
+                             const std::vector<CriticalCluster>& clusters);
 
-/// The ends of arcs that nothing explains: not on a border, not joined, in no contact or clump.
+/// The ends of arcs that nothing explains: not on a border, not joined, in no contact or cluster.
 std::vector<ArcEnd> loose_ends(const PairSearchResult& found, const SurfaceCells& a,
                                const SurfaceCells& b, const std::vector<ContactChain>& contacts);
 
 /// Of a surface with itself: which of two points is the one on a is a matter of taste. Arcs, and
 /// with them whole chains, are turned until the ends that are one agree on it. A loop on which the
 /// two change places cannot agree everywhere: the ends where it does not are listed in
-/// `found.swapped`, and its chain begins and ends there. Grazes at ends of arcs are dropped.
+/// `found.swapped`, and its chain begins and ends there. Corner contacts at ends of arcs are
+/// dropped.
 void agree_on_sides(PairSearchResult& found, const SurfaceCells& cells);
 
-/// The grazes at which no arc ends, each once: contacts of the surfaces at one of their corners.
-std::vector<FoundGraze> lone_grazes(const PairSearchResult& found, const SurfaceCells& a,
-                                    const SurfaceCells& b);
+/// The corner contacts at which no arc ends, each once: contacts of the surfaces at one of their
+/// corners.
+std::vector<CornerContact> lone_corner_contacts(const PairSearchResult& found,
+                                                const SurfaceCells& a, const SurfaceCells& b);
 
 }  // namespace blossom

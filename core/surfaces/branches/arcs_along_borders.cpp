@@ -25,7 +25,7 @@ constexpr double kNoise = 2 * kSamePoint;  // of ends
 constexpr long kBuckets = 100'000;         // of a patch: lines in one are looked up together
 // An arc is repeated if others have so much of it. What they leave out is a contact's on their
 // side, or a branch ends there, which is told.
-constexpr double kMostOfIt = 0.5;
+constexpr double kLargePart = 0.5;
 // An arc along a border is no shorter than this part of a patch, and its ends are as near the
 // border as this, of the arc's length and of a patch: one that touches the border there is not.
 constexpr double kShortestAlong = 1e-4;
@@ -80,7 +80,7 @@ class ArcsOnLines {
         reached = to;
       }
     }
-    return covered >= kMostOfIt * length(all);
+    return covered >= kLargePart * length(all);
   }
 
   // Model units.
@@ -225,7 +225,7 @@ void drop_repeated_arcs(PairSearchResult& found, SurfaceCells& a, SurfaceCells& 
   if (found.along_border) {
     ExactBorders exact(a.surface(), b.surface());
     found.along_border = std::ranges::any_of(found.arcs, [&](const FoundArc& arc) {
-      return arc.arc.slides && !runs_regularly(arc, a, b) && !exact.hold(arc);
+      return arc.arc.runs_along_border && !runs_regularly(arc, a, b) && !exact.hold(arc);
     });
   }
   const auto shares = [](const FoundArc& arc) { return arc.arc.shared_border >= 0; };

@@ -9,8 +9,8 @@
 namespace blossom {
 namespace {
 
-// A chain this many times as long as the clump at both its ends belongs to the contact there.
-constexpr double kClumpReach = 4;
+// A chain this many times as long as the cluster at both its ends belongs to the contact there.
+constexpr double kClusterReach = 4;
 
 // The contact that a closed chain passes, if that is the only one it is an arm of; or -1.
 int contact_on(const Chain& chain, const std::vector<ContactChain>& contacts) {
@@ -49,8 +49,8 @@ int contact_with(const Chain& chain, const Box& box, const std::vector<ContactCh
   if (contact < 0) return -1;
   const ContactChain& at = contacts[static_cast<std::size_t>(contact)];
   if (at.curve || (!returns && !at.pole)) return -1;
-  // A clump ends somewhere near its point, a valley's contact exactly.
-  const double part = !returns ? 0 : at.path.size() == 1 ? kClumpReach : 1;
+  // A cluster ends somewhere near its point, a valley's contact exactly.
+  const double part = !returns ? 0 : at.path.size() == 1 ? kClusterReach : 1;
   const bool is_short = diagonal(box) <= part * at.length + kShortestBranch * tolerance;
   return is_short ? contact : -1;
 }
@@ -58,10 +58,10 @@ int contact_with(const Chain& chain, const Box& box, const std::vector<ContactCh
 }  // namespace
 
 void drop_scraps(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                 std::vector<ContactChain>& contacts, const std::vector<Clump>& clumps,
+                 std::vector<ContactChain>& contacts, const std::vector<CriticalCluster>& clusters,
                  double tolerance) {
   if (contacts.empty()) return;
-  for (const Chain& chain : chains_of(found, a, b, contacts, clumps)) {
+  for (const Chain& chain : chains_of(found, a, b, contacts, clusters)) {
     const int contact = contact_with(chain, end_box(a, found, chain), contacts, tolerance);
     if (contact < 0) continue;
     // The scrap is told by its contact, which has to stay for that.

@@ -22,7 +22,7 @@ inline constexpr double kShortestBranch = 4;
 ///
 /// tolerance    model units
 void drop_scraps(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                 std::vector<ContactChain>& contacts, const std::vector<Clump>& clumps,
+                 std::vector<ContactChain>& contacts, const std::vector<CriticalCluster>& clusters,
                  double tolerance);
 
 }  // namespace blossom

@@ -81,7 +81,7 @@ void straighten_at_poles(std::vector<Chain>& chains, PairSearchResult& found, Su
       const ChainLink outer = chain.links[side == 0 ? near - 1 : first];
       FoundArc straight{arc.patch_a, arc.patch_b, kNoBox, {}, {-1, -1}};
       straight.to_pole = true;
-      straight.arc.slides = arc.arc.slides;
+      straight.arc.runs_along_border = arc.arc.runs_along_border;
       straight.arc.from = end_of(found, arc_end(outer, side != 0));
       straight.arc.to = goal.x;
       for (std::size_t k = 0; k < 4; ++k)

@@ -35,10 +35,10 @@ std::array<Interval, 4> parameters_of(const SurfaceCells& a, const SurfaceCells&
 
 std::array<Interval, 4> parameters_of(const SurfaceCells& a, const SurfaceCells& b,
                                       const std::vector<CriticalPair>& critical,
-                                      const Clump& clump) {
+                                      const CriticalCluster& cluster) {
   std::array<Interval, 4> all;
   all.fill({1e300, -1e300});
-  for (const int i : clump.pairs) {
+  for (const int i : cluster.pairs) {
     const std::array one = parameters_of(a, b, critical[static_cast<std::size_t>(i)]);
     for (std::size_t k = 0; k < 4; ++k) {
       all[k].from = std::min(all[k].from, one[k].from);

@@ -21,12 +21,13 @@ namespace blossom {
 SurfacePoint surface_point(SurfaceCells& a, SurfaceCells& b, const Vec3& origin,
                            const ContactPoint& point);
 
-/// The rectangles of a critical pair in the surfaces' own parameters, and of all pairs of a clump.
+/// The rectangles of a critical pair in the surfaces' own parameters, and of all pairs of a
+/// cluster.
 std::array<Interval, 4> parameters_of(const SurfaceCells& a, const SurfaceCells& b,
                                       const CriticalPair& pair);
 std::array<Interval, 4> parameters_of(const SurfaceCells& a, const SurfaceCells& b,
                                       const std::vector<CriticalPair>& critical,
-                                      const Clump& clump);
+                                      const CriticalCluster& cluster);
 
 /// The box of all ends of a chain's arcs, relative to the cells' origin.
 Box end_box(SurfaceCells& a, const PairSearchResult& found, const Chain& chain);

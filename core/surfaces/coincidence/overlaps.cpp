@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/forms/evaluation.h"
-#include "core/surfaces/coincidence/border_stretches.h"
+#include "core/surfaces/coincidence/border_overlaps.h"
 
 namespace blossom {
 namespace {
@@ -20,7 +20,7 @@ constexpr double kGrown = 1.0;           // of a cell's width, when a boundary i
 // A directed piece of the boundary of a region.
 struct Piece {
   std::vector<ContactPoint> path;
-  BorderStretch stretch;
+  BorderOverlap stretch;
   bool of_a = true;              // whose border it is
   std::size_t from = 0, to = 0;  // vertices
   bool used = false;
@@ -186,10 +186,10 @@ class OverlapFinder {
     return places;
   }
 
-  static std::vector<BorderStretch> stretches_of(BorderFollower& follower,
+  static std::vector<BorderOverlap> stretches_of(BorderFollower& follower,
                                                  const BezierSurface& surface, StretchKind kind,
                                                  const Junctions& junctions) {
-    std::vector<BorderStretch> all;
+    std::vector<BorderOverlap> all;
     for (const BorderLine& line : border_lines(surface)) {
       const auto found = follower.stretches(line, kind, places_on(line, junctions));
       all.insert(all.end(), found.begin(), found.end());
@@ -198,9 +198,9 @@ class OverlapFinder {
   }
 
   static Junctions junctions_of(const BorderFollower& follower,
-                                const std::vector<BorderStretch>& stretches) {
+                                const std::vector<BorderOverlap>& stretches) {
     Junctions all;
-    for (const BorderStretch& stretch : stretches)
+    for (const BorderOverlap& stretch : stretches)
       for (const BorderJunction& junction : follower.junctions(stretch)) all.push_back(junction);
     return all;
   }
@@ -227,10 +227,10 @@ class OverlapFinder {
     return path;
   }
 
-  void take(BorderFollower& follower, const std::vector<BorderStretch>& stretches,
+  void take(BorderFollower& follower, const std::vector<BorderOverlap>& stretches,
             const Junctions& junctions, bool of_a) {
-    for (const BorderStretch& whole : stretches)
-      for (const BorderStretch& part : follower.cut(whole, places_on(whole.line, junctions))) {
+    for (const BorderOverlap& whole : stretches)
+      for (const BorderOverlap& part : follower.cut(whole, places_on(whole.line, junctions))) {
         if (part.points.size() < 2) continue;
         auto path = contact_path(part.points, of_a);
         if (length_of(path) <= join_ && !(of_a && is_pole(part))) continue;
@@ -244,7 +244,7 @@ class OverlapFinder {
   }
 
   // Nothing where the surface goes on, or where the search met no coincidence.
-  void add_edge(const BorderStretch& stretch, bool of_a, bool wide) {
+  void add_edge(const BorderOverlap& stretch, bool of_a, bool wide) {
     const int across = stretch.line.across + (of_a ? 0 : 2);
     if (span_beyond((of_a ? a_ : b_).surface(), stretch.line) ||
         !is_held({contact_path(stretch.points, of_a), across}))
@@ -255,7 +255,7 @@ class OverlapFinder {
 
   // A pole bounds a region round it in a's chart as any other border does: what is one point there
   // closes the band.
-  bool is_pole(const BorderStretch& stretch) const {
+  bool is_pole(const BorderOverlap& stretch) const {
     const BezierSurface& surface = a_.surface();
     const bool across_u = stretch.line.across == 0;
     const int spans = across_u ? surface.patches.columns() : surface.patches.rows();
@@ -453,7 +453,7 @@ class OverlapFinder {
   PolledLimit limit_;
   BorderFollower on_b_;  // borders of a
   BorderFollower on_a_;  // borders of b
-  std::vector<BorderStretch> stretches_a_, stretches_b_;
+  std::vector<BorderOverlap> stretches_a_, stretches_b_;
   Junctions junctions_a_, junctions_b_;
   std::vector<Piece> pieces_;
   std::vector<Vec3> vertices_;

@@ -21,8 +21,8 @@ inline const Point4& end_of(const PairSearchResult& found, ArcEnd end) {
   return end % 2 == 0 ? arc.from : arc.to;
 }
 
-/// A larger clump is more than a point. Of the size.
-inline constexpr double kPointClump = 1e-2;
+/// A larger cluster is more than a point. Of the size.
+inline constexpr double kPointCluster = 1e-2;
 
 struct ContactPoint {
   int patch_a = 0;

@@ -17,19 +17,19 @@ namespace {
 
 constexpr double kOnePoint = 1e-8;          // of the size: ends of pieces this close are one point
 constexpr double kBesides = 1e-5;           // of the size: points of contact this close are one
-constexpr std::size_t kClosestStarts = 24;  // pairs tried for a clump's closest point
+constexpr std::size_t kClosestStarts = 24;  // pairs tried for a cluster's closest point
 constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
 constexpr double kOnBorder = 1e-9;   // of a patch
 constexpr double kRounding = 1e-15;  // of the size
 constexpr double kPolishReach = 0.02;  // fraction of a patch
-constexpr double kLeastReach = 1e-3;   // of the size: how far off a contact's centre may be
+constexpr double kMinReach = 1e-3;     // of the size: how far off a contact's centre may be
 
 class Joiner {
  public:
   Joiner(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double size, double tolerance)
       : found_(found), a_(a), b_(b), size_(size), tolerance_(tolerance) {}
 
-  std::vector<ContactChain> run(std::vector<Clump>& clumps) {
+  std::vector<ContactChain> run(std::vector<CriticalCluster>& clusters) {
     move_above_borders(found_, a_, b_);
     drop_repeated();
     const std::size_t ends = 2 * found_.contacts.size();
@@ -51,17 +51,17 @@ class Joiner {
     drop_near_misses(chains, found_, a_, b_, tolerance_);
     const ContactExtent extent(a_, size_, tolerance_);
     for (ContactChain& chain : chains) extent.measure(chain);
-    const std::size_t clumps_from = chains.size();
-    std::erase_if(clumps, [&](const Clump& clump) {
-      const double most = clump.thin ? kPointClump * size_ : tolerance_;
-      const bool point = !clump.singular && diagonal(clump.box) <= most;
-      if (point) chains.push_back(contact_of(clump));
+    const std::size_t clusters_from = chains.size();
+    std::erase_if(clusters, [&](const CriticalCluster& cluster) {
+      const double most = cluster.thin ? kPointCluster * size_ : tolerance_;
+      const bool point = !cluster.singular && diagonal(cluster.box) <= most;
+      if (point) chains.push_back(contact_of(cluster));
       return point;
     });
-    extent.measure_across(chains, clumps_from);
+    extent.measure_across(chains, clusters_from);
     merge_points(chains);
     absorb_points(chains);
-    gather_at_third_order_nodes(chains, clumps, found_, a_, b_, size_, tolerance_);
+    gather_at_third_order_nodes(chains, clusters, found_, a_, b_, size_, tolerance_);
     for (ContactChain& chain : chains) {
       if (chain.curve)
         add_arcs(chain);
@@ -316,12 +316,12 @@ class Joiner {
     return best;
   }
 
-  // The contact in a clump of cells, at the closest point that a few of its pairs lead to.
-  ContactChain contact_of(const Clump& clump) const {
+  // The contact in a cluster of cells, at the closest point that a few of its pairs lead to.
+  ContactChain contact_of(const CriticalCluster& cluster) const {
     ContactChain chain;
-    chain.box = clump.box;
-    chain.length = diagonal(clump.box);
-    chain.regular = crosses_regularly(found_, clump.pairs, a_, b_);
+    chain.box = cluster.box;
+    chain.length = diagonal(cluster.box);
+    chain.regular = crosses_regularly(found_, cluster.pairs, a_, b_);
     Closest best;
     best.point.gap = 1e300;
     const auto consider = [&](int index) {
@@ -329,12 +329,12 @@ class Joiner {
       if (next.is_better_than(best, most_rounding())) best = next;
     };
     // Round a node the surfaces stay together longest, so its own cells are the widest.
-    consider(*std::ranges::max_element(clump.pairs, {}, [&](int index) {
+    consider(*std::ranges::max_element(cluster.pairs, {}, [&](int index) {
       const auto& box = found_.critical[static_cast<std::size_t>(index)].box;
       return length(box[0]) * length(box[1]);
     }));
-    const std::size_t step = clump.pairs.size() / kClosestStarts + 1;
-    for (std::size_t i = 0; i < clump.pairs.size(); i += step) consider(clump.pairs[i]);
+    const std::size_t step = cluster.pairs.size() / kClosestStarts + 1;
+    for (std::size_t i = 0; i < cluster.pairs.size(); i += step) consider(cluster.pairs[i]);
     chain.path = {best.point};
     return chain;
   }
@@ -390,7 +390,7 @@ class Joiner {
     const Vec3 x = point(p.patch_a, p.x);
     const auto gap = [&](const ContactPoint& q) { return distance(point(q.patch_a, q.x), x); };
     const ContactPoint& next = *std::ranges::min_element(curve.path, {}, gap);
-    return gap(next) <= kPointClump * size_ && in_contact(a_, b_, p, next, tolerance_);
+    return gap(next) <= kPointCluster * size_ && in_contact(a_, b_, p, next, tolerance_);
   }
 
   // The tangential curve as arcs, piece by piece; ends of pieces that are one point are made so.
@@ -460,7 +460,7 @@ class Joiner {
     ContactPoint best = *std::min_element(
         chain.path.begin(), chain.path.end(),
         [](const ContactPoint& p, const ContactPoint& q) { return p.gap < q.gap; });
-    const double reach = std::max(chain.length, kLeastReach * size_);
+    const double reach = std::max(chain.length, kMinReach * size_);
     double least = best.gap + kRounding * size_;
     for (ContactPoint centre : {chain.path[chain.path.size() / 2], best}) {
       const auto &patch_a = a_.tree(centre.patch_a).patch(),
@@ -489,9 +489,9 @@ class Joiner {
 }  // namespace
 
 std::vector<ContactChain> contact_chains(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                                         std::vector<Clump>& clumps, double size,
+                                         std::vector<CriticalCluster>& clusters, double size,
                                          double tolerance) {
-  return Joiner(found, a, b, size, tolerance).run(clumps);
+  return Joiner(found, a, b, size, tolerance).run(clusters);
 }
 
 }  // namespace blossom

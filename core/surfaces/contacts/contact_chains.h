@@ -10,12 +10,13 @@
 
 namespace blossom {
 
-/// Joins the pieces of contact, and makes contacts of the clumps that are points. Arcs of
+/// Joins the pieces of contact, and makes contacts of the clusters that are points. Arcs of
 /// tangential curves are added to `found.arcs`.
 ///
-/// clumps            those that become contacts are taken out
+/// clusters            those that become contacts are taken out
 /// size, tolerance   model units
 std::vector<ContactChain> contact_chains(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                                         std::vector<Clump>& clumps, double size, double tolerance);
+                                         std::vector<CriticalCluster>& clusters, double size,
+                                         double tolerance);
 
 }  // namespace blossom

@@ -17,7 +17,7 @@ namespace {
 constexpr double kShort = 1e-3;  // of the size
 constexpr double kLong = 0.05;
 constexpr double kCloser = 1.0 / 64;  // of the tolerance
-constexpr double kMostOfIt = 0.6;
+constexpr double kLargePart = 0.6;
 constexpr double kHardlyAny = 0.1;
 constexpr double kEven = 1.5;  // of the square of the distance to a zero it is a fifth
 
@@ -42,7 +42,7 @@ bool has_even_gap(ContactSteps steps, double length) {
   double sum = 0;
   for (const auto& [gap, step] : steps)
     if ((sum += step) >= 0.5 * length)
-      return length_between(steps, gap / kEven, gap * kEven) > kMostOfIt * length;
+      return length_between(steps, gap / kEven, gap * kEven) > kLargePart * length;
   return false;
 }
 
@@ -74,39 +74,40 @@ void ContactExtent::measure(ContactChain& chain) const {
   const ContactSteps steps = steps_of(chain);
   for (const auto& [gap, step] : steps) chain.length += step;
   const double close = length_between(steps, 0, kCloser * level_of(chain, tolerance_));
-  chain.curve = chain.length > kShort * size_ &&
-                (chain.closed || close > kMostOfIt * chain.length || is_strip(steps, chain.length));
+  chain.curve =
+      chain.length > kShort * size_ &&
+      (chain.closed || close > kLargePart * chain.length || is_strip(steps, chain.length));
 }
 
-bool ContactExtent::ends_in(const ContactChain& chain, const ContactChain& clump) const {
+bool ContactExtent::ends_in(const ContactChain& chain, const ContactChain& cluster) const {
   const double most = kContactJoinRadius * size_;
-  return squared_distance(clump.box, point(chain.path.front())) <= most * most ||
-         squared_distance(clump.box, point(chain.path.back())) <= most * most;
+  return squared_distance(cluster.box, point(chain.path.front())) <= most * most ||
+         squared_distance(cluster.box, point(chain.path.back())) <= most * most;
 }
 
 void ContactExtent::measure_across(std::vector<ContactChain>& chains,
-                                   std::size_t clumps_from) const {
-  std::vector<std::size_t> group(clumps_from);
+                                   std::size_t clusters_from) const {
+  std::vector<std::size_t> group(clusters_from);
   std::iota(group.begin(), group.end(), std::size_t{0});
-  for (std::size_t c = clumps_from; c < chains.size(); ++c) {
-    std::size_t first = clumps_from;
-    for (std::size_t i = 0; i < clumps_from; ++i) {
+  for (std::size_t c = clusters_from; c < chains.size(); ++c) {
+    std::size_t first = clusters_from;
+    for (std::size_t i = 0; i < clusters_from; ++i) {
       if (!ends_in(chains[i], chains[c])) continue;
-      if (first == clumps_from) first = group[i];
+      if (first == clusters_from) first = group[i];
       std::replace(group.begin(), group.end(), std::size_t{group[i]}, first);
     }
   }
-  for (std::size_t g = 0; g < clumps_from; ++g) {
+  for (std::size_t g = 0; g < clusters_from; ++g) {
     ContactSteps steps;
     double length = 0;
-    for (std::size_t i = 0; i < clumps_from; ++i) {
+    for (std::size_t i = 0; i < clusters_from; ++i) {
       if (group[i] != g) continue;
       const ContactSteps more = steps_of(chains[i]);
       steps.insert(steps.end(), more.begin(), more.end());
       length += chains[i].length;
     }
     if (!is_strip(steps, length)) continue;
-    for (std::size_t i = 0; i < clumps_from; ++i)
+    for (std::size_t i = 0; i < clusters_from; ++i)
       if (group[i] == g) chains[i].curve = true;
   }
 }

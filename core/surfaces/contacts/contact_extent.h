@@ -10,7 +10,7 @@
 
 namespace blossom {
 
-/// Ends of contacts this close to each other or to a clump may be joined. Of the size.
+/// Ends of contacts this close to each other or to a cluster may be joined. Of the size.
 inline constexpr double kContactJoinRadius = 1e-3;
 
 using ContactSteps = std::vector<std::pair<double, double>>;  ///< gaps and lengths, model units
@@ -24,15 +24,15 @@ class ContactExtent {
   /// Box, length and kind (`curve`) of a contact with a path.
   void measure(ContactChain& chain) const;
 
-  /// Contacts that clumps keep apart may be parts of one strip, each too short for one: all of them
-  /// become curves then. The clumps' own contacts begin at index `clumps_from`.
-  void measure_across(std::vector<ContactChain>& chains, std::size_t clumps_from) const;
+  /// Contacts that clusters keep apart may be parts of one strip, each too short for one: all of
+  /// them become curves then. The clusters' own contacts begin at index `clusters_from`.
+  void measure_across(std::vector<ContactChain>& chains, std::size_t clusters_from) const;
 
  private:
   Vec3 point(const ContactPoint& p) const;
   ContactSteps steps_of(const ContactChain& chain) const;
   bool is_strip(const ContactSteps& steps, double length) const;
-  bool ends_in(const ContactChain& chain, const ContactChain& clump) const;
+  bool ends_in(const ContactChain& chain, const ContactChain& cluster) const;
 
   SurfaceCells& a_;
   const double size_, tolerance_;

@@ -9,28 +9,28 @@
 #include "core/cells/cell_part.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_cuts.h"
-#include "core/surfaces/gap/chart_claims.h"
+#include "core/surfaces/gap/chart_ownership.h"
 #include "core/surfaces/gap/contact_points.h"
-#include "core/surfaces/gap/crossing_contact.h"
 #include "core/surfaces/gap/foot_borders.h"
 #include "core/surfaces/gap/gap_model.h"
+#include "core/surfaces/gap/odd_contact.h"
 #include "core/surfaces/gap/regular_cell.h"
 #include "core/surfaces/gap/valley.h"
 
 namespace blossom {
 namespace {
 
-constexpr int kMostChartHalvings = 24;
+constexpr int kMaxChartHalvings = 24;
 constexpr int kShallow = 8;
 constexpr double kWidening = 0.2;  // of a chart's width
-constexpr double kLeastWidening = 0.05;
+constexpr double kMinWidening = 0.05;
 // Halvings of a cell: 2^-32 in each direction. Near a pole a patch of b is narrower than any cell
 // that is larger than the tolerance, and only smaller ones are told apart from it there.
 constexpr int kDeepest = 64;
 constexpr int kDeepestPiece = 60;        // likewise of a chart's piece
 constexpr int kCutDepth = 26;            // from here on valleys may cross the chart's border
 constexpr double kThinnest = 1.0 / 256;  // width of a cell to its length
-constexpr long kMostCells = 60'000;      // per pair of patches
+constexpr long kMaxCells = 60'000;       // per pair of patches
 constexpr long kAskEvery = 16;           // cells between looks at the clock
 constexpr double kRegularMargin = 4;     // see `clearly_regular`
 constexpr double kBoxReserve = 0.1;      // of the box round a cell's foot points
@@ -87,7 +87,7 @@ class ContactSearch {
       for (const int cell : task_.cells_a) narrow_down(cell, cells[0], s, t);
       return;
     }
-    if (depth == kMostChartHalvings || out_of_budget()) {
+    if (depth == kMaxChartHalvings || out_of_budget()) {
       for (const int cell : task_.cells_a)
         if (!apart(tree_a_[cell], cells[0])) keep(tree_a_[cell], s, t, cells[0], false);
       return;
@@ -118,7 +118,7 @@ class ContactSearch {
   // Near a place where the parameters stand still only a small extension is a graph.
   std::optional<GraphChart> widened_chart(const Interval& s, const Interval& t, int depth) const {
     auto graph = graph_chart(tree_b_, s, t, kWidening);
-    if (!graph && depth >= kShallow) graph = graph_chart(tree_b_, s, t, kLeastWidening);
+    if (!graph && depth >= kShallow) graph = graph_chart(tree_b_, s, t, kMinWidening);
     return graph;
   }
 
@@ -144,7 +144,7 @@ class ContactSearch {
 
   bool out_of_budget() {
     if (result_.stopped) return true;
-    if (++cells_ > kMostCells) return stop("the budget of contact cells is spent");
+    if (++cells_ > kMaxCells) return stop("the budget of contact cells is spent");
     if (cells_ % kAskEvery != 0) return false;
     const char* reason = limit_.reached();
     if (reason == nullptr) return false;
@@ -214,9 +214,9 @@ class ContactSearch {
       ++result_.certificate.excluded;
       return true;
     }
-    const ChartClaims::Claim claimed = claims_.claim_of(foot, chart.index);
-    if (claimed == ChartClaims::Claim::Taken) return true;
-    if (claimed == ChartClaims::Claim::Partly) return false;
+    const ChartOwnership::Claim claimed = claims_.claim_of(foot, chart.index);
+    if (claimed == ChartOwnership::Claim::Taken) return true;
+    if (claimed == ChartOwnership::Claim::Partly) return false;
     const double most = std::max(std::abs(gap.low), std::abs(gap.high));
     if (most + error <= tolerance()) {
       const bool flat = most < std::max(kRoundingGap * tolerance(), error);
@@ -301,8 +301,8 @@ class ContactSearch {
       result_.along_border = result_.along_border || held->along_border;
       for (const CellArc& arc : held->arcs)
         result_.arcs.push_back({task_.patch_a, task_.patch_b, box_of(a, b), arc, {-1, -1}});
-      for (const Point4& x : held->grazes)
-        result_.grazes.push_back({task_.patch_a, task_.patch_b, x});
+      for (const Point4& x : held->corner_contacts)
+        result_.corner_contacts.push_back({task_.patch_a, task_.patch_b, x});
       return true;
     }
     return false;
@@ -396,7 +396,7 @@ class ContactSearch {
   const ValleyOptions valley_options_;
   PairSearchResult& result_;
   long cells_ = 0;
-  ChartClaims claims_;
+  ChartOwnership claims_;
 };
 
 }  // namespace

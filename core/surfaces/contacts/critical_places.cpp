@@ -67,33 +67,33 @@ void join_over_grid(const std::vector<CriticalPair>& pairs, Sets& sets) {
 
 }  // namespace
 
-std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs) {
+std::vector<CriticalCluster> clusters_of(const std::vector<CriticalPair>& pairs) {
   Sets sets(pairs.size());
   if (pairs.size() > kManyPairs)
     join_over_grid(pairs, sets);
   else
     join_meeting(pairs, sets);
   std::map<std::size_t, std::size_t> place;
-  std::vector<Clump> clumps;
+  std::vector<CriticalCluster> clusters;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto [found, added] = place.try_emplace(sets.find(i), clumps.size());
-    if (added) clumps.emplace_back();
-    Clump& clump = clumps[found->second];
-    clump.pairs.push_back(static_cast<int>(i));
-    clump.box = joined(clump.box, box_of(pairs[i]));
-    clump.thin = clump.thin && pairs[i].thin;
-    clump.singular = clump.singular || pairs[i].singular;
+    const auto [found, added] = place.try_emplace(sets.find(i), clusters.size());
+    if (added) clusters.emplace_back();
+    CriticalCluster& cluster = clusters[found->second];
+    cluster.pairs.push_back(static_cast<int>(i));
+    cluster.box = joined(cluster.box, box_of(pairs[i]));
+    cluster.thin = cluster.thin && pairs[i].thin;
+    cluster.singular = cluster.singular || pairs[i].singular;
   }
-  return clumps;
+  return clusters;
 }
 
-void join_singular(std::vector<Clump>& clumps, double tolerance) {
-  // Most of the clumps are near nothing: an emptied one waits for the end of all passes.
+void join_singular(std::vector<CriticalCluster>& clusters, double tolerance) {
+  // Most of the clusters are near nothing: an emptied one waits for the end of all passes.
   for (bool grown = true; grown;) {
     grown = false;
-    for (Clump& to : clumps) {
+    for (CriticalCluster& to : clusters) {
       if (!to.singular || to.pairs.empty()) continue;
-      for (Clump& from : clumps) {
+      for (CriticalCluster& from : clusters) {
         if (&from == &to || from.pairs.empty()) continue;
         if (!meet(widened(to.box, diagonal(to.box) + tolerance), from.box)) continue;
         to.pairs.insert(to.pairs.end(), from.pairs.begin(), from.pairs.end());
@@ -104,20 +104,20 @@ void join_singular(std::vector<Clump>& clumps, double tolerance) {
       }
     }
   }
-  std::erase_if(clumps, [](const Clump& clump) { return clump.pairs.empty(); });
+  std::erase_if(clusters, [](const CriticalCluster& cluster) { return cluster.pairs.empty(); });
 }
 
-bool meets_border(const Clump& clump, const std::vector<CriticalPair>& pairs) {
-  return std::ranges::any_of(clump.pairs, [&](int i) {
+bool meets_border(const CriticalCluster& cluster, const std::vector<CriticalPair>& pairs) {
+  return std::ranges::any_of(cluster.pairs, [&](int i) {
     const CriticalPair& pair = pairs[static_cast<std::size_t>(i)];
     return std::ranges::any_of(pair.box,
                                [](const Interval& t) { return t.from <= 0 || t.to >= 1; });
   });
 }
 
-bool holds_area(const Clump& clump, const std::vector<CriticalPair>& pairs) {
+bool holds_area(const CriticalCluster& cluster, const std::vector<CriticalPair>& pairs) {
   constexpr double kWidth = 1e-6;  // of a patch
-  return std::ranges::any_of(clump.pairs, [&](int i) {
+  return std::ranges::any_of(cluster.pairs, [&](int i) {
     const CriticalPair& pair = pairs[static_cast<std::size_t>(i)];
     return pair.shared && length(pair.box[0]) > kWidth && length(pair.box[1]) > kWidth;
   });

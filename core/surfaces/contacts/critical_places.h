@@ -2,7 +2,7 @@
 // Critical pairs of cells gathered into places.
 //
 // Neighbouring critical pairs belong together: a touch, a node or a tangential contact leaves a
-// clump of them. What a clump is follows from its size and from the arcs that end on it.
+// cluster of them. What a cluster is follows from its size and from the arcs that end on it.
 
 #pragma once
 
@@ -15,26 +15,26 @@
 namespace blossom {
 
 /// A connected set of critical pairs.
-struct Clump {
+struct CriticalCluster {
   std::vector<int> pairs;  ///< indices into the search's critical pairs
   Box box;                 ///< relative to the origin
   bool thin = true;        ///< all pairs ended because the surfaces are within tolerance there
   bool singular = false;   ///< some pair is singular
 };
 
-/// The clumps of all critical pairs. Pairs whose boxes meet are in one clump; of very many
+/// The clusters of all critical pairs. Pairs whose boxes meet are in one cluster; of very many
 /// pairs, also those that fall into neighbouring cells of a grid.
-std::vector<Clump> clumps_of(const std::vector<CriticalPair>& pairs);
+std::vector<CriticalCluster> clusters_of(const std::vector<CriticalPair>& pairs);
 
-/// Makes one of a singular clump and those no farther from it than its size and the tolerance: near
-/// a pinch point two sheets of the surface are within tolerance, too.
-void join_singular(std::vector<Clump>& clumps, double tolerance);
+/// Makes one of a singular cluster and those no farther from it than its size and the tolerance:
+/// near a pinch point two sheets of the surface are within tolerance, too.
+void join_singular(std::vector<CriticalCluster>& clusters, double tolerance);
 
-/// True if some pair of the clump reaches a border of its patches. A common region ends at such
+/// True if some pair of the cluster reaches a border of its patches. A common region ends at such
 /// borders; a contact within both surfaces keeps away from them.
-bool meets_border(const Clump& clump, const std::vector<CriticalPair>& pairs);
+bool meets_border(const CriticalCluster& cluster, const std::vector<CriticalPair>& pairs);
 
-/// True if the surfaces are proven to be one over an area of the clump, not just along a border.
-bool holds_area(const Clump& clump, const std::vector<CriticalPair>& pairs);
+/// True if the surfaces are proven to be one over an area of the cluster, not just along a border.
+bool holds_area(const CriticalCluster& cluster, const std::vector<CriticalPair>& pairs);
 
 }  // namespace blossom

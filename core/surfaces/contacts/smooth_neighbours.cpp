@@ -22,7 +22,7 @@ namespace {
 constexpr double kSmoothSine = 1e-3;            // of the angle between normals all along a border
 constexpr int kNormals = 5;                     // that are compared along it
 constexpr int kDeepest = 12;                    // halvings of a patch in a proof, and
-constexpr int kMostPairs = 1024;                // pairs of cells
+constexpr int kMaxPairs = 1024;                 // pairs of cells
 constexpr std::size_t kPairGrain = 128;         // pairs that one thread looks at in a row
 constexpr double kSlack = 1e-12;                // of directions of length about 1, for roundings
 constexpr double kWeightRounding = 0x1p-50;     // of quotients of weights, and
@@ -297,7 +297,7 @@ class Neighbours {
   }
 
   bool prove(int index_a, int index_b) {
-    if (++pairs_ > kMostPairs) return false;
+    if (++pairs_ > kMaxPairs) return false;
     const Cell a = (*tree_a_)[index_a], b = (*tree_b_)[index_b];
     if (a.part == PartSide::Outside || b.part == PartSide::Outside) return true;
     const auto proves = [&](const auto& common) { return meet_only_in(common, a, b); };
@@ -453,7 +453,7 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
       }
     for (const CommonCorner& corner : neighbours.corners())
       if (counts(range_at(corner.a), range_at(corner.b))) {
-        found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(corner.a, corner.b)});
+        found.corner_contacts.push_back({pair.patch_a, pair.patch_b, place_of(corner.a, corner.b)});
         found.gap = std::max(found.gap, corner.gap);
       }
     // A common side tells of the pole that it runs into, if it counts itself.
@@ -465,7 +465,8 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
     };
     for (const CommonPole& pole : neighbours.poles())
       if (!ends_side(pole) && counts(pole.a.range(), pole.b.range())) {
-        found.grazes.push_back({pair.patch_a, pair.patch_b, place_of(pole.a.at(0), pole.b.at(0))});
+        found.corner_contacts.push_back(
+            {pair.patch_a, pair.patch_b, place_of(pole.a.at(0), pole.b.at(0))});
         found.gap = std::max(found.gap, pole.gap);
       }
     return true;
@@ -480,7 +481,8 @@ NeighbourContacts take_neighbours(SurfaceCells& a, SurfaceCells& b, std::vector<
 
 void add(const NeighbourContacts& neighbours, PairSearchResult& found) {
   found.arcs.insert(found.arcs.end(), neighbours.arcs.begin(), neighbours.arcs.end());
-  found.grazes.insert(found.grazes.end(), neighbours.grazes.begin(), neighbours.grazes.end());
+  found.corner_contacts.insert(found.corner_contacts.end(), neighbours.corner_contacts.begin(),
+                               neighbours.corner_contacts.end());
   Certificate& of = found.certificate;
   of.excluded += neighbours.certificate.excluded;
   of.depth = std::max(of.depth, neighbours.certificate.depth);

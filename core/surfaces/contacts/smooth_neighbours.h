@@ -32,11 +32,11 @@ namespace blossom {
 
 /// What neighbours have in common.
 struct NeighbourContacts {
-  std::vector<FoundArc> arcs;      ///< along borders; not tangential along creases
-  bool touch = false;              ///< some of them are tangential
-  std::vector<FoundGraze> grazes;  ///< corners and poles
-  double gap = 0;                  ///< between the surfaces there, model units
-  Certificate certificate;         ///< of the pairs of cells that have nothing else in common
+  std::vector<FoundArc> arcs;                  ///< along borders; not tangential along creases
+  bool touch = false;                          ///< some of them are tangential
+  std::vector<CornerContact> corner_contacts;  ///< corners and poles
+  double gap = 0;                              ///< between the surfaces there, model units
+  Certificate certificate;  ///< of the pairs of cells that have nothing else in common
 };
 
 /// Takes out the pairs of patches that are proven to meet in a common outer border, corner or pole

@@ -219,7 +219,7 @@ class Disc {
     gathered_.box = {node.point, node.point};
   }
 
-  void gather(std::vector<ContactChain>& chains, std::vector<Clump>& clumps,
+  void gather(std::vector<ContactChain>& chains, std::vector<CriticalCluster>& clusters,
               PairSearchResult& found) {
     std::vector<ContactChain> outside;
     for (ContactChain& chain : chains) {
@@ -231,9 +231,9 @@ class Disc {
         outside.push_back(std::move(chain));
     }
     chains = std::move(outside);
-    std::erase_if(clumps, [&](const Clump& clump) {
-      if (!holds(clump.box)) return false;
-      gathered_.box = joined(gathered_.box, clump.box);
+    std::erase_if(clusters, [&](const CriticalCluster& cluster) {
+      if (!holds(cluster.box)) return false;
+      gathered_.box = joined(gathered_.box, cluster.box);
       return true;
     });
     take_arcs(chains, found);
@@ -386,9 +386,9 @@ class Disc {
 
 }  // namespace
 
-void gather_at_third_order_nodes(std::vector<ContactChain>& chains, std::vector<Clump>& clumps,
-                                 PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                                 double size, double tolerance) {
+void gather_at_third_order_nodes(std::vector<ContactChain>& chains,
+                                 std::vector<CriticalCluster>& clusters, PairSearchResult& found,
+                                 SurfaceCells& a, SurfaceCells& b, double size, double tolerance) {
   const NodeSearch search(a, b, size, tolerance);
   std::vector<ThirdOrderNode> nodes;
   const auto look_near = [&](const ContactPoint& start) {
@@ -405,14 +405,14 @@ void gather_at_third_order_nodes(std::vector<ContactChain>& chains, std::vector<
     look_near(chain.path.front());
     look_near(chain.path.back());
   }
-  for (const Clump& clump : clumps) {
-    const CriticalPair& pair = found.critical[static_cast<std::size_t>(clump.pairs.front())];
+  for (const CriticalCluster& cluster : clusters) {
+    const CriticalPair& pair = found.critical[static_cast<std::size_t>(cluster.pairs.front())];
     ContactPoint middle{pair.patch_a, pair.patch_b, {}};
     for (std::size_t k = 0; k < 4; ++k) middle.x[k] = at(pair.box[k], 0.5);
     look_near(middle);
   }
   for (const ThirdOrderNode& node : nodes)
-    Disc(node, a, b, tolerance).gather(chains, clumps, found);
+    Disc(node, a, b, tolerance).gather(chains, clusters, found);
 }
 
 }  // namespace blossom

@@ -14,12 +14,12 @@
 
 namespace blossom {
 
-/// Makes one point of all contacts, clumps and arcs in the disc of each third-order node within
+/// Makes one point of all contacts, clusters and arcs in the disc of each third-order node within
 /// both surfaces, and lets the tangential curves that come out of it begin there.
 ///
 /// size, tolerance   model units
-void gather_at_third_order_nodes(std::vector<ContactChain>& chains, std::vector<Clump>& clumps,
-                                 PairSearchResult& found, SurfaceCells& a, SurfaceCells& b,
-                                 double size, double tolerance);
+void gather_at_third_order_nodes(std::vector<ContactChain>& chains,
+                                 std::vector<CriticalCluster>& clusters, PairSearchResult& found,
+                                 SurfaceCells& a, SurfaceCells& b, double size, double tolerance);
 
 }  // namespace blossom

@@ -21,7 +21,7 @@ constexpr double kDifference = 1e-5;  // step of a difference quotient; fraction
 // another meeting point than the given one.
 constexpr double kArmBend = 0.5;
 constexpr double kArmReach = 2;
-constexpr double kLeastGrowth = 1e-2;  // of the fastest: what is slower has no sure direction
+constexpr double kMinGrowth = 1e-2;  // of the fastest: what is slower has no sure direction
 
 using Row = std::array<double, 5>;  // four derivatives, then minus the value
 using System = std::array<Row, 4>;
@@ -306,7 +306,7 @@ bool leads_to(const RationalBezierPatch& a, const RationalBezierPatch& b, const 
     const auto x = curve_point(a, b, between(arm.end, goal, t), direction, reach);
     if (!x) return false;
     const double next = growth(a, b, *x, direction);
-    if (std::abs(next) < kLeastGrowth) continue;  // the surfaces touch, its sign is noise
+    if (std::abs(next) < kMinGrowth) continue;  // the surfaces touch, its sign is noise
     if (last * next < 0) return false;
     last = next;
   }

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "core/surfaces/gap/chart_claims.h"
+#include "core/surfaces/gap/chart_ownership.h"
 #include "core/surfaces/gap/regular_cell.h"
 
 namespace blossom {

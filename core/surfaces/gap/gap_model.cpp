@@ -11,7 +11,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kMostTurn = 0.7;     // bound on the nonlinear part of the foot's map
+constexpr double kMaxTurn = 0.7;      // bound on the nonlinear part of the foot's map
 constexpr double kBoxReserve = 1.25;  // of the box round the foot over the linear estimate
 constexpr double kMuchWider = 2;      // than the chart: not by the chart's mean Jacobian alone
 constexpr double kRoundoff = 0x1p-53;
@@ -220,7 +220,7 @@ std::array<double, 3> height_errors(const Frame& frame, double turn,
 
 std::optional<GapModel> model_in(const Frame& frame, const Foot& foot, double hs, double ht) {
   const double turn = std::max(frame.q[0].total[1], frame.q[1].total[1]);
-  if (!(turn <= kMostTurn)) return std::nullopt;
+  if (!(turn <= kMaxTurn)) return std::nullopt;
   // sigma = (id + q)^-1 (a)
   const TaylorPowers powers(frame.a[0].terms, frame.a[1].terms, frame.q[0].terms, frame.q[1].terms);
   const std::array<const TaylorSeries*, 2> sigma{&powers.x(), &powers.y()};

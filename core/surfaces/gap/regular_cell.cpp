@@ -12,7 +12,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kMostTurn = 1;         // tangent of the angle by which a branch may leave its axis
+constexpr double kMaxTurn = 1;          // tangent of the angle by which a branch may leave its axis
 constexpr double kStepTurn = 0.25;      // likewise, of an arc: longer branches are cut
 constexpr double kRootWidth = 0x1p-40;  // of the cell
 
@@ -37,7 +37,7 @@ class RegularReader {
     const TaylorRange across = range(derivative_x(gap_), axes_.reach, axes_.reach);
     const double turn =
         (std::max(std::abs(across.low), std::abs(across.high)) + model_.gap_error[1]) / slope_;
-    if (turn > kMostTurn) return std::nullopt;
+    if (turn > kMaxTurn) return std::nullopt;
     steps_ = static_cast<int>(std::ceil(std::max(turn / kStepTurn, 1.0)));
     if (!find_roots() || roots_.size() % 2 != 0) return std::nullopt;
     ValleyCell cell;

@@ -16,11 +16,11 @@ constexpr double kSlowLength = 1.0 / 64;  // of the size: a gap that changes by 
 constexpr double kSlow = 4;               // tolerances over this length is a contact, not a fold
 constexpr int kBranchSteps = 6;
 constexpr double kTurn = 0.5;  // cosine: chords of a branch that turn more are looked at
-constexpr std::size_t kMostBranchPoints = 24;
+constexpr std::size_t kMaxBranchPoints = 24;
 constexpr int kContactSteps = 4;
 // Of a branch's width in w: where the model is farther off its ends, points between them are beside
 // the branch.
-constexpr double kMostOff = 0.5;
+constexpr double kMaxOff = 0.5;
 constexpr double kRootWidth = 0x1p-51;  // of the cell
 
 // The slope of a gap, by w, that is slow.
@@ -220,7 +220,7 @@ class Reader {
     Open& slot = slot_[static_cast<std::size_t>(side)];
     const double off =
         std::abs(points_.w_of(slot.start) - slot.w) + std::abs(points_.w_of(stop.point) - stop.w);
-    if (off > kMostOff * std::abs(stop.w - slot.w)) return false;
+    if (off > kMaxOff * std::abs(stop.w - slot.w)) return false;
     CellBranch branch;
     branch.contact = {slot.contact, stop.contact};
     branch.path.push_back(slot.start);
@@ -260,7 +260,7 @@ class Reader {
   // until none does.
   void round_turns(std::vector<Point4>& path, std::vector<double>& w, int side) const {
     for (std::size_t i = 0; i + 1 < path.size();) {
-      const bool leads = path.size() >= kMostBranchPoints || !turns_at(path, i) ||
+      const bool leads = path.size() >= kMaxBranchPoints || !turns_at(path, i) ||
                          leads_to(patch_a_, patch_b_, {path[i], path[i]}, path[i + 1]);
       const double middle = 0.5 * (w[i] + w[i + 1]);
       const auto point = leads ? std::nullopt : branch_point(middle, side);

@@ -14,8 +14,8 @@ constexpr double kContactGap = 2;      // tolerances: gaps up to this may be cal
 constexpr double kBorderGap = 1.5;     // the same where the valley crosses a border
 constexpr double kEdgeGap = 1.0 / 64;  // tolerances: gap along an edge that counts as contact
 constexpr double kAcross = 0.7;        // cosine: a direction that crosses an edge
-constexpr int kMostPieces = 400;
-constexpr int kMostExactPieces = 40;
+constexpr int kMaxPieces = 400;
+constexpr int kMaxExactPieces = 40;
 constexpr double kShallow = 1.0 / 64;  // of the tolerance: depth of what is no contact
 constexpr int kDepthSamples = 8;
 constexpr double kSure = 2;  // errors: a gap larger than this has a sure sign
@@ -116,11 +116,11 @@ bool ValleyLabels::label_valley() {
     std::vector<ValleyPiece> pieces;
     // By signs alone where that is possible, so that shallow loops stay loops.
     exact_ = !in.contact && !out.contact;
-    pieces_left_ = kMostExactPieces;
+    pieces_left_ = kMaxExactPieces;
     if (!exact_ || !label(*whole, in, out, pieces) || !beyond_tolerance(merged(pieces))) {
       exact_ = false;
       pieces.clear();
-      pieces_left_ = kMostPieces;
+      pieces_left_ = kMaxPieces;
       if (!label(*whole, in, out, pieces)) return false;
     }
     if (in.contact != (pieces.front().label == ValleyLabel::Contact)) return false;

@@ -7,7 +7,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kLeastBend = 0.1;  // of the largest bend across the valley
+constexpr double kMinBend = 0.1;    // of the largest bend across the valley
 constexpr double kCoarse = 0.125;   // see `is_coarse`
 constexpr double kLastMove = 1e-9;  // of Newton's method, which leaves about its square
 
@@ -57,7 +57,7 @@ std::optional<ValleyShape> ValleyShape::of(const GapModel& model) {
   shape.bend_high = bend.high + shape.error[2];
   const TaylorRange twist = range(derivative_x(shape.gap_z), shape.reach, shape.reach);
   shape.twist = std::max(std::abs(twist.low), std::abs(twist.high)) + shape.error[2];
-  if (!(shape.bend_low > kLeastBend * shape.bend_high)) return std::nullopt;
+  if (!(shape.bend_low > kMinBend * shape.bend_high)) return std::nullopt;
   return shape;
 }
 

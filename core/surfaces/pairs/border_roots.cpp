@@ -155,7 +155,7 @@ class PairBorder {
     return true;
   }
 
-  bool slides() const {
+  bool runs_along_border() const {
     return std::any_of(sliding_.begin(), sliding_.end(),
                        [](const auto& s) { return s[0] || s[1]; });
   }
@@ -180,7 +180,7 @@ class PairBorder {
     const auto point = [&](const Point4& x) { return point_at(tree_a_.patch(), x[0], x[1]); };
     const Vec3 start = point(arc.from);
     const double reach = std::max(distance(start, point(middle)), distance(start, point(arc.to)));
-    return slides() && reach <= 16 * std::max(a_.margin, b_.margin);
+    return runs_along_border() && reach <= 16 * std::max(a_.margin, b_.margin);
   }
 
  private:
@@ -446,14 +446,14 @@ std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const Cel
     const bool starts = border.enters(root, 1), stops = border.enters(root, -1);
     if (starts && stops) return std::nullopt;
     if (!starts && !stops) {
-      found.grazes.push_back(root.x);
+      found.corner_contacts.push_back(root.x);
       continue;
     }
     if (starts == open) return std::nullopt;
     Point4 direction{};
     direction[k] = 1;
     if (starts)
-      found.arcs.push_back({root.x, root.x, direction, border.slides(), false});
+      found.arcs.push_back({root.x, root.x, direction, border.runs_along_border(), false});
     else
       found.arcs.back().to = root.x;
     open = starts;
@@ -463,10 +463,10 @@ std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const Cel
   // What meets the other surface in nothing but its pole still meets it.
   std::erase_if(found.arcs, [&](const CellArc& arc) {
     const bool point = border.stays_at_pole(arc);
-    if (point) found.grazes.push_back(arc.from);
+    if (point) found.corner_contacts.push_back(arc.from);
     return point;
   });
-  found.along_border = border.slides() && !found.arcs.empty();
+  found.along_border = border.runs_along_border() && !found.arcs.empty();
   return found;
 }
 

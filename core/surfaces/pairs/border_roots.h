@@ -24,10 +24,10 @@ struct CellArc {
   Point4 from;
   Point4 to;
   Point4 direction{};
-  bool slides = false;      ///< it runs along the border of the pair
-  bool tangential = false;  ///< the surfaces touch along it
-  bool crosses = false;     ///< likewise, and they cross there: contact of odd order
-  int iso = -1;             ///< the parameter on whose iso-line it runs from end to end; or -1
+  bool runs_along_border = false;  ///< it runs along the border of the pair
+  bool tangential = false;         ///< the surfaces touch along it
+  bool crosses = false;            ///< likewise, and they cross there: contact of odd order
+  int iso = -1;  ///< the parameter on whose iso-line it runs from end to end; or -1
   /// The parameter along whose border of the pair it runs, if a neighbour may hold it, too; or -1.
   int shared_border = -1;
   bool upper = false;  ///< that border is the upper one
@@ -43,7 +43,7 @@ struct PairArcs {
 
   /// Points at corners of the box that the curve passes without entering. Inside the surfaces
   /// the neighbours hold the curve; at a corner of a surface it is a contact of its own.
-  std::vector<Point4> grazes;
+  std::vector<Point4> corner_contacts;
 };
 
 /// Two border points closer than this in every parameter are one. Fraction of a patch.
@@ -61,8 +61,8 @@ std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierP
 ///
 /// bounds    of the pair's Jacobian; its minor `along` is regular
 /// borders   tells for which of its upper borders no neighbour answers
-/// returns   arcs and grazes; nothing if some face cannot be decided (an arc that is nearly tangent
-/// to
+/// returns   arcs and corner contacts; nothing if some face cannot be decided (an arc that is
+/// nearly tangent to
 ///           it, say): then the pair has to be halved
 ///
 /// Source: Krawczyk 1969 for the faces; `core/README.md`, "Intersection".

@@ -41,7 +41,7 @@ struct FoundContact {
 };
 
 /// A point where the intersection passes a corner of a pair without entering it.
-struct FoundGraze {
+struct CornerContact {
   int patch_a = 0;
   int patch_b = 0;
   Point4 x;
@@ -63,7 +63,7 @@ struct PairSearchResult {
   std::vector<FoundArc> arcs;
   std::vector<std::array<std::size_t, 2>> joins;  ///< ends of arcs, 2 * arc + side, that are one
   std::vector<std::size_t> swapped;               ///< ends, as above: see `agree_on_sides`
-  std::vector<FoundGraze> grazes;
+  std::vector<CornerContact> corner_contacts;
   std::vector<FoundContact> contacts;
   std::vector<CriticalPair> critical;
   Certificate certificate;

@@ -10,13 +10,13 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostPoints = 64;  // of a net: the cost is their square
+constexpr int kMaxPoints = 64;  // of a net: the cost is their square
 constexpr double kRoundoff = 0x1p-53;
 constexpr double kTight = 0.5;  // of the tolerance: with kSteep distances are within it
 constexpr double kSteep = 0.5;
 
-using Net = std::array<Vec4, kMostPoints>;
-using Form = std::array<double, 4 * kMostPoints>;  // (2n + 1)(2m + 1) < 4 (n + 1)(m + 1)
+using Net = std::array<Vec4, kMaxPoints>;
+using Form = std::array<double, 4 * kMaxPoints>;  // (2n + 1)(2m + 1) < 4 (n + 1)(m + 1)
 
 struct CellForm2 {
   int rows = 0, columns = 0;
@@ -129,7 +129,7 @@ bool QuadricBand::holds_tightly(const CellTree& other) const {
 }
 
 bool QuadricBand::holds_tightly(const Cell& cell, const NetShape& shape) const {
-  if (shape.plane_size() > kMostPoints) return false;
+  if (shape.plane_size() > kMaxPoints) return false;
   return off_ + largest_over(cell, shape) <= kTight * tolerance_;
 }
 
@@ -149,7 +149,7 @@ bool QuadricBand::is_steep_in(const Cell& cell) const {
 }
 
 bool QuadricBand::misses(const Cell& cell, const NetShape& shape) const {
-  if (shape.plane_size() > kMostPoints) return false;
+  if (shape.plane_size() > kMaxPoints) return false;
   const double least = half_ + error_of(quadric_, cell, shape, half_);
   const auto corner = [&](int at) {
     Vec4 x;

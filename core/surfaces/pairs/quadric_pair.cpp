@@ -8,10 +8,10 @@
 namespace blossom {
 namespace {
 
-constexpr int kMostPatches = 64;          // of a surface that is looked at as a whole
-constexpr double kSmallPart = 1.0 / 16;   // of the surfaces' size: cells that coincide
-constexpr double kLeastPart = 1.0 / 256;  // likewise: cells at a border
-constexpr double kReach = 0.5;            // of Newton's method for feet, fraction of a patch
+constexpr int kMaxPatches = 64;          // of a surface that is looked at as a whole
+constexpr double kSmallPart = 1.0 / 16;  // of the surfaces' size: cells that coincide
+constexpr double kMinPart = 1.0 / 256;   // likewise: cells at a border
+constexpr double kReach = 0.5;           // of Newton's method for feet, fraction of a patch
 
 constexpr double kOnePoint = 1e-12;  // relative
 
@@ -57,7 +57,7 @@ bool holds_middle(const CellTree& outer_tree, const Cell& outer, const CellTree&
 }  // namespace
 
 bool is_whole_quadric(SurfaceCells& surface, QuadricBands& bands) {
-  if (surface.patches() > kMostPatches || !is_borderless(surface.surface())) return false;
+  if (surface.patches() > kMaxPatches || !is_borderless(surface.surface())) return false;
   const QuadricBand* band = bands.of(surface.tree(0));
   if (band == nullptr) return false;
   for (int patch = 1; patch < surface.patches(); ++patch)
@@ -87,7 +87,7 @@ bool QuadricPair::touch_all_over(const Cell& a, const Cell& b) const {
 }
 
 bool QuadricPair::cover_each_other(const Cell& a, const Cell& b) const {
-  if (std::max(a.extent, b.extent) <= kLeastPart * size_) return true;
+  if (std::max(a.extent, b.extent) <= kMinPart * size_) return true;
   return holds_middle(tree_b_, b, tree_a_, a) || holds_middle(tree_a_, a, tree_b_, b);
 }
 

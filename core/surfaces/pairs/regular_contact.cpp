@@ -14,9 +14,9 @@ namespace blossom {
 namespace {
 
 constexpr double kAround = 0.1;          // of its width: by so much a rectangle is widened,
-constexpr double kLeastWidth = 1e-6;     // and by this: derivatives over less are rounding
-constexpr int kMostSpans = 3;            // that a rectangle meets, in one direction
-constexpr int kMostLooks = 48;           // at parts of a pair of cells
+constexpr double kMinWidth = 1e-6;       // and by this: derivatives over less are rounding
+constexpr int kMaxSpans = 3;             // that a rectangle meets, in one direction
+constexpr int kMaxLooks = 48;            // at parts of a pair of cells
 constexpr double kSeamRounding = 1e-14;  // of the coordinates: between the two sides of a seam
 
 // Over a whole surface: index of the span plus the local parameter.
@@ -25,10 +25,10 @@ using Rectangle = std::array<Interval, 2>;
 std::optional<Rectangle> widened_inside(Rectangle r, const BezierSurface& surface) {
   const std::array spans{surface.patches.rows(), surface.patches.columns()};
   for (std::size_t k = 0; k < 2; ++k) {
-    const double by = kAround * length(r[k]) + kLeastWidth;
+    const double by = kAround * length(r[k]) + kMinWidth;
     r[k] = {r[k].from - by, r[k].to + by};
     const bool inside = r[k].from > 0 && r[k].to < spans[k];
-    if (!inside || std::ceil(r[k].to) - std::floor(r[k].from) > kMostSpans) return {};
+    if (!inside || std::ceil(r[k].to) - std::floor(r[k].from) > kMaxSpans) return {};
   }
   return r;
 }
@@ -101,7 +101,7 @@ struct Side {
 
   // With what is around it in the surface.
   Interval widened() const {
-    const double by = kAround * length(range) + kLeastWidth;
+    const double by = kAround * length(range) + kMinWidth;
     const Interval wide{range.from - by, range.to + by};
     if (closed) return wide;
     return {std::max(wide.from, 0.0), std::min(wide.to, static_cast<double>(spans))};
@@ -116,9 +116,9 @@ std::optional<Side> side_of(const Interval& cell, double from, double to, int sp
   const auto is_along = [&](double line, double within) {
     return std::max(std::abs(from - line), std::abs(to - line)) <= within;
   };
-  if (!closed && (is_along(0, by + kLeastWidth) || is_along(spans, by + kLeastWidth))) return {};
+  if (!closed && (is_along(0, by + kMinWidth) || is_along(spans, by + kMinWidth))) return {};
   const double line = std::round(from);
-  if (!is_along(line, kLeastWidth)) return Side{cell, false, closed, spans};
+  if (!is_along(line, kMinWidth)) return Side{cell, false, closed, spans};
   return Side{{line - by, line + by}, true, closed, spans};
 }
 
@@ -223,7 +223,7 @@ bool runs_regularly(const FoundArc& arc, SurfaceCells& a, SurfaceCells& b) {
   if (!sides) return false;
   std::vector<Sides> parts{*sides};
   for (int looks = 0; !parts.empty(); ++looks) {
-    if (looks == kMostLooks) return false;
+    if (looks == kMaxLooks) return false;
     const Sides part = parts.back();
     parts.pop_back();
     const auto of_a = bounds_over(a, {part[0].widened(), part[1].widened()});

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kSlack = 1e-9;     // fraction of a patch, for the rounding of the maps
 constexpr double kWidening = 0.01;  // of a chart
-constexpr double kMostTurn = 1.0;   // of cells tried; sines of the turns of both derivatives, added
-constexpr int kMostLooks = 4;
+constexpr double kMaxTurn = 1.0;    // of cells tried; sines of the turns of both derivatives, added
+constexpr int kMaxLooks = 4;
 constexpr int kLookEvery = 16;
 
 double turn(const Cell& c) {
@@ -40,7 +40,7 @@ std::optional<Interval> clipped(const Interval& x, const Interval& bounds, doubl
 
 bool SharedCells::look_near(const Cell& a, const Cell& b) {
   if (chart_) return true;
-  if (looks_ == kMostLooks || asked_++ % kLookEvery != 0) return false;
+  if (looks_ == kMaxLooks || asked_++ % kLookEvery != 0) return false;
   ++looks_;
   // Of the patches as given, whose move to the origin was rounded.
   const double tolerance = tolerance_ - 2 * (a_.given_rounding() + b_.given_rounding());
@@ -51,7 +51,7 @@ bool SharedCells::look_near(const Cell& a, const Cell& b) {
 }
 
 std::optional<SharedPart> SharedCells::part(const Cell& a, const Cell& b) const {
-  if (!chart_ || !(turn(a) + turn(b) < kMostTurn)) return std::nullopt;
+  if (!chart_ || !(turn(a) + turn(b) < kMaxTurn)) return std::nullopt;
   if (!within(a.u, chart_->domain[0]) || !within(a.v, chart_->domain[1])) return std::nullopt;
   const auto foot = chart_->image(a.u, a.v);
   const auto graph = graph_chart(b_, joined(foot[0], b.u), joined(foot[1], b.v), kWidening);

@@ -18,10 +18,10 @@ namespace {
 constexpr double kReach = 0.75;     // of Newton's method, fraction of a patch
 constexpr double kStep = 1.0 / 16;  // along a, fraction of a patch
 constexpr double kStepB = 1.0 / 8;  // along b
-constexpr double kLeastStep = 1e-6;
+constexpr double kMinStep = 1e-6;
 constexpr double kBeyond = 0.5;           // how far b is extended
 constexpr double kStraight = 1e-7;        // an iso-line of a that strays less on b is one of b
-constexpr double kLeastWidth = 1e-4;      // of a domain
+constexpr double kMinWidth = 1e-4;        // of a domain
 constexpr double kPowerError = 0x1p-48;   // of products of powers, relative to them
 constexpr double kGrowthError = 0x1p-46;  // of a piece beyond the patch
 
@@ -38,7 +38,7 @@ bool on_extension(const Point4& x) {
 std::optional<Point4> farthest(const RationalBezierPatch& a, const RationalBezierPatch& b, Point4 x,
                                std::size_t k, double goal, double tolerance) {
   double step = kStep;
-  while (x[k] != goal && step > kLeastStep) {
+  while (x[k] != goal && step > kMinStep) {
     Point4 start = x;
     start[k] = goal > x[k] ? std::min(goal, x[k] + step) : std::max(goal, x[k] - step);
     auto next = foot_point(a, b, start, kReach);
@@ -71,7 +71,7 @@ struct Direction {
 std::optional<Direction> direction_of(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                       const Point4& x, std::size_t k, double tolerance) {
   const auto low = farthest(a, b, x, k, 0, tolerance), high = farthest(a, b, x, k, 1, tolerance);
-  if (!low || !high || (*high)[k] - (*low)[k] < kLeastWidth) return std::nullopt;
+  if (!low || !high || (*high)[k] - (*low)[k] < kMinWidth) return std::nullopt;
   const auto middle = between(a, b, *low, k, 0.5 * ((*low)[k] + (*high)[k]), tolerance);
   if (!middle) return std::nullopt;
   const double ds = std::abs((*high)[2] - (*low)[2]), dt = std::abs((*high)[3] - (*low)[3]);

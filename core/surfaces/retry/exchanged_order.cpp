@@ -50,8 +50,8 @@ void exchange(IntersectionCurve& curve, const BezierSurface& a) {
 // beyond a kink there they do not.
 double common_cosine(const BezierSurface& a, const BezierSurface& b, const SurfacePoint& x) {
   double best = 0;
-  for (const Vec3& p : normals_beside(a, x.uv_a))
-    for (const Vec3& q : normals_beside(b, x.uv_b)) {
+  for (const Vec3& p : one_sided_normals(a, x.uv_a))
+    for (const Vec3& q : one_sided_normals(b, x.uv_b)) {
       const double cosine = dot(unit(p), unit(q));
       if (std::abs(cosine) > std::abs(best)) best = cosine;
     }
@@ -90,7 +90,7 @@ SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a,
   return found;
 }
 
-bool may_gain_by_exchange(const SurfaceIntersection& found, const BezierSurface& a,
+bool should_retry_swapped(const SurfaceIntersection& found, const BezierSurface& a,
                           const BezierSurface& b, double tolerance) {
   if (found.status == Status::Stopped) return !found.certificate.limited;
   if (found.status == Status::Complete || !found.overlaps.empty()) return false;

@@ -24,7 +24,7 @@ SurfaceIntersection exchanged(SurfaceIntersection found, const BezierSurface& a,
 /// which may be a turn of it too narrow for one order.
 ///
 /// tolerance   model units
-bool may_gain_by_exchange(const SurfaceIntersection& found, const BezierSurface& a,
+bool should_retry_swapped(const SurfaceIntersection& found, const BezierSurface& a,
                           const BezierSurface& b, double tolerance);
 
 /// True if the second answer, of the exchanged surfaces, is better.

@@ -15,9 +15,9 @@ namespace {
 // Tolerances: the length within which ends of arcs on a patch are one. Joints of chains and what
 // lies on a border are up to four times as far apart.
 constexpr double kSameLength = 0.25;
-constexpr double kCut = 0.4865;           // as cells are: singular points like dyadic lines
-constexpr int kMostCuts = 100;            // of a surface: the work grows with their square
-constexpr std::size_t kMostOpen = 5'000;  // places: more are no contacts but an early end
+constexpr double kCut = 0.4865;          // as cells are: singular points like dyadic lines
+constexpr int kMaxCuts = 100;            // of a surface: the work grows with their square
+constexpr std::size_t kMaxOpen = 5'000;  // places: more are no contacts but an early end
 
 // The longest row of control points of a patch in a direction.
 double extent(const RationalBezierPatch& patch, Direction direction) {
@@ -82,12 +82,12 @@ std::optional<BezierSurface> with_shorter_patches(const BezierSurface& surface, 
   for (const Place& place : found.places)
     if (place.kind == PlaceKind::Open)
       open.push_back({place.parameters[first], place.parameters[first + 1]});
-  if (open.size() > kMostOpen) return std::nullopt;
+  if (open.size() > kMaxOpen) return std::nullopt;
   std::optional<BezierSurface> result;
   const double most = longest_span(tolerance);
   int cuts = 0;
   while (const auto cut = long_span(result ? *result : surface, open, most)) {
-    if (++cuts > kMostCuts) return std::nullopt;
+    if (++cuts > kMaxCuts) return std::nullopt;
     result = with_knot(result ? *result : surface, cut->direction, at(cut->span, kCut));
   }
   return result;

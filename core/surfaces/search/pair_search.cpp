@@ -28,11 +28,11 @@ namespace {
 constexpr double kSlabPart = 1.0 / 1024;
 // Nor does it go on below so many roundings of the nets: no cell gets thinner.
 constexpr double kSlabRoundings = 8;
-constexpr int kDeepest = 60;              // halvings of a patch: 2^-30 in each direction
-constexpr long kMostStored = 30'000'000;  // control points kept, some 1 GB
-constexpr std::size_t kBatch = 128;       // pairs examined at the same time
-constexpr std::size_t kPairGrain = 4;     // pairs that one thread examines in a row
-constexpr double kExtentWeight = 0.02;    // of a cell's size beside its bend
+constexpr int kDeepest = 60;             // halvings of a patch: 2^-30 in each direction
+constexpr long kMaxStored = 30'000'000;  // control points kept, some 1 GB
+constexpr std::size_t kBatch = 128;      // pairs examined at the same time
+constexpr std::size_t kPairGrain = 4;    // pairs that one thread examines in a row
+constexpr double kExtentWeight = 0.02;   // of a cell's size beside its bend
 
 // Cells of one surface no farther apart than this many of their widths are near each other in it.
 constexpr double kNearDiagonal = 16;
@@ -148,7 +148,7 @@ class Search {
     if (result_.stopped) return true;
     examined_ += static_cast<long>(pairs);
     if (examined_ > options_.budget) return stop("the budget of cell pairs is spent");
-    if (stored_points_ > kMostStored) return stop("the memory for cells is spent");
+    if (stored_points_ > kMaxStored) return stop("the memory for cells is spent");
     if (const char* reason = limit_.reached()) return stop(reason);
     return false;
   }
@@ -401,8 +401,8 @@ class Search {
     result_.along_border = result_.along_border || pair.held.along_border;
     for (const CellArc& arc : pair.held.arcs)
       result_.arcs.push_back({place.patch_a, place.patch_b, pair.box, arc, {-1, -1}});
-    for (const Point4& x : pair.held.grazes)
-      result_.grazes.push_back({place.patch_a, place.patch_b, x});
+    for (const Point4& x : pair.held.corner_contacts)
+      result_.corner_contacts.push_back({place.patch_a, place.patch_b, x});
   }
 
   void halve(const Pair& pair) {

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kDeepest = 56;  // halvings of a patch: 2^-28 in each direction
 // Pairs of one generation, and how many more for a patch; singular curves have more.
-constexpr std::size_t kMostOpen = 32768;
-constexpr std::size_t kMostOpenPerPatch = 64;
+constexpr std::size_t kMaxOpen = 32768;
+constexpr std::size_t kMaxOpenPerPatch = 64;
 constexpr double kLikeOpen = 4;   // times the size of open boxes at a singular curve
 constexpr long kLookEvery = 64;   // pairs between looks at the clock
 constexpr double kGlued = 1e-12;  // of the surface's size: borders this near are one
@@ -119,7 +119,7 @@ class SelfPairSearch {
     std::vector<PartPair> open{{Part{}, Part{}}}, next;
     const auto patches = static_cast<std::size_t>(cells_.patches());
     while (!open.empty()) {
-      const bool too_many = open.size() > kMostOpen + kMostOpenPerPatch * patches;
+      const bool too_many = open.size() > kMaxOpen + kMaxOpenPerPatch * patches;
       if (too_many) result_.reasons.emplace_back("the surface is singular, or nearly, on a curve");
       next.clear();
       for (const PartPair& pair : open) {

@@ -10,7 +10,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kLeastSeconds = 1e-3;  // of a search that begins when the time is over
+constexpr double kMinSeconds = 1e-3;  // of a search that begins when the time is over
 
 }  // namespace
 
@@ -21,7 +21,7 @@ PairSearchResult search_itself(SurfaceCells& cells, const Vec3& origin, double s
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
   IntersectionOptions left = options;
   if (options.time_limit > 0)
-    left.time_limit = std::max(kLeastSeconds, options.time_limit - spent.count());
+    left.time_limit = std::max(kMinSeconds, options.time_limit - spent.count());
   PairSearchResult found = search_pairs(cells, cells, pairs.apart, size, known, left);
   found.critical.insert(found.critical.end(), pairs.singular.begin(), pairs.singular.end());
   found.stopped = found.stopped || pairs.stopped;

@@ -28,7 +28,7 @@ namespace blossom::cli {
 namespace {
 
 // So many pieces need some gigabytes.
-constexpr double kMostPieces = 1 << 20;
+constexpr double kMaxPieces = 1 << 20;
 
 struct Options {
   std::string input;
@@ -72,7 +72,7 @@ std::string box_of(const std::vector<Net>& nets) {
 Timed timed_pieces(const NetInput& input, const Cut& cut) {
   double count = 0;
   for (const Net& net : input.nets) count += piece_count(net, cut);
-  if (count > kMostPieces)
+  if (count > kMaxPieces)
     throw UsageError(input.name + ": these would be more than a million pieces; fewer --levels");
   const auto start = std::chrono::steady_clock::now();
   Timed timed;

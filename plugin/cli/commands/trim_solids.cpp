@@ -123,7 +123,7 @@ std::vector<std::string> idle_planes(const SolidTrim& options, const occt::Solid
 // Who takes a sheet for a tool is told what else there is.
 void check_solid(const occt::TrimTool& input, const std::string& name) {
   if (input.is_solid()) return;
-  throw UsageError(name + " is no closed solid: " + occt::told_open(input) +
+  throw UsageError(name + " is no closed solid: " + occt::describe_open_shell(input) +
                    "; --solid takes closed solids, and planes by --plane; a sheet cuts faces with "
                    "--keep");
 }

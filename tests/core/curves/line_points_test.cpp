@@ -104,8 +104,8 @@ TEST(LinePoints, CommonEndOfALineAndACurveIsProven) {
   EXPECT_EQ(found.points[0].b, 0);
 }
 
-// The line ends 50 tolerances before the place where it would graze the curve. There it is as near
-// to the curve beside it.
+// The line ends 50 tolerances before the place where it would corner contact the curve. There it is
+// as near to the curve beside it.
 TEST(LinePoints, FootIsNotTakenBeyondTheEndOfALine) {
   const CurveSpans curve = parabola(0.5, 0.5, 1e-3);
   const CurveSpans line = bezier({{-0.400005, 0, 0}, {0.499995, 0, 0}});

@@ -30,7 +30,7 @@ using testing::uniform;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+constexpr double kMin = std::numeric_limits<double>::denorm_min();
 
 bool contains(const Bounded& range, const Rational& x) {
   return (std::isinf(range.lower()) || Rational(range.lower()) <= x) &&
@@ -66,11 +66,11 @@ TEST(Bounded, OfRangesIsKnownByHand) {
 TEST(Bounded, HoldsWhatOverflowsOrUnderflows) {
   EXPECT_EQ(Bounded(kLargest) + Bounded(kLargest), Bounded(kLargest, kInfinity));
   EXPECT_EQ(Bounded(kLargest) * Bounded(-2), Bounded(-kInfinity, -kLargest));
-  EXPECT_EQ(Bounded(kLargest) / Bounded(kLeast), Bounded(kLargest, kInfinity));
+  EXPECT_EQ(Bounded(kLargest) / Bounded(kMin), Bounded(kLargest, kInfinity));
   EXPECT_EQ(Bounded(0) * Bounded(-kInfinity, kInfinity), Bounded(0));
-  const Bounded tiny = Bounded(kLeast) * Bounded(kLeast);
+  const Bounded tiny = Bounded(kMin) * Bounded(kMin);
   EXPECT_TRUE(tiny.lower() <= 0 && tiny.upper() > 0);
-  const Bounded half = Bounded(kLeast) / Bounded(2);
+  const Bounded half = Bounded(kMin) / Bounded(2);
   EXPECT_TRUE(half.lower() <= 0 && half.upper() > 0);
 }
 

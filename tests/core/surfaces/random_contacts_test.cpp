@@ -222,14 +222,14 @@ Placed place(const Draw& draw, Random& random) {
 }
 
 // More samples than that are a fit that did not settle.
-constexpr std::size_t kMostSamples = 2000;
+constexpr std::size_t kMaxSamples = 2000;
 
 // The splines stay near the surfaces and are as long as the chords of their samples.
 bool well_written(const IntersectionCurve& curve) {
   double chords = 0;
   for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i)
     chords += distance(curve.samples[i].point, curve.samples[i + 1].point);
-  return curve.samples.size() <= kMostSamples && curve.deviation.between <= kWellWritten &&
+  return curve.samples.size() <= kMaxSamples && curve.deviation.between <= kWellWritten &&
          std::abs(curve.length - chords) <= 0.01 * chords;
 }
 

@@ -25,8 +25,8 @@ class SmoothRuns : public ::testing::TestWithParam<testing::SurfacePair> {
     for (const auto& [i, j] : meeting_patches(PatchBoxes(GetParam().a), PatchBoxes(GetParam().b)))
       pairs.push_back({i, 0, j, 0});
     const PairSearchResult found = search_pairs(a, b, pairs, 1, KnownCurves({}, {}), {});
-    std::vector<Clump> clumps;
-    const std::vector<Chain> chains = chains_of(found, a, b, {}, clumps);
+    std::vector<CriticalCluster> clusters;
+    const std::vector<Chain> chains = chains_of(found, a, b, {}, clusters);
     ASSERT_FALSE(chains.empty());
     for (const Chain& chain : chains) check(ChainTracer(found, a, b, origin, chain));
   }

@@ -19,8 +19,8 @@ class TracedLoop : public ::testing::Test {
   SurfaceCells a_{pair_.a, {0.5, 0.5, 0}, CellForm::Auto, 0.4865};
   SurfaceCells b_{pair_.b, {0.5, 0.5, 0}, CellForm::Auto, 0.4865};
   PairSearchResult found_ = search_pairs(a_, b_, {{0, 0, 0, 0}}, 1, KnownCurves({}, {}), {});
-  std::vector<Clump> clumps_;
-  std::vector<Chain> chains_ = chains_of(found_, a_, b_, {}, clumps_);
+  std::vector<CriticalCluster> clusters_;
+  std::vector<Chain> chains_ = chains_of(found_, a_, b_, {}, clusters_);
 };
 
 TEST_F(TracedLoop, IsOneClosedChain) {

@@ -36,7 +36,7 @@
 namespace blossom::occt {
 namespace {
 
-Box box_of(const PartHull& hull) {
+Box box_of(const HullBound& hull) {
   Box box;
   for (const Vec3& p : hull.points) box = joined(box, {p, p});
   return widened(box, hull.margin);

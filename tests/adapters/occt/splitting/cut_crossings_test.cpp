@@ -39,8 +39,8 @@ TEST(CutCrossings, AreOneWhereCutsKeepTogether) {
   ASSERT_EQ(nodes[0].a.size(), 1u);
   EXPECT_NEAR(nodes[0].a[0], 0, 1e-9);
   EXPECT_NEAR(nodes[0].b[0], 0, 1e-9);
-  EXPECT_GE(nodes[0].blur, std::sqrt(kDepth));  // where they cross
-  EXPECT_LE(nodes[0].blur, 1.2 * std::sqrt(kDepth));
+  EXPECT_GE(nodes[0].uncertainty, std::sqrt(kDepth));  // where they cross
+  EXPECT_LE(nodes[0].uncertainty, 1.2 * std::sqrt(kDepth));
 }
 
 TEST(CutCrossings, AreTwoWhereCutsPartOrKeepTogetherTooLong) {
@@ -96,7 +96,7 @@ TEST(CutCrossings, AreTheEndsOfCutsThatKeepTogetherFromThere) {
     ASSERT_EQ(nodes.size(), 1u);
     EXPECT_EQ(nodes[0].a, std::vector<double>{0});
     EXPECT_EQ(nodes[0].b, std::vector<double>{0});
-    EXPECT_GE(nodes[0].blur, std::sqrt(kDepth) - start);
+    EXPECT_GE(nodes[0].uncertainty, std::sqrt(kDepth) - start);
   }
   const auto on_axis = found(axis(), bent).nodes;
   ASSERT_EQ(on_axis.size(), 1u);
@@ -122,7 +122,7 @@ TEST(CutCrossings, AreNotTheEndsOfARunThatCutsShare) {
 TEST(CutCrossings, ThatCrossEachOtherHaveNoBlur) {
   const auto nodes = found(planar_line({-1, -1}, {1, 1}, {0, 1}), axis()).nodes;
   ASSERT_EQ(nodes.size(), 1u);
-  EXPECT_EQ(nodes[0].blur, 0);
+  EXPECT_EQ(nodes[0].uncertainty, 0);
 }
 
 TEST(OnTheWay, GoesOverTheEndOfAClosedCurveWhereThatIsShorter) {

@@ -20,7 +20,7 @@ using testing::Rational;
 using testing::seeded;
 using testing::uniform;
 
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+constexpr double kMin = std::numeric_limits<double>::denorm_min();
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 int sign_of(const Rational& value) { return value.sign(); }
@@ -44,11 +44,11 @@ TEST(Sign, SeesAChangeInTheLastPlace) {
 }
 
 TEST(Sign, IsRightWhereNumbersUnderflowOrOverflow) {
-  EXPECT_EQ(sign_at(BezierFunction{{-kLeast, kLeast}}, 0.5), 0);
-  EXPECT_EQ(sign_at(BezierFunction{{kLeast, 0, 0, 0}}, 0.75), 1);
+  EXPECT_EQ(sign_at(BezierFunction{{-kMin, kMin}}, 0.5), 0);
+  EXPECT_EQ(sign_at(BezierFunction{{kMin, 0, 0, 0}}, 0.75), 1);
   EXPECT_EQ(sign_at(BezierFunction{{kLargest, -kLargest, kLargest}}, 1e300), 1);
-  EXPECT_EQ(sign_at(BezierFunction{{0, 0, kLeast}}, Ratio{kLeast, kLargest}), 1);
-  EXPECT_EQ(sign_at(BezierFunction{{0, kLeast}}, Ratio{-kLeast, kLargest}), -1);
+  EXPECT_EQ(sign_at(BezierFunction{{0, 0, kMin}}, Ratio{kMin, kLargest}), 1);
+  EXPECT_EQ(sign_at(BezierFunction{{0, kMin}}, Ratio{-kMin, kLargest}), -1);
 }
 
 class SignProperty : public ::testing::TestWithParam<int> {};
@@ -78,7 +78,7 @@ TEST_P(SignProperty, IsThatOfTheExactValueWhereProductsUnderflow) {
   auto random = seeded(GetParam());
   for (int k = 0; k < 20; ++k) {
     BezierFunction f;
-    for (int i = 0; i <= 3; ++i) f.points.push_back(pick(random, -9, 9) * kLeast);
+    for (int i = 0; i <= 3; ++i) f.points.push_back(pick(random, -9, 9) * kMin);
     const double t = uniform(random, 0, 1);
     EXPECT_EQ(sign_at(f, t), sign_of(exact_point(exact(f.points), Rational(t))));
   }

@@ -31,10 +31,10 @@ std::vector<CriticalPair> two_rows(int count) {
 
 TEST(CriticalPlaces, GatherWhatMeets) {
   for (const int count : {20, 4000}) {  // by their boxes, and over a grid
-    const auto clumps = clumps_of(two_rows(count));
-    ASSERT_EQ(clumps.size(), 2u) << count;
-    for (const Clump& clump : clumps)
-      EXPECT_EQ(clump.pairs.size(), static_cast<std::size_t>(count));
+    const auto clusters = clusters_of(two_rows(count));
+    ASSERT_EQ(clusters.size(), 2u) << count;
+    for (const CriticalCluster& cluster : clusters)
+      EXPECT_EQ(cluster.pairs.size(), static_cast<std::size_t>(count));
   }
 }
 
@@ -50,7 +50,7 @@ TEST(CriticalPlaces, GatherLargeBoxesByACoarseGrid) {
     }
     pairs.push_back(pair_in(low, high));
   }
-  EXPECT_EQ(clumps_of(pairs).size(), 1u);
+  EXPECT_EQ(clusters_of(pairs).size(), 1u);
 }
 
 }  // namespace

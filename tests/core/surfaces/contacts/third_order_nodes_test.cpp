@@ -27,7 +27,7 @@ using testing::Random;
 
 constexpr double kTolerance = 1e-7;
 constexpr double kOnCurve = 1e-5;  // chords of samples lie so near to the curve
-constexpr std::size_t kMostPoles = 60;
+constexpr std::size_t kMaxPoles = 60;
 
 // A line through the frame's origin at an angle to its y axis.
 struct Line {
@@ -68,7 +68,7 @@ void expect_well_written(const SurfaceIntersection& found) {
   for (const IntersectionCurve& curve : found.curves) {
     EXPECT_LE(std::max({curve.deviation.a, curve.deviation.b, curve.deviation.between}),
               kTolerance);
-    EXPECT_LE(curve.curve.points.size(), kMostPoles);
+    EXPECT_LE(curve.curve.points.size(), kMaxPoles);
   }
 }
 

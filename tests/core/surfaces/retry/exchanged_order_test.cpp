@@ -81,7 +81,7 @@ TEST(ExchangedOrder, ExchangesPointsAndPlaces) {
 
 TEST(ExchangedOrder, IsTriedWhereSomethingStayedOpenButForALimit) {
   const auto may_gain = [](const SurfaceIntersection& found) {
-    return may_gain_by_exchange(found, kFloor, kWall, 1e-7);
+    return should_retry_swapped(found, kFloor, kWall, 1e-7);
   };
   SurfaceIntersection found;
   EXPECT_FALSE(may_gain(found));
@@ -97,10 +97,10 @@ TEST(ExchangedOrder, IsTriedWhereATouchIsNone) {
   found.status = Status::Tolerance;
   found.points = {{{0.5, 0.5, 0}, {0.5, 1}, {0.5, 1}}};
   found.places = {{PlaceKind::Touch, {}, {}}};
-  EXPECT_TRUE(may_gain_by_exchange(found, kFloor, lower, 1e-7));
-  EXPECT_FALSE(may_gain_by_exchange(found, kFloor, kFloor, 1e-7));
+  EXPECT_TRUE(should_retry_swapped(found, kFloor, lower, 1e-7));
+  EXPECT_FALSE(should_retry_swapped(found, kFloor, kFloor, 1e-7));
   found.places.push_back({PlaceKind::Node, {}, {}});
-  EXPECT_FALSE(may_gain_by_exchange(found, kFloor, lower, 1e-7));
+  EXPECT_FALSE(should_retry_swapped(found, kFloor, lower, 1e-7));
 }
 
 TEST(ExchangedOrder, IsTriedWhereALoopMayHaveNoCusp) {
@@ -109,9 +109,9 @@ TEST(ExchangedOrder, IsTriedWhereALoopMayHaveNoCusp) {
   found.places = {{PlaceKind::Cusp, {}, {}}};
   found.curves.resize(1);
   found.curves[0].samples = {{{0, 0, 0}, {}, {}}, {{1, 0, 0}, {}, {}}, {{0, 0, 0}, {}, {}}};
-  EXPECT_TRUE(may_gain_by_exchange(found, kFloor, kWall, 1e-7));
+  EXPECT_TRUE(should_retry_swapped(found, kFloor, kWall, 1e-7));
   found.curves[0].samples.pop_back();
-  EXPECT_FALSE(may_gain_by_exchange(found, kFloor, kWall, 1e-7));
+  EXPECT_FALSE(should_retry_swapped(found, kFloor, kWall, 1e-7));
 }
 
 TEST(ExchangedOrder, IsAGainIfItSettlesMore) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/watertight/spared_turns.h"
+#include "core/watertight/fold_repair.h"
 
 #include <algorithm>
 #include <array>
@@ -10,15 +10,15 @@
 #include "core/blossom/curve_blossom.h"
 #include "core/blossom/triangle_composition.h"
 #include "core/forms/algebra/degree.h"
+#include "core/watertight/border_fitting.h"
 #include "core/watertight/equal_degrees.h"
-#include "core/watertight/moved_sides.h"
+#include "core/watertight/orientation_check.h"
 #include "core/watertight/piece_sides.h"
-#include "core/watertight/turned_normals.h"
 
 namespace blossom {
 namespace {
 
-constexpr int kMostPasses = 4;
+constexpr int kMaxPasses = 4;
 constexpr std::size_t kAskEvery = 64;  // pieces
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -203,7 +203,7 @@ void spare_turns(WatertightPieces unmoved, WatertightPieces& moved, double withi
   if (moved.turned.empty()) return;
   Carrier carrier(unmoved);
   WatertightPieces last = moved;
-  for (int pass = 0; pass < kMostPasses && carrier.carry(last); ++pass) {
+  for (int pass = 0; pass < kMaxPasses && carrier.carry(last); ++pass) {
     last = unmoved;
     raise_degrees(last);
     move_sides(last);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/watertight/closed_tips.h"
+#include "core/watertight/two_triangle_vertices.h"
 
 #include <algorithm>
 #include <array>

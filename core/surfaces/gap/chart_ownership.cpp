@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/gap/chart_claims.h"
+#include "core/surfaces/gap/chart_ownership.h"
 
 namespace blossom {
 namespace {
@@ -16,12 +16,12 @@ bool within(const Box2& inner, const Box2& outer) {
   return within(inner[0], outer[0]) && within(inner[1], outer[1]);
 }
 
-int ChartClaims::add_chart(const Box2& piece) {
+int ChartOwnership::add_chart(const Box2& piece) {
   pieces_.push_back(piece);
   return static_cast<int>(pieces_.size()) - 1;
 }
 
-ChartClaims::Claim ChartClaims::claim_of(const Box2& foot, int chart) const {
+ChartOwnership::Claim ChartOwnership::claim_of(const Box2& foot, int chart) const {
   for (const int cell : path_)
     if (const auto found = claims_.find(cell); found != claims_.end())
       for (const int other : found->second)
@@ -35,12 +35,12 @@ ChartClaims::Claim ChartClaims::claim_of(const Box2& foot, int chart) const {
   return Claim::Free;
 }
 
-bool ChartClaims::meets(const Box2& foot, int chart) const {
+bool ChartOwnership::meets(const Box2& foot, int chart) const {
   const Box2& piece = pieces_[static_cast<std::size_t>(chart)];
   return overlap(foot[0], piece[0]) && overlap(foot[1], piece[1]);
 }
 
-void ChartClaims::claim(int chart) {
+void ChartOwnership::claim(int chart) {
   claims_[path_.back()].push_back(chart);
   for (const int cell : path_)
     if (cell != path_.back()) claims_below_[cell].insert(chart);

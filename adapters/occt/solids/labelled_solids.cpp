@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/solids/solid_stages.h"
+#include "adapters/occt/solids/labelled_solids.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,10 +11,11 @@
 
 namespace blossom::occt {
 
-Stage stage_of(const std::vector<TopoDS_Solid>& solids, const std::vector<SolidFace>& known) {
+LabelledSolid stage_of(const std::vector<TopoDS_Solid>& solids,
+                       const std::vector<SolidFace>& known) {
   TopTools_IndexedMapOfShape numbers;
   for (const SolidFace& face : known) numbers.Add(face.face);
-  Stage stage{solid_tool(solids), {}};
+  LabelledSolid stage{solid_tool(solids), {}};
   for (const TopoDS_Face& face : stage.solid.faces) {
     const SolidFace& origin = known[static_cast<std::size_t>(numbers.FindIndex(face)) - 1];
     stage.faces.push_back({face, origin.tool, origin.from});
@@ -41,11 +42,11 @@ StagedInputs::StagedInputs(const TrimTool& part, const std::vector<TrimTool>& to
     layers_.push_back(layers_of(all, static_cast<int>(input)));
 }
 
-Stages StagedInputs::layers_of(const SolidPlaces& places, int input) {
+LabelledSolids StagedInputs::layers_of(const SolidPlaces& places, int input) {
   SolidPlaces own;
   std::ranges::copy_if(places, std::back_inserter(own),
                        [&](std::size_t place) { return input_[place] == input; });
-  Stages stages;
+  LabelledSolids stages;
   for (const SolidPlaces& layer : contacts_->layers(own)) {
     std::vector<TopoDS_Solid> solids;
     for (const std::size_t place : layer) solids.push_back(solids_[place]);
@@ -54,15 +55,15 @@ Stages StagedInputs::layers_of(const SolidPlaces& places, int input) {
   return stages;
 }
 
-std::vector<std::vector<Stages>> StagedInputs::joined() {
+std::vector<std::vector<LabelledSolids>> StagedInputs::joined() {
   // Without solids that must not become one there is nothing to tell apart.
-  if (std::ranges::all_of(layers_, [](const Stages& layers) { return layers.size() == 1; }))
+  if (std::ranges::all_of(layers_, [](const LabelledSolids& layers) { return layers.size() == 1; }))
     return {layers_};
-  std::vector<std::vector<Stages>> sets;
+  std::vector<std::vector<LabelledSolids>> sets;
   for (const SolidPlaces& set : contacts_->joined(input_)) {
     sets.emplace_back();
     for (std::size_t input = 0; input < faces_.size(); ++input)
-      if (Stages layers = layers_of(set, static_cast<int>(input)); !layers.empty())
+      if (LabelledSolids layers = layers_of(set, static_cast<int>(input)); !layers.empty())
         sets.back().push_back(std::move(layers));
   }
   return sets;

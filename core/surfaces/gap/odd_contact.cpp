@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/gap/crossing_contact.h"
+#include "core/surfaces/gap/odd_contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kLeastTwist = 0.1;   // of the largest third derivative across the line
+constexpr double kMinTwist = 0.1;     // of the largest third derivative across the line
 constexpr double kErrorShare = 0.25;  // of the tolerance: most error of the gap,
 constexpr double kGapShare = 0.25;    // and most gap along the line
 constexpr double kSlopeShare = 0.5;   // of the mean slope where the gap reaches the tolerance
@@ -52,7 +52,7 @@ std::optional<ValleyShape> slope_shape(const TaylorPolynomial& gap) {
   shape.bend_low = bend.low;
   shape.bend_high = bend.high;
   shape.twist = std::max(std::abs(twist.low), std::abs(twist.high));
-  if (!(shape.bend_low > kLeastTwist * shape.bend_high)) return std::nullopt;
+  if (!(shape.bend_low > kMinTwist * shape.bend_high)) return std::nullopt;
   return shape;
 }
 
@@ -135,9 +135,9 @@ Point4 closest_on_border(const ValleyShape& shape, const TaylorPolynomial& gap,
 
 }  // namespace
 
-std::optional<CrossingContact> crossing_contact(const RationalBezierPatch& patch_a, const Cell& a,
-                                                const RationalBezierPatch& patch_b,
-                                                const GapModel& model, double tolerance) {
+std::optional<OddContact> crossing_contact(const RationalBezierPatch& patch_a, const Cell& a,
+                                           const RationalBezierPatch& patch_b,
+                                           const GapModel& model, double tolerance) {
   if (model.gap_error[0] > kErrorShare * tolerance) return std::nullopt;
   const auto shape = slope_shape(model.gap);
   if (!shape) return std::nullopt;
@@ -146,11 +146,11 @@ std::optional<CrossingContact> crossing_contact(const RationalBezierPatch& patch
   const auto crossings = crossings_of(*shape);
   if (!crossings) return std::nullopt;
   const ModelPoints points(patch_a, a, patch_b, model, *shape);
-  if (crossings->empty()) return CrossingContact{{}, closest_on_border(*shape, gap, points)};
+  if (crossings->empty()) return OddContact{{}, closest_on_border(*shape, gap, points)};
   if (crossings->size() != 2) return std::nullopt;
   auto contact = piece_between(*shape, points, crossings->front(), crossings->back());
   if (!contact) return std::nullopt;
-  return CrossingContact{std::move(contact), {}};
+  return OddContact{std::move(contact), {}};
 }
 
 }  // namespace blossom

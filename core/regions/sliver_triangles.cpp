@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/regions/low_triangles.h"
+#include "core/regions/sliver_triangles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +15,10 @@ namespace {
 // Cosine of an angle beyond which a triangle is less than half as high as its shorter side there is
 // long: others gain little.
 constexpr double kWide = -0.87;
-constexpr int kMostRounds = 8;    // over all triangles, as those that are new may be low, too
-constexpr int kMostHalvings = 4;  // of the way to a new vertex: near ones may be better, or valid
-constexpr double kInside = 0.5;   // of the way to what lies across, where that is near
-constexpr double kSame = 1e-9;    // of a triangle's sides: nearer corners are one point in space
+constexpr int kMaxRounds = 8;    // over all triangles, as those that are new may be low, too
+constexpr int kMaxHalvings = 4;  // of the way to a new vertex: near ones may be better, or valid
+constexpr double kInside = 0.5;  // of the way to what lies across, where that is near
+constexpr double kSame = 1e-9;   // of a triangle's sides: nearer corners are one point in space
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -54,7 +54,7 @@ class Raiser {
   // Whether any were.
   bool raise_all() {
     bool raised = true, any = false;
-    for (int round = 0; raised && round < kMostRounds; ++round) {
+    for (int round = 0; raised && round < kMaxRounds; ++round) {
       raised = false;
       for (std::size_t i = 0; i < triangles_.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k)
@@ -204,7 +204,7 @@ class Raiser {
     if (on_left(a, c) == kNone) return false;
     Vec2 way = way_inside(i, k), best_way;
     Star best;
-    for (int halving = 0; halving <= kMostHalvings; ++halving, way = 0.5 * way) {
+    for (int halving = 0; halving <= kMaxHalvings; ++halving, way = 0.5 * way) {
       const Place place = place_of(point(b) + way, i, k);
       if (place.triangle == kNone) continue;
       chart_.points.push_back(point(b) + way);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Parts and tools of several solids that touch each other, with volumes known by hand.
-#include "adapters/occt/solids/solid_layers.h"
+#include "adapters/occt/solids/independent_sets.h"
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@
 
 namespace blossom {
 
-struct CrossingContact {
+struct OddContact {
   std::optional<CellContact> contact;  ///< nothing: the line passes beside the cell
   Point4 closest{};                    ///< then: about where the gap in the cell is least
 };
@@ -26,8 +26,8 @@ struct CrossingContact {
 ///
 /// tolerance   model units
 /// returns     nothing if there may be zeros of the gap that are not in such a band
-std::optional<CrossingContact> crossing_contact(const RationalBezierPatch& patch_a, const Cell& a,
-                                                const RationalBezierPatch& patch_b,
-                                                const GapModel& model, double tolerance);
+std::optional<OddContact> crossing_contact(const RationalBezierPatch& patch_a, const Cell& a,
+                                           const RationalBezierPatch& patch_b,
+                                           const GapModel& model, double tolerance);
 
 }  // namespace blossom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/watertight/turned_normals.h"
+#include "core/watertight/orientation_check.h"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +22,8 @@ using detail::ScaledForm;
 
 constexpr double kRounding = 0x1p-53;
 constexpr double kPointRounding = 256 * kRounding;  // of given points, of the largest coordinate
-constexpr int kMostParts = 400;                     // of one triangle
-constexpr int kMostHalvings = 40;                   // in depth: a part of a million in length
+constexpr int kMaxParts = 400;                      // of one triangle
+constexpr int kMaxHalvings = 40;                    // in depth: a part of a million in length
 
 // Of a patch, on both sides of its diagonal.
 constexpr std::array<TriangleCorners, 2> kHalves{
@@ -184,10 +184,10 @@ class Proof {
   Proof(double noise, double within) : noise_(noise), within_(within) {}
 
   bool holds(const BezierTriangle& given, const BezierTriangle& moved, int depth = 0) {
-    if (++parts_ > kMostParts) return false;
+    if (++parts_ > kMaxParts) return false;
     if (is_below_right_angle(given, moved)) return true;
     if (std::max(width(given), width(moved)) <= within_) return true;
-    if (depth == kMostHalvings) return false;
+    if (depth == kMaxHalvings) return false;
     const auto [given_first, given_second] = halves(given);
     const auto [moved_first, moved_second] = halves(moved);
     return holds(given_first, moved_first, depth + 1) &&

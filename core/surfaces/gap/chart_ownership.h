@@ -21,7 +21,7 @@ using Box2 = std::array<Interval, 2>;
 bool overlap(const Interval& a, const Interval& b);
 bool within(const Box2& inner, const Box2& outer);
 
-class ChartClaims {
+class ChartOwnership {
  public:
   enum class Claim { Free, Taken, Partly };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/watertight/spared_turns.h"
+#include "core/watertight/fold_repair.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/base/errors.h"
 #include "core/forms/algebra/de_casteljau.h"
-#include "core/watertight/turned_normals.h"
+#include "core/watertight/orientation_check.h"
 #include "core/watertight/watertight.h"
 #include "tests/support/random.h"
 

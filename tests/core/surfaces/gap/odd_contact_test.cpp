@@ -4,7 +4,7 @@
 // Two graphs c + h and c over the plane with h = k l^3 + e l, where l vanishes along a line or a
 // hyperbola.
 
-#include "core/surfaces/gap/crossing_contact.h"
+#include "core/surfaces/gap/odd_contact.h"
 
 #include <gtest/gtest.h>
 
@@ -49,9 +49,9 @@ SurfaceIntersection meet(const Cubic& h, Random& random) {
   return intersect(moved(pair.a, motion), moved(pair.b, motion), {.time_limit = 10});
 }
 
-class CrossingContact : public ::testing::TestWithParam<int> {};
+class OddContact : public ::testing::TestWithParam<int> {};
 
-TEST_P(CrossingContact, IsOneTangentialCurve) {
+TEST_P(OddContact, IsOneTangentialCurve) {
   Random random = testing::seeded(GetParam());
   const Cubic l = random_line(random);
   const double k = uniform(random, 0.3, 3);
@@ -65,7 +65,7 @@ TEST_P(CrossingContact, IsOneTangentialCurve) {
 }
 
 // A crossing at a small angle, or three next to each other, within a part of the tolerance.
-TEST_P(CrossingContact, IsWhatCannotBeToldFromIt) {
+TEST_P(OddContact, IsWhatCannotBeToldFromIt) {
   Random random = testing::seeded(1000 + GetParam());
   const Cubic l = random_line(random);
   const double k = uniform(random, 0.3, 3), sign = GetParam() % 2 == 0 ? 1 : -1;
@@ -76,7 +76,7 @@ TEST_P(CrossingContact, IsWhatCannotBeToldFromIt) {
   EXPECT_EQ(components(found), (Components{.open = 1, .tangential = 1})) << "e " << e;
 }
 
-using CurvesNearACrossingContact = CrossingContact;
+using CurvesNearACrossingContact = OddContact;
 
 // At small angles, but beyond a few tolerances: one curve that crosses all along.
 TEST_P(CurvesNearACrossingContact, AreOneAtASmallAngle) {
@@ -103,7 +103,7 @@ TEST_P(CurvesNearACrossingContact, AreThreeWhenTheGapChangesItsSignThreeTimes) {
   EXPECT_EQ(components(found), (Components{.open = 3})) << "e " << e << " k " << k;
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, CrossingContact, ::testing::Range(0, 30));
+INSTANTIATE_TEST_SUITE_P(Seeds, OddContact, ::testing::Range(0, 30));
 INSTANTIATE_TEST_SUITE_P(Seeds, CurvesNearACrossingContact, ::testing::Range(0, 30));
 
 }  // namespace

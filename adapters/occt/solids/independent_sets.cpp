@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/solids/solid_layers.h"
+#include "adapters/occt/solids/independent_sets.h"
 
 #include <algorithm>
 

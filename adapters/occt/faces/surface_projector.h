@@ -43,15 +43,15 @@ struct SurfacePole {
 /// The poles of a surface: its borders without length, and tips of cones wherever they are.
 std::vector<SurfacePole> poles_of(const Handle(Geom_Surface) & surface);
 
-/// Thrown by SurfaceFeet when its limit is reached.
+/// Thrown by SurfaceProjector when its limit is reached.
 struct LimitReached {};
 
 /// The nearest points of a face's surface, trims left out.
-class SurfaceFeet {
+class SurfaceProjector {
  public:
   /// tolerance   model units, of the search that Newton's method then sharpens
   /// limit       asked at each foot, has to live as long; null: none
-  SurfaceFeet(const TopoDS_Face& face, double tolerance, PolledLimit* limit = nullptr);
+  SurfaceProjector(const TopoDS_Face& face, double tolerance, PolledLimit* limit = nullptr);
 
   const Handle(Geom_Surface) & surface() const { return surface_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/surface_feet.h"
+#include "adapters/occt/faces/surface_projector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +78,7 @@ std::vector<SurfacePole> poles_of(const Handle(Geom_Surface) & surface) {
   return poles;
 }
 
-SurfaceFeet::SurfaceFeet(const TopoDS_Face& face, double tolerance, PolledLimit* limit)
+SurfaceProjector::SurfaceProjector(const TopoDS_Face& face, double tolerance, PolledLimit* limit)
     : surface_(BRep_Tool::Surface(face)),
       plane_(Handle(Geom_Plane)::DownCast(surface_)),
       finder_(new ShapeAnalysis_Surface(surface_)),
@@ -92,7 +92,7 @@ SurfaceFeet::SurfaceFeet(const TopoDS_Face& face, double tolerance, PolledLimit*
   poles_ = poles_of(surface_);
 }
 
-Vec2 SurfaceFeet::foot(const Vec3& point, const std::optional<Vec2>& near) const {
+Vec2 SurfaceProjector::foot(const Vec3& point, const std::optional<Vec2>& near) const {
   if (limit_ && limit_->reached()) throw LimitReached();
   const gp_Pnt p(point[0], point[1], point[2]);
   if (!plane_.IsNull()) {
@@ -120,11 +120,11 @@ Vec2 SurfaceFeet::foot(const Vec3& point, const std::optional<Vec2>& near) const
   return uv;
 }
 
-double SurfaceFeet::gap(const Vec3& point, const Vec2& uv) const {
+double SurfaceProjector::gap(const Vec3& point, const Vec2& uv) const {
   return distance(point, frame_at(surface_, uv).point);
 }
 
-double SurfaceFeet::clearance(const Vec3& point, const Vec2& uv) const {
+double SurfaceProjector::clearance(const Vec3& point, const Vec2& uv) const {
   const SurfaceFrame at = frame_at(surface_, uv);
   double inside = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 2; ++k)
@@ -136,18 +136,18 @@ double SurfaceFeet::clearance(const Vec3& point, const Vec2& uv) const {
   return -norm(step[0] * at.du + step[1] * at.dv);
 }
 
-const SurfacePole* SurfaceFeet::pole_at(const Vec3& point) const {
+const SurfacePole* SurfaceProjector::pole_at(const Vec3& point) const {
   for (const SurfacePole& pole : poles_)
     if (distance(pole.point, point) <= tolerance_) return &pole;
   return nullptr;
 }
 
-double SurfaceFeet::height(const Vec3& point) const {
+double SurfaceProjector::height(const Vec3& point) const {
   const SurfaceFrame at = frame_at(surface_, foot(point, {}));
   return std::copysign(distance(point, at.point), dot(point - at.point, cross(at.du, at.dv)));
 }
 
-Vec2 SurfaceFeet::bounded(Vec2 uv) const {
+Vec2 SurfaceProjector::bounded(Vec2 uv) const {
   for (int k = 0; k < 2; ++k)
     if (period_[k] == 0) uv[k] = std::clamp(uv[k], low_[k], high_[k]);
   return uv;

@@ -7,19 +7,20 @@
 #include <vector>
 
 #include "adapters/occt/solid_trim.h"
-#include "adapters/occt/solids/solid_layers.h"
+#include "adapters/occt/solids/independent_sets.h"
 
 namespace blossom::occt {
 
 /// Solids that touch none of each other, with the origins of their faces.
-struct Stage {
+struct LabelledSolid {
   TrimTool solid;
   std::vector<SolidFace> faces;  ///< one for each of the solid's
 };
-using Stages = std::vector<Stage>;
+using LabelledSolids = std::vector<LabelledSolid>;
 
 /// Closed solids, turned outwards, whose faces are among known ones.
-Stage stage_of(const std::vector<TopoDS_Solid>& solids, const std::vector<SolidFace>& known);
+LabelledSolid stage_of(const std::vector<TopoDS_Solid>& solids,
+                       const std::vector<SolidFace>& known);
 
 /// The part and the tools of an operation, in layers: where two solids of one input touch, faces of
 /// another one would be cut twice in the same place.
@@ -29,22 +30,22 @@ class StagedInputs {
   StagedInputs(const TrimTool& part, const std::vector<TrimTool>& tools, double tolerance,
                const SharedLimit& limit);
 
-  const Stages& part() const { return layers_.front(); }
-  std::vector<Stages> tools() const { return {layers_.begin() + 1, layers_.end()}; }
+  const LabelledSolids& part() const { return layers_.front(); }
+  std::vector<LabelledSolids> tools() const { return {layers_.begin() + 1, layers_.end()}; }
 
   /// What becomes one when everything is fused: solids that meet those of other inputs, however
   /// indirectly. Solids of one input that only touch each other stay apart. Of each set the layers
   /// of each input that is in it.
-  std::vector<std::vector<Stages>> joined();
+  std::vector<std::vector<LabelledSolids>> joined();
 
  private:
-  Stages layers_of(const SolidPlaces& places, int input);
+  LabelledSolids layers_of(const SolidPlaces& places, int input);
 
   std::vector<TopoDS_Solid> solids_;           // of all inputs
   std::vector<int> input_;                     // of each
   std::vector<std::vector<SolidFace>> faces_;  // of each input
   std::optional<SolidContacts> contacts_;
-  std::vector<Stages> layers_;  // of each input
+  std::vector<LabelledSolids> layers_;  // of each input
 };
 
 }  // namespace blossom::occt

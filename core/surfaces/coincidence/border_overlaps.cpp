@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/coincidence/border_stretches.h"
+#include "core/surfaces/coincidence/border_overlaps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ namespace {
 constexpr int kSamples = 64;         // per span of a border
 constexpr int kStarts = 8;           // intervals per direction of a patch where feet are sought
 constexpr std::size_t kTried = 3;    // of the nearest of them
-constexpr int kMostMoves = 8;        // between patches, from one point to the next
+constexpr int kMaxMoves = 8;         // between patches, from one point to the next
 constexpr double kReach = 0.75;      // of Newton's method, fraction of a patch
 constexpr double kSlack = 1e-9;      // fraction of a patch
 constexpr double kBorderWidth = 10;  // tolerances: nearer to a border is on it
 constexpr int kBisections = 48;
 constexpr double kSnapReach = 1e-3;  // fraction of a span
 constexpr double kChord = 5e-5;      // from the curve; fraction of the size
-constexpr int kMostRefinements = 8;
+constexpr int kMaxRefinements = 8;
 constexpr std::size_t kLinkPoints = 16;
 constexpr double kBeside = 3;           // times sqrt(tolerance * size)
 constexpr double kBoxRounding = 1e-14;  // of the size and the coordinates
@@ -110,13 +110,13 @@ bool BorderFollower::move_on(Foot& foot) const {
 
 bool BorderFollower::follow(BorderProbe& at, Foot near) {
   const auto& own = own_.tree(at.patch).patch();
-  for (int move = 0; move <= kMostMoves; ++move) {
+  for (int move = 0; move <= kMaxMoves; ++move) {
     const auto solution = foot_point(own, other_.tree(near.patch).patch(),
                                      {at.x[0], at.x[1], near.x[0], near.x[1]}, kReach);
     if (!solution) return false;
     near.raw = {(*solution)[2], (*solution)[3]};
     for (int k = 0; k < 2; ++k) near.x[k] = std::clamp(near.raw[k], 0.0, 1.0);
-    if (move == kMostMoves || !move_on(near)) break;
+    if (move == kMaxMoves || !move_on(near)) break;
   }
   near.gap = distance(point(at), point_at(other_.tree(near.patch).patch(), near.x[0], near.x[1]));
   at.foot = near;
@@ -181,7 +181,7 @@ bool BorderFollower::lies_on(const BorderProbe& at, bool found, StretchKind kind
          (kind == StretchKind::Any || borders_at(at.foot, kBorderWidth).empty());
 }
 
-std::vector<BorderStretch> BorderFollower::stretches(const BorderLine& line, StretchKind kind,
+std::vector<BorderOverlap> BorderFollower::stretches(const BorderLine& line, StretchKind kind,
                                                      const std::vector<double>& junctions) {
   std::vector<double> places;
   for (int span = 0; span < spans(line); ++span) {
@@ -201,7 +201,7 @@ std::vector<BorderStretch> BorderFollower::stretches(const BorderLine& line, Str
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
 
-  std::vector<BorderStretch> found;
+  std::vector<BorderOverlap> found;
   bool open = false;
   for (std::size_t i = 0; i < places.size(); ++i) {
     BorderProbe at = placed(line, places[i]);
@@ -222,8 +222,8 @@ std::vector<BorderStretch> BorderFollower::stretches(const BorderLine& line, Str
     }
     open = on;
   }
-  for (BorderStretch& stretch : found) refine(stretch);
-  std::erase_if(found, [](const BorderStretch& s) { return s.points.size() < 2; });
+  for (BorderOverlap& stretch : found) refine(stretch);
+  std::erase_if(found, [](const BorderOverlap& s) { return s.points.size() < 2; });
   return found;
 }
 
@@ -271,7 +271,7 @@ bool BorderFollower::snap(const BorderLine& line, BorderProbe& end, double inwar
   return true;
 }
 
-void BorderFollower::refine(BorderStretch& stretch) {
+void BorderFollower::refine(BorderOverlap& stretch) {
   auto& points = stretch.points;
   std::sort(points.begin(), points.end(),
             [](const BorderProbe& p, const BorderProbe& q) { return p.along < q.along; });
@@ -279,7 +279,7 @@ void BorderFollower::refine(BorderStretch& stretch) {
     return q.along - p.along <= kSlack;
   };
   points.erase(std::unique(points.begin(), points.end(), same), points.end());
-  for (int round = 0; round < kMostRefinements; ++round) {
+  for (int round = 0; round < kMaxRefinements; ++round) {
     std::vector<BorderProbe> finer;
     for (std::size_t i = 0; i < points.size(); ++i) {
       finer.push_back(points[i]);
@@ -294,7 +294,7 @@ void BorderFollower::refine(BorderStretch& stretch) {
   }
 }
 
-std::vector<BorderJunction> BorderFollower::junctions(const BorderStretch& stretch) const {
+std::vector<BorderJunction> BorderFollower::junctions(const BorderOverlap& stretch) const {
   std::vector<BorderJunction> result;
   for (const BorderProbe* end : {&stretch.points.front(), &stretch.points.back()}) {
     for (const BorderLine& border : borders_at(end->foot, kBorderWidth)) {
@@ -306,9 +306,9 @@ std::vector<BorderJunction> BorderFollower::junctions(const BorderStretch& stret
   return result;
 }
 
-std::vector<BorderStretch> BorderFollower::cut(const BorderStretch& stretch,
+std::vector<BorderOverlap> BorderFollower::cut(const BorderOverlap& stretch,
                                                const std::vector<double>& places) {
-  std::vector<BorderStretch> parts{{stretch.line, {stretch.points.front()}}};
+  std::vector<BorderOverlap> parts{{stretch.line, {stretch.points.front()}}};
   for (std::size_t i = 0; i + 1 < stretch.points.size(); ++i) {
     const BorderProbe &p = stretch.points[i], &q = stretch.points[i + 1];
     for (const double place : places) {
@@ -325,7 +325,7 @@ std::vector<BorderStretch> BorderFollower::cut(const BorderStretch& stretch,
   return parts;
 }
 
-bool BorderFollower::coincide_inside(const BorderStretch& stretch) {
+bool BorderFollower::coincide_inside(const BorderOverlap& stretch) {
   const double least = kBeside * std::sqrt(tolerance_ * size_);
   const int k = stretch.line.across;
   const double from = stretch.points.front().along, to = stretch.points.back().along;
@@ -385,7 +385,7 @@ bool BorderFollower::is_crease(const BorderLine& line, int span) {
   return false;
 }
 
-bool BorderFollower::bounds_coincidence(const BorderStretch& stretch) {
+bool BorderFollower::bounds_coincidence(const BorderOverlap& stretch) {
   if (!coincide_inside(stretch)) return false;
   if (!span_beyond(own_.surface(), stretch.line)) return true;
   const double from = stretch.points.front().along, to = stretch.points.back().along;
@@ -432,7 +432,7 @@ std::vector<BorderProbe> BorderFollower::patch_change(const BorderLine& line, Bo
   return {from, after};
 }
 
-std::vector<BorderProbe> BorderFollower::links(const BorderStretch& stretch) {
+std::vector<BorderProbe> BorderFollower::links(const BorderOverlap& stretch) {
   const auto& points = stretch.points;
   const std::size_t step = std::max<std::size_t>(1, points.size() / kLinkPoints);
   std::vector<BorderProbe> result{points.front()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/watertight/moved_sides.h"
+#include "core/watertight/border_fitting.h"
 
 #include <algorithm>
 #include <utility>

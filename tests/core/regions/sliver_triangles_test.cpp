@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/regions/low_triangles.h"
+#include "core/regions/sliver_triangles.h"
 
 #include <gtest/gtest.h>
 

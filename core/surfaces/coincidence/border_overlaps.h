@@ -46,7 +46,7 @@ struct BorderProbe {
 };
 
 /// A stretch of a border within tolerance of the other surface; at least 2 points.
-struct BorderStretch {
+struct BorderOverlap {
   BorderLine line;
   std::vector<BorderProbe> points;  ///< by `along`, dense: chords are within 1e-4 of the size
 };
@@ -74,22 +74,22 @@ class BorderFollower {
 
   /// All stretches of a border. They are sought from points a fraction of a span apart, so shorter
   /// ones may be missed unless `junctions` names their ends.
-  std::vector<BorderStretch> stretches(const BorderLine& line, StretchKind kind,
+  std::vector<BorderOverlap> stretches(const BorderLine& line, StretchKind kind,
                                        const std::vector<double>& junctions);
 
   /// Where the ends of a stretch lie on borders of the other surface.
-  std::vector<BorderJunction> junctions(const BorderStretch& stretch) const;
+  std::vector<BorderJunction> junctions(const BorderOverlap& stretch) const;
 
   /// The stretch cut at the places given by `along`.
-  std::vector<BorderStretch> cut(const BorderStretch& stretch, const std::vector<double>& places);
+  std::vector<BorderOverlap> cut(const BorderOverlap& stretch, const std::vector<double>& places);
 
   /// True if the surfaces also coincide beside the stretch, in its row of patches, but not beyond
   /// its border.
-  bool bounds_coincidence(const BorderStretch& stretch);
+  bool bounds_coincidence(const BorderOverlap& stretch);
 
   /// The stretch by a few points of which neighbours lie in the same pair of patches or are one
   /// point in two pairs.
-  std::vector<BorderProbe> links(const BorderStretch& stretch);
+  std::vector<BorderProbe> links(const BorderOverlap& stretch);
 
   Vec3 point(const BorderProbe& probe);
 
@@ -101,7 +101,7 @@ class BorderFollower {
   };
 
   int spans(const BorderLine& line) const;
-  bool coincide_inside(const BorderStretch& stretch);
+  bool coincide_inside(const BorderOverlap& stretch);
   bool coincides_off(const BorderLine& line, double along, bool beyond);
   bool leaves(const Foot& foot) const;
   bool is_crease(const BorderLine& line, int span);
@@ -116,7 +116,7 @@ class BorderFollower {
   bool lies_on(const BorderProbe& at, bool found, StretchKind kind) const;
   BorderProbe end_between(const BorderLine& line, BorderProbe in, double out, StretchKind kind);
   bool snap(const BorderLine& line, BorderProbe& end, double inwards, const BorderLine& border);
-  void refine(BorderStretch& stretch);
+  void refine(BorderOverlap& stretch);
   std::vector<BorderProbe> patch_change(const BorderLine& line, BorderProbe from,
                                         const BorderProbe& to);
 
