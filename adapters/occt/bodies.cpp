@@ -18,6 +18,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/face_groups.h"
+#include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/splitting/trim_sides.h"

@@ -51,7 +51,7 @@ struct FaceIntersection {
 /// What of a face's surface is searched. Results are clipped to the trims in any case.
 enum class Extent {
   Trims,   ///< the rectangle of the trims; it goes on a little where the trims are no rectangle
-  Beyond,  ///< a little more wherever the surface goes on, so that what lies along a border, or
+  Extended,  ///< a little more wherever the surface goes on, so that what lies along a border, or
            ///< within tolerance of it, is found like all else
 };
 

@@ -77,6 +77,9 @@ void check_border(const Border& border, const std::string& name) {
 }
 
 /// The values of x at which a row of the strip ends: the breaks of both borders.
+// Two parameters closer than this are one; a fraction of the border.
+constexpr double kSameParameter = 1e-9;
+
 struct Meeting {
   std::vector<double> breaks;
   double snap = 0;  ///< breaks of a and b closer than this are one
@@ -88,7 +91,7 @@ Meeting meeting_of(const Border& a, const Border& b, bool backward) {
     std::reverse(of_b.begin(), of_b.end());
     for (double& x : of_b) x = 1 - x;
   }
-  Meeting meeting{.breaks = a.breaks, .snap = Tolerances{}.parameter};
+  Meeting meeting{.breaks = a.breaks, .snap = kSameParameter};
   for (const auto& breaks : {a.breaks, of_b})
     for (std::size_t i = 1; i < breaks.size(); ++i)
       meeting.snap = std::min(meeting.snap, (breaks[i] - breaks[i - 1]) / 4);

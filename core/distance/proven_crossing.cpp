@@ -10,6 +10,7 @@
 #include "core/cells/cell_tree.h"
 #include "core/cells/pair_model.h"
 #include "core/forms/evaluation.h"
+#include "core/surfaces/gap/newton.h"
 
 namespace blossom {
 namespace {

@@ -14,7 +14,7 @@
 #include "core/math/series/power_series.h"
 #include "core/tracing/image_gap.h"
 #include "core/tracing/sites.h"
-#include "core/tracing/vec7.h"
+#include "core/tracing/packed_vec7.h"
 
 namespace blossom {
 namespace {
@@ -56,7 +56,7 @@ BLOSSOM_HOT QuinticPoints span_points(const std::vector<Vec7>& poles,
     for (std::size_t j = 5; j >= r; --j) {
       const double low = flat[span - 5 + j], high = flat[span + 1 + j - r];
       const double s = (t - low) / (high - low);
-      Vec7 sum;
+      PackedVec7 sum;
       add(1 - s, d[j - 1], sum);
       add(s, d[j], sum);
       store(sum, d[j]);

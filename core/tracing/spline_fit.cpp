@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/errors.h"
-#include "core/tracing/vec7.h"
+#include "core/tracing/packed_vec7.h"
 
 namespace blossom {
 namespace {
@@ -17,7 +17,7 @@ using Basis = std::array<double, kOrder>;
 
 // sum weights[i] points[i] over one order of both.
 [[gnu::always_inline]] inline Vec7 sum_of(const Basis& weights, const Vec7* points) {
-  Vec7 sum;
+  PackedVec7 sum;
   for (std::size_t i = 0; i < kOrder; ++i) add(weights[i], points[i], sum);
   Vec7 result;
   store(sum, result);
@@ -65,7 +65,7 @@ class BandedSystem {
   // Those of one span, whose poles begin with `from`: its B-splines and what is left at the checks.
   [[gnu::always_inline]] void add_span(std::size_t from, const Basis* basis, const Vec7* rest) {
     std::array<Basis, kOrder> products{};
-    std::array<Vec7, kOrder> sums{};
+    std::array<PackedVec7, kOrder> sums{};
     for (std::size_t s = 0; s < kFitChecks.size(); ++s)
       for (std::size_t i = 0; i < kOrder; ++i) {
         for (std::size_t j = 0; j < kOrder; ++j) products[i][j] += basis[s][i] * basis[s][j];
@@ -73,7 +73,7 @@ class BandedSystem {
       }
     for (std::size_t i = 0; i < kOrder; ++i) {
       for (std::size_t j = 0; j <= i; ++j) entry(from + i, from + j) += products[i][j];
-      Vec7 sum;
+      PackedVec7 sum;
       store(sums[i], sum);
       right_[from + i] += sum;
     }
@@ -112,7 +112,7 @@ class BandedSystem {
   double& entry(std::size_t i, std::size_t j) { return rows_[i][kFitDegree - (i - j)]; }
 
   [[gnu::always_inline]] void subtract(double factor, std::size_t from, std::size_t to) {
-    Vec7 x;
+    PackedVec7 x;
     load(right_[to], x);
     add(-factor, right_[from], x);
     store(x, right_[to]);

@@ -62,6 +62,9 @@ build_jobs() {
 # configure PRESET
 configure() {
   local launcher=()
-  if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+  # Precompiled headers are kept in its cache only when it is told that they do not look at the time.
+  if command -v ccache >/dev/null; then
+    launcher=("-DCMAKE_CXX_COMPILER_LAUNCHER=env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache")
+  fi
   (cd "$root" && cmake --preset "$1" "${launcher[@]}")
 }

@@ -13,6 +13,7 @@
 
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/face_splitter.h"
 #include "adapters/occt/splitting/trim_sides.h"

@@ -18,6 +18,7 @@
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/splitting/common_edges.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "adapters/occt/faces/point_inside.h"
 
 namespace blossom::occt {
 namespace {

@@ -376,7 +376,7 @@ class Assembly {
   double contact_length() const { return 0.1 * std::sqrt(options_.tolerances.point * size_); }
 
   void add_small_contact(SurfaceCells& cells_a, const Chain& chain, const ChainTracer& tracer) {
-    const CurvePoint middle = tracer.at(0.5 * tracer.stations().back(), true);
+    const TracePoint middle = tracer.at(0.5 * tracer.stations().back(), true);
     if (in_contact(middle.point)) return;
     const SurfacePoint contact{middle.point, middle.a, middle.b};
     if (!is_known_contact(result_, contact.point, contact_length()))

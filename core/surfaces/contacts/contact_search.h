@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/work_limit.h"
+#include "core/cells/known_curves.h"
 #include "core/cells/surface_cells.h"
 #include "core/surfaces/pairs/pair_search_result.h"
 #include "core/surfaces/pairs/quadric_band.h"

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/cells/cell_pair.h"
 #include "core/forms/evaluation.h"
+#include "core/surfaces/gap/newton.h"
 
 namespace blossom {
 namespace {

@@ -49,14 +49,6 @@ struct PairArcs {
 /// Two border points closer than this in every parameter are one. Fraction of a patch.
 inline constexpr double kSamePoint = 1e-9;
 
-/// Solves A(u, v) = B(s, t) for three parameters, the fourth one fixed, by Newton's method.
-///
-/// start     the first guess; its entry `fixed` is kept
-/// returns   the solution, to rounding; nothing if the steps do not settle or leave the box
-///           blown up to twice its size
-std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierPatch& b,
-                             const Point4& start, int fixed, const Box4& box);
-
 /// All arcs in a certified pair.
 ///
 /// bounds    of the pair's Jacobian; its minor `along` is regular

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/solids/solid_sides.h"
+#include "adapters/occt/faces/point_inside.h"
 
 #include <gtest/gtest.h>
 
