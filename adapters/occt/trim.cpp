@@ -15,6 +15,7 @@
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "adapters/occt/splitting/trim_sides.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {

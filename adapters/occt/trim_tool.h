@@ -31,4 +31,10 @@ TrimTool trim_tool(const TopoDS_Shape& shape);
 /// The same of solids that are known to be closed and turned outwards: nothing is checked.
 TrimTool solid_tool(const std::vector<TopoDS_Solid>& solids);
 
+/// What becomes of cuts, or parts of them, that divide nothing since they end inside of the face.
+enum class OpenCuts {
+  LeaveOut,
+  Imprint,  ///< internal edges of the piece in which they lie
+};
+
 }  // namespace blossom::occt

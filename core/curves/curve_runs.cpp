@@ -5,11 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/base/disjoint_sets.h"
 #include "core/curves/curve_assembly.h"
 #include "core/curves/shared_curve.h"
 #include "core/surfaces/contacts/contact_length.h"
@@ -49,12 +49,7 @@ std::optional<SpanPart> between_knots(const CurveTree& tree, const Interval& ran
 void CurveAssembly::add_contacts(std::vector<CurveContact> contacts) {
   std::sort(contacts.begin(), contacts.end(),
             [](const CurveContact& x, const CurveContact& y) { return x.a.from < y.a.from; });
-  std::vector<std::size_t> root(contacts.size());
-  std::iota(root.begin(), root.end(), 0U);
-  const auto find = [&](std::size_t i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
+  DisjointSets sets(contacts.size());
   const auto follow = [&](const CurveTree& tree, const Interval& p, const Interval& q) {
     if (overlap(p, q)) return true;
     return p.to < q.from ? tree.stays_near(p.to, q.from, tolerance_)
@@ -64,13 +59,13 @@ void CurveAssembly::add_contacts(std::vector<CurveContact> contacts) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     std::erase_if(active, [&](std::size_t k) { return !follow(a_, contacts[k].a, contacts[i].a); });
     for (const std::size_t k : active)
-      if (follow(b_, contacts[k].b, contacts[i].b)) root[find(i)] = find(k);
+      if (follow(b_, contacts[k].b, contacts[i].b)) sets.join(i, k);
     active.push_back(i);
   }
   std::vector<CurveContact> runs(contacts.size());
   std::vector<bool> used(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const std::size_t r = find(i);
+    const std::size_t r = sets.find(i);
     CurveContact& run = runs[r];
     if (!used[r]) {
       run = contacts[i];

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <utility>
+
+#include "core/base/disjoint_sets.h"
 
 namespace blossom {
 namespace {
@@ -16,19 +17,14 @@ class Components {
   explicit Components(std::span<const ChartArc> arcs) {
     int count = 0;
     for (const ChartArc& arc : arcs) count = std::max({count, arc.from + 1, arc.to + 1});
-    parent_.resize(static_cast<std::size_t>(count));
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    for (const ChartArc& arc : arcs) parent_[root(index(arc.from))] = root(index(arc.to));
+    sets_ = DisjointSets(static_cast<std::size_t>(count));
+    for (const ChartArc& arc : arcs) sets_.join(index(arc.from), index(arc.to));
   }
-  std::size_t of(const ChartArc& arc) { return root(index(arc.from)); }
+  std::size_t of(const ChartArc& arc) { return sets_.find(index(arc.from)); }
 
  private:
   static std::size_t index(int vertex) { return static_cast<std::size_t>(vertex); }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  std::vector<std::size_t> parent_;
+  DisjointSets sets_;
 };
 
 bool is_inside(std::span<const ChartArc> arcs, const Cycle& cycle) {

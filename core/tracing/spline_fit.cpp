@@ -73,7 +73,7 @@ class BandedSystem {
       }
     for (std::size_t i = 0; i < kOrder; ++i) {
       for (std::size_t j = 0; j <= i; ++j) entry(from + i, from + j) += products[i][j];
-      PackedVec7 sum;
+      Vec7 sum;
       store(sums[i], sum);
       right_[from + i] += sum;
     }

@@ -12,6 +12,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "core/base/work_limit.h"
+#include "core/math/interval.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -24,10 +23,11 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/trim_sides.h"
-#include "adapters/occt/faces/point_inside.h"
+#include "core/base/disjoint_sets.h"
 
 namespace blossom::occt {
 namespace {
@@ -145,21 +145,17 @@ using Groups = std::vector<std::size_t>;  // of each face: the first one that ha
 template <class AcrossOf>
 Groups joined(std::size_t faces, const std::vector<std::vector<EdgeUse>>& edges,
               const AcrossOf& across) {
-  Groups parent(faces);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets sets(faces);
   for (const std::vector<EdgeUse>& uses : edges)
     for (std::size_t i = 0; i < uses.size(); ++i)
       if (uses[i].forward == (across(uses) == Across::Air)) {
         const auto [first, other] =
-            std::minmax({root(uses[i].face), root(uses[(i + 1) % uses.size()].face)});
-        parent[other] = first;
+            std::minmax({sets.find(uses[i].face), sets.find(uses[(i + 1) % uses.size()].face)});
+        sets.join(other, first);
       }
-  for (std::size_t i = 0; i < faces; ++i) parent[i] = root(i);
-  return parent;
+  Groups groups;
+  for (std::size_t i = 0; i < faces; ++i) groups.push_back(sets.find(i));
+  return groups;
 }
 
 // Bodies that meet in an edge only are apart. Where one body meets itself in an edge, the edge

@@ -37,16 +37,11 @@ void take_pcurves(const TopoDS_Edge& from, const TopoDS_Edge& to, double toleran
 
 std::size_t EdgeUnion::number(const TopoDS_Vertex& vertex) {
   const auto place = static_cast<std::size_t>(vertices_.Add(vertex)) - 1;
-  if (place == parent_.size()) {
-    parent_.push_back(place);
+  if (place == sets_.size()) {
+    sets_.add();
     made_.emplace_back();
   }
   return place;
-}
-
-std::size_t EdgeUnion::root(std::size_t vertex) {
-  while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
-  return vertex;
 }
 
 bool EdgeUnion::join(const TopoDS_Edge& a, const TopoDS_Edge& b) { return join(a, b, b, false); }
@@ -75,18 +70,18 @@ TopoDS_Edge EdgeUnion::first(const TopoDS_Edge& edge) const {
 
 void EdgeUnion::join(const TopoDS_Vertex& a, const TopoDS_Vertex& b) {
   const std::size_t x = number(a), y = number(b);
-  parent_[root(y)] = root(x);
+  sets_.join(y, x);
 }
 
 // The vertex of its whole class, at the place of the root, wide enough for all.
 TopoDS_Vertex EdgeUnion::united(const TopoDS_Vertex& vertex) {
   if (!vertices_.Contains(vertex)) return vertex;
-  const std::size_t top = root(number(vertex));
+  const std::size_t top = sets_.find(number(vertex));
   if (made_[top].IsNull()) {
     const gp_Pnt place = BRep_Tool::Pnt(TopoDS::Vertex(vertices_(static_cast<int>(top) + 1)));
     double tolerance = 0;
-    for (std::size_t i = 0; i < parent_.size(); ++i) {
-      if (root(i) != top) continue;
+    for (std::size_t i = 0; i < sets_.size(); ++i) {
+      if (sets_.find(i) != top) continue;
       const TopoDS_Vertex member = TopoDS::Vertex(vertices_(static_cast<int>(i) + 1));
       tolerance = std::max(tolerance,
                            BRep_Tool::Tolerance(member) + place.Distance(BRep_Tool::Pnt(member)));

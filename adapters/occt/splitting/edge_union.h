@@ -14,6 +14,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "core/base/disjoint_sets.h"
+
 namespace blossom::occt {
 
 /// First all edges are joined, then all faces rebuilt.
@@ -51,11 +53,10 @@ class EdgeUnion {
 
  private:
   std::size_t number(const TopoDS_Vertex& vertex);
-  std::size_t root(std::size_t vertex);
   TopoDS_Vertex united(const TopoDS_Vertex& vertex);
 
   TopTools_IndexedMapOfShape vertices_;
-  std::vector<std::size_t> parent_;                // of a vertex; its own number at the root
+  DisjointSets sets_;                              // of vertices, by number
   std::vector<TopoDS_Vertex> made_;                // for roots, once needed
   TopTools_DataMapOfShapeShape first_of_;          // of joined edges
   TopTools_DataMapOfShapeListOfShape curves_for_;  // edges whose chart curves a first one takes

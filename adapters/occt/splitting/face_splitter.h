@@ -14,6 +14,7 @@
 
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/splitting/edge_splits.h"
+#include "adapters/occt/trim_tool.h"
 #include "core/base/work_limit.h"
 #include "core/forms/conic.h"
 #include "core/forms/spline.h"
@@ -45,12 +46,6 @@ struct FacePiece {
   TopoDS_Face face;  ///< oriented as the face it comes from
   std::vector<CutUse> cuts;
   std::vector<TopoDS_Edge> imprints;  ///< internal edges of the face
-};
-
-/// What becomes of cuts, or parts of them, that divide nothing since they end inside of the face.
-enum class OpenCuts {
-  LeaveOut,
-  Imprint,  ///< internal edges of the piece in which they lie
 };
 
 /// A piece of an edge of another shape, and the edge that takes its place in a face.

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+
+#include "core/base/disjoint_sets.h"
 
 namespace blossom {
 namespace {
@@ -12,24 +13,9 @@ namespace {
 constexpr std::size_t kManyPairs = 4000;  // above this, pairs are gathered over a grid
 constexpr int kGridCells = 64;            // per axis
 
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) { parent_[find(i)] = find(j); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 Box box_of(const CriticalPair& pair) { return {pair.low, pair.high}; }
 
-void join_meeting(const std::vector<CriticalPair>& pairs, Sets& sets) {
+void join_meeting(const std::vector<CriticalPair>& pairs, DisjointSets& sets) {
   std::vector<Box> boxes;
   for (const CriticalPair& pair : pairs) boxes.push_back(box_of(pair));
   const BoxTree tree(boxes);
@@ -40,7 +26,7 @@ void join_meeting(const std::vector<CriticalPair>& pairs, Sets& sets) {
 
 // Marks the grid cells that boxes cover and joins pairs in equal or neighbouring cells. These are
 // not smaller than boxes are in the cubic mean, so a box covers but a few of them on average.
-void join_over_grid(const std::vector<CriticalPair>& pairs, Sets& sets) {
+void join_over_grid(const std::vector<CriticalPair>& pairs, DisjointSets& sets) {
   Box all;
   for (const CriticalPair& pair : pairs) all = joined(all, box_of(pair));
   const double whole = std::max(diagonal(all), 1e-300);
@@ -68,7 +54,7 @@ void join_over_grid(const std::vector<CriticalPair>& pairs, Sets& sets) {
 }  // namespace
 
 std::vector<CriticalCluster> clusters_of(const std::vector<CriticalPair>& pairs) {
-  Sets sets(pairs.size());
+  DisjointSets sets(pairs.size());
   if (pairs.size() > kManyPairs)
     join_over_grid(pairs, sets);
   else

@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "core/cells/cell_pair.h"
-#include "core/forms/evaluation.h"
 
 namespace blossom {
 namespace {
@@ -14,6 +13,14 @@ namespace {
 constexpr int kNewtonSteps = 12;
 constexpr double kSettled = 1e-14;  // a Newton step below this is rounding; fraction of a patch
 constexpr double kStalled = 1e-10;  // so is one below this that no longer shrinks: ill conditioned
+
+// Solves M y = r by Cramer's rule; nothing if M is singular.
+std::optional<Vec3> solve(const Vec3& c0, const Vec3& c1, const Vec3& c2, const Vec3& r) {
+  const Vec3 n = cross(c1, c2);
+  const double d = dot(c0, n);
+  if (d == 0 || !std::isfinite(1 / d)) return std::nullopt;
+  return Vec3{dot(r, n) / d, dot(c0, cross(r, c2)) / d, dot(c0, cross(c1, r)) / d};
+}
 
 }  // namespace
 
@@ -24,7 +31,7 @@ std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierP
   double last_step = 0;
   for (int step = 0; step < kNewtonSteps; ++step) {
     const PatchJet ja = jet_at(a, x[0], x[1], 1), jb = jet_at(b, x[2], x[3], 1);
-    const Columns j = jacobian(ja, jb);
+    const JacobianColumns j = jacobian_columns(ja, jb);
     const auto column = [&](int i) {
       return j[static_cast<std::size_t>(kept[static_cast<std::size_t>(i)])];
     };

@@ -3,12 +3,22 @@
 
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/cells/points.h"
+#include "core/forms/evaluation.h"
 #include "core/forms/patch.h"
+#include "core/math/vec.h"
 
 namespace blossom {
+
+/// The derivatives of A(u, v) - B(s, t) by u, v, s and t.
+using JacobianColumns = std::array<Vec3, 4>;
+
+inline JacobianColumns jacobian_columns(const PatchJet& a, const PatchJet& b) {
+  return {a.u, a.v, -b.u, -b.v};
+}
 
 /// Solves A(u, v) = B(s, t) for three parameters, the fourth one fixed, by Newton's method.
 ///

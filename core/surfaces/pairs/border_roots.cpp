@@ -27,12 +27,8 @@ struct Root {
   Point4 tangent;  // in the cells' own parameters
 };
 
-using Columns = std::array<Vec3, 4>;
-
-Columns jacobian(const PatchJet& a, const PatchJet& b) { return {a.u, a.v, -b.u, -b.v}; }
-
 // The kernel of J, with `along` growing.
-Point4 tangent_of(const Columns& j, int along) {
+Point4 tangent_of(const JacobianColumns& j, int along) {
   Point4 tangent{};
   for (int k = 0; k < 4; ++k) {
     const auto kept = kept_columns(k);
@@ -43,14 +39,6 @@ Point4 tangent_of(const Columns& j, int along) {
   if (tangent[static_cast<std::size_t>(along)] < 0)
     for (double& t : tangent) t = -t;
   return tangent;
-}
-
-// Solves M y = r by Cramer's rule; nothing if M is singular.
-std::optional<Vec3> solve(const Vec3& c0, const Vec3& c1, const Vec3& c2, const Vec3& r) {
-  const Vec3 n = cross(c1, c2);
-  const double d = dot(c0, n);
-  if (d == 0 || !std::isfinite(1 / d)) return std::nullopt;
-  return Vec3{dot(r, n) / d, dot(c0, cross(r, c2)) / d, dot(c0, cross(c1, r)) / d};
 }
 
 // The points of a cell's border: the first or last row or column of its net.
@@ -341,15 +329,16 @@ class PairBorder {
     return true;
   }
 
-  Columns jacobian_at(const Point4& x) const {
-    return jacobian(jet_at(tree_a_.patch(), x[0], x[1], 1), jet_at(tree_b_.patch(), x[2], x[3], 1));
+  JacobianColumns jacobian_at(const Point4& x) const {
+    return jacobian_columns(jet_at(tree_a_.patch(), x[0], x[1], 1),
+                            jet_at(tree_b_.patch(), x[2], x[3], 1));
   }
 
   Point4 noise_at(const Point4& x) const { return noise_of(jacobian_at(x)); }
 
   // A parameter is known to the rounding of points by the speed at which they move with it: near a
   // pole hardly at all.
-  Point4 noise_of(const Columns& j) const {
+  Point4 noise_of(const JacobianColumns& j) const {
     Point4 noise;
     for (std::size_t i = 0; i < 4; ++i)
       noise[i] = std::max(kRootNoise, std::min(model_->rounding()[0] / norm(j[i]), kSamePoint));
@@ -363,7 +352,7 @@ class PairBorder {
       for (std::size_t i = 0; i < 4; ++i) gap = std::max(gap, std::abs(known.x[i] - x[i]));
       if (gap < kSamePoint) return true;
     }
-    const Columns j = jacobian_at(x);
+    const JacobianColumns j = jacobian_at(x);
     Root root{x, noise_of(j), tangent_of(j, along_)};
     double largest = 0;
     for (std::size_t i = 0; i < 4; ++i) {
