@@ -50,9 +50,9 @@ struct FaceIntersection {
 
 /// What of a face's surface is searched. Results are clipped to the trims in any case.
 enum class Extent {
-  Trims,   ///< the rectangle of the trims; it goes on a little where the trims are no rectangle
+  Trims,     ///< the rectangle of the trims; it goes on a little where the trims are no rectangle
   Extended,  ///< a little more wherever the surface goes on, so that what lies along a border, or
-           ///< within tolerance of it, is found like all else
+             ///< within tolerance of it, is found like all else
 };
 
 struct ShapeIntersection {

@@ -2,20 +2,16 @@
 #include "adapters/occt/trim.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <memory>
 #include <utility>
 
 #include <BRepCheck_Analyzer.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/splitting/edge_images.h"
-#include "adapters/occt/splitting/trim_sides.h"
+#include "adapters/occt/splitting/face_division.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {
@@ -26,11 +22,8 @@ constexpr double kReach = 10;  // tolerances: what is so near a tool's face lies
 // A face of the part on its way through the work.
 struct Job {
   const PartFace* of = nullptr;
-  std::vector<FaceCut> cuts;
-  std::vector<CutSource> sources;
-  std::vector<std::pair<int, TopoDS_Face>> coincident;  // tools, and their faces
-  std::unique_ptr<FaceSplitter> splitter;
-  FaceSplit split;
+  FaceDivision division;
+  std::vector<std::pair<int, TopoDS_Face>> coincident = {};  // tools, and their faces
   bool failed = false;
 };
 
@@ -40,7 +33,7 @@ void fail(Job& job, const std::string& cause, TrimResult& result) {
   result.notes.push_back(face_name(*job.of) + ": " + cause + ", it stays whole");
   result.status = weaker(result.status, Status::Tolerance);
   job.failed = true;
-  job.split = {{{job.of->face, {}, {}}}, {}};
+  job.division.leave_whole();
 }
 
 // Runs a step of a job; what a broken face throws costs that face alone.
@@ -90,8 +83,7 @@ void add_common_border(const FaceIntersection& pair, const ToolFaces& tools, dou
   const SurfaceProjector feet(job.of->face, tolerance);
   for (FaceCut& cut : edge_cuts(tools.faces[place], feet, kReach * tolerance, tolerance)) {
     cut.may_repeat = true;
-    job.cuts.push_back(std::move(cut));
-    job.sources.push_back({tools.tool[place], tools.faces[place], {}, true});
+    job.division.add_cut(std::move(cut), {tools.tool[place], tools.faces[place], {}, true});
   }
   job.coincident.emplace_back(tools.tool[place], tools.faces[place]);
 }
@@ -100,21 +92,19 @@ void add_cuts(const FaceIntersection& pair, const ToolFaces& tools, Job& job, Tr
   const auto tool_face = static_cast<std::size_t>(pair.face_b);
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i) {
     const IntersectionCurve& curve = pair.found.curves[i];
-    job.cuts.push_back({curve.curve, curve.chart_a, pair.edges[i].tolerance,
-                        std::sin(curve.least_angle), curve.conic});
-    job.sources.push_back(
-        {tools.tool[tool_face], tools.faces[tool_face], curve.chart_b, curve.tangential});
+    job.division.add_cut(cut_of_a(pair, i), {tools.tool[tool_face], tools.faces[tool_face],
+                                             curve.chart_b, curve.tangential});
   }
   note_places(pair, *job.of, result);
 }
 
 std::vector<Job> jobs_of(const std::vector<PartFace>& part, const std::vector<TrimTool>& tools,
                          const TrimOptions& options, TrimResult& result) {
-  std::vector<Job> jobs(part.size());
+  std::vector<Job> jobs;
   std::vector<TopoDS_Face> faces;
   std::vector<std::size_t> job_of;
   for (std::size_t i = 0; i < part.size(); ++i) {
-    jobs[i].of = &part[i];
+    jobs.push_back({&part[i], FaceDivision(part[i].face)});
     if (!part[i].cut) continue;
     attempt(jobs[i], result, [&] { face_trims(part[i].face); });
     if (jobs[i].failed) continue;
@@ -134,12 +124,6 @@ std::vector<Job> jobs_of(const std::vector<PartFace>& part, const std::vector<Tr
               [&] { add_common_border(pair, all, options.intersection.tolerances.point, job); });
   }
   return jobs;
-}
-
-bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    if (splits.is_split(TopoDS::Edge(it.Current()))) return true;
-  return false;
 }
 
 struct Judged {
@@ -169,24 +153,14 @@ void split_all(std::vector<Job>& jobs, const TrimOptions& options, const WorkLim
   const double tolerance = options.intersection.tolerances.point;
   const OpenCuts open = options.keep == Keep::All ? options.open_cuts : OpenCuts::LeaveOut;
   EdgeSplits splits(tolerance);
-  const auto begin = [&](Job& job) {
-    attempt(job, result, [&] {
-      job.splitter =
-          std::make_unique<FaceSplitter>(job.of->face, job.cuts, splits, tolerance, &limit);
-    });
-  };
+  const DivisionJob all{splits, tolerance, &limit};
   for (Job& job : jobs)
-    if (!job.cuts.empty()) begin(job);
-  for (Job& job : jobs)
-    if (job.splitter) attempt(job, result, [&] { job.splitter->settle(); });
+    if (!job.division.cuts().empty()) attempt(job, result, [&] { job.division.begin(all); });
+  for (Job& job : jobs) attempt(job, result, [&] { job.division.settle(); });
   for (Job& job : jobs) {
-    if (!job.splitter && !job.failed && has_split_edge(job.of->face, splits)) begin(job);
-    if (!job.splitter || job.failed) {
-      if (!job.failed) job.split = {{{job.of->face, {}, {}}}, {}};
-      continue;
-    }
-    attempt(job, result, [&] { job.split = job.splitter->split(open); });
-    for (const std::string& note : job.split.notes)
+    if (job.failed) continue;
+    attempt(job, result, [&] { job.division.finish(all, open); });
+    for (const std::string& note : job.division.split().notes)
       result.notes.push_back(face_name(*job.of) + ": " + note);
   }
 }
@@ -212,8 +186,8 @@ std::vector<Judged> judged(const std::vector<Job>& jobs, const std::vector<TrimT
   std::vector<const Job*> job_of;
   for (const Job& job : jobs)
     if (job.of->cut)
-      for (const FacePiece& piece : job.split.pieces) {
-        pieces.push_back({&piece, &job.cuts, &job.sources});
+      for (const FacePiece& piece : job.division.split().pieces) {
+        pieces.push_back({&piece, &job.division.cuts(), &job.division.sources()});
         job_of.push_back(&job);
       }
   std::vector<std::vector<ToolSide>> sides(pieces.size());
@@ -264,7 +238,7 @@ void collect(const std::vector<Job>& jobs, const std::vector<Judged>& sides,
   for (const Job& job : jobs) {
     std::vector<TopoDS_Face> kept;
     const double whole = job.of->cut ? area(job.of->face) : 0;
-    for (const FacePiece& piece : job.split.pieces) {
+    for (const FacePiece& piece : job.division.split().pieces) {
       if (!job.of->cut) {
         kept.push_back(piece.face);
         continue;
@@ -274,7 +248,7 @@ void collect(const std::vector<Job>& jobs, const std::vector<Judged>& sides,
       result.pieces.push_back({number, job.of->number, side.side, is_kept(side, number, options),
                                piece.face.IsSame(job.of->face) ? whole : area(piece.face),
                                piece.face});
-      if (!job.cuts.empty()) check_piece(result.pieces.back(), result);
+      if (!job.division.cuts().empty()) check_piece(result.pieces.back(), result);
       if (result.pieces.back().kept) kept.push_back(piece.face);
       if (side.side == PieceSide::Unknown && options.keep != Keep::All &&
           options.keep != Keep::Number)

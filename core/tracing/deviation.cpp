@@ -13,8 +13,8 @@
 #include "core/forms/algebra/degree.h"
 #include "core/math/series/power_series.h"
 #include "core/tracing/image_gap.h"
-#include "core/tracing/sites.h"
 #include "core/tracing/packed_vec7.h"
+#include "core/tracing/sites.h"
 
 namespace blossom {
 namespace {

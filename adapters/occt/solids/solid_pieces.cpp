@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -22,6 +21,7 @@
 #include "adapters/occt/splitting/common_edges.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edge_union.h"
+#include "adapters/occt/splitting/face_division.h"
 #include "core/base/work_limit.h"
 
 namespace blossom::occt {
@@ -36,22 +36,11 @@ constexpr double kBeside = 1e-2;
 struct Side {
   const char* name = "";
   const TrimTool* solid = nullptr;
-  const WorkLimit* limit = nullptr;
-  std::vector<std::vector<FaceCut>> cuts;
-  std::vector<std::vector<CutSource>> sources;
+  std::vector<FaceDivision> faces;
   std::vector<std::vector<int>> curves;  // number of the intersection curve of each cut
-  std::vector<std::unique_ptr<FaceSplitter>> splitters;
-  std::vector<FaceSplit> splits;
 
-  Side(const char* word, const TrimTool& of, const WorkLimit& until)
-      : name(word), solid(&of), limit(&until) {
-    const std::size_t count = of.faces.size();
-    cuts.resize(count);
-    sources.resize(count);
-    curves.resize(count);
-    splitters.resize(count);
-    splits.resize(count);
-  }
+  Side(const char* word, const TrimTool& of)
+      : name(word), solid(&of), faces(of.faces.begin(), of.faces.end()), curves(of.faces.size()) {}
   std::string face_name(std::size_t face) const {
     return "face " + std::to_string(face + 1) + " of the " + name;
   }
@@ -101,12 +90,10 @@ void add_curve(const FaceIntersection& pair, std::size_t place, Side& a, Side& b
   const auto face_b = static_cast<std::size_t>(pair.face_b);
   const IntersectionCurve& curve = pair.found.curves[place];
   const int number = static_cast<int>(uses.size());
-  uses.push_back({face_a, a.cuts[face_a].size(), face_b, b.cuts[face_b].size(), curve.tangential});
-  const double tolerance = pair.edges[place].tolerance, sine = std::sin(curve.least_angle);
-  a.cuts[face_a].push_back({curve.curve, curve.chart_a, tolerance, sine, curve.conic});
-  b.cuts[face_b].push_back({curve.curve, curve.chart_b, tolerance, sine, curve.conic});
-  a.sources[face_a].push_back({0, b.solid->faces[face_b], curve.chart_b, curve.tangential});
-  b.sources[face_b].push_back({0, a.solid->faces[face_a], curve.chart_a, curve.tangential});
+  FaceDivision &on_a = a.faces[face_a], &on_b = b.faces[face_b];
+  uses.push_back({face_a, on_a.cuts().size(), face_b, on_b.cuts().size(), curve.tangential});
+  on_a.add_cut(cut_of_a(pair, place), {0, on_b.face(), curve.chart_b, curve.tangential});
+  on_b.add_cut(cut_of_b(pair, place), {0, on_a.face(), curve.chart_a, curve.tangential});
   a.curves[face_a].push_back(number);
   b.curves[face_b].push_back(number);
 }
@@ -151,17 +138,6 @@ void add_curves(const FaceIntersection& pair, const CommonEdges& common, double 
   }
 }
 
-void begin(Side& side, std::size_t face, EdgeSplits& splits, double tolerance) {
-  side.splitters[face] = std::make_unique<FaceSplitter>(side.solid->faces[face], side.cuts[face],
-                                                        splits, tolerance, side.limit);
-}
-
-bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
-  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-    if (splits.is_split(TopoDS::Edge(it.Current()))) return true;
-  return false;
-}
-
 void tell_borders(const FaceSplitter& from, int cut, FaceSplitter& to, int as) {
   for (const CutStop& stop : from.stops(cut))
     if (!stop.vertex.IsNull()) to.meet(as, stop);
@@ -170,16 +146,16 @@ void tell_borders(const FaceSplitter& from, int cut, FaceSplitter& to, int as) {
 // Every curve is divided at the same places on both sides.
 void exchange_stops(Side& a, Side& b, const std::vector<CurveUse>& uses) {
   for (const CurveUse& use : uses) {
-    FaceSplitter &on_a = *a.splitters[use.face_a], &on_b = *b.splitters[use.face_b];
+    FaceSplitter &on_a = *a.faces[use.face_a].splitter(), &on_b = *b.faces[use.face_b].splitter();
     const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
     tell_borders(on_a, cut_a, on_b, cut_b);
     tell_borders(on_b, cut_b, on_a, cut_a);
   }
   for (Side* side : {&a, &b})
-    for (const auto& splitter : side->splitters)
-      if (splitter) splitter->tidy();
+    for (const FaceDivision& face : side->faces)
+      if (face.splitter() != nullptr) face.splitter()->tidy();
   for (const CurveUse& use : uses) {
-    FaceSplitter &on_a = *a.splitters[use.face_a], &on_b = *b.splitters[use.face_b];
+    FaceSplitter &on_a = *a.faces[use.face_a].splitter(), &on_b = *b.faces[use.face_b].splitter();
     const int cut_a = static_cast<int>(use.cut_a), cut_b = static_cast<int>(use.cut_b);
     const std::vector<CutStop> of_a = on_a.stops(cut_a), of_b = on_b.stops(cut_b);
     for (const CutStop& stop : of_b) on_a.divide(cut_a, stop);
@@ -187,51 +163,41 @@ void exchange_stops(Side& a, Side& b, const std::vector<CurveUse>& uses) {
   }
 }
 
-void split(Side& side, EdgeSplits& splits, double tolerance) {
-  for (std::size_t i = 0; i < side.splits.size(); ++i) {
-    const TopoDS_Face& face = side.solid->faces[i];
-    if (!side.splitters[i] && has_split_edge(face, splits)) begin(side, i, splits, tolerance);
-    if (side.splitters[i])
-      side.splits[i] = side.splitters[i]->split();
-    else
-      side.splits[i] = {{{face, {}, {}}}, {}};
-  }
-}
-
 void lay(const std::vector<std::vector<TopoDS_Edge>>& edges, const CommonEdges& common, Side& side,
-         EdgeSplits& splits, double tolerance) {
+         const DivisionJob& job) {
   for (std::size_t i = 0; i < edges.size(); ++i)
     for (const TopoDS_Edge& edge : edges[i]) {
-      if (!side.splitters[i]) begin(side, i, splits, tolerance);
-      side.splitters[i]->lay(edge, common.reach(edge));
+      side.faces[i].begin(job);
+      side.faces[i].splitter()->lay(edge, common.reach(edge));
     }
 }
 
 void split_both(Side& a, Side& b, const std::vector<CurveUse>& uses, const CommonEdges& common,
-                EdgeSplits& splits, double tolerance) {
-  common.split(splits);
+                const DivisionJob& job) {
+  common.split(job.splits);
   for (Side* side : {&a, &b})
-    for (std::size_t i = 0; i < side->cuts.size(); ++i)
-      if (!side->cuts[i].empty()) begin(*side, i, splits, tolerance);
+    for (FaceDivision& face : side->faces)
+      if (!face.cuts().empty()) face.begin(job);
   for (Side* side : {&a, &b})
-    for (const auto& splitter : side->splitters)
-      if (splitter) splitter->settle();
+    for (FaceDivision& face : side->faces) face.settle();
   exchange_stops(a, b, uses);
-  common.match(splits);
-  lay(common.in_a(), common, a, splits, tolerance);
-  lay(common.in_b(), common, b, splits, tolerance);
-  for (Side* side : {&a, &b}) split(*side, splits, tolerance);
+  common.match(job.splits);
+  lay(common.in_a(), common, a, job);
+  lay(common.in_b(), common, b, job);
+  for (Side* side : {&a, &b})
+    for (FaceDivision& face : side->faces) face.finish(job);
 }
 
 // What the curves become on one side.
 std::vector<CurveEdges> curve_edges(const Side& side, std::size_t count) {
   std::vector<CurveEdges> found(count);
-  for (std::size_t i = 0; i < side.splits.size(); ++i) {
+  for (std::size_t i = 0; i < side.faces.size(); ++i) {
+    const FaceSplit& split = side.faces[i].split();
     const auto add = [&](const CutUse& use) {
       found[static_cast<std::size_t>(side.curves[i][static_cast<std::size_t>(use.cut)])].add(use);
     };
-    for (const FacePiece& piece : side.splits[i].pieces) std::ranges::for_each(piece.cuts, add);
-    std::ranges::for_each(side.splits[i].repeats, add);
+    for (const FacePiece& piece : split.pieces) std::ranges::for_each(piece.cuts, add);
+    std::ranges::for_each(split.repeats, add);
   }
   return found;
 }
@@ -252,7 +218,7 @@ bool has_loose_edge(const TrimTool& a, const TrimTool& b, const IntersectionOpti
 }
 
 void add_notes(const Side& side, std::size_t face, SolidPieces& result) {
-  for (const std::string& note : side.splits[face].notes)
+  for (const std::string& note : side.faces[face].split().notes)
     result.obstacles.push_back(side.face_name(face) + ": " + note);
 }
 
@@ -262,7 +228,7 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
   const auto on_b = curve_edges(b, uses.size());
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const CurveUse& use = uses[i];
-    const Spline& curve = a.cuts[use.face_a][use.cut_a].curve;
+    const Spline& curve = a.faces[use.face_a].cuts()[use.cut_a].curve;
     // Ends that stick out over the border of a face by its edges' tolerances are left out; more
     // would be an intersection that is lost.
     const double allowed = kMaxRest * std::max(largest_tolerance(a.solid->faces[use.face_a]),
@@ -283,8 +249,8 @@ void join_edges(const Side& a, const Side& b, const std::vector<CurveUse>& uses,
 }
 
 void join_laid(const Side& side, EdgeUnion& joined, SolidPieces& result) {
-  for (std::size_t i = 0; i < side.splits.size(); ++i)
-    for (const LaidEdge& laid : side.splits[i].laid)
+  for (std::size_t i = 0; i < side.faces.size(); ++i)
+    for (const LaidEdge& laid : side.faces[i].split().laid)
       if (!joined.join(laid.piece, laid.edge, laid.edge, false))
         result.obstacles.push_back(side.face_name(i) +
                                    ": an edge of the other solid lies in two of its faces");
@@ -292,8 +258,8 @@ void join_laid(const Side& side, EdgeUnion& joined, SolidPieces& result) {
 
 // What lies between cuts that repeat each other is in no piece.
 void tell_repeats(const Side& side, std::vector<std::string>& thin) {
-  for (std::size_t i = 0; i < side.splits.size(); ++i)
-    if (!side.splits[i].repeats.empty())
+  for (std::size_t i = 0; i < side.faces.size(); ++i)
+    if (!side.faces[i].split().repeats.empty())
       thin.push_back(side.face_name(i) +
                      ": cuts that keep within tolerance of each other count as one");
 }
@@ -315,10 +281,11 @@ SolidSide side_by_cuts(const SidedPiece& piece) {
 SplitSolid split_solid(const Side& side, const std::vector<std::vector<TopoDS_Edge>>& lying,
                        EdgeSplits& splits, EdgeUnion& joined) {
   SplitSolid made{side.name, side.solid, {}, {}};
-  for (std::size_t i = 0; i < side.splits.size(); ++i)
-    for (const FacePiece& piece : side.splits[i].pieces) {
-      made.pieces.push_back({joined.rebuilt(piece.face), static_cast<int>(i),
-                             side_by_cuts({&piece, &side.cuts[i], &side.sources[i]})});
+  for (std::size_t i = 0; i < side.faces.size(); ++i)
+    for (const FacePiece& piece : side.faces[i].split().pieces) {
+      made.pieces.push_back(
+          {joined.rebuilt(piece.face), static_cast<int>(i),
+           side_by_cuts({&piece, &side.faces[i].cuts(), &side.faces[i].sources()})});
       for (const CutUse& use : piece.cuts) made.crossed.Add(joined.united(use.edge));
     }
   for (const std::vector<TopoDS_Edge>& edges : lying)
@@ -397,7 +364,7 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
                       Pending& untold) {
   SolidPieces result;
   const WorkLimit limit(options);
-  Side side_a("part", a, limit), side_b("tool", b, limit);
+  Side side_a("part", a), side_b("tool", b);
   std::vector<CurveUse> uses;
   const double tolerance = options.tolerances.point;
   result.status = found.status;
@@ -417,8 +384,9 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
     result.obstacles.emplace_back("the intersection is not complete");
   if (!result.obstacles.empty()) return result;
   EdgeSplits splits(tolerance);
-  if (!attempt("splitting the solids", limit, result,
-               [&] { split_both(side_a, side_b, uses, common, splits, tolerance); }))
+  if (!attempt("splitting the solids", limit, result, [&] {
+        split_both(side_a, side_b, uses, common, {splits, tolerance, &limit});
+      }))
     return result;
   EdgeUnion joined;
   if (const std::string cause = common.join(splits, joined); !cause.empty())

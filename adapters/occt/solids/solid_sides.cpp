@@ -15,10 +15,10 @@
 
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/face_groups.h"
+#include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/splitting/common_edges.h"
 #include "adapters/occt/splitting/edge_images.h"
-#include "adapters/occt/faces/point_inside.h"
 
 namespace blossom::occt {
 namespace {

@@ -41,7 +41,7 @@ class EdgeSplits {
   /// Asks for a split and returns its number, which may be that of an older one or of a vertex.
   /// face          the face that asks
   /// uncertainty   how far from the parameter's point the split may lie as well; model units
-  /// inverse sine   1 / sin of the angle at which the edge is met: so many times farther apart may
+  /// inverse_sine  1 / sin of the angle at which the edge is met: so many times farther apart may
   ///               splits that different faces ask for be one; at least 1
   int add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face& face,
           double uncertainty = 0, double inverse_sine = 1);

@@ -37,6 +37,6 @@ TimedIntersection timed_intersection(
 /// a, b      one object for an input with itself
 /// title     of the summary
 int write_outputs(const Input& a, const Input& b, const std::string& title,
-                   const TimedIntersection& result, const CommonOptions& options);
+                  const TimedIntersection& result, const CommonOptions& options);
 
 }  // namespace blossom::cli

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "core/surfaces/gap/newton.h"
 #include "core/surfaces/pairs/arc_stretches.h"
 #include "core/surfaces/pairs/border_roots.h"
 #include "tests/support/cubic_family.h"

@@ -104,7 +104,7 @@ TEST(LinePoints, CommonEndOfALineAndACurveIsProven) {
   EXPECT_EQ(found.points[0].b, 0);
 }
 
-// The line ends 50 tolerances before the place where it would corner contact the curve. There it is
+// The line ends 50 tolerances before the place where it would graze the curve. There it is
 // as near to the curve beside it.
 TEST(LinePoints, FootIsNotTakenBeyondTheEndOfALine) {
   const CurveSpans curve = parabola(0.5, 0.5, 1e-3);

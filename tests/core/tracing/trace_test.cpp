@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/surfaces/search/pair_search.h"
 #include "core/tracing/fit.h"
 #include "tests/support/cubic_family.h"
 

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/splitting/face_division.h"
+
+#include <cmath>
+#include <utility>
+
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+namespace blossom::occt {
+namespace {
+
+bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
+    if (splits.is_split(TopoDS::Edge(it.Current()))) return true;
+  return false;
+}
+
+FaceCut cut_of(const FaceIntersection& pair, std::size_t place, const Spline2& chart) {
+  const IntersectionCurve& curve = pair.found.curves[place];
+  return {curve.curve, chart, pair.edges[place].tolerance, std::sin(curve.least_angle),
+          curve.conic};
+}
+
+}  // namespace
+
+void FaceDivision::add_cut(FaceCut cut, CutSource source) {
+  cuts_.push_back(std::move(cut));
+  sources_.push_back(std::move(source));
+}
+
+void FaceDivision::begin(const DivisionJob& job) {
+  if (!splitter_)
+    splitter_ = std::make_unique<FaceSplitter>(face_, cuts_, job.splits, job.tolerance, job.limit);
+}
+
+void FaceDivision::settle() {
+  if (splitter_) splitter_->settle();
+}
+
+void FaceDivision::finish(const DivisionJob& job, OpenCuts open) {
+  if (!splitter_ && has_split_edge(face_, job.splits)) begin(job);
+  if (splitter_)
+    split_ = splitter_->split(open);
+  else
+    leave_whole();
+}
+
+void FaceDivision::leave_whole() { split_ = {{{face_, {}, {}}}, {}}; }
+
+FaceCut cut_of_a(const FaceIntersection& pair, std::size_t curve) {
+  return cut_of(pair, curve, pair.found.curves[curve].chart_a);
+}
+
+FaceCut cut_of_b(const FaceIntersection& pair, std::size_t curve) {
+  return cut_of(pair, curve, pair.found.curves[curve].chart_b);
+}
+
+}  // namespace blossom::occt
