@@ -22,7 +22,7 @@ namespace blossom {
 /// a, b      curves, model units
 /// throws    InvalidInput if a curve is not well formed or the tolerance is not positive
 ///
-/// Source: `core/README.md`, "Curves".
+/// Source: `core/curves/README.md`, "Two curves".
 CurveIntersection intersect(const CurveSpans& a, const CurveSpans& b,
                             const IntersectionOptions& options = {});
 

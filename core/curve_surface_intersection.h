@@ -19,7 +19,7 @@ namespace blossom {
 /// throws    InvalidInput if the curve or the surface is not well formed or the tolerance is not
 ///           positive
 ///
-/// Source: `core/README.md`, "Curves".
+/// Source: `core/curves/README.md`, "A curve and a surface".
 CurveSurfaceIntersection intersect(const CurveSpans& curve, const BezierSurface& surface,
                                    const IntersectionOptions& options = {});
 

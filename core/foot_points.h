@@ -5,7 +5,7 @@
 //
 // Both are Bernstein forms of the patch's parameters. A piece of a patch is left out when one of
 // them has one sign on its net, settled when their Jacobian proves that there is at most one foot
-// (`queries/two_forms.h`), and halved otherwise.
+// (`core/rays/two_forms.h`), and halved otherwise.
 
 #pragma once
 

@@ -17,7 +17,7 @@ namespace blossom {
 ///
 /// An empty result with Status::Complete is a proof that the surface does not meet itself: each
 /// cell of it, and each two cells that touch, by the directions of their derivatives
-/// (`intersection/direction_cones.h`), all others by a separating box or plane.
+/// (`core/cells/direction_cones.h`), all others by a separating box or plane.
 ///
 /// surface   model units
 /// returns   as `intersect`. A loop along which the two sides change places is cut where they do:
@@ -26,7 +26,7 @@ namespace blossom {
 ///           as the tolerance, else Open with Status::Stopped
 /// throws    InvalidInput if the surface is not well formed
 ///
-/// Source: `core/README.md`, "A surface with itself".
+/// Source: `core/surfaces/README.md`, "A surface with itself".
 SurfaceIntersection self_intersect(const BezierSurface& surface,
                                    const IntersectionOptions& options = {});
 

@@ -19,7 +19,7 @@ namespace blossom {
 ///           stayed undecided; nothing is dropped silently
 /// throws    InvalidInput if a surface is not well formed
 ///
-/// Source: `core/README.md`, "Intersection".
+/// Source: `core/surfaces/README.md`.
 SurfaceIntersection intersect(const BezierSurface& a, const BezierSurface& b,
                               const IntersectionOptions& options = {});
 

@@ -71,7 +71,7 @@ Point blossom_at(const BezierTriangleOf<Point>& triangle, std::span<const Vec2> 
 ///              fast way, and it goes to degree 2 kMaxDegree
 ///
 /// Source: Vlachkova 2025, Theorem 3, with the limits and index sets as corrected in
-/// `core/README.md`.
+/// `core/papers/README.md`.
 template <class Point>
 BezierTriangleOf<Point> bezier_points(const MonomialPatchOf<Point>& patch,
                                       const TriangleCorners& corners, int degree);

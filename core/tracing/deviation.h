@@ -25,7 +25,7 @@ namespace blossom {
 /// accuracy  at most 1.25 times the largest distance, plus 1e-10 and rounding
 /// throws    InvalidInput if degrees or knots of the three splines differ, or the degree is not 5
 ///
-/// Source: `core/README.md`, "Intersection"; Davis 1963, theorem 3.5.1.
+/// Source: `core/tracing/README.md`, "The bound"; Davis 1963, theorem 3.5.1.
 Deviation proven_deviation(const IntersectionCurve& curve, const BezierSurface& a,
                            const BezierSurface& b);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The JSON report of an intersection; see schemas/intersection-1.md.
+// The JSON report of an intersection; see plugin/cli/schemas/intersection-1.md.
 
 #pragma once
 
@@ -45,7 +45,7 @@ Json intersection_report(const Input& a, const Input& b, const occt::ShapeInters
                          const RunTimes& times);
 
 /// Likewise of the faces of one input with themselves, schema "blossom.self-intersection/1"; see
-/// schemas/self-intersection-1.md.
+/// plugin/cli/schemas/self-intersection-1.md.
 /// verdict  "none found", "found" or "undecided"
 Json self_intersection_report(const Input& input, const char* verdict,
                               const occt::ShapeIntersection& found, const RunTimes& times);

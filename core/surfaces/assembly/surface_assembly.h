@@ -21,7 +21,7 @@ struct BoxedSurface {
 ///
 /// Arguments are checked by those who call this; the number of threads is theirs, too.
 ///
-/// Source: `core/README.md`, "Intersection".
+/// Source: `core/surfaces/README.md`.
 SurfaceIntersection assembled(const BoxedSurface& a, const BoxedSurface& b,
                               const IntersectionOptions& options);
 

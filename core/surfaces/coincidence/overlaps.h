@@ -49,7 +49,7 @@ struct Overlaps {
 /// limit        once it is reached nothing is returned but its reason
 /// returns      regions wider than about 3 sqrt(tolerance size); found by samples, not proven
 ///
-/// Source: `core/README.md`, "Intersection".
+/// Source: `core/surfaces/README.md`, "Coincidence".
 Overlaps find_overlaps(SurfaceCells& a, SurfaceCells& b,
                        const std::vector<CriticalPair>& coincident, double tolerance, double size,
                        const WorkLimit& limit);

@@ -6,8 +6,8 @@
 // and nearly flat: neither boxes nor normals tell them apart, on any scale. But what makes them
 // neighbours proves that they have nothing else in common: from a point of one cell a path leads
 // to the border, along it and on into the other cell, on which no parameter turns back, so the
-// proof that one surface does not meet itself (`cells/direction_cones.h`) holds for two. Through a
-// corner such a path goes straight on, and it is enough that some direction grows all along it.
+// proof of `core/cells/direction_cones.h`, that a surface does not meet itself, holds for two.
+// Through a corner such a path goes straight on, and some direction that grows along it is enough.
 //
 // Borders that are one point, as the apex of two half cones, are taken for exactly that point: the
 // parts around it meet in the borders that end there, or, on either side of a plane through it, in

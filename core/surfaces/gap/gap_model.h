@@ -8,7 +8,7 @@
 // curvature the surfaces share cancels in the gap, so it tells contacts apart that four variables
 // cannot: touch, node, loop, cusp, tangential curve.
 //
-// Source: `core/README.md`, "Contacts".
+// Source: `core/surfaces/README.md`, "Contacts".
 
 #pragma once
 

@@ -7,7 +7,7 @@
 // everywhere else on the line, but for what is within the tolerance. So all zeros in the cell lie
 // within a band round the valley in which the surfaces are within tolerance of each other.
 //
-// Source: `core/README.md`, "Contacts".
+// Source: `core/surfaces/README.md`, "Contacts".
 
 #pragma once
 

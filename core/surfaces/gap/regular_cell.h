@@ -6,7 +6,7 @@
 // the border pair up, in and out. Unlike the four-variable certificate of a pair of cells this
 // does not need surfaces that turn less than they are apart.
 //
-// Source: `core/README.md`, "Contacts".
+// Source: `core/surfaces/README.md`, "Contacts".
 
 #pragma once
 

@@ -7,7 +7,7 @@
 // A sweep along w then gives every branch with its ends. Where |m| stays within tolerance the
 // surfaces are in contact: a piece of valley instead of two branches.
 //
-// Source: `core/README.md`, "Contacts".
+// Source: `core/surfaces/README.md`, "Contacts".
 
 #pragma once
 

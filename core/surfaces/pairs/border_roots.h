@@ -57,7 +57,7 @@ inline constexpr double kSamePoint = 1e-9;
 /// nearly tangent to
 ///           it, say): then the pair has to be halved
 ///
-/// Source: Krawczyk 1969 for the faces; `core/README.md`, "Intersection".
+/// Source: Krawczyk 1969 for the faces; `core/surfaces/README.md`, "Arcs of a certified pair".
 std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const CellTree& tree_b,
                                 const Cell& b, const JacobianBounds& bounds,
                                 const SurfaceBorders& borders, int along);

@@ -49,7 +49,7 @@ struct SharedChart {
 /// returns      nothing if the patches are not parts of one surface, or not in this way; the
 ///              domain contains all of a that lies on b or on b's extension by a half
 ///
-/// Source: Farouki and Rajan 1988, for the products; `core/README.md`, "Contacts".
+/// Source: Farouki and Rajan 1988, for the products; `core/surfaces/README.md`, "Coincidence".
 std::optional<SharedChart> shared_chart(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                         const Point4& near, double tolerance);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Nets in JSON; the format is described in schemas/net-1.md.
+// Nets in JSON; the format is described in plugin/cli/schemas/net-1.md.
 
 #pragma once
 
