@@ -18,17 +18,19 @@
 namespace blossom {
 namespace {
 
+// No fit is asked to be more accurate than any of these three.
+constexpr double kGaps = 16;            // times the surfaces' gap: that is half of a sampling's share
+constexpr double kRounding = 1e-12;     // times the size
+constexpr double kRoundings = 0x1p-46;  // times the largest coordinate, for far from the origin
+
 constexpr double kToleranceShare = 0.3;   // of the wanted tolerance, left to one fit
 constexpr double kLengthShare = 5e-7;     // of a curve's length: small loops keep theirs to 1e-6
-constexpr double kGaps = 16;              // no fit is asked for less: half of a sampling's share
-constexpr double kRounding = 1e-12;       // of the size: no fit is asked for more, nor
-constexpr double kRoundings = 0x1p-46;    // of the coordinates: far from the origin they are coarse
 constexpr double kSamplingShare = 0.125;  // of the fit's error, left to the pieces it is made from
 constexpr int kMaxRounds = 8;             // of choosing knots
 constexpr double kAim = 0.7;              // part of the wanted accuracy that knots are chosen for
 constexpr int kMovingRounds = 2;          // then knots stay, and are only added
 constexpr double kWorthARound = 0.9;      // of the knots at most, or no further round is made
-constexpr double kMinError = 1e-12;       // of the wanted, to guess from: below it is rounding
+constexpr double kMinError = 1e-12;       // of the wanted accuracy: a smaller error is rounding
 constexpr double kWidening = 0.6;         // of spans, over a unit of length
 constexpr std::size_t kMinSamples = 49;
 constexpr double kCountRounding = 1e-9;  // of samples

@@ -32,8 +32,7 @@ struct FitOptions {
 ///   (2) the derivative of order k is continuous at a knot of multiplicity 5 - k
 ///
 /// returns   the deviation is about three tenths of the tolerance or less, unless rounding or the
-/// depth of the
-///           halving prevents it: it then says what was reached.
+///           depth of the halving prevents it: it then says what was reached.
 ///           A chain without any length gives no curve, and its length is not a number; nor does
 ///           one that the curve would leave by more than `most`, or for which it is too late
 IntersectionCurve fitted(const ChainTracer& tracer, const BezierSurface& a, const BezierSurface& b,

@@ -15,14 +15,14 @@ struct SideMoves {
   std::vector<double> edge_gap;  ///< of each side: its edge's distance from the surfaces
 };
 
-/// Puts the points of each side in the place of its pieces' own. Inner sides are those of their
-/// first piece, with the ends at the vertices; a piece of another degree gets them elevated or, if
-/// its own is lower, keeps its own but for the ends. Sets `along` and adds to `moved`.
+/// Replaces the border points of the pieces by the points of their common sides. A side inside of
+/// a face takes the points of its first piece, with its ends at the vertices. A piece of higher
+/// degree gets them elevated, one of lower degree keeps its own but for the ends. Sets `along` and
+/// adds to `moved`.
 ///
 /// pieces        with equal degrees along edges (equal_degrees.h)
-/// uneven_edges  those with borders that run otherwise than they do. How far they are apart along
-///               the edge is a matter of parameters, and passes when it is divided; without any:
-///               none
+/// uneven_edges  edges with a border that runs at another speed. Their distance along the edge is
+///               a matter of parameters and vanishes when the edge is divided. Empty: none
 SideMoves move_sides(WatertightPieces& pieces, const std::vector<bool>& uneven_edges = {});
 
 }  // namespace blossom

@@ -54,9 +54,8 @@ enum class Outputs { Models, ModelsAndNets };
 /// Looks at inputs and outputs before any work is done.
 /// inputs    as the user wrote them
 /// throws    UsageError if an output is an input, two outputs are one file, an extension is
-/// unknown,
-///           a file is no regular one, or as parse_input; occt::Failure if an output is a folder or
-///           lies in a folder that cannot be written
+///           unknown, a file is no regular one, or as parse_input; occt::Failure if an output is a
+///           folder or lies in a folder that cannot be written
 void check_files(const CommonOptions& options, const std::vector<std::string>& inputs,
                  Outputs outputs = Outputs::Models);
 

@@ -104,16 +104,16 @@ class FaceSplitter {
   /// the other side of the cut, which is to be divided at the same places.
   std::vector<CutStop> stops(int cut) const;
 
-  /// Tells a settled cut of a border's vertex where it stops on the other side: what is near it
-  /// becomes one vertex with all else near the same one, however far the tolerances of that side's
-  /// edges took them apart. `tidy` once all are told, before the first `divide`.
+  /// Records that on the other face this cut ends at the border's vertex `stop.vertex`. If this
+  /// face has a stop of the cut within that vertex's tolerance, both are one vertex, even where the
+  /// edges' tolerances took them farther apart. Call it for all stops, then `tidy`, then `divide`.
   void meet(int cut, const CutStop& stop);
 
-  /// Leaves one of the stops that `meet` made one vertex, with next to nothing between them.
+  /// Removes all but one of the neighbouring stops that `meet` made one vertex.
   void tidy();
 
-  /// Divides a settled cut at a stop of the other side's, unless it has a stop there. All stops of
-  /// one vertex of the other side become one here, however far its edges' tolerances took them.
+  /// Divides a settled cut where the other face has a stop, unless this face has one there. Stops
+  /// at one vertex of the other face become one vertex here, whatever its edges' tolerances.
   void divide(int cut, const CutStop& stop);
 
   /// The pieces. When nothing divides the face, no edge is split and nothing imprinted, it is the

@@ -15,8 +15,7 @@ namespace blossom {
 ///
 /// size       of the surfaces, model units
 /// shortest   arcs along upper borders no longer than this are left to the neighbours, which may
-/// have
-///            a contact there, as at a pole; model units
+///            have a contact there, as at a pole; model units
 void drop_repeated_arcs(PairSearchResult& found, SurfaceCells& a, SurfaceCells& b, double size,
                         double shortest);
 

@@ -54,8 +54,7 @@ inline constexpr double kSamePoint = 1e-9;
 /// bounds    of the pair's Jacobian; its minor `along` is regular
 /// borders   tells for which of its upper borders no neighbour answers
 /// returns   arcs and corner contacts; nothing if some face cannot be decided (an arc that is
-/// nearly tangent to
-///           it, say): then the pair has to be halved
+///           nearly tangent to it, say): then the pair has to be halved
 ///
 /// Source: Krawczyk 1969 for the faces; `core/surfaces/README.md`, "Arcs of a certified pair".
 std::optional<PairArcs> arcs_in(const CellTree& tree_a, const Cell& a, const CellTree& tree_b,

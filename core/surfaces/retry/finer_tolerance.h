@@ -16,16 +16,16 @@ namespace blossom {
 /// The tolerances of further attempts, as parts of the first one.
 inline constexpr std::array kFinerTolerances{0.1, 0.01};
 
-/// False if no answer at the finer tolerance settles what a search left open: where anything
-/// overlaps, where a place other than a touch holds a near miss that the finer search leaves out,
-/// and where there are but touches that stay within the finer tolerance.
+/// False if no answer at the finer tolerance can decide what a search left open: something
+/// overlaps; a place that is neither open nor a touch holds a near miss, which the finer search
+/// cannot see; or there are only touches whose surfaces stay within the finer tolerance.
 bool may_be_settled(const SurfaceIntersection& found, double finer_tolerance);
 
-/// True if what a search left open is told by the answer at a finer tolerance: that answer is
-/// complete, one of its curves or points may be in each open place, and is in each other place,
-/// too, or that holds no near miss, surfaces apart by more than the finer tolerance, which the
-/// finer search leaves out. False where anything overlaps: a region within the coarser tolerance is
-/// not given up for curves.
+/// True if the answer at a finer tolerance decides what a search left open. It does if
+///   (1) the finer answer is complete, and nothing overlaps in the coarser one
+///   (2) each open place may hold one of the finer curves or points
+///   (3) each other place holds one, or the surfaces come within the finer tolerance there; where
+///       they do not, it is a near miss, which the finer search cannot see
 ///
 /// tolerance, finer_tolerance   of both, model units
 bool is_settled(const SurfaceIntersection& found, const SurfaceIntersection& finer,
