@@ -19,8 +19,8 @@ namespace blossom {
 namespace {
 
 // No fit is asked to be more accurate than any of these three.
-constexpr double kGaps = 16;            // times the surfaces' gap: that is half of a sampling's share
-constexpr double kRounding = 1e-12;     // times the size
+constexpr double kGaps = 16;         // times the surfaces' gap: that is half of a sampling's share
+constexpr double kRounding = 1e-12;  // times the size
 constexpr double kRoundings = 0x1p-46;  // times the largest coordinate, for far from the origin
 
 constexpr double kToleranceShare = 0.3;   // of the wanted tolerance, left to one fit
