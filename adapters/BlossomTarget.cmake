@@ -6,7 +6,8 @@ function(blossom_own target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow)
   # GCC 12 sees overlaps and overflows in "text" + std::string() where there are none (its bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow
+                           -Wno-stringop-overread -Wno-array-bounds)
   endif()
   if(BLOSSOM_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
