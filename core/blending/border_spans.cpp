@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
+#include "core/base/errors.h"
 #include "core/blending/border_rows.h"
 #include "core/blending/continuity.h"
+#include "core/forms/de_casteljau.h"
 
 namespace blossom {
 namespace {
@@ -97,7 +100,53 @@ Row left_of(const Row& edge, const Vec3& normal) {
   return left;
 }
 
+CurveDerivatives<Vec4> derivatives_of(const std::vector<Vec4>& row, double t) {
+  return derivatives_at(RationalBezierCurve{row}, t);
+}
+
+Vec3 head_of(const Vec4& p) { return {p[0], p[1], p[2]}; }
+
+/// By the quotient rule, u along the edge and v into the face.
+PatchJet jet_of(const BorderSpan& span, double t) {
+  const auto x = derivatives_of(span.edge, t), y = derivatives_of(span.across, t);
+  const Vec4 z = derivatives_of(span.bend, t).point;
+  const double r = 1 / x.point[3];
+  PatchJet jet{};
+  jet.point = r * head_of(x.point);
+  jet.u = r * (head_of(x.first) - x.first[3] * jet.point);
+  jet.v = r * (head_of(y.point) - y.point[3] * jet.point);
+  jet.uu = r * (head_of(x.second) - 2 * x.first[3] * jet.u - x.second[3] * jet.point);
+  jet.uv =
+      r * (head_of(y.first) - x.first[3] * jet.v - y.point[3] * jet.u - y.first[3] * jet.point);
+  jet.vv = r * (head_of(z) - 2 * y.point[3] * jet.v - z[3] * jet.point);
+  return jet;
+}
+
+EdgeSide side_at(const BorderSpan& span, double x) {
+  const double part = std::clamp((x - span.place.from) / length(span.place), 0.0, 1.0);
+  EdgeSide side;
+  double speed = 1;
+  double t = part;
+  if (span.angle != 0) {
+    t = local_parameter(ParameterLaw::Angle, {0, span.angle}, part * span.angle);
+    speed = span.angle / parameter_derivative(ParameterLaw::Angle, {0, span.angle}, t);
+  }
+  side.jet = jet_of(span, t);
+  side.along = {speed / length(span.place), 0};
+  return side;
+}
+
 }  // namespace
+
+EdgeSides edge_sides(BorderSpans spans) {
+  if (spans.empty()) throw InvalidInput("edge_sides: there is no span");
+  return [spans = std::move(spans)](double x) {
+    const auto after = std::upper_bound(
+        spans.begin() + 1, spans.end(), x,
+        [](double value, const BorderSpan& span) { return value < span.place.from; });
+    return side_at(*(after - 1), x);
+  };
+}
 
 BorderSpans border_spans(const BezierSurface& surface, Side side, bool backward) {
   validate(surface, "the surface");

@@ -98,6 +98,11 @@ BorderSpans plane_border(const CurveSpans& curve, const Vec3& normal, bool backw
 /// largest coordinate: a knot insertion or a cosine, a product with the weight, a placement.
 inline constexpr double kRoundings = 4;
 
+/// The face beside the edge by these spans, over [0, 1]; parameters at breaks belong to the span
+/// behind. Exact on the face's own side where it ends at a knot.
+/// throws   InvalidInput if there is no span
+EdgeSides edge_sides(BorderSpans spans);
+
 /// Upper bounds; infinite where there is none, as where a surface has no tangent plane.
 struct ContinuityBounds {
   double gap = std::numeric_limits<double>::infinity();

@@ -343,6 +343,30 @@ TEST_P(ContinuityProperty, ScalingScalesLengthsAlone) {
   }
 }
 
+TEST_P(ContinuityProperty, SpansGiveTheSurfacesOwnFigures) {
+  const auto [a, b] = pair();
+  const MeasuredContinuity own = measured(a, b);
+  const MeasuredContinuity of_spans =
+      measured_continuity(edge_sides(a.spans()), edge_sides(b.spans()), kWhole, 1e-3);
+  EXPECT_NEAR(of_spans.angle.value, own.angle.value, 1e-12);
+  EXPECT_NEAR(of_spans.difference.value, own.difference.value, 1e-9 * own.difference.value);
+  EXPECT_NEAR(of_spans.curvature.value, own.curvature.value, 1e-9);
+}
+
+TEST(Continuity, SpansOfArcsRunWithTheAngle) {
+  for (const bool backward : {false, true}) {
+    const Beside tube{cylinder(2), Side::VMin, backward};
+    const EdgeSides sides = edge_sides(tube.spans());
+    for (const double x : {0.0, 0.2, 0.7, 1.0}) {
+      const EdgeSide ours = sides(x), theirs = tube.at(x);
+      EXPECT_LE(distance(ours.jet.point, theirs.jet.point), 1e-15);
+      const Vec3 along = ours.along[0] * ours.jet.u + ours.along[1] * ours.jet.v;
+      const Vec3 own = theirs.along[0] * theirs.jet.u + theirs.along[1] * theirs.jet.v;
+      EXPECT_LE(distance(along, own), 1e-14);
+    }
+  }
+}
+
 TEST_P(ContinuityProperty, StripsAreProvenToBeG1) {
   const auto [a, unused] = pair();
   BezierSurface far = a.surface;
@@ -413,6 +437,7 @@ TEST(Continuity, RefusesBreaksThatDoNotIncreaseAndNoFlatness) {
   EXPECT_THROW(measure({0, std::nan("")}, 1), InvalidInput);
   EXPECT_THROW(measure({0, 1}, 0), InvalidInput);
   EXPECT_THROW(continuity_bounds(left.spans(), left.spans(), -1), InvalidInput);
+  EXPECT_THROW(edge_sides({}), InvalidInput);
   EXPECT_THROW(border_spans(BezierSurface{}, Side::UMin, false), InvalidInput);
   EXPECT_THROW(plane_border(CurveSpans{}, {0, 0, 1}, false), InvalidInput);
 }
