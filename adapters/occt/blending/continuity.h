@@ -50,7 +50,7 @@ struct EdgeContinuity {
 inline constexpr double kFlatSizes = 100;
 
 struct ContinuityOptions {
-  ContinuityTolerances tolerances;
+  ContinuityTolerances tolerances = {};
   std::vector<int> faces = {};  ///< numbers; then edges that these faces alone use. Empty: all
   std::function<void()> tick = [] {};  ///< called often; may throw to stop
 };
