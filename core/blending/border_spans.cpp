@@ -9,17 +9,19 @@
 #include "core/base/errors.h"
 #include "core/blending/border_rows.h"
 #include "core/blending/continuity.h"
-#include "core/forms/de_casteljau.h"
+#include "core/forms/algebra/de_casteljau.h"
 
 namespace blossom {
 namespace {
 
-bool runs_along_v(Side side) { return side == Side::UMin || side == Side::UMax; }
+bool runs_along_v(SurfaceSide side) {
+  return side == SurfaceSide::UMin || side == SurfaceSide::UMax;
+}
 
-bool is_at_end(Side side) { return side == Side::UMax || side == Side::VMax; }
+bool is_at_end(SurfaceSide side) { return side == SurfaceSide::UMax || side == SurfaceSide::VMax; }
 
 /// The points of a patch by their depth behind a side, then along it.
-Grid<Vec4> turned_net(const RationalBezierPatch& patch, Side side) {
+Grid<Vec4> turned_net(const RationalBezierPatch& patch, SurfaceSide side) {
   const int along = runs_along_v(side) ? patch.degree_v() : patch.degree_u();
   const int depth = runs_along_v(side) ? patch.degree_u() : patch.degree_v();
   Grid<Vec4> net(depth + 1, along + 1);
@@ -148,7 +150,7 @@ EdgeSides edge_sides(BorderSpans spans) {
   };
 }
 
-BorderSpans border_spans(const BezierSurface& surface, Side side, bool backward) {
+BorderSpans border_spans(const BezierSurface& surface, SurfaceSide side, bool backward) {
   validate(surface, "the surface");
   const Grid<RationalBezierPatch>& all = surface.patches;
   const bool along_v = runs_along_v(side);

@@ -24,7 +24,7 @@
 #include <span>
 #include <vector>
 
-#include "core/blending/strip.h"
+#include "core/blending/surface_side.h"
 #include "core/forms/curve_spans.h"
 #include "core/forms/evaluation.h"
 #include "core/forms/surface.h"
@@ -88,7 +88,7 @@ using BorderSpans = std::vector<BorderSpan>;
 /// direction of the surface's own, or against it. Errors are those of kRoundings roundings of the
 /// surface's points.
 /// throws   InvalidInput if the surface is not well formed
-BorderSpans border_spans(const BezierSurface& surface, Side side, bool backward);
+BorderSpans border_spans(const BezierSurface& surface, SurfaceSide side, bool backward);
 
 /// A plane to the left of a curve in it, as seen against its unit normal; likewise.
 /// throws   InvalidInput if the curve is not well formed

@@ -17,8 +17,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/edge_borders.h"
-#include "adapters/occt/errors.h"
 #include "core/base/parallel.h"
 
 namespace blossom::occt {

@@ -17,11 +17,11 @@
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
-#include "adapters/occt/curves.h"
-#include "adapters/occt/errors.h"
-#include "adapters/occt/forms/curve_breaks.h"
-#include "adapters/occt/forms/edge_charts.h"
-#include "adapters/occt/surfaces.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curve_breaks.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -181,7 +181,7 @@ std::optional<Segment> segment_of(const Chart& chart) {
 /// An iso-parameter line with the strip of the surface that the face has beside it.
 struct IsoLineOfFace {
   ParameterBox box;
-  Side side;
+  SurfaceSide side;
   bool backward = false;
   double off = 0;  ///< how far it leaves the line, in the parameter across
 };
@@ -232,7 +232,8 @@ std::optional<IsoLineOfFace> iso_line_of(const Chart& chart, const Segment& segm
                     std::max(segment.from[along], segment.to[along])};
   IsoLineOfFace line;
   line.box = along_v ? ParameterBox{in, on} : ParameterBox{on, in};
-  line.side = along_v ? (up ? Side::UMin : Side::UMax) : (up ? Side::VMin : Side::VMax);
+  line.side = along_v ? (up ? SurfaceSide::UMin : SurfaceSide::UMax)
+                      : (up ? SurfaceSide::VMin : SurfaceSide::VMax);
   line.backward = !rises;
   line.off = std::abs(run[across]);
   return line;
@@ -269,7 +270,7 @@ std::optional<BorderSpans> iso_spans(const Chart& chart, const TopoDS_Face& face
     return {};
   }
   BorderSpans spans = border_spans(surface, line->side, line->backward);
-  const bool along_v = line->side == Side::UMin || line->side == Side::UMax;
+  const bool along_v = line->side == SurfaceSide::UMin || line->side == SurfaceSide::UMax;
   add_error(spans, line->off / length(along_v ? line->box.u : line->box.v));
   drop_slivers(spans);
   return spans;

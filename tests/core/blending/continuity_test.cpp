@@ -14,6 +14,7 @@
 #include <random>
 
 #include "core/base/errors.h"
+#include "core/blending/strip.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
@@ -86,12 +87,12 @@ BezierSurface scaled(BezierSurface surface, double factor) {
 /// A side of a surface and the direction of its parameter.
 struct Beside {
   BezierSurface surface;
-  Side side;
+  SurfaceSide side;
   bool backward = false;
 
   EdgeSide at(double t) const {
-    const bool along_v = side == Side::UMin || side == Side::UMax;
-    const bool at_end = side == Side::UMax || side == Side::VMax;
+    const bool along_v = side == SurfaceSide::UMin || side == SurfaceSide::UMax;
+    const bool at_end = side == SurfaceSide::UMax || side == SurfaceSide::VMax;
     const std::vector<double>& knots = along_v ? surface.v_knots : surface.u_knots;
     const ParameterLaw law = along_v ? surface.v_law : surface.u_law;
     const double own = blossom::at({knots.front(), knots.back()}, backward ? 1 - t : t);
@@ -109,7 +110,7 @@ struct Beside {
     EdgeSide result;
     result.jet = along_v ? jet_at(patch, edge, local, 2) : jet_at(patch, local, edge, 2);
     result.along = along_v ? Vec2{0, speed} : Vec2{speed, 0};
-    result.left = (side == Side::UMax || side == Side::VMin) != backward;
+    result.left = (side == SurfaceSide::UMax || side == SurfaceSide::VMin) != backward;
     return result;
   }
   EdgeSides sides() const {
@@ -145,8 +146,8 @@ void expect_close(const ContinuityBounds& bound, const MeasuredContinuity& found
 TEST(Continuity, PlaneTangentToACylinderIsG1AndApartByItsCurvature) {
   for (const double radius : {0.5, 2.0, 40.0}) {
     // The cylinder's line at angle 0, and the plane x = radius on the other side of it.
-    const Beside tube{cylinder(radius), Side::UMin};
-    const Beside wall{plane({radius, 0, 0}, {0, -1, 0}, {0, 0, 1}), Side::UMin};
+    const Beside tube{cylinder(radius), SurfaceSide::UMin};
+    const Beside wall{plane({radius, 0, 0}, {0, -1, 0}, {0, 0, 1}), SurfaceSide::UMin};
     const MeasuredContinuity found = measured(tube, wall);
     EXPECT_LE(found.gap.value, 1e-15 * radius);
     EXPECT_LE(found.angle.value, 1e-15);
@@ -162,16 +163,16 @@ TEST(Continuity, PlaneTangentToACylinderIsG1AndApartByItsCurvature) {
 }
 
 TEST(Continuity, RadiusFarAboveTheSizeCountsAsFlat) {
-  const Beside tube{cylinder(1e6), Side::UMin};
-  const Beside wall{plane({1e6, 0, 0}, {0, -1, 0}, {0, 0, 1}), Side::UMin};
+  const Beside tube{cylinder(1e6), SurfaceSide::UMin};
+  const Beside wall{plane({1e6, 0, 0}, {0, -1, 0}, {0, 0, 1}), SurfaceSide::UMin};
   EXPECT_NEAR(measured(tube, wall, 1e-3).curvature.value, 1e-3, 1e-9);
   EXPECT_NEAR(bounds(tube, wall, 1e-3).curvature, 1e-3, 1e-7);
 }
 
 TEST(Continuity, TorusFilletOfAShaftIsG1AndApartByTheFilletsCurvature) {
   // Shaft of radius 2 that ends in a fillet of radius 0.5 and a flange.
-  const Beside shaft{turned({{2, 3, 1}, {2, 1, 1}}), Side::VMax};
-  const Beside fillet{turned(quarter(2.5, 1, 0.5, kPi)), Side::VMin};
+  const Beside shaft{turned({{2, 3, 1}, {2, 1, 1}}), SurfaceSide::VMax};
+  const Beside fillet{turned(quarter(2.5, 1, 0.5, kPi)), SurfaceSide::VMin};
   const MeasuredContinuity found = measured(shaft, fillet);
   EXPECT_LE(found.angle.value, 1e-14);
   EXPECT_NEAR(found.difference.value, 2, 1e-12);
@@ -180,8 +181,8 @@ TEST(Continuity, TorusFilletOfAShaftIsG1AndApartByTheFilletsCurvature) {
 }
 
 TEST(Continuity, HalvesOfASphereAreG2) {
-  const Beside south{turned(quarter(0, 0, 3, -kPi / 2)), Side::VMax};
-  const Beside north{turned(quarter(0, 0, 3, 0)), Side::VMin};
+  const Beside south{turned(quarter(0, 0, 3, -kPi / 2)), SurfaceSide::VMax};
+  const Beside north{turned(quarter(0, 0, 3, 0)), SurfaceSide::VMin};
   const MeasuredContinuity found = measured(south, north);
   EXPECT_LE(found.curvature.value, 1e-13);
   EXPECT_EQ(smoothness(found, {}), Smoothness::G2);
@@ -193,7 +194,7 @@ TEST(Continuity, HalvesOfASphereAreG2) {
 }
 
 TEST(Continuity, MeridianIsMeasuredUpToThePoleButNotBoundedThere) {
-  const Beside east{turned(quarter(0, 0, 3, 0)), Side::UMin};
+  const Beside east{turned(quarter(0, 0, 3, 0)), SurfaceSide::UMin};
   Beside west = east;
   for (Vec4& p : west.surface.patches(0, 0).points.values()) p[1] = -p[1];
   const MeasuredContinuity found = measured(east, west);
@@ -212,7 +213,8 @@ TEST(Continuity, BicubicCutInTwoIsG2WithoutAnyDifference) {
     return Vec4{8.0 * i, 8.0 * j, 1.0 * whole(random), 1};
   });
   const Grid<RationalBezierPatch> cut = subdivide(patch, std::array{0.0, 0.5, 1.0}, kWhole);
-  const Beside left{surface_of(cut(0, 0)), Side::UMax}, right{surface_of(cut(1, 0)), Side::UMin};
+  const Beside left{surface_of(cut(0, 0)), SurfaceSide::UMax},
+      right{surface_of(cut(1, 0)), SurfaceSide::UMin};
   const MeasuredContinuity found = measured(left, right);
   EXPECT_EQ(found.gap.value, 0);
   EXPECT_LE(found.angle.value, 1e-15);
@@ -225,9 +227,9 @@ TEST(Continuity, BicubicCutInTwoIsG2WithoutAnyDifference) {
 
 TEST(Continuity, PlanesMeetAtTheirAngle) {
   for (const double angle : {1e-9, 1e-4, 0.3, kPi / 2, 3.0}) {
-    const Beside floor{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), Side::UMin};
+    const Beside floor{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
     const Beside ramp{plane({0, 0, 0}, {std::cos(angle), 0, std::sin(angle)}, {0, 1, 0}),
-                      Side::UMin};
+                      SurfaceSide::UMin};
     const MeasuredContinuity found = measured(floor, ramp);
     EXPECT_NEAR(found.angle.value, angle, 1e-15);
     EXPECT_NEAR(bounds(floor, ramp).angle, angle, 1e-11);
@@ -236,15 +238,15 @@ TEST(Continuity, PlanesMeetAtTheirAngle) {
 }
 
 TEST(Continuity, FaceThatFoldsBackIsAHalfTurnAway) {
-  const Beside floor{plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), Side::UMin};
-  const Beside above{plane({0, 0, 0}, {2, 0, 0}, {0, 1, 0}), Side::UMin};
+  const Beside floor{plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
+  const Beside above{plane({0, 0, 0}, {2, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
   EXPECT_NEAR(measured(floor, above).angle.value, kPi, 1e-15);
 }
 
 TEST(Continuity, GapIsThatBetweenTheBorders) {
   for (const double gap : {1e-9, 1e-4, 0.2}) {
-    const Beside left{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), Side::UMin};
-    const Beside right{plane({0, 0, gap}, {1, 0, 0}, {0, 1, 0}), Side::UMin};
+    const Beside left{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
+    const Beside right{plane({0, 0, gap}, {1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
     const MeasuredContinuity found = measured(left, right);
     EXPECT_NEAR(found.gap.value, gap, 1e-16);
     EXPECT_LE(found.angle.value, 1e-15);
@@ -254,8 +256,8 @@ TEST(Continuity, GapIsThatBetweenTheBorders) {
 }
 
 TEST(Continuity, BordersWithOtherParametersAreComparedWhereTheyAreNear) {
-  const Beside left{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), Side::UMin};
-  const Beside right{plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), Side::UMin};
+  const Beside left{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
+  const Beside right{plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
   const EdgeSides late = [&](double t) {
     EdgeSide side = right.at(t + 0.3 * t * (1 - t));
     side.along = side.along * (1.3 - 0.6 * t);
@@ -291,8 +293,8 @@ class ContinuityProperty : public ::testing::TestWithParam<int> {
       border.push_back({0.1 * w * noise_(random_), w * j / m, 0.1 * w * noise_(random_), w});
     }
     const int n = 1 + GetParam() % 3;
-    return {Beside{wavy(random_, 1, n, m, weight, border), Side::UMin},
-            Beside{wavy(random_, -1, 4 - n, m, weight, border), Side::UMin}};
+    return {Beside{wavy(random_, 1, n, m, weight, border), SurfaceSide::UMin},
+            Beside{wavy(random_, -1, 4 - n, m, weight, border), SurfaceSide::UMin}};
   }
 };
 
@@ -355,7 +357,7 @@ TEST_P(ContinuityProperty, SpansGiveTheSurfacesOwnFigures) {
 
 TEST(Continuity, SpansOfArcsRunWithTheAngle) {
   for (const bool backward : {false, true}) {
-    const Beside tube{cylinder(2), Side::VMin, backward};
+    const Beside tube{cylinder(2), SurfaceSide::VMin, backward};
     const EdgeSides sides = edge_sides(tube.spans());
     for (const double x : {0.0, 0.2, 0.7, 1.0}) {
       const EdgeSide ours = sides(x), theirs = tube.at(x);
@@ -374,9 +376,11 @@ TEST_P(ContinuityProperty, StripsAreProvenToBeG1) {
     p[0] = -p[0] - 2 * p[3];
     p[2] += 0.5 * p[3] + 0.3 * p[1];
   }
-  const Strip strip = strip_between(a.surface, Side::UMin, far, Side::UMin);
-  const Beside first{strip.surface, Side::VMin}, last{strip.surface, Side::VMax, strip.backward};
-  for (const auto& [side, face] : {std::pair{first, a}, std::pair{last, Beside{far, Side::UMin}}}) {
+  const Strip strip = strip_between(a.surface, SurfaceSide::UMin, far, SurfaceSide::UMin);
+  const Beside first{strip.surface, SurfaceSide::VMin},
+      last{strip.surface, SurfaceSide::VMax, strip.backward};
+  for (const auto& [side, face] :
+       {std::pair{first, a}, std::pair{last, Beside{far, SurfaceSide::UMin}}}) {
     const ContinuityBounds bound = bounds(face, side);
     EXPECT_LE(bound.gap, 1e-11);
     EXPECT_LE(bound.angle, 1e-10);
@@ -388,7 +392,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, ContinuityProperty, ::testing::Range(0, 30));
 
 TEST(Continuity, BoundsOfAPlaneAlongAnArcAreThoseOfItsCircle) {
   // The cap of a cylinder, as a plane left of the arc of its border, against the cylinder.
-  const Beside tube{cylinder(2), Side::VMin};
+  const Beside tube{cylinder(2), SurfaceSide::VMin};
   const double c = std::sqrt(0.5);
   CurveSpans arc;
   arc.rational = true;
@@ -401,13 +405,13 @@ TEST(Continuity, BoundsOfAPlaneAlongAnArcAreThoseOfItsCircle) {
 }
 
 TEST(Continuity, BoundsAreRefusedWhereParametersDoNotCorrespond) {
-  const Beside tube{cylinder(2), Side::VMin};
+  const Beside tube{cylinder(2), SurfaceSide::VMin};
   BezierSurface rational = tube.surface;
   rational.u_law = ParameterLaw::Linear;
-  EXPECT_FALSE(continuity_bounds(tube.spans(), Beside{rational, Side::VMin}.spans(), 1e-3));
+  EXPECT_FALSE(continuity_bounds(tube.spans(), Beside{rational, SurfaceSide::VMin}.spans(), 1e-3));
   BezierSurface longer = tube.surface;
   longer.u_knots.back() += 0.1;
-  EXPECT_FALSE(continuity_bounds(tube.spans(), Beside{longer, Side::VMin}.spans(), 1e-3));
+  EXPECT_FALSE(continuity_bounds(tube.spans(), Beside{longer, SurfaceSide::VMin}.spans(), 1e-3));
 }
 
 TEST(Continuity, SpansOfTwoBordersMeetAtAllBreaks) {
@@ -421,14 +425,14 @@ TEST(Continuity, SpansOfTwoBordersMeetAtAllBreaks) {
     patches(0, 0) = surface.patches(0, 0);
     patches(0, 1) = rest.patches(0, 0);
     surface.patches = patches;
-    return Beside{surface, Side::UMin};
+    return Beside{surface, SurfaceSide::UMin};
   };
   EXPECT_NEAR(bounds(bent(1, 1.0 / 3, 0.1), bent(-1, 0.5, 0.2)).angle, 0.3, 1e-12);
   EXPECT_NEAR(bounds(bent(1, 1.0 / 3, 0.1), bent(-1, 0.5, -0.05)).angle, 0.1, 1e-12);
 }
 
 TEST(Continuity, RefusesBreaksThatDoNotIncreaseAndNoFlatness) {
-  const Beside left{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), Side::UMin};
+  const Beside left{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
   const auto measure = [&](std::vector<double> breaks, double flat) {
     return measured_continuity(left.sides(), left.sides(), breaks, flat);
   };
@@ -438,13 +442,13 @@ TEST(Continuity, RefusesBreaksThatDoNotIncreaseAndNoFlatness) {
   EXPECT_THROW(measure({0, 1}, 0), InvalidInput);
   EXPECT_THROW(continuity_bounds(left.spans(), left.spans(), -1), InvalidInput);
   EXPECT_THROW(edge_sides({}), InvalidInput);
-  EXPECT_THROW(border_spans(BezierSurface{}, Side::UMin, false), InvalidInput);
+  EXPECT_THROW(border_spans(BezierSurface{}, SurfaceSide::UMin, false), InvalidInput);
   EXPECT_THROW(plane_border(CurveSpans{}, {0, 0, 1}, false), InvalidInput);
 }
 
 TEST(Continuity, SurfaceWithoutNormalsHasOnlyAGap) {
-  const Beside left{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), Side::UMin};
-  const Beside crushed{plane({0, 0, 0}, {0, 0, 0}, {0, 1, 0}), Side::UMin};
+  const Beside left{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
+  const Beside crushed{plane({0, 0, 0}, {0, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
   const MeasuredContinuity found = measured(left, crushed);
   EXPECT_EQ(found.singular, found.samples);
   EXPECT_EQ(smoothness(found, {}), Smoothness::G0);
