@@ -12,7 +12,7 @@
 #include "core/blending/continuity.h"
 #include "core/blending/edge_frame.h"
 #include "core/math/binomial.h"
-#include "core/math/taylor_model.h"
+#include "core/math/series/taylor_model.h"
 
 namespace blossom {
 namespace {

@@ -14,7 +14,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/math/taylor_model.h"
+#include "core/math/series/taylor_model.h"
 #include "core/math/vec.h"
 
 namespace blossom {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/math/taylor_model.h"
+#include "core/math/series/taylor_model.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Taylor models: what they promise holds at every x, and roots of nothing are not invented.
 
-#include "core/math/taylor_model.h"
+#include "core/math/series/taylor_model.h"
 
 #include <gtest/gtest.h>
 
