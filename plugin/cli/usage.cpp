@@ -162,6 +162,13 @@ std::string not_together(const std::string& message) {
   return message.substr(0, at) + " and " + message.substr(at + word.size()) + " do not go together";
 }
 
+// "--gap requires --continuity", as the parser puts it.
+std::string needs_other(std::string message) {
+  const std::string word = " requires ";
+  const std::size_t at = message.find(word);
+  return at == std::string::npos ? message : message.replace(at, word.size(), " needs ");
+}
+
 // "--tolerance: takes a positive number, not '0'": the name and what a check of values.h says.
 std::string wrong_value(const std::string& message) {
   const std::size_t colon = message.find(": takes");
@@ -196,6 +203,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& error) {
     case CLI::ExitCodes::RequiredError:
     case CLI::ExitCodes::ExtrasError:
       return extras.empty() ? missing_part(command, message) : unknown_word(command, extras);
+    case CLI::ExitCodes::RequiresError: return needs_other(message);
     case CLI::ExitCodes::ExcludesError: return not_together(message);
     case CLI::ExitCodes::ValidationError: return wrong_value(message);
     default: return wrong_count(command, message);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapters/occt/soundness.h"
+#include "plugin/cli/commands/check_continuity.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
@@ -24,6 +25,7 @@ namespace {
 struct Options {
   std::string input;
   CommonOptions common;
+  ContinuityCommand continuity;
 };
 
 /// Figures of a face, or of all that was looked at.
@@ -196,6 +198,8 @@ std::string check_text(const Input& input, const occt::Soundness& found) {
 }
 
 int run(const Options& options) {
+  if (options.continuity.wanted)
+    return run_continuity(options.input, options.common, options.continuity);
   check_files(options.common, {options.input});
   const Input input = read_input(options.input);
   stop_if_interrupted();
@@ -221,6 +225,7 @@ void add_check(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   add_report_options(*command, options->common);
   add_fail_on(*command, options->common);
+  add_continuity_options(*command, options->common, options->continuity);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

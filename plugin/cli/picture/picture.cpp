@@ -41,6 +41,7 @@ View view_of(const Picture& picture, const std::vector<ColouredMesh>& meshes) {
     for (const auto& triangle : item.mesh.triangles)
       for (const int i : triangle) corners.push_back(item.mesh.points[static_cast<std::size_t>(i)]);
   auto lines = picture.curves;
+  for (const PictureCurve& curve : picture.coloured) lines.push_back(curve.points);
   for (const Vec3& point : picture.points) lines.push_back({point});
   return chosen_view(corners, lines, picture.width * kSamples, picture.height * kSamples);
 }
@@ -98,14 +99,17 @@ Image picture_image(const Picture& picture) {
       canvas.lines.back().width = kOutlineWidth * kSamples;
       canvas.lines.back().hidden = 0.12;
     }
-  const auto add_thick = [&](const std::vector<Vec3>& points, double width) {
+  const auto add_thick = [&](const std::vector<Vec3>& points, double width, const Vec3& colour) {
+    if (points.empty()) return;
     canvas.lines.push_back(line_of(points, view, lift));
-    canvas.lines.back().colour = kCurveColour;
+    canvas.lines.back().colour = colour;
     canvas.lines.back().width = width * kSamples;
     canvas.lines.back().hidden = 0.45;
   };
-  for (const auto& curve : picture.curves) add_thick(curve, kCurveWidth);
-  for (const Vec3& point : picture.points) add_thick({point}, kPointWidth);
+  for (const auto& curve : picture.curves) add_thick(curve, kCurveWidth, kCurveColour);
+  for (const PictureCurve& curve : picture.coloured)
+    add_thick(curve.points, kCurveWidth, curve.colour);
+  for (const Vec3& point : picture.points) add_thick({point}, kPointWidth, kCurveColour);
   return drawn(canvas);
 }
 

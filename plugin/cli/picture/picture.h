@@ -27,9 +27,15 @@ struct PictureFaces {
   double opacity = 1;
 };
 
+struct PictureCurve {
+  std::vector<Vec3> points;  ///< a polyline, model units
+  Vec3 colour;
+};
+
 struct Picture {
   std::vector<PictureFaces> groups;
   std::vector<std::vector<Vec3>> curves;  ///< polylines, model units, drawn thick
+  std::vector<PictureCurve> coloured;     ///< likewise, each in its colour
   std::vector<Vec3> points;               ///< drawn as dots
   int width = 1200;                       ///< pixels
   int height = 900;
