@@ -171,8 +171,13 @@ class EdgeOnFace {
 // An edge as the first face has it: that is where paths lead along it.
 class CommonEdge {
  public:
-  CommonEdge(const FaceTrims& trims_a, const SharedEdge& shared, const Coedge& a, const Coedge& b)
-      : on_a(a), on_b(b), shared_(shared), image_(trims_a, a) {
+  CommonEdge(const FaceTrims& trims_a, const FaceTrims& trims_b, const SharedEdge& shared,
+             const Coedge& a, const Coedge& b)
+      : on_a(a),
+        on_b(b),
+        shared_(shared),
+        image_(trims_a, a),
+        gap_(largest_gap(image_, EdgeOnFace(trims_b, b), shared.curve.sample_parameters)) {
     const std::vector<double>& at = shared.curve.sample_parameters;
     for (std::size_t i = 0; i + 1 < at.size(); ++i)
       directions_.push_back({image_.tangent(at[i]), image_.point(at[i + 1]) - image_.point(at[i]),
@@ -189,8 +194,8 @@ class CommonEdge {
     return along;
   }
 
-  /// Of the two faces' images.
-  double gap() const { return shared_.curve.deviation.between; }
+  /// Of the two faces' images, at samples.
+  double gap() const { return gap_; }
   double tolerance() const { return shared_.tolerance; }
   Vec3 point(double t) const { return image_.point(t); }
 
@@ -198,8 +203,19 @@ class CommonEdge {
   const Coedge& on_b;
 
  private:
+  static double largest_gap(const EdgeOnFace& a, const EdgeOnFace& b, const std::vector<double>& at) {
+    double gap = 0;
+    for (std::size_t i = 0; i + 1 < at.size(); ++i)
+      for (const double part : {0.0, 0.3, 0.5, 0.8, 1.0}) {
+        const double t = blossom::at(Interval{at[i], at[i + 1]}, part);
+        gap = std::max(gap, distance(a.point(t), b.point(t)));
+      }
+    return gap;
+  }
+
   const SharedEdge& shared_;
   EdgeOnFace image_;
+  double gap_;
   std::vector<std::array<Vec3, 3>> directions_;
 };
 
@@ -455,7 +471,7 @@ class Proof {
       const Coedge* on_a = only_use(a_data_.trims, edge.edge);
       const Coedge* on_b = only_use(b_data_.trims, edge.edge);
       if (on_a == nullptr || on_b == nullptr) return false;
-      edges_.emplace_back(a_data_.trims, edge, *on_a, *on_b);
+      edges_.emplace_back(a_data_.trims, b_data_.trims, edge, *on_a, *on_b);
     }
     return true;
   }
