@@ -171,8 +171,10 @@ Others others_at(const FaceTrims& trims, const Coedge& edge, const CoedgeStretch
 
 }  // namespace
 
-// Pieces that may hold a nearer point are halved, nearest boxes first.
+// Pieces that may hold a nearer point are halved, nearest boxes first. On a line there is one foot.
 double foot_on(const Coedge& edge, const Vec2& target) {
+  if (edge.curve.spans.size() == 1 && edge.curve.spans.front().curve.degree() <= 1)
+    return improved_foot(edge.curve, target, at(edge.curve.domain(), 0.5));
   struct Piece {
     double least = 0;  // distance of its box
     double size = 0;   // of its box

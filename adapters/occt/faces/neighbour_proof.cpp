@@ -16,13 +16,14 @@
 #include "core/bounds/patch_boxes.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/known_curves.h"
+#include "core/surfaces/contacts/corner_separation.h"
 #include "core/surfaces/contacts/path_reach.h"
 #include "core/surfaces/search/start_pairs.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr int kDeepest = 60;           // halvings of a patch
+constexpr int kDeepest = 100;          // halvings of a patch: 2^-50 in each direction
 constexpr long kMaxPairs = 30'000;     // of cells, for each pair of patches
 constexpr double kReach = 4;           // tolerances: what is so near an edge or a vertex is it
 constexpr double kRounding = 0x1p-44;  // of the coordinates, by which ends of paths may be off
@@ -63,7 +64,8 @@ class Proof {
         limit_(limit),
         origin_(0.5 * (a.box.low + a.box.high)),
         rounding_(kRounding * (max_norm(origin_) + diagonal(a.box))),
-        balls_(common_vertices(a, b, tolerance), origin_),
+        vertices_(common_vertices(a, b, tolerance)),
+        balls_(vertices_, origin_),
         a_(a, origin_),
         b_(b, origin_) {}
 
@@ -95,16 +97,18 @@ class Proof {
     const Cell a = tree_a[cell_a], b = tree_b[cell_b];
     if (are_apart(tree_a, a, tree_b, b) ||
         separated_across(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size()) ||
-        balls_.hold_common({a.low, a.high}, {b.low, b.high}) || a_.is_outside(patch_a, a) ||
-        b_.is_outside(patch_b, b) || std::ranges::any_of(edges_, [&](const NeighbourEdge& edge) {
-          return meet_beside(edge, patch_a, a, patch_b, b);
+        meet_at_vertex(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size()) ||
+        a_.is_outside(patch_a, cell_a) || b_.is_outside(patch_b, cell_b) ||
+        std::ranges::any_of(edges_, [&](const NeighbourEdge& edge) {
+          return meet_beside(edge, patch_a, cell_a, patch_b, cell_b);
         })) {
       ++certificate_.excluded;
       certificate_.depth = std::max({certificate_.depth, a.depth, b.depth});
       certificate_.rounding_bound = std::max({certificate_.rounding_bound, a.margin, b.margin});
       return true;
     }
-    if (a.depth >= kDeepest && b.depth >= kDeepest) return false;
+    if (std::max(a.extent, b.extent) <= tolerance_ || (a.depth >= kDeepest && b.depth >= kDeepest))
+      return false;
     const bool of_a = b.depth >= kDeepest || (a.depth < kDeepest && a.extent >= b.extent);
     const int child = of_a ? tree_a.split(cell_a) : tree_b.split(cell_b);
     return of_a ? holds(patch_a, child, patch_b, cell_b) &&
@@ -113,14 +117,23 @@ class Proof {
                       holds(patch_a, cell_a, patch_b, child + 1);
   }
 
+  // Within the ball round a common vertex, or on either side of a plane through it.
+  bool meet_at_vertex(const Cell& a, const Cell& b, int points_a, int points_b) const {
+    return balls_.hold_common({a.low, a.high}, {b.low, b.high}) ||
+           std::ranges::any_of(vertices_, [&](const KnownCurve& vertex) {
+             return separated_at(vertex.points.front() - origin_, a, b, points_a, points_b,
+                                 vertex.radius);
+           });
+  }
+
   // In the tube round the edge, or such that paths lead from one to the other.
-  bool meet_beside(const NeighbourEdge& edge, int patch_a, const Cell& a, int patch_b,
-                   const Cell& b) {
+  bool meet_beside(const NeighbourEdge& edge, int patch_a, int cell_a, int patch_b, int cell_b) {
+    const Cell &a = a_.cells().tree(patch_a)[cell_a], &b = b_.cells().tree(patch_b)[cell_b];
     const double reach = kReach * std::max(tolerance_, edge.tolerance());
     if (std::min(a.extent, b.extent) < reach && is_in_tube(edge, reach, patch_a, a, b)) return true;
-    const std::optional<WaysToEdge> to = a_.ways(edge.on_a, patch_a, a);
+    const std::optional<WaysToEdge>& to = a_.ways(edge.on_a, patch_a, cell_a);
     if (!to) return false;
-    const std::optional<WaysToEdge> from = b_.ways(edge.on_b, patch_b, b);
+    const std::optional<WaysToEdge>& from = b_.ways(edge.on_b, patch_b, cell_b);
     if (!from) return false;
     std::vector<VectorBounds> across = to->directions;
     for (const VectorBounds& way : from->directions) across.push_back({-way.middle, way.radius});
@@ -149,7 +162,8 @@ class Proof {
   const WorkLimit& limit_;
   const Vec3 origin_;
   const double rounding_;
-  const KnownCurves balls_;
+  const std::vector<KnownCurve> vertices_;  // with what is so near that it is the vertex
+  const KnownCurves balls_;                 // round them
   FaceCells a_, b_;
   std::vector<NeighbourEdge> edges_;
   long pairs_ = 0;  // of the patches at hand

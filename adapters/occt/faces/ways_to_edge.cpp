@@ -27,7 +27,20 @@ FaceCells::FaceCells(const FaceData& data, const Vec3& origin)
       cells_(data.surface, origin, CellForm::Auto, kCut, part_test(data.trims)),
       slopes_(static_cast<std::size_t>(cells_.patches())) {}
 
-bool FaceCells::is_outside(int patch, const Cell& cell) const {
+bool FaceCells::is_outside(int patch, int cell) {
+  std::optional<bool>& outside = facts(patch, cell).outside;
+  if (!outside) outside = finds_outside(patch, cells_.tree(patch)[cell]);
+  return *outside;
+}
+
+const std::optional<WaysToEdge>& FaceCells::ways(const Coedge& edge, int patch, int cell) {
+  auto& known = facts(patch, cell).ways;
+  for (const auto& [of, ways] : known)
+    if (of == &edge) return ways;
+  return known.emplace_back(&edge, found_ways(edge, patch, cells_.tree(patch)[cell])).second;
+}
+
+bool FaceCells::finds_outside(int patch, const Cell& cell) const {
   if (cell.part != PartSide::Mixed) return cell.part == PartSide::Outside;
   const PlanarBox box = chart_box(patch, cell);
   return !meets_gap(box) &&
@@ -40,7 +53,7 @@ double FaceCells::nearest_on(const Coedge& edge, int patch, const Cell& cell) co
   return foot_on(edge, 0.5 * (box.low + box.high));
 }
 
-std::optional<WaysToEdge> FaceCells::ways(const Coedge& edge, int patch, const Cell& cell) {
+std::optional<WaysToEdge> FaceCells::found_ways(const Coedge& edge, int patch, const Cell& cell) {
   const PlanarBox box = chart_box(patch, cell);
   const std::optional<CoedgeStretch> stretch = stretch_past(edge, box);
   if (!stretch || !lies_beside(data_.trims, edge, *stretch, box)) return {};

@@ -3,7 +3,10 @@
 
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "adapters/occt/faces/face_data.h"
@@ -29,15 +32,26 @@ class FaceCells {
   SurfaceCells& cells() { return cells_; }
 
   /// Whether nothing of a cell counts, looked at more closely than cells are.
-  bool is_outside(int patch, const Cell& cell) const;
+  bool is_outside(int patch, int cell);
 
   /// The edge's parameter nearest to the middle of a cell in the chart.
   double nearest_on(const Coedge& edge, int patch, const Cell& cell) const;
 
   /// Nothing if not all that counts of the cell is seen to lie beside one stretch of the edge.
-  std::optional<WaysToEdge> ways(const Coedge& edge, int patch, const Cell& cell);
+  /// Stays where it is until another edge is asked about.
+  const std::optional<WaysToEdge>& ways(const Coedge& edge, int patch, int cell);
 
  private:
+  // What was found out about a cell, which takes part in many pairs.
+  struct Facts {
+    std::optional<bool> outside;
+    std::vector<std::pair<const Coedge*, std::optional<WaysToEdge>>> ways;
+  };
+  Facts& facts(int patch, int cell) {
+    return facts_[static_cast<std::uint64_t>(patch) << 32 | static_cast<std::uint32_t>(cell)];
+  }
+  bool finds_outside(int patch, const Cell& cell) const;
+  std::optional<WaysToEdge> found_ways(const Coedge& edge, int patch, const Cell& cell);
   bool meets_gap(const PlanarBox& box) const;
   PlanarBox chart_box(int patch, const Cell& cell) const;
   std::vector<VectorBounds> directions(const PlanarBox& box, int across, double sign);
@@ -48,6 +62,7 @@ class FaceCells {
   const FaceData& data_;
   SurfaceCells cells_;
   std::vector<std::optional<SlopeNets>> slopes_;
+  std::unordered_map<std::uint64_t, Facts> facts_;
 };
 
 }  // namespace blossom::occt
