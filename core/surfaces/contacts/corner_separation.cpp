@@ -11,7 +11,7 @@ constexpr double kAtCorner = 1e-3;  // of the reach: what is so near is at the p
 
 // A cell's control points as seen from a point.
 struct SeenFrom {
-  SeenFrom(const Vec3& corner, const Cell& cell, int points, double near) : cell(cell) {
+  SeenFrom(const Vec3& corner, const Cell& seen, int points, double near) : cell(seen) {
     for (int i = 0; i < points; ++i) {
       const Vec3 x = point(corner, i, points);
       const double distance = norm(x);
