@@ -15,6 +15,7 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/coincidence/one_surface.h"
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
+#include "adapters/occt/faces/border_strips.h"
 #include "adapters/occt/faces/edge_contacts.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/equal_faces.h"
@@ -277,7 +278,7 @@ class PairIntersector {
   SurfaceIntersection between(std::size_t i, std::size_t j,
                               const std::vector<SharedEdge>& edges) const {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
-    if (&a == &b) return self_intersect(a.surface, options_for(a, b, edges));
+    if (&a == &b) return with_itself(a, options_for(a, b, edges));
     auto line = crossing_of_planes(BRep_Tool::Surface(faces_a_.face(i)),
                                    BRep_Tool::Surface(faces_b_.face(j)), common_box(a, b),
                                    kBeyondBox * std::max(diagonal(a.box), diagonal(b.box)));
