@@ -3,21 +3,43 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepLib.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Builder.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+#include <gp_Trsf.hxx>
 
 #include "adapters/occt/intersection.h"
 #include "tests/adapters/occt/ordinary_solids.h"
@@ -65,6 +87,127 @@ TEST(NeighbourProof, FindsALineThatIsNearTheEdge) {
   ASSERT_EQ(found.pairs.size(), 1u);
   ASSERT_EQ(found.pairs[0].found.curves.size(), 1u);
   EXPECT_NEAR(found.pairs[0].found.curves[0].length, 2, 1e-6);
+}
+
+TopoDS_Edge line_edge(const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
+  return BRepBuilderAPI_MakeEdge(from, to).Edge();
+}
+
+// An edge of a surface along a straight line of its parameters.
+TopoDS_Edge chart_edge(const Handle(Geom_Surface) & surface, const TopoDS_Vertex& at_from,
+                       const TopoDS_Vertex& at_to, const gp_Pnt2d& from, const gp_Pnt2d& to) {
+  const Handle(Geom2d_Line) line = new Geom2d_Line(from, gp_Dir2d(gp_Vec2d(from, to)));
+  TopoDS_Edge edge =
+      BRepBuilderAPI_MakeEdge(line, surface, at_from, at_to, 0, from.Distance(to)).Edge();
+  BRepLib::BuildCurve3d(edge);
+  return edge;
+}
+
+// The floor and a sheet that goes on smoothly, whose parameter along the common edge runs a
+// thousand times faster behind a knot. The edge's curve in the chart does, too, so that it is
+// exact; its curve in space is a plain line.
+std::vector<TopoDS_Face> floor_and_uneven_sheet() {
+  constexpr double kKnot = 1.013, kFast = 1000;
+  const double last = kKnot + kFast * (2 - kKnot);
+  TColgp_Array2OfPnt poles(1, 3, 1, 4);
+  TColStd_Array1OfReal u(1, 3), v(1, 2);
+  TColStd_Array1OfInteger of_u(1, 3), of_v(1, 2);
+  const std::vector<double> y{0, kKnot, 2};
+  for (int i = 1; i <= 3; ++i) {
+    const double at = y[static_cast<std::size_t>(i - 1)];
+    poles(i, 1) = gp_Pnt(4, at, 0);
+    poles(i, 2) = gp_Pnt(7, at, 0);
+    poles(i, 3) = gp_Pnt(7, at, 4);
+    poles(i, 4) = gp_Pnt(2, at, 3);
+    of_u(i) = i == 2 ? 1 : 2;
+  }
+  u(1) = 0, u(2) = kKnot, u(3) = last;
+  v(1) = 0, v(2) = 1;
+  of_v.Init(4);
+  const Handle(Geom_BSplineSurface) surface =
+      new Geom_BSplineSurface(poles, u, v, of_u, of_v, 1, 3);
+  const auto vertex = [](double x, double at, double z) {
+    return BRepBuilderAPI_MakeVertex(gp_Pnt(x, at, z)).Vertex();
+  };
+  const TopoDS_Vertex p = vertex(4, 0, 0), q = vertex(4, 2, 0);
+  const TopoDS_Vertex left_p = vertex(0, 0, 0), left_q = vertex(0, 2, 0);
+  const TopoDS_Vertex top_p = vertex(2, 0, 3), top_q = vertex(2, 2, 3);
+  const TopoDS_Edge common = line_edge(p, q);
+  BRepBuilderAPI_MakeWire outline(line_edge(left_p, p), common, line_edge(q, left_q),
+                                  line_edge(left_q, left_p));
+  const TopoDS_Face floor = BRepBuilderAPI_MakeFace(gp_Pln(), outline.Wire()).Face();
+
+  TColgp_Array1OfPnt2d chart(1, 3);
+  chart(1) = gp_Pnt2d(0, 0), chart(2) = gp_Pnt2d(kKnot, 0), chart(3) = gp_Pnt2d(last, 0);
+  TColStd_Array1OfReal of_edge(1, 3);
+  of_edge(1) = 0, of_edge(2) = kKnot, of_edge(3) = 2;
+  const BRep_Builder builder;
+  builder.UpdateEdge(common, new Geom2d_BSplineCurve(chart, of_edge, of_u, 1), surface,
+                     TopLoc_Location(), 1e-7);
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, common.Oriented(TopAbs_FORWARD));
+  builder.Add(wire, chart_edge(surface, q, top_q, {last, 0}, {last, 1}));
+  builder.Add(wire, chart_edge(surface, top_q, top_p, {last, 1}, {0, 1}));
+  builder.Add(wire, chart_edge(surface, top_p, p, {0, 1}, {0, 0}));
+  TopoDS_Face sheet;
+  builder.MakeFace(sheet, surface, 1e-7);
+  builder.Add(sheet, wire);
+  return {floor, sheet};
+}
+
+TEST(NeighbourProof, KnowsAnEdgeByItsOwnCurvesInTheCharts) {
+  const auto found = self_intersect(floor_and_uneven_sheet(), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+}
+
+// A plate between a line and a circle that leave its tip nearly in one direction.
+TEST(NeighbourProof, LeavesNothingBesideEdgesThatMeetAtASmallAngle) {
+  constexpr double kRadius = 10, kAngle = 1e-3, kEnd = 6;
+  const gp_Pnt centre(-kRadius * std::sin(kAngle), kRadius * std::cos(kAngle), 0);
+  const gp_Circ circle(gp_Ax2(centre, gp_Dir(0, 0, 1)), kRadius);
+  const double up = centre.Y() - std::sqrt(kRadius * kRadius - std::pow(kEnd - centre.X(), 2));
+  const gp_Pnt tip(0, 0, 0), end(kEnd, 0, 0), top(kEnd, up, 0);
+  BRepBuilderAPI_MakeWire outline(BRepBuilderAPI_MakeEdge(tip, end).Edge(),
+                                  BRepBuilderAPI_MakeEdge(end, top).Edge(),
+                                  BRepBuilderAPI_MakeEdge(circle, tip, top).Edge());
+  const TopoDS_Face plate = BRepBuilderAPI_MakeFace(outline.Wire(), true).Face();
+  const auto found = self_intersect(faces_of(BRepPrimAPI_MakePrism(plate, gp_Vec(0, 0, 3)).Shape()),
+                                    SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+}
+
+// Its planes touch the balls at its corners, and have a vertex in common with them.
+TEST(NeighbourProof, LeavesNothingOfALargeRoundedBlock) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(3000, 2000, 1000).Shape();
+  BRepFilletAPI_MakeFillet fillet(block);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(block, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) fillet.Add(25, TopoDS::Edge(edges(i)));
+  const auto found = self_intersect(faces_of(fillet.Shape()), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+}
+
+// As at the tip of a drilled hole, a pole of both faces. Without a plane through it the halves take
+// some 19,000 pairs of cells.
+TEST(NeighbourProof, TakesFewPairsOfCellsAtTheTipOfHalfCones) {
+  const gp_Pnt tip(0, 0, 0), rim(7, 0, 4);
+  const TopoDS_Edge ruling = BRepBuilderAPI_MakeEdge(tip, rim).Edge();
+  const gp_Ax1 axis(tip, gp_Dir(0, 0, 1));
+  gp_Trsf turn;
+  turn.SetRotation(axis, std::numbers::pi);
+  const TopoDS_Shape half = BRepPrimAPI_MakeRevol(ruling, axis, std::numbers::pi).Shape();
+  BRepBuilderAPI_Sewing sewing(1e-7);
+  sewing.Add(half);
+  sewing.Add(half.Moved(turn));
+  sewing.Perform();
+  const auto found = self_intersect(faces_of(sewing.SewedShape()), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+  EXPECT_LT(found.certificate.excluded, 4000);
 }
 
 // The name of a failing solid has its seed.
