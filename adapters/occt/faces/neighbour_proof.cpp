@@ -16,6 +16,7 @@
 #include "core/bounds/patch_boxes.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/known_curves.h"
+#include "core/surfaces/contacts/cell_descent.h"
 #include "core/surfaces/contacts/corner_separation.h"
 #include "core/surfaces/contacts/path_reach.h"
 #include "core/surfaces/search/start_pairs.h"
@@ -102,14 +103,12 @@ class Proof {
         std::ranges::any_of(edges_, [&](const NeighbourEdge& edge) {
           return meet_beside(edge, patch_a, cell_a, patch_b, cell_b);
         })) {
-      ++certificate_.excluded;
-      certificate_.depth = std::max({certificate_.depth, a.depth, b.depth});
-      certificate_.rounding_bound = std::max({certificate_.rounding_bound, a.margin, b.margin});
+      count_excluded(a, b, certificate_);
       return true;
     }
     if (std::max(a.extent, b.extent) <= tolerance_ || (a.depth >= kDeepest && b.depth >= kDeepest))
       return false;
-    const bool of_a = b.depth >= kDeepest || (a.depth < kDeepest && a.extent >= b.extent);
+    const bool of_a = halves_first(a, b, kDeepest);
     const int child = of_a ? tree_a.split(cell_a) : tree_b.split(cell_b);
     return of_a ? holds(patch_a, child, patch_b, cell_b) &&
                       holds(patch_a, child + 1, patch_b, cell_b)
