@@ -7,17 +7,17 @@
 namespace blossom::occt {
 
 // With double knots the pole that two pieces share is not stored.
-IntersectionCurve hermite_curve(const std::vector<CurveJet>& jets, const Interval& range) {
+IntersectionCurve hermite_curve(const std::vector<HermiteJet>& jets, const Interval& range) {
   IntersectionCurve curve;
   const int pieces = static_cast<int>(jets.size()) - 1;
   const double third = length(range) / pieces / 3;
-  const auto add = [&](const CurveJet& jet, double step) {
+  const auto add = [&](const HermiteJet& jet, double step) {
     curve.curve.points.push_back(jet.value.point + step * jet.rate.point);
     curve.chart_a.points.push_back(jet.value.uv_a + step * jet.rate.uv_a);
     curve.chart_b.points.push_back(jet.value.uv_b + step * jet.rate.uv_b);
   };
   for (int i = 0; i <= pieces; ++i) {
-    const CurveJet& jet = jets[static_cast<std::size_t>(i)];
+    const HermiteJet& jet = jets[static_cast<std::size_t>(i)];
     const bool inner = i > 0 && i < pieces;
     if (i > 0) add(jet, -third);
     if (!inner) add(jet, 0);

@@ -11,14 +11,14 @@
 namespace blossom::occt {
 
 /// A point of a curve with its places on both surfaces, and how they change with the parameter.
-struct CurveJet {
+struct HermiteJet {
   SurfacePoint value, rate;
 };
 
 /// The curve through jets at even steps of its parameter over a range, and its curves in both
 /// charts. The samples are the jets' values; length, deviation and ends are not set.
 /// jets   two or more
-IntersectionCurve hermite_curve(const std::vector<CurveJet>& jets, const Interval& range);
+IntersectionCurve hermite_curve(const std::vector<HermiteJet>& jets, const Interval& range);
 
 /// Makes deviations from both surfaces, and between them, no less than others.
 void raise(Deviation& most, const Deviation& least);

@@ -61,11 +61,11 @@ class RunOnFaces {
     return vec(p.XYZ());
   }
 
-  std::vector<CurveJet> jets(int pieces) const {
+  std::vector<HermiteJet> jets(int pieces) const {
     // The edges' own images say in which turn of periods the run lies.
     Vec2 near_a = vec(run_.a.chart->Value(at(run_.at_a, kInside)));
     Vec2 near_b = vec(run_.b.chart->Value(at(run_.at_b, kInside)));
-    std::vector<CurveJet> all;
+    std::vector<HermiteJet> all;
     for (int i = 0; i <= pieces; ++i) {
       gp_Pnt p;
       gp_Vec d;

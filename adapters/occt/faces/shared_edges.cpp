@@ -63,7 +63,7 @@ class EdgeOnFaces {
     return 0.5 * sum * blossom::length(piece);
   }
 
-  CurveJet jet(double t) const {
+  HermiteJet jet(double t) const {
     gp_Pnt p;
     gp_Vec dp;
     gp_Pnt2d a, b;
@@ -75,8 +75,8 @@ class EdgeOnFaces {
             {{dp.X(), dp.Y(), dp.Z()}, {da.X(), da.Y()}, {db.X(), db.Y()}}};
   }
 
-  std::vector<CurveJet> jets(int pieces) const {
-    std::vector<CurveJet> all;
+  std::vector<HermiteJet> jets(int pieces) const {
+    std::vector<HermiteJet> all;
     for (int i = 0; i <= pieces; ++i)
       all.push_back(jet(::blossom::at(range_, static_cast<double>(i) / pieces)));
     return all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/neighbour_edge.h"
+#include "adapters/occt/neighbours/neighbour_edge.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/coedge_stretch.h"
+#include "adapters/occt/neighbours/coedge_stretch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Spans as narrow as an edge is exact do not keep a face from being decided.
 
-#include "adapters/occt/faces/border_strips.h"
+#include "adapters/occt/neighbours/border_strips.h"
 
 #include <gtest/gtest.h>
 

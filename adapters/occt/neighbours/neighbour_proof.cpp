@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/neighbour_proof.h"
+#include "adapters/occt/neighbours/neighbour_proof.h"
 
 #include <algorithm>
 #include <optional>
@@ -11,8 +11,8 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/faces/neighbour_edge.h"
-#include "adapters/occt/faces/ways_to_edge.h"
+#include "adapters/occt/neighbours/neighbour_edge.h"
+#include "adapters/occt/neighbours/ways_to_edge.h"
 #include "core/bounds/patch_boxes.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/known_curves.h"

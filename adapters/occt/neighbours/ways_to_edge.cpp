@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/ways_to_edge.h"
+#include "adapters/occt/neighbours/ways_to_edge.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "adapters/occt/faces/coedge_stretch.h"
 #include "adapters/occt/faces/face_trims_detail.h"
+#include "adapters/occt/neighbours/coedge_stretch.h"
 
 namespace blossom::occt {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/faces/border_strips.h"
+#include "adapters/occt/neighbours/border_strips.h"
 
 #include <algorithm>
 #include <cmath>
