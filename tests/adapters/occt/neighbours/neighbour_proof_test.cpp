@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <BRepBndLib.hxx>
@@ -35,6 +36,7 @@
 #include <TopExp.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Circ.hxx>
@@ -177,6 +179,32 @@ TEST(NeighbourProof, LeavesNothingBesideEdgesThatMeetAtASmallAngle) {
                                     SelfScope::AllFaces);
   EXPECT_EQ(found.status, Status::Complete);
   EXPECT_TRUE(found.pairs.empty());
+}
+
+// A sheet goes up from one side of a slit in the floor and comes down through the other one.
+TEST(NeighbourProof, FindsTheLineBeyondASlitBesideTheEdge) {
+  TColgp_Array1OfPnt poles(1, 4);
+  poles(1) = gp_Pnt(4, 0, 0), poles(2) = gp_Pnt(4, 0, 0.5);
+  poles(3) = gp_Pnt(4.5, 0, 0.5), poles(4) = gp_Pnt(4.5, 0, -0.5);
+  const TopoDS_Vertex corner = BRepBuilderAPI_MakeVertex(poles(1)).Vertex();
+  const TopoDS_Vertex end = BRepBuilderAPI_MakeVertex(poles(4)).Vertex();
+  BRepPrimAPI_MakePrism sheet(
+      BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles), corner, end).Edge(), gp_Vec(0, 1.5, 0));
+  const TopoDS_Edge side = TopoDS::Edge(sheet.Generated(corner).First());
+  const auto line = [](double x0, double y0, double x1, double y1) {
+    return BRepBuilderAPI_MakeEdge(gp_Pnt(x0, y0, 0), gp_Pnt(x1, y1, 0)).Edge();
+  };
+  BRepBuilderAPI_MakeWire outline(side);
+  const std::vector<std::pair<double, double>> rest{{4, 1.5}, {4.01, 1.5}, {4.01, 0}, {8, 0},
+                                                    {8, 2},   {0, 2},      {0, 0},    {4, 0}};
+  for (std::size_t k = 0; k + 1 < rest.size(); ++k)
+    outline.Add(line(rest[k].first, rest[k].second, rest[k + 1].first, rest[k + 1].second));
+  std::vector<TopoDS_Face> faces = faces_of(sheet.Shape());
+  faces.push_back(BRepBuilderAPI_MakeFace(gp_Pln(), outline.Wire()).Face());
+  const auto found = self_intersect(faces, SelfScope::AllFaces);
+  ASSERT_EQ(found.pairs.size(), 1u);
+  ASSERT_EQ(found.pairs[0].found.curves.size(), 1u);
+  EXPECT_NEAR(found.pairs[0].found.curves[0].length, 1.5, 1e-6);
 }
 
 // Its planes touch the balls at its corners, and have a vertex in common with them.
