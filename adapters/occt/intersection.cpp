@@ -20,8 +20,9 @@
 #include "adapters/occt/faces/equal_faces.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_list.h"
-#include "adapters/occt/faces/neighbour_proof.h"
 #include "adapters/occt/faces/shared_edges.h"
+#include "adapters/occt/neighbours/border_strips.h"
+#include "adapters/occt/neighbours/neighbour_proof.h"
 #include "core/base/parallel.h"
 #include "core/bounds/box_tree.h"
 #include "core/surfaces/retry/exchanged_order.h"
@@ -277,7 +278,7 @@ class PairIntersector {
   SurfaceIntersection between(std::size_t i, std::size_t j,
                               const std::vector<SharedEdge>& edges) const {
     const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
-    if (&a == &b) return self_intersect(a.surface, options_for(a, b, edges));
+    if (&a == &b) return with_itself(a, options_for(a, b, edges));
     auto line = crossing_of_planes(BRep_Tool::Surface(faces_a_.face(i)),
                                    BRep_Tool::Surface(faces_b_.face(j)), common_box(a, b),
                                    kBeyondBox * std::max(diagonal(a.box), diagonal(b.box)));

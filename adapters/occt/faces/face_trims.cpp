@@ -263,10 +263,9 @@ PartSide side_of(const FaceTrims& trims, const PlanarBox& box) {
 }  // namespace
 
 const Coedge* coedge_near(const FaceTrims& trims, const PlanarBox& box, double margin, int halvings,
-                          Wires wires, const Coedge* but) {
+                          Wires wires) {
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop) {
-      if (&coedge == but) continue;
       const double loose = wires == Wires::WithTolerances ? coedge.tolerance : 0;
       const PlanarBox near = grown(box, margin + loose);
       for (std::size_t k = 0; k < coedge.boxes.size(); ++k)

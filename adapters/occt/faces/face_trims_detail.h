@@ -18,9 +18,8 @@ enum class Wires { AsTheyAre, WithTolerances };
 
 /// The first coedge that may come within a margin of a rectangle, null if there is none. Wires are
 /// halved that often to find out.
-/// but   a coedge of the face that does not count; null if all do
 const Coedge* coedge_near(const FaceTrims& trims, const PlanarBox& box, double margin, int halvings,
-                          Wires wires = Wires::WithTolerances, const Coedge* but = nullptr);
+                          Wires wires = Wires::WithTolerances);
 
 /// The first coedge within kOnBorder of a point in chart coordinates, null if there is none.
 const Coedge* coedge_at(const FaceTrims& trims, const Vec2& point,

@@ -14,6 +14,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/convert/curves.h"
+#include "adapters/occt/faces/hermite_curves.h"
 #include "adapters/occt/faces/surface_projector.h"
 
 namespace blossom::occt {
@@ -50,11 +51,6 @@ std::optional<Conic> conic_of(const Handle(Geom_Curve) & curve) {
                circle->Radius()};
 }
 
-// A point of the curve and its images, and how they change with the parameter.
-struct Jet {
-  SurfacePoint value, rate;
-};
-
 class RunOnFaces {
  public:
   RunOnFaces(const OutlineRun& run, const TopoDS_Face& a, const TopoDS_Face& b, double tolerance)
@@ -65,11 +61,11 @@ class RunOnFaces {
     return vec(p.XYZ());
   }
 
-  std::vector<Jet> jets(int pieces) const {
+  std::vector<HermiteJet> jets(int pieces) const {
     // The edges' own images say in which turn of periods the run lies.
     Vec2 near_a = vec(run_.a.chart->Value(at(run_.at_a, kInside)));
     Vec2 near_b = vec(run_.b.chart->Value(at(run_.at_b, kInside)));
-    std::vector<Jet> all;
+    std::vector<HermiteJet> all;
     for (int i = 0; i <= pieces; ++i) {
       gp_Pnt p;
       gp_Vec d;
@@ -97,32 +93,6 @@ class RunOnFaces {
   const OutlineRun& run_;
 };
 
-IntersectionCurve hermite_curve(const std::vector<Jet>& jets, const Interval& range) {
-  IntersectionCurve curve;
-  const int pieces = static_cast<int>(jets.size()) - 1;
-  const double third = length(range) / pieces / 3;
-  const auto add = [&](const Jet& jet, double step) {
-    curve.curve.points.push_back(jet.value.point + step * jet.rate.point);
-    curve.chart_a.points.push_back(jet.value.uv_a + step * jet.rate.uv_a);
-    curve.chart_b.points.push_back(jet.value.uv_b + step * jet.rate.uv_b);
-  };
-  for (int i = 0; i <= pieces; ++i) {
-    const Jet& jet = jets[static_cast<std::size_t>(i)];
-    const bool inner = i > 0 && i < pieces;
-    if (i > 0) add(jet, -third);
-    if (!inner) add(jet, 0);
-    if (i < pieces) add(jet, third);
-    curve.curve.knots.push_back(at(range, static_cast<double>(i) / pieces));
-    curve.curve.multiplicities.push_back(inner ? 2 : 4);
-    curve.samples.push_back(jet.value);
-    curve.sample_parameters.push_back(curve.curve.knots.back());
-  }
-  curve.curve.degree = curve.chart_a.degree = curve.chart_b.degree = 3;
-  curve.chart_a.knots = curve.chart_b.knots = curve.curve.knots;
-  curve.chart_a.multiplicities = curve.chart_b.multiplicities = curve.curve.multiplicities;
-  return curve;
-}
-
 // What the curve, and its spline, are off between its samples.
 void measure(const RunOnFaces& on_faces, IntersectionCurve& curve) {
   curve.deviation = {0, 0, 0, false};
@@ -135,11 +105,9 @@ void measure(const RunOnFaces& on_faces, IntersectionCurve& curve) {
       const Deviation gaps =
           on_faces.gaps({curve.conic ? point : point_at(curve.curve, t), point_at(curve.chart_a, t),
                          point_at(curve.chart_b, t)});
-      Deviation& most = curve.deviation;
-      most.a = std::max(most.a, gaps.a);
-      most.b = std::max(most.b, gaps.b);
-      most.between = std::max(most.between, gaps.between);
-      most.conic = std::max(most.conic, distance(point, point_at(curve.curve, t)));
+      raise(curve.deviation, gaps);
+      curve.deviation.conic =
+          std::max(curve.deviation.conic, distance(point, point_at(curve.curve, t)));
     }
     const Vec3 middle = on_faces.point(at(piece, 0.5));
     curve.length +=

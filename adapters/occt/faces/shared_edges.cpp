@@ -16,6 +16,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/faces/hermite_curves.h"
 
 namespace blossom::occt {
 namespace {
@@ -62,11 +63,7 @@ class EdgeOnFaces {
     return 0.5 * sum * blossom::length(piece);
   }
 
-  struct Jet {
-    SurfacePoint value, rate;
-  };
-
-  Jet jet(double t) const {
+  HermiteJet jet(double t) const {
     gp_Pnt p;
     gp_Vec dp;
     gp_Pnt2d a, b;
@@ -76,6 +73,13 @@ class EdgeOnFaces {
     chart_b_->D1(t, b, db);
     return {{{p.X(), p.Y(), p.Z()}, {a.X(), a.Y()}, {b.X(), b.Y()}},
             {{dp.X(), dp.Y(), dp.Z()}, {da.X(), da.Y()}, {db.X(), db.Y()}}};
+  }
+
+  std::vector<HermiteJet> jets(int pieces) const {
+    std::vector<HermiteJet> all;
+    for (int i = 0; i <= pieces; ++i)
+      all.push_back(jet(::blossom::at(range_, static_cast<double>(i) / pieces)));
+    return all;
   }
 
   double sine(const SurfacePoint& x) const {
@@ -105,48 +109,12 @@ class EdgeOnFaces {
   Interval range_;
 };
 
-// Cubic pieces with the values and first derivatives of the edge at `pieces` + 1 parameters.
-IntersectionCurve hermite_curve(const EdgeOnFaces& edge, int pieces) {
-  IntersectionCurve curve;
-  const auto add = [&](const SurfacePoint& p) {
-    curve.curve.points.push_back(p.point);
-    curve.chart_a.points.push_back(p.uv_a);
-    curve.chart_b.points.push_back(p.uv_b);
-  };
-  const auto moved = [](const EdgeOnFaces::Jet& jet, double step) {
-    return SurfacePoint{jet.value.point + step * jet.rate.point,
-                        jet.value.uv_a + step * jet.rate.uv_a,
-                        jet.value.uv_b + step * jet.rate.uv_b};
-  };
-  const double third = length(edge.range()) / pieces / 3;
-  for (int i = 0; i <= pieces; ++i) {
-    const double t = at(edge.range(), static_cast<double>(i) / pieces);
-    const EdgeOnFaces::Jet jet = edge.jet(t);
-    const bool inner = i > 0 && i < pieces;
-    if (i > 0) add(moved(jet, -third));
-    if (!inner) add(jet.value);
-    if (i < pieces) add(moved(jet, third));
-    curve.curve.knots.push_back(t);
-    curve.curve.multiplicities.push_back(inner ? 2 : 4);
-    curve.samples.push_back(jet.value);
-    curve.sample_parameters.push_back(t);
-  }
-  // With double knots the pole that both pieces share is not stored.
-  curve.curve.degree = curve.chart_a.degree = curve.chart_b.degree = 3;
-  curve.chart_a.knots = curve.chart_b.knots = curve.curve.knots;
-  curve.chart_a.multiplicities = curve.chart_b.multiplicities = curve.curve.multiplicities;
-  return curve;
-}
-
 void measure(const EdgeOnFaces& edge, IntersectionCurve& curve) {
   curve.deviation = {0, 0, 0, false};
   const auto look = [&](double t) {
     const SurfacePoint x{point_at(curve.curve, t), point_at(curve.chart_a, t),
                          point_at(curve.chart_b, t)};
-    const Deviation gaps = edge.gaps(x);
-    curve.deviation.a = std::max(curve.deviation.a, gaps.a);
-    curve.deviation.b = std::max(curve.deviation.b, gaps.b);
-    curve.deviation.between = std::max(curve.deviation.between, gaps.between);
+    raise(curve.deviation, edge.gaps(x));
   };
   curve.length = 0;
   for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
@@ -159,7 +127,7 @@ void measure(const EdgeOnFaces& edge, IntersectionCurve& curve) {
 // More pieces until the fit adds little to what the edge itself is off by.
 IntersectionCurve curve_of(const EdgeOnFaces& edge, double tolerance) {
   for (int pieces = kMinPieces;; pieces *= 2) {
-    IntersectionCurve curve = hermite_curve(edge, pieces);
+    IntersectionCurve curve = hermite_curve(edge.jets(pieces), edge.range());
     double off = 0;
     for (int i = 0; i < pieces; ++i) {
       const double t = at(edge.range(), (i + 0.5) / pieces);

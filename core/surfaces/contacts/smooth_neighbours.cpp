@@ -13,6 +13,7 @@
 #include "core/cells/cell_pair.h"
 #include "core/cells/direction_cones.h"
 #include "core/forms/evaluation.h"
+#include "core/surfaces/contacts/cell_descent.h"
 #include "core/surfaces/contacts/patch_sides.h"
 #include "core/surfaces/pairs/exact_borders.h"
 
@@ -304,13 +305,11 @@ class Neighbours {
     if (separated(a, b, tree_a_->shape().plane_size(), tree_b_->shape().plane_size()) ||
         std::ranges::any_of(sides_, proves) || std::ranges::any_of(corners_, proves) ||
         std::ranges::any_of(poles_, proves)) {
-      ++certificate_.excluded;
-      certificate_.depth = std::max({certificate_.depth, a.depth, b.depth});
-      certificate_.rounding_bound = std::max({certificate_.rounding_bound, a.margin, b.margin});
+      count_excluded(a, b, certificate_);
       return true;
     }
     if (a.depth >= kDeepest && b.depth >= kDeepest) return false;
-    const bool of_a = b.depth >= kDeepest || (a.depth < kDeepest && a.extent >= b.extent);
+    const bool of_a = halves_first(a, b, kDeepest);
     const int child = of_a ? tree_a_->split(index_a) : tree_b_->split(index_b);
     return of_a ? prove(child, index_b) && prove(child + 1, index_b)
                 : prove(index_a, child) && prove(index_a, child + 1);

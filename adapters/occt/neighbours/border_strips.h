@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Strips of a face's surface that are narrower than the edge along them is exact.
+//
+// Surfaces that were approximated span by span may begin or end with a span as narrow as rounding
+// in its parameter, whose control points go to and fro by more than its width: its derivatives have
+// every direction, and it folds over itself many times, all within the tolerance of the edge along
+// it. By that tolerance it is the edge. What is left is a surface that can be decided.
+
+#pragma once
+
+#include <optional>
+
+#include "adapters/occt/faces/face_data.h"
+#include "core/results/options.h"
+#include "core/results/result.h"
+
+namespace blossom::occt {
+
+/// A surface without such strips.
+struct StripFree {
+  BezierSurface surface;
+  double within = 0;  ///< a bound on what was left out, or moved to close a seam, model units
+};
+
+/// The face's surface without the border spans that lie within the tolerance of the edges along
+/// them; nothing if there are none. Where a seam runs through them, what is left is closed again by
+/// moving its border to the other side of the seam, no farther than that tolerance.
+std::optional<StripFree> without_border_strips(const FaceData& face);
+
+/// Where the face's surface meets itself, strips aside, not clipped to the trims. The
+/// certificate counts strips as identified with their edges; what is found, if anything, is as
+/// exact as they are, and so within tolerance only.
+SurfaceIntersection with_itself(const FaceData& face, const IntersectionOptions& options);
+
+}  // namespace blossom::occt

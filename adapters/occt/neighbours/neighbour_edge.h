@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// An edge that two faces share, as each of them has it: the image of its curve in the face's chart.
+
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <BRepAdaptor_Surface.hxx>
+
+#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/faces/shared_edges.h"
+#include "core/math/interval.h"
+#include "core/math/vec.h"
+
+namespace blossom::occt {
+
+/// Where a face has an edge. Keeps references.
+class EdgeOnFace {
+ public:
+  EdgeOnFace(const FaceTrims& trims, const Coedge& coedge)
+      : surface_(trims.face, false), coedge_(coedge), scale_(trims.scale) {}
+
+  Vec3 point(double t) const;
+  Vec3 tangent(double t) const;
+
+ private:
+  BRepAdaptor_Surface surface_;
+  const Coedge& coedge_;
+  const Vec2 scale_;
+};
+
+/// A common edge where the first face has it: that is where paths lead along it.
+class NeighbourEdge {
+ public:
+  /// a, b   the uses of the edge by the two faces; references are kept
+  NeighbourEdge(const FaceTrims& trims_a, const FaceTrims& trims_b, const SharedEdge& shared,
+                const Coedge& a, const Coedge& b);
+
+  /// Of the pieces between samples that meet a range.
+  std::vector<Vec3> directions(const Interval& range) const;
+
+  /// The largest distance of the two faces' images at samples, model units. The images are those of
+  /// the chart curves themselves: what is fitted to them is off by up to the edge's tolerance.
+  double gap() const { return gap_; }
+  double tolerance() const { return shared_.tolerance; }
+  Vec3 point(double t) const { return image_.point(t); }
+
+  const Coedge& on_a;
+  const Coedge& on_b;
+
+ private:
+  const SharedEdge& shared_;
+  EdgeOnFace image_;
+  double gap_ = 0;
+  std::vector<std::array<Vec3, 3>> directions_;
+};
+
+}  // namespace blossom::occt

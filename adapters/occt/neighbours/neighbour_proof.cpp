@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/neighbours/neighbour_proof.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include "adapters/occt/neighbours/neighbour_edge.h"
+#include "adapters/occt/neighbours/ways_to_edge.h"
+#include "core/bounds/patch_boxes.h"
+#include "core/cells/cell_pair.h"
+#include "core/cells/known_curves.h"
+#include "core/surfaces/contacts/cell_descent.h"
+#include "core/surfaces/contacts/corner_separation.h"
+#include "core/surfaces/contacts/path_reach.h"
+#include "core/surfaces/search/start_pairs.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr int kDeepest = 100;          // halvings of a patch: 2^-50 in each direction
+constexpr long kMaxPairs = 30'000;     // of cells, for each pair of patches
+constexpr double kReach = 4;           // tolerances: what is so near an edge or a vertex is it
+constexpr double kRounding = 0x1p-44;  // of the coordinates, by which ends of paths may be off
+
+const Coedge* only_use(const FaceTrims& trims, const TopoDS_Edge& edge) {
+  const Coedge* use = nullptr;
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      if (!coedge.edge.IsSame(edge)) continue;
+      if (use != nullptr) return nullptr;
+      use = &coedge;
+    }
+  return use;
+}
+
+std::vector<KnownCurve> common_vertices(const FaceData& a, const FaceData& b, double tolerance) {
+  TopTools_IndexedMapOfShape of_a, of_b;
+  TopExp::MapShapes(a.trims.face, TopAbs_VERTEX, of_a);
+  TopExp::MapShapes(b.trims.face, TopAbs_VERTEX, of_b);
+  std::vector<KnownCurve> balls;
+  for (int i = 1; i <= of_a.Extent(); ++i) {
+    if (!of_b.Contains(of_a(i))) continue;
+    const TopoDS_Vertex vertex = TopoDS::Vertex(of_a(i));
+    const gp_Pnt p = BRep_Tool::Pnt(vertex);
+    const Vec3 point{p.X(), p.Y(), p.Z()};
+    const double radius = kReach * std::max(tolerance, BRep_Tool::Tolerance(vertex));
+    balls.push_back({{point, point}, radius, 0});
+  }
+  return balls;
+}
+
+class Proof {
+ public:
+  Proof(const FaceData& a, const FaceData& b, double tolerance, const WorkLimit& limit)
+      : a_data_(a),
+        b_data_(b),
+        tolerance_(tolerance),
+        limit_(limit),
+        origin_(0.5 * (a.box.low + a.box.high)),
+        rounding_(kRounding * (max_norm(origin_) + diagonal(a.box))),
+        vertices_(common_vertices(a, b, tolerance)),
+        balls_(vertices_, origin_),
+        a_(a, origin_),
+        b_(b, origin_) {}
+
+  bool add_edges(const std::vector<SharedEdge>& edges) {
+    for (const SharedEdge& edge : edges) {
+      const Coedge* on_a = only_use(a_data_.trims, edge.edge);
+      const Coedge* on_b = only_use(b_data_.trims, edge.edge);
+      if (on_a == nullptr || on_b == nullptr) return false;
+      edges_.emplace_back(a_data_.trims, b_data_.trims, edge, *on_a, *on_b);
+    }
+    return true;
+  }
+
+  bool holds() {
+    const PatchBoxes boxes_a(a_data_.surface), boxes_b(b_data_.surface);
+    for (const auto& [i, j] : meeting_patches(boxes_a, boxes_b)) {
+      pairs_ = 0;
+      if (!holds(i, 0, j, 0)) return false;
+    }
+    return true;
+  }
+
+  const Certificate& certificate() const { return certificate_; }
+
+ private:
+  bool holds(int patch_a, int cell_a, int patch_b, int cell_b) {
+    if (++pairs_ > kMaxPairs || (pairs_ % 64 == 0 && limit_.reached() != nullptr)) return false;
+    CellTree &tree_a = a_.cells().tree(patch_a), &tree_b = b_.cells().tree(patch_b);
+    const Cell a = tree_a[cell_a], b = tree_b[cell_b];
+    if (are_apart(tree_a, a, tree_b, b) ||
+        separated_across(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size()) ||
+        meet_at_vertex(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size()) ||
+        a_.is_outside(patch_a, cell_a) || b_.is_outside(patch_b, cell_b) ||
+        std::ranges::any_of(edges_, [&](const NeighbourEdge& edge) {
+          return meet_beside(edge, patch_a, cell_a, patch_b, cell_b);
+        })) {
+      count_excluded(a, b, certificate_);
+      return true;
+    }
+    if (std::max(a.extent, b.extent) <= tolerance_ || (a.depth >= kDeepest && b.depth >= kDeepest))
+      return false;
+    const bool of_a = halves_first(a, b, kDeepest);
+    const int child = of_a ? tree_a.split(cell_a) : tree_b.split(cell_b);
+    return of_a ? holds(patch_a, child, patch_b, cell_b) &&
+                      holds(patch_a, child + 1, patch_b, cell_b)
+                : holds(patch_a, cell_a, patch_b, child) &&
+                      holds(patch_a, cell_a, patch_b, child + 1);
+  }
+
+  // Within the ball round a common vertex, or on either side of a plane through it.
+  bool meet_at_vertex(const Cell& a, const Cell& b, int points_a, int points_b) const {
+    return balls_.hold_common({a.low, a.high}, {b.low, b.high}) ||
+           std::ranges::any_of(vertices_, [&](const KnownCurve& vertex) {
+             return separated_at(vertex.points.front() - origin_, a, b, points_a, points_b,
+                                 vertex.radius);
+           });
+  }
+
+  // In the tube round the edge, or such that paths lead from one to the other.
+  bool meet_beside(const NeighbourEdge& edge, int patch_a, int cell_a, int patch_b, int cell_b) {
+    const Cell &a = a_.cells().tree(patch_a)[cell_a], &b = b_.cells().tree(patch_b)[cell_b];
+    const double reach = kReach * std::max(tolerance_, edge.tolerance());
+    if (std::min(a.extent, b.extent) < reach && is_in_tube(edge, reach, patch_a, a, b)) return true;
+    const std::optional<WaysToEdge>& to = a_.ways(edge.on_a, patch_a, cell_a);
+    if (!to) return false;
+    const std::optional<WaysToEdge>& from = b_.ways(edge.on_b, patch_b, cell_b);
+    if (!from) return false;
+    std::vector<VectorBounds> across = to->directions;
+    for (const VectorBounds& way : from->directions) across.push_back({-way.middle, way.radius});
+    const Interval range{std::min(to->on_edge.from, from->on_edge.from),
+                         std::max(to->on_edge.to, from->on_edge.to)};
+    const double jumps = edge.gap() + to->shortfall + from->shortfall + a_data_.surface.error +
+                         b_data_.surface.error + rounding_;
+    return path_reach(across, edge.directions(range)) * jumps <= reach;
+  }
+
+  bool is_in_tube(const NeighbourEdge& edge, double reach, int patch_a, const Cell& a,
+                  const Cell& b) const {
+    Box common;
+    for (int k = 0; k < 3; ++k) {
+      common.low[k] = std::max(a.low[k], b.low[k]);
+      common.high[k] = std::min(a.high[k], b.high[k]);
+    }
+    const Vec3 centre = 0.5 * (common.low + common.high) + origin_;
+    const Vec3 foot = edge.point(a_.nearest_on(edge.on_a, patch_a, a));
+    return distance(centre, foot) + 0.5 * diagonal(common) <= reach;
+  }
+
+  const FaceData& a_data_;
+  const FaceData& b_data_;
+  const double tolerance_;
+  const WorkLimit& limit_;
+  const Vec3 origin_;
+  const double rounding_;
+  const std::vector<KnownCurve> vertices_;  // with what is so near that it is the vertex
+  const KnownCurves balls_;                 // round them
+  FaceCells a_, b_;
+  std::vector<NeighbourEdge> edges_;
+  long pairs_ = 0;  // of the patches at hand
+  Certificate certificate_;
+};
+
+}  // namespace
+
+NeighbourProof meet_in_shared_only(const FaceData& a, const FaceData& b,
+                                   const std::vector<SharedEdge>& edges, double tolerance,
+                                   const WorkLimit& limit) {
+  Proof proof(a, b, tolerance, limit);
+  if (!proof.add_edges(edges) || !proof.holds()) return {};
+  return {true, proof.certificate()};
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/neighbours/ways_to_edge.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "adapters/occt/faces/face_trims_detail.h"
+#include "adapters/occt/neighbours/coedge_stretch.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kCut = 0.4865;   // cells are halved off their middle, as in every search
+constexpr int kMaxHalvings = 40;  // of a span of a wire, to see whether it meets a cell
+constexpr Axes kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+
+bool apart(const PlanarBox& a, const PlanarBox& b) {
+  for (int k = 0; k < 2; ++k)
+    if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
+  return false;
+}
+
+}  // namespace
+
+FaceCells::FaceCells(const FaceData& data, const Vec3& origin)
+    : data_(data),
+      cells_(data.surface, origin, CellForm::Auto, kCut, part_test(data.trims)),
+      slopes_(static_cast<std::size_t>(cells_.patches())) {}
+
+bool FaceCells::is_outside(int patch, int cell) {
+  std::optional<bool>& outside = facts(patch, cell).outside;
+  if (!outside) outside = finds_outside(patch, cells_.tree(patch)[cell]);
+  return *outside;
+}
+
+const std::optional<WaysToEdge>& FaceCells::ways(const Coedge& edge, int patch, int cell) {
+  auto& known = facts(patch, cell).ways;
+  for (const auto& [of, ways] : known)
+    if (of == &edge) return ways;
+  return known.emplace_back(&edge, found_ways(edge, patch, cells_.tree(patch)[cell])).second;
+}
+
+bool FaceCells::finds_outside(int patch, const Cell& cell) const {
+  if (cell.part != PartSide::Mixed) return cell.part == PartSide::Outside;
+  const PlanarBox box = chart_box(patch, cell);
+  return !meets_gap(box) &&
+         coedge_near(data_.trims, box, 0, kMaxHalvings, Wires::AsTheyAre) == nullptr &&
+         !is_inside(data_.trims, 0.5 * (box.low + box.high));
+}
+
+double FaceCells::nearest_on(const Coedge& edge, int patch, const Cell& cell) const {
+  const PlanarBox box = chart_box(patch, cell);
+  return foot_on(edge, 0.5 * (box.low + box.high));
+}
+
+std::optional<WaysToEdge> FaceCells::found_ways(const Coedge& edge, int patch, const Cell& cell) {
+  const PlanarBox box = chart_box(patch, cell);
+  const std::optional<CoedgeStretch> stretch = stretch_past(edge, box);
+  if (!stretch || !lies_beside(data_.trims, edge, *stretch, box)) return {};
+  const int across = 1 - stretch->along;
+  PlanarBox swept = box;
+  swept.low[across] = std::min(box.low[across], stretch->box.low[across]);
+  swept.high[across] = std::max(box.high[across], stretch->box.high[across]);
+  return WaysToEdge{stretch->range, directions(swept, across, -stretch->inner), stretch->shortfall};
+}
+
+// Whether a box meets what closes a gap between the ends of coedges.
+bool FaceCells::meets_gap(const PlanarBox& box) const {
+  if (data_.trims.largest_gap == 0) return false;
+  const auto is_in_gap = [&](const Coedge& coedge, int corner, bool start) {
+    const Interval domain = coedge.curve.domain();
+    const Vec2 end = point_at(coedge.curve, start == coedge.reversed() ? domain.to : domain.from);
+    const Vec2& joint = data_.trims.corners[static_cast<std::size_t>(corner)];
+    return !apart(box, united({end, end}, {joint, joint}));
+  };
+  for (const auto& loop : data_.trims.loops)
+    for (const Coedge& coedge : loop)
+      if (is_in_gap(coedge, coedge.from, true) || is_in_gap(coedge, coedge.to, false)) return true;
+  return false;
+}
+
+PlanarBox FaceCells::chart_box(int patch, const Cell& cell) const {
+  const BezierSurface& s = data_.surface;
+  const Interval u = cells_.knots_u(patch), v = cells_.knots_v(patch);
+  const Vec2& scale = data_.trims.scale;
+  return {{parameter_at(s.u_law, u, cell.u.from) * scale[0],
+           parameter_at(s.v_law, v, cell.v.from) * scale[1]},
+          {parameter_at(s.u_law, u, cell.u.to) * scale[0],
+           parameter_at(s.v_law, v, cell.v.to) * scale[1]}};
+}
+
+// Of the derivatives across, over all patches that a rectangle of the chart meets.
+std::vector<VectorBounds> FaceCells::directions(const PlanarBox& box, int across, double sign) {
+  const BezierSurface& s = data_.surface;
+  std::vector<VectorBounds> all;
+  for (int patch = 0; patch < cells_.patches(); ++patch) {
+    const auto u = local(s.u_law, cells_.knots_u(patch), box, 0);
+    const auto v = local(s.v_law, cells_.knots_v(patch), box, 1);
+    if (!u || !v) continue;
+    const DirectionCones cones = cones_of(slopes(patch), *u, *v, kAxes);
+    const VectorBounds& bounds = across == 0 ? cones.u : cones.v;
+    all.push_back({sign * bounds.middle, bounds.radius});
+  }
+  return all;
+}
+
+std::optional<Interval> FaceCells::local(ParameterLaw law, const Interval& span,
+                                         const PlanarBox& box, int k) const {
+  const double from = box.low[k] / data_.trims.scale[k], to = box.high[k] / data_.trims.scale[k];
+  if (from > span.to || to < span.from) return {};
+  const auto at = [&](double t) {
+    return std::clamp(local_parameter(law, span, std::clamp(t, span.from, span.to)), 0.0, 1.0);
+  };
+  return Interval{at(from), at(to)};
+}
+
+const SlopeNets& FaceCells::slopes(int patch) {
+  auto& nets = slopes_[static_cast<std::size_t>(patch)];
+  if (!nets) {
+    const CellTree& tree = cells_.tree(patch);
+    nets = slope_nets(tree.patch(), tree.shape().planes == 4, tree.given_rounding());
+  }
+  return *nets;
+}
+
+}  // namespace blossom::occt

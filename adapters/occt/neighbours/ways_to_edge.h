@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Cells of a face, and the parameter lines that lead from them to an edge of it.
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "adapters/occt/faces/face_data.h"
+#include "core/cells/direction_cones.h"
+#include "core/cells/surface_cells.h"
+#include "core/math/interval.h"
+#include "core/plane/planar_curves.h"
+
+namespace blossom::occt {
+
+/// Parameter lines that lead from all points of a cell which count to an edge.
+struct WaysToEdge {
+  Interval on_edge;                      ///< where they may end
+  std::vector<VectorBounds> directions;  ///< in space
+  double shortfall = 0;                  ///< by so much they may miss the edge's end
+};
+
+/// Keeps a reference to the face's data.
+class FaceCells {
+ public:
+  FaceCells(const FaceData& data, const Vec3& origin);
+
+  SurfaceCells& cells() { return cells_; }
+
+  /// Whether nothing of a cell counts, looked at more closely than cells are.
+  bool is_outside(int patch, int cell);
+
+  /// The edge's parameter nearest to the middle of a cell in the chart.
+  double nearest_on(const Coedge& edge, int patch, const Cell& cell) const;
+
+  /// Nothing if not all that counts of the cell is seen to lie beside one stretch of the edge.
+  /// Stays where it is until another edge is asked about.
+  const std::optional<WaysToEdge>& ways(const Coedge& edge, int patch, int cell);
+
+ private:
+  // What was found out about a cell, which takes part in many pairs.
+  struct Facts {
+    std::optional<bool> outside;
+    std::vector<std::pair<const Coedge*, std::optional<WaysToEdge>>> ways;
+  };
+  Facts& facts(int patch, int cell) {
+    return facts_[static_cast<std::uint64_t>(patch) << 32 | static_cast<std::uint32_t>(cell)];
+  }
+  bool finds_outside(int patch, const Cell& cell) const;
+  std::optional<WaysToEdge> found_ways(const Coedge& edge, int patch, const Cell& cell);
+  bool meets_gap(const PlanarBox& box) const;
+  PlanarBox chart_box(int patch, const Cell& cell) const;
+  std::vector<VectorBounds> directions(const PlanarBox& box, int across, double sign);
+  std::optional<Interval> local(ParameterLaw law, const Interval& span, const PlanarBox& box,
+                                int k) const;
+  const SlopeNets& slopes(int patch);
+
+  const FaceData& data_;
+  SurfaceCells cells_;
+  std::vector<std::optional<SlopeNets>> slopes_;
+  std::unordered_map<std::uint64_t, Facts> facts_;
+};
+
+}  // namespace blossom::occt
