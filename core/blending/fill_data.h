@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// From the neighbours of a hole to functions on the sides of the polygon.
+//
+// Notation: side k has the direction e and the outward normal n of the same length in the plane of
+// the polygon; theta is the angle from one side to the next, 2 pi / n. Primes are d/ds.
+
+#pragma once
+
+#include <vector>
+
+#include "core/blending/fill.h"
+#include "core/blending/fill_operator.h"
+
+namespace blossom {
+
+/// Sides with weight 1 at all corners, moved to the origin and scaled to unit size; the corners
+/// agree bit for bit.
+struct PreparedSides {
+  std::vector<FillSide> sides;
+  std::vector<FillSide> in_place;  ///< model units, corners where the caller had them
+  Vec3 origin;
+  double size = 1;
+};
+
+PreparedSides prepared(const std::vector<FillSide>& sides);
+
+/// The functions f, f_n, f_nn on a side.
+struct SideFunctions {
+  Row value;
+  Row normal;
+  Row second;  ///< empty without second order
+
+  /// The lowest degree of patches that hold them.
+  int degree() const;
+};
+
+/// What the corners ask of the functions a, b, r and of the second derivatives.
+enum class CornerDemand {
+  TangentPlanes,  ///< of the ring at G1
+  Twists,         ///< of the star at G1: one mixed derivative for both sides
+  SecondJets,     ///< of G2: all second derivatives
+};
+
+struct PolygonFunctions {
+  std::vector<SideFunctions> sides;
+  /// By how much the demand fails at the worst corner, relative to the second derivatives there.
+  double mismatch = 0;
+};
+
+/// Whether a weight differs from 1.
+bool is_rational(const std::vector<FillSide>& sides);
+
+/// sides  prepared, with independent directions at the corners
+PolygonFunctions polygon_functions(const std::vector<FillSide>& sides, CornerDemand demand);
+
+/// The data of all sectors for an operator.
+std::vector<Vec4> operator_data(const std::vector<SideFunctions>& sides, const FillOperator& made);
+
+/// Sum of two rows; the lower degree is raised. An empty row is nothing.
+Row sum(const Row& a, const Row& b);
+
+}  // namespace blossom
