@@ -7,7 +7,6 @@
 
 #include "core/base/errors.h"
 #include "core/blending/fill_data.h"
-#include "core/blending/fill_measure.h"
 #include "core/blending/fill_operator.h"
 
 namespace blossom {
@@ -272,13 +271,13 @@ void add_patches(Fill& result, const Solution& solution, const PreparedSides& si
 
 /// What the figures say of the continuity.
 FillContinuity reached(const Fill& fill, const FillOptions& options) {
-  FillContact worst = fill.inside;
-  for (const FillContact& side : fill.sides) {
+  FillContact worst = fill.figures.inside;
+  for (const FillContact& side : fill.figures.sides) {
     worst.normal_angle = std::max(worst.normal_angle, side.normal_angle);
     worst.curvature_difference = std::max(worst.curvature_difference, side.curvature_difference);
   }
   if (worst.normal_angle > options.angle) return FillContinuity::G0;
-  return worst.curvature_difference > options.curvature * fill.largest_curvature
+  return worst.curvature_difference > options.curvature * fill.figures.largest_curvature
              ? FillContinuity::G1
              : FillContinuity::G2;
 }
@@ -300,12 +299,12 @@ Fill filled(const std::vector<FillSide>& given, const FillOptions& options) {
   if (!(result.least_weight > 0))
     refuse(FillProblem::Weights, 0, "the fill has a weight of ", result.least_weight,
            ": its sides' weights vary too much");
-  measure(result, sides.in_place, solution.made->layout());
+  result.figures = fill_figures(result.patches, sides.in_place, solution.made->layout());
   result.reached = reached(result, options);
   if (!second) result.reached = std::min(result.reached, FillContinuity::G1);
   if (!solution.exact() || result.reached == FillContinuity::G0) {
-    double angle = result.inside.normal_angle;
-    for (const FillContact& side : result.sides) angle = std::max(angle, side.normal_angle);
+    double angle = result.figures.inside.normal_angle;
+    for (const FillContact& side : result.figures.sides) angle = std::max(angle, side.normal_angle);
     refuse(FillProblem::Conditions, 0, "the ", to_string(result.layout),
            " cannot meet these sides: conditions fail by ", result.residual, ", normals by ", angle,
            " rad");
@@ -328,27 +327,6 @@ const char* to_string(FillProblem problem) {
     case FillProblem::Conditions: break;
   }
   return "conditions";
-}
-
-FillSide fill_side(const RationalBezierPatch& patch, SurfaceSide side, bool backward,
-                   FillContinuity continuity) {
-  const bool along_v = side == SurfaceSide::UMin || side == SurfaceSide::UMax;
-  const bool at_end = side == SurfaceSide::UMax || side == SurfaceSide::VMax;
-  const int along = along_v ? patch.degree_v() : patch.degree_u();
-  const int m = along_v ? patch.degree_u() : patch.degree_v();
-  FillSide result{.edge = {}, .across = {}, .bend = {}, .continuity = continuity};
-  for (int k = 0; k <= along; ++k) {
-    const int i = backward ? along - k : k;
-    const auto at = [&](int depth) {
-      const int j = at_end ? m - depth : depth;
-      return along_v ? patch.points(j, i) : patch.points(i, j);
-    };
-    result.edge.push_back(at(0));
-    result.across.push_back(static_cast<double>(m) * (at(1) - at(0)));
-    result.bend.push_back(m < 2 ? Vec4{}
-                                : static_cast<double>(m * (m - 1)) * (at(2) - 2 * at(1) + at(0)));
-  }
-  return result;
 }
 
 Fill fill(const std::vector<FillSide>& sides, const FillOptions& options) {

@@ -31,22 +31,10 @@
 #include <vector>
 
 #include "core/base/tolerances.h"
-#include "core/blending/border_rows.h"
-#include "core/blending/fill_conditions.h"
+#include "core/blending/fill_measure.h"
+#include "core/blending/fill_side.h"
 
 namespace blossom {
-
-/// One side of the hole, from corner k to corner k + 1, as a neighbour C(s, t) has it at t = 0.
-struct FillSide {
-  Row edge;    ///< C
-  Row across;  ///< C_t, away from the hole; empty if there is no neighbour
-  Row bend;    ///< C_tt; empty if it is not known
-  FillContinuity continuity = FillContinuity::G1;
-};
-
-/// The side that a border of a patch is. `backward` runs against the patch's parameter.
-FillSide fill_side(const RationalBezierPatch& patch, SurfaceSide side, bool backward,
-                   FillContinuity continuity);
 
 struct FillOptions {
   /// Corners that are farther apart than `point` do not join. Model units.
@@ -80,13 +68,6 @@ enum class FillProblem {
 /// "none", "gap", "degenerate-side", ..: the words of the report.
 const char* to_string(FillProblem problem);
 
-/// How the fill meets a side, measured at 19 places of each half, those near corners included.
-struct FillContact {
-  double gap = 0;                   ///< model units
-  double normal_angle = 0;          ///< radians, in [0, pi]; 0 without a neighbour
-  double curvature_difference = 0;  ///< of the shape operators, 1 / model unit; 0 if not known
-};
-
 struct Fill {
   FillProblem problem = FillProblem::None;
   int place = -1;       ///< number of the side or corner, from 0; corner k begins side k
@@ -97,11 +78,9 @@ struct Fill {
   std::vector<RationalBezierPatch> patches;  ///< sector after sector; empty if there is a problem
   bool rational = false;
 
-  std::vector<FillContact> sides;
-  FillContact inside;            ///< over all inner edges; their gap is 0
-  double largest_curvature = 0;  ///< of fill and neighbours at these places, 1 / model unit
-  double residual = 0;           ///< of the conditions, relative to the size of the hole
-  double least_weight = 1;       ///< over the control points
+  FillFigures figures;
+  double residual = 0;      ///< of the conditions, relative to the size of the hole
+  double least_weight = 1;  ///< over the control points
 
   /// What was reached: G2 only if it was asked for somewhere.
   FillContinuity reached = FillContinuity::G0;

@@ -367,17 +367,6 @@ PreparedSides prepared(const std::vector<FillSide>& sides) {
   return result;
 }
 
-bool is_rational(const std::vector<FillSide>& sides) {
-  for (const FillSide& side : sides) {
-    for (const Vec4& p : side.edge)
-      if (p[3] != 1) return true;
-    for (const Row* const row : {&side.across, &side.bend})
-      for (const Vec4& p : *row)
-        if (p[3] != 0) return true;
-  }
-  return false;
-}
-
 PolygonFunctions polygon_functions(const std::vector<FillSide>& sides, CornerDemand demand) {
   return FunctionMaker(sides, demand).made();
 }

@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "core/blending/fill.h"
 #include "core/blending/fill_operator.h"
+#include "core/blending/fill_side.h"
 
 namespace blossom {
 
@@ -46,9 +46,6 @@ struct PolygonFunctions {
   /// By how much the demand fails at the worst corner, relative to the second derivatives there.
   double mismatch = 0;
 };
-
-/// Whether a weight differs from 1.
-bool is_rational(const std::vector<FillSide>& sides);
 
 /// sides  prepared, with independent directions at the corners
 PolygonFunctions polygon_functions(const std::vector<FillSide>& sides, CornerDemand demand);

@@ -7,6 +7,8 @@
 namespace blossom {
 namespace {
 
+using Patches = std::vector<RationalBezierPatch>;
+
 /// Places on a half of a side, or on an inner edge. Ends are not among them: there the common point
 /// belongs to several edges.
 constexpr int kPlaces = 19;
@@ -52,13 +54,12 @@ Vec2 on_edge(int edge, double t) {
   }
 }
 
-PatchJet jet_on(const Fill& made, const PolygonLayout& layout, int sector, const QuadEdge& edge,
-                double t) {
+PatchJet jet_on(const Patches& patches, const PolygonLayout& layout, int sector,
+                const QuadEdge& edge, double t) {
   const auto quads = static_cast<int>(layout.quads.size());
   const int turned = (sector + edge.sector + layout.sides) % layout.sides;
   const Vec2 uv = on_edge(edge.edge, t);
-  return jet_at(made.patches[static_cast<std::size_t>(turned * quads + edge.quad)], uv[0], uv[1],
-                2);
+  return jet_at(patches[static_cast<std::size_t>(turned * quads + edge.quad)], uv[0], uv[1], 2);
 }
 
 /// The neighbour as a patch that has its value and derivatives at t = 0:
@@ -78,16 +79,16 @@ RationalBezierPatch neighbour(const FillSide& side) {
   return patch;
 }
 
-void measure_side(Fill& made, const FillSide& side, const PolygonLayout& layout, int k) {
-  FillContact& contact = made.sides[static_cast<std::size_t>(k)];
+void measure_side(FillFigures& figures, const Patches& patches, const FillSide& side,
+                  const PolygonLayout& layout, int k) {
+  FillContact& contact = figures.sides[static_cast<std::size_t>(k)];
   const bool alone = side.across.empty();
-  RationalBezierPatch patch;
-  if (!alone) patch = neighbour(side);
+  const RationalBezierPatch patch = alone ? RationalBezierPatch{} : neighbour(side);
   for (int half = 0; half < 2; ++half)
     for (int i = 0; i < kPlaces; ++i) {
       const double t = place_at(i);
       const PatchJet inside =
-          jet_on(made, layout, k, layout.borders[static_cast<std::size_t>(half)], t);
+          jet_on(patches, layout, k, layout.borders[static_cast<std::size_t>(half)], t);
       const double s = 0.5 * (half + t);
       if (alone) {
         contact.gap = std::max(
@@ -97,7 +98,7 @@ void measure_side(Fill& made, const FillSide& side, const PolygonLayout& layout,
       // C_t leads away from the hole, so the normals are opposite: turned by exchanging u and v.
       const PatchJet jet = jet_at(patch, s, 0, 2);
       const PatchJet outside{jet.point, jet.v, jet.u, jet.vv, jet.uv, jet.uu};
-      add(contact, made.largest_curvature, meeting_of(inside, outside, !side.bend.empty()));
+      add(contact, figures.largest_curvature, meeting_of(inside, outside, !side.bend.empty()));
     }
 }
 
@@ -117,18 +118,21 @@ MeetingOfJets meeting_of(const PatchJet& a, const PatchJet& b, bool second) {
   return result;
 }
 
-void measure(Fill& made, const std::vector<FillSide>& sides, const PolygonLayout& layout) {
-  made.sides.assign(sides.size(), {});
+FillFigures fill_figures(const Patches& patches, const std::vector<FillSide>& sides,
+                         const PolygonLayout& layout) {
+  FillFigures figures;
+  figures.sides.assign(sides.size(), {});
   for (int k = 0; k < layout.sides; ++k) {
-    measure_side(made, sides[static_cast<std::size_t>(k)], layout, k);
+    measure_side(figures, patches, sides[static_cast<std::size_t>(k)], layout, k);
     for (const SharedQuadEdge& edge : layout.shared)
       for (int i = 0; i < kPlaces; ++i) {
         const double t = place_at(i);
-        const PatchJet a = jet_on(made, layout, k, edge.a, t);
-        const PatchJet b = jet_on(made, layout, k, edge.b, 1 - t);
-        add(made.inside, made.largest_curvature, meeting_of(a, b, true));
+        const PatchJet a = jet_on(patches, layout, k, edge.a, t);
+        const PatchJet b = jet_on(patches, layout, k, edge.b, 1 - t);
+        add(figures.inside, figures.largest_curvature, meeting_of(a, b, true));
       }
   }
+  return figures;
 }
 
 }  // namespace blossom

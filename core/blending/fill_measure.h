@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "core/blending/fill.h"
 #include "core/blending/fill_layout.h"
+#include "core/blending/fill_side.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom {
@@ -22,8 +22,23 @@ struct MeetingOfJets {
 /// second  whether second derivatives are known on both sides; else the curvatures stay 0
 MeetingOfJets meeting_of(const PatchJet& a, const PatchJet& b, bool second);
 
-/// Measures all inner edges and sides of a fill and enters the figures.
-/// sides  with the parameters of the fill, model units
-void measure(Fill& made, const std::vector<FillSide>& sides, const PolygonLayout& layout);
+/// How the fill meets a side, measured at 19 places of each half, those near corners included.
+struct FillContact {
+  double gap = 0;                   ///< model units
+  double normal_angle = 0;          ///< radians, in [0, pi]; 0 without a neighbour
+  double curvature_difference = 0;  ///< of the shape operators, 1 / model unit; 0 if not known
+};
+
+struct FillFigures {
+  std::vector<FillContact> sides;
+  FillContact inside;            ///< over all inner edges; their gap is 0
+  double largest_curvature = 0;  ///< of fill and neighbours at these places, 1 / model unit
+};
+
+/// Measures all inner edges and sides of a fill.
+/// patches  of all quads, sector after sector, model units
+/// sides    with the parameters of the fill, likewise
+FillFigures fill_figures(const std::vector<RationalBezierPatch>& patches,
+                         const std::vector<FillSide>& sides, const PolygonLayout& layout);
 
 }  // namespace blossom

@@ -26,21 +26,21 @@ constexpr double kAngle = 1e-12;
 constexpr double kCurvature = 1e-9;
 
 double largest_angle(const Fill& made) {
-  double angle = made.inside.normal_angle;
-  for (const FillContact& side : made.sides) angle = std::max(angle, side.normal_angle);
+  double angle = made.figures.inside.normal_angle;
+  for (const FillContact& side : made.figures.sides) angle = std::max(angle, side.normal_angle);
   return angle;
 }
 
 double largest_bend(const Fill& made) {
-  double difference = made.inside.curvature_difference;
-  for (const FillContact& side : made.sides)
+  double difference = made.figures.inside.curvature_difference;
+  for (const FillContact& side : made.figures.sides)
     difference = std::max(difference, side.curvature_difference);
-  return difference / made.largest_curvature;
+  return difference / made.figures.largest_curvature;
 }
 
 double largest_gap(const Fill& made) {
   double gap = 0;
-  for (const FillContact& side : made.sides) gap = std::max(gap, side.gap);
+  for (const FillContact& side : made.figures.sides) gap = std::max(gap, side.gap);
   return gap;
 }
 
@@ -138,7 +138,7 @@ TEST(Fill, NeedsNoNeighbourWhereOnlyTheBorderIsAsked) {
     const Fill made = fill(sides);
     ASSERT_EQ(made.problem, FillProblem::None) << n << made.message;
     EXPECT_LE(largest_gap(made), 1e-14);
-    EXPECT_LE(made.inside.normal_angle, kAngle);
+    EXPECT_LE(made.figures.inside.normal_angle, kAngle);
   }
 }
 
@@ -149,9 +149,9 @@ TEST(Fill, TakesADifferentContinuityForEachSide) {
   const Fill made = fill(sides);
   ASSERT_EQ(made.problem, FillProblem::None) << made.message;
   EXPECT_LE(largest_angle(made), 1e-10);
-  EXPECT_EQ(made.sides[3].normal_angle, 0);
-  EXPECT_EQ(made.sides[1].curvature_difference, 0);
-  EXPECT_LE(made.sides[0].curvature_difference, kCurvature * 10);
+  EXPECT_EQ(made.figures.sides[3].normal_angle, 0);
+  EXPECT_EQ(made.figures.sides[1].curvature_difference, 0);
+  EXPECT_LE(made.figures.sides[0].curvature_difference, kCurvature * 10);
 }
 
 class FillOfCorner : public ::testing::TestWithParam<std::array<double, 3>> {};
@@ -174,7 +174,7 @@ INSTANTIATE_TEST_SUITE_P(Radii, FillOfCorner,
 template <class Map>
 double apart(const Fill& a, const Fill& b, int first, const Map& map) {
   const std::size_t n = a.patches.size();
-  const std::size_t shift = static_cast<std::size_t>(first) * n / a.sides.size();
+  const std::size_t shift = static_cast<std::size_t>(first) * n / a.figures.sides.size();
   double largest = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const auto p = a.patches[k].points.values(), q = b.patches[(k + shift) % n].points.values();
