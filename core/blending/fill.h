@@ -92,9 +92,9 @@ struct Fill {
 /// returns   the fill, or what stands against it
 /// throws    InvalidInput if the number of sides is wrong, a row is empty or not finite, a weight
 ///           is not positive, or a side asks for G1 without `across`, for G2 without `bend`
-/// accuracy  borders are those of the sides bit for bit, up to a shift of corners by at most half
-///           of the gap and one exact rescaling of weights; conditions hold to about 1e-14 of the
-///           size of the hole, as `residual` says
+/// accuracy  borders are those of the sides to a few roundings, up to a shift of corners by at most
+///           half of the gap; conditions hold to about 1e-14 of the size of the hole, as `residual`
+///           says
 ///
 /// Source: Hahn 1989, "Filling polygonal holes with rectangular patches", for the star.
 Fill fill(const std::vector<FillSide>& sides, const FillOptions& options = {});

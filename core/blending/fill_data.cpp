@@ -47,32 +47,6 @@ Row half_of(Row row, int half) {
   return part;
 }
 
-/// The same curve, and neighbour, with weight 1 at both ends: scaled, then weights by powers of a
-/// factor, which changes the parameter by a projective map.
-void normalize_weights(FillSide& side) {
-  const double first = side.edge.front()[3], last = side.edge.back()[3];
-  if (first == 1 && last == 1) return;
-  const std::size_t size = std::max({side.edge.size(), side.across.size(), side.bend.size()});
-  for (Row* const row : {&side.edge, &side.across, &side.bend}) {
-    if (row->empty()) continue;
-    *row = raised(*row, static_cast<int>(size) - 1);
-    const double ratio = std::pow(first / last, 1 / static_cast<double>(size - 1));
-    double factor = 1 / first;
-    for (Vec4& p : *row) {
-      p *= factor;
-      factor *= ratio;
-    }
-  }
-  for (Vec4* const end : {&side.edge.front(), &side.edge.back()}) (*end)[3] = 1;
-}
-
-/// Moves `origin` to 0 and makes `size` 1.
-void place(FillSide& side, const Vec3& origin, double size) {
-  for (Row* const row : {&side.edge, &side.across, &side.bend})
-    for (Vec4& p : *row)
-      for (int x = 0; x < 3; ++x) p[x] = (p[x] - origin[x] * p[3]) / size;
-}
-
 /// A side's functions at one of its ends, and how they can be changed.
 struct SideEnd {
   Vec4 value, normal;           ///< f_s, f_n
@@ -346,25 +320,6 @@ int SideFunctions::degree() const {
   const auto of = [](const Row& row) { return static_cast<int>(row.size()) - 1; };
   const int first = std::max(of(value), of(normal) + 1);
   return second.empty() ? first : std::max(first, of(second) + 2);
-}
-
-PreparedSides prepared(const std::vector<FillSide>& sides) {
-  PreparedSides result{.sides = sides, .in_place = {}, .origin = {}, .size = 0};
-  for (FillSide& side : result.sides) {
-    normalize_weights(side);
-    result.origin += (1.0 / static_cast<double>(sides.size())) * projected(side.edge.front());
-  }
-  result.in_place = result.sides;
-  for (const FillSide& side : result.sides)
-    for (const Vec4& p : side.edge)
-      result.size = std::max(result.size, distance(projected(p), result.origin));
-  for (FillSide& side : result.sides) place(side, result.origin, result.size);
-  for (std::size_t k = 0; k < sides.size(); ++k) {
-    Vec4& end = result.sides[(k + sides.size() - 1) % sides.size()].edge.back();
-    Vec4& start = result.sides[k].edge.front();
-    start = end = 0.5 * (start + end);
-  }
-  return result;
 }
 
 PolygonFunctions polygon_functions(const std::vector<FillSide>& sides, CornerDemand demand) {

@@ -13,17 +13,6 @@
 
 namespace blossom {
 
-/// Sides with weight 1 at all corners, moved to the origin and scaled to unit size; the corners
-/// agree bit for bit.
-struct PreparedSides {
-  std::vector<FillSide> sides;
-  std::vector<FillSide> in_place;  ///< model units, corners where the caller had them
-  Vec3 origin;
-  double size = 1;
-};
-
-PreparedSides prepared(const std::vector<FillSide>& sides);
-
 /// The functions f, f_n, f_nn on a side.
 struct SideFunctions {
   Row value;

@@ -26,4 +26,15 @@ FillSide fill_side(const RationalBezierPatch& patch, SurfaceSide side, bool back
 /// Whether a weight differs from 1 on some side.
 bool is_rational(const std::vector<FillSide>& sides);
 
+/// Sides with weight 1 at all corners, moved to the origin and scaled to unit size; the corners
+/// agree bit for bit.
+struct PreparedSides {
+  std::vector<FillSide> sides;
+  std::vector<FillSide> in_place;  ///< model units, corners where the caller had them
+  Vec3 origin;
+  double size = 1;
+};
+
+PreparedSides prepared(const std::vector<FillSide>& sides);
+
 }  // namespace blossom
