@@ -246,7 +246,8 @@ Solution second_order(const std::vector<FillSide>& sides, const FillOptions& opt
       if (made.exact()) return made;
     }
   const FillLayout layout = options.layout.value_or(FillLayout::DeepRing);
-  return solved(layout, FillGoal::FirstNearSecond, jets.sides);
+  return solved(layout, FillGoal::FirstNearSecond,
+                polygon_functions(sides, CornerDemand::None).sides);
 }
 
 void add_patches(Fill& result, const Solution& solution, const PreparedSides& sides) {

@@ -38,7 +38,7 @@ namespace blossom {
 
 struct FillOptions {
   /// Corners that are farther apart than `point` do not join. Model units.
-  Tolerances tolerances;
+  Tolerances tolerances = {};
 
   /// The largest angle between normals that counts as G1, of the neighbours at a corner and of the
   /// result. Radians.
@@ -96,7 +96,7 @@ struct Fill {
 ///           half of the gap; conditions hold to about 1e-14 of the size of the hole, as `residual`
 ///           says
 ///
-/// Source: Hahn 1989, "Filling polygonal holes with rectangular patches", for the star.
+/// Source: Hahn 1989, for the star.
 Fill fill(const std::vector<FillSide>& sides, const FillOptions& options = {});
 
 }  // namespace blossom

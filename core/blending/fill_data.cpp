@@ -10,6 +10,10 @@
 namespace blossom {
 namespace {
 
+/// Second derivatives at a corner that disagree by no more, relative, do so by rounding: nets of
+/// degree n carry n^2 times that of their points.
+constexpr double kSameSeconds = 1e-12;
+
 /// Parameter changes below this are rounding: they must not raise the degree.
 constexpr double kNoChange = 1e-12;
 
@@ -102,7 +106,7 @@ class FunctionMaker {
   PolygonFunctions made() {
     PolygonFunctions result;
     for (std::size_t k = 0; k < sides_.size(); ++k) meet_tangents(k);
-    if (demand_ != CornerDemand::TangentPlanes)
+    if (demand_ == CornerDemand::Twists || demand_ == CornerDemand::SecondJets)
       for (std::size_t k = 0; k < sides_.size(); ++k)
         result.mismatch = std::max(result.mismatch, meet_seconds(k));
     for (std::size_t k = 0; k < sides_.size(); ++k) result.sides.push_back(functions(k));
@@ -220,7 +224,11 @@ double FunctionMaker::meet_seconds(std::size_t k) {
     add(ending.change, m[2], w[4]);
     add(ending.change_nn, m[3], w[5]);
   }
+  const double size = stacked({after.value, after.normal, after.ss, after.sn, after.nn,
+                               ending.value, ending.normal, ending.ss, ending.sn, ending.nn})
+                          .norm();
   const Eigen::VectorXd target = -stacked(wrong);
+  if (target.norm() <= kSameSeconds * size) return target.norm() / size;
   const Eigen::VectorXd solution = solved(matrix, target);
   Eigen::Index next = 0;
   const auto take = [&](std::vector<double>& into, std::size_t count) {
@@ -230,9 +238,6 @@ double FunctionMaker::meet_seconds(std::size_t k) {
   take(parameters_[k].added_nn[0], m[1]);
   take(parameters_[before(k)].added[1], m[2]);
   take(parameters_[before(k)].added_nn[1], m[3]);
-  const double size = stacked({after.value, after.normal, after.ss, after.sn, after.nn, ending.ss,
-                               ending.sn, ending.nn})
-                          .norm();
   return (matrix * solution - target).norm() / size;
 }
 
@@ -290,8 +295,10 @@ Row FunctionMaker::second_of(std::size_t side) const {
     second = sum(second, scaled(2, product(r, sum(product(a, data.across), product(b, first)))));
   const std::array<const Row*, 3> along{&data.across, &first, &data.edge};
   for (std::size_t i = 0; i < 3; ++i) {
-    if (i >= of.added_nn[0].size()) continue;
-    const Factor change{of.added_nn[0][i], of.added_nn[1][i]};
+    const auto at = [&](std::size_t end) {
+      return i < of.added_nn[end].size() ? of.added_nn[end][i] : 0.0;
+    };
+    const Factor change{at(0), at(1)};
     if (std::max(std::abs(change[0]), std::abs(change[1])) > kNoChange)
       second = sum(second, product(change, *along[i]));
   }
@@ -300,7 +307,8 @@ Row FunctionMaker::second_of(std::size_t side) const {
 
 SideFunctions FunctionMaker::functions(std::size_t side) const {
   SideFunctions result{sides_[side].edge, normal_of(side), {}};
-  if (demand_ == CornerDemand::SecondJets) result.second = second_of(side);
+  if (demand_ == CornerDemand::SecondJets || demand_ == CornerDemand::None)
+    result.second = second_of(side);
   return result;
 }
 

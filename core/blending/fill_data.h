@@ -28,6 +28,7 @@ enum class CornerDemand {
   TangentPlanes,  ///< of the ring at G1
   Twists,         ///< of the star at G1: one mixed derivative for both sides
   SecondJets,     ///< of G2: all second derivatives
+  None,           ///< of G1 near G2: second derivatives are given, but nothing is changed for them
 };
 
 struct PolygonFunctions {

@@ -68,7 +68,7 @@ struct PolygonLayout {
 };
 
 /// The layout over the polygon with `sides` sides. Inner vertices are the means of their
-/// neighbours, so every quad is strictly convex (Tutte 1963, "How to draw a graph").
+/// neighbours, so every quad is strictly convex (Tutte 1963).
 /// throws    InvalidInput unless sides is within kFewestFillSides..kMostFillSides
 PolygonLayout polygon_layout(FillLayout kind, int sides);
 

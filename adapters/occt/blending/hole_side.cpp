@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
-#include <GeomAdaptor_Surface.hxx>
 #include <Geom_Surface.hxx>
 #include <gp_Vec.hxx>
 #include <gp_Vec2d.hxx>
