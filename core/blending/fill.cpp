@@ -16,9 +16,6 @@ namespace {
 /// few hundred products of factors up to about 100.
 constexpr double kRounding = 1e-11;
 
-/// Second derivatives at a corner that disagree by no more agree.
-constexpr double kAgree = 1e-11;
-
 /// Two sides whose directions at a corner differ by less from one line, radians, give derivatives
 /// across them that are a hundred times as large as theirs.
 constexpr double kFlat = 0.01;
@@ -223,7 +220,7 @@ bool allows(const FillOptions& options, FillLayout layout) {
 Solution first_order(const std::vector<FillSide>& sides, const FillOptions& options) {
   if (allows(options, FillLayout::Star)) {
     const PolygonFunctions twists = polygon_functions(sides, CornerDemand::Twists);
-    const bool agree = twists.mismatch <= kAgree;
+    const bool agree = twists.mismatch <= kSameSeconds;
     Solution star;
     if (agree) star = solved(FillLayout::Star, FillGoal::First, twists.sides);
     if (star.exact()) return star;
@@ -239,7 +236,7 @@ Solution first_order(const std::vector<FillSide>& sides, const FillOptions& opti
 
 Solution second_order(const std::vector<FillSide>& sides, const FillOptions& options) {
   const PolygonFunctions jets = polygon_functions(sides, CornerDemand::SecondJets);
-  if (jets.mismatch <= kAgree)
+  if (jets.mismatch <= kSameSeconds)
     for (const FillLayout layout : {FillLayout::Star, FillLayout::DeepRing}) {
       if (!allows(options, layout)) continue;
       Solution made = solved(layout, FillGoal::Second, jets.sides);

@@ -10,10 +10,6 @@
 namespace blossom {
 namespace {
 
-/// Second derivatives at a corner that disagree by no more, relative, do so by rounding: nets of
-/// degree n carry n^2 times that of their points.
-constexpr double kSameSeconds = 1e-12;
-
 /// Parameter changes below this are rounding: they must not raise the degree.
 constexpr double kNoChange = 1e-12;
 

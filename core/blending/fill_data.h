@@ -31,6 +31,10 @@ enum class CornerDemand {
   None,           ///< of G1 near G2: second derivatives are given, but nothing is changed for them
 };
 
+/// Second derivatives at a corner that disagree by no more, relative, agree: those of nets of
+/// degree n carry about n^2 times the rounding of their points.
+inline constexpr double kSameSeconds = 1e-11;
+
 struct PolygonFunctions {
   std::vector<SideFunctions> sides;
   /// By how much the demand fails at the worst corner, relative to the second derivatives there.

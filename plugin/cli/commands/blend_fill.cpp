@@ -2,10 +2,13 @@
 #include "plugin/cli/commands/blend_fill.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <CLI/Config.hpp>
@@ -27,13 +30,33 @@ namespace {
 
 struct FillCommand {
   std::string model;
-  std::vector<int> edges;  ///< none: all that are open
-  std::vector<std::string> continuity{"G1"};
+  std::string edges;  ///< as "3,7,9"; empty: all that are open
+  std::string continuity = "G1";
   std::string layout = "auto";
   double tolerance = Tolerances{}.point;
+  double angle = FillOptions{}.angle;
   bool sew = false;
   CommonOptions common;
 };
+
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts;
+  std::stringstream text(list);
+  for (std::string part; std::getline(text, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+std::vector<int> edges_of(const std::string& list) {
+  std::vector<int> edges;
+  for (const std::string& part : parts_of(list)) {
+    int number = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+    if (error != std::errc() || end != part.data() + part.size())
+      throw UsageError("--edges takes numbers of edges, as 3,7,9, not '" + part + "'");
+    edges.push_back(number);
+  }
+  return edges;
+}
 
 FillContinuity continuity_of(const std::string& word) {
   for (const FillContinuity known : {FillContinuity::G0, FillContinuity::G1, FillContinuity::G2})
@@ -42,20 +65,30 @@ FillContinuity continuity_of(const std::string& word) {
                    word + "'");
 }
 
+/// The command's lists, taken apart.
+struct Wishes {
+  std::vector<int> edges;
+  std::vector<FillContinuity> continuity;  ///< one, or one for each edge
+};
+
 /// What is asked of an edge: its own word, else the one for all, which an edge without a neighbour
 /// takes as G0.
-FillContinuity asked_of(const FillCommand& command, const occt::HoleEdge& edge) {
-  if (command.continuity.size() == 1)
-    return edge.face.IsNull() ? FillContinuity::G0 : continuity_of(command.continuity.front());
-  const auto at = std::find(command.edges.begin(), command.edges.end(), edge.number);
-  return continuity_of(command.continuity[static_cast<std::size_t>(at - command.edges.begin())]);
+FillContinuity asked_of(const Wishes& wishes, const occt::HoleEdge& edge) {
+  if (wishes.continuity.size() == 1)
+    return edge.face.IsNull() ? FillContinuity::G0 : wishes.continuity.front();
+  const auto at = std::find(wishes.edges.begin(), wishes.edges.end(), edge.number);
+  return wishes.continuity[static_cast<std::size_t>(at - wishes.edges.begin())];
 }
 
-void check_use(const FillCommand& command) {
-  for (const std::string& word : command.continuity) continuity_of(word);
-  if (command.continuity.size() > 1 && command.continuity.size() != command.edges.size())
-    throw UsageError("--continuity has " + std::to_string(command.continuity.size()) +
-                     " words for " + counted(command.edges.size(), "edge") + " of --edges");
+Wishes wishes_of(const FillCommand& command) {
+  Wishes wishes{.edges = edges_of(command.edges), .continuity = {}};
+  for (const std::string& word : parts_of(command.continuity))
+    wishes.continuity.push_back(continuity_of(word));
+  const std::size_t words = wishes.continuity.size();
+  if (words != 1 && words != wishes.edges.size())
+    throw UsageError("--continuity has " + counted(words, "word") + " for " +
+                     counted(wishes.edges.size(), "edge") + " of --edges");
+  return wishes;
 }
 
 /// A hole and the reason why it was not filled, if there is one.
@@ -79,16 +112,17 @@ struct Holes {
 occt::HoleOptions options_of(const FillCommand& command) {
   occt::HoleOptions options;
   options.fill.tolerances.point = command.tolerance;
+  options.fill.angle = command.angle;
   for (const FillLayout layout : {FillLayout::Star, FillLayout::Ring, FillLayout::DeepRing})
     if (command.layout == (layout == FillLayout::DeepRing ? "deep-ring" : to_string(layout)))
       options.fill.layout = layout;
   return options;
 }
 
-Hole filled(const FillCommand& command, occt::HoleLoop loop) {
+Hole filled(const FillCommand& command, const Wishes& wishes, occt::HoleLoop loop) {
   Hole hole{.loop = std::move(loop), .filled = {}, .reason = {}, .message = {}};
   std::vector<FillContinuity> continuity;
-  for (const occt::HoleEdge& edge : hole.loop) continuity.push_back(asked_of(command, edge));
+  for (const occt::HoleEdge& edge : hole.loop) continuity.push_back(asked_of(wishes, edge));
   try {
     hole.filled = occt::filled_hole(hole.loop, continuity, options_of(command));
     if (hole.filled.fill.problem != FillProblem::None) {
@@ -103,17 +137,17 @@ Hole filled(const FillCommand& command, occt::HoleLoop loop) {
 }
 
 /// Edges that were named have to be filled all; of all open ones those that can be.
-Holes all_holes(const FillCommand& command, const Input& input) {
+Holes all_holes(const FillCommand& command, const Wishes& wishes, const Input& input) {
   const auto start = std::chrono::steady_clock::now();
   const TopoDS_Shape& model = input.model.shape();
-  const std::vector<int> edges = command.edges.empty() ? occt::open_edges(model) : command.edges;
+  const std::vector<int> edges = wishes.edges.empty() ? occt::open_edges(model) : wishes.edges;
   if (edges.empty()) throw occt::BadModel(input.name + " has no open edge, so no hole");
   Holes holes;
   for (occt::HoleLoop& loop : occt::hole_loops(model, edges)) {
     stop_if_interrupted();
-    holes.all.push_back(filled(command, std::move(loop)));
+    holes.all.push_back(filled(command, wishes, std::move(loop)));
     const Hole& last = holes.all.back();
-    if (!last.reason.empty() && !command.edges.empty())
+    if (!last.reason.empty() && !wishes.edges.empty())
       throw occt::BadModel(input.name + ": " + last.message);
   }
   if (holes.filled() == 0) throw occt::BadModel(input.name + ": " + holes.all.front().message);
@@ -250,11 +284,11 @@ int code_of(const Holes& holes) {
 }
 
 int run(const FillCommand& command) {
-  check_use(command);
+  const Wishes wishes = wishes_of(command);
   check_files(command.common, {command.model});
   const Input input = read_input(command.model);
   stop_if_interrupted();
-  const Holes holes = all_holes(command, input);
+  const Holes holes = all_holes(command, wishes, input);
   stop_if_interrupted();
   write_outputs(input, command, holes);
   return code_of(holes);
@@ -270,12 +304,10 @@ void add_blend_fill(CLI::App& blend, int& exit_code) {
   command
       ->add_option("--edges", options->edges,
                    "edges round the hole by number, in any order; all open ones when not given")
-      ->delimiter(',')
       ->type_name("N,N,...");
   command
       ->add_option("--continuity", options->continuity,
                    "G0, G1 or G2; one for all edges, or one for each of --edges")
-      ->delimiter(',')
       ->type_name("WORD,...")
       ->capture_default_str();
   limit_to(*command->add_option("--layout", options->layout, "layout of the patches")
@@ -284,6 +316,12 @@ void add_blend_fill(CLI::App& blend, int& exit_code) {
   command
       ->add_option("--tolerance", options->tolerance,
                    "distance of corners that join, and of neighbours that have to be fitted")
+      ->check(positive_number())
+      ->type_name("X")
+      ->capture_default_str();
+  command
+      ->add_option("--angle", options->angle,
+                   "angle between normals that counts as smooth, radians")
       ->check(positive_number())
       ->type_name("X")
       ->capture_default_str();
