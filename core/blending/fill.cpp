@@ -20,8 +20,7 @@ constexpr double kRounding = 1e-11;
 /// across them that are a hundred times as large as theirs.
 constexpr double kFlat = 0.01;
 
-/// Degrees below which the layouts cannot meet conditions of general data; found by the rank of the
-/// conditions (tests/core/blending/fill_operator_test.cpp holds them).
+/// Degrees below which general data have no solution, by the rank of a layout's conditions.
 int least_degree(FillLayout layout, FillGoal goal) {
   if (goal != FillGoal::First) return 7;
   return layout == FillLayout::Star ? 5 : 4;

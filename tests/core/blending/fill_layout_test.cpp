@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <memory>
+#include <thread>
+#include <vector>
 
 #include "core/base/errors.h"
 #include "core/blending/fill_operator.h"
@@ -61,6 +65,15 @@ TEST(FillOperator, IsMadeOnceForEachLayoutAndShared) {
   const auto a = fill_operator(FillLayout::Star, 4, 5, FillGoal::First);
   EXPECT_EQ(a, fill_operator(FillLayout::Star, 4, 5, FillGoal::First));
   EXPECT_NE(a, fill_operator(FillLayout::Star, 4, 6, FillGoal::First));
+}
+
+TEST(FillOperator, IsOneForThreadsThatAskAtTheSameTime) {
+  std::array<std::shared_ptr<const FillOperator>, 4> made;
+  std::vector<std::thread> threads;
+  for (auto& one : made)
+    threads.emplace_back([&one] { one = fill_operator(FillLayout::Ring, 7, 5, FillGoal::First); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& one : made) EXPECT_EQ(one, made.front());
 }
 
 TEST(FillOperator, RefusesDegreesThatItIsNotMadeFor) {
