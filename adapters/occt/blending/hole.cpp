@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/hole.h"
+
+#include <algorithm>
+
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BezierSurface.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/surfaces.h"
+#include "core/blending/fill_layout.h"
+
+namespace blossom::occt {
+namespace {
+
+/// What counts as one point: the user's wish, or what the model itself says of its vertices.
+double point_tolerance(const HoleLoop& loop, double wish) {
+  double tolerance = wish;
+  for (const HoleEdge& edge : loop) {
+    TopoDS_Vertex first, last;
+    TopExp::Vertices(edge.edge, first, last);
+    for (const TopoDS_Vertex& vertex : {first, last})
+      if (!vertex.IsNull()) tolerance = std::max(tolerance, 2 * BRep_Tool::Tolerance(vertex));
+  }
+  return tolerance;
+}
+
+/// Whether the way round the hole is that of the neighbour's own border; then the fill's faces,
+/// which lie left of the way, have to be turned over.
+bool runs_with_neighbour(const HoleLoop& loop) {
+  for (const HoleEdge& edge : loop)
+    if (!edge.face.IsNull()) return edge.backwards == (edge.edge.Orientation() == TopAbs_REVERSED);
+  return false;
+}
+
+TopoDS_Face face_on(const RationalBezierPatch& patch, bool turned) {
+  BRepBuilderAPI_MakeFace maker(Handle(Geom_Surface)(to_occt(patch)), Tolerances{}.point);
+  if (!maker.IsDone()) throw Failure("a patch of the fill gives no face");
+  TopoDS_Face face = maker.Face();
+  if (!BRepCheck_Analyzer(face).IsValid())
+    throw Failure("a patch of the fill gives an invalid face: does it cross itself?");
+  if (turned) face.Reverse();
+  return face;
+}
+
+std::string place_text(const Fill& fill, const HoleLoop& loop) {
+  if (fill.place < 0) return {};
+  const auto k = static_cast<std::size_t>(fill.place);
+  switch (fill.problem) {
+    case FillProblem::Gap:
+    case FillProblem::FlatCorner:
+    case FillProblem::TangentPlanes:
+    case FillProblem::ReflexCorner:
+      return "between edges " + std::to_string(loop[(k + loop.size() - 1) % loop.size()].number) +
+             " and " + std::to_string(loop[k].number) + ": ";
+    case FillProblem::DegenerateSide: return "edge " + std::to_string(loop[k].number) + ": ";
+    default: return {};
+  }
+}
+
+}  // namespace
+
+FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& continuity,
+                       const HoleOptions& options) {
+  const auto count = static_cast<int>(loop.size());
+  if (count < kFewestFillSides || count > kMostFillSides)
+    throw BadModel("a hole of " + std::to_string(kFewestFillSides) + " to " +
+                   std::to_string(kMostFillSides) + " edges is wanted, that at edge " +
+                   std::to_string(loop.front().number) + " has " + std::to_string(count));
+  FilledHole result;
+  std::vector<FillSide> sides;
+  FillOptions wish = options.fill;
+  for (std::size_t k = 0; k < loop.size(); ++k) {
+    HoleSide side =
+        hole_side(loop[k], continuity[k], {.point = wish.tolerances.point, .angle = wish.angle});
+    result.sides.push_back({loop[k], continuity[k], side.exact, side.error, side.angle_error});
+    sides.push_back(std::move(side.side));
+  }
+  wish.tolerances.point = point_tolerance(loop, wish.tolerances.point);
+  result.fill = fill(sides, wish);
+  if (result.fill.problem != FillProblem::None) {
+    result.fill.message = place_text(result.fill, loop) + result.fill.message;
+    return result;
+  }
+  const bool turned = runs_with_neighbour(loop);
+  guarded("making the fill's faces", [&] {
+    for (const RationalBezierPatch& patch : result.fill.patches)
+      result.faces.push_back(face_on(patch, turned));
+  });
+  return result;
+}
+
+TopoDS_Shape sewn_holes(const std::vector<FilledHole>& holes, const TopoDS_Shape& model,
+                        double tolerance) {
+  return guarded("sewing the fill", [&] {
+    BRepBuilderAPI_Sewing sewing(tolerance);
+    if (!model.IsNull()) sewing.Add(model);
+    for (const FilledHole& hole : holes)
+      for (const TopoDS_Face& face : hole.faces) sewing.Add(face);
+    sewing.Perform();
+    const TopoDS_Shape result = sewing.SewedShape();
+    if (result.IsNull() || !BRepCheck_Analyzer(result).IsValid())
+      throw Failure("the fill cannot be sewn: the result is not valid");
+    return result;
+  });
+}
+
+}  // namespace blossom::occt

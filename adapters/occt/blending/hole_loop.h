@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Edges of a model, in any order and direction, as loops round holes.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+namespace blossom::occt {
+
+/// An edge as the way round a hole has it.
+struct HoleEdge {
+  int number = 0;          ///< in the model, 1-based in the order of TopExp::MapShapes
+  TopoDS_Edge edge;        ///< as its face has it, if it has one
+  TopoDS_Face face;        ///< the neighbour; null if no face uses the edge
+  bool backwards = false;  ///< the way runs against the edge's own curve
+};
+using HoleLoop = std::vector<HoleEdge>;
+
+/// The edges of these numbers as loops, each one starting with the edge that comes first.
+/// throws   BadModel if there is no such edge, or a number comes twice; an edge is degenerated, or
+///          lies between two faces already; a way round ends, or forks, at an edge
+std::vector<HoleLoop> hole_loops(const TopoDS_Shape& model, const std::vector<int>& edges);
+
+/// The numbers of all edges that one face uses once, but for degenerated ones.
+std::vector<int> open_edges(const TopoDS_Shape& model);
+
+}  // namespace blossom::occt

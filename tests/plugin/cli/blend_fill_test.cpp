@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom blend fill`: the written faces, the report, the refusals.
+
+#include <gtest/gtest.h>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <nlohmann/json.hpp>
+
+#include "adapters/occt/blending/hole.h"
+#include "adapters/occt/shapes.h"
+#include "tests/plugin/cli/program.h"
+#include "tests/support/face_holes.h"
+
+namespace blossom::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+class BlendFill : public ::testing::Test {
+ protected:
+  BlendFill() {
+    write({squarely_holed()}, folder / "square.brep");
+    write({slantly_holed()}, folder / "slant.step");
+    write({bowl()}, folder / "bowl.brep");
+  }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  TestFolder folder;
+};
+
+TEST_F(BlendFill, WritesValidFacesAndReportsTheirContinuity) {
+  const Finished ran = blossom({"blend", "fill", path("square.brep"), "--edges", "8,5,7,6", "-o",
+                                path("out.step"), "--json", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Json report = Json::parse(ran.out);
+  EXPECT_EQ(report["schema"], "blossom.blend/1");
+  EXPECT_EQ(report["kind"], "fill");
+  ASSERT_EQ(report["holes"].size(), 1u);
+  const Json& hole = report["holes"][0];
+  EXPECT_EQ(hole["layout"], "star");
+  EXPECT_EQ(hole["reached"], "G1");
+  EXPECT_EQ(hole["sides"].size(), 4u);
+  EXPECT_LE(hole["inside"]["normal_angle"], 1e-12);
+  for (const Json& side : hole["sides"]) {
+    EXPECT_EQ(side["exact"], true);
+    EXPECT_EQ(side["asked"], "G1");
+    EXPECT_LE(side["normal_angle"], 1e-12);
+  }
+  const occt::Model model = occt::read_model(path("out.step"));
+  EXPECT_EQ(model.face_count(), 4);
+  EXPECT_TRUE(BRepCheck_Analyzer(model.shape()).IsValid());
+}
+
+TEST_F(BlendFill, JoinsTheFillToTheModel) {
+  const Finished ran = blossom({"blend", "fill", path("square.brep"), "--edges", "5,6,7,8",
+                                "--continuity", "G2", "--sew", "-o", path("out.step")});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const occt::Model model = occt::read_model(path("out.step"));
+  EXPECT_EQ(model.face_count(), 5);
+  EXPECT_EQ(occt::open_edges(model.shape()).size(), 4u);
+}
+
+TEST_F(BlendFill, WithoutEdgesFillsWhatItCanAndNamesTheRest) {
+  const Finished ran = blossom({"blend", "fill", path("square.brep"), "--json", "-"});
+  EXPECT_EQ(ran.code, 4) << ran.err;
+  const Json report = Json::parse(ran.out);
+  EXPECT_EQ(report["holes"].size(), 1u);
+  ASSERT_EQ(report["refused"].size(), 1u);
+  EXPECT_EQ(report["refused"][0]["reason"], "reflex-corner");
+}
+
+TEST_F(BlendFill, TakesAContinuityForEachEdge) {
+  const Finished ran = blossom({"blend", "fill", path("square.brep"), "--edges", "5,6,7,8",
+                                "--continuity", "G1,G0,G1,G0", "--json", "-"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  for (const Json& side : Json::parse(ran.out)["holes"][0]["sides"])
+    EXPECT_EQ(side["asked"], side["edge"].get<int>() % 2 == 1 ? "G1" : "G0");
+}
+
+TEST_F(BlendFill, TellsPeopleWhatItFilled) {
+  const Finished ran = blossom({"blend", "fill", path("slant.step"), "--edges", "5,6,7,8"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("filled 1 hole of"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("was fitted within"), std::string::npos) << ran.out;
+}
+
+TEST_F(BlendFill, RefusesWhatIsNoHoleAndWritesNothing) {
+  const struct {
+    std::vector<std::string> options;
+    const char* reason;
+  } rows[] = {
+      {{"--edges", "5,6,7"}, "ends"},
+      {{"--edges", "5,6,7,9"}, "there is no edge 9"},
+      {{"--edges", "5,5,6,7,8"}, "named twice"},
+      {{"--edges", "1,2,3,4"}, "hole's side"},
+      {{"--edges", "5,6,7,8", "--continuity", "G3"}, "G0, G1 or G2"},
+      {{"--edges", "5,6,7,8", "--continuity", "G1,G2"}, "2 words for 4 edges"},
+      {{"--edges", "5,6,7,8", "--tolerance", "0"}, "positive"},
+      {{"--edges", "five"}, "five"},
+      {{"--layout", "flower"}, "star"},
+  };
+  for (const auto& row : rows) {
+    std::vector<std::string> arguments{"blend", "fill", path("square.brep"), "-o",
+                                       path("out.step")};
+    arguments.insert(arguments.end(), row.options.begin(), row.options.end());
+    const Finished ran = blossom(arguments);
+    EXPECT_EQ(ran.code, 2) << row.reason;
+    EXPECT_NE(ran.err.find(row.reason), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(path("out.step"))) << row.reason;
+  }
+}
+
+}  // namespace
+}  // namespace blossom::testing
