@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/fillet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/area.h"
+#include "adapters/occt/blending/blend_sheet.h"
+#include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/blending/sheet_trim.h"
+#include "adapters/occt/errors.h"
+#include "adapters/occt/solids/solid_shells.h"
+#include "adapters/occt/solids/solid_validity.h"
+#include "core/base/errors.h"
+
+namespace blossom::occt {
+namespace {
+
+// The faces of one solid of a shape.
+struct SolidPart {
+  TopoDS_Solid solid;  // of the shape that was given
+  std::set<int> faces;
+  double volume = 0;
+};
+
+// A shape with what is needed to fillet it again and again.
+class Filleting {
+ public:
+  Filleting(const TopoDS_Shape& shape, const FilletOptions& options)
+      : body_(BRepBuilderAPI_Copy(shape, Standard_False).Shape()), options_(options) {
+    find_parts(shape);
+  }
+
+  const BodyEdges& body() const { return body_; }
+  const std::vector<SolidPart>& parts() const { return parts_; }
+
+  /// All these edges, or a refusal.
+  std::vector<FilletedSolid> made(const FilletEdges& edges);
+
+ private:
+  void find_parts(const TopoDS_Shape& shape);
+  const SolidPart& part_of(int edge) const;
+  RolledStrip strip_of(int edge, bool concave) const;
+  FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
+                       const FilletEdges& edges) const;
+  void check(const SolidPart& part, const FilletedSolid& made, const FilletEdges& edges) const;
+
+  BodyEdges body_;
+  FilletOptions options_;
+  std::vector<SolidPart> parts_;
+  Vec3 apex_;
+};
+
+void Filleting::find_parts(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape faces, solids;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  TopExp::MapShapes(shape, TopAbs_SOLID, solids);
+  if (body_.edge_count() > 0) {
+    const gp_Pnt p = BRep_Tool::Pnt(body_.vertex({1, true}));
+    apex_ = {p.X(), p.Y(), p.Z()};
+  }
+  for (int i = 1; i <= solids.Extent(); ++i) {
+    SolidPart part;
+    part.solid = TopoDS::Solid(solids(i));
+    for (TopExp_Explorer it(part.solid, TopAbs_FACE); it.More(); it.Next()) {
+      const int number = faces.FindIndex(it.Current());
+      part.faces.insert(number);
+      part.volume += cone_volume(TopoDS::Face(it.Current()), apex_);
+    }
+    parts_.push_back(std::move(part));
+  }
+}
+
+const SolidPart& Filleting::part_of(int edge) const {
+  const int face = body_.use(edge, true).face;
+  const auto found = std::ranges::find_if(
+      parts_, [face](const SolidPart& part) { return part.faces.count(face) > 0; });
+  if (found == parts_.end())
+    throw FilletRefused({FilletFault::Edge, edge, "it belongs to no solid", {}, {}, {}});
+  if (found->volume <= 0)
+    throw FilletRefused({FilletFault::Edge, edge, "its solid is turned inside out", {}, {}, {}});
+  return *found;
+}
+
+RolledStrip Filleting::strip_of(int edge, bool concave) const {
+  if (auto strip = swept_strip(body_, edge, concave, options_.radius)) return *std::move(strip);
+  throw FilletRefused(
+      {FilletFault::NoBall, edge, "free-form faces are not supported yet", {}, {}, {}});
+}
+
+// What is wrong with a solid that was put together; nothing is given out then.
+void Filleting::check(const SolidPart& part, const FilletedSolid& made,
+                      const FilletEdges& edges) const {
+  const int first = edges.begin()->first;
+  TopTools_MapOfShape known;
+  for (const FilletFace& face : made.faces)
+    if (face.from > 0 && face.face.IsSame(body_.face(face.from))) known.Add(face.face);
+  if (!is_valid(made.solid, known))
+    throw FilletRefused({FilletFault::Result,
+                         first,
+                         "the solid that comes out is not valid by BRepCheck",
+                         {},
+                         {},
+                         {}});
+  const bool any_concave = std::ranges::any_of(edges, [](const auto& e) { return e.second; });
+  const bool any_convex = std::ranges::any_of(edges, [](const auto& e) { return !e.second; });
+  const double change = made.volume - part.volume;
+  if ((!any_concave && change >= 0) || (!any_convex && change <= 0))
+    throw FilletRefused({FilletFault::Result,
+                         first,
+                         std::string("the volume does not get ") +
+                             (any_convex ? "smaller" : "larger") + " as it should",
+                         {},
+                         {},
+                         {}});
+}
+
+FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
+                                const FilletEdges& edges) const {
+  FilletedSolid made;
+  std::vector<BoundingFace> bounding;
+  for (const TrimmedFace& each : faces) {
+    if (each.from > 0 && part.faces.count(each.from) == 0) continue;
+    bounding.push_back({each.face, cone_volume(each.face, apex_)});
+    made.volume += bounding.back().volume;
+    made.faces.push_back({each.face, each.from, each.edge});
+  }
+  std::string obstacle;
+  const std::vector<TopoDS_Solid> solids = solids_of(bounding, obstacle);
+  if (!obstacle.empty() || solids.size() != 1)
+    throw FilletRefused({FilletFault::Result,
+                         edges.begin()->first,
+                         obstacle.empty() ? "the solid would fall apart" : obstacle,
+                         {},
+                         {},
+                         {}});
+  made.solid = solids.front();
+  return made;
+}
+
+std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
+  std::vector<FilletedSolid> all;
+  for (const SolidPart& part : parts_) {
+    FilletEdges own;
+    for (const auto& [edge, concave] : edges)
+      if (&part_of(edge) == &part) own.emplace(edge, concave);
+    if (own.empty()) {
+      FilletedSolid kept{part.solid, {}, part.volume};
+      for (TopExp_Explorer it(part.solid, TopAbs_FACE); it.More(); it.Next())
+        kept.faces.push_back({TopoDS::Face(it.Current()), 0, 0});
+      std::size_t next = 0;
+      for (const int number : part.faces) kept.faces[next++].from = number;
+      all.push_back(std::move(kept));
+      continue;
+    }
+    BlendSheet sheet(body_, options_.intersection.tolerances.point);
+    for (const auto& [edge, concave] : own) sheet.add(strip_of(edge, concave));
+    sheet.build();
+    std::vector<TrimmedFace> faces =
+        trimmed_by_sheet(body_, sheet, options_.intersection.tolerances.point);
+    all.push_back(closed(part, faces, own));
+    check(part, all.back(), own);
+  }
+  return all;
+}
+
+void check_request(const BodyEdges& body, const std::vector<int>& edges,
+                   const FilletOptions& options) {
+  if (!(options.radius > 0) || !std::isfinite(options.radius))
+    throw InvalidInput("fillet: the radius has to be positive and finite");
+  if (edges.empty()) throw InvalidInput("fillet: no edge is named");
+  for (const int edge : edges)
+    if (edge < 1 || edge > body.edge_count())
+      throw InvalidInput("fillet: there is no edge " + std::to_string(edge) + ", only 1 to " +
+                         std::to_string(body.edge_count()));
+}
+
+// The chains of the edges that can have fillets; the others are refused.
+std::vector<FilletEdges> chains_of(const BodyEdges& body, const std::vector<int>& edges,
+                                   std::vector<FilletRefusal>& refused) {
+  std::vector<FilletEdges> chains;
+  for (const int edge : edges) {
+    if (std::ranges::any_of(chains, [&](const auto& chain) { return chain.count(edge) > 0; }))
+      continue;
+    try {
+      chains.push_back(smooth_chain(body, edge));
+    } catch (const FilletRefused& refusal) {
+      refused.push_back(refusal.why());
+    }
+  }
+  return chains;
+}
+
+}  // namespace
+
+FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
+                    const FilletOptions& options) {
+  FilletResult result;
+  Filleting work(shape, options);
+  check_request(work.body(), edges, options);
+  for (const SolidPart& part : work.parts()) result.volume_before += part.volume;
+  std::vector<FilletEdges> chains = chains_of(work.body(), edges, result.refused);
+  while (!chains.empty() && (options.partial || result.refused.empty())) {
+    FilletEdges all;
+    for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
+    try {
+      result.solids = guarded("filleting", [&] { return work.made(all); });
+      for (const auto& [edge, concave] : all) result.edges.push_back(edge);
+      return result;
+    } catch (const FilletRefused& refusal) {
+      result.refused.push_back(refusal.why());
+      const int edge = refusal.why().edge;
+      const auto at_fault =
+          std::ranges::find_if(chains, [edge](const auto& chain) { return chain.count(edge) > 0; });
+      chains.erase(at_fault == chains.end() ? chains.end() - 1 : at_fault);
+    }
+  }
+  return result;
+}
+
+}  // namespace blossom::occt
