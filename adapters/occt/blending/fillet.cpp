@@ -213,6 +213,12 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
   check_request(work.body(), edges, options);
   for (const SolidPart& part : work.parts()) result.volume_before += part.volume;
   std::vector<FilletEdges> chains = chains_of(work.body(), edges, result.refused);
+  const auto refuse = [&](const FilletRefusal& why) {
+    result.refused.push_back(why);
+    const auto at_fault =
+        std::ranges::find_if(chains, [&](const auto& chain) { return chain.count(why.edge) > 0; });
+    chains.erase(at_fault == chains.end() ? chains.end() - 1 : at_fault);
+  };
   while (!chains.empty() && (options.partial || result.refused.empty())) {
     FilletEdges all;
     for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
@@ -221,11 +227,11 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
       for (const auto& [edge, concave] : all) result.edges.push_back(edge);
       return result;
     } catch (const FilletRefused& refusal) {
-      result.refused.push_back(refusal.why());
-      const int edge = refusal.why().edge;
-      const auto at_fault =
-          std::ranges::find_if(chains, [edge](const auto& chain) { return chain.count(edge) > 0; });
-      chains.erase(at_fault == chains.end() ? chains.end() - 1 : at_fault);
+      refuse(refusal.why());
+    } catch (const Failure& failure) {
+      refuse({FilletFault::Result, 0, failure.what(), {}, {}, {}});
+    } catch (const BadModel& error) {
+      refuse({FilletFault::Result, 0, error.what(), {}, {}, {}});
     }
   }
   return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -23,6 +24,7 @@
 
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/errors.h"
 #include "adapters/occt/faces/edge_images.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/surface_feet.h"
@@ -34,9 +36,9 @@ constexpr double kPi = std::numbers::pi;
 // How far a face may be from one that is the same all along the edge, model units: its points are
 // off the swept one by no more than a tenth of what counts as one point.
 constexpr double kSweepError = 1e-8;
-// Strips go on past the edge by so many times the width of their wider side: enough for end faces
-// that make an angle of more than 7 degrees with the edge.
-constexpr double kBeyond = 8;
+// Strips go on past the edge by so many times the width of their wider side, if the charts of both
+// faces go on so far: 8 is enough for end faces at more than 7 degrees to the edge, 1 for 45.
+constexpr std::array<double, 4> kBeyond{8, 2, 0.5, 0};
 constexpr double kLeastGap = 1e-2;  // of a turn, radians: what an open strip leaves free
 constexpr double kOnAxis = 1e-9;    // of the radius: a torus so small is a sphere
 
@@ -261,7 +263,7 @@ RolledStrip along(const Rolling& of, const Vec3& axis, const Interval& edge_rang
   };
   RolledStrip strip = strip_of(of);
   strip.along_u = false;
-  const double beyond = kBeyond * width(of, feet);
+  const double beyond = kBeyond.front() * width(of, feet);
   strip.edge_range = edge_range;
   strip.range = {edge_range.from - beyond, edge_range.to + beyond};
   // The seam is opposite to the strip.
@@ -282,7 +284,9 @@ RolledStrip along(const Rolling& of, const Vec3& axis, const Interval& edge_rang
 }
 
 // axis   along y of the section
-RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, const Vec3& start) {
+// beyond   how far an open strip goes on, in widths
+RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, const Vec3& start,
+                  double beyond) {
   const Vec2 centre = of.centre();
   const std::array<Vec2, 2> feet{of.sides[0].profile.foot(centre),
                                  of.sides[1].profile.foot(centre)};
@@ -295,8 +299,8 @@ RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, co
   if (!closed) {
     const double size = in.flat(of.sides[0].corner.point)[0];
     const double room = 0.5 * (2 * kPi - length(edge_range)) - kLeastGap;
-    const double beyond = std::clamp(kBeyond * width(of, feet) / size, 0.0, std::max(room, 0.0));
-    strip.range = {edge_range.from - beyond, edge_range.to + beyond};
+    const double more = std::clamp(beyond * width(of, feet) / size, 0.0, std::max(room, 0.0));
+    strip.range = {edge_range.from - more, edge_range.to + more};
   }
   const auto frame_at_height = [&](double height) {
     return gp_Ax2(pnt(in.origin + height * in.y), dir(in.y), dir(start));
@@ -337,9 +341,16 @@ std::optional<RolledStrip> round_axis(const BodyEdges& body, int edge, bool conc
   const Section section{centre, out, axis};
   const auto of = rolling(body, edge, concave, radius, section, circle.Radius(), nullptr);
   if (!of) return std::nullopt;
-  if (closed) return round(*of, {0, 2 * kPi}, true, -out);
+  if (closed) return round(*of, {0, 2 * kPi}, true, -out, 0);
   const double half = 0.5 * (last - first);
-  return round(*of, {kPi - half, kPi + half}, false, -out);
+  for (const double beyond : kBeyond) {
+    try {
+      return round(*of, {kPi - half, kPi + half}, false, -out, beyond);
+    } catch (const Failure&) {  // the contact leaves the chart of a face, over a pole, say
+      if (beyond == kBeyond.back()) throw;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace

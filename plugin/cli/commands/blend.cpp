@@ -13,6 +13,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "adapters/occt/strip.h"
+#include "plugin/cli/commands/blend_parts.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
@@ -180,6 +181,7 @@ void add_blend(CLI::App& app, int& exit_code) {
   CLI::App* const blend = app.add_subcommand("blend", "surfaces between surfaces");
   blend->require_subcommand(1);
   add_strip(*blend, exit_code);
+  add_blend_fillet(*blend, exit_code);
 }
 
 }  // namespace blossom::cli
