@@ -5,7 +5,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "adapters/occt/blending/body_edges.h"
+#include "adapters/occt/edge_facts.h"
 #include "plugin/cli/values.h"
 
 namespace blossom::cli {

@@ -18,7 +18,7 @@ CORE_ROOMS = """base math math/series forms forms/algebra blossom subdivision su
     papers bounds results cells surfaces/gap surfaces/pairs surfaces/contacts surfaces/coincidence
     surfaces/branches surfaces/search tracing surfaces/assembly surfaces/retry curves plane
     distance rays regions watertight blending""".split()
-OCCT_ROOMS = """base convert faces queries splitting coincidence solids repair exchange""".split()
+OCCT_ROOMS = """base convert faces queries splitting coincidence solids blending repair exchange""".split()
 
 STANDARD = r"<[a-z_0-9]+>"
 CORE_LIBRARIES = r"<(Eigen|tbb|oneapi/tbb|boost/multiprecision)/.*>|<immintrin\.h>"

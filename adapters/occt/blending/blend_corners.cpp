@@ -16,10 +16,10 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/blend_sheet.h"
-#include "adapters/occt/faces/edge_images.h"
-#include "adapters/occt/faces/surface_feet.h"
-#include "adapters/occt/forms/pcurves.h"
-#include "core/intersection/curves/planar_crossings.h"
+#include "adapters/occt/convert/pcurves.h"
+#include "adapters/occt/faces/surface_projector.h"
+#include "adapters/occt/splitting/edge_images.h"
+#include "core/plane/planar_crossings.h"
 
 namespace blossom::occt {
 namespace {
@@ -33,7 +33,7 @@ gp_Dir dir(const Vec3& d) { return {d[0], d[1], d[2]}; }
 
 // The distance of a point from a face's surface, positive outside of the material.
 double height_over(const TopoDS_Face& face, const Vec3& point) {
-  const double height = SurfaceFeet(face, Precision::Confusion()).height(point);
+  const double height = SurfaceProjector(face, Precision::Confusion()).height(point);
   return face.Orientation() == TopAbs_REVERSED ? -height : height;
 }
 
@@ -131,7 +131,7 @@ void BlendSheet::mitre(const Ring& ring) {
   const TopoDS_Edge edge = edge_on(curve->curve, curve->range, curve->forward ? start : own.vertex,
                                    curve->forward ? own.vertex : start);
   add_chart(edge, curve->on_strip, strip.bare_face());
-  const SurfaceFeet feet(other.bare_face(), Precision::Confusion());
+  const SurfaceProjector feet(other.bare_face(), Precision::Confusion());
   const Vec2 near = other.chart(other_end.t[0], 0.5 * (other.contacts[0].w + other.contacts[1].w));
   try {
     add_chart(edge, image_of(curve->curve, curve->range, feet, near, kSamePlace * tolerance_).chart,
@@ -178,7 +178,7 @@ void BlendSheet::corner(const Ring& ring) {
   const gp_Ax3 frame(pnt(centre), dir(unit(cross(x, aside))), dir(x));
   BRep_Builder().MakeFace(patch.face, new Geom_SphericalSurface(frame, strip.radius),
                           Precision::Confusion());
-  const SurfaceFeet on_ball(patch.face, Precision::Confusion());
+  const SurfaceProjector on_ball(patch.face, Precision::Confusion());
   for (std::size_t i = 0; i < count; ++i) {
     const HalfEdge half = ring[i].half;
     PlacedStrip& of = strip_of(half);

@@ -10,8 +10,8 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/blending/blend_edges.h"
-#include "adapters/occt/faces/edge_images.h"
-#include "adapters/occt/faces/surface_feet.h"
+#include "adapters/occt/faces/surface_projector.h"
+#include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
@@ -258,7 +258,7 @@ void BlendSheet::joint(const Ring& ring, std::size_t other) {
     return;
   }
   add_chart(arc, strip.section_line(end.t[0]), strip.bare_face());
-  const SurfaceFeet feet(after.bare_face(), Precision::Confusion());
+  const SurfaceProjector feet(after.bare_face(), Precision::Confusion());
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(arc, range.from, range.to);
   const Vec2 near = after.chart(next_end.t[0], 0.5 * (after.contacts[0].w + after.contacts[1].w));

@@ -8,15 +8,14 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
-#include <GCPnts_AbscissaPoint.hxx>
 #include <Geom_Surface.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/errors.h"
-#include "adapters/occt/faces/surface_feet.h"
-#include "adapters/occt/forms/edge_charts.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/faces/surface_projector.h"
 
 namespace blossom::occt {
 namespace {
@@ -51,20 +50,6 @@ void connect(std::vector<EdgeUseInFace>& uses, std::size_t first) {
 }
 
 }  // namespace
-
-const char* to_string(EdgeKind kind) {
-  switch (kind) {
-    case EdgeKind::Convex: return "convex";
-    case EdgeKind::Concave: return "concave";
-    case EdgeKind::Smooth: return "smooth";
-    case EdgeKind::Mixed: return "mixed";
-    case EdgeKind::Seam: return "seam";
-    case EdgeKind::Open: return "open";
-    case EdgeKind::Crowded: return "crowded";
-    case EdgeKind::Degenerate: break;
-  }
-  return "point";
-}
 
 BodyEdges::BodyEdges(const TopoDS_Shape& body) : body_(body), faces_of_(1) {
   TopExp::MapShapes(body, TopAbs_EDGE, edges_);
@@ -188,47 +173,6 @@ EdgeKind edge_kind(const BodyEdges& body, int edge, double& angle) {
   }
   if (convex + concave + smooth != 1) return EdgeKind::Mixed;
   return convex ? EdgeKind::Convex : concave ? EdgeKind::Concave : EdgeKind::Smooth;
-}
-
-namespace {
-
-EdgeKind kind_of(const BodyEdges& body, EdgeFacts& facts) {
-  if (BRep_Tool::Degenerated(facts.edge)) return EdgeKind::Degenerate;
-  if (facts.faces.size() < 2) return EdgeKind::Open;
-  if (facts.faces.size() > 2) return EdgeKind::Crowded;
-  if (facts.faces.front() == facts.faces.back()) return EdgeKind::Seam;
-  try {
-    return edge_kind(body, facts.number, facts.angle);
-  } catch (const BadModel&) {
-    return EdgeKind::Crowded;  // both faces use it in one direction, or a wire is open
-  }
-}
-
-}  // namespace
-
-std::vector<EdgeFacts> edge_facts(const TopoDS_Shape& shape) {
-  const BodyEdges body(shape);
-  std::vector<EdgeFacts> all;
-  for (int number = 1; number <= body.edge_count(); ++number) {
-    EdgeFacts facts;
-    facts.number = number;
-    facts.edge = body.edge(number);
-    all.push_back(std::move(facts));
-  }
-  for (int face = 1; face <= body.face_count(); ++face)
-    for (TopExp_Explorer it(body.face(face), TopAbs_EDGE); it.More(); it.Next())
-      all[static_cast<std::size_t>(body.number(TopoDS::Edge(it.Current()))) - 1].faces.push_back(
-          face);
-  for (EdgeFacts& facts : all) {
-    facts.kind = kind_of(body, facts);
-    if (facts.kind == EdgeKind::Degenerate) continue;
-    guarded("measuring edge " + std::to_string(facts.number), [&] {
-      const BRepAdaptor_Curve curve(facts.edge);
-      facts.length = GCPnts_AbscissaPoint::Length(curve);
-      facts.middle = vec(curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter())).XYZ());
-    });
-  }
-  return all;
 }
 
 }  // namespace blossom::occt

@@ -8,8 +8,8 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/errors.h"
 
 namespace blossom::occt {
 namespace {

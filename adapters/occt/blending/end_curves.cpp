@@ -14,14 +14,14 @@
 #include <Precision.hxx>
 
 #include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/convert/pcurves.h"
+#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/curve_queries.h"
-#include "adapters/occt/curves.h"
-#include "adapters/occt/faces/edge_images.h"
-#include "adapters/occt/faces/surface_feet.h"
-#include "adapters/occt/forms/edge_charts.h"
-#include "adapters/occt/forms/pcurves.h"
-#include "adapters/occt/surfaces.h"
-#include "core/intersection/curves/planar_crossings.h"
+#include "adapters/occt/faces/surface_projector.h"
+#include "adapters/occt/splitting/edge_images.h"
+#include "core/plane/planar_crossings.h"
 #include "core/surface_intersection.h"
 
 namespace blossom::occt {
@@ -61,7 +61,7 @@ Interval widened(const Interval& of, double room) { return {of.from - room, of.t
 
 // What of a face's surface is near a part of a strip, in its own parameters.
 ParameterBox box_near(const RolledStrip& strip, const Interval& part, const TopoDS_Face& face) {
-  const SurfaceFeet feet(face, Precision::Confusion());
+  const SurfaceProjector feet(face, Precision::Confusion());
   std::optional<Vec2> near;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::array<Interval, 2> box{Interval{kFar, -kFar}, Interval{kFar, -kFar}};
@@ -110,7 +110,7 @@ Handle(Geom2d_Curve)
     exact_chart(const IntersectionCurve& found, const Spline2& fitted,
                 const Handle(Geom_Curve) & curve, const Interval& range, const TopoDS_Face& face) {
   if (!found.conic) return to_occt(fitted);
-  const SurfaceFeet feet(face, Precision::Confusion());
+  const SurfaceProjector feet(face, Precision::Confusion());
   try {
     return image_of(curve, range, feet, point_at(fitted, at(range, 0.5)), Precision::Confusion())
         .chart;

@@ -16,7 +16,7 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/forms/edge_charts.h"
+#include "adapters/occt/convert/edge_charts.h"
 
 namespace blossom::occt {
 namespace {

@@ -22,12 +22,12 @@
 #include <gp_Circ.hxx>
 #include <gp_Lin.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/rolled_strip.h"
-#include "adapters/occt/errors.h"
-#include "adapters/occt/faces/edge_images.h"
 #include "adapters/occt/faces/elementary_faces.h"
-#include "adapters/occt/faces/surface_feet.h"
+#include "adapters/occt/faces/surface_projector.h"
+#include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
@@ -230,7 +230,7 @@ void add_contact(const Rolling& of, std::size_t k, Handle(Geom_Curve) curve, dou
                  RolledStrip& strip) {
   const EdgeUseInFace& use = of.body.use(of.edge, k == 0);
   const TopoDS_Face& face = of.body.face(use.face);
-  const SurfaceFeet feet(face, Precision::Confusion());
+  const SurfaceProjector feet(face, Precision::Confusion());
   const Interval domain = use.coedge->curve.domain();
   const Vec2 scale = of.body.trims(use.face).scale;
   const Vec2 near = point_at(use.coedge->curve, at(domain, 0.5));

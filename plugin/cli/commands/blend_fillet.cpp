@@ -17,8 +17,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/blending/body_edges.h"
-#include "adapters/occt/blending/fillet.h"
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
 #include "plugin/cli/commands/blend_parts.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"

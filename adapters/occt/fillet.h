@@ -3,16 +3,47 @@
 
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Solid.hxx>
 
-#include "adapters/occt/blending/fillet_refusal.h"
-#include "core/intersection/options.h"
+#include "core/math/vec.h"
+#include "core/results/options.h"
 
 namespace blossom::occt {
+
+/// Why a fillet cannot be made.
+enum class FilletFault {
+  Edge,          ///< it cannot have a fillet: open, crowded, smooth, a seam, a point, of mixed kind
+  NoBall,        ///< no ball of that radius touches both faces beside the edge
+  Pinch,         ///< the ball has a radius of curvature of a face
+  LeavesFace,    ///< a contact goes over a border of its face
+  EdgeConsumed,  ///< more of an edge would go than there is
+  End,           ///< how the strip ends is not known how to build
+  Corner,        ///< likewise of filleted edges that meet
+  Interference,  ///< the strip runs into another face
+  Result         ///< what came out is no valid solid
+};
+
+/// "edge", "no ball", ... as in the JSON report.
+const char* to_string(FilletFault fault);
+
+/// The same with where, and what would do.
+struct FilletRefusal {
+  FilletFault fault = FilletFault::Result;
+  int edge = 0;  ///< number; 0: none in particular
+  std::string cause;
+  std::optional<double> parameter{};  ///< of the edge
+  std::optional<Vec3> point{};        ///< model units
+  std::optional<double> largest{};    ///< the largest radius that works there, model units
+
+  /// "edge 12: ... at (x, y, z)".
+  std::string text() const;
+};
 
 struct FilletOptions {
   double radius = 1;     ///< model units

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/fillet.h"
+#include "adapters/occt/fillet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +16,13 @@
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/area.h"
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/blend_sheet.h"
 #include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/rolled_strip.h"
 #include "adapters/occt/blending/sheet_trim.h"
-#include "adapters/occt/errors.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/solid_validity.h"
 #include "core/base/errors.h"
