@@ -98,8 +98,7 @@ const SolidPart& Filleting::part_of(int edge) const {
 
 RolledStrip Filleting::strip_of(int edge, bool concave) const {
   if (auto strip = swept_strip(body_, edge, concave, options_.radius)) return *std::move(strip);
-  throw FilletRefused(
-      {FilletFault::NoBall, edge, "free-form faces are not supported yet", {}, {}, {}});
+  return traced_strip(body_, edge, concave, options_.radius);
 }
 
 // What is wrong with a solid that was put together; nothing is given out then.

@@ -59,4 +59,10 @@ struct RolledStrip {
 std::optional<RolledStrip> swept_strip(const BodyEdges& body, int edge, bool concave,
                                        double radius);
 
+/// The strip along any other edge: the ball is traced along both surfaces, which go on past the
+/// trims, and past natural borders as their outer spans do.
+///
+/// throws    FilletRefused if there is no such ball, or it is too large for a face's curvature
+RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double radius);
+
 }  // namespace blossom::occt
