@@ -107,7 +107,7 @@ void BlendSheet::mitre(const Ring& ring) {
            "its contact does not cross that of edge " + std::to_string(b.edge) + " on face " +
                std::to_string(ring[0].face));
   const Vec3 place = vec(strip.contacts[left_side(a)].curve->Value((*crossing)[0]).XYZ());
-  const TopoDS_Vertex start = vertex_at(place);
+  const TopoDS_Vertex start = new_vertex(place);
   const Cut of_other = cut_by_contact(b, left_side(b), arriving(ring, 1), g);
   const Cut own = cut_by_contact(
       a, right_side(a), body_.uses(ring[2].face)[static_cast<std::size_t>(ring[2].use)], g);
@@ -169,7 +169,7 @@ void BlendSheet::corner(const Ring& ring) {
     if (distance(vec(of.spine->Value(at).XYZ()), centre) > kSamePlace * tolerance_)
       refuse(first, FilletFault::Corner, "no ball touches all faces of its corner");
     const Vec3 foot = vec(of.contacts[left_side(ring[i].half)].curve->Value(at).XYZ());
-    feet[i] = vertex_at(foot);
+    feet[i] = new_vertex(foot);
     middle += foot - centre;
   }
   const Vec3 x = unit(middle);

@@ -198,27 +198,54 @@ TopoDS_Edge BlendSheet::section(const PlacedStrip& of, const StripEnd& end) {
   return edge_on(arc, range, end.vertices[forward ? 0 : 1], end.vertices[forward ? 1 : 0]);
 }
 
-// On the edge that the contacts of two strips cross from face to face; a new one where the face is
-// the same.
-TopoDS_Vertex BlendSheet::joint_vertex(const HalfEdge& half, std::size_t side, const Ring& ring,
+TopoDS_Vertex BlendSheet::new_vertex(const Vec3& point) {
+  for (const TopoDS_Vertex& known : made_)
+    if (distance(point_of(known), point) <= tolerance_) return known;
+  made_.push_back(vertex_at(point));
+  return made_.back();
+}
+
+BlendSheet::Gap BlendSheet::gap_beside(const HalfEdge& half, std::size_t side, const Ring& ring,
                                        std::size_t first, std::size_t last) {
-  const RolledStrip& strip = strip_of(half).strip;
-  const Vec3 point = contact_point(strip, side, end_t(half));
-  if (first == last) return vertex_at(point);
+  if (first == last) return {};
   if (last - first > 1)
     refuse(half, FilletFault::Corner, "more than one edge is beside the fillet where it goes on");
-  const HalfEdge& beside = ring[first].half;
-  const EdgeUseInFace& use =
-      first > 0 && side == left_side(half)
-          ? arriving(ring, first - 1)
-          : body_.uses(ring[last - 1].face)[static_cast<std::size_t>(ring[last - 1].use)];
-  const auto meeting = meeting_with(body_, strip, side, use, end_t(half));
-  const double reach = kSamePlace * std::max(tolerance_, use.coedge->tolerance);
-  if (!meeting || distance(contact_point(strip, side, meeting->t), point) > reach)
+  const VertexSector& before = ring[last - 1];
+  Gap gap{&ring[first].half, side == left_side(half)
+                                 ? &arriving(ring, first - 1)
+                                 : &body_.uses(before.face)[static_cast<std::size_t>(before.use)]};
+  gap.meeting = meeting_with(body_, strip_of(half).strip, side, *gap.use, end_t(half));
+  if (!gap.meeting)
     refuse(half, FilletFault::Corner,
-           "its contact on face " + std::to_string(use.face) + " does not go over edge " +
-               std::to_string(beside.edge) + " where the next strip begins");
-  const TopoDS_Vertex vertex = cut_edge(beside, meeting->edge_parameter, body_.face(use.face));
+           "its contact on face " + std::to_string(gap.use->face) + " does not go over edge " +
+               std::to_string(gap.use->edge) + ", where it goes on");
+  return gap;
+}
+
+// Where a strip ends that another one goes on from: at the edge that a contact goes over there.
+double BlendSheet::joint_t(const HalfEdge& half, const Gap& left, const Gap& right) {
+  const RolledStrip& strip = strip_of(half).strip;
+  if (!left.meeting && !right.meeting) return end_t(half);
+  const double t = left.meeting ? left.meeting->t : right.meeting->t;
+  if (!left.meeting || !right.meeting) return t;
+  const std::size_t side = right_side(half);
+  const double off =
+      distance(contact_point(strip, side, t), contact_point(strip, side, right.meeting->t));
+  if (off > kSamePlace * std::max(tolerance_, right.use->coedge->tolerance))
+    refuse(half, FilletFault::Corner,
+           "its contacts go over edges " + std::to_string(left.use->edge) + " and " +
+               std::to_string(right.use->edge) +
+               " at different places: such a joint cannot be built yet");
+  return t;
+}
+
+// On the edge that the contacts of two strips go over; a new one where the face is the same.
+TopoDS_Vertex BlendSheet::joint_vertex(const HalfEdge& half, std::size_t side, double t,
+                                       const Gap& gap) {
+  const Vec3 point = contact_point(strip_of(half).strip, side, t);
+  if (gap.beside == nullptr) return new_vertex(point);
+  const TopoDS_Vertex vertex =
+      cut_edge(*gap.beside, gap.meeting->edge_parameter, body_.face(gap.use->face));
   cover(vertex, point, Precision::Confusion());
   return vertex;
 }
@@ -226,23 +253,35 @@ TopoDS_Vertex BlendSheet::joint_vertex(const HalfEdge& half, std::size_t side, c
 // Two strips go on in one another, or a closed one in itself.
 void BlendSheet::joint(const Ring& ring, std::size_t other) {
   const HalfEdge half = ring.front().half, next = ring[other].half;
+  const RolledStrip& after = strip_of(next).strip;
   StripEnd &end = end_of(half), &next_end = end_of(next);
-  end.t = {end_t(half), end_t(half)};
-  next_end.t = {end_t(next), end_t(next)};
   const std::size_t left = left_side(half), right = right_side(half);
-  end.vertices[left] = joint_vertex(half, left, ring, 1, other);
-  end.vertices[right] = joint_vertex(half, right, ring, other + 1, ring.size());
+  const Gap left_gap = gap_beside(half, left, ring, 1, other);
+  const Gap right_gap = gap_beside(half, right, ring, other + 1, ring.size());
+  const bool closed = half.edge == next.edge;
+  const double t = closed ? end_t(half) : joint_t(half, left_gap, right_gap);
+  end.t = {t, t};
+  end.vertices[left] = joint_vertex(half, left, t, left_gap);
+  end.vertices[right] = joint_vertex(half, right, t, right_gap);
+  const Vec3 centre = vec(strip_of(half).strip.spine->Value(t).XYZ());
+  const double t_after = closed ? end_t(next) : nearest_on(after.spine, after.range, centre);
+  next_end.t = {t_after, t_after};
   next_end.vertices[right_side(next)] = end.vertices[left];
   next_end.vertices[left_side(next)] = end.vertices[right];
-  const RolledStrip &strip = strip_of(half).strip, &after = strip_of(next).strip;
   for (const std::size_t side : {left_side(next), right_side(next)}) {
-    const Vec3 place = contact_point(after, side, next_end.t[side]);
     const TopoDS_Vertex& vertex = next_end.vertices[side];
-    if (distance(place, point_of(vertex)) >
-        kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(vertex)))
+    const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(vertex));
+    if (distance(contact_point(after, side, t_after), point_of(vertex)) > reach)
       refuse(half, FilletFault::Corner,
              "the next strip, of edge " + std::to_string(next.edge) + ", begins elsewhere");
   }
+  join_section(half, next);
+}
+
+// The arc in which two strips go on in one another.
+void BlendSheet::join_section(const HalfEdge& half, const HalfEdge& next) {
+  const RolledStrip &strip = strip_of(half).strip, &after = strip_of(next).strip;
+  StripEnd &end = end_of(half), &next_end = end_of(next);
   const TopoDS_Edge arc = section(strip_of(half), end);
   const bool forward = strip.contacts[0].w < strip.contacts[1].w;
   end.path = {{arc, forward}};
@@ -250,8 +289,8 @@ void BlendSheet::joint(const Ring& ring, std::size_t other) {
   next_end.path = {{arc, (left_side(half) == right_side(next)) == forward}};
   if (&strip == &after) {
     // The strip lies to the left of the forward arc at one of its ends.
-    const Handle(Geom2d_Curve) first = strip.section_line(strip.edge_range.from),
-                               last = strip.section_line(strip.edge_range.to);
+    const Handle(Geom2d_Curve) first = strip.section_line(strip.edge_range.from);
+    const Handle(Geom2d_Curve) last = strip.section_line(strip.edge_range.to);
     const bool forward_at_start = forward == strip.outward;
     add_seam_charts(arc, forward_at_start ? first : last, forward_at_start ? last : first,
                     strip.bare_face());
@@ -274,6 +313,9 @@ void BlendSheet::finish(PlacedStrip& of) {
   for (const std::size_t side : {0U, 1U}) {
     const Interval range{of.ends[0].t[side], of.ends[1].t[side]};
     const double speed = strip.contacts[side].curve->DN(at(range, 0.5), 1).Magnitude();
+    const bool is_point = std::abs(length(range)) * speed <= tolerance_ &&
+                          of.ends[0].vertices[side].IsSame(of.ends[1].vertices[side]);
+    if (is_point) continue;
     if (length(range) * speed < tolerance_)
       refuse({strip.edge, true}, FilletFault::EdgeConsumed,
              "what is at its two ends meets: no strip is left between them");
@@ -290,9 +332,9 @@ void BlendSheet::finish(PlacedStrip& of) {
   const auto use = [&](const TopoDS_Edge& edge, bool forward) {
     patch.edges.push_back(TopoDS::Edge(edge.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
   };
-  use(contacts[0], false);
+  if (!contacts[0].IsNull()) use(contacts[0], false);
   for (const PathEdge& each : of.ends[0].path) use(each.edge, each.forward);
-  use(contacts[1], true);
+  if (!contacts[1].IsNull()) use(contacts[1], true);
   for (const PathEdge& each : of.ends[1].path) use(each.edge, !each.forward);
   patches_.push_back(std::move(patch));
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,8 +103,18 @@ class BlendSheet {
   Cut cut_by_contact(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
                      const HalfEdge& cut);
   TopoDS_Vertex cut_edge(const HalfEdge& cut, double parameter, const TopoDS_Face& asking);
-  TopoDS_Vertex joint_vertex(const HalfEdge& half, std::size_t side, const Ring& ring,
-                             std::size_t first, std::size_t last);
+  /// The edge beside a strip over which its contact goes from face to face at a joint, if any.
+  struct Gap {
+    const HalfEdge* beside = nullptr;
+    const EdgeUseInFace* use = nullptr;  ///< in the face of the strip's contact
+    std::optional<ContactMeeting> meeting{};
+  };
+  Gap gap_beside(const HalfEdge& half, std::size_t side, const Ring& ring, std::size_t first,
+                 std::size_t last);
+  double joint_t(const HalfEdge& half, const Gap& left, const Gap& right);
+  TopoDS_Vertex joint_vertex(const HalfEdge& half, std::size_t side, double t, const Gap& gap);
+  void join_section(const HalfEdge& half, const HalfEdge& next);
+  TopoDS_Vertex new_vertex(const Vec3& point);
   Interval part_near(const HalfEdge& half, const std::array<double, 2>& t);
   TopoDS_Edge section(const PlacedStrip& of, const StripEnd& end);
   void cap_face(const HalfEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,
@@ -122,6 +133,7 @@ class BlendSheet {
   std::map<int, std::vector<TopoDS_Edge>> added_;  // by face
   std::vector<BlendPatch> patches_;
   std::vector<HalfEdge> done_;
+  std::vector<TopoDS_Vertex> made_;  // inside of faces
 };
 
 }  // namespace blossom::occt

@@ -2,13 +2,15 @@
 #include "adapters/occt/blending/sheet_trim.h"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -17,9 +19,12 @@
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
+
+constexpr double kSamePlace = 10;  // in tolerances: edges so near to each other become one
 
 // An edge in a wire of the forward face.
 struct Link {
@@ -128,10 +133,36 @@ TopoDS_Face face_with(const Wires& wires, const TopoDS_Face& of) {
   return face;
 }
 
+// The border of a face on its way to a new one.
+struct Border {
+  TopoDS_Face of;  // forward
+  Wires wires;
+  int from = 0, edge = 0;
+  TopAbs_Orientation orientation = TopAbs_FORWARD;
+};
+
+Vec3 middle_of(const TopoDS_Edge& edge) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  const gp_Pnt p = curve->Value(at(range, 0.5));
+  return {p.X(), p.Y(), p.Z()};
+}
+
+// Whether one edge runs along the other from end to end.
+bool run_along(const TopoDS_Edge& a, const TopoDS_Edge& b, double tolerance) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(b, range.from, range.to);
+  const double reach = std::max({tolerance, BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b)});
+  const Vec3 point = middle_of(a);
+  const gp_Pnt foot = curve->Value(nearest_on(curve, range, point));
+  return distance(point, {foot.X(), foot.Y(), foot.Z()}) <= reach;
+}
+
 TopoDS_Edge turned(const TopoDS_Edge& edge, bool reversed) {
   return reversed ? TopoDS::Edge(edge.Reversed()) : edge;
 }
 
+// A face of the sheet is what is left where a face of the body shrinks to a line.
 class Trimming {
  public:
   Trimming(const BodyEdges& body, BlendSheet& sheet, double tolerance)
@@ -143,10 +174,15 @@ class Trimming {
   bool is_touched(int face) const;
   std::vector<TopoDS_Edge> edges_left(int face);
   void add_rest(const EdgeUseInFace& use, bool reversed, std::vector<TopoDS_Edge>& edges);
+  void add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face, const Vec2& scale,
+                  int from, int edge);
+  bool collapse_one();
+  void replace(const TopoDS_Edge& lost, const TopoDS_Edge& kept);
 
   const BodyEdges& body_;
   BlendSheet& sheet_;
   double tolerance_;
+  std::vector<Border> borders_;
 };
 
 bool Trimming::is_touched(int face) const {
@@ -193,35 +229,80 @@ std::vector<TopoDS_Edge> Trimming::edges_left(int face) {
   return edges;
 }
 
+void Trimming::add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face,
+                          const Vec2& scale, int from, int edge) {
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  auto wires = wires_of(edges, forward, scale);
+  if (!wires)
+    throw FilletRefused(
+        {FilletFault::Result,
+         edge,
+         from > 0 ? "what is left of face " + std::to_string(from) + " has an open border"
+                  : std::string("its strip has an open border"),
+         {},
+         {},
+         {}});
+  borders_.push_back({forward, *std::move(wires), from, edge, face.Orientation()});
+}
+
+// Puts an edge in the place of another one that runs along it.
+void Trimming::replace(const TopoDS_Edge& lost, const TopoDS_Edge& kept) {
+  const bool reversed = !TopExp::FirstVertex(lost).IsSame(TopExp::FirstVertex(kept));
+  for (Border& border : borders_)
+    for (auto& wire : border.wires)
+      for (TopoDS_Edge& edge : wire) {
+        if (!edge.IsSame(lost)) continue;
+        if (!keeps_chart_curve(kept, border.of)) {
+          Interval range, own;
+          const Handle(Geom_Curve) curve = BRep_Tool::Curve(kept, range.from, range.to);
+          const Handle(Geom2d_Curve) chart = chart_curve_of(edge, border.of, own);
+          const gp_Pnt2d near = chart->Value(at(own, 0.5));
+          const SurfaceProjector feet(border.of, Precision::Confusion());
+          add_chart(
+              kept,
+              image_of(curve, range, feet, Vec2{near.X(), near.Y()}, kSamePlace * tolerance_).chart,
+              border.of);
+        }
+        const bool forward = (edge.Orientation() == TopAbs_FORWARD) != reversed;
+        edge = TopoDS::Edge(kept.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED));
+      }
+}
+
+// Takes out a face that is only two edges which run along each other; they become one.
+bool Trimming::collapse_one() {
+  for (std::size_t i = 0; i < borders_.size(); ++i) {
+    const Wires& wires = borders_[i].wires;
+    if (wires.size() != 1 || wires.front().size() != 2) continue;
+    TopoDS_Edge kept = wires.front()[0], lost = wires.front()[1];
+    if (kept.IsSame(lost) || !run_along(kept, lost, tolerance_)) continue;
+    if (body_.number(lost) > 0) std::swap(kept, lost);
+    const TopoDS_Edge forward = TopoDS::Edge(kept.Oriented(TopAbs_FORWARD));
+    borders_.erase(borders_.begin() + static_cast<std::ptrdiff_t>(i));
+    replace(TopoDS::Edge(lost.Oriented(TopAbs_FORWARD)), forward);
+    return true;
+  }
+  return false;
+}
+
 std::vector<TrimmedFace> Trimming::faces() {
   std::vector<TrimmedFace> all;
-  for (int number = 1; number <= body_.face_count(); ++number) {
-    const TopoDS_Face& face = body_.face(number);
-    if (!is_touched(number)) {
-      all.push_back({face, number, 0});
-      continue;
-    }
-    const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-    const auto wires = wires_of(edges_left(number), forward, body_.trims(number).scale);
-    if (!wires)
-      throw FilletRefused({FilletFault::Result,
-                           0,
-                           "what is left of face " + std::to_string(number) + " has an open border",
-                           {},
-                           {},
-                           {}});
-    if (!wires->empty()) all.push_back({face_with(*wires, face), number, 0});
-  }
+  for (int number = 1; number <= body_.face_count(); ++number)
+    if (is_touched(number))
+      add_border(edges_left(number), body_.face(number), body_.trims(number).scale, number, 0);
   for (const BlendPatch& patch : sheet_.patches()) {
     const bool reversed = patch.face.Orientation() == TopAbs_REVERSED;
     std::vector<TopoDS_Edge> edges;
     for (const TopoDS_Edge& edge : patch.edges) edges.push_back(turned(edge, reversed));
-    const TopoDS_Face forward = TopoDS::Face(patch.face.Oriented(TopAbs_FORWARD));
-    const auto wires = wires_of(edges, forward, {1, 1});
-    if (!wires)
-      throw FilletRefused(
-          {FilletFault::Result, patch.edge, "its strip has an open border", {}, {}, {}});
-    all.push_back({face_with(*wires, patch.face), 0, patch.edge});
+    add_border(edges, patch.face, {1, 1}, 0, patch.edge);
+  }
+  while (collapse_one()) {
+  }
+  for (int number = 1; number <= body_.face_count(); ++number)
+    if (!is_touched(number)) all.push_back({body_.face(number), number, 0});
+  for (const Border& border : borders_) {
+    if (border.wires.empty()) continue;
+    const TopoDS_Face of = TopoDS::Face(border.of.Oriented(border.orientation));
+    all.push_back({face_with(border.wires, of), border.from, border.edge});
   }
   return all;
 }

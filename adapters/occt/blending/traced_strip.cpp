@@ -69,7 +69,7 @@ BezierSurface surface_beyond(const TopoDS_Face& face) {
     }
     const Interval wide{range.from - room, range.to + room};
     range = {std::max(wide.from, bounds[k].from), std::min(wide.to, bounds[k].to)};
-    goes_on[k] = {wide.from < bounds[k].from, wide.to > bounds[k].to};
+    goes_on[k] = {wide.from<bounds[k].from, wide.to> bounds[k].to};
   }
   const BezierSurface exact = bezier_surface(surface, box);
   return extended(exact, {kExtension * goes_on[0][0], kExtension * goes_on[0][1]},
@@ -168,7 +168,8 @@ struct Tracing {
 
   [[noreturn]] void refuse(FilletFault fault, const std::string& cause,
                            const std::optional<Vec3>& point) const {
-    throw FilletRefused({fault, edge, cause, std::nullopt, point ? point : std::optional(middle), {}});
+    throw FilletRefused(
+        {fault, edge, cause, std::nullopt, point ? point : std::optional(middle), {}});
   }
   Interval valid_part(const BallTrack& track, const Interval& wanted) const;
 };
