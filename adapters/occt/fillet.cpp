@@ -8,8 +8,10 @@
 #include <utility>
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -23,6 +25,7 @@
 #include "adapters/occt/blending/rolled_strip.h"
 #include "adapters/occt/blending/sheet_trim.h"
 #include "adapters/occt/faces/area.h"
+#include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/solid_validity.h"
 #include "core/base/errors.h"
@@ -58,6 +61,7 @@ class Filleting {
   FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                        const FilletEdges& edges) const;
   void check(const SolidPart& part, const FilletedSolid& made, const FilletEdges& edges) const;
+  void check_apart(const FilletedSolid& made) const;
 
   BodyEdges body_;
   FilletOptions options_;
@@ -128,6 +132,49 @@ void Filleting::check(const SolidPart& part, const FilletedSolid& made,
                          {}});
 }
 
+// The faces that a face has no vertex in common with although their boxes meet.
+std::vector<TopoDS_Face> strangers(const FilletedSolid& made, const TopoDS_Face& face) {
+  const auto box_of = [](const TopoDS_Face& of) {
+    Bnd_Box box;
+    BRepBndLib::Add(of, box, Standard_False);
+    return box;
+  };
+  TopTools_IndexedMapOfShape own;
+  TopExp::MapShapes(face, TopAbs_VERTEX, own);
+  const Bnd_Box box = box_of(face);
+  std::vector<TopoDS_Face> found;
+  for (const FilletFace& other : made.faces) {
+    bool known = false;
+    for (TopExp_Explorer it(other.face, TopAbs_VERTEX); it.More() && !known; it.Next())
+      known = own.Contains(it.Current());
+    if (!known && !box.IsOut(box_of(other.face))) found.push_back(other.face);
+  }
+  return found;
+}
+
+// The ball must not have run into faces that it was not known to roll on or end in.
+void Filleting::check_apart(const FilletedSolid& made) const {
+  for (const FilletFace& blend : made.faces) {
+    if (blend.from > 0) continue;
+    const std::vector<TopoDS_Face> others = strangers(made, blend.face);
+    if (others.empty()) continue;
+    const ShapeIntersection found = intersect({blend.face}, others, options_.intersection);
+    for (const FaceIntersection& pair : found.pairs) {
+      if (pair.found.curves.empty()) continue;
+      const TopoDS_Face& met = others[static_cast<std::size_t>(pair.face_b)];
+      const auto of = std::ranges::find_if(
+          made.faces, [&](const FilletFace& face) { return face.face.IsSame(met); });
+      throw FilletRefused({FilletFault::Interference,
+                           blend.edge,
+                           of->from > 0 ? "its strip runs into face " + std::to_string(of->from)
+                                        : "its strip runs into another one",
+                           {},
+                           pair.found.curves.front().samples.front().point,
+                           {}});
+    }
+  }
+}
+
 FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                                 const FilletEdges& edges) const {
   FilletedSolid made;
@@ -173,6 +220,7 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
         trimmed_by_sheet(body_, sheet, options_.intersection.tolerances.point);
     all.push_back(closed(part, faces, own));
     check(part, all.back(), own);
+    check_apart(all.back());
   }
   return all;
 }

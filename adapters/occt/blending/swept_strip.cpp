@@ -36,9 +36,12 @@ constexpr double kPi = std::numbers::pi;
 // How far a face may be from one that is the same all along the edge, model units: its points are
 // off the swept one by no more than a tenth of what counts as one point.
 constexpr double kSweepError = 1e-8;
-// Strips go on past the edge by so many times the width of their wider side, if the charts of both
-// faces go on so far: 8 is enough for end faces at more than 7 degrees to the edge, 1 for 45.
-constexpr std::array<double, 4> kBeyond{8, 2, 0.5, 0};
+// Strips go on past the edge by so many times the width of their wider side, which is enough for
+// end faces at more than 7 degrees to the edge; where the charts of the faces do not go on so far,
+// as beyond a pole, by a part of it.
+constexpr double kBeyond = 8;
+constexpr double kLessBeyond = 0.75;
+constexpr double kLeastBeyond = 0.1;
 constexpr double kLeastGap = 1e-2;  // of a turn, radians: what an open strip leaves free
 constexpr double kOnAxis = 1e-9;    // of the radius: a torus so small is a sphere
 
@@ -263,7 +266,7 @@ RolledStrip along(const Rolling& of, const Vec3& axis, const Interval& edge_rang
   };
   RolledStrip strip = strip_of(of);
   strip.along_u = false;
-  const double beyond = kBeyond.front() * width(of, feet);
+  const double beyond = kBeyond * width(of, feet);
   strip.edge_range = edge_range;
   strip.range = {edge_range.from - beyond, edge_range.to + beyond};
   // The seam is opposite to the strip.
@@ -343,14 +346,16 @@ std::optional<RolledStrip> round_axis(const BodyEdges& body, int edge, bool conc
   if (!of) return std::nullopt;
   if (closed) return round(*of, {0, 2 * kPi}, true, -out, 0);
   const double half = 0.5 * (last - first);
-  for (const double beyond : kBeyond) {
+  const auto made = [&](double beyond) {
+    return round(*of, {kPi - half, kPi + half}, false, -out, beyond);
+  };
+  for (double beyond = kBeyond; beyond > kLeastBeyond; beyond *= kLessBeyond) {
     try {
-      return round(*of, {kPi - half, kPi + half}, false, -out, beyond);
-    } catch (const Failure&) {  // the contact leaves the chart of a face, over a pole, say
-      if (beyond == kBeyond.back()) throw;
+      return made(beyond);
+    } catch (const Failure&) {  // the contact leaves the chart of a face
     }
   }
-  return std::nullopt;
+  return made(0);
 }
 
 }  // namespace
