@@ -138,7 +138,7 @@ Handle(Geom_Curve) spine_of(const BallTrack& track, const std::vector<double>& k
   }
   GeomAPI_Interpolate maker(points, parameters, Standard_False, Precision::Confusion());
   maker.Perform();
-  return maker.Curve();
+  return Handle(Geom_Curve)(maker.Curve());
 }
 
 // Chart curves may lie whole periods beside the face.
