@@ -21,6 +21,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/blend_sheet.h"
 #include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/blending/fillet_limit.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/rolled_strip.h"
 #include "adapters/occt/blending/sheet_trim.h"
@@ -252,6 +253,22 @@ std::vector<FilletEdges> chains_of(const BodyEdges& body, const std::vector<int>
   return chains;
 }
 
+// The largest radius of the edge at fault, where it is the radius that does not fit.
+void add_limit(const BodyEdges& body, const std::vector<FilletEdges>& chains, double radius,
+               FilletRefusal& why) {
+  const bool of_radius = why.fault == FilletFault::NoBall || why.fault == FilletFault::Pinch ||
+                         why.fault == FilletFault::LeavesFace;
+  if (!of_radius || why.largest) return;
+  for (const FilletEdges& chain : chains) {
+    const auto edge = chain.find(why.edge);
+    if (edge == chain.end()) continue;
+    if (const auto limit = fillet_limit(body, edge->first, edge->second, radius)) {
+      why.largest = limit->radius;
+      why.cause += "; larger balls are stopped by " + limit->cause;
+    }
+  }
+}
+
 }  // namespace
 
 FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
@@ -263,6 +280,7 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
   std::vector<FilletEdges> chains = chains_of(work.body(), edges, result.refused);
   const auto refuse = [&](const FilletRefusal& why) {
     result.refused.push_back(why);
+    add_limit(work.body(), chains, options.radius, result.refused.back());
     const auto at_fault =
         std::ranges::find_if(chains, [&](const auto& chain) { return chain.count(why.edge) > 0; });
     chains.erase(at_fault == chains.end() ? chains.end() - 1 : at_fault);

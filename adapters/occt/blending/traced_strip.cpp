@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -19,77 +18,21 @@
 #include <TColgp_HArray1OfPnt.hxx>
 #include <gp_Vec2d.hxx>
 
+#include "adapters/occt/blending/ball_supports.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/rolled_strip.h"
 #include "adapters/occt/convert/curves.h"
-#include "adapters/occt/convert/surfaces.h"
-#include "adapters/occt/faces/surface_projector.h"
 #include "core/blending/ball_spine.h"
 #include "core/blending/ball_strip.h"
 #include "core/blending/ball_track.h"
-#include "core/blending/extended_surface.h"
 
 namespace blossom::occt {
 namespace {
 
 // Strips go on past the edge by so many times their width, as far as the ball rolls.
 constexpr double kBeyond = 2;
-// Supports go on past the natural borders of their surfaces by so much of their outer spans.
-constexpr double kExtension = 0.25;
-// Of the face's box: how far surfaces that have more of them are taken beyond the trims.
-constexpr double kRoom = 0.5;
 constexpr int kSpineSamples = 4;  // between two knots of the strip
-
-// One of the faces as what a ball rolls on.
-struct Support {
-  BezierSurface surface;
-  Vec2 start;  // where the ball touches about beside the edge's middle
-  int side = 1;
-};
-
-// The surface over more than the box of the trims: as far as there is more of it, and a little
-// further as its outer patches go on.
-BezierSurface surface_beyond(const TopoDS_Face& face) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
-  ParameterBox box = parameter_box(face);
-  std::array<Interval, 2> bounds;
-  surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
-  const std::array<bool, 2> periodic{surface->IsUPeriodic() == Standard_True,
-                                     surface->IsVPeriodic() == Standard_True};
-  std::array<Interval*, 2> ranges{&box.u, &box.v};
-  std::array<std::array<bool, 2>, 2> goes_on{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    Interval& range = *ranges[k];
-    double room = kRoom * length(range);
-    if (periodic[k]) {
-      room = std::min(room, 0.5 * (length(bounds[k]) - length(range)));
-      if (room > 0) range = {range.from - room, range.to + room};
-      continue;
-    }
-    const Interval wide{range.from - room, range.to + room};
-    range = {std::max(wide.from, bounds[k].from), std::min(wide.to, bounds[k].to)};
-    goes_on[k] = {wide.from<bounds[k].from, wide.to> bounds[k].to};
-  }
-  const BezierSurface exact = bezier_surface(surface, box);
-  return extended(exact, {kExtension * goes_on[0][0], kExtension * goes_on[0][1]},
-                  {kExtension * goes_on[1][0], kExtension * goes_on[1][1]});
-}
-
-Support support_of(const BodyEdges& body, const EdgeUseInFace& use, double parameter,
-                   const BodyEdges::Corner& corner, double width, bool concave) {
-  const TopoDS_Face& face = body.face(use.face);
-  Support made;
-  made.surface = surface_beyond(face);
-  const Vec2 scale = body.trims(use.face).scale, chart = point_at(use.coedge->curve, parameter);
-  const Vec2 uv{chart[0] / scale[0], chart[1] / scale[1]};
-  made.start = uv + chart_step(frame_at(BRep_Tool::Surface(face), uv), width * corner.inwards);
-  made.side = (concave ? 1 : -1) * (face.Orientation() == TopAbs_REVERSED ? -1 : 1);
-  const Interval u{made.surface.u_knots.front(), made.surface.u_knots.back()};
-  const Interval v{made.surface.v_knots.front(), made.surface.v_knots.back()};
-  made.start = {std::clamp(made.start[0], u.from, u.to), std::clamp(made.start[1], v.from, v.to)};
-  return made;
-}
 
 Handle(Geom_BSplineSurface) surface_of(const BallStrip& strip) {
   const int rows = strip.poles.rows(), columns = strip.poles.columns();
@@ -207,20 +150,12 @@ void reverse(RolledStrip& strip) {
 RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double radius) {
   Tracing of{body, edge, concave, radius, {}, {}};
   BRep_Tool::Range(body.edge(edge), of.edge_domain.from, of.edge_domain.to);
-  const double middle = at(of.edge_domain, 0.5);
-  std::array<const EdgeUseInFace*, 2> uses{&body.use(edge, true), &body.use(edge, false)};
-  const std::array<BodyEdges::Corner, 2> corners{body.corner(*uses[0], middle),
-                                                 body.corner(*uses[1], middle)};
-  of.middle = corners[0].point;
-  const Vec3 &n0 = corners[0].normal, &n1 = corners[1].normal;
-  // Of tangent planes: each contact is r tan(turn / 2) from the edge.
-  const double width = radius * std::tan(0.5 * std::atan2(norm(cross(n0, n1)), dot(n0, n1)));
-  std::array<Support, 2> supports;
-  for (const std::size_t k : {0U, 1U})
-    supports[k] = support_of(body, *uses[k], middle, corners[k], width, concave);
-  const auto track = track_through(whole_support(supports[0].surface, supports[0].side),
-                                   whole_support(supports[1].surface, supports[1].side), radius,
-                                   {supports[0].start, supports[1].start});
+  const std::array<const EdgeUseInFace*, 2> uses{&body.use(edge, true), &body.use(edge, false)};
+  const RolledSupports supports = rolled_supports(body, edge, concave, radius);
+  const double width = supports.width;
+  of.middle = supports.middle;
+  const auto track = track_through(supports.of[0].whole(), supports.of[1].whole(), radius,
+                                   {supports.of[0].start, supports.of[1].start});
   if (!track)
     of.refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
   if (track->closed())
