@@ -48,7 +48,7 @@ std::optional<double> touches(const RolledStrip& strip, const TopoDS_Face& face,
   double t = near, last = near + inwards * strip.radius / speed;
   double f = off(t), f_last = off(last);
   for (int i = 0; i < kSecantSteps && f != 0; ++i) {
-    if (f == f_last) return std::nullopt;
+    if (f == f_last) break;
     const double next =
         std::clamp(t - f * (t - last) / (f - f_last), strip.range.from, strip.range.to);
     last = t;

@@ -53,7 +53,8 @@ std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool co
   const auto found = largest_radius(supports.of[0].whole(), supports.of[1].whole(),
                                     {supports.of[0].at_edge, supports.of[1].at_edge},
                                     kLeastPart * most, most, borders);
-  if (!found || found->limit == RadiusLimit::None) return std::nullopt;
+  if (!found || found->limit == RadiusLimit::None || found->limit == RadiusLimit::Other)
+    return std::nullopt;
   std::string cause = "two walls that face each other";
   if (found->limit == RadiusLimit::Curvature) cause = "the curvature of a face";
   if (found->limit == RadiusLimit::Border && found->border >= 0)
