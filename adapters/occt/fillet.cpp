@@ -19,6 +19,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/blending/blend_sheet.h"
 #include "adapters/occt/blending/edge_chain.h"
 #include "adapters/occt/blending/fillet_limit.h"
@@ -30,9 +31,12 @@
 #include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/solid_validity.h"
 #include "core/base/errors.h"
+#include "core/base/work_limit.h"
 
 namespace blossom::occt {
 namespace {
+
+constexpr const char* kFilleting = "rounding edges";
 
 // The faces of one solid of a shape.
 struct SolidPart {
@@ -45,7 +49,9 @@ struct SolidPart {
 class Filleting {
  public:
   Filleting(const TopoDS_Shape& shape, const FilletOptions& options)
-      : body_(BRepBuilderAPI_Copy(shape, Standard_False).Shape()), options_(options) {
+      : body_(BRepBuilderAPI_Copy(shape, Standard_False).Shape()),
+        options_(options),
+        limit_(options_.intersection) {
     find_parts(shape);
   }
 
@@ -66,6 +72,7 @@ class Filleting {
 
   BodyEdges body_;
   FilletOptions options_;
+  WorkLimit limit_;
   std::vector<SolidPart> parts_;
   Vec3 apex_;
 };
@@ -102,6 +109,7 @@ const SolidPart& Filleting::part_of(int edge) const {
 }
 
 RolledStrip Filleting::strip_of(int edge, bool concave) const {
+  check_limit(&limit_, kFilleting);
   if (auto strip = swept_strip(body_, edge, concave, options_.radius)) return *std::move(strip);
   return traced_strip(body_, edge, concave, options_.radius);
 }
@@ -157,6 +165,7 @@ std::vector<TopoDS_Face> strangers(const FilletedSolid& made, const TopoDS_Face&
 void Filleting::check_apart(const FilletedSolid& made) const {
   for (const FilletFace& blend : made.faces) {
     if (blend.from > 0) continue;
+    check_limit(&limit_, kFilleting);
     const std::vector<TopoDS_Face> others = strangers(made, blend.face);
     if (others.empty()) continue;
     const ShapeIntersection found = intersect({blend.face}, others, options_.intersection);
@@ -216,7 +225,9 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
     }
     BlendSheet sheet(body_, options_.intersection.tolerances.point);
     for (const auto& [edge, concave] : own) sheet.add(strip_of(edge, concave));
+    check_limit(&limit_, kFilleting);
     sheet.build();
+    check_limit(&limit_, kFilleting);
     std::vector<TrimmedFace> faces =
         trimmed_by_sheet(body_, sheet, options_.intersection.tolerances.point);
     all.push_back(closed(part, faces, own));
@@ -289,11 +300,15 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
     FilletEdges all;
     for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
     try {
-      result.solids = guarded("filleting", [&] { return work.made(all); });
+      result.solids = guarded(kFilleting, [&] { return work.made(all); });
       for (const auto& [edge, concave] : all) result.edges.push_back(edge);
       return result;
     } catch (const FilletRefused& refusal) {
       refuse(refusal.why());
+    } catch (const LimitFailure& reached) {
+      result.refused.push_back({FilletFault::Result, 0, reached.what(), {}, {}, {}});
+      result.status = Status::Stopped;
+      return result;
     } catch (const Failure& failure) {
       refuse({FilletFault::Result, 0, failure.what(), {}, {}, {}});
     } catch (const BadModel& error) {

@@ -11,6 +11,7 @@
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Solid.hxx>
 
+#include "core/base/status.h"
 #include "core/math/vec.h"
 #include "core/results/options.h"
 
@@ -65,6 +66,7 @@ struct FilletedSolid {
 };
 
 struct FilletResult {
+  Status status = Status::Complete;  ///< Stopped when the time limit or the caller ended the work
   /// All solids of the shape, those without fillets as they were; none if anything is refused and
   /// not `partial`, or nothing could be made.
   std::vector<FilletedSolid> solids;

@@ -153,6 +153,7 @@ Json report_of(const FilletCommand& command, const Input& part, const Timed& tim
           {"kind", "fillet"},
           {"part", part.name},
           {"radius", command.radius},
+          {"status", to_string(timed.made.status)},
           {"asked", timed.asked},
           {"edges", timed.made.edges},
           {"refused", std::move(refused)},
@@ -229,7 +230,7 @@ int run(const FilletCommand& command) {
   }
   if (!outputs.json.empty()) write_json(report_of(command, part, timed, write), outputs.json);
   print_summary(summary(command, part, timed), outputs.json);
-  if (!any) return kExitFailure;
+  if (!any) return exit_code_unwritten(timed.made.status);
   return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);
 }
 
