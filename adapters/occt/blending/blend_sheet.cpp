@@ -106,14 +106,27 @@ TopoDS_Vertex BlendSheet::cut_edge(const HalfEdge& cut, double parameter,
   return splits_.vertex(edge, split);
 }
 
+// Either the face ends before the contact could meet the edge, or it turns away from it.
+void BlendSheet::refuse_miss(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
+                             const HalfEdge& cut) const {
+  double first = 0, last = 0;
+  BRep_Tool::Range(body_.edge(half.edge), first, last);
+  const BodyEdges::Corner corner =
+      body_.corner(body_.use(half.edge, side == 0), half.at_start ? first : last);
+  const std::string miss = "the ball's contact on face " + std::to_string(use.face) +
+                           " does not meet edge " + std::to_string(use.edge);
+  if (dot(direction_at(body_, cut), corner.inwards) <= 0)
+    refuse(half, FilletFault::End,
+           miss + ", which turns away from it: how the strip ends there cannot be built yet");
+  refuse(half, FilletFault::LeavesFace,
+         miss + ", which bounds it at this end: the radius is too large");
+}
+
 BlendSheet::Cut BlendSheet::cut_by_contact(const HalfEdge& half, std::size_t side,
                                            const EdgeUseInFace& use, const HalfEdge& cut) {
   const RolledStrip& strip = strip_of(half).strip;
   const auto meeting = meeting_with(body_, strip, side, use, end_t(half));
-  if (!meeting)
-    refuse(half, FilletFault::LeavesFace,
-           "the ball's contact on face " + std::to_string(use.face) + " does not meet edge " +
-               std::to_string(use.edge) + ", which bounds it at this end: the radius is too large");
+  if (!meeting) refuse_miss(half, side, use, cut);
   return {meeting->t, cut_edge(cut, meeting->edge_parameter, body_.face(use.face))};
 }
 

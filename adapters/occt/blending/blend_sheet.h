@@ -102,6 +102,8 @@ class BlendSheet {
 
   Cut cut_by_contact(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
                      const HalfEdge& cut);
+  [[noreturn]] void refuse_miss(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
+                                const HalfEdge& cut) const;
   TopoDS_Vertex cut_edge(const HalfEdge& cut, double parameter, const TopoDS_Face& asking);
   /// The edge beside a strip over which its contact goes from face to face at a joint, if any.
   struct Gap {
