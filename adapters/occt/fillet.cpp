@@ -60,6 +60,8 @@ class Filleting {
 
   /// All these edges, or a refusal.
   std::vector<FilletedSolid> made(const FilletEdges& edges);
+  /// Of what was made last.
+  const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   void find_parts(const TopoDS_Shape& shape);
@@ -74,6 +76,7 @@ class Filleting {
   FilletOptions options_;
   WorkLimit limit_;
   std::vector<SolidPart> parts_;
+  std::vector<std::string> notes_;
   Vec3 apex_;
 };
 
@@ -210,6 +213,7 @@ FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<Trimmed
 
 std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
   std::vector<FilletedSolid> all;
+  notes_.clear();
   for (const SolidPart& part : parts_) {
     FilletEdges own;
     for (const auto& [edge, concave] : edges)
@@ -230,6 +234,7 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
     check_limit(&limit_, kFilleting);
     std::vector<TrimmedFace> faces =
         trimmed_by_sheet(body_, sheet, options_.intersection.tolerances.point);
+    notes_.insert(notes_.end(), sheet.notes().begin(), sheet.notes().end());
     all.push_back(closed(part, faces, own));
     check(part, all.back(), own);
     check_apart(all.back());
@@ -302,6 +307,7 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
     try {
       result.solids = guarded(kFilleting, [&] { return work.made(all); });
       for (const auto& [edge, concave] : all) result.edges.push_back(edge);
+      result.notes = work.notes();
       return result;
     } catch (const FilletRefused& refusal) {
       refuse(refusal.why());

@@ -73,6 +73,7 @@ struct FilletResult {
   std::vector<int> edges;  ///< that have fillets: those asked for and those that they go on in
   std::vector<FilletRefusal> refused;
   double volume_before = 0;
+  std::vector<std::string> notes;  ///< how strips end, where that is not what one would think
 };
 
 /// Rounds edges of solids.

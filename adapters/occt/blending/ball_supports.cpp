@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
@@ -14,14 +16,35 @@
 namespace blossom::occt {
 namespace {
 
-// Supports go on past the natural borders of their surfaces by so much of their outer spans.
-constexpr double kExtension = 0.25;
+// Supports go on past the natural borders of their surfaces as far as a ball's contacts may lead
+// beyond the edge, but no further than so many of their outer spans.
+constexpr double kBeyond = 2.5;  // widths
+constexpr double kMostSpans = 2;
 // Of the face's box: how far surfaces that have more of them are taken beyond the trims.
 constexpr double kRoom = 0.5;
 
+// The length of the outer patches on a side, across it, model units.
+double outer_length(const BezierSurface& surface, bool in_u, bool first) {
+  const Interval u{surface.u_knots.front(), surface.u_knots.back()};
+  const Interval v{surface.v_knots.front(), surface.v_knots.back()};
+  const std::vector<double>& knots = in_u ? surface.u_knots : surface.v_knots;
+  const double border = first ? knots.front() : knots.back();
+  const double inner = first ? knots[1] : knots[knots.size() - 2];
+  double least = std::numeric_limits<double>::infinity();
+  for (const double part : {0.1, 0.5, 0.9}) {
+    const double along = in_u ? at(v, part) : at(u, part);
+    const auto point = [&](double across) {
+      return point_at(surface, in_u ? Vec2{across, along} : Vec2{along, across});
+    };
+    least = std::min(least, distance(point(border), point(inner)));
+  }
+  return least;
+}
+
 // The surface over more than the box of the trims: as far as there is more of it, and a little
 // further as its outer patches go on.
-BezierSurface surface_beyond(const TopoDS_Face& face) {
+// length   model units
+BezierSurface surface_beyond(const TopoDS_Face& face, double length_beyond) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   ParameterBox box = parameter_box(face);
   std::array<Interval, 2> bounds;
@@ -43,15 +66,19 @@ BezierSurface surface_beyond(const TopoDS_Face& face) {
     goes_on[k] = {wide.from<bounds[k].from, wide.to> bounds[k].to};
   }
   const BezierSurface exact = bezier_surface(surface, box);
-  return extended(exact, {kExtension * goes_on[0][0], kExtension * goes_on[0][1]},
-                  {kExtension * goes_on[1][0], kExtension * goes_on[1][1]});
+  std::array<std::array<double, 2>, 2> parts{};
+  for (const std::size_t k : {0U, 1U})
+    for (const std::size_t end : {0U, 1U})
+      if (goes_on[k][end])
+        parts[k][end] = std::min(kMostSpans, length_beyond / outer_length(exact, k == 0, end == 0));
+  return extended(exact, parts[0], parts[1]);
 }
 
 RolledSupport support_of(const BodyEdges& body, const EdgeUseInFace& use, double parameter,
                          const BodyEdges::Corner& corner, double width, bool concave) {
   const TopoDS_Face& face = body.face(use.face);
   RolledSupport made;
-  made.surface = surface_beyond(face);
+  made.surface = surface_beyond(face, kBeyond * width);
   const Vec2 scale = body.trims(use.face).scale, chart = point_at(use.coedge->curve, parameter);
   const Vec2 uv{chart[0] / scale[0], chart[1] / scale[1]};
   made.at_edge = uv;

@@ -76,7 +76,19 @@ void BlendSheet::end_at(const HalfEdge& half) {
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (is_filleted(ring[i].half.edge)) filleted.push_back(i);
   for (const std::size_t i : filleted) done_.push_back(ring[i].half);
-  if (filleted.size() == 1) return cap(ring);
+  if (filleted.size() == 1) {
+    const std::map<int, EdgeRest> rests = rests_;
+    const std::map<int, std::vector<TopoDS_Edge>> added = added_;
+    try {
+      return cap(ring);
+    } catch (const FilletRefused&) {
+      rests_ = rests;
+      added_ = added;
+      end_of(half).path.clear();
+      if (!blunt(ring)) throw;
+    }
+    return;
+  }
   if (filleted.size() == 2) {
     const HalfEdge& other = ring[filleted[1]].half;
     const Vec3 a = direction_at(body_, half), b = -direction_at(body_, other);

@@ -78,7 +78,8 @@ class BlendSheet {
   const std::vector<BlendPatch>& patches() const { return patches_; }
   const std::map<int, std::vector<TopoDS_Edge>>& added() const { return added_; }
   const std::map<int, EdgeRest>& rests() const { return rests_; }
-  const std::vector<PlacedStrip>& strips() const { return strips_; }
+  /// What a user may want to know of how strips end.
+  const std::vector<std::string>& notes() const { return notes_; }
   bool is_filleted(int edge) const { return strip_at_.count(edge) > 0; }
   EdgeSplits& splits() { return splits_; }
 
@@ -96,6 +97,7 @@ class BlendSheet {
 
   void end_at(const HalfEdge& half);
   void cap(const Ring& ring);
+  bool blunt(const Ring& ring);
   void joint(const Ring& ring, std::size_t other);
   void mitre(const Ring& ring);
   void corner(const Ring& ring);
@@ -136,6 +138,7 @@ class BlendSheet {
   std::vector<BlendPatch> patches_;
   std::vector<HalfEdge> done_;
   std::vector<TopoDS_Vertex> made_;  // inside of faces
+  std::vector<std::string> notes_;
 };
 
 }  // namespace blossom::occt

@@ -59,25 +59,24 @@ BezierSurface strip_surface(const RolledStrip& strip, const Interval& part) {
 
 Interval widened(const Interval& of, double room) { return {of.from - room, of.to + room}; }
 
-// What of a face's surface is near a part of a strip, in its own parameters.
-ParameterBox box_near(const RolledStrip& strip, const Interval& part, const TopoDS_Face& face) {
+Vec3 plane_normal(const TopoDS_Face& plane) {
+  const SurfaceFrame frame = frame_at(BRep_Tool::Surface(plane), {0, 0});
+  return unit(cross(frame.du, frame.dv));
+}
+
+// What of a face's surface is near points that follow each other, in its own parameters.
+ParameterBox box_near(const std::vector<Vec3>& points, const TopoDS_Face& face) {
   const SurfaceProjector feet(face, Precision::Confusion());
   std::optional<Vec2> near;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::array<Interval, 2> box{Interval{kFar, -kFar}, Interval{kFar, -kFar}};
-  for (int i = 0; i < kFootSamples; ++i)
-    for (int k = 0; k < kFootSamples; ++k) {
-      const double t = at(part, static_cast<double>(i) / (kFootSamples - 1));
-      const double w =
-          at({strip.contacts[0].w, strip.contacts[1].w},
-             static_cast<double>(i % 2 == 0 ? k : kFootSamples - 1 - k) / (kFootSamples - 1));
-      const Vec2 uv = strip.chart(t, w);
-      near = feet.foot(vec(strip.surface->Value(uv[0], uv[1]).XYZ()), near);
-      for (int d = 0; d < 2; ++d) {
-        auto& of = box[static_cast<std::size_t>(d)];
-        of = {std::min(of.from, (*near)[d]), std::max(of.to, (*near)[d])};
-      }
+  for (const Vec3& point : points) {
+    near = feet.foot(point, near);
+    for (int d = 0; d < 2; ++d) {
+      auto& of = box[static_cast<std::size_t>(d)];
+      of = {std::min(of.from, (*near)[d]), std::max(of.to, (*near)[d])};
     }
+  }
   const Handle(Geom_Surface)& surface = feet.surface();
   std::array<Interval, 2> bounds;
   surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
@@ -150,12 +149,13 @@ std::optional<double> edge_through(const RolledStrip& strip, const Interval& par
   return half.at_start ? found.points.front().t : found.points.back().t;
 }
 
-std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& part,
-                                      const TopoDS_Face& face, const Vec3& from, const Vec3& to,
-                                      double reach) {
-  const BezierSurface on_face =
-      bezier_surface(BRep_Tool::Surface(face), box_near(strip, part, face));
-  const SurfaceIntersection found = intersect(on_face, strip_surface(strip, part));
+namespace {
+
+// The best piece among all curves of two surfaces.
+std::optional<EndCurve> best_curve(const BezierSurface& on_face, const TopoDS_Face& face,
+                                   const BezierSurface& on_other, const TopoDS_Face& other,
+                                   const Vec3& from, const Vec3& to, double reach) {
+  const SurfaceIntersection found = intersect(on_face, on_other);
   std::optional<EndCurve> best;
   double least = reach;
   for (const IntersectionCurve& each : found.curves) {
@@ -169,10 +169,46 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
     made.range = {std::min(start.at, end.at), std::max(start.at, end.at)};
     made.curve = each.conic ? to_occt(*each.conic) : Handle(Geom_Curve)(spline);
     made.on_face = exact_chart(each, each.chart_a, made.curve, made.range, face);
-    made.on_strip = exact_chart(each, each.chart_b, made.curve, made.range, strip.bare_face());
+    made.on_strip = exact_chart(each, each.chart_b, made.curve, made.range, other);
     best = std::move(made);
   }
   return best;
+}
+
+}  // namespace
+
+std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& part,
+                                      const TopoDS_Face& face, const Vec3& from, const Vec3& to,
+                                      double reach) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < kFootSamples; ++i)
+    for (int k = 0; k < kFootSamples; ++k) {
+      const double t = at(part, static_cast<double>(i) / (kFootSamples - 1));
+      const double w =
+          at({strip.contacts[0].w, strip.contacts[1].w},
+             static_cast<double>(i % 2 == 0 ? k : kFootSamples - 1 - k) / (kFootSamples - 1));
+      const Vec2 uv = strip.chart(t, w);
+      points.push_back(vec(strip.surface->Value(uv[0], uv[1]).XYZ()));
+    }
+  const BezierSurface on_face = bezier_surface(BRep_Tool::Surface(face), box_near(points, face));
+  return best_curve(on_face, face, strip_surface(strip, part), strip.bare_face(), from, to, reach);
+}
+
+std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const TopoDS_Face& face,
+                                            const Vec3& from, const Vec3& to, double reach) {
+  std::vector<Vec3> points;
+  for (int i = 0; i <= kFootSamples; ++i)
+    points.push_back(from + (static_cast<double>(i) / kFootSamples) * (to - from));
+  // A square that holds both points with room on all sides, so that no curve ends between them.
+  const Vec3 middle = 0.5 * (from + to), half = to - from;
+  const Vec3 aside = cross(half, plane_normal(plane));
+  for (const double sign : {1.0, -1.0}) {
+    points.push_back(middle + sign * half);
+    points.push_back(middle + sign * aside);
+  }
+  const BezierSurface on_face = bezier_surface(BRep_Tool::Surface(face), box_near(points, face));
+  const BezierSurface on_plane = bezier_surface(BRep_Tool::Surface(plane), box_near(points, plane));
+  return best_curve(on_face, face, on_plane, plane, from, to, reach);
 }
 
 }  // namespace blossom::occt

@@ -54,4 +54,9 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
                                       const TopoDS_Face& face, const Vec3& from, const Vec3& to,
                                       double reach);
 
+/// The piece of the curve in which a plane and the surface of a face meet; `on_strip` is in the
+/// parameters of the plane.
+std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const TopoDS_Face& face,
+                                            const Vec3& from, const Vec3& to, double reach);
+
 }  // namespace blossom::occt

@@ -9,13 +9,13 @@
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Precision.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
+#include <gp.hxx>
 #include <gp_Vec2d.hxx>
 
 #include "adapters/occt/blending/ball_supports.h"
@@ -79,7 +79,7 @@ Handle(Geom_Curve) spine_of(const BallTrack& track, const std::vector<double>& k
     points->SetValue(i, {c[0], c[1], c[2]});
     parameters->SetValue(i, t);
   }
-  GeomAPI_Interpolate maker(points, parameters, Standard_False, Precision::Confusion());
+  GeomAPI_Interpolate maker(points, parameters, Standard_False, gp::Resolution());
   maker.Perform();
   return Handle(Geom_Curve)(maker.Curve());
 }

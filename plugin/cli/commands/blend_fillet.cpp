@@ -157,6 +157,7 @@ Json report_of(const FilletCommand& command, const Input& part, const Timed& tim
           {"asked", timed.asked},
           {"edges", timed.made.edges},
           {"refused", std::move(refused)},
+          {"notes", timed.made.notes},
           {"written", written},
           {"volume",
            {{"before", timed.made.volume_before},
@@ -185,6 +186,7 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
          << number_text(rounded(made.volume_before)) << " before, "
          << number_text(rounded(volume_of(made))) << " after, mm³\n";
   }
+  for (const std::string& note : made.notes) text << "  " << note << "\n";
   for (const occt::FilletRefusal& refusal : made.refused) text << "  " << refusal.text() << "\n";
   return text.str();
 }
