@@ -19,6 +19,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/queries/least_box.h"
 #include "plugin/cli/commands/commands.h"
+#include "plugin/cli/edge_list.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/face_facts.h"
 #include "plugin/cli/inputs.h"
@@ -164,6 +165,7 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
 
 struct Options {
   std::string input;
+  bool edges = false;
   CommonOptions common;
 };
 
@@ -173,8 +175,15 @@ int run(const Options& options) {
   const ModelFacts facts = model_facts(input);
   stop_if_interrupted();
   const std::string& json = options.common.json;
-  if (!json.empty()) write_json(info_json(input, facts), json);
-  print_summary(info_text(input, facts), json);
+  Json report = info_json(input, facts);
+  std::string text = info_text(input, facts);
+  if (options.edges) {
+    const EdgeList edges = edge_list(input.model.shape());
+    report["edges"] = edges.json;
+    text += edges.text;
+  }
+  if (!json.empty()) write_json(report, json);
+  print_summary(text, json);
   return kExitComplete;
 }
 
@@ -187,6 +196,8 @@ void add_info(CLI::App& app, int& exit_code) {
   command->add_option("input", options->input, "model, or some of its faces")
       ->required()
       ->type_name("FILE");
+  command->add_flag("--edges", options->edges,
+                    "list all edges of the model, too: faces, kind, angle, length, middle");
   add_report_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

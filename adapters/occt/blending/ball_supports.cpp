@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/ball_supports.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <BRep_Tool.hxx>
+#include <Geom_Surface.hxx>
+
+#include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/faces/surface_projector.h"
+#include "core/blending/extended_surface.h"
+
+namespace blossom::occt {
+namespace {
+
+// Supports go on past the natural borders of their surfaces as far as a ball's contacts may lead
+// beyond the edge, but no further than so many of their outer spans.
+constexpr double kBeyond = 2.5;  // widths
+constexpr double kMostSpans = 2;
+// Of the face's box: how far surfaces that have more of them are taken beyond the trims.
+constexpr double kRoom = 0.5;
+
+// The length of the outer patches on a side, across it, model units.
+double outer_length(const BezierSurface& surface, bool in_u, bool first) {
+  const Interval u{surface.u_knots.front(), surface.u_knots.back()};
+  const Interval v{surface.v_knots.front(), surface.v_knots.back()};
+  const std::vector<double>& knots = in_u ? surface.u_knots : surface.v_knots;
+  const double border = first ? knots.front() : knots.back();
+  const double inner = first ? knots[1] : knots[knots.size() - 2];
+  double least = std::numeric_limits<double>::infinity();
+  for (const double part : {0.1, 0.5, 0.9}) {
+    const double along = in_u ? at(v, part) : at(u, part);
+    const auto point = [&](double across) {
+      return point_at(surface, in_u ? Vec2{across, along} : Vec2{along, across});
+    };
+    least = std::min(least, distance(point(border), point(inner)));
+  }
+  return least;
+}
+
+// The surface over more than the box of the trims: as far as there is more of it, and a little
+// further as its outer patches go on.
+// length   model units
+BezierSurface surface_beyond(const TopoDS_Face& face, double length_beyond) {
+  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  ParameterBox box = parameter_box(face);
+  std::array<Interval, 2> bounds;
+  surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
+  const std::array<bool, 2> periodic{surface->IsUPeriodic() == Standard_True,
+                                     surface->IsVPeriodic() == Standard_True};
+  std::array<Interval*, 2> ranges{&box.u, &box.v};
+  std::array<std::array<bool, 2>, 2> goes_on{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    Interval& range = *ranges[k];
+    double room = kRoom * length(range);
+    if (periodic[k]) {
+      room = std::min(room, 0.5 * (length(bounds[k]) - length(range)));
+      if (room > 0) range = {range.from - room, range.to + room};
+      continue;
+    }
+    const Interval wide{range.from - room, range.to + room};
+    range = {std::max(wide.from, bounds[k].from), std::min(wide.to, bounds[k].to)};
+    goes_on[k] = {wide.from<bounds[k].from, wide.to> bounds[k].to};
+  }
+  const BezierSurface exact = bezier_surface(surface, box);
+  std::array<std::array<double, 2>, 2> parts{};
+  for (const std::size_t k : {0U, 1U})
+    for (const std::size_t end : {0U, 1U})
+      if (goes_on[k][end])
+        parts[k][end] = std::min(kMostSpans, length_beyond / outer_length(exact, k == 0, end == 0));
+  return extended(exact, parts[0], parts[1]);
+}
+
+RolledSupport support_of(const BodyEdges& body, const EdgeUseInFace& use, double parameter,
+                         const BodyEdges::Corner& corner, double width, bool concave) {
+  const TopoDS_Face& face = body.face(use.face);
+  RolledSupport made;
+  made.surface = surface_beyond(face, kBeyond * width);
+  const Vec2 scale = body.trims(use.face).scale, chart = point_at(use.coedge->curve, parameter);
+  const Vec2 uv{chart[0] / scale[0], chart[1] / scale[1]};
+  made.at_edge = uv;
+  made.start = uv + chart_step(frame_at(BRep_Tool::Surface(face), uv), width * corner.inwards);
+  made.side = (concave ? 1 : -1) * (face.Orientation() == TopAbs_REVERSED ? -1 : 1);
+  const Interval u{made.surface.u_knots.front(), made.surface.u_knots.back()};
+  const Interval v{made.surface.v_knots.front(), made.surface.v_knots.back()};
+  made.start = {std::clamp(made.start[0], u.from, u.to), std::clamp(made.start[1], v.from, v.to)};
+  return made;
+}
+
+}  // namespace
+
+RolledSupports rolled_supports(const BodyEdges& body, int edge, bool concave, double radius) {
+  double first = 0, last = 0;
+  BRep_Tool::Range(body.edge(edge), first, last);
+  const double middle = 0.5 * (first + last);
+  const EdgeUseInFace &left = body.use(edge, true), &right = body.use(edge, false);
+  const BodyEdges::Corner a = body.corner(left, middle), b = body.corner(right, middle);
+  RolledSupports made;
+  made.middle = a.point;
+  // Of tangent planes: each contact is r tan(turn / 2) from the edge.
+  made.width =
+      radius * std::tan(0.5 * std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal)));
+  made.of[0] = support_of(body, left, middle, a, made.width, concave);
+  made.of[1] = support_of(body, right, middle, b, made.width, concave);
+  return made;
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The faces at an edge as what a ball rolls on.
+
+#pragma once
+
+#include <array>
+
+#include "adapters/occt/blending/body_edges.h"
+#include "core/blending/ball_track.h"
+#include "core/forms/surface.h"
+
+namespace blossom::occt {
+
+/// One of the faces: its surface beyond the trims, as far as there is more of it, and past natural
+/// borders as its outer patches go on.
+struct RolledSupport {
+  BezierSurface surface;
+  Vec2 at_edge;  ///< the edge's middle, in the surface's parameters
+  Vec2 start;    ///< where a ball touches about
+  int side = 1;  ///< of du x dv, on which the ball is
+
+  /// Refers to the surface.
+  BallSupport whole() const { return whole_support(surface, side); }
+};
+
+struct RolledSupports {
+  std::array<RolledSupport, 2> of;  ///< to the left of the forward edge, to the right
+  double width = 0;                 ///< of contacts from the edge, of its tangent planes
+  Vec3 middle;                      ///< of the edge
+};
+
+/// throws   BadModel if a face cannot be converted
+RolledSupports rolled_supports(const BodyEdges& body, int edge, bool concave, double radius);
+
+}  // namespace blossom::occt

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The sheet that takes the place of filleted edges: strips, what they end in, corner patches, and
+// what it cuts off the edges and faces of the body.
+//
+// Ends are made first, vertex by vertex: where strips end in the same place, or in an edge of the
+// body, they have one vertex there. Everything else is built on these vertices, so that the sheet
+// and the cut faces close without being sewn.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+
+#include "adapters/occt/blending/body_edges.h"
+#include "adapters/occt/blending/end_curves.h"
+#include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/splitting/edge_splits.h"
+
+namespace blossom::occt {
+
+/// The contacts of a strip that lie to the left and right of who walks away from one of its ends.
+inline std::size_t left_side(const HalfEdge& half) { return half.at_start ? 0 : 1; }
+inline std::size_t right_side(const HalfEdge& half) { return half.at_start ? 1 : 0; }
+
+/// An edge on the way across a strip from its first contact to its second.
+struct PathEdge {
+  TopoDS_Edge edge;  ///< forward
+  bool forward = true;
+};
+
+/// How a strip ends: at which t of its contacts, in which vertices, and along which edges.
+struct StripEnd {
+  std::array<double, 2> t{};
+  std::array<TopoDS_Vertex, 2> vertices;
+  std::vector<PathEdge> path;  ///< from vertices[0] to vertices[1]
+};
+
+struct PlacedStrip {
+  RolledStrip strip;
+  std::array<StripEnd, 2> ends;  ///< at the start and at the end of the forward edge
+};
+
+/// What is left of an edge of the body: from one of its splits to another.
+struct EdgeRest {
+  int from = EdgeSplits::kFirst;
+  int to = EdgeSplits::kLast;
+};
+
+/// A new face, or what a face of the body gets: edges as the outward face uses them.
+struct BlendPatch {
+  TopoDS_Face face;  ///< without wires, oriented outwards
+  std::vector<TopoDS_Edge> edges;
+  int edge = 0;  ///< the number of the filleted edge it is named after
+};
+
+class BlendSheet {
+ public:
+  /// body        kept by reference
+  /// tolerance   model units
+  BlendSheet(const BodyEdges& body, double tolerance);
+
+  /// Strips of all edges that get one, before the ends.
+  void add(RolledStrip strip);
+
+  /// Makes all ends and patches.
+  /// throws   FilletRefused, BadModel
+  void build();
+
+  const std::vector<BlendPatch>& patches() const { return patches_; }
+  const std::map<int, std::vector<TopoDS_Edge>>& added() const { return added_; }
+  const std::map<int, EdgeRest>& rests() const { return rests_; }
+  /// What a user may want to know of how strips end.
+  const std::vector<std::string>& notes() const { return notes_; }
+  bool is_filleted(int edge) const { return strip_at_.count(edge) > 0; }
+  EdgeSplits& splits() { return splits_; }
+
+ private:
+  using Ring = std::vector<VertexSector>;
+  /// Where a contact meets an edge beside its strip's end; the edge is cut there.
+  struct Cut {
+    double t = 0;
+    TopoDS_Vertex vertex;
+  };
+
+  PlacedStrip& strip_of(const HalfEdge& half);
+  StripEnd& end_of(const HalfEdge& half);
+  double end_t(const HalfEdge& half);
+
+  void end_at(const HalfEdge& half);
+  void cap(const Ring& ring);
+  bool blunt(const Ring& ring);
+  void joint(const Ring& ring, std::size_t other);
+  void mitre(const Ring& ring);
+  void corner(const Ring& ring);
+
+  Cut cut_by_contact(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
+                     const HalfEdge& cut);
+  [[noreturn]] void refuse_miss(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
+                                const HalfEdge& cut) const;
+  TopoDS_Vertex cut_edge(const HalfEdge& cut, double parameter, const TopoDS_Face& asking);
+  /// The edge beside a strip over which its contact goes from face to face at a joint, if any.
+  struct Gap {
+    const HalfEdge* beside = nullptr;
+    const EdgeUseInFace* use = nullptr;  ///< in the face of the strip's contact
+    std::optional<ContactMeeting> meeting{};
+  };
+  Gap gap_beside(const HalfEdge& half, std::size_t side, const Ring& ring, std::size_t first,
+                 std::size_t last);
+  double joint_t(const HalfEdge& half, const Gap& left, const Gap& right);
+  TopoDS_Vertex joint_vertex(const HalfEdge& half, std::size_t side, double t, const Gap& gap);
+  void join_section(const HalfEdge& half, const HalfEdge& next);
+  TopoDS_Vertex new_vertex(const Vec3& point);
+  Interval part_near(const HalfEdge& half, const std::array<double, 2>& t);
+  TopoDS_Edge section(const PlacedStrip& of, const StripEnd& end);
+  void cap_face(const HalfEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,
+                const TopoDS_Vertex& to);
+  const EdgeUseInFace& arriving(const Ring& ring, std::size_t sector) const;
+  void check_contact(const PlacedStrip& of, std::size_t side) const;
+  void finish(PlacedStrip& of);
+  [[noreturn]] void refuse(const HalfEdge& half, FilletFault fault, const std::string& cause) const;
+
+  const BodyEdges& body_;
+  double tolerance_;
+  EdgeSplits splits_;
+  std::vector<PlacedStrip> strips_;
+  std::map<int, std::size_t> strip_at_;            // by edge
+  std::map<int, EdgeRest> rests_;                  // by edge
+  std::map<int, std::vector<TopoDS_Edge>> added_;  // by face
+  std::vector<BlendPatch> patches_;
+  std::vector<HalfEdge> done_;
+  std::vector<TopoDS_Vertex> made_;  // inside of faces
+  std::vector<std::string> notes_;
+};
+
+}  // namespace blossom::occt

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/edge_chain.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Tool.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/blending/fillet_refusal.h"
+
+namespace blossom::occt {
+namespace {
+
+const char* cause_of(EdgeKind kind) {
+  switch (kind) {
+    case EdgeKind::Smooth: return "its faces go on smoothly across it, nothing is to be rounded";
+    case EdgeKind::Mixed: return "it is convex, concave or smooth in turns";
+    case EdgeKind::Seam: return "it is the seam of one face";
+    case EdgeKind::Open: return "it bounds one face only";
+    case EdgeKind::Degenerate: return "it is a point";
+    default: return "more than two faces use it, or two in one direction";
+  }
+}
+
+EdgeKind kind_of(const BodyEdges& body, int edge) {
+  if (BRep_Tool::Degenerated(body.edge(edge))) return EdgeKind::Degenerate;
+  try {
+    if (body.use(edge, true).face == body.use(edge, false).face) return EdgeKind::Seam;
+    double angle = 0;
+    return edge_kind(body, edge, angle);
+  } catch (const BadModel&) {
+    return EdgeKind::Crowded;
+  }
+}
+
+Vec3 middle_of(const BodyEdges& body, int edge) {
+  const BRepAdaptor_Curve curve(body.edge(edge));
+  const gp_Pnt p = curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter()));
+  return {p.X(), p.Y(), p.Z()};
+}
+
+bool is_concave(const BodyEdges& body, int edge) {
+  const EdgeKind kind = kind_of(body, edge);
+  if (kind == EdgeKind::Convex || kind == EdgeKind::Concave) return kind == EdgeKind::Concave;
+  std::optional<Vec3> point;
+  if (kind != EdgeKind::Degenerate) point = middle_of(body, edge);
+  throw FilletRefused({FilletFault::Edge, edge, cause_of(kind), std::nullopt, point, {}});
+}
+
+// The one sharp edge in which another one goes on at an end; 0 if there is none, or several.
+int next_of(const BodyEdges& body, const HalfEdge& half, bool concave) {
+  const Vec3 back = -direction_at(body, half);
+  int found = 0;
+  const std::vector<VertexSector> ring = body.round(half);
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const HalfEdge& other = ring[i].half;
+    if (other.edge == half.edge) continue;
+    const Vec3 ahead = direction_at(body, other);
+    if (std::atan2(norm(cross(back, ahead)), dot(back, ahead)) > kSmoothJoint) continue;
+    const EdgeKind kind = kind_of(body, other.edge);
+    if (kind != (concave ? EdgeKind::Concave : EdgeKind::Convex)) continue;
+    if (found > 0) return 0;
+    found = other.edge;
+  }
+  return found;
+}
+
+}  // namespace
+
+FilletEdges smooth_chain(const BodyEdges& body, int edge) {
+  FilletEdges chain{{edge, is_concave(body, edge)}};
+  std::vector<int> open{edge};
+  while (!open.empty()) {
+    const int at = open.back();
+    open.pop_back();
+    for (const bool at_start : {true, false}) {
+      const int next = next_of(body, {at, at_start}, chain.at(edge));
+      if (next > 0 && chain.emplace(next, chain.at(edge)).second) open.push_back(next);
+    }
+  }
+  return chain;
+}
+
+}  // namespace blossom::occt

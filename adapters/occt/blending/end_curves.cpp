@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/end_curves.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_Plane.hxx>
+#include <Precision.hxx>
+
+#include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/convert/pcurves.h"
+#include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/curve_queries.h"
+#include "adapters/occt/faces/surface_projector.h"
+#include "adapters/occt/splitting/edge_images.h"
+#include "core/plane/planar_crossings.h"
+#include "core/surface_intersection.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr int kFootSamples = 5;    // a side, of the strip's part whose feet bound what is searched
+constexpr double kRoom = 0.25;     // of the feet's box: how far beyond it is searched
+constexpr double kEndPart = 1e-6;  // of the range: meetings so near to its ends are those
+
+Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+
+std::vector<PlanarCrossing> meetings(const BodyEdges& body, const RolledStrip& strip,
+                                     std::size_t side, const EdgeUseInFace& use,
+                                     const Interval& range) {
+  const FaceTrims& trims = body.trims(use.face);
+  const PlanarCurve contact =
+      transformed(planar_curve(strip.contacts[side].chart, range), trims.scale, {});
+  const double tolerance = std::max(Precision::Confusion(), use.coedge->tolerance);
+  std::vector<PlanarCrossing> all;
+  for (const Vec2& shift : period_shifts(trims, contact)) {
+    if (norm(shift) > 0 && trims.period[0] == 0 && trims.period[1] == 0) continue;
+    const PlanarCrossings found =
+        crossings(transformed(contact, {1, 1}, shift), use.coedge->curve, tolerance);
+    all.insert(all.end(), found.points.begin(), found.points.end());
+  }
+  return all;
+}
+
+BezierSurface strip_surface(const RolledStrip& strip, const Interval& part) {
+  Interval across{strip.contacts[0].w, strip.contacts[1].w};
+  if (across.from > across.to) std::swap(across.from, across.to);
+  return bezier_surface(strip.surface,
+                        strip.along_u ? ParameterBox{part, across} : ParameterBox{across, part});
+}
+
+Interval widened(const Interval& of, double room) { return {of.from - room, of.to + room}; }
+
+Vec3 plane_normal(const TopoDS_Face& plane) {
+  const SurfaceFrame frame = frame_at(BRep_Tool::Surface(plane), {0, 0});
+  return unit(cross(frame.du, frame.dv));
+}
+
+// What of a face's surface is near points that follow each other, in its own parameters.
+ParameterBox box_near(const std::vector<Vec3>& points, const TopoDS_Face& face) {
+  const SurfaceProjector feet(face, Precision::Confusion());
+  std::optional<Vec2> near;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::array<Interval, 2> box{Interval{kFar, -kFar}, Interval{kFar, -kFar}};
+  for (const Vec3& point : points) {
+    near = feet.foot(point, near);
+    for (int d = 0; d < 2; ++d) {
+      auto& of = box[static_cast<std::size_t>(d)];
+      of = {std::min(of.from, (*near)[d]), std::max(of.to, (*near)[d])};
+    }
+  }
+  const Handle(Geom_Surface)& surface = feet.surface();
+  std::array<Interval, 2> bounds;
+  surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
+  for (std::size_t d = 0; d < 2; ++d) {
+    box[d] = widened(box[d], kRoom * length(box[d]) + Precision::Confusion());
+    const bool periodic = d == 0 ? surface->IsUPeriodic() : surface->IsVPeriodic();
+    if (periodic) {
+      const double turn = length(bounds[d]), room = 0.5 * (turn - length(box[d]));
+      if (room < 0) box[d] = widened(box[d], room);
+    } else {
+      box[d] = {std::max(box[d].from, bounds[d].from), std::min(box[d].to, bounds[d].to)};
+    }
+  }
+  return {box[0], box[1]};
+}
+
+// Where a curve is nearest to a point.
+struct Near {
+  double at = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+Near near_point(const Handle(Geom_Curve) & curve, const Interval& range, const Vec3& point) {
+  const double t = nearest_on(curve, range, point);
+  return {t, distance(vec(curve->Value(t).XYZ()), point)};
+}
+
+// An exact image where the curve is a conic and Open CASCADE knows it, else the fitted one.
+Handle(Geom2d_Curve)
+    exact_chart(const IntersectionCurve& found, const Spline2& fitted,
+                const Handle(Geom_Curve) & curve, const Interval& range, const TopoDS_Face& face) {
+  if (!found.conic) return to_occt(fitted);
+  const SurfaceProjector feet(face, Precision::Confusion());
+  try {
+    return image_of(curve, range, feet, point_at(fitted, at(range, 0.5)), Precision::Confusion())
+        .chart;
+  } catch (const std::exception&) {
+    return to_occt(fitted);
+  }
+}
+
+}  // namespace
+
+std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledStrip& strip,
+                                           std::size_t side, const EdgeUseInFace& use,
+                                           double near) {
+  std::optional<ContactMeeting> best;
+  for (const PlanarCrossing& each : meetings(body, strip, side, use, strip.range))
+    if (!best || std::abs(each.a - near) < std::abs(best->t - near))
+      best = ContactMeeting{each.a, each.b};
+  return best;
+}
+
+bool goes_over(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
+               const EdgeUseInFace& use, const Interval& between, ContactMeeting& where) {
+  for (const PlanarCrossing& each : meetings(body, strip, side, use, between)) {
+    const double room = kEndPart * length(between);
+    if (each.a <= between.from + room || each.a >= between.to - room) continue;
+    where = {each.a, each.b};
+    return true;
+  }
+  return false;
+}
+
+std::optional<double> edge_through(const RolledStrip& strip, const Interval& part,
+                                   const BodyEdges& body, const HalfEdge& half) {
+  const TopoDS_Edge edge = body.edge(half.edge);
+  const CurveSurfaceIntersection found = intersect(bezier_spans(edge), strip_surface(strip, part));
+  if (found.points.empty()) return std::nullopt;
+  return half.at_start ? found.points.front().t : found.points.back().t;
+}
+
+namespace {
+
+// The best piece among all curves of two surfaces.
+std::optional<EndCurve> best_curve(const BezierSurface& on_face, const TopoDS_Face& face,
+                                   const BezierSurface& on_other, const TopoDS_Face& other,
+                                   const Vec3& from, const Vec3& to, double reach) {
+  const SurfaceIntersection found = intersect(on_face, on_other);
+  std::optional<EndCurve> best;
+  double least = reach;
+  for (const IntersectionCurve& each : found.curves) {
+    const Handle(Geom_Curve) spline = to_occt(each.curve);
+    const Interval domain = each.curve.domain();
+    const Near start = near_point(spline, domain, from), end = near_point(spline, domain, to);
+    if (std::max(start.distance, end.distance) > least || start.at == end.at) continue;
+    least = std::max(start.distance, end.distance);
+    EndCurve made;
+    made.forward = start.at < end.at;
+    made.range = {std::min(start.at, end.at), std::max(start.at, end.at)};
+    made.curve = each.conic ? to_occt(*each.conic) : Handle(Geom_Curve)(spline);
+    made.on_face = exact_chart(each, each.chart_a, made.curve, made.range, face);
+    made.on_strip = exact_chart(each, each.chart_b, made.curve, made.range, other);
+    best = std::move(made);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& part,
+                                      const TopoDS_Face& face, const Vec3& from, const Vec3& to,
+                                      double reach) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < kFootSamples; ++i)
+    for (int k = 0; k < kFootSamples; ++k) {
+      const double t = at(part, static_cast<double>(i) / (kFootSamples - 1));
+      const double w =
+          at({strip.contacts[0].w, strip.contacts[1].w},
+             static_cast<double>(i % 2 == 0 ? k : kFootSamples - 1 - k) / (kFootSamples - 1));
+      const Vec2 uv = strip.chart(t, w);
+      points.push_back(vec(strip.surface->Value(uv[0], uv[1]).XYZ()));
+    }
+  const BezierSurface on_face = bezier_surface(BRep_Tool::Surface(face), box_near(points, face));
+  return best_curve(on_face, face, strip_surface(strip, part), strip.bare_face(), from, to, reach);
+}
+
+std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const TopoDS_Face& face,
+                                            const Vec3& from, const Vec3& to, double reach) {
+  std::vector<Vec3> points;
+  for (int i = 0; i <= kFootSamples; ++i)
+    points.push_back(from + (static_cast<double>(i) / kFootSamples) * (to - from));
+  // A square that holds both points with room on all sides, so that no curve ends between them.
+  const Vec3 middle = 0.5 * (from + to), half = to - from;
+  const Vec3 aside = cross(half, plane_normal(plane));
+  for (const double sign : {1.0, -1.0}) {
+    points.push_back(middle + sign * half);
+    points.push_back(middle + sign * aside);
+  }
+  const BezierSurface on_face = bezier_surface(BRep_Tool::Surface(face), box_near(points, face));
+  const BezierSurface on_plane = bezier_surface(BRep_Tool::Surface(plane), box_near(points, plane));
+  return best_curve(on_face, face, on_plane, plane, from, to, reach);
+}
+
+}  // namespace blossom::occt

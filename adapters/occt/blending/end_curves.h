@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where strips and their contacts meet the faces and edges at their ends.
+
+#pragma once
+
+#include <optional>
+
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+
+#include "adapters/occt/blending/body_edges.h"
+#include "adapters/occt/blending/rolled_strip.h"
+#include "core/math/interval.h"
+#include "core/math/vec.h"
+
+namespace blossom::occt {
+
+/// A contact's meeting with an edge of its face.
+struct ContactMeeting {
+  double t = 0;  ///< of the strip
+  double edge_parameter = 0;
+};
+
+/// The meeting of a contact with an edge of its face that is nearest to `near`, by t.
+///
+/// side   of the strip: 0 or 1
+/// use    of the edge, in the contact's face
+std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledStrip& strip,
+                                           std::size_t side, const EdgeUseInFace& use, double near);
+
+/// All meetings between two values of t, ends left out by a part of the range.
+bool goes_over(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
+               const EdgeUseInFace& use, const Interval& between, ContactMeeting& where);
+
+/// The parameter of an edge at which it goes through a strip, nearest to one of its ends.
+///
+/// part   of t in which the strip is looked at
+std::optional<double> edge_through(const RolledStrip& strip, const Interval& part,
+                                   const BodyEdges& body, const HalfEdge& half);
+
+/// A piece of the curve in which a strip and the surface of a face meet.
+struct EndCurve {
+  Handle(Geom_Curve) curve;
+  Handle(Geom2d_Curve) on_strip, on_face;  ///< with its parameter
+  Interval range;                          ///< increasing
+  bool forward = true;                     ///< whether it runs as was asked
+};
+
+/// The piece between two points that are near the curve; nothing if no curve comes as near to both
+/// as `reach`.
+///
+/// part    of t in which the strip is looked at
+std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& part,
+                                      const TopoDS_Face& face, const Vec3& from, const Vec3& to,
+                                      double reach);
+
+/// The piece of the curve in which a plane and the surface of a face meet; `on_strip` is in the
+/// parameters of the plane.
+std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const TopoDS_Face& face,
+                                            const Vec3& from, const Vec3& to, double reach);
+
+}  // namespace blossom::occt

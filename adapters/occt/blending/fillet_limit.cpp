@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/fillet_limit.h"
+
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <vector>
+
+#include "adapters/occt/blending/ball_supports.h"
+#include "adapters/occt/blending/rolled_strip.h"
+#include "core/blending/largest_radius.h"
+#include "core/plane/planar_curves.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kLeastPart = 1e-3;     // of the radius asked for: smaller ones are not looked at
+constexpr double kRadiusError = 1e-12;  // relative
+constexpr int kMostSteps = 100;
+constexpr int kSamples = 16;  // along a contact
+
+// The distance of a chart point from a border, positive on the face's side.
+ContactBorder border_of(const FaceTrims& trims, const Coedge& coedge, int support) {
+  const Vec2 scale = trims.scale;
+  const bool reversed = coedge.reversed();
+  return {support, [&coedge, scale, reversed](const Vec2& uv) {
+            const Vec2 point{uv[0] * scale[0], uv[1] * scale[1]};
+            const double foot = nearest(coedge.curve, point).parameter;
+            const PlanarJet jet = jet_at(coedge.curve, foot);
+            const double height = cross(unit(jet.first), point - jet.point);
+            return reversed ? -height : height;
+          }};
+}
+
+// All borders of the outer kind but the edge itself and those at which the strip ends.
+void add_borders(const BodyEdges& body, int edge, bool forward, std::vector<ContactBorder>& borders,
+                 std::vector<int>& numbers) {
+  const EdgeUseInFace& own = body.use(edge, forward);
+  const std::vector<EdgeUseInFace>& uses = body.uses(own.face);
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const int place = static_cast<int>(i);
+    if (&uses[i] == &own || place == own.next || place == own.previous ||
+        uses[i].coedge->degenerated)
+      continue;
+    borders.push_back(border_of(body.trims(own.face), *uses[i].coedge, forward ? 0 : 1));
+    numbers.push_back(uses[i].edge);
+  }
+}
+
+struct Borders {
+  std::vector<ContactBorder> of;
+  std::vector<int> edges;  // their numbers
+};
+
+// How far the contacts of a swept strip keep from the borders, and from which it is least.
+struct Room {
+  double least = -1;  // where there is no strip
+  int edge = 0;
+};
+
+Room room_of(const BodyEdges& body, int edge, bool concave, double radius,
+             const Borders& borders) try {
+  const auto strip = swept_strip(body, edge, concave, radius);
+  Room room;
+  if (!strip) return room;
+  room.least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < borders.of.size(); ++i) {
+    const RolledContact& contact = strip->contacts[static_cast<std::size_t>(borders.of[i].support)];
+    for (int k = 0; k <= kSamples; ++k) {
+      const gp_Pnt2d uv =
+          contact.chart->Value(at(strip->edge_range, static_cast<double>(k) / kSamples));
+      const double height = borders.of[i].inside({uv.X(), uv.Y()});
+      if (height < room.least) room = {height, borders.edges[i]};
+    }
+  }
+  return room;
+} catch (const std::exception&) {
+  return {};
+}
+
+// Where the room is used up, by the secant of a bracket (the Illinois method). Contacts of swept
+// strips are lines and circles, as their borders mostly are, so it is the same all along.
+std::optional<FilletLimit> swept_limit(const BodyEdges& body, int edge, bool concave, double most,
+                                       const Borders& borders) {
+  double low = kLeastPart * most, high = most;
+  Room at_low = room_of(body, edge, concave, low, borders);
+  Room at_high = room_of(body, edge, concave, high, borders);
+  if (!(at_low.least > 0) || !(at_high.least < 0)) return std::nullopt;
+  double f_low = at_low.least, f_high = at_high.least;
+  int cause = at_high.edge, side = 0;
+  for (int i = 0; i < kMostSteps && high - low > kRadiusError * high; ++i) {
+    const double radius = high - f_high * (high - low) / (f_high - f_low);
+    const Room room = room_of(body, edge, concave, radius, borders);
+    if (room.edge > 0) cause = room.edge;
+    if (room.least <= 0) {
+      high = radius;
+      f_high = room.least;
+      if (side == -1) f_low *= 0.5;
+      side = -1;
+    } else {
+      low = radius;
+      f_low = room.least;
+      if (side == 1) f_high *= 0.5;
+      side = 1;
+    }
+    if (room.least == 0) low = high;
+  }
+  if (cause == 0) return std::nullopt;
+  return FilletLimit{low, "edge " + std::to_string(cause) + ", which the contact reaches"};
+}
+
+}  // namespace
+
+std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool concave,
+                                        double most) try {
+  Borders borders;
+  add_borders(body, edge, true, borders.of, borders.edges);
+  add_borders(body, edge, false, borders.of, borders.edges);
+  if (swept_strip(body, edge, concave, kLeastPart * most))
+    return swept_limit(body, edge, concave, most, borders);
+  const RolledSupports supports = rolled_supports(body, edge, concave, most);
+  const auto found = largest_radius(supports.of[0].whole(), supports.of[1].whole(),
+                                    {supports.of[0].at_edge, supports.of[1].at_edge},
+                                    kLeastPart * most, most, borders.of);
+  if (!found || found->limit == RadiusLimit::None || found->limit == RadiusLimit::Other)
+    return std::nullopt;
+  std::string cause = "two walls that face each other";
+  if (found->limit == RadiusLimit::Curvature) cause = "the curvature of a face";
+  if (found->limit == RadiusLimit::Border && found->border >= 0)
+    cause = "edge " + std::to_string(borders.edges[static_cast<std::size_t>(found->border)]) +
+            ", which the contact reaches";
+  return FilletLimit{found->radius, cause};
+} catch (const std::exception&) {
+  return std::nullopt;  // the refusal stands without it
+}
+
+}  // namespace blossom::occt

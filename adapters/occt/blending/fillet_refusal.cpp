@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/fillet_refusal.h"
+
+#include <sstream>
+
+namespace blossom::occt {
+
+const char* to_string(FilletFault fault) {
+  switch (fault) {
+    case FilletFault::Edge: return "edge";
+    case FilletFault::NoBall: return "no ball";
+    case FilletFault::Pinch: return "pinch";
+    case FilletFault::LeavesFace: return "leaves face";
+    case FilletFault::EdgeConsumed: return "edge consumed";
+    case FilletFault::End: return "end";
+    case FilletFault::Corner: return "corner";
+    case FilletFault::Interference: return "interference";
+    case FilletFault::Result: break;
+  }
+  return "result";
+}
+
+std::string FilletRefusal::text() const {
+  std::ostringstream text;
+  if (edge > 0) text << "edge " << edge << ": ";
+  text << cause;
+  if (point) text << ", at (" << (*point)[0] << ", " << (*point)[1] << ", " << (*point)[2] << ")";
+  if (largest) text << "; the largest radius there is " << *largest;
+  return text.str();
+}
+
+}  // namespace blossom::occt

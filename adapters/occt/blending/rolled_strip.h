@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The strip that a ball leaves as it rolls along an edge of a body.
+
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
+#include <TopoDS_Face.hxx>
+
+#include "adapters/occt/blending/body_edges.h"
+#include "core/math/interval.h"
+#include "core/math/vec.h"
+
+namespace blossom::occt {
+
+/// Where the strip touches one of the two faces. Curves have the strip's parameter t.
+struct RolledContact {
+  int face = 0;
+  Handle(Geom_Curve) curve;
+  Handle(Geom2d_Curve) chart;  ///< in the parameters of the face's surface
+  double w = 0;                ///< the strip's other parameter
+};
+
+/// A strip with parameters t along the edge, growing as the forward edge runs, and w across.
+struct RolledStrip {
+  int edge = 0;
+  bool concave = false;
+  double radius = 0;  ///< model units
+  Handle(Geom_Surface) surface;
+  bool along_u = true;                    ///< whether t is the surface's u
+  bool outward = true;                    ///< whether du x dv points out of the material
+  bool closed = false;                    ///< the edge is; the range is once round then
+  Handle(Geom_Curve) spine;               ///< the centre of the ball, by t
+  std::array<RolledContact, 2> contacts;  ///< of the face to the left of the forward edge, right
+  Interval range;                         ///< of t; further than the edge where it is open
+  Interval edge_range;                    ///< t of the sections through the edge's ends
+
+  Vec2 chart(double t, double w) const { return along_u ? Vec2{t, w} : Vec2{w, t}; }
+  /// The chart curves of a contact, by t, and of a section, by w.
+  Handle(Geom2d_Curve) contact_line(double w) const;
+  Handle(Geom2d_Curve) section_line(double t) const;
+  /// The bare surface as a face, without wires.
+  TopoDS_Face bare_face() const;
+};
+
+/// The strip along a line or circle whose faces are the same all along: planes and cylinders along
+/// a line; planes, cylinders, cones, spheres and tori round one axis. A piece of a cylinder, torus
+/// or sphere. Nothing for other edges.
+///
+/// In the plane across the edge each face is a line or a circle, and the centre of the ball is
+/// where their parallels at the distance of the radius cross, next to the edge.
+///
+/// concave   whether the edge is
+/// throws    FilletRefused if there is no such ball
+std::optional<RolledStrip> swept_strip(const BodyEdges& body, int edge, bool concave,
+                                       double radius);
+
+/// The strip along any other edge: the ball is traced along both surfaces, which go on past the
+/// trims, and past natural borders as their outer spans do.
+///
+/// throws    FilletRefused if there is no such ball, or it is too large for a face's curvature
+RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double radius);
+
+}  // namespace blossom::occt

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/sheet_trim.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/splitting/edge_images.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kSamePlace = 10;  // in tolerances: edges so near to each other become one
+
+// An edge in a wire of the forward face.
+struct Link {
+  TopoDS_Edge edge;
+  TopoDS_Vertex from, to;
+  Vec2 start, end;  // in the chart
+  int next = -1;
+};
+
+using Wires = std::vector<std::vector<TopoDS_Edge>>;
+
+Link link_of(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  Link made{edge,
+            TopExp::FirstVertex(edge, Standard_True),
+            TopExp::LastVertex(edge, Standard_True),
+            {},
+            {}};
+  Interval range;
+  const Handle(Geom2d_Curve) chart = chart_curve_of(edge, face, range);
+  if (chart.IsNull()) return made;
+  if (edge.Orientation() == TopAbs_REVERSED) std::swap(range.from, range.to);
+  const gp_Pnt2d a = chart->Value(range.from), b = chart->Value(range.to);
+  made.start = {a.X(), a.Y()};
+  made.end = {b.X(), b.Y()};
+  return made;
+}
+
+// Edges without length whose vertex no other edge has any more are gone with it.
+void drop_lost_points(std::vector<Link>& links) {
+  const auto is_lost = [&](const Link& link) {
+    return BRep_Tool::Degenerated(link.edge) &&
+           std::none_of(links.begin(), links.end(), [&](const Link& other) {
+             return !BRep_Tool::Degenerated(other.edge) &&
+                    (other.from.IsSame(link.from) || other.to.IsSame(link.from));
+           });
+  };
+  std::vector<Link> kept;
+  for (const Link& link : links)
+    if (!is_lost(link)) kept.push_back(link);
+  links = std::move(kept);
+}
+
+// Each end goes with the nearest start at its vertex, nearest pairs first.
+bool connect(std::vector<Link>& links, const Vec2& scale) {
+  struct Pair {
+    double gap;
+    std::size_t end, start;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < links.size(); ++i)
+    for (std::size_t k = 0; k < links.size(); ++k)
+      if (links[i].to.IsSame(links[k].from)) {
+        const Vec2 off = links[k].start - links[i].end;
+        pairs.push_back({norm(Vec2{off[0] * scale[0], off[1] * scale[1]}), i, k});
+      }
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.gap < b.gap; });
+  std::vector<bool> taken(links.size());
+  std::size_t count = 0;
+  for (const Pair& pair : pairs) {
+    if (links[pair.end].next >= 0 || taken[pair.start]) continue;
+    links[pair.end].next = static_cast<int>(pair.start);
+    taken[pair.start] = true;
+    ++count;
+  }
+  return count == links.size();
+}
+
+std::optional<Wires> wires_of(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face,
+                              const Vec2& scale) {
+  std::vector<Link> links;
+  for (const TopoDS_Edge& edge : edges) links.push_back(link_of(edge, face));
+  drop_lost_points(links);
+  if (!connect(links, scale)) return std::nullopt;
+  Wires wires;
+  std::vector<bool> used(links.size());
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (used[i]) continue;
+    wires.emplace_back();
+    for (std::size_t k = i; !used[k]; k = static_cast<std::size_t>(links[k].next)) {
+      used[k] = true;
+      wires.back().push_back(links[k].edge);
+    }
+  }
+  return wires;
+}
+
+TopoDS_Face face_with(const Wires& wires, const TopoDS_Face& of) {
+  const BRep_Builder builder;
+  TopoDS_Face face = TopoDS::Face(of.EmptyCopied());
+  face.Orientation(TopAbs_FORWARD);
+  for (const auto& edges : wires) {
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (const TopoDS_Edge& edge : edges) builder.Add(wire, edge);
+    wire.Closed(Standard_True);
+    builder.Add(face, wire);
+  }
+  // What lies inside of the face stays there.
+  for (TopoDS_Iterator wire(of); wire.More(); wire.Next()) {
+    if (wire.Value().ShapeType() != TopAbs_WIRE) continue;
+    const TopoDS_Iterator edge(wire.Value());
+    if (edge.More() && edge.Value().Orientation() == TopAbs_INTERNAL)
+      builder.Add(face, wire.Value());
+  }
+  face.Orientation(of.Orientation());
+  return face;
+}
+
+// The border of a face on its way to a new one.
+struct Border {
+  TopoDS_Face of;  // forward
+  Wires wires;
+  int from = 0, edge = 0;
+  TopAbs_Orientation orientation = TopAbs_FORWARD;
+};
+
+Vec3 middle_of(const TopoDS_Edge& edge) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  const gp_Pnt p = curve->Value(at(range, 0.5));
+  return {p.X(), p.Y(), p.Z()};
+}
+
+// Whether one edge runs along the other from end to end.
+bool run_along(const TopoDS_Edge& a, const TopoDS_Edge& b, double tolerance) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(b, range.from, range.to);
+  const double reach = std::max({tolerance, BRep_Tool::Tolerance(a), BRep_Tool::Tolerance(b)});
+  const Vec3 point = middle_of(a);
+  const gp_Pnt foot = curve->Value(nearest_on(curve, range, point));
+  return distance(point, {foot.X(), foot.Y(), foot.Z()}) <= reach;
+}
+
+TopoDS_Edge turned(const TopoDS_Edge& edge, bool reversed) {
+  return reversed ? TopoDS::Edge(edge.Reversed()) : edge;
+}
+
+// A face of the sheet is what is left where a face of the body shrinks to a line.
+class Trimming {
+ public:
+  Trimming(const BodyEdges& body, BlendSheet& sheet, double tolerance)
+      : body_(body), sheet_(sheet), tolerance_(tolerance) {}
+
+  std::vector<TrimmedFace> faces();
+
+ private:
+  bool is_touched(int face) const;
+  std::vector<TopoDS_Edge> edges_left(int face);
+  void add_rest(const EdgeUseInFace& use, bool reversed, std::vector<TopoDS_Edge>& edges);
+  void add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face, const Vec2& scale,
+                  int from, int edge);
+  bool collapse_one();
+  void replace(const TopoDS_Edge& lost, const TopoDS_Edge& kept);
+
+  const BodyEdges& body_;
+  BlendSheet& sheet_;
+  double tolerance_;
+  std::vector<Border> borders_;
+};
+
+bool Trimming::is_touched(int face) const {
+  if (sheet_.added().count(face) > 0) return true;
+  const auto& uses = body_.uses(face);
+  return std::any_of(uses.begin(), uses.end(), [&](const EdgeUseInFace& use) {
+    return sheet_.is_filleted(use.edge) || sheet_.rests().count(use.edge) > 0;
+  });
+}
+
+// The pieces of an edge between the splits at which fillets cut it.
+void Trimming::add_rest(const EdgeUseInFace& use, bool reversed, std::vector<TopoDS_Edge>& edges) {
+  const TopoDS_Edge edge = body_.edge(use.edge);
+  const auto known = sheet_.rests().find(use.edge);
+  const EdgeRest rest = known == sheet_.rests().end() ? EdgeRest{} : known->second;
+  EdgeSplits& splits = sheet_.splits();
+  const double from = splits.parameter(edge, rest.from), to = splits.parameter(edge, rest.to);
+  if (from > to)
+    throw FilletRefused({FilletFault::EdgeConsumed,
+                         use.edge,
+                         "fillets at both its ends would take more of it than there is",
+                         from,
+                         point_of(splits.vertex(edge, rest.from)),
+                         {}});
+  for (const EdgePiece& piece : splits.pieces(edge))
+    if (piece.range.from >= from && piece.range.to <= to)
+      edges.push_back(TopoDS::Edge(
+          piece.edge.Oriented(use.forward != reversed ? TopAbs_FORWARD : TopAbs_REVERSED)));
+}
+
+// As the forward face uses them.
+std::vector<TopoDS_Edge> Trimming::edges_left(int face) {
+  const bool reversed = body_.face(face).Orientation() == TopAbs_REVERSED;
+  std::vector<TopoDS_Edge> edges;
+  for (const EdgeUseInFace& use : body_.uses(face)) {
+    if (sheet_.is_filleted(use.edge)) continue;
+    if (use.coedge->degenerated || sheet_.rests().count(use.edge) == 0)
+      edges.push_back(use.coedge->edge);
+    else
+      add_rest(use, reversed, edges);
+  }
+  if (const auto known = sheet_.added().find(face); known != sheet_.added().end())
+    for (const TopoDS_Edge& edge : known->second) edges.push_back(turned(edge, reversed));
+  return edges;
+}
+
+void Trimming::add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face,
+                          const Vec2& scale, int from, int edge) {
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  auto wires = wires_of(edges, forward, scale);
+  if (!wires)
+    throw FilletRefused(
+        {FilletFault::Result,
+         edge,
+         from > 0 ? "what is left of face " + std::to_string(from) + " has an open border"
+                  : std::string("its strip has an open border"),
+         {},
+         {},
+         {}});
+  borders_.push_back({forward, *std::move(wires), from, edge, face.Orientation()});
+}
+
+// Puts an edge in the place of another one that runs along it.
+void Trimming::replace(const TopoDS_Edge& lost, const TopoDS_Edge& kept) {
+  const bool reversed = !TopExp::FirstVertex(lost).IsSame(TopExp::FirstVertex(kept));
+  for (Border& border : borders_)
+    for (auto& wire : border.wires)
+      for (TopoDS_Edge& edge : wire) {
+        if (!edge.IsSame(lost)) continue;
+        if (!keeps_chart_curve(kept, border.of)) {
+          Interval range, own;
+          const Handle(Geom_Curve) curve = BRep_Tool::Curve(kept, range.from, range.to);
+          const Handle(Geom2d_Curve) chart = chart_curve_of(edge, border.of, own);
+          const gp_Pnt2d near = chart->Value(at(own, 0.5));
+          const SurfaceProjector feet(border.of, Precision::Confusion());
+          add_chart(
+              kept,
+              image_of(curve, range, feet, Vec2{near.X(), near.Y()}, kSamePlace * tolerance_).chart,
+              border.of);
+        }
+        const bool forward = (edge.Orientation() == TopAbs_FORWARD) != reversed;
+        edge = TopoDS::Edge(kept.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED));
+      }
+}
+
+// Takes out a face that is only two edges which run along each other; they become one.
+bool Trimming::collapse_one() {
+  for (std::size_t i = 0; i < borders_.size(); ++i) {
+    const Wires& wires = borders_[i].wires;
+    if (wires.size() != 1 || wires.front().size() != 2) continue;
+    TopoDS_Edge kept = wires.front()[0], lost = wires.front()[1];
+    if (kept.IsSame(lost) || !run_along(kept, lost, tolerance_)) continue;
+    if (body_.number(lost) > 0) std::swap(kept, lost);
+    const TopoDS_Edge forward = TopoDS::Edge(kept.Oriented(TopAbs_FORWARD));
+    borders_.erase(borders_.begin() + static_cast<std::ptrdiff_t>(i));
+    replace(TopoDS::Edge(lost.Oriented(TopAbs_FORWARD)), forward);
+    return true;
+  }
+  return false;
+}
+
+std::vector<TrimmedFace> Trimming::faces() {
+  std::vector<TrimmedFace> all;
+  for (int number = 1; number <= body_.face_count(); ++number)
+    if (is_touched(number))
+      add_border(edges_left(number), body_.face(number), body_.trims(number).scale, number, 0);
+  for (const BlendPatch& patch : sheet_.patches()) {
+    const bool reversed = patch.face.Orientation() == TopAbs_REVERSED;
+    std::vector<TopoDS_Edge> edges;
+    for (const TopoDS_Edge& edge : patch.edges) edges.push_back(turned(edge, reversed));
+    add_border(edges, patch.face, {1, 1}, 0, patch.edge);
+  }
+  while (collapse_one()) {
+  }
+  for (int number = 1; number <= body_.face_count(); ++number)
+    if (!is_touched(number)) all.push_back({body_.face(number), number, 0});
+  for (const Border& border : borders_) {
+    if (border.wires.empty()) continue;
+    const TopoDS_Face of = TopoDS::Face(border.of.Oriented(border.orientation));
+    all.push_back({face_with(border.wires, of), border.from, border.edge});
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<TrimmedFace> trimmed_by_sheet(const BodyEdges& body, BlendSheet& sheet,
+                                          double tolerance) {
+  return Trimming(body, sheet, tolerance).faces();
+}
+
+}  // namespace blossom::occt

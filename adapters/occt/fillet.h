@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Fillets: edges of solids rounded by a rolling ball.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include "core/base/status.h"
+#include "core/math/vec.h"
+#include "core/results/options.h"
+
+namespace blossom::occt {
+
+/// Why a fillet cannot be made.
+enum class FilletFault {
+  Edge,          ///< it cannot have a fillet: open, crowded, smooth, a seam, a point, of mixed kind
+  NoBall,        ///< no ball of that radius touches both faces beside the edge
+  Pinch,         ///< the ball has a radius of curvature of a face
+  LeavesFace,    ///< a contact goes over a border of its face
+  EdgeConsumed,  ///< more of an edge would go than there is
+  End,           ///< how the strip ends is not known how to build
+  Corner,        ///< likewise of filleted edges that meet
+  Interference,  ///< the strip runs into another face
+  Result         ///< what came out is no valid solid
+};
+
+/// "edge", "no ball", ... as in the JSON report.
+const char* to_string(FilletFault fault);
+
+/// The same with where, and what would do.
+struct FilletRefusal {
+  FilletFault fault = FilletFault::Result;
+  int edge = 0;  ///< number; 0: none in particular
+  std::string cause;
+  std::optional<double> parameter{};  ///< of the edge
+  std::optional<Vec3> point{};        ///< model units
+  std::optional<double> largest{};    ///< the largest radius that works there, model units
+
+  /// "edge 12: ... at (x, y, z)".
+  std::string text() const;
+};
+
+struct FilletOptions {
+  double radius = 1;     ///< model units
+  bool partial = false;  ///< make those that can be made, instead of all or none
+  IntersectionOptions intersection{};
+};
+
+/// A face of a result and where it comes from. Numbers are those of the shape.
+struct FilletFace {
+  TopoDS_Face face;
+  int from = 0;  ///< of the face that it is or is left of; 0: a blend
+  int edge = 0;  ///< of a blend: of the edge in whose place it is; 0: of a corner
+};
+
+struct FilletedSolid {
+  TopoDS_Solid solid;
+  std::vector<FilletFace> faces;
+  double volume = 0;  ///< cubic model units, by our own integration
+};
+
+struct FilletResult {
+  Status status = Status::Complete;  ///< Stopped when the time limit or the caller ended the work
+  /// All solids of the shape, those without fillets as they were; none if anything is refused and
+  /// not `partial`, or nothing could be made.
+  std::vector<FilletedSolid> solids;
+  std::vector<int> edges;  ///< that have fillets: those asked for and those that they go on in
+  std::vector<FilletRefusal> refused;
+  double volume_before = 0;
+  std::vector<std::string> notes;  ///< how strips end, where that is not what one would think
+};
+
+/// Rounds edges of solids.
+///
+/// A fillet goes on along edges that continue an edge smoothly. Nothing is given out that is not
+/// closed, valid by BRepCheck, and changed in volume the way its edges say: less material at convex
+/// ones, more at concave ones.
+///
+/// shape    solids, faces turned outwards
+/// edges    numbers as in `edge_facts`
+/// throws   InvalidInput if there is no edge of such a number, none is given, or the radius is not
+///          positive and finite; BadModel if a face cannot be used
+FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
+                    const FilletOptions& options = {});
+
+}  // namespace blossom::occt

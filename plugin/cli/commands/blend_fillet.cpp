@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom blend fillet PART`: edges of solids rounded by a rolling ball.
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+#include "plugin/cli/commands/blend_parts.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/inputs.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/options.h"
+#include "plugin/cli/output.h"
+#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/progress.h"
+#include "plugin/cli/reading.h"
+#include "plugin/cli/repairs.h"
+#include "plugin/cli/values.h"
+
+namespace blossom::cli {
+namespace {
+
+struct FilletCommand {
+  std::string part;
+  std::vector<int> edges;
+  std::string all;  ///< --edges: "all", "convex" or "concave"
+  std::vector<int> between;
+  double radius = 0;
+  bool partial = false;
+  CommonOptions common;
+  EngineOptions engine;
+};
+
+struct Timed {
+  std::vector<int> asked;
+  occt::FilletResult made;
+  double seconds = 0;
+};
+
+bool can_be_rounded(const occt::EdgeFacts& edge) {
+  return edge.kind == occt::EdgeKind::Convex || edge.kind == occt::EdgeKind::Concave;
+}
+
+// The edges that two faces have in common.
+void add_between(const FilletCommand& command, const std::vector<occt::EdgeFacts>& facts,
+                 std::set<int>& edges) {
+  std::vector<int> pair = command.between;
+  std::ranges::sort(pair);
+  const std::size_t before = edges.size();
+  for (const occt::EdgeFacts& each : facts) {
+    std::vector<int> faces = each.faces;
+    std::ranges::sort(faces);
+    if (faces == pair && each.kind != occt::EdgeKind::Degenerate) edges.insert(each.number);
+  }
+  if (edges.size() == before)
+    throw UsageError(command.part + ": faces " + std::to_string(pair[0]) + " and " +
+                     std::to_string(pair[1]) + " have no edge in common");
+}
+
+std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& shape) {
+  std::set<int> edges(command.edges.begin(), command.edges.end());
+  if (command.all.empty() && command.between.empty()) return {edges.begin(), edges.end()};
+  const std::vector<occt::EdgeFacts> facts = occt::edge_facts(shape);
+  if (!command.between.empty()) add_between(command, facts, edges);
+  if (!command.all.empty())
+    for (const occt::EdgeFacts& each : facts)
+      if (command.all == "all" ? can_be_rounded(each) : command.all == to_string(each.kind))
+        edges.insert(each.number);
+  if (edges.empty()) throw UsageError(command.part + ": it has no edges that can be rounded");
+  return {edges.begin(), edges.end()};
+}
+
+Timed timed_fillet(const FilletCommand& command, const Input& part) {
+  Progress progress("filleting");
+  Timed timed;
+  timed.asked = edges_asked(command, part.model.shape());
+  const auto start = std::chrono::steady_clock::now();
+  timed.made = occt::fillet(part.model.shape(), timed.asked,
+                            {.radius = command.radius,
+                             .partial = command.partial,
+                             .intersection = intersection_options(command.engine, progress)});
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  timed.seconds = took.count();
+  return timed;
+}
+
+std::string blend_name(const occt::FilletFace& face) {
+  return face.edge > 0 ? "fillet of edge " + std::to_string(face.edge) : "fillet of a corner";
+}
+
+// What gives the blends their names: each as a part.
+occt::Model blends_of(const occt::FilletResult& made) {
+  occt::Model blends;
+  for (const occt::FilletedSolid& solid : made.solids)
+    for (const occt::FilletFace& face : solid.faces)
+      if (face.from == 0) blends.add(face.face, blend_name(face));
+  return blends;
+}
+
+void write_part(const Input& part, const occt::FilletResult& made, const std::string& file) {
+  const occt::Model blends = blends_of(made);
+  std::vector<occt::CombinedSolid> solids;
+  int next = 0;
+  for (const occt::FilletedSolid& each : made.solids) {
+    solids.push_back({each.solid, {}});
+    for (const occt::FilletFace& face : each.faces)
+      solids.back().faces.push_back(face.from > 0
+                                        ? occt::FaceOrigin{face.face, &part.model, face.from}
+                                        : occt::FaceOrigin{face.face, &blends, ++next});
+  }
+  part.model.replace_solids(solids);
+  write_model(part.model, file);
+}
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json refusal_json(const occt::FilletRefusal& refusal) {
+  return {{"edge", refusal.edge > 0 ? Json(refusal.edge) : Json(nullptr)},
+          {"fault", to_string(refusal.fault)},
+          {"cause", refusal.cause},
+          {"parameter", number_or_null(refusal.parameter)},
+          {"point", refusal.point ? Json(refusal.point->coordinates) : Json(nullptr)},
+          {"largest_radius", number_or_null(refusal.largest)}};
+}
+
+double volume_of(const occt::FilletResult& made) {
+  double volume = 0;
+  for (const occt::FilletedSolid& solid : made.solids) volume += solid.volume;
+  return volume;
+}
+
+Json report_of(const FilletCommand& command, const Input& part, const Timed& timed, bool written) {
+  Json refused = Json::array();
+  for (const occt::FilletRefusal& each : timed.made.refused) refused.push_back(refusal_json(each));
+  const bool any = !timed.made.solids.empty();
+  return {{"schema", "blossom.blend/1"},
+          {"kind", "fillet"},
+          {"part", part.name},
+          {"radius", command.radius},
+          {"status", to_string(timed.made.status)},
+          {"asked", timed.asked},
+          {"edges", timed.made.edges},
+          {"refused", std::move(refused)},
+          {"notes", timed.made.notes},
+          {"written", written},
+          {"volume",
+           {{"before", timed.made.volume_before},
+            {"after", any ? Json(volume_of(timed.made)) : Json(nullptr)}}},
+          {"seconds", timed.seconds},
+          {"repairs", Json::array({repairs_json(part)})}};
+}
+
+std::string numbers_text(const std::vector<int>& numbers) {
+  std::ostringstream text;
+  for (std::size_t i = 0; i < numbers.size(); ++i) text << (i == 0 ? "" : ", ") << numbers[i];
+  return text.str();
+}
+
+std::string summary(const FilletCommand& command, const Input& part, const Timed& timed) {
+  std::ostringstream text;
+  const occt::FilletResult& made = timed.made;
+  text << part.name << ": fillet of radius " << number_text(command.radius) << ", ";
+  if (made.solids.empty())
+    text << "refused";
+  else
+    text << counted(made.edges.size(), "edge") << " rounded";
+  text << ", " << timed.seconds << " s\n";
+  if (!made.solids.empty()) {
+    text << "  edges " << numbers_text(made.edges) << "\n  volume "
+         << number_text(rounded(made.volume_before)) << " before, "
+         << number_text(rounded(volume_of(made))) << " after, mm³\n";
+  }
+  for (const std::string& note : made.notes) text << "  " << note << "\n";
+  for (const occt::FilletRefusal& refusal : made.refused) text << "  " << refusal.text() << "\n";
+  return text.str();
+}
+
+std::string picture_of(const occt::FilletResult& made) {
+  Picture picture;
+  picture.groups = {{{}, kFirstColour}, {{}, kSecondColour}};
+  for (const occt::FilletedSolid& solid : made.solids)
+    for (const occt::FilletFace& face : solid.faces)
+      picture.groups[face.from > 0 ? 0 : 1].faces.push_back(face.face);
+  return picture_png(picture);
+}
+
+void check_options(const FilletCommand& command) {
+  if (command.edges.empty() && command.all.empty() && command.between.empty())
+    throw UsageError(
+        "blend fillet needs edges: --edge N, --edges all or --between A,B; "
+        "info --edges lists them");
+  if (!command.between.empty() && command.between.size() != 2)
+    throw UsageError("--between takes two face numbers, as in --between 2,5");
+}
+
+int run(const FilletCommand& command) {
+  check_options(command);
+  check_files(command.common, {command.part});
+  const Input part = read_input(command.part);
+  if (static_cast<int>(part.numbers.size()) != part.model.face_count())
+    throw UsageError(command.part + ": fillets are made in whole models, not in some faces");
+  stop_if_interrupted();
+  const Timed timed = timed_fillet(command, part);
+  stop_if_interrupted();
+  const CommonOptions& outputs = command.common;
+  const bool any = !timed.made.solids.empty(), write = any && !outputs.output.empty();
+  if (any && !outputs.picture.empty()) occt::write_text(picture_of(timed.made), outputs.picture);
+  if (write) write_part(part, timed.made, outputs.output);
+  if (!any) {
+    const std::string reason =
+        timed.made.refused.empty() ? "nothing was rounded" : timed.made.refused.front().text();
+    for (const std::string& file : {outputs.output, outputs.picture})
+      if (!file.empty()) tell_unwritten(file, reason);
+    if (outputs.output.empty() && outputs.picture.empty())
+      std::cerr << "blossom: there is no fillet: " << reason << '\n';
+  }
+  if (!outputs.json.empty()) write_json(report_of(command, part, timed, write), outputs.json);
+  print_summary(summary(command, part, timed), outputs.json);
+  if (!any) return exit_code_unwritten(timed.made.status);
+  return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);
+}
+
+}  // namespace
+
+void add_blend_fillet(CLI::App& blend, int& exit_code) {
+  CLI::App* const command =
+      blend.add_subcommand("fillet", "edges of solids rounded by a ball that rolls along them");
+  const auto options = std::make_shared<FilletCommand>();
+  command->add_option("part", options->part, "model of solids")->required()->type_name("PART");
+  command->add_option("--edge", options->edges, "numbers as info --edges prints them: 12 or 3,5,7")
+      ->delimiter(',')
+      ->type_name("N");
+  limit_to(*command->add_option("--edges", options->all,
+                                "all edges that can be rounded, or those of a kind"),
+           {"all", "convex", "concave"});
+  command->add_option("--between", options->between, "the edges that two faces have in common")
+      ->delimiter(',')
+      ->type_name("A,B");
+  command->add_option("--radius", options->radius, "of the ball, mm")
+      ->required()
+      ->check(positive_number())
+      ->type_name("R");
+  command->add_flag("--partial", options->partial,
+                    "round the edges that can be, and name the others, instead of all or none");
+  add_common_options(*command, options->common, "write the rounded model (.step, .brep, .iges)");
+  add_engine_options(*command, options->engine);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Fillets of sharp edges of models, beside BRepFilletAPI_MakeFillet.
+//
+//   bench_fillets [--edges N] [--seed N] [--limit SECONDS] [--no-peer] FILE...
+//
+// Of each file up to N sharp edges (angle between the normals above 10 degrees) with one (ff1) or
+// two (ff2) free-form faces are drawn; each is rounded by the radii 0.01, 0.03, 0.1 and 0.3 times
+// the least of its length and the roots of both areas.
+//
+//   valid     a blend face was made, BRepCheck_Analyzer finds nothing against the solid, and its
+//             volume changed the way the edge says: less at a convex one, more at a concave one
+//   refused   nothing was given out, for a reason that the line has
+//   wrong     something else was given out
+//   crashed   the process died, or ran out of time
+//
+// Both work in processes of their own. Seconds are of the work alone, in one thread. The exit code
+// tells whether a result of ours is wrong or crashed.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/faces/area.h"
+#include "adapters/occt/fillet.h"
+#include "adapters/occt/shapes.h"
+#include "core/base/parallel.h"
+#include "tests/bench/apart.h"
+
+namespace blossom::bench {
+namespace {
+
+constexpr double kSharp = 0.1745;  // 10 degrees
+constexpr std::array<double, 4> kRadii{0.01, 0.03, 0.1, 0.3};
+
+struct Settings {
+  int edges = 4;
+  unsigned seed = 1;
+  double limit = 20;
+  bool peer = true;
+  std::vector<std::string> files;
+};
+
+enum class Verdict { Valid, Refused, Wrong, Crashed };
+
+// Plain values, so that it can be passed between processes.
+struct Outcome {
+  Verdict verdict = Verdict::Crashed;
+  double seconds = 0;
+  char reason[160] = {};
+};
+
+struct Job {
+  int edge = 0;
+  bool concave = false;
+  bool both_free = false;
+  double radius = 0;
+  double part = 0;
+};
+
+bool is_free_form(const TopoDS_Face& face) {
+  const GeomAbs_SurfaceType type = GeomAdaptor_Surface(BRep_Tool::Surface(face)).GetType();
+  return type == GeomAbs_BezierSurface || type == GeomAbs_BSplineSurface;
+}
+
+double volume_of(const TopoDS_Shape& shape) {
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(shape, properties);
+  return properties.Mass();
+}
+
+// Whether a result is what was asked for.
+Verdict verdict_of(const TopoDS_Shape& before, const TopoDS_Shape& after, bool concave) {
+  if (!BRepCheck_Analyzer(after).IsValid()) return Verdict::Wrong;
+  TopTools_IndexedMapOfShape old_faces, faces;
+  TopExp::MapShapes(before, TopAbs_FACE, old_faces);
+  TopExp::MapShapes(after, TopAbs_FACE, faces);
+  if (faces.Extent() == 0) return Verdict::Wrong;
+  const double change = volume_of(after) - volume_of(before);
+  return (concave ? change > 0 : change < 0) ? Verdict::Valid : Verdict::Wrong;
+}
+
+Outcome ours(const TopoDS_Shape& shape, const Job& job) {
+  Outcome outcome;
+  const double start = thread_seconds();
+  try {
+    occt::FilletResult made;
+    with_threads(1, [&] { made = occt::fillet(shape, {job.edge}, {.radius = job.radius}); });
+    outcome.seconds = thread_seconds() - start;
+    if (!made.refused.empty()) {
+      outcome.verdict = Verdict::Refused;
+      std::strncpy(outcome.reason, made.refused.front().text().c_str(), sizeof outcome.reason - 1);
+      return outcome;
+    }
+    const TopoDS_Shape before = shape;
+    TopoDS_Shape after = made.solids.front().solid;
+    double volume = 0;
+    bool valid = true;
+    for (const occt::FilletedSolid& each : made.solids) {
+      valid = valid && BRepCheck_Analyzer(each.solid).IsValid();
+      volume += volume_of(each.solid);
+    }
+    const double change = volume - volume_of(before);
+    outcome.verdict =
+        valid && (job.concave ? change > 0 : change < 0) ? Verdict::Valid : Verdict::Wrong;
+  } catch (const std::exception& error) {
+    outcome.verdict = Verdict::Refused;
+    std::snprintf(outcome.reason, sizeof outcome.reason, "exception: %s", error.what());
+  }
+  return outcome;
+}
+
+Outcome theirs(const TopoDS_Shape& shape, const Job& job) {
+  Outcome outcome;
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  const double start = thread_seconds();
+  try {
+    BRepFilletAPI_MakeFillet maker(shape);
+    maker.Add(job.radius, TopoDS::Edge(edges(job.edge)));
+    maker.Build();
+    outcome.seconds = thread_seconds() - start;
+    outcome.verdict =
+        maker.IsDone() ? verdict_of(shape, maker.Shape(), job.concave) : Verdict::Refused;
+  } catch (const Standard_Failure&) {
+    outcome.verdict = Verdict::Refused;
+  }
+  return outcome;
+}
+
+std::vector<Job> drawn(const TopoDS_Shape& shape, const Settings& settings) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  std::vector<occt::EdgeFacts> fit;
+  for (const occt::EdgeFacts& each : occt::edge_facts(shape)) {
+    const bool sharp = each.kind == occt::EdgeKind::Convex || each.kind == occt::EdgeKind::Concave;
+    if (!sharp || each.angle < kSharp) continue;
+    const bool any = std::ranges::any_of(
+        each.faces, [&](int face) { return is_free_form(TopoDS::Face(faces(face))); });
+    if (any) fit.push_back(each);
+  }
+  std::mt19937 random(settings.seed);
+  std::ranges::shuffle(fit, random);
+  if (static_cast<int>(fit.size()) > settings.edges)
+    fit.resize(static_cast<std::size_t>(settings.edges));
+  std::vector<Job> jobs;
+  for (const occt::EdgeFacts& each : fit)
+    for (const double part : kRadii) {
+      Job job{each.number, each.kind == occt::EdgeKind::Concave, true, 0, part};
+      double size = each.length;
+      for (const int face : each.faces) {
+        job.both_free = job.both_free && is_free_form(TopoDS::Face(faces(face)));
+        size = std::min(size, std::sqrt(occt::area(TopoDS::Face(faces(face)))));
+      }
+      job.radius = part * size;
+      jobs.push_back(job);
+    }
+  return jobs;
+}
+
+struct Table {
+  std::array<int, 4> count{};
+  double seconds = 0;
+
+  void add(const Outcome& outcome) {
+    ++count[static_cast<std::size_t>(outcome.verdict)];
+    seconds += outcome.seconds;
+  }
+  void print(const char* who) const {
+    std::printf("%-6s valid %4d  refused %4d  wrong %4d  crashed %4d  %8.2f s\n", who, count[0],
+                count[1], count[2], count[3], seconds);
+  }
+};
+
+constexpr std::array<const char*, 4> kWords{"valid", "refused", "wrong", "crashed"};
+
+const char* word(const Outcome& outcome) {
+  return kWords[static_cast<std::size_t>(outcome.verdict)];
+}
+
+void run(const std::string& file, const Settings& settings, Table& own, Table& peer) {
+  const occt::Model model = occt::read_model(file);
+  for (const Job& job : drawn(model.shape(), settings)) {
+    Outcome a, b;
+    apart<Outcome>(settings.limit, a, [&] { return ours(model.shape(), job); });
+    own.add(a);
+    if (settings.peer) {
+      apart<Outcome>(settings.limit, b, [&] { return theirs(model.shape(), job); });
+      peer.add(b);
+    }
+    std::printf("%s edge %d %s %s r %g (%g): %s %.4f s, OCCT %s %.4f s  %s\n", file.c_str(),
+                job.edge, job.concave ? "concave" : "convex", job.both_free ? "ff2" : "ff1",
+                job.radius, job.part, word(a), a.seconds, settings.peer ? word(b) : "-", b.seconds,
+                a.reason);
+    std::fflush(stdout);
+  }
+}
+
+Settings settings_of(int argc, char** argv) {
+  Settings settings;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool more = i + 1 < argc;
+    if (word == "--edges" && more)
+      settings.edges = std::stoi(argv[++i]);
+    else if (word == "--seed" && more)
+      settings.seed = static_cast<unsigned>(std::stoul(argv[++i]));
+    else if (word == "--limit" && more)
+      settings.limit = std::stod(argv[++i]);
+    else if (word == "--no-peer")
+      settings.peer = false;
+    else
+      settings.files.push_back(word);
+  }
+  return settings;
+}
+
+}  // namespace
+}  // namespace blossom::bench
+
+int main(int argc, char** argv) {
+  using namespace blossom::bench;
+  const Settings settings = settings_of(argc, argv);
+  blossom::occt::quiet_messages();
+  Table own, peer;
+  for (const std::string& file : settings.files) try {
+      run(file, settings, own, peer);
+    } catch (const std::exception& error) {
+      std::printf("%s: %s\n", file.c_str(), error.what());
+    }
+  own.print("ours");
+  if (settings.peer) peer.print("OCCT");
+  return own.count[2] + own.count[3] > 0 ? 1 : 0;
+}

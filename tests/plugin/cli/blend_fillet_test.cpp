@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom blend fillet` and `blossom info --edges`: what is written, reported and refused.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <nlohmann/json.hpp>
+
+#include "adapters/occt/faces/area.h"
+#include "adapters/occt/shapes.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kCut = 1 - std::numbers::pi / 4;
+
+class BlendFillet : public ::testing::Test {
+ protected:
+  BlendFillet() {
+    occt::Model model;
+    model.add(BRepPrimAPI_MakeBox(10., 10., 10.).Shape(), "block", {1, 0, 0});
+    occt::write_model(model, folder / "box.step");
+    occt::Model round;
+    round.add(BRepPrimAPI_MakeCylinder(5, 10).Shape(), "pin");
+    occt::write_model(round, folder / "pin.step");
+  }
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+  Finished fillet(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"blend", "fillet"});
+    return blossom(arguments);
+  }
+
+  TestFolder folder;
+};
+
+TEST_F(BlendFillet, WritesAValidSolidWithNamesAndReportsIt) {
+  const Finished ran = fillet(
+      {path("box.step"), "--edge", "3", "--radius", "2", "-o", path("out.step"), "--json", "-"});
+
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Json report = Json::parse(ran.out);
+  EXPECT_EQ(report["schema"], "blossom.blend/1");
+  EXPECT_EQ(report["kind"], "fillet");
+  EXPECT_EQ(report["edges"], Json::parse("[3]"));
+  EXPECT_EQ(report["written"], true);
+  EXPECT_NEAR(report["volume"]["before"], 1000, 1e-9);
+  EXPECT_NEAR(report["volume"]["after"], 1000 - 40 * kCut, 1e-9);
+  const occt::Model model = occt::read_model(path("out.step"));
+  ASSERT_EQ(model.face_count(), 7);
+  EXPECT_TRUE(BRepCheck_Analyzer(model.shape()).IsValid());
+  const std::vector<std::string> names = model.face_names();
+  EXPECT_EQ(std::ranges::count(names, "fillet of edge 3"), 1);
+  EXPECT_EQ(model.part_name(1), "block");
+}
+
+TEST_F(BlendFillet, TakesEdgesByListByPairOfFacesAndAll) {
+  const auto edges = [&](const std::vector<std::string>& which) {
+    std::vector<std::string> arguments{path("box.step"), "--radius", "1", "--json", "-"};
+    arguments.insert(arguments.end(), which.begin(), which.end());
+    const Finished ran = fillet(arguments);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return Json::parse(ran.out)["edges"];
+  };
+  EXPECT_EQ(edges({"--edge", "1,2"}), Json::parse("[1,2]"));
+  EXPECT_EQ(edges({"--edge", "1", "--edge", "2"}), Json::parse("[1,2]"));
+  EXPECT_EQ(edges({"--between", "1,3"}).size(), 1U);
+  EXPECT_EQ(edges({"--edges", "all"}).size(), 12U);
+  EXPECT_EQ(edges({"--edges", "convex"}).size(), 12U);
+}
+
+TEST_F(BlendFillet, RefusesARadiusThatIsTooLargeAndWritesNothing) {
+  const Finished ran = fillet({path("box.step"), "--edge", "1", "--radius", "12", "-o",
+                               path("out.step"), "--json", path("report.json")});
+
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("edge 1: "), std::string::npos) << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(path("out.step")));
+  const Json report = Json::parse(text_of(path("report.json")));
+  EXPECT_EQ(report["written"], false);
+  ASSERT_EQ(report["refused"].size(), 1U);
+  EXPECT_EQ(report["refused"][0]["edge"], 1);
+  EXPECT_EQ(report["refused"][0]["fault"], "leaves face");
+  EXPECT_EQ(report["refused"][0]["point"].size(), 3U);
+}
+
+TEST_F(BlendFillet, RoundsWhatCanBeRoundedWhenAskedForAPart) {
+  const Finished ran = fillet({path("pin.step"), "--edge", "1,2,3", "--radius", "1", "--partial",
+                               "-o", path("out.step"), "--json", "-"});
+
+  EXPECT_EQ(ran.code, 3) << ran.err;
+  const Json report = Json::parse(ran.out);
+  EXPECT_EQ(report["edges"].size(), 2U);
+  EXPECT_EQ(report["refused"].size(), 1U);
+  EXPECT_EQ(report["refused"][0]["fault"], "edge");
+  EXPECT_TRUE(BRepCheck_Analyzer(occt::read_model(path("out.step")).shape()).IsValid());
+}
+
+TEST_F(BlendFillet, RefusesBadUsage) {
+  const std::string box = path("box.step");
+  const std::vector<std::vector<std::string>> rows{
+      {box, "--radius", "1"},
+      {box, "--edge", "1"},
+      {box, "--edge", "1", "--radius", "0"},
+      {box, "--edge", "1", "--radius", "-2"},
+      {box, "--edge", "1", "--radius", "nan"},
+      {box, "--edge", "1", "--radius", "inf"},
+      {box, "--edge", "1", "--radius", "wide"},
+      {box, "--edge", "0", "--radius", "1"},
+      {box, "--edge", "13", "--radius", "1"},
+      {box, "--edge", "-4", "--radius", "1"},
+      {box, "--edge", "x", "--radius", "1"},
+      {box, "--edges", "some", "--radius", "1"},
+      {box, "--edges", "concave", "--radius", "1"},
+      {box, "--between", "1", "--radius", "1"},
+      {box, "--between", "1,2", "--radius", "1"},
+      {box, "--between", "1,99", "--radius", "1"},
+      {box + "#1", "--edge", "1", "--radius", "1"},
+      {path("none.step"), "--edge", "1", "--radius", "1"},
+      {box, "--edge", "1", "--radius", "1", "-o", box},
+      {box, "--edge", "1", "--radius", "1", "-o", path("out.png")},
+  };
+  for (const auto& row : rows) {
+    const Finished ran = fillet(row);
+    EXPECT_EQ(ran.code, 2) << row.at(1) << ' ' << row.back() << '\n' << ran.err;
+    EXPECT_NE(ran.err.find("blossom: "), std::string::npos);
+  }
+}
+
+TEST_F(BlendFillet, InfoListsTheEdgesThatItTakes) {
+  const Finished ran = blossom({"info", path("pin.step"), "--edges", "--json", "-"});
+
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Json edges = Json::parse(ran.out)["edges"];
+  ASSERT_EQ(edges.size(), 3U);
+  int convex = 0;
+  for (const Json& edge : edges) {
+    if (edge["kind"] != "convex") continue;
+    ++convex;
+    EXPECT_EQ(edge["faces"].size(), 2U);
+    EXPECT_NEAR(edge["length"], 10 * std::numbers::pi, 1e-9);
+    EXPECT_NEAR(edge["angle"], std::numbers::pi / 2, 1e-9);
+  }
+  EXPECT_EQ(convex, 2);
+  const Finished text = blossom({"info", path("pin.step"), "--edges"});
+  EXPECT_NE(text.out.find("convex"), std::string::npos);
+  EXPECT_NE(text.out.find("seam"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace blossom::testing
