@@ -142,7 +142,17 @@ class BallTrack {
 std::optional<BallTrack> track_through(const BallSupport& a, const BallSupport& b, double radius,
                                        const std::array<Vec2, 2>& start);
 
-/// The same with a radius by a law along a guide; the track's parameter is the guide's.
+/// The charts of the ball that touches both surfaces in the plane across their common edge at a
+/// point: followed from radius 0 there, so it is the edge's own one, not one of another branch.
+///
+/// edge      charts of that point of the edge on both surfaces
+/// returns   nothing where the ball pinches, or leaves a part, before it has the radius
+/// throws    InvalidInput as `track_through`
+/// Source: the two conditions differentiated by r, c' = s_1 n_1 + O_u u' + O_v v'.
+std::optional<std::array<Vec2, 2>> ball_beside_edge(const BallSupport& a, const BallSupport& b,
+                                                    double radius, const std::array<Vec2, 2>& edge);
+
+/// As `track_through`, with a radius by a law along a guide; the track's parameter is the guide's.
 ///
 /// parameter   of the guide, where the track is started
 std::optional<BallTrack> track_through(const BallSupport& a, const BallSupport& b,
