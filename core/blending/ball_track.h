@@ -13,9 +13,11 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/blending/chart_cell.h"
 #include "core/blending/radius_law.h"
 #include "core/forms/evaluation.h"
 #include "core/forms/surface.h"
@@ -23,6 +25,8 @@
 #include "core/math/vec.h"
 
 namespace blossom {
+
+class BallSystem;
 
 /// A rectangle of a surface's own parameters.
 struct ChartRectangle {
@@ -102,8 +106,16 @@ class BallTrack {
     bool is_break = false;       ///< a contact is on a knot line, or a law or guide has a knot
   };
 
-  const std::array<BallSupport, 2>& supports() const { return supports_; }
-  const RadiusLaw& law() const { return law_; }
+  /// Made by `track_through` and by the search for all tracks.
+  ///
+  /// nodes   at least 2, parameters increasing
+  /// cells   of both contacts between each two nodes
+  BallTrack(std::shared_ptr<const BallSystem> system, std::vector<Node> nodes,
+            std::vector<std::array<ChartCell, 2>> cells, const std::array<TrackEnd, 2>& ends,
+            const std::array<int, 2>& end_supports);
+
+  const std::array<BallSupport, 2>& supports() const;
+  const RadiusLaw& law() const;
   Interval domain() const { return {nodes_.front().parameter, nodes_.back().parameter}; }
   bool closed() const { return ends_[0] == TrackEnd::Closed; }
   const std::array<TrackEnd, 2>& ends() const { return ends_; }
@@ -119,16 +131,15 @@ class BallTrack {
   /// curvatures are.
   BallPoint at(double parameter, bool after = true) const;
 
-  /// The parameter of the ball whose centre is nearest to a point: exact near the nearest node.
+  /// The parameter of the ball whose centre is nearest to a point, found from the nearest node.
   double nearest(const Vec3& centre) const;
 
  private:
-  friend class BallTracer;
+  std::size_t interval_at(double parameter, bool after) const;
 
-  std::array<BallSupport, 2> supports_;
-  RadiusLaw law_ = RadiusLaw::constant(1);
-  std::optional<BallGuide> guide_;
+  std::shared_ptr<const BallSystem> system_;
   std::vector<Node> nodes_;
+  std::vector<std::array<ChartCell, 2>> cells_;
   std::array<TrackEnd, 2> ends_{};
   std::array<int, 2> end_supports_{-1, -1};
 };
@@ -136,7 +147,7 @@ class BallTrack {
 /// The track through the ball next to a guess, both ways until it ends.
 ///
 /// start     charts of both contacts, roughly: Newton's method starts there
-/// returns   nothing if it finds no ball of that radius in both parts
+/// returns   nothing if it finds no ball of that radius in both parts, or the track has no length
 /// throws    InvalidInput if a surface is not well formed, a side is not +-1, a part is empty or
 ///           leaves its surface, or the radius is not positive and finite
 std::optional<BallTrack> track_through(const BallSupport& a, const BallSupport& b, double radius,
