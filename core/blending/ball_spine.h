@@ -26,11 +26,12 @@ struct BallStretch {
   bool valid = true;
 };
 
-/// The least determinant of I - s r W along a track; 0 is a pinch.
+/// Where the smaller factor 1 - s r k, k a principal curvature, is least along a track; at 0 the
+/// ball pinches.
 struct BallPinch {
   double parameter = 0;
   int support = 0;
-  double determinant = 1;
+  double factor = 1;
 };
 
 struct BallSpine {
@@ -44,11 +45,11 @@ struct BallSpine {
 
 /// The cusps and stretches of a track.
 ///
-/// Determinants are interpolated between the track's breaks, and halved, until twice the difference
-/// at points between the nodes tells by Bernstein coefficients which sign they have, or that they
-/// have one zero; so two cusps as near as the interpolant resolves are both found, however far
-/// apart samples are. Where a least value is below that difference, it is itself looked for on the
-/// exact determinant.
+/// The determinants of I - s r W are interpolated between the track's nodes. Bernstein coefficients
+/// tell where they have a sign, twice the difference found between the nodes of the interpolation
+/// included; where they are monotone or bend to one side only, the extremum and the zeros are
+/// looked for on the exact determinant; elsewhere the piece is halved. So two cusps are both found,
+/// however far apart the samples of the track are. A determinant below 1e-12 counts as 0.
 BallSpine with_stretches(BallTrack track);
 
 }  // namespace blossom
