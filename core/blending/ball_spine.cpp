@@ -13,7 +13,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kDegree = 8;              // of the interpolation, between two nodes of a track
+constexpr int kDegree = 4;              // of the interpolation, between two nodes of a track
 constexpr double kSafety = 2;           // on differences measured at twice as many points
 constexpr double kRough = 1e-2;         // difference relative to the function: the piece is halved
 constexpr int kMostHalvings = 24;       // of a piece between two nodes
@@ -50,36 +50,40 @@ double extremum(const Function& f, Interval range, double sign) {
   return fp < fq ? p : q;
 }
 
-// Zeros of a function that is analytic on a range.
-template <class Function>
-class ZeroSearch {
- public:
-  ZeroSearch(const Function& f, double width) : f_(f), width_(width) {}
+double determinant_at(const BallTrack& track, int support, double parameter) {
+  return track.at(parameter).contacts[static_cast<std::size_t>(support)].determinant;
+}
 
-  void add_zeros(const Interval& range, std::vector<double>& zeros, int depth = 0);
+// Zeros of the determinants along a track.
+class CuspSearch {
+ public:
+  explicit CuspSearch(const BallTrack& track)
+      : track_(track), width_(kRootWidth * length(track.domain())) {}
+
+  std::vector<BallCusp> cusps();
 
  private:
-  void isolate(const Coefficients& c, const Interval& range, double error, int depth,
-               std::vector<double>& zeros);
-  void add_zero(const Interval& range, std::vector<double>& zeros);
+  void look(const Interval& range, int depth);
+  void isolate(const Coefficients& c, const Interval& range, double error, int depth);
+  void add_zero(const Interval& range);
 
-  const Function& f_;
+  const BallTrack& track_;
   double width_;
+  int support_ = 0;
+  std::vector<BallCusp> cusps_;
 };
 
-template <class Function>
-void ZeroSearch<Function>::add_zero(const Interval& range, std::vector<double>& zeros) {
-  const double from = f_(range.from), to = f_(range.to);
+void CuspSearch::add_zero(const Interval& range) {
+  const auto f = [&](double p) { return determinant_at(track_, support_, p); };
+  const double from = f(range.from), to = f(range.to);
   if ((from < 0) == (to < 0)) return;
   const SignChange ends =
       from < 0 ? SignChange{range.from, range.to} : SignChange{range.to, range.from};
-  const SignChange zero = narrowed(f_, ends, std::min(from, to), std::max(from, to), width_);
-  zeros.push_back(0.5 * (zero.below + zero.above));
+  const SignChange zero = narrowed(f, ends, std::min(from, to), std::max(from, to), width_);
+  cusps_.push_back({0.5 * (zero.below + zero.above), support_});
 }
 
-template <class Function>
-void ZeroSearch<Function>::isolate(const Coefficients& c, const Interval& range, double error,
-                                   int depth, std::vector<double>& zeros) {
+void CuspSearch::isolate(const Coefficients& c, const Interval& range, double error, int depth) {
   const auto [low, high] = std::minmax_element(c.begin(), c.end());
   if (*low > error || *high < -error) return;
   if (std::max(-*low, *high) <= kZero) return;  // 0 all along
@@ -92,50 +96,63 @@ void ZeroSearch<Function>::isolate(const Coefficients& c, const Interval& range,
     bends_up &= bend > 0;
     bends_down &= bend < 0;
   }
-  if (rises || falls) return add_zero(range, zeros);
+  if (rises || falls) return add_zero(range);
   if (bends_up || bends_down) {
-    const double turn = extremum(f_, range, bends_up ? 1 : -1);
-    add_zero({range.from, turn}, zeros);
-    return add_zero({turn, range.to}, zeros);
+    const auto f = [&](double p) { return determinant_at(track_, support_, p); };
+    const double turn = extremum(f, range, bends_up ? 1 : -1);
+    add_zero({range.from, turn});
+    return add_zero({turn, range.to});
   }
-  if (depth == kMostHalvings) return add_zero(range, zeros);
-  Coefficients left, right = c;
+  if (depth == kMostHalvings) return add_zero(range);
+  Coefficients left, right = c;  // right: the triangle's other side
   for (std::size_t k = 0; k < c.size(); ++k) {
     left[k] = right[0];
     for (std::size_t i = 0; i + k + 1 < c.size(); ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
   }
-  // `right` holds the triangle's other side.
   const double middle = at(range, 0.5);
-  isolate(left, {range.from, middle}, error, depth + 1, zeros);
-  isolate(right, {middle, range.to}, error, depth + 1, zeros);
+  isolate(left, {range.from, middle}, error, depth + 1);
+  isolate(right, {middle, range.to}, error, depth + 1);
 }
 
-template <class Function>
-void ZeroSearch<Function>::add_zeros(const Interval& range, std::vector<double>& zeros, int depth) {
-  const std::vector<double> fine = extreme_points(2 * kDegree);
-  std::vector<Vec2> nodes;
-  std::array<double, 2 * kDegree + 1> values;
-  double size = 0;
+void CuspSearch::look(const Interval& range, int depth) {
+  static const std::vector<double> fine = extreme_points(2 * kDegree);
+  std::vector<Vec2> all, nodes;  // determinants of both supports
   for (std::size_t i = 0; i < fine.size(); ++i) {
-    values[i] = f_(at(range, fine[i]));
-    size = std::max(size, std::abs(values[i]));
-    if (i % 2 == 0) nodes.push_back({values[i], 0});
+    const BallPoint ball = track_.at(at(range, fine[i]), i + 1 < fine.size());
+    all.push_back({ball.contacts[0].determinant, ball.contacts[1].determinant});
+    if (i % 2 == 0) nodes.push_back(all.back());
   }
-  const std::vector<Vec2> points = bezier_through(nodes).points;
-  Coefficients c;
-  for (std::size_t i = 0; i < c.size(); ++i) c[i] = points[i][0];
-  double error = 0;
-  for (std::size_t i = 1; i < fine.size(); i += 2) {
-    Coefficients d = c;
+  const BezierCurve2 fit = bezier_through(nodes);
+  std::array<double, 2> error{}, size{};
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    std::vector<Vec2> d = fit.points;
     for (std::size_t count = kDegree; count > 0; --count)
       for (std::size_t k = 0; k < count; ++k) d[k] = (1 - fine[i]) * d[k] + fine[i] * d[k + 1];
-    error = std::max(error, kSafety * std::abs(d[0] - values[i]));
+    for (int k = 0; k < 2; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      error[at] = std::max(error[at], kSafety * std::abs(d[0][k] - all[i][k]));
+      size[at] = std::max(size[at], std::abs(all[i][k]));
+    }
   }
-  if (error > kRough * size && error > kZero && depth < kMostHalvings) {
-    add_zeros({range.from, at(range, 0.5)}, zeros, depth + 1);
-    return add_zeros({at(range, 0.5), range.to}, zeros, depth + 1);
+  const auto is_rough = [&](std::size_t k) { return error[k] > kRough * size[k] + kZero; };
+  if ((is_rough(0) || is_rough(1)) && depth < kMostHalvings) {
+    look({range.from, at(range, 0.5)}, depth + 1);
+    return look({at(range, 0.5), range.to}, depth + 1);
   }
-  isolate(c, range, error, depth, zeros);
+  for (support_ = 0; support_ < 2; ++support_) {
+    Coefficients c;
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = fit.points[i][support_];
+    isolate(c, range, error[static_cast<std::size_t>(support_)], depth);
+  }
+}
+
+std::vector<BallCusp> CuspSearch::cusps() {
+  const auto& nodes = track_.nodes();
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    look({nodes[i].parameter, nodes[i + 1].parameter}, 0);
+  std::sort(cusps_.begin(), cusps_.end(),
+            [](const BallCusp& a, const BallCusp& b) { return a.parameter < b.parameter; });
+  return std::move(cusps_);
 }
 
 // Looks for the least factor near the nodes that have the least ones.
@@ -169,18 +186,7 @@ BallSpine with_stretches(BallTrack track) {
   BallSpine spine{std::move(track), {}, {}, {}};
   const BallTrack& t = spine.track;
   const Interval domain = t.domain();
-  for (int k = 0; k < 2; ++k) {
-    const auto determinant = [&](double p) {
-      return t.at(p).contacts[static_cast<std::size_t>(k)].determinant;
-    };
-    std::vector<double> zeros;
-    ZeroSearch search(determinant, kRootWidth * length(domain));
-    for (std::size_t i = 0; i + 1 < t.nodes().size(); ++i)
-      search.add_zeros({t.nodes()[i].parameter, t.nodes()[i + 1].parameter}, zeros);
-    for (const double zero : zeros) spine.cusps.push_back({zero, k});
-  }
-  std::sort(spine.cusps.begin(), spine.cusps.end(),
-            [](const BallCusp& a, const BallCusp& b) { return a.parameter < b.parameter; });
+  spine.cusps = CuspSearch(t).cusps();
   std::vector<double> cuts{domain.from};
   for (const BallCusp& cusp : spine.cusps)
     if (cusp.parameter > cuts.back() && cusp.parameter < domain.to) cuts.push_back(cusp.parameter);

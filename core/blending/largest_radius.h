@@ -16,7 +16,10 @@ enum class RadiusLimit {
   Curvature,  ///< the ball has a radius of curvature of a surface at the contact
   Border,     ///< a contact reaches a border of its face
   Facing,     ///< the ball's diameter is the distance of two walls
+  Other,      ///< none of these, the surfaces touch, say; the radius is good to 1e-3 of it
 };
+
+const char* to_string(RadiusLimit limit);
 
 /// A border of a face as the contacts see it: a function of the chart that is positive inside, with
 /// a zero of the first order. The borders where the edge ends are none of them.
@@ -39,8 +42,10 @@ struct LargestRadius {
 ///
 /// start     charts of the edge's middle on both surfaces; the ball is followed from there
 /// most      radii above this are not asked for, model units
-/// returns   the least radius at which, growing from `least`, a whole track stops being valid;
-///           nothing if there is no ball at `least`
+/// returns   the least radius at which, growing from `least`, the track from the edge's one end to
+///           the other stops being valid: bracketed by halving, to which a smaller gap in radii is
+///           invisible; nothing if there is no valid track at `least`
+/// throws    InvalidInput as `track_through`, or if `least` is not below `most`
 ///
 /// The limit is the solution of five equations in the charts and r: the ball touches both, and a
 /// determinant (curvature) or a border's function is 0 and least along the spine, or 0 at an end of
