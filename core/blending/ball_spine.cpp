@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/forms/interpolation.h"
+#include "core/forms/algebra/interpolation.h"
 #include "core/math/sign_change.h"
 
 namespace blossom {

@@ -3,7 +3,7 @@
 //
 // A ball whose radius is a radius of curvature of a surface at the contact stops there: its centre
 // and the other contact turn back. On one side of such a cusp it lies in the surface. All paths
-// between two surfaces: `core/rolling_ball.h`.
+// between two surfaces: `core/blending/ball_search.h`.
 
 #pragma once
 

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "core/base/errors.h"
-#include "core/blending/analytic_strip.h"
 #include "core/blending/chart_cell.h"
-#include "core/blending/row_spline.h"
-#include "core/blending/strip_section.h"
+#include "core/blending/detail/analytic_strip.h"
+#include "core/blending/detail/row_spline.h"
+#include "core/blending/detail/strip_section.h"
 #include "core/tracing/deviation.h"
 
 namespace blossom {

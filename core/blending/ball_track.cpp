@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/errors.h"
-#include "core/blending/ball_equations.h"
-#include "core/blending/ball_tracer.h"
+#include "core/blending/detail/ball_equations.h"
+#include "core/blending/detail/ball_tracer.h"
 #include "core/tracing/spline_fit.h"
 
 namespace blossom {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/errors.h"
-#include "core/blending/ball_equations.h"
 #include "core/blending/ball_spine.h"
+#include "core/blending/detail/ball_equations.h"
 #include "core/math/linear_solve.h"
 
 namespace blossom {

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "core/base/errors.h"
-#include "core/blending/ball_equations.h"
 #include "core/blending/chart_cell.h"
-#include "core/forms/conversion.h"
-#include "core/forms/interpolation.h"
+#include "core/blending/detail/ball_equations.h"
+#include "core/forms/algebra/conversion.h"
+#include "core/forms/algebra/interpolation.h"
 
 namespace blossom {
 namespace {

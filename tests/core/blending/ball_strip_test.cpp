@@ -11,6 +11,7 @@
 #include "core/blending/chart_cell.h"
 #include "core/forms/evaluation.h"
 #include "tests/support/ball_shapes.h"
+#include "tests/support/spline_surfaces.h"
 #include "tests/support/surface_changes.h"
 
 namespace blossom {
@@ -180,6 +181,55 @@ TEST(BallStrip, ReachesWhatIsAskedFor) {
     for (const StripContactCurve& contact : strip.contacts) {
       EXPECT_LT(contact.gap, 0.1 * angle);
       EXPECT_LT(contact.normal_angle, angle);
+    }
+  }
+}
+
+TEST(BallStrip, OverKnotLinesHasKnotsThere) {
+  Grid<Vec3> net(8, 8);
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j) net(i, j) = {double(i), double(j), 0.4 * std::sin(1.7 * i + j)};
+  const BezierSurface floor = testing::uniform_cubic(net, false, false);
+  const BezierSurface wall = plane_patch({0, 3.6, -5}, {1, 0, 0}, {0, 0, 1}, {0, 8}, {0, 10});
+  const BallTrack track = track_through(whole_support(floor, 1), whole_support(wall, 1), 0.25,
+                                        {Vec2{2.5, 2.2}, Vec2{3.5, 5.2}})
+                              .value();
+  const BallStrip strip = ball_strip(track, track.domain());
+  for (const StripContactCurve& contact : strip.contacts) {
+    EXPECT_LT(contact.gap, 1e-8);
+    EXPECT_LT(contact.normal_angle, 2e-7);
+    EXPECT_TRUE(contact.proven);
+  }
+  EXPECT_LT(strip.section_error, 1e-8);
+  for (const double s : track.breaks()) {
+    const auto knot = std::find(strip.knots.begin(), strip.knots.end(), s);
+    ASSERT_NE(knot, strip.knots.end());
+    EXPECT_GE(strip.multiplicities[static_cast<std::size_t>(knot - strip.knots.begin())], 4);
+  }
+}
+
+TEST(BallStrip, OfAVariableRadiusTouchesItsSurfaces) {
+  const BezierSurface floor = floor_face(), wall = wall_face();
+  const BallSupport a = whole_support(floor, 1), b = whole_support(wall, 1);
+  const testing::Cubic c = testing::base_cubic();
+  const BallGuide guide{[&](double x) {
+                          return CurveJet{{x, 0.5, c(x, 0.5)},
+                                          {1, 0, 0.9 * x * x + 0.12 * x + 0.1375},
+                                          {0, 0, 1.8 * x + 0.12}};
+                        },
+                        {0, 1}};
+  const auto start = ball_beside_edge(a, b, 0.075, {Vec2{0.5, 1}, Vec2{0.5, 0}});
+  ASSERT_TRUE(start);
+  for (const RadiusLaw& law :
+       {RadiusLaw::linear({0, 1}, 0.03, 0.12), RadiusLaw::smooth({0, 1}, 0.03, 0.12),
+        RadiusLaw::table({0, 0.4, 1}, {0.06, 0.08, 0.05})}) {
+    const BallTrack track = track_through(a, b, law, guide, 0.5, *start).value();
+    const BallStrip strip = ball_strip(track, track.domain());
+    EXPECT_LT(strip.section_error, 1e-8);
+    EXPECT_LE(strip.poles.rows() * strip.poles.columns(), 150);
+    for (const StripContactCurve& contact : strip.contacts) {
+      EXPECT_LT(contact.gap, 1e-8);
+      EXPECT_LT(contact.normal_angle, 2e-7);
     }
   }
 }

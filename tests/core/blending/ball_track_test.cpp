@@ -9,6 +9,8 @@
 
 #include "core/base/errors.h"
 #include "tests/support/ball_shapes.h"
+#include "tests/support/spline_surfaces.h"
+#include "tests/support/surface_changes.h"
 
 namespace blossom {
 namespace {
@@ -150,6 +152,63 @@ TEST(BallTrack, FollowsALawAlongTheEdge) {
     EXPECT_NEAR(dot(ball.centre - g.point, g.first), 0, 1e-15);
     EXPECT_NEAR(dot(ball.contacts[0].normal, ball.centre_rate), 0.09, 1e-10);
   }
+}
+
+// A wavy floor of 5 x 5 patches with continuous curvature, and a wall across it.
+TEST(BallTrack, HasBreaksWhereAContactPassesAKnotLine) {
+  Grid<Vec3> net(8, 8);
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j) net(i, j) = {double(i), double(j), 0.4 * std::sin(1.7 * i + j)};
+  const BezierSurface floor = testing::uniform_cubic(net, false, false);
+  const BezierSurface wall = plane_patch({0, 3.6, -5}, {1, 0, 0}, {0, 0, 1}, {0, 8}, {0, 10});
+  const BallSupport a = whole_support(floor, 1), b = whole_support(wall, 1);
+  const auto track = track_through(a, b, 0.25, {Vec2{2.5, 2.2}, Vec2{3.5, 5.2}});
+  ASSERT_TRUE(track);
+  EXPECT_LT(worst_contact(*track), 1e-14);
+  EXPECT_GE(track->breaks().size(), 6U);
+  for (const double s : track->breaks()) {
+    const BallPoint before = track->at(s, false), after = track->at(s, true);
+    const Vec2& chart = before.contacts[0].chart;
+    const bool on_line = std::abs(chart[0] - std::round(chart[0])) < 1e-9 ||
+                         std::abs(chart[1] - std::round(chart[1])) < 1e-9;
+    EXPECT_TRUE(on_line || s == track->domain().from || s == track->domain().to);
+    EXPECT_LT(distance(before.centre_rate, after.centre_rate), 1e-9);
+  }
+}
+
+TEST(BallTrack, KnowsPiecesOfOneSurfaceFromJoints) {
+  const BezierSurface floor = testing::split_in_u(floor_face(), 0.37), wall = wall_face();
+  const BallSupport a = whole_support(floor, 1), b = whole_support(wall, 1);
+  const auto start = ball_beside_edge(a, b, 0.1, {Vec2{3, 1}, Vec2{0.4, 0}});
+  ASSERT_TRUE(start);
+  const auto track = track_through(a, b, 0.1, *start);
+  ASSERT_TRUE(track);
+  EXPECT_EQ(track->breaks().size(), 2U);
+  EXPECT_LT(worst_contact(*track), 2e-15);
+}
+
+TEST(BallTrack, FindsTheBallNearestToAPoint) {
+  const BezierSurface floor = floor_face(), wall = wall_face();
+  const BallSupport a = whole_support(floor, 1), b = whole_support(wall, 1);
+  const auto track = track_through(a, b, 0.1, {Vec2{0.5, 0.8}, Vec2{0.5, 0.2}});
+  ASSERT_TRUE(track);
+  const double s = at(track->domain(), 0.3141);
+  EXPECT_NEAR(track->nearest(track->at(s).centre), s, 1e-12);
+}
+
+TEST(BallTrack, EndsOnTheBordersOfItsParts) {
+  const BezierSurface floor = floor_face(), wall = wall_face();
+  BallSupport a = whole_support(floor, 1);
+  const BallSupport b = whole_support(wall, 1);
+  a.part.u = {0.3, 0.6};
+  const auto track = track_through(a, b, 0.1, {Vec2{0.5, 0.8}, Vec2{0.5, 0.2}});
+  ASSERT_TRUE(track);
+  EXPECT_EQ(track->end_supports()[0], 0);
+  EXPECT_EQ(track->end_supports()[1], 0);
+  const double first = track->at(track->domain().from).contacts[0].chart[0],
+               last = track->at(track->domain().to).contacts[0].chart[0];
+  EXPECT_DOUBLE_EQ(std::min(first, last), 0.3);
+  EXPECT_DOUBLE_EQ(std::max(first, last), 0.6);
 }
 
 TEST(BallTrack, RefusesWhatIsNoSupport) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/rolling_ball.h"
+#include "core/blending/ball_search.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ double centre_length(const BallTrack& track) {
   return sum;
 }
 
-TEST(RollingBall, FindsOneTrackBesideAFreeFormEdgeAndNoneOnOtherSides) {
+TEST(BallSearch, FindsOneTrackBesideAFreeFormEdgeAndNoneOnOtherSides) {
   const BezierSurface floor = floor_face(), wall = wall_face();
   for (const double r : {0.02, 0.05, 0.1, 0.2, 0.4}) {
     const BallSpines spines = spines_of(floor, 1, wall, 1, r);
@@ -56,7 +56,7 @@ TEST(RollingBall, FindsOneTrackBesideAFreeFormEdgeAndNoneOnOtherSides) {
   }
 }
 
-TEST(RollingBall, BesideASphereRunsRoundACircle) {
+TEST(BallSearch, BesideASphereRunsRoundACircle) {
   const double R = 2, h = 0.5, r = 0.3;  // the sphere's centre is h below the plane
   const BezierSurface sphere = testing::upper_sphere(R);
   const BezierSurface plane = plane_patch({0, 0, h}, {1, 0, 0}, {0, 1, 0}, {-4, 4}, {-4, 4});
@@ -73,7 +73,7 @@ TEST(RollingBall, BesideASphereRunsRoundACircle) {
   }
 }
 
-TEST(RollingBall, BetweenCylindersHasTheCentresOnBothLargerOnes) {
+TEST(BallSearch, BetweenCylindersHasTheCentresOnBothLargerOnes) {
   const double R1 = 1, R2 = 0.6, r = 0.15;
   BezierSurface a = whole_cylinder(R1, 6), b = whole_cylinder(R2, 6);
   testing::Motion down, turned;
@@ -97,7 +97,7 @@ TEST(RollingBall, BetweenCylindersHasTheCentresOnBothLargerOnes) {
 }
 
 // z = 2r - gap + k rho^2 over the plane z = 0: a ball squeezed between them runs round a loop.
-TEST(RollingBall, SqueezedUnderAParaboloidRunsRoundASmallLoop) {
+TEST(BallSearch, SqueezedUnderAParaboloidRunsRoundASmallLoop) {
   const double r = 0.3;
   for (const double k : {1.0, 4.0})
     for (const double gap : {1e-2, 1e-4, 1e-6}) {
@@ -115,7 +115,7 @@ TEST(RollingBall, SqueezedUnderAParaboloidRunsRoundASmallLoop) {
     }
 }
 
-TEST(RollingBall, TurnsBackInATroughAtTheCuspsOfItsClosedForm) {
+TEST(BallSearch, TurnsBackInATroughAtTheCuspsOfItsClosedForm) {
   const double a = 2;
   const BezierSurface trough = testing::trough(a, 0.5, 1);
   const BezierSurface wall = plane_patch({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {-3, 3}, {-1, 3});
@@ -137,7 +137,7 @@ TEST(RollingBall, TurnsBackInATroughAtTheCuspsOfItsClosedForm) {
   }
 }
 
-TEST(RollingBall, FindsTheSameTracksOfSwappedReversedAndScaledSurfaces) {
+TEST(BallSearch, FindsTheSameTracksOfSwappedReversedAndScaledSurfaces) {
   const BezierSurface floor = floor_face(), wall = wall_face();
   const BallSpines plain = spines_of(floor, 1, wall, 1, 0.1);
   ASSERT_EQ(plain.spines.size(), 1U);
@@ -161,14 +161,14 @@ TEST(RollingBall, FindsTheSameTracksOfSwappedReversedAndScaledSurfaces) {
   }
 }
 
-TEST(RollingBall, IsChosenByAPointOfTheEdge) {
+TEST(BallSearch, IsChosenByAPointOfTheEdge) {
   const BezierSurface floor = floor_face(), wall = wall_face();
   const BallSpines spines = spines_of(floor, 1, wall, 1, 0.1);
   EXPECT_EQ(nearest_spine(spines, {0.5, 0.5, 0}), 0);
   EXPECT_EQ(nearest_spine({}, {0.5, 0.5, 0}), -1);
 }
 
-TEST(RollingBall, RefusesWhatIsNoRadius) {
+TEST(BallSearch, RefusesWhatIsNoRadius) {
   const BezierSurface floor = floor_face(), wall = wall_face();
   EXPECT_THROW(spines_of(floor, 1, wall, 1, 0), InvalidInput);
   EXPECT_THROW(spines_of(floor, 0, wall, 1, 0.1), InvalidInput);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/blending/analytic_strip.h"
+#include "core/blending/detail/analytic_strip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/blending/strip_section.h"
+#include "core/blending/detail/strip_section.h"
 
 namespace blossom {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/rolling_ball.h"
+#include "core/blending/ball_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/blending/ball_equations.h"
-#include "core/blending/ball_tracer.h"
+#include "core/blending/detail/ball_equations.h"
+#include "core/blending/detail/ball_tracer.h"
 #include "core/blending/offset_surface.h"
 #include "core/surface_intersection.h"
 

@@ -12,8 +12,8 @@
 #include "core/base/status.h"
 #include "core/blending/ball_spine.h"
 #include "core/blending/ball_track.h"
-#include "core/intersection/options.h"
-#include "core/intersection/result.h"
+#include "core/results/options.h"
+#include "core/results/result.h"
 
 namespace blossom {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/blending/ball_equations.h"
+#include "core/blending/detail/ball_equations.h"
 
 #include <algorithm>
 #include <cmath>

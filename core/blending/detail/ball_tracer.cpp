@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/blending/ball_tracer.h"
+#include "core/blending/detail/ball_tracer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/blending/row_spline.h"
+#include "core/blending/detail/row_spline.h"
 
 #include <algorithm>
 #include <cmath>

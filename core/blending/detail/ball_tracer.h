@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/blending/ball_equations.h"
 #include "core/blending/ball_track.h"
+#include "core/blending/detail/ball_equations.h"
 
 namespace blossom {
 

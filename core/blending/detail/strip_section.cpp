@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/blending/strip_section.h"
+#include "core/blending/detail/strip_section.h"
 
 #include <algorithm>
 #include <cmath>
