@@ -18,7 +18,7 @@ using SquareMatrix = std::array<Vec<double, N>, static_cast<std::size_t>(N)>;
 
 /// Solves m x = b in place of b, by elimination with the largest pivot of each column.
 /// returns   false if a pivot is 0 or not a number
-/// Source: Golub, Van Loan 2013, Matrix Computations, 3.4.
+/// Source: Golub and Van Loan 2013, Matrix Computations, 3.4.
 template <int N>
 bool solve(SquareMatrix<N> m, Vec<double, N>& b) {
   constexpr auto kSize = static_cast<std::size_t>(N);
