@@ -16,32 +16,50 @@
 namespace blossom {
 namespace {
 
-// Of the parts' extents: a curve of the fitted offsets and the track are the same there.
-constexpr double kSameTrack = 1e-4;
+// Relative to the parts' extents: both are solutions to rounding.
+constexpr double kSamePoint = 1e-8;
+constexpr int kFootSteps = 20;
 
-// The distance of charts, relative to the extents; of closed directions that of the nearest images.
-double chart_distance(const BallSystem& system, const Vec4& a, const Vec4& b) {
-  double most = 0;
+// The way between charts relative to the extents; in closed directions that to the nearest image.
+Vec4 way_between(const BallSystem& system, const Vec4& from, const Vec4& to) {
+  Vec4 way;
   for (int k = 0; k < 4; ++k) {
     const BezierSurface& s = *system.supports()[static_cast<std::size_t>(k / 2)].surface;
     const std::vector<double>& knots = k % 2 == 0 ? s.u_knots : s.v_knots;
-    const double period = knots.back() - knots.front();
-    double off = a[k] - b[k];
-    if (k % 2 == 0 ? s.closed_u : s.closed_v) off = std::remainder(off, period);
-    most = std::max(most, std::abs(off) / system.extents()[k]);
+    way[k] = to[k] - from[k];
+    if (k % 2 == 0 ? s.closed_u : s.closed_v)
+      way[k] = std::remainder(way[k], knots.back() - knots.front());
+    way[k] /= system.extents()[k];
   }
-  return most;
+  return way;
 }
 
-// True if the track passes the ball.
-bool is_on(const BallSystem& system, const BallTrack& track, const Vec4& x, const Vec3& centre) {
-  const BallPoint ball = track.at(track.nearest(centre));
-  const Vec4 there{ball.contacts[0].chart[0], ball.contacts[0].chart[1], ball.contacts[1].chart[0],
-                   ball.contacts[1].chart[1]};
-  return chart_distance(system, there, x) < kSameTrack;
+// The charts of a ball, or their rates.
+Vec4 joined(const Vec2& a, const Vec2& b) { return {a[0], a[1], b[0], b[1]}; }
+
+// True if the track passes the solution x: by the foot on the track in charts, from the nearest
+// node.
+bool is_on(const BallSystem& system, const BallTrack& track, const Vec4& x) {
+  const auto nearer = [&](const BallTrack::Node& a, const BallTrack::Node& b) {
+    return norm(way_between(system, a.chart, x)) < norm(way_between(system, b.chart, x));
+  };
+  double s = std::min_element(track.nodes().begin(), track.nodes().end(), nearer)->parameter;
+  for (int step = 0; step < kFootSteps; ++step) {
+    const BallPoint ball = track.at(s);
+    const auto& [a, b] = ball.contacts;
+    const Vec4 way = way_between(system, joined(a.chart, b.chart), x);
+    if (norm(way) < kSamePoint) return true;
+    Vec4 rate = joined(a.chart_rate, b.chart_rate);
+    for (int k = 0; k < 4; ++k) rate[k] /= system.extents()[k];
+    const double next =
+        std::clamp(s + dot(way, rate) / dot(rate, rate), track.domain().from, track.domain().to);
+    if (next == s) return false;
+    s = next;
+  }
+  return false;
 }
 
-// The point in the middle of a curve, or beside it if that is on a border.
+// A point in the middle of a curve.
 const SurfacePoint& middle_of(const IntersectionCurve& curve) {
   return curve.samples[curve.samples.size() / 2];
 }
@@ -72,9 +90,7 @@ BallSpines ball_spines(const BallSupport& a, const BallSupport& b, double radius
     const SurfacePoint& middle = middle_of(curve);
     const auto x =
         system->nearest({middle.uv_a[0], middle.uv_a[1], middle.uv_b[0], middle.uv_b[1]});
-    const auto known = [&](const BallSpine& spine) {
-      return is_on(*system, spine.track, *x, middle.point);
-    };
+    const auto known = [&](const BallSpine& spine) { return is_on(*system, spine.track, *x); };
     if (x && std::any_of(result.spines.begin(), result.spines.end(), known)) continue;
     auto track = x ? traced(system, *x, 0) : std::nullopt;
     if (track) {

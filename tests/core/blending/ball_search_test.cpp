@@ -161,6 +161,40 @@ TEST(BallSearch, FindsTheSameTracksOfSwappedReversedAndScaledSurfaces) {
   }
 }
 
+// A bicubic over a square of a plane, its points moved by up to `rough`.
+BezierSurface rough_plane(testing::Random& random, const Vec3& origin, const Vec3& e, const Vec3& f,
+                          double rough) {
+  RationalBezierPatch patch{Grid<Vec4>(4, 4)};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      Vec3 p = origin + e * (i / 3.0) + f * (j / 3.0);
+      for (int k = 0; k < 3; ++k) p[k] += testing::uniform(random, -rough, rough);
+      patch.points(i, j) = {p[0], p[1], p[2], 1};
+    }
+  return testing::of_patch(patch);
+}
+
+TEST(BallSearch, TouchesRandomFacesToRounding) {
+  auto random = testing::seeded(11);
+  int found = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const BezierSurface floor = rough_plane(random, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.12);
+    const BezierSurface wall = rough_plane(random, {0, 0.5, -0.5}, {1, 0, 0}, {0, 0, 1}, 0.12);
+    const double r = testing::uniform(random, 0.02, 0.2);
+    const int side = testing::pick(random, 0, 1) == 0 ? 1 : -1;
+    const BallSpines spines = spines_of(floor, 1, wall, side, r);
+    EXPECT_TRUE(spines.lost.empty()) << trial;
+    found += static_cast<int>(spines.spines.size());
+    for (const BallSpine& spine : spines.spines)
+      for (int i = 0; i <= 30; ++i) {
+        const BallPoint ball = spine.track.at(at(spine.track.domain(), i / 30.0));
+        for (const BallContact& contact : ball.contacts)
+          EXPECT_NEAR(distance(contact.point, ball.centre), r, 1e-14) << trial;
+      }
+  }
+  EXPECT_GE(found, 12);
+}
+
 TEST(BallSearch, IsChosenByAPointOfTheEdge) {
   const BezierSurface floor = floor_face(), wall = wall_face();
   const BallSpines spines = spines_of(floor, 1, wall, 1, 0.1);
