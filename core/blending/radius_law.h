@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The radius of a blend as a function of the parameter of its guide.
+
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/math/interval.h"
+
+namespace blossom {
+
+/// A radius and its first two derivatives by the guide's parameter.
+struct RadiusJet {
+  double value = 0;  ///< model units
+  double first = 0;
+  double second = 0;
+};
+
+enum class LawKind {
+  Constant,
+  Linear,  ///< from the first radius to the last
+  Smooth,  ///< the same with slopes of 0 at both ends: the cubic 3 t^2 - 2 t^3
+  Table,   ///< radii at parameters, joined by the natural cubic spline
+};
+
+/// r(x) over the guide's range; beside it, the polynomial of the nearest end goes on.
+class RadiusLaw {
+ public:
+  /// All throw InvalidInput unless radii are positive and finite and the range is not empty.
+  static RadiusLaw constant(double radius);
+  static RadiusLaw linear(const Interval& range, double first, double last);
+  static RadiusLaw smooth(const Interval& range, double first, double last);
+
+  /// parameters   increasing, at least 2
+  /// radii        as many
+  /// Source: de Boor 1978, A Practical Guide to Splines, chapter 4.
+  static RadiusLaw table(const std::vector<double>& parameters, const std::vector<double>& radii);
+
+  LawKind kind() const { return kind_; }
+  bool is_constant() const { return kind_ == LawKind::Constant; }
+  RadiusJet at(double parameter) const;
+
+  /// Where a derivative jumps, inside of the range: increasing. A blend has knots there.
+  std::vector<double> knots() const;
+
+ private:
+  LawKind kind_ = LawKind::Constant;
+  std::vector<double> breaks_;
+  std::vector<std::array<double, 4>> pieces_;  // powers of (x - break)
+};
+
+}  // namespace blossom
