@@ -68,15 +68,15 @@ bool is_border(const FaceUse& use) {
   return use.edge.Orientation() == TopAbs_FORWARD || use.edge.Orientation() == TopAbs_REVERSED;
 }
 
-EdgeKind kind_of(const std::vector<FaceUse>& uses) {
-  if (BRep_Tool::Degenerated(uses.front().edge)) return EdgeKind::Degenerate;
+EdgeRole kind_of(const std::vector<FaceUse>& uses) {
+  if (BRep_Tool::Degenerated(uses.front().edge)) return EdgeRole::Degenerate;
   if (!std::all_of(uses.begin(), uses.end(), is_border))
-    return uses.size() == 1 ? EdgeKind::Inner : EdgeKind::NonManifold;
-  if (uses.size() == 1) return EdgeKind::Open;
-  if (uses.size() > 2) return EdgeKind::NonManifold;
-  if (uses[0].face != uses[1].face) return EdgeKind::Shared;
-  return uses[0].edge.Orientation() == uses[1].edge.Orientation() ? EdgeKind::NonManifold
-                                                                  : EdgeKind::Seam;
+    return uses.size() == 1 ? EdgeRole::Inner : EdgeRole::NonManifold;
+  if (uses.size() == 1) return EdgeRole::Open;
+  if (uses.size() > 2) return EdgeRole::NonManifold;
+  if (uses[0].face != uses[1].face) return EdgeRole::Shared;
+  return uses[0].edge.Orientation() == uses[1].edge.Orientation() ? EdgeRole::NonManifold
+                                                                  : EdgeRole::Seam;
 }
 
 /// Diagonals of the faces' boxes, measured once.
@@ -206,14 +206,14 @@ std::vector<Task> tasks_of(const TopoDS_Shape& shape, const Numbers& numbers,
 
 }  // namespace
 
-const char* to_string(EdgeKind kind) {
+const char* to_string(EdgeRole kind) {
   switch (kind) {
-    case EdgeKind::Shared: return "shared";
-    case EdgeKind::Seam: return "seam";
-    case EdgeKind::Open: return "open";
-    case EdgeKind::NonManifold: return "non-manifold";
-    case EdgeKind::Degenerate: return "degenerate";
-    case EdgeKind::Inner: break;
+    case EdgeRole::Shared: return "shared";
+    case EdgeRole::Seam: return "seam";
+    case EdgeRole::Open: return "open";
+    case EdgeRole::NonManifold: return "non-manifold";
+    case EdgeRole::Degenerate: return "degenerate";
+    case EdgeRole::Inner: break;
   }
   return "inner";
 }
@@ -229,7 +229,7 @@ std::vector<EdgeContinuity> edge_continuity(const TopoDS_Shape& shape,
   for (const Task& task : tasks) results.push_back(task.result);
   parallel_for(tasks.size(), 1, [&](std::size_t i) {
     options.tick();
-    if (tasks[i].result.kind == EdgeKind::Shared || tasks[i].result.kind == EdgeKind::Seam)
+    if (tasks[i].result.kind == EdgeRole::Shared || tasks[i].result.kind == EdgeRole::Seam)
       run(tasks[i], numbers, options.tolerances, results[i]);
   });
   return results;

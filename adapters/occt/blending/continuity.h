@@ -16,7 +16,7 @@
 namespace blossom::occt {
 
 /// What an edge is to the faces of one shell, or to those outside of shells.
-enum class EdgeKind {
+enum class EdgeRole {
   Shared,       ///< of two faces
   Seam,         ///< twice of one face
   Open,         ///< once of one face
@@ -26,14 +26,14 @@ enum class EdgeKind {
 };
 
 /// "shared", "seam", "open", "non-manifold", "degenerate" or "inner".
-const char* to_string(EdgeKind kind);
+const char* to_string(EdgeRole kind);
 
 /// One edge; where several shells have it, one for each.
 struct EdgeContinuity {
   int number = 0;  ///< 1-based, in the order of TopExp::MapShapes
   TopoDS_Edge edge;
   std::vector<int> faces;  ///< numbers of the faces that use it in the shell, once for each use
-  EdgeKind kind = EdgeKind::Open;
+  EdgeRole kind = EdgeRole::Open;
 
   /// Of shared edges and seams, unless `problem` says why not. Parameters are the edge's own.
   std::optional<MeasuredContinuity> found;

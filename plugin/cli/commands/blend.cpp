@@ -13,11 +13,8 @@
 #include <CLI/Formatter.hpp>
 
 #include "adapters/occt/strip.h"
-<<<<<<< HEAD
 #include "plugin/cli/commands/blend_fill.h"
-=======
 #include "plugin/cli/commands/blend_parts.h"
->>>>>>> eeede2c4be355cbd443cbe24640c9e54e5f7ab06
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
@@ -185,11 +182,8 @@ void add_blend(CLI::App& app, int& exit_code) {
   CLI::App* const blend = app.add_subcommand("blend", "surfaces between surfaces");
   blend->require_subcommand(1);
   add_strip(*blend, exit_code);
-<<<<<<< HEAD
   add_blend_fill(*blend, exit_code);
-=======
   add_blend_fillet(*blend, exit_code);
->>>>>>> eeede2c4be355cbd443cbe24640c9e54e5f7ab06
 }
 
 }  // namespace blossom::cli

@@ -81,8 +81,8 @@ Json report_of(const Input& input, const ContinuityReport& report) {
   for (const char* word : kClassWords) summary[word] = report.count(word);
   summary["proven"] = report.proven();
   summary["unmeasured"] = report.unmeasured().size();
-  for (int k = 0; k <= static_cast<int>(occt::EdgeKind::Inner); ++k) {
-    const auto kind = static_cast<occt::EdgeKind>(k);
+  for (int k = 0; k <= static_cast<int>(occt::EdgeRole::Inner); ++k) {
+    const auto kind = static_cast<occt::EdgeRole>(k);
     kinds[to_string(kind)] = report.count(kind);
   }
   for (const occt::EdgeContinuity& edge : report.edges) edges.push_back(edge_json(edge));

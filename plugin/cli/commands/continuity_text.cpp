@@ -16,7 +16,7 @@ namespace blossom::cli {
 namespace {
 
 using occt::EdgeContinuity;
-using occt::EdgeKind;
+using occt::EdgeRole;
 
 /// Edges named one by one in a summary; more are counted, and all of them in the report.
 constexpr std::size_t kNamed = 12;
@@ -25,7 +25,7 @@ constexpr std::size_t kNamed = 12;
 constexpr double kFold = 170 * std::numbers::pi / 180;
 
 bool is_measurable(const EdgeContinuity& edge) {
-  return edge.kind == EdgeKind::Shared || edge.kind == EdgeKind::Seam;
+  return edge.kind == EdgeRole::Shared || edge.kind == EdgeRole::Seam;
 }
 
 bool is_smooth(const EdgeContinuity& edge) {
@@ -57,7 +57,7 @@ std::string angle_text(double radians) {
 
 std::string edge_text(const EdgeContinuity& edge) {
   std::string text = "edge " + std::to_string(edge.number);
-  if (edge.kind == EdgeKind::Seam)
+  if (edge.kind == EdgeRole::Seam)
     return text + " (seam of face " + std::to_string(edge.faces.front()) + ")";
   text += " (faces";
   for (const int face : edge.faces) text += " " + std::to_string(face);
@@ -154,8 +154,8 @@ void add_curvatures(const ContinuityReport& report, std::ostringstream& text) {
 /// "3 open edges, 1 non-manifold edge"; empty if there are none.
 std::string others_text(const ContinuityReport& report) {
   std::string text;
-  for (const EdgeKind kind :
-       {EdgeKind::Open, EdgeKind::NonManifold, EdgeKind::Degenerate, EdgeKind::Inner})
+  for (const EdgeRole kind :
+       {EdgeRole::Open, EdgeRole::NonManifold, EdgeRole::Degenerate, EdgeRole::Inner})
     if (const std::size_t count = report.count(kind); count > 0)
       text += (text.empty() ? "" : ", ") + counted(count, std::string(to_string(kind)) + " edge");
   return text;
@@ -215,10 +215,10 @@ std::string table_line(const EdgeContinuity& edge) {
 }
 
 std::string head_text(const std::string& name, const ContinuityReport& report) {
-  const std::size_t all = report.count(EdgeKind::Shared) + report.count(EdgeKind::Seam);
+  const std::size_t all = report.count(EdgeRole::Shared) + report.count(EdgeRole::Seam);
   std::ostringstream text;
   text << name << ": " << counted(all, "edge") << " between faces";
-  if (const std::size_t seams = report.count(EdgeKind::Seam); seams > 0)
+  if (const std::size_t seams = report.count(EdgeRole::Seam); seams > 0)
     text << " (" << counted(seams, "seam") << " among them)";
   const char* separator = ": ";
   const auto add = [&](std::size_t count, const std::string& what) {
@@ -254,7 +254,7 @@ std::size_t ContinuityReport::count(std::string_view word) const {
       edges, [&](const EdgeContinuity& edge) { return edge.found && class_word(edge) == word; }));
 }
 
-std::size_t ContinuityReport::count(EdgeKind kind) const {
+std::size_t ContinuityReport::count(EdgeRole kind) const {
   return static_cast<std::size_t>(
       std::ranges::count_if(edges, [&](const EdgeContinuity& edge) { return edge.kind == kind; }));
 }

@@ -25,7 +25,7 @@ struct ContinuityReport {
   std::vector<occt::EdgeContinuity> edges;
 
   std::size_t count(std::string_view word) const;
-  std::size_t count(occt::EdgeKind kind) const;
+  std::size_t count(occt::EdgeRole kind) const;
   std::size_t proven() const;
 
   /// Edges that should have been measured and could not be.

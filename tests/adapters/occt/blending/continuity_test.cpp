@@ -56,7 +56,7 @@ TopoDS_Face face_over(const Handle(Geom_Surface) & surface, double u0, double u1
   return BRepBuilderAPI_MakeFace(surface, u0, u1, v0, v1, 1e-7);
 }
 
-std::vector<EdgeContinuity> of_kind(const std::vector<EdgeContinuity>& edges, EdgeKind kind) {
+std::vector<EdgeContinuity> of_kind(const std::vector<EdgeContinuity>& edges, EdgeRole kind) {
   std::vector<EdgeContinuity> found;
   std::copy_if(edges.begin(), edges.end(), std::back_inserter(found),
                [&](const EdgeContinuity& edge) { return edge.kind == kind; });
@@ -65,7 +65,7 @@ std::vector<EdgeContinuity> of_kind(const std::vector<EdgeContinuity>& edges, Ed
 
 /// The one edge that two faces share.
 EdgeContinuity the_shared(const TopoDS_Shape& shape, const ContinuityOptions& options = {}) {
-  const auto shared = of_kind(edge_continuity(shape, options), EdgeKind::Shared);
+  const auto shared = of_kind(edge_continuity(shape, options), EdgeRole::Shared);
   EXPECT_EQ(shared.size(), 1u);
   if (shared.empty()) return {};
   EXPECT_EQ(shared[0].problem, "");
@@ -99,7 +99,7 @@ TEST(EdgeContinuity, EdgesOfABoxAreProvenToBeRightAngles) {
   const auto edges = edge_continuity(BRepPrimAPI_MakeBox(1, 2, 3).Shape());
   ASSERT_EQ(edges.size(), 12u);
   for (const EdgeContinuity& edge : edges) {
-    EXPECT_EQ(edge.kind, EdgeKind::Shared);
+    EXPECT_EQ(edge.kind, EdgeRole::Shared);
     ASSERT_TRUE(edge.found && edge.bounds) << edge.no_bounds << edge.problem;
     EXPECT_EQ(edge.smoothness, Smoothness::G0);
     EXPECT_TRUE(edge.proven);
@@ -113,12 +113,12 @@ TEST(EdgeContinuity, EdgesOfABoxAreProvenToBeRightAngles) {
 TEST(EdgeContinuity, SeamOfACylinderIsG2AndItsRimsAreSharp) {
   const auto edges = edge_continuity(BRepPrimAPI_MakeCylinder(2, 5).Shape());
   ASSERT_EQ(edges.size(), 3u);
-  const auto seams = of_kind(edges, EdgeKind::Seam);
+  const auto seams = of_kind(edges, EdgeRole::Seam);
   ASSERT_EQ(seams.size(), 1u);
   EXPECT_EQ(seams[0].smoothness, Smoothness::G2);
   EXPECT_TRUE(seams[0].proven) << seams[0].no_bounds;
   EXPECT_LE(seams[0].bounds->curvature, 1e-9);
-  for (const EdgeContinuity& rim : of_kind(edges, EdgeKind::Shared)) {
+  for (const EdgeContinuity& rim : of_kind(edges, EdgeRole::Shared)) {
     EXPECT_NEAR(rim.found->angle.value, kPi / 2, 1e-13);
     EXPECT_TRUE(rim.proven) << rim.no_bounds;
   }
@@ -126,8 +126,8 @@ TEST(EdgeContinuity, SeamOfACylinderIsG2AndItsRimsAreSharp) {
 
 TEST(EdgeContinuity, PolesOfASphereAreNotCompared) {
   const auto edges = edge_continuity(BRepPrimAPI_MakeSphere(3).Shape());
-  EXPECT_EQ(of_kind(edges, EdgeKind::Degenerate).size(), 2u);
-  const auto seams = of_kind(edges, EdgeKind::Seam);
+  EXPECT_EQ(of_kind(edges, EdgeRole::Degenerate).size(), 2u);
+  const auto seams = of_kind(edges, EdgeRole::Seam);
   ASSERT_EQ(seams.size(), 1u);
   EXPECT_EQ(seams[0].smoothness, Smoothness::G2);
   EXPECT_FALSE(seams[0].proven);
@@ -159,7 +159,7 @@ TEST(EdgeContinuity, TorusFilletOfACylinderIsProvenToBeG1) {
     }
   int rims = 0;
   for (const EdgeContinuity& edge : smooth_edges(fillet.Shape())) {
-    if (edge.kind != EdgeKind::Shared) continue;
+    if (edge.kind != EdgeRole::Shared) continue;
     ++rims;
     EXPECT_EQ(edge.smoothness, Smoothness::G1);
     EXPECT_TRUE(edge.proven) << edge.no_bounds;
@@ -220,7 +220,7 @@ TEST(EdgeContinuity, StripsGoOnFromBothFaces) {
   const TopoDS_Face first = BRepBuilderAPI_MakeFace(a, 1e-7),
                     second = BRepBuilderAPI_MakeFace(b, 1e-7);
   const FaceStrip strip = strip_between(first, second);
-  const auto edges = of_kind(edge_continuity(sewn({first, strip.face, second})), EdgeKind::Shared);
+  const auto edges = of_kind(edge_continuity(sewn({first, strip.face, second})), EdgeRole::Shared);
   ASSERT_EQ(edges.size(), 2u);
   for (const EdgeContinuity& edge : edges) {
     EXPECT_EQ(edge.smoothness, Smoothness::G1);
@@ -263,7 +263,7 @@ TEST(EdgeContinuity, FilletOfAFreeFormEdgeByOpenCascadeIsOffByMoreThanRounding) 
   double most = 0;
   int rims = 0;
   for (const EdgeContinuity& edge : smooth_edges(fillet.Shape())) {
-    if (edge.kind != EdgeKind::Shared) continue;
+    if (edge.kind != EdgeRole::Shared) continue;
     ++rims;
     most = std::max(most, edge.found->angle.value);
     EXPECT_EQ(edge.smoothness, Smoothness::G1);
@@ -317,8 +317,8 @@ TEST(EdgeContinuity, EdgesOfOneAndOfThreeFacesAreNamed) {
     return face_over(new Geom_Plane(axes), 0, 1, 0, 1);
   };
   const auto edges = edge_continuity(sewn({leaf(0), leaf(2), leaf(4)}));
-  EXPECT_EQ(of_kind(edges, EdgeKind::NonManifold).size(), 1u);
-  EXPECT_EQ(of_kind(edges, EdgeKind::Open).size(), 9u);
+  EXPECT_EQ(of_kind(edges, EdgeRole::NonManifold).size(), 1u);
+  EXPECT_EQ(of_kind(edges, EdgeRole::Open).size(), 9u);
   for (const EdgeContinuity& edge : edges) EXPECT_FALSE(edge.found.has_value());
 }
 
@@ -339,7 +339,7 @@ TEST(EdgeContinuity, EdgeWithoutACurveOnAFaceIsAProblemOfThatEdgeAlone) {
   const TopoDS_Edge edge = the_shared(both).edge;
   const TopoDS_Face face = TopoDS::Face(TopExp_Explorer(both, TopAbs_FACE).Current());
   BRep_Builder().UpdateEdge(edge, Handle(Geom2d_Curve)(), face, 1e-7);
-  const auto shared = of_kind(edge_continuity(both), EdgeKind::Shared);
+  const auto shared = of_kind(edge_continuity(both), EdgeRole::Shared);
   ASSERT_EQ(shared.size(), 1u);
   EXPECT_FALSE(shared[0].found.has_value());
   EXPECT_NE(shared[0].problem.find("no curve"), std::string::npos) << shared[0].problem;
@@ -382,8 +382,8 @@ TEST(EdgeContinuity, MirroredPlanesAreStillProven) {
            BRepBuilderAPI_Transform(BRepPrimAPI_MakeCylinder(2, 5).Shape(), mirror, true)
                .Shape())) {
     EXPECT_TRUE(edge.proven) << edge.no_bounds;
-    EXPECT_EQ(edge.smoothness, edge.kind == EdgeKind::Seam ? Smoothness::G2 : Smoothness::G0);
-    if (edge.kind == EdgeKind::Shared) {
+    EXPECT_EQ(edge.smoothness, edge.kind == EdgeRole::Seam ? Smoothness::G2 : Smoothness::G0);
+    if (edge.kind == EdgeRole::Shared) {
       EXPECT_NEAR(edge.found->angle.value, kPi / 2, 1e-13);
     }
   }
