@@ -314,7 +314,7 @@ const BadHole kBadHoles[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Rows, BadFill, ::testing::ValuesIn(kBadHoles),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& row) { return row.param.name; });
 
 TEST(Fill, ThrowsAtWhatIsNoHole) {
   const std::vector<FillSide> sides = graph_hole(4, FillContinuity::G1);
