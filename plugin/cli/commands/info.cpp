@@ -18,6 +18,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/queries/least_box.h"
+#include "adapters/occt/soundness.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/face_facts.h"
@@ -25,6 +26,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
+#include "plugin/cli/reading.h"
 
 namespace blossom::cli {
 namespace {
@@ -61,9 +63,10 @@ std::optional<occt::LeastBox> box_of(const TopoDS_Shape& shape) try {
 ModelFacts model_facts(const Input& input) {
   ModelFacts facts;
   const std::vector<std::string> names = input.model.face_names();
+  const auto problems =
+      occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
-    stop_if_interrupted();
-    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], input.model.file()));
+    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], problems[i]));
     FaceFacts& face = facts.faces.back();
     face.name = names[static_cast<std::size_t>(face.number - 1)];
     ++facts.surfaces[face.surface];
