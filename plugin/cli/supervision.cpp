@@ -29,6 +29,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kGrace = 0.8;                  // seconds between asking to end and killing
+constexpr double kWritingShare = 0.1;           // of the limit, for writing after it
 constexpr timespec kTick{0, 20 * 1000 * 1000};  // between two looks at the work
 
 /// What the work tells its parent, in memory of both.
@@ -148,7 +149,8 @@ class Watch {
     const Phase phase = board->phase;
     const bool bounded = phase == Phase::Reading || phase == Phase::Optional;
     const double limit = board->time_limit, processor_limit = board->processor_limit;
-    if (limit > 0 && phase != Phase::Writing && now() > limit + kGrace) return Reason::TimeLimit;
+    const double grace = phase == Phase::Writing ? std::max(kGrace, kWritingShare * limit) : kGrace;
+    if (limit > 0 && phase != Phase::Placing && now() > limit + grace) return Reason::TimeLimit;
     if (bounded && !(limit > 0) && processor_limit > 0 &&
         processor_seconds(clock_) > processor_limit)
       return Reason::ProcessorLimit;
@@ -172,7 +174,7 @@ int Watch::ended_late(Reason reason) const {
     case Reason::Asked: say(Interrupted().what()); return kExitInterrupted;
     case Reason::TimeLimit:
       text << "the time limit of " << board->time_limit << " s was reached while " << doing()
-           << ", nothing was written";
+           << (board->phase == Phase::Writing ? ", which is not done" : ", nothing was written");
       say(text.str());
       return kExitStopped;
     case Reason::ProcessorLimit: break;
@@ -249,7 +251,8 @@ std::string doing() {
     case Phase::Starting: return "starting";
     case Phase::Reading: return "reading " + subject;
     case Phase::Optional: break;
-    case Phase::Writing: return "writing " + subject;
+    case Phase::Writing:
+    case Phase::Placing: return "writing " + subject;
     case Phase::Working: break;
   }
   return subject;

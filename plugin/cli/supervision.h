@@ -19,13 +19,16 @@ enum class Phase {
   Reading,   ///< an input; a crash is the file's fault
   Optional,  ///< what can be done without: after a crash the work begins again and leaves it out
   Working,
-  Writing,  ///< an output; finishes it after the time limit
+  Writing,  ///< makes an output, nothing of which is there yet
+  Placing,  ///< puts the finished output in place, whatever the time limit
 };
 
 /// Runs the work in a child process and waits for it; where no process can be made, in this one.
 ///
 ///   SIGINT, SIGTERM, SIGHUP   the work is asked to end; killed 0.8 s later, exit code 130
-///   --time-limit              the work looks at it itself; killed 0.8 s later, exit code 4
+///   --time-limit              the work looks at it itself; killed 0.8 s later, exit code 4. What
+///   was
+///                             found till then may take a tenth of the limit more to write
 ///   a crash                   told with the phase and its subject; exit code 2 in reading, else 1
 ///   memory                    no more than the machine has; asking for more is a std::bad_alloc
 ///

@@ -115,15 +115,28 @@ TEST(Supervision, WorkThatDoesNotLookAtTheTimeLimitIsEnded) {
   EXPECT_LT(end.seconds, kSoon);
 }
 
-TEST(Supervision, WritingIsFinishedAfterTheTimeLimit) {
+TEST(Supervision, PlacingIsFinishedAfterTheTimeLimit) {
   const Ended end = ended([] {
     set_time_limit(0.1);
-    enter(Phase::Writing, "rest.step");
+    enter(Phase::Placing, "rest.step");
     std::this_thread::sleep_for(std::chrono::milliseconds(1300));
     return 4;
   });
   EXPECT_EQ(end.code, 4);
   EXPECT_EQ(end.said, "");
+}
+
+TEST(Supervision, WritingThatGoesOnAfterTheTimeLimitIsEnded) {
+  const Ended end = ended([]() -> int {
+    set_time_limit(0.2);
+    enter(Phase::Writing, "rest.step");
+    sleep_for_ever();
+  });
+  EXPECT_EQ(end.code, 4);
+  EXPECT_EQ(end.said,
+            "blossom: the time limit of 0.2 s was reached while writing rest.step, which is not "
+            "done\n");
+  EXPECT_LT(end.seconds, kSoon);
 }
 
 TEST(Supervision, ReaderThatNeverEndsIsEnded) {
