@@ -53,6 +53,9 @@ double seconds_left();
 /// for work that never ends. Without effect if the user gave a time limit.
 void allow_processor_time(double seconds);
 
+/// Whether nothing like it was said yet, also before the work began again.
+bool is_news(const std::string& line);
+
 /// Whether an optional step has crashed or did not end, by what `doing` said then.
 bool has_failed(const std::string& step);
 

@@ -13,12 +13,19 @@
 #include "adapters/occt/base/check_words.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/solids/faces_to_check.h"
+#include "adapters/occt/solids/polygon_faces.h"
 #include "adapters/occt/soundness.h"
 
 namespace blossom::occt {
 namespace {
 
-std::vector<std::string> found_by_check(const TopoDS_Face& face) {
+// So few are checked before threads would have begun.
+constexpr std::size_t kFewFaces = 16;
+
+std::vector<std::string> found_by_check(const TopoDS_Face& given) {
+  if (is_sound_polygon(given)) return {};
+  const TopoDS_Face face = FacesToCheck().add(given);
   const BRepCheck_Analyzer analyzer(face);
   if (analyzer.IsValid()) return {};
   std::vector<std::string> problems;
@@ -48,10 +55,10 @@ std::vector<std::vector<std::string>> face_problems(const std::vector<TopoDS_Fac
                                                     const std::vector<int>& numbers,
                                                     const CheckRunner& run) {
   std::vector<std::vector<std::string>> found(faces.size());
-  const bool done = run("checking faces", [&] {
-    tbb::parallel_for(std::size_t{0}, faces.size(),
-                      [&](std::size_t i) { found[i] = face_problems(faces[i]); });
-  });
+  const bool done = faces.size() > kFewFaces && run("checking faces", [&] {
+                      tbb::parallel_for(std::size_t{0}, faces.size(),
+                                        [&](std::size_t i) { found[i] = face_problems(faces[i]); });
+                    });
   if (done) return found;
   for (std::size_t i = 0; i < faces.size(); ++i)
     if (!run("checking face " + std::to_string(numbers[i]),

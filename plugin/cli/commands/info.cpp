@@ -42,7 +42,7 @@ constexpr std::array kCounted = {
     Counted{TopAbs_FACE, "face", "faces"}, Counted{TopAbs_EDGE, "edge", "edges"},
     Counted{TopAbs_VERTEX, "vertex", "vertices"}};
 
-constexpr double kUsualPrecision = 1e-7;  // of a box, model units: what is not told
+constexpr double kUsualPrecision = 2e-7;  // of a box, model units: what is not told
 
 struct ModelFacts {
   std::vector<FaceFacts> faces;
@@ -68,7 +68,7 @@ ModelFacts model_facts(const Input& input) {
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
     facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], problems[i]));
     FaceFacts& face = facts.faces.back();
-    face.name = names[static_cast<std::size_t>(face.number - 1)];
+    face.name = given_name(names[static_cast<std::size_t>(face.number - 1)]);
     ++facts.surfaces[face.surface];
     facts.valid = facts.valid && face.problems.empty();
   }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/verbosity.h"
 
 namespace blossom::cli {
 namespace {
@@ -79,6 +80,18 @@ TEST(Supervision, CrashInAnOptionalStepBeginsAgainWithoutIt) {
   });
   EXPECT_EQ(end.code, 0);
   EXPECT_EQ(end.said, "");
+}
+
+TEST(Supervision, WhatWasSaidIsNoNewsWhenTheWorkBeginsAgain) {
+  const Ended end = ended([] {
+    note("one attribute is lost");
+    enter(Phase::Optional, "told.step", "reading names of told.step");
+    if (!has_failed("reading names of told.step")) return raise(SIGSEGV);
+    note("no names are read");
+    return 0;
+  });
+  EXPECT_EQ(end.code, 0);
+  EXPECT_EQ(end.said, "blossom: one attribute is lost\nblossom: no names are read\n");
 }
 
 TEST(Supervision, OptionalStepThatNeverEndsIsLeftOut) {
