@@ -41,6 +41,9 @@ inline constexpr const char* kUnchecked = "Open CASCADE's check of it crashes or
 /// What a face's geometry and Open CASCADE's BRepCheck say against it, in words; none if valid.
 std::vector<std::string> face_problems(const TopoDS_Face& face);
 
+/// The same in one line; empty if the face is valid.
+std::string face_fault(const TopoDS_Face& face);
+
 /// The same of several faces, by their numbers: one by one, or, if they are many, all in threads as
 /// one check unless the runner leaves that out.
 std::vector<std::vector<std::string>> face_problems(const std::vector<TopoDS_Face>& faces,

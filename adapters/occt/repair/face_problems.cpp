@@ -51,6 +51,13 @@ std::vector<std::string> face_problems(const TopoDS_Face& face) {
   }
 }
 
+std::string face_fault(const TopoDS_Face& face) {
+  std::string text;
+  for (const std::string& problem : face_problems(face))
+    text += (text.empty() ? "" : "; ") + problem;
+  return text;
+}
+
 std::vector<std::vector<std::string>> face_problems(const std::vector<TopoDS_Face>& faces,
                                                     const std::vector<int>& numbers,
                                                     const CheckRunner& run) {
