@@ -26,9 +26,8 @@ enum class Phase {
 /// Runs the work in a child process and waits for it; where no process can be made, in this one.
 ///
 ///   SIGINT, SIGTERM, SIGHUP   the work is asked to end; killed 0.8 s later, exit code 130
-///   --time-limit              the work looks at it itself; killed 0.8 s later, exit code 4. What
-///   was
-///                             found till then may take a tenth of the limit more to write
+///   --time-limit              the work looks at it itself; killed 0.8 s later, exit code 4.
+///                             Writing what was found may take a tenth of the limit instead
 ///   a crash                   told with the phase and its subject; exit code 2 in reading, else 1
 ///   memory                    no more than the machine has; asking for more is a std::bad_alloc
 ///
