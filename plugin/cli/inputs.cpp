@@ -110,7 +110,7 @@ void refuse_special(const std::filesystem::path& file) {
 
 Input read_input(const std::string& text, Faces need, Repair repair) {
   const InputName name = parse_input(text);
-  if (exists(name.file) && is_net_file(name.file))
+  if (is_net_file(name.file) && cli::exists(name.file))
     throw occt::BadModel(name.file.string() +
                          ": is of nets (.json), which subdivide and convert take alone; "
                          "`blossom convert` makes a model of them");
