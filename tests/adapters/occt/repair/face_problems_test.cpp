@@ -65,8 +65,8 @@ std::vector<int> numbers_of(const std::vector<TopoDS_Face>& faces) {
 }
 
 TEST(FaceProblems, AreWords) {
-  EXPECT_EQ(face_problems(crossed()), Problems{"a wire meets itself"});
-  EXPECT_EQ(face_fault(crossed()), "a wire meets itself");
+  EXPECT_EQ(face_problems(crossed()).front(), "a wire meets itself");
+  EXPECT_TRUE(face_fault(crossed()).starts_with("a wire meets itself"));
   const std::string fault = face_fault(loose());
   EXPECT_NE(fault.find("an edge has curves in space and on the face that are apart"),
             std::string::npos)
