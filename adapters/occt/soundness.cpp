@@ -7,11 +7,6 @@
 #include <numeric>
 #include <sstream>
 
-#include <BRepCheck.hxx>
-#include <BRepCheck_Analyzer.hxx>
-#include <BRepCheck_ListIteratorOfListOfStatus.hxx>
-#include <BRepCheck_ListOfStatus.hxx>
-#include <BRepCheck_Result.hxx>
 #include <BRepCheck_Shell.hxx>
 #include <BRepCheck_Solid.hxx>
 #include <BRepGProp.hxx>
@@ -21,9 +16,11 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 
+#include "adapters/occt/base/check_words.h"
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/repair/edge_gaps.h"
 
 namespace blossom::occt {
@@ -33,25 +30,6 @@ namespace {
 constexpr double kRounding = 1e-6;
 
 bool exceeds(double gap, double tolerance) { return gap > (1 + kRounding) * tolerance; }
-
-void add_statuses(const BRepCheck_ListOfStatus& statuses, std::vector<std::string>& problems) {
-  for (BRepCheck_ListIteratorOfListOfStatus it(statuses); it.More(); it.Next()) {
-    if (it.Value() == BRepCheck_NoError) continue;
-    std::ostringstream text;
-    BRepCheck::Print(it.Value(), text);
-    std::string word = text.str();
-    while (!word.empty() && (word.back() == '\n' || word.back() == ' ')) word.pop_back();
-    if (std::find(problems.begin(), problems.end(), word) == problems.end())
-      problems.push_back(word);
-  }
-}
-
-void add_result(const Handle(BRepCheck_Result) & result, std::vector<std::string>& problems) {
-  if (result.IsNull()) return;
-  add_statuses(result->Status(), problems);
-  for (result->InitContextIterator(); result->MoreShapeInContext(); result->NextShapeInContext())
-    add_statuses(result->StatusOnShape(), problems);
-}
 
 // How often the faces of one shell use each edge, by number.
 using Uses = std::map<int, int>;
@@ -127,68 +105,93 @@ void judge(EdgeSoundness& edge) {
   compare("it misses a vertex", edge.vertex_gap, edge.vertex_tolerance);
 }
 
-std::vector<std::string> body_problems(const TopoDS_Shape& shape) {
+void check_shell(const TopoDS_Shell& shell, std::vector<std::string>& found) {
+  const Handle(BRepCheck_Shell) check = new BRepCheck_Shell(shell);
+  check->Orientation(Standard_True);
+  add_words_of(check, TopAbs_SHELL, found);
+}
+
+void check_solid(const TopoDS_Solid& solid, std::vector<std::string>& found) {
+  if (!TopExp_Explorer(solid, TopAbs_FACE).More()) {
+    found.emplace_back("has no faces");
+    return;
+  }
+  add_words_of(new BRepCheck_Solid(solid), TopAbs_SOLID, found);
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(solid, properties);
+  if (!(properties.Mass() > 0)) found.emplace_back("is turned inside out, or no numbers");
+}
+
+std::vector<std::string> body_problems(const TopoDS_Shape& shape, const CheckRunner& run) {
   std::vector<std::string> problems;
-  const auto add = [&](const std::string& name, const Handle(BRepCheck_Result) & result) {
-    std::vector<std::string> found;
-    add_result(result, found);
-    for (const std::string& each : found) problems.push_back(name + ": " + each);
-  };
-  TopTools_IndexedMapOfShape shells, solids;
-  TopExp::MapShapes(shape, TopAbs_SHELL, shells);
-  TopExp::MapShapes(shape, TopAbs_SOLID, solids);
-  for (int i = 1; i <= shells.Extent(); ++i) {
-    const Handle(BRepCheck_Shell) check = new BRepCheck_Shell(TopoDS::Shell(shells(i)));
-    check->Orientation(Standard_True);
-    add("shell " + std::to_string(i), check);
-  }
-  for (int i = 1; i <= solids.Extent(); ++i) {
-    const std::string name = "solid " + std::to_string(i);
-    if (!TopExp_Explorer(solids(i), TopAbs_FACE).More()) {
-      problems.push_back(name + ": has no faces");
-      continue;
+  const auto look_at_all = [&](const std::string& noun, TopAbs_ShapeEnum kind, const auto& check) {
+    TopTools_IndexedMapOfShape bodies;
+    TopExp::MapShapes(shape, kind, bodies);
+    for (int i = 1; i <= bodies.Extent(); ++i) {
+      const std::string name = noun + " " + std::to_string(i);
+      std::vector<std::string> found;
+      const std::string doing = "checking " + name;
+      if (!run(doing, [&] { guarded(doing, [&] { check(bodies(i), found); }); }))
+        found = {kUnchecked};
+      for (const std::string& each : found) problems.push_back(name + ": " + each);
     }
-    add(name, new BRepCheck_Solid(TopoDS::Solid(solids(i))));
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(solids(i), properties);
-    if (!(properties.Mass() > 0))
-      problems.push_back(name + ": is turned inside out, or no numbers");
-  }
+  };
+  look_at_all("shell", TopAbs_SHELL, [](const TopoDS_Shape& shell, auto& found) {
+    check_shell(TopoDS::Shell(shell), found);
+  });
+  look_at_all("solid", TopAbs_SOLID, [](const TopoDS_Shape& solid, auto& found) {
+    check_solid(TopoDS::Solid(solid), found);
+  });
   return problems;
 }
 
-FaceSoundness looked_at(int number, const Numbers& numbers, std::vector<EdgeSoundness>& edges) {
+void measure(const TopoDS_Edge& edge, const TopoDS_Face& face, EdgeSoundness& of) try {
+  guarded("it cannot be measured", [&] { add_gaps(edge_gaps(edge, face), of); });
+} catch (const Failure& failure) {
+  of.problems.push_back({failure.what()});
+}
+
+FaceSoundness looked_at(int number, const std::vector<std::string>& problems,
+                        const Numbers& numbers, std::vector<EdgeSoundness>& edges) {
   const TopoDS_Face face = TopoDS::Face(numbers.faces(number));
   FaceSoundness found{number, {}, {}};
-  for (const std::string& what : face_problems(face)) found.problems.push_back({what});
+  for (const std::string& what : problems) found.problems.push_back({what});
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const int edge = numbers.edges.FindIndex(it.Current());
     EdgeSoundness& of = edges[static_cast<std::size_t>(edge) - 1];
     of.faces.push_back(number);
     if (std::find(found.edges.begin(), found.edges.end(), edge) == found.edges.end())
       found.edges.push_back(edge);
-    guarded("measuring an edge",
-            [&] { add_gaps(edge_gaps(TopoDS::Edge(it.Current()), face), of); });
+    measure(TopoDS::Edge(it.Current()), face, of);
   }
   if (found.problems.empty())
     guarded("checking wires", [&] { found.problems = wire_problems(face); });
   return found;
 }
 
-Soundness looked_at(const TopoDS_Shape& shape, const std::vector<int>& faces) {
+std::vector<EdgeSoundness> stated(const TopTools_IndexedMapOfShape& edges) {
+  std::vector<EdgeSoundness> all;
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    EdgeSoundness& edge = all.emplace_back();
+    edge.number = i;
+    edge.edge = TopoDS::Edge(edges(i));
+    edge.tolerance = BRep_Tool::Tolerance(edge.edge);
+  }
+  return all;
+}
+
+Soundness looked_at(const TopoDS_Shape& shape, const std::vector<int>& wanted,
+                    const CheckRunner& run) {
   Numbers numbers;
   TopExp::MapShapes(shape, TopAbs_FACE, numbers.faces);
   TopExp::MapShapes(shape, TopAbs_EDGE, numbers.edges);
-  std::vector<EdgeSoundness> edges;
-  for (int i = 1; i <= numbers.edges.Extent(); ++i) {
-    const TopoDS_Edge edge = TopoDS::Edge(numbers.edges(i));
-    EdgeSoundness& of = edges.emplace_back();
-    of.number = i;
-    of.edge = edge;
-    of.tolerance = BRep_Tool::Tolerance(edge);
-  }
+  std::vector<TopoDS_Face> faces;
+  for (const int number : wanted) faces.push_back(TopoDS::Face(numbers.faces(number)));
+  const std::vector<std::vector<std::string>> problems = face_problems(faces, wanted, run);
+  std::vector<EdgeSoundness> edges = stated(numbers.edges);
   Soundness result;
-  for (const int number : faces) result.faces.push_back(looked_at(number, numbers, edges));
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    result.faces.push_back(looked_at(wanted[i], problems[i], numbers, edges));
   mark_all_uses(shape, numbers, edges);
   for (EdgeSoundness& edge : edges)
     if (!edge.faces.empty()) {
@@ -196,6 +199,14 @@ Soundness looked_at(const TopoDS_Shape& shape, const std::vector<int>& faces) {
       result.edges.push_back(std::move(edge));
     }
   return result;
+}
+
+const CheckRunner& known_or_direct(const CheckRunner& run) {
+  static const CheckRunner kDirectly = [](const std::string&, const std::function<void()>& work) {
+    work();
+    return true;
+  };
+  return run ? run : kDirectly;
 }
 
 }  // namespace
@@ -207,39 +218,19 @@ std::string Problem::figure() const {
   return text.str();
 }
 
-std::vector<std::string> face_problems(const TopoDS_Face& face) {
-  // Open CASCADE's checker does not look for numbers that are none, and can loop on them.
-  try {
-    guarded("converting the face", [&] { bezier_surface(face); });
-  } catch (const std::runtime_error& error) {
-    return {error.what()};
-  }
-  std::vector<std::string> problems;
-  guarded("checking the face", [&] {
-    const BRepCheck_Analyzer analyzer(face);
-    if (analyzer.IsValid()) return;
-    for (const TopAbs_ShapeEnum kind : {TopAbs_FACE, TopAbs_WIRE, TopAbs_EDGE, TopAbs_VERTEX}) {
-      TopTools_IndexedMapOfShape shapes;
-      TopExp::MapShapes(face, kind, shapes);
-      for (int i = 1; i <= shapes.Extent(); ++i) add_result(analyzer.Result(shapes(i)), problems);
-    }
-    if (problems.empty()) problems.push_back("BRepCheck finds an edge that does not fit the face");
-  });
-  return problems;
-}
-
-Soundness soundness(const TopoDS_Shape& shape) {
+Soundness soundness(const TopoDS_Shape& shape, const CheckRunner& run) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   std::vector<int> all(static_cast<std::size_t>(faces.Extent()));
   std::iota(all.begin(), all.end(), 1);
-  Soundness result = looked_at(shape, all);
-  guarded("checking shells and solids", [&] { result.problems = body_problems(shape); });
+  Soundness result = looked_at(shape, all, known_or_direct(run));
+  result.problems = body_problems(shape, known_or_direct(run));
   return result;
 }
 
-Soundness soundness(const TopoDS_Shape& shape, const std::vector<int>& faces) {
-  return looked_at(shape, faces);
+Soundness soundness(const TopoDS_Shape& shape, const std::vector<int>& faces,
+                    const CheckRunner& run) {
+  return looked_at(shape, faces, known_or_direct(run));
 }
 
 }  // namespace blossom::occt

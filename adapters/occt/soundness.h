@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,8 +30,25 @@ struct Problem {
   std::string text() const { return what + figure(); }
 };
 
+/// Checks of Open CASCADE crash on some shapes and never end on others. Who survives that does the
+/// work and says true, or leaves it out and says false.
+/// what   "checking face 3"
+using CheckRunner = std::function<bool(const std::string& what, const std::function<void()>& work)>;
+
+/// What is said of a face, shell or solid whose check was left out.
+inline constexpr const char* kUnchecked = "Open CASCADE's check of it crashes or never ends";
+
 /// What a face's geometry and Open CASCADE's BRepCheck say against it, in words; none if valid.
 std::vector<std::string> face_problems(const TopoDS_Face& face);
+
+/// The same in one line; empty if the face is valid.
+std::string face_fault(const TopoDS_Face& face);
+
+/// The same of several faces, by their numbers: one by one, or, if they are many, all in threads as
+/// one check unless the runner leaves that out.
+std::vector<std::vector<std::string>> face_problems(const std::vector<TopoDS_Face>& faces,
+                                                    const std::vector<int>& numbers,
+                                                    const CheckRunner& run);
 
 /// Where the wires of a face are degenerate (they enclose nothing but what their edges' tolerances
 /// cover) or meet themselves or each other but at the corner that joins two edges.
@@ -71,11 +89,13 @@ struct Soundness {
 ///
 /// A gap is a problem when it exceeds the stated tolerance by more than rounding; the gap at the
 /// same parameter only where the edge claims to have none. A free edge is one in a solid, which has
-/// to be closed; sheets may end. Faces outside of shells count as one shell.
-Soundness soundness(const TopoDS_Shape& shape);
+/// to be closed; sheets may end. Faces outside of shells count as one shell. A check that was left
+/// out is a problem.
+Soundness soundness(const TopoDS_Shape& shape, const CheckRunner& run = {});
 
 /// The same for faces of a shape, by number: their edges alone, nothing about shells and solids but
 /// whether these edges are free or crowded.
-Soundness soundness(const TopoDS_Shape& shape, const std::vector<int>& faces);
+Soundness soundness(const TopoDS_Shape& shape, const std::vector<int>& faces,
+                    const CheckRunner& run = {});
 
 }  // namespace blossom::occt

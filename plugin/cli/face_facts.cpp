@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/face_facts.h"
 
+#include <utility>
+
 #include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-
-#include "adapters/occt/soundness.h"
-#include "plugin/cli/reading.h"
-#include "plugin/cli/supervision.h"
 
 namespace blossom::cli {
 namespace {
@@ -36,29 +34,17 @@ int count(const TopoDS_Face& face, TopAbs_ShapeEnum kind) {
   return map.Extent();
 }
 
-// Open CASCADE's check takes for ever with some curves.
-std::vector<std::string> problems_of(const TopoDS_Face& face, int number,
-                                     const std::filesystem::path& file) {
-  const std::string step = "checking face " + std::to_string(number) + " of " + file.string();
-  if (has_failed(step)) return {"Open CASCADE's check of it crashes or never ends"};
-  enter(Phase::Optional, file.string(), step);
-  allow_processor_time(reading_allowance(file));
-  std::vector<std::string> problems = occt::face_problems(face);
-  enter(Phase::Working, "looking at the faces of " + file.string());
-  return problems;
-}
-
 }  // namespace
 
-FaceFacts face_facts(const TopoDS_Face& face, int number, const std::filesystem::path& file) {
+FaceFacts face_facts(const TopoDS_Face& face, int number, std::vector<std::string> problems) {
   FaceFacts facts;
   facts.number = number;
+  facts.problems = std::move(problems);
   facts.wires = count(face, TopAbs_WIRE);
   facts.edges = count(face, TopAbs_EDGE);
   facts.tolerance = BRep_Tool::Tolerance(face);
   if (BRep_Tool::Surface(face).IsNull()) {
     facts.surface = "none";
-    facts.problems = {"the face has no surface"};
     return facts;
   }
   const BRepAdaptor_Surface surface(face, Standard_False);
@@ -73,7 +59,6 @@ FaceFacts face_facts(const TopoDS_Face& face, int number, const std::filesystem:
   }
   facts.periodic_u = surface.IsUPeriodic();
   facts.periodic_v = surface.IsVPeriodic();
-  facts.problems = problems_of(face, number, file);
   return facts;
 }
 

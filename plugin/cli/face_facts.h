@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,8 @@ struct FaceFacts {
   std::vector<std::string> problems;  ///< empty when the face is valid
 };
 
-/// Looks at a face and checks it, as an optional step (see supervision.h).
-/// file   that it is of, for messages
-FaceFacts face_facts(const TopoDS_Face& face, int number, const std::filesystem::path& file);
+/// Looks at a face.
+/// problems   that are known of it
+FaceFacts face_facts(const TopoDS_Face& face, int number, std::vector<std::string> problems);
 
 }  // namespace blossom::cli

@@ -10,6 +10,7 @@
 #include "adapters/occt/soundness.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/repairs.h"
@@ -109,6 +110,10 @@ void refuse_special(const std::filesystem::path& file) {
 
 Input read_input(const std::string& text, Faces need, Repair repair) {
   const InputName name = parse_input(text);
+  if (is_net_file(name.file) && cli::exists(name.file))
+    throw occt::BadModel(name.file.string() +
+                         ": is of nets (.json), which subdivide and convert take alone; "
+                         "`blossom convert` makes a model of them");
   const std::shared_ptr<occt::Model> model = model_of(name.file);
   Input input{text, model, *model};
   input.shape = model->shape();
@@ -122,10 +127,11 @@ Input read_input(const std::string& text, Faces need, Repair repair) {
   return input;
 }
 
+std::string given_name(const std::string& part) { return part.starts_with(kNoName) ? "" : part; }
+
 std::string FaceLabels::of(int number) const {
-  const std::string& part = parts_.at(static_cast<std::size_t>(number) - 1);
-  const bool named = !part.empty() && !part.starts_with(kNoName);
-  return "face " + std::to_string(number) + (named ? " (" + part + ")" : "");
+  const std::string part = given_name(parts_.at(static_cast<std::size_t>(number) - 1));
+  return "face " + std::to_string(number) + (part.empty() ? "" : " (" + part + ")");
 }
 
 void refuse_open_wires(const Input& input) {

@@ -58,6 +58,10 @@ enum class Repair {
 Input read_input(const std::string& text, Faces need = Faces::Required,
                  Repair repair = Repair::Used);
 
+/// The name of a part, or of a face; empty if it is only what Open CASCADE's writer puts there for
+/// none.
+std::string given_name(const std::string& part);
+
 /// Faces as results name them: "face 12 (Bolt)", the part's name if it has one.
 class FaceLabels {
  public:

@@ -30,8 +30,10 @@ bool is_stream(const std::string& target) {
 }
 
 void write_plain_json(const Json& json, const std::string& target) {
+  enter(Phase::Writing, target);
   // File names may hold bytes that are no UTF-8.
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  enter(Phase::Placing, target);
   if (is_stdout(target))
     print(text);
   else
@@ -40,7 +42,10 @@ void write_plain_json(const Json& json, const std::string& target) {
 
 void write_model(const occt::Model& model, const std::string& file) {
   enter(Phase::Writing, file);
-  occt::write_model(model, file, stop_if_interrupted);
+  occt::write_model(model, file, [&] {
+    stop_if_interrupted();
+    enter(Phase::Placing, file);
+  });
 }
 
 void write_json(Json report, const std::string& target) {

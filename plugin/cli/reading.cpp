@@ -8,6 +8,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
 
@@ -71,6 +72,20 @@ occt::Model read_told(const std::filesystem::path& file) {
     throw occt::BadModel(file.string() + ": is refused by --strict: " + report.summary());
   if (all_reports().try_emplace(file, report).second) tell(file, report);
   return model;
+}
+
+occt::CheckRunner watched_checks(const std::filesystem::path& file) {
+  return [name = file.string(), allowance = reading_allowance(file)](
+             const std::string& what, const std::function<void()>& work) {
+    stop_if_interrupted();
+    const std::string step = what + " of " + name;
+    if (has_failed(step)) return false;
+    enter(Phase::Optional, name, step);
+    allow_processor_time(allowance);
+    work();
+    enter(Phase::Working, "looking at " + name);
+    return true;
+  };
 }
 
 void add_reading(Json& report) {

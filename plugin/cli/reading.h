@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "adapters/occt/shapes.h"
+#include "adapters/occt/soundness.h"
 #include "core/base/status.h"
 #include "plugin/cli/output.h"
 
@@ -27,6 +28,10 @@ double reading_allowance(const std::filesystem::path& file);
 /// the reports. throws   occt::BadModel as read_model, or if shapes are missing and the policy is
 /// strict
 occt::Model read_told(const std::filesystem::path& file);
+
+/// Does checks of a file's shapes as optional steps (see supervision.h), each with as much
+/// processor time as reading has. throws   Interrupted between two of them
+occt::CheckRunner watched_checks(const std::filesystem::path& file);
 
 /// Adds the member "reading" to a report, a list of the files that were read, and takes the status
 /// "complete" back if shapes are missing.

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -18,6 +19,7 @@
 #include <new>
 #include <optional>
 #include <set>
+#include <span>
 #include <sstream>
 
 #include "plugin/cli/exit_code.h"
@@ -29,9 +31,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kGrace = 0.8;                  // seconds between asking to end and killing
+constexpr double kWritingShare = 0.1;           // of the limit, for writing after it
 constexpr timespec kTick{0, 20 * 1000 * 1000};  // between two looks at the work
 
-/// What the work tells its parent, in memory of both.
+constexpr std::size_t kMostLines = 256;  // that are known when the work begins again
+
+/// What the work tells its parent, in memory of both, and of those that begin again.
 struct Board {
   std::atomic<double> time_limit{0};       // seconds from the start; 0 for none
   std::atomic<double> processor_limit{0};  // processor seconds of the child; 0 for none
@@ -39,6 +44,16 @@ struct Board {
   // Read after the end of the child only.
   char subject[4096] = "";
   char step[4096] = "";
+  // Hashes of lines that were said.
+  std::array<std::size_t, kMostLines> said{};
+  std::size_t lines = 0;
+
+  void begin() {
+    time_limit = 0;
+    processor_limit = 0;
+    phase = Phase::Starting;
+    subject[0] = step[0] = '\0';
+  }
 };
 static_assert(std::atomic<double>::is_always_lock_free && std::atomic<Phase>::is_always_lock_free);
 
@@ -148,7 +163,8 @@ class Watch {
     const Phase phase = board->phase;
     const bool bounded = phase == Phase::Reading || phase == Phase::Optional;
     const double limit = board->time_limit, processor_limit = board->processor_limit;
-    if (limit > 0 && phase != Phase::Writing && now() > limit + kGrace) return Reason::TimeLimit;
+    const double grace = phase == Phase::Writing ? std::max(kGrace, kWritingShare * limit) : kGrace;
+    if (limit > 0 && phase != Phase::Placing && now() > limit + grace) return Reason::TimeLimit;
     if (bounded && !(limit > 0) && processor_limit > 0 &&
         processor_seconds(clock_) > processor_limit)
       return Reason::ProcessorLimit;
@@ -172,7 +188,7 @@ int Watch::ended_late(Reason reason) const {
     case Reason::Asked: say(Interrupted().what()); return kExitInterrupted;
     case Reason::TimeLimit:
       text << "the time limit of " << board->time_limit << " s was reached while " << doing()
-           << ", nothing was written";
+           << (board->phase == Phase::Writing ? ", which is not done" : ", nothing was written");
       say(text.str());
       return kExitStopped;
     case Reason::ProcessorLimit: break;
@@ -221,8 +237,9 @@ int supervised(const std::function<int()>& work) {
   started = Clock::now();
   const WatchedSignals signals;
   const pid_t parent = getpid();
+  board = new_board();
   while (true) {
-    board = new_board();
+    if (board != nullptr) board->begin();
     const pid_t child = board == nullptr ? -1 : fork();
     if (child == 0) work_as_child(work, parent, signals);
     if (child < 0) {
@@ -249,7 +266,8 @@ std::string doing() {
     case Phase::Starting: return "starting";
     case Phase::Reading: return "reading " + subject;
     case Phase::Optional: break;
-    case Phase::Writing: return "writing " + subject;
+    case Phase::Writing:
+    case Phase::Placing: return "writing " + subject;
     case Phase::Working: break;
   }
   return subject;
@@ -267,6 +285,15 @@ double seconds_left() {
 void allow_processor_time(double seconds) {
   if (board != nullptr)
     board->processor_limit = processor_seconds(CLOCK_PROCESS_CPUTIME_ID) + seconds;
+}
+
+bool is_news(const std::string& line) {
+  if (board == nullptr) return true;
+  const std::span<const std::size_t> said(board->said.data(), board->lines);
+  const std::size_t hash = std::hash<std::string>{}(line);
+  if (std::ranges::find(said, hash) != said.end()) return false;
+  if (board->lines < kMostLines) board->said[board->lines++] = hash;
+  return true;
 }
 
 bool has_failed(const std::string& step) { return failed.contains(step); }

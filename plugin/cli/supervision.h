@@ -19,13 +19,15 @@ enum class Phase {
   Reading,   ///< an input; a crash is the file's fault
   Optional,  ///< what can be done without: after a crash the work begins again and leaves it out
   Working,
-  Writing,  ///< an output; finishes it after the time limit
+  Writing,  ///< makes an output, nothing of which is there yet
+  Placing,  ///< puts the finished output in place, whatever the time limit
 };
 
 /// Runs the work in a child process and waits for it; where no process can be made, in this one.
 ///
 ///   SIGINT, SIGTERM, SIGHUP   the work is asked to end; killed 0.8 s later, exit code 130
-///   --time-limit              the work looks at it itself; killed 0.8 s later, exit code 4
+///   --time-limit              the work looks at it itself; killed 0.8 s later, exit code 4.
+///                             Writing what was found may take a tenth of the limit instead
 ///   a crash                   told with the phase and its subject; exit code 2 in reading, else 1
 ///   memory                    no more than the machine has; asking for more is a std::bad_alloc
 ///
@@ -49,6 +51,9 @@ double seconds_left();
 /// In reading and in what is optional: more processor time than that, in seconds from now, is taken
 /// for work that never ends. Without effect if the user gave a time limit.
 void allow_processor_time(double seconds);
+
+/// Whether nothing like it was said yet, also before the work began again.
+bool is_news(const std::string& line);
 
 /// Whether an optional step has crashed or did not end, by what `doing` said then.
 bool has_failed(const std::string& step);

@@ -128,7 +128,7 @@ std::string too_many_inputs(const CLI::App& command, const std::string& extra) {
     takes += " " + input->get_type_name();
   if (takes.empty()) return command_name(command) + " takes no '" + extra + "'";
   return "'" + extra + "' is one too many; " + command_name(command) + " takes no more than" +
-         takes;
+         takes + (finite_value(extra) ? ", and points are one word: X,Y,Z" : "");
 }
 
 // The option that a message is about: the longest whose name is in it.

@@ -19,16 +19,6 @@
 namespace blossom::cli {
 namespace {
 
-std::optional<double> finite_value(const std::string& text) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(text, &used);
-    if (used == text.size() && std::isfinite(value)) return value;
-  } catch (const std::exception&) {  // no number
-  }
-  return std::nullopt;
-}
-
 std::optional<long> whole_value(const std::string& text) {
   long value = 0;
   const char* const end = text.data() + text.size();
@@ -61,6 +51,16 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
+
+std::optional<double> finite_value(const std::string& text) {
+  try {
+    std::size_t used = 0;
+    const double value = std::stod(text, &used);
+    if (used == text.size() && std::isfinite(value)) return value;
+  } catch (const std::exception&) {  // no number
+  }
+  return std::nullopt;
+}
 
 CLI::Validator positive_number() {
   return taking("a positive number", [](const std::string& text) {

@@ -6,12 +6,16 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/App.hpp>
 
 namespace blossom::cli {
+
+/// The number that a word of the command line is; none if it is not finite or goes on after it.
+std::optional<double> finite_value(const std::string& text);
 
 CLI::Validator positive_number();
 

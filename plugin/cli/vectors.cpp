@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/vectors.h"
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <sstream>
 #include <utility>
 
 #include "plugin/cli/exit_code.h"
+#include "plugin/cli/values.h"
 
 namespace blossom::cli {
 namespace {
-
-std::optional<double> finite_number(const std::string& text) {
-  try {
-    std::size_t used = 0;
-    const double value = std::stod(text, &used);
-    if (used == text.size() && std::isfinite(value)) return value;
-  } catch (const std::exception&) {  // no number: answered below
-  }
-  return std::nullopt;
-}
 
 // Numbers between commas; nothing if one is none.
 std::optional<std::vector<double>> finite_numbers(const std::string& text) {
@@ -28,7 +18,7 @@ std::optional<std::vector<double>> finite_numbers(const std::string& text) {
   std::size_t start = 0, comma = 0;
   while (comma != std::string::npos) {
     comma = text.find(',', start);
-    const std::optional<double> number = finite_number(text.substr(start, comma - start));
+    const std::optional<double> number = finite_value(text.substr(start, comma - start));
     if (!number) return std::nullopt;
     numbers.push_back(*number);
     start = comma + 1;

@@ -3,12 +3,16 @@
 
 #include <iostream>
 
+#include "plugin/cli/supervision.h"
+
 namespace blossom::cli {
 namespace {
 
 Verbosity current = Verbosity::Normal;
 
-void say(const std::string& text) { std::cerr << "blossom: " << text << '\n'; }
+void say(const std::string& text) {
+  if (is_news(text)) std::cerr << "blossom: " << text << '\n';
+}
 
 }  // namespace
 

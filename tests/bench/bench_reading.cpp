@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <oneapi/tbb/global_control.h>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <CLI/App.hpp>
@@ -54,6 +55,8 @@ void read(const std::filesystem::path& file) { occt::read_model(file); }
 void read_and_repair(const std::filesystem::path& file) { occt::read_model(file).repair(); }
 
 void tell(const std::filesystem::path& file) {
+  // Time is counted for one thread: let it do all of the work.
+  const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
   CLI::App app;
   int code = 0;
   cli::add_info(app, code);

@@ -4,8 +4,19 @@
 #include <algorithm>
 #include <utility>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_Line.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/distance.h"
@@ -50,22 +61,108 @@ PreparedSet wall(const Box& box, int axis, double at) {
   return PreparedSet(measured(square));
 }
 
+// Whether a surface consists of straight lines along which a parameter runs.
+bool is_ruled(const BRepAdaptor_Surface& surface) {
+  const auto straight = [](int degree, int spans) { return degree == 1 && spans == 1; };
+  switch (surface.GetType()) {
+    case GeomAbs_Plane:
+    case GeomAbs_Cylinder:
+    case GeomAbs_Cone:
+    case GeomAbs_SurfaceOfExtrusion: return true;
+    case GeomAbs_BezierSurface: return surface.UDegree() == 1 || surface.VDegree() == 1;
+    case GeomAbs_BSplineSurface:
+      return straight(surface.UDegree(), surface.NbUKnots() - 1) ||
+             straight(surface.VDegree(), surface.NbVKnots() - 1);
+    default: return false;
+  }
+}
+
+// A line goes farthest in any direction at an end: where a face is made of lines, on its border.
+// Its edges are that border, up to their tolerance.
+bool ends_on_edges(const TopoDS_Face& face) {
+  bool bounded = false;
+  for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
+    if (BRep_Tool::Tolerance(TopoDS::Edge(it.Current())) > kPrecision) return false;
+    bounded = true;
+  }
+  return bounded && is_ruled(BRepAdaptor_Surface(face, Standard_False));
+}
+
+// What of a shape may go farthest in a direction.
+class Outermost {
+ public:
+  explicit Outermost(const TopoDS_Shape& shape) {
+    builder_.MakeCompound(parts_);
+    TopTools_IndexedMapOfShape faces, edges, vertices;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+    TopExp::MapShapes(shape, TopAbs_VERTEX, vertices);
+    for (int i = 1; i <= faces.Extent(); ++i) add(TopoDS::Face(faces(i)));
+    for (int i = 1; i <= edges.Extent(); ++i) add(TopoDS::Edge(edges(i)));
+    for (int i = 1; i <= vertices.Extent(); ++i) add(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))));
+    // Searches begin with points.
+    if (parts_.NbChildren() > 0)
+      for (int i = 1; i <= vertices.Extent(); ++i) builder_.Add(parts_, vertices(i));
+  }
+
+  /// Faces and edges, and all vertices if there are any. What is not in it goes no farther than it
+  /// and the box of points by more than the slack.
+  const TopoDS_Compound& parts() const { return parts_; }
+  const Box& points() const { return points_; }
+  double slack() const { return slack_; }
+
+ private:
+  void add(const TopoDS_Face& face) {
+    if (ends_on_edges(face))
+      slack_ = kPrecision;
+    else
+      builder_.Add(parts_, face);
+  }
+
+  void add(const TopoDS_Edge& edge) {
+    double from = 0, to = 0;
+    if (BRep_Tool::Degenerated(edge)) return;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, from, to);
+    if (!curve.IsNull() && curve->IsKind(STANDARD_TYPE(Geom_Line))) {
+      add(curve->Value(from));
+      add(curve->Value(to));
+    } else {
+      builder_.Add(parts_, edge);
+    }
+  }
+
+  void add(const gp_Pnt& point) {
+    const Vec3 place{point.X(), point.Y(), point.Z()};
+    points_ = joined(points_, {place, place});
+  }
+
+  BRep_Builder builder_;
+  TopoDS_Compound parts_;
+  Box points_;
+  double slack_ = 0;
+};
+
 }  // namespace
 
 LeastBox least_box(const TopoDS_Shape& shape, const std::function<bool()>& cancelled) {
-  const MeasuredShape parts(shape);
   const Box around = some_box(shape);
-  LeastBox least{around, 0};
-  for (int axis = 0; axis < 3; ++axis)
-    for (const auto& [side, at] : {std::pair{&least.box.low, around.low[axis]},
-                                   std::pair{&least.box.high, around.high[axis]}}) {
-      const DistanceResult found =
-          least_distance(parts.set(), wall(around, axis, at),
-                         {.budget = kMaxPairs, .cancelled = cancelled, .resolution = kPrecision});
-      (*side)[axis] = found.a.point[axis];
-      least.precision = std::max(least.precision, found.upper - found.lower);
-    }
-  least.precision += parts.error();
+  const Outermost outermost(shape);
+  LeastBox least{outermost.points(), outermost.slack()};
+  if (outermost.parts().NbChildren() == 0) return least;
+  const MeasuredShape parts(outermost.parts());
+  double gap = 0;
+  const auto nearest_to = [&](int axis, double at) {
+    const DistanceResult found =
+        least_distance(parts.set(), wall(around, axis, at),
+                       {.budget = kMaxPairs, .cancelled = cancelled, .resolution = kPrecision});
+    gap = std::max(gap, found.upper - found.lower);
+    return found.a.point[axis];
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    least.box.low[axis] = std::min(least.box.low[axis], nearest_to(axis, around.low[axis]));
+    least.box.high[axis] = std::max(least.box.high[axis], nearest_to(axis, around.high[axis]));
+  }
+  least.precision += gap + parts.error();
   return least;
 }
 

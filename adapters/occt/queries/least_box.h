@@ -16,8 +16,9 @@ struct LeastBox {
   double precision = 0;  ///< proven: the shape reaches no farther beyond any side
 };
 
-/// The box of faces within their trims, of edges and vertices; tolerances do not count. Each side
-/// is as far from a plane beyond it as the shape is, which is known to kDistanceResolution.
+/// The box of faces within their trims, of edges and vertices; tolerances do not count. Faces of
+/// straight lines go no farther than their edges, straight edges no farther than their ends. Of the
+/// rest each side is as far from a plane beyond it as the shape is, which is known to 1e-7.
 ///
 /// shape       with at least a vertex
 /// cancelled   asked now and then; when true, the precision is what is known by then

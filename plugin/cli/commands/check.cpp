@@ -17,6 +17,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
+#include "plugin/cli/reading.h"
 #include "plugin/cli/repairs.h"
 
 namespace blossom::cli {
@@ -204,8 +205,9 @@ int run(const Options& options) {
   const Input input = read_input(options.input);
   stop_if_interrupted();
   const bool whole = static_cast<int>(input.numbers.size()) == input.model.face_count();
-  const occt::Soundness found = whole ? occt::soundness(input.model.shape())
-                                      : occt::soundness(input.model.shape(), input.numbers);
+  const occt::CheckRunner checks = watched_checks(input.model.file());
+  const occt::Soundness found = whole ? occt::soundness(input.model.shape(), checks)
+                                      : occt::soundness(input.model.shape(), input.numbers, checks);
   stop_if_interrupted();
   const std::string& json = options.common.json;
   if (!json.empty()) write_json(check_json(input, found), json);

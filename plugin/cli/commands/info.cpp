@@ -18,6 +18,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/queries/least_box.h"
+#include "adapters/occt/soundness.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/edge_list.h"
 #include "plugin/cli/exit_code.h"
@@ -26,6 +27,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
+#include "plugin/cli/reading.h"
 
 namespace blossom::cli {
 namespace {
@@ -41,7 +43,7 @@ constexpr std::array kCounted = {
     Counted{TopAbs_FACE, "face", "faces"}, Counted{TopAbs_EDGE, "edge", "edges"},
     Counted{TopAbs_VERTEX, "vertex", "vertices"}};
 
-constexpr double kUsualPrecision = 1e-7;  // of a box, model units: what is not told
+constexpr double kUsualPrecision = 2e-7;  // of a box, model units: what is not told
 
 struct ModelFacts {
   std::vector<FaceFacts> faces;
@@ -62,11 +64,12 @@ std::optional<occt::LeastBox> box_of(const TopoDS_Shape& shape) try {
 ModelFacts model_facts(const Input& input) {
   ModelFacts facts;
   const std::vector<std::string> names = input.model.face_names();
+  const auto problems =
+      occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
   for (std::size_t i = 0; i < input.faces.size(); ++i) {
-    stop_if_interrupted();
-    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], input.model.file()));
+    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], problems[i]));
     FaceFacts& face = facts.faces.back();
-    face.name = names[static_cast<std::size_t>(face.number - 1)];
+    face.name = given_name(names[static_cast<std::size_t>(face.number - 1)]);
     ++facts.surfaces[face.surface];
     facts.valid = facts.valid && face.problems.empty();
   }

@@ -34,7 +34,7 @@ std::string part_with(const Input& input, const TopoDS_Shape& on) {
   for (std::size_t i = 0; i < input.faces.size() && !on.IsNull(); ++i)
     for (TopExp_Explorer it(input.faces[i], on.ShapeType()); it.More(); it.Next())
       if (it.Current().IsSame(on))
-        return input.model.part_paths()[static_cast<std::size_t>(input.numbers[i] - 1)];
+        return given_name(input.model.part_paths()[static_cast<std::size_t>(input.numbers[i] - 1)]);
   return {};
 }
 

@@ -11,7 +11,7 @@ std::string part_of(const Input& input, const occt::Body& body) {
   const TopExp_Explorer first(body.shape, TopAbs_FACE);
   for (std::size_t i = 0; i < input.faces.size() && first.More(); ++i)
     if (input.faces[i].IsSame(first.Current()))
-      return input.model.part_paths()[static_cast<std::size_t>(input.numbers[i] - 1)];
+      return given_name(input.model.part_paths()[static_cast<std::size_t>(input.numbers[i] - 1)]);
   return {};
 }
 

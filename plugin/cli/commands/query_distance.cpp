@@ -220,6 +220,7 @@ int run_does_intersect(const Options& options) {
   add_relation(relation, a, b, report);
   std::string text =
       a.input.name + " - " + b.input.name + ": " + answer_of(relation.relation) +
+      (stated(status) == Status::Complete ? "" : std::string(", ") + to_string(stated(status))) +
       (has_common_points(relation.relation) ? ", " + relation_text(relation.relation, a, b) : "") +
       "\n";
   if (found.answer != occt::Meeting::No) text += "  " + a.text(found.a) + "\n";

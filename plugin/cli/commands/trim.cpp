@@ -10,10 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <BRepCheck_Analyzer.hxx>
-
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/half_space.h"
+#include "adapters/occt/soundness.h"
 #include "adapters/occt/trim.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
@@ -112,9 +111,10 @@ occt::TrimResult trim_named(const Inputs& inputs, const std::vector<occt::PartFa
 void tell_invalid_tools(const std::vector<Input>& tools, occt::TrimResult& made) {
   for (const Input& tool : tools)
     for (std::size_t i = 0; i < tool.faces.size(); ++i) {
-      if (BRepCheck_Analyzer(tool.faces[i]).IsValid()) continue;
+      const std::string fault = occt::face_fault(tool.faces[i]);
+      if (fault.empty()) continue;
       made.notes.push_back(tool.name + ": face " + std::to_string(tool.numbers[i]) +
-                           " is not valid by BRepCheck; it may cut too much or too little");
+                           " is not valid (" + fault + "); it may cut too much or too little");
       made.status = weaker(made.status, Status::Tolerance);
     }
 }

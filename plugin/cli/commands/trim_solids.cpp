@@ -8,7 +8,6 @@
 #include <sstream>
 #include <utility>
 
-#include <BRepCheck_Analyzer.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -101,10 +100,11 @@ std::vector<std::string> invalid_as_given(const SolidTrim& options,
                                           const occt::SolidTrimResult& made) {
   std::vector<std::string> told;
   for (const occt::SolidFace& face : made.faces) {
-    if (BRepCheck_Analyzer(face.face).IsValid()) continue;
+    const std::string fault = occt::face_fault(face.face);
+    if (fault.empty()) continue;
     const std::string file = face.tool < 0 ? options.part : tool_name(options, face.tool);
-    told.push_back("face " + std::to_string(face.from + 1) + " of " + file +
-                   " is not valid by BRepCheck, and in the result as it was given");
+    told.push_back("face " + std::to_string(face.from + 1) + " of " + file + " is not valid (" +
+                   fault + "), and in the result as it was given");
   }
   return told;
 }

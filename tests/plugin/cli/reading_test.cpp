@@ -8,8 +8,10 @@
 #include <filesystem>
 #include <string>
 
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <nlohmann/json.hpp>
 
+#include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom {
@@ -84,6 +86,25 @@ TEST_F(Reading, NoStatusIsBetterThanToleranceThen) {
   EXPECT_EQ(whole.code, 0) << whole.err;
   EXPECT_EQ(lost.code, 3) << lost.err;
   EXPECT_EQ(json::parse(lost.out)["reading"].size(), 2U);
+}
+
+// Open CASCADE's reader of IGES crashes on some of them.
+TEST(ReadingCutFiles, AreReadInPartsOrRefusedInWords) {
+  const testing::TestFolder folder;
+  occt::Model model;
+  model.add(BRepPrimAPI_MakeBox(1, 2, 3).Shape(), "box");
+  for (const std::string ending : {".iges", ".step", ".brep"}) {
+    const std::string file = folder / ("whole" + ending), cut = folder / ("cut" + ending);
+    occt::write_model(model, file);
+    const std::string text = testing::text_of(file);
+    for (std::size_t k = 1; k < 20; ++k) {
+      testing::write_text(cut, text.substr(0, text.size() * k / 20));
+      const Finished run = blossom({"info", cut}, "timeout 10");
+      EXPECT_TRUE(run.code == 2 || run.code == 3) << ending << " " << k << ": " << run.code;
+      EXPECT_NE(run.err.find(cut + ": "), std::string::npos) << run.err;
+      EXPECT_EQ(run.err.find("Standard_"), std::string::npos) << run.err;
+    }
+  }
 }
 
 /// Counts of a file of other readers' test data.

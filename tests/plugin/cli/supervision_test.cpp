@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/verbosity.h"
 
 namespace blossom::cli {
 namespace {
@@ -81,6 +82,18 @@ TEST(Supervision, CrashInAnOptionalStepBeginsAgainWithoutIt) {
   EXPECT_EQ(end.said, "");
 }
 
+TEST(Supervision, WhatWasSaidIsNoNewsWhenTheWorkBeginsAgain) {
+  const Ended end = ended([] {
+    note("one attribute is lost");
+    enter(Phase::Optional, "told.step", "reading names of told.step");
+    if (!has_failed("reading names of told.step")) return raise(SIGSEGV);
+    note("no names are read");
+    return 0;
+  });
+  EXPECT_EQ(end.code, 0);
+  EXPECT_EQ(end.said, "blossom: one attribute is lost\nblossom: no names are read\n");
+}
+
 TEST(Supervision, OptionalStepThatNeverEndsIsLeftOut) {
   const Ended end = ended([] {
     enter(Phase::Optional, "loop.step", "checking face 1 of loop.step");
@@ -115,15 +128,28 @@ TEST(Supervision, WorkThatDoesNotLookAtTheTimeLimitIsEnded) {
   EXPECT_LT(end.seconds, kSoon);
 }
 
-TEST(Supervision, WritingIsFinishedAfterTheTimeLimit) {
+TEST(Supervision, PlacingIsFinishedAfterTheTimeLimit) {
   const Ended end = ended([] {
     set_time_limit(0.1);
-    enter(Phase::Writing, "rest.step");
+    enter(Phase::Placing, "rest.step");
     std::this_thread::sleep_for(std::chrono::milliseconds(1300));
     return 4;
   });
   EXPECT_EQ(end.code, 4);
   EXPECT_EQ(end.said, "");
+}
+
+TEST(Supervision, WritingThatGoesOnAfterTheTimeLimitIsEnded) {
+  const Ended end = ended([]() -> int {
+    set_time_limit(0.2);
+    enter(Phase::Writing, "rest.step");
+    sleep_for_ever();
+  });
+  EXPECT_EQ(end.code, 4);
+  EXPECT_EQ(end.said,
+            "blossom: the time limit of 0.2 s was reached while writing rest.step, which is not "
+            "done\n");
+  EXPECT_LT(end.seconds, kSoon);
 }
 
 TEST(Supervision, ReaderThatNeverEndsIsEnded) {

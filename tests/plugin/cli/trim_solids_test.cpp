@@ -212,8 +212,7 @@ TEST_F(TrimSolidsCommand, TellsOfInvalidFacesThatItKeeps) {
                                 "cut", "--json", folder / "cut.json"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(json::parse(testing::text_of(folder / "cut.json"))["invalid"].size(), 2U);
-  EXPECT_NE(run.out.find("is not valid by BRepCheck, and in the result as it was given"),
-            std::string::npos);
+  EXPECT_NE(run.out.find(" is not valid (a wire meets itself"), std::string::npos);
 }
 
 TEST_F(TrimSolidsCommand, SaysThatNothingIsCommon) {

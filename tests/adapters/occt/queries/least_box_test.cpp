@@ -10,11 +10,17 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Geom_BezierSurface.hxx>
+#include <Geom_Circle.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Circ.hxx>
 
@@ -26,8 +32,11 @@ namespace {
 // kDistanceResolution of what the largest coordinates of a shape and a plane beyond it sum up to.
 constexpr double kAccuracy = 1e-8;
 
+// What searches and edges are precise to.
+constexpr double kPrecision = 2e-7;
+
 void expect_box(const LeastBox& found, const Vec3& low, const Vec3& high) {
-  EXPECT_LE(found.precision, kAccuracy);
+  EXPECT_LE(found.precision, kPrecision);
   for (int k = 0; k < 3; ++k) {
     EXPECT_NEAR(found.box.low[k], low[k], kAccuracy) << k;
     EXPECT_NEAR(found.box.high[k], high[k], kAccuracy) << k;
@@ -64,6 +73,31 @@ TEST(LeastBox, OfASplineIsLessThanThatOfItsControlPoints) {
     for (int j = 0; j < 2; ++j) poles(i + 1, j + 1) = gp_Pnt(0.5 * i, j, i == 1 ? 1 + j : 0);
   const TopoDS_Shape face = BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Shape();
   expect_box(least_box(face), {0, 0, 0}, {1, 1, 1});
+}
+
+// A cylinder's rims go farthest, a half of a cone's where it is cut.
+TEST(LeastBox, OfRuledFacesIsThatOfTheirEdges) {
+  const double along = std::numbers::sqrt2 / 2;
+  const gp_Ax2 axes(gp_Pnt(1, 2, 3), gp_Dir(along, 0, along));
+  const TopoDS_Shape pipe = BRepPrimAPI_MakeCylinder(axes, 2, 10).Shape();
+  expect_box(least_box(pipe), {1 - 2 * along, 0, 3 - 2 * along},
+             {1 + 12 * along, 4, 3 + 12 * along});
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(gp_Ax2(), 2, 0, 5, std::numbers::pi).Shape();
+  expect_box(least_box(cone), {-2, 0, 0}, {2, 2, 5});
+}
+
+// An edge may be a tenth off its face: then the face counts.
+TEST(LeastBox, DoesNotTakeLooseEdgesForTheBorder) {
+  BRepPrimAPI_MakeCylinder pipe(2, 10);
+  const BRep_Builder builder;
+  for (TopExp_Explorer it(pipe.Face(), TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+    double from = 0, to = 0;
+    const auto rim = Handle(Geom_Circle)::DownCast(BRep_Tool::Curve(edge, from, to));
+    builder.UpdateEdge(edge, 0.1);
+    if (!rim.IsNull()) rim->SetRadius(1.9);
+  }
+  expect_box(least_box(pipe.Face()), {-2, -2, 0}, {2, 2, 10});
 }
 
 TEST(LeastBox, TakesEdgesAndVerticesWithoutFaces) {

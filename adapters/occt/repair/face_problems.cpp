@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What is wrong with faces, as Open CASCADE's BRepCheck and the conversion of their surfaces see
+// it.
+#include <cstddef>
+#include <exception>
+#include <optional>
+
+#include <oneapi/tbb/parallel_for.h>
+#include <BRepCheck_Analyzer.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/check_words.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/solids/faces_to_check.h"
+#include "adapters/occt/solids/polygon_faces.h"
+#include "adapters/occt/soundness.h"
+
+namespace blossom::occt {
+namespace {
+
+// So few are checked before threads would have begun.
+constexpr std::size_t kFewFaces = 16;
+
+// What is known of a face before Open CASCADE's checker sees it: that it cannot be converted, or
+// that it is sound.
+std::optional<std::vector<std::string>> known_of(const TopoDS_Face& face) try {
+  // The checker does not look for numbers that are none, and can loop on them.
+  guarded("converting the face", [&] { bezier_surface(face); });
+  if (is_sound_polygon(face)) return std::vector<std::string>{};
+  return std::nullopt;
+} catch (const std::runtime_error& error) {
+  return std::vector<std::string>{error.what()};
+}
+
+std::vector<std::string> found_by_check(const TopoDS_Face& face) {
+  const BRepCheck_Analyzer analyzer(face);
+  if (analyzer.IsValid()) return {};
+  std::vector<std::string> problems;
+  // What is wrong with the whole may come of its parts.
+  for (const TopAbs_ShapeEnum kind : {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_WIRE, TopAbs_FACE}) {
+    TopTools_IndexedMapOfShape shapes;
+    TopExp::MapShapes(face, kind, shapes);
+    for (int i = 1; i <= shapes.Extent(); ++i)
+      add_words_of(analyzer.Result(shapes(i)), kind, problems);
+  }
+  if (problems.empty()) problems.emplace_back("an edge does not fit the face");
+  return problems;
+}
+
+std::vector<std::string> checked(const TopoDS_Face& face) try {
+  return guarded("checking the face", [&] { return found_by_check(face); });
+} catch (const Failure& failure) {
+  return {failure.what()};
+}
+
+// Checks only read what faces share; making copies writes to vertices, so one thread does it.
+std::vector<std::vector<std::string>> found_in_threads(const std::vector<TopoDS_Face>& faces) {
+  std::vector<std::optional<std::vector<std::string>>> known(faces.size());
+  tbb::parallel_for(std::size_t{0}, faces.size(),
+                    [&](std::size_t i) { known[i] = known_of(faces[i]); });
+  FacesToCheck copies;
+  std::vector<TopoDS_Face> copy(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (!known[i]) copy[i] = copies.add(faces[i]);
+  std::vector<std::vector<std::string>> found(faces.size());
+  tbb::parallel_for(std::size_t{0}, faces.size(),
+                    [&](std::size_t i) { found[i] = known[i] ? *known[i] : checked(copy[i]); });
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> face_problems(const TopoDS_Face& face) {
+  if (const auto known = known_of(face)) return *known;
+  return checked(FacesToCheck().add(face));
+}
+
+std::string face_fault(const TopoDS_Face& face) {
+  std::string text;
+  for (const std::string& problem : face_problems(face))
+    text += (text.empty() ? "" : "; ") + problem;
+  return text;
+}
+
+std::vector<std::vector<std::string>> face_problems(const std::vector<TopoDS_Face>& faces,
+                                                    const std::vector<int>& numbers,
+                                                    const CheckRunner& run) {
+  std::vector<std::vector<std::string>> found(faces.size());
+  if (faces.size() > kFewFaces && run("checking faces", [&] { found = found_in_threads(faces); }))
+    return found;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    if (!run("checking face " + std::to_string(numbers[i]),
+             [&] { found[i] = face_problems(faces[i]); }))
+      found[i] = {kUnchecked};
+  return found;
+}
+
+}  // namespace blossom::occt
