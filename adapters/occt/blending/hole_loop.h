@@ -35,8 +35,8 @@ struct OpenLoops {
   std::vector<std::string> left_out;  ///< why the way round ends or forks, once for each such way
 };
 
-/// All loops of open edges. Faces that are not sewn have open edges side by side: there the way
-/// forks, and its edges are left out.
+/// All loops of open edges. Faces that are not sewn have open edges side by side: a way that forks
+/// among edges which no way before it has walked is left out, with the edges that it has walked.
 OpenLoops open_loops(const TopoDS_Shape& model);
 
 }  // namespace blossom::occt
