@@ -183,13 +183,21 @@ OffsetSurface OffsetFit::fitted(std::vector<double> u, std::vector<double> v) {
                      std::to_string(kMostCuts) + " cuts a direction");
 }
 
-// The ends of a range and the knots inside of it.
-std::vector<double> knots_in(const std::vector<double>& knots, const Interval& range) {
-  const double slack = 1e-9 * length(range);
-  std::vector<double> result{range.from};
-  for (const double knot : knots)
-    if (knot > range.from + slack && knot < range.to - slack) result.push_back(knot);
-  result.push_back(range.to);
+// The ends of a range and the knots inside of it; of a closed direction the part may begin before
+// its knots or end behind them.
+std::vector<double> knots_in(const std::vector<double>& knots, const Interval& range, bool closed) {
+  const double slack = 1e-9 * length(range), period = knots.back() - knots.front();
+  std::vector<double> result{range.from, range.to};
+  const double first = closed ? std::floor((range.from - knots.front()) / period) : 0;
+  for (const double turns : {first, first + (closed ? 1 : 0)})
+    for (const double knot : knots) {
+      const double x = knot + turns * period;
+      if (x > range.from + slack && x < range.to - slack) result.push_back(x);
+    }
+  std::sort(result.begin(), result.end());
+  result.erase(
+      std::unique(result.begin(), result.end(), [&](double a, double b) { return b - a <= slack; }),
+      result.end());
   return result;
 }
 
@@ -204,9 +212,9 @@ OffsetSurface offset_surface(const BezierSurface& surface, const ChartRectangle&
   validate(BallSupport{&surface, part, 1}, "to offset");
   if (!std::isfinite(distance) || !(tolerance > 0))
     throw InvalidInput("offset_surface: the distance is not finite, or the tolerance not positive");
-  OffsetSurface result =
-      OffsetFit(surface, distance, tolerance)
-          .fitted(knots_in(surface.u_knots, part.u), knots_in(surface.v_knots, part.v));
+  OffsetSurface result = OffsetFit(surface, distance, tolerance)
+                             .fitted(knots_in(surface.u_knots, part.u, surface.closed_u),
+                                     knots_in(surface.v_knots, part.v, surface.closed_v));
   result.surface.closed_u = surface.closed_u && is_whole(surface.u_knots, part.u);
   result.surface.closed_v = surface.closed_v && is_whole(surface.v_knots, part.v);
   return result;
