@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/blending/extended_surface.h"
+#include "core/subdivision/extended_surface.h"
 
 #include <cstddef>
 #include <utility>
