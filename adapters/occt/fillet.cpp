@@ -10,6 +10,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp.hxx>
@@ -124,7 +125,9 @@ void Filleting::check(const SolidPart& part, const FilletedSolid& made,
   TopTools_MapOfShape known;
   for (const FilletFace& face : made.faces)
     if (face.from > 0 && face.face.IsSame(body_.face(face.from))) known.Add(face.face);
-  if (!is_valid(made.solid, known))
+  const bool valid = is_valid(made.solid, known) && (BRepCheck_Analyzer(made.solid).IsValid() ||
+                                                     !BRepCheck_Analyzer(part.solid).IsValid());
+  if (!valid)
     throw FilletRefused({FilletFault::Result,
                          first,
                          "the solid that comes out is not valid by BRepCheck",

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -293,12 +294,16 @@ void BlendSheet::joint(const Ring& ring, std::size_t other) {
   next_end.t = {t_after, t_after};
   next_end.vertices[right_side(next)] = end.vertices[left];
   next_end.vertices[left_side(next)] = end.vertices[right];
+  const double claimed = BRep_Tool::Tolerance(body_.vertex(half));
   for (const std::size_t side : {left_side(next), right_side(next)}) {
     const TopoDS_Vertex& vertex = next_end.vertices[side];
-    const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(vertex));
-    if (distance(contact_point(after, side, t_after), point_of(vertex)) > reach)
-      refuse(half, FilletFault::Corner,
-             "the next strip, of edge " + std::to_string(next.edge) + ", begins elsewhere");
+    const double reach = kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(vertex), claimed});
+    const double gap = distance(contact_point(after, side, t_after), point_of(vertex));
+    if (gap > reach) {
+      std::ostringstream cause;
+      cause << "the next strip, of edge " << next.edge << ", begins " << gap << " away from it";
+      refuse(half, FilletFault::Corner, cause.str());
+    }
   }
   join_section(half, next);
 }
@@ -326,8 +331,10 @@ void BlendSheet::join_section(const HalfEdge& half, const HalfEdge& next) {
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(arc, range.from, range.to);
   const Vec2 near = after.chart(next_end.t[0], 0.5 * (after.contacts[0].w + after.contacts[1].w));
-  add_chart(arc, image_of(curve, range, feet, near, kSamePlace * tolerance_).chart,
-            after.bare_face());
+  const double apart =
+      std::max({tolerance_, BRep_Tool::Tolerance(end.vertices[0]),
+                BRep_Tool::Tolerance(end.vertices[1]), BRep_Tool::Tolerance(body_.vertex(half))});
+  add_chart(arc, image_of(curve, range, feet, near, kSamePlace * apart).chart, after.bare_face());
 }
 
 // The contact edges and the face of a strip whose ends are known.

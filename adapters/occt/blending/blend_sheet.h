@@ -101,6 +101,8 @@ class BlendSheet {
   void cap(const Ring& ring);
   bool blunt(const Ring& ring);
   double wall_t(const Ring& ring);
+  void add_wall_border(const EndCurve& down, const TopoDS_Vertex& contact,
+                       const TopoDS_Vertex& corner, bool on_left, int face, BlendPatch& wall);
   std::optional<TopoDS_Vertex> wall_foot(const HalfEdge& half, double t);
   void joint(const Ring& ring, std::size_t other);
   void mitre(const Ring& ring);

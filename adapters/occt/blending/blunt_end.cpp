@@ -95,6 +95,20 @@ std::optional<TopoDS_Vertex> BlendSheet::wall_foot(const HalfEdge& half, double 
   return splits_.vertex(edge, split);
 }
 
+// One of the wall's borders on the faces, from a contact down to the edge; the wall walks down the
+// left one and up the right one.
+void BlendSheet::add_wall_border(const EndCurve& down, const TopoDS_Vertex& contact,
+                                 const TopoDS_Vertex& corner, bool on_left, int face,
+                                 BlendPatch& wall) {
+  const TopoDS_Edge edge = edge_on(down.curve, down.range, down.forward ? contact : corner,
+                                   down.forward ? corner : contact);
+  add_chart(edge, down.on_strip, wall.face);
+  add_chart(edge, down.on_face, body_.face(face));
+  const bool forward = down.forward == on_left;
+  wall.edges.push_back(TopoDS::Edge(edge.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
+  added_[face].push_back(TopoDS::Edge(edge.Oriented(forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
+}
+
 // The wall across the strip at the vertex: between the arc of the ball and both faces. False, and
 // nothing is done, if the contacts have left their faces there, or the plane misses the faces.
 bool BlendSheet::blunt(const Ring& ring) {
@@ -135,19 +149,8 @@ bool BlendSheet::blunt(const Ring& ring) {
   const bool strip_forward = half.at_start ? forward : !forward;
   wall.edges.push_back(
       TopoDS::Edge(arc.Oriented(strip_forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
-  for (const std::size_t side : {left, right}) {
-    const EndCurve& to_corner = *down[side];
-    const TopoDS_Edge edge =
-        edge_on(to_corner.curve, to_corner.range, to_corner.forward ? ends[side] : corner,
-                to_corner.forward ? corner : ends[side]);
-    add_chart(edge, to_corner.on_strip, wall.face);
-    add_chart(edge, to_corner.on_face, body_.face(faces[side]));
-    const bool wall_forward = to_corner.forward == (side == left);
-    wall.edges.push_back(
-        TopoDS::Edge(edge.Oriented(wall_forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
-    added_[faces[side]].push_back(
-        TopoDS::Edge(edge.Oriented(wall_forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
-  }
+  for (const std::size_t side : {left, right})
+    add_wall_border(*down[side], ends[side], corner, side == left, faces[side], wall);
   gp_Pnt centre;
   gp_Vec along;
   strip.spine->D1(t, centre, along);

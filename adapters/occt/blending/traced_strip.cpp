@@ -115,6 +115,7 @@ struct Tracing {
         {fault, edge, cause, std::nullopt, point ? point : std::optional(middle), {}});
   }
   Interval valid_part(const BallTrack& track, const Interval& wanted) const;
+  void check_reach(const BallTrack& track, double end, const Vec3& vertex, double room) const;
 };
 
 // As much of what is wanted as the ball keeps to its sides.
@@ -131,6 +132,19 @@ Interval Tracing::valid_part(const BallTrack& track, const Interval& wanted) con
          "the ball is too large for the curvature of the face on its " +
              std::string(spine.tightest.support == 0 ? "left" : "right"),
          ball.contacts[static_cast<std::size_t>(spine.tightest.support)].point);
+}
+
+// Whether a track comes to the end of the edge, or about as near as the strip is wide.
+void Tracing::check_reach(const BallTrack& track, double end, const Vec3& vertex,
+                          double room) const {
+  const BallPoint ball = track.at(end);
+  if (std::abs(dot(vertex - ball.centre, unit(ball.centre_rate))) <= room) return;
+  refuse(FilletFault::LeavesFace,
+         std::string("the ball rolls only along a part of the edge: there ") +
+             (track.ends()[0] == TrackEnd::Lost || track.ends()[1] == TrackEnd::Lost
+                  ? "its way is lost"
+                  : "a contact leaves the surface of a face"),
+         ball.contacts[0].point);
 }
 
 // Turns the strip round so that t grows as the edge runs.
@@ -170,6 +184,9 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double r
   edge_range = {std::max(edge_range.from, range.from), std::min(edge_range.to, range.to)};
   if (length(edge_range) <= 0)
     of.refuse(FilletFault::NoBall, "the ball does not roll along the edge", {});
+  const HalfEdge low{edge, !backwards}, high{edge, backwards};
+  of.check_reach(*track, edge_range.from, point_of(body.vertex(low)), beyond);
+  of.check_reach(*track, edge_range.to, point_of(body.vertex(high)), beyond);
   const BallStrip made = ball_strip(*track, range);
   RolledStrip strip;
   strip.edge = edge;
