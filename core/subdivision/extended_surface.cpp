@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-<<<<<<<<HEAD : core / blending / balls / extended_surface.cpp
 #include "core/subdivision/extended_surface.h"
-        == == == ==
-#include "core/subdivision/extended_surface.h"
-        >>>>>>>> c735dd111e554edf8a89731c5c3d52a836e4d2c5 : core /
-                                                            subdivision /
-                                                            extended_surface.cpp
 
 #include <cstddef>
 #include <utility>
