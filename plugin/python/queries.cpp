@@ -70,6 +70,15 @@ Answer compare(const SharedModel& a, const SharedModel& b, const Control& contro
   }));
 }
 
+// Between two checks the work can be ended.
+occt::CheckRunner checks_of(const Watch& watch) {
+  return [&watch](const std::string&, const std::function<void()>& work) {
+    watch.stop();
+    work();
+    return true;
+  };
+}
+
 }  // namespace
 
 occt::Plane plane_of(const Vec3& point, const Vec3& normal) {
@@ -158,9 +167,10 @@ Answer check(const SharedModel& model, const Control& control) {
     model->faces(watch);
     const reports::Input& input = model->repaired_input(watch);
     watch.stop();
+    const occt::CheckRunner checks = checks_of(watch);
     const occt::Soundness found = model->is_part()
-                                      ? occt::soundness(input.model.shape(), input.numbers)
-                                      : occt::soundness(input.model.shape());
+                                      ? occt::soundness(input.model.shape(), input.numbers, checks)
+                                      : occt::soundness(input.model.shape(), checks);
     return with_reading(reports::soundness_report(input, found), {model});
   }));
 }
@@ -169,11 +179,9 @@ Answer info(const SharedModel& model, const Control& control) {
   return told(interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
     const reports::Input& input = model->input();
-    const reports::FaceCheck problems = [](const TopoDS_Face& face, int) {
-      return occt::face_problems(face);
-    };
-    const reports::ModelFacts facts = reports::model_facts(
-        input, problems, [&watch] { watch.stop(); }, [&watch] { return watch.ended(); });
+    const auto problems = occt::face_problems(input.faces, input.numbers, checks_of(watch));
+    const reports::ModelFacts facts =
+        reports::model_facts(input, problems, [&watch] { return watch.ended(); });
     return with_reading(reports::info_report(input, facts), {model});
   }));
 }
