@@ -289,6 +289,7 @@ void add_limit(const BodyEdges& body, const std::vector<FilletEdges>& chains, do
 
 FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
                     const FilletOptions& options) {
+  if (shape.IsNull()) throw InvalidInput("fillet: there is no shape");
   FilletResult result;
   Filleting work(shape, options);
   check_request(work.body(), edges, options);

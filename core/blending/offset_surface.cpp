@@ -2,8 +2,10 @@
 #include "core/blending/offset_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +15,8 @@
 #include "core/blending/detail/ball_equations.h"
 #include "core/forms/algebra/conversion.h"
 #include "core/forms/algebra/interpolation.h"
+#include "core/forms/evaluation.h"
+#include "core/math/matrix.h"
 
 namespace blossom {
 namespace {
@@ -23,6 +27,38 @@ constexpr int kMostCuts = 64;  // of one span in one direction
 constexpr double kPole =
     1e-9;  // |S_u x S_v| relative to its factors' sizes: a border that is a point
 constexpr double kTorn = 100;  // tolerances: what two patches may differ by at a knot line
+
+constexpr int kFine =
+    2 * kDegree + 1;  // nodes a direction for measuring; every other one is a node
+
+// What a fit needs of the nodes: Bezier points from values, and values and derivatives of Bezier
+// points at the finer nodes.
+struct FitTables {
+  Grid<double> solve{kDegree + 1, kDegree + 1};
+  Grid<double> value{kFine, kDegree + 1}, slope{kFine, kDegree + 1};
+
+  FitTables() {
+    const std::vector<double> fine = extreme_points(2 * kDegree);
+    for (int k = 0; k <= kDegree; ++k) {
+      std::vector<Vec2> one(kDegree + 1);
+      one[static_cast<std::size_t>(k)] = {1, 0};
+      const std::vector<Vec2> column = bezier_through(one).points;
+      for (int i = 0; i <= kDegree; ++i) solve(i, k) = column[static_cast<std::size_t>(i)][0];
+      RationalBezierCurve basis{std::vector<Vec4>(kDegree + 1, Vec4{0, 0, 0, 1})};
+      basis.points[static_cast<std::size_t>(k)][0] = 1;
+      for (int i = 0; i < kFine; ++i) {
+        const CurveJet jet = jet_at(basis, fine[static_cast<std::size_t>(i)]);
+        value(i, k) = jet.point[0];
+        slope(i, k) = jet.first[0];
+      }
+    }
+  }
+};
+
+const FitTables& fit_tables() {
+  static const FitTables tables;
+  return tables;
+}
 
 struct OffsetPoint {
   Vec3 point, by_u, by_v;  // by own parameters
@@ -54,6 +90,7 @@ class OffsetFit {
     RationalBezierPatch patch;
     Errors errors;
   };
+  using Pieces = std::map<std::array<double, 4>, Piece>;  // by the ranges in u and v
 
   OffsetPoint at_node(const ChartCell& cell, const Vec2& uv, const Vec2& inwards) const;
   Piece piece(const Interval& u, const Interval& v) const;
@@ -83,34 +120,42 @@ OffsetPoint OffsetFit::at_node(const ChartCell& cell, const Vec2& uv, const Vec2
 
 OffsetFit::Piece OffsetFit::piece(const Interval& u, const Interval& v) const {
   const ChartCell cell = cell_at(surface_, {at(u, 0.5), at(v, 0.5)});
-  const std::vector<double> fine = extreme_points(2 * kDegree);  // every other one is a node
-  const auto count = static_cast<int>(fine.size());
-  Grid<OffsetPoint> points(count, count);
-  for (int i = 0; i < count; ++i)
-    for (int j = 0; j < count; ++j) {
-      const double s = fine[static_cast<std::size_t>(i)], t = fine[static_cast<std::size_t>(j)];
-      points(i, j) =
-          at_node(cell, {parameter_at(surface_.u_law, u, s), parameter_at(surface_.v_law, v, t)},
-                  {s < 0.5 ? 1.0 : -1.0, t < 0.5 ? 1.0 : -1.0});
-    }
+  static const std::vector<double> fine = extreme_points(2 * kDegree);
+  std::array<double, kFine> own_u, own_v, rate_u, rate_v;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    own_u[i] = parameter_at(surface_.u_law, u, fine[i]);
+    own_v[i] = parameter_at(surface_.v_law, v, fine[i]);
+    rate_u[i] = parameter_derivative(surface_.u_law, u, fine[i]);
+    rate_v[i] = parameter_derivative(surface_.v_law, v, fine[i]);
+  }
+  Grid<OffsetPoint> points(kFine, kFine);
   Grid<Vec3> nodes(kDegree + 1, kDegree + 1);
-  for (int i = 0; i <= kDegree; ++i)
-    for (int j = 0; j <= kDegree; ++j) nodes(i, j) = points(2 * i, 2 * j).point;
-  Piece piece{homogeneous({bezier_through(nodes)}), {}};
-  for (int i = 0; i < count; ++i)
-    for (int j = 0; j < count; ++j) {
+  for (int i = 0; i < kFine; ++i)
+    for (int j = 0; j < kFine; ++j) {
+      const auto iu = static_cast<std::size_t>(i), jv = static_cast<std::size_t>(j);
+      points(i, j) = at_node(cell, {own_u[iu], own_v[jv]},
+                             {i < kDegree ? 1.0 : -1.0, j < kDegree ? 1.0 : -1.0});
+      if (i % 2 == 0 && j % 2 == 0) nodes(i / 2, j / 2) = points(i, j).point;
+    }
+  const FitTables& tables = fit_tables();
+  const Grid<Vec3> net = product_transposed(product(tables.solve, nodes), tables.solve);
+  const Grid<Vec3> by_rows = product(tables.value, net);
+  const Grid<Vec3> value = product_transposed(by_rows, tables.value),
+                   slope_u = product_transposed(product(tables.slope, net), tables.value),
+                   slope_v = product_transposed(by_rows, tables.slope);
+  Piece piece{homogeneous({net}), {}};
+  Errors& errors = piece.errors;
+  for (int i = 0; i < kFine; ++i)
+    for (int j = 0; j < kFine; ++j) {
       if (i % 2 == 0 && j % 2 == 0) continue;
-      const double s = fine[static_cast<std::size_t>(i)], t = fine[static_cast<std::size_t>(j)];
-      const PatchJet fit = jet_at(piece.patch, s, t, 1);
       const OffsetPoint& exact = points(i, j);
-      const double off = distance(fit.point, exact.point);
-      Errors& errors = piece.errors;
+      const double off = distance(value(i, j), exact.point);
       errors.both = std::max(errors.both, off);
       if (j % 2 == 0) errors.u = std::max(errors.u, off);
       if (i % 2 == 0) errors.v = std::max(errors.v, off);
       if (!exact.has_slopes) continue;
-      const Vec3 u_off = fit.u - exact.by_u * parameter_derivative(surface_.u_law, u, s),
-                 v_off = fit.v - exact.by_v * parameter_derivative(surface_.v_law, v, t);
+      const Vec3 u_off = slope_u(i, j) - exact.by_u * rate_u[static_cast<std::size_t>(i)],
+                 v_off = slope_v(i, j) - exact.by_v * rate_v[static_cast<std::size_t>(j)];
       errors.slope = std::max({errors.slope, norm(u_off), norm(v_off)});
     }
   return piece;
@@ -147,6 +192,7 @@ std::vector<double> with_cuts(const std::vector<double>& knots, const std::vecto
 }
 
 OffsetSurface OffsetFit::fitted(std::vector<double> u, std::vector<double> v) {
+  Pieces known;
   for (int round = 0; round < kMostCuts; ++round) {
     const int rows = static_cast<int>(u.size()) - 1, columns = static_cast<int>(v.size()) - 1;
     Grid<RationalBezierPatch> patches(rows, columns);
@@ -157,9 +203,10 @@ OffsetSurface OffsetFit::fitted(std::vector<double> u, std::vector<double> v) {
     for (int i = 0; i < rows; ++i)
       for (int j = 0; j < columns; ++j) {
         const auto iu = static_cast<std::size_t>(i), jv = static_cast<std::size_t>(j);
-        Piece fit = piece({u[iu], u[iu + 1]}, {v[jv], v[jv + 1]});
-        patches(i, j) = std::move(fit.patch);
-        const Errors& errors = fit.errors;
+        const auto [fit, is_new] = known.try_emplace({u[iu], u[iu + 1], v[jv], v[jv + 1]});
+        if (is_new) fit->second = piece({u[iu], u[iu + 1]}, {v[jv], v[jv + 1]});
+        patches(i, j) = fit->second.patch;
+        const Errors& errors = fit->second.errors;
         result.error = std::max(result.error, kSafety * errors.both);
         result.slope_error = std::max(result.slope_error, kSafety * errors.slope);
         if (kSafety * errors.both <= tolerance_) continue;
@@ -183,13 +230,21 @@ OffsetSurface OffsetFit::fitted(std::vector<double> u, std::vector<double> v) {
                      std::to_string(kMostCuts) + " cuts a direction");
 }
 
-// The ends of a range and the knots inside of it.
-std::vector<double> knots_in(const std::vector<double>& knots, const Interval& range) {
-  const double slack = 1e-9 * length(range);
-  std::vector<double> result{range.from};
-  for (const double knot : knots)
-    if (knot > range.from + slack && knot < range.to - slack) result.push_back(knot);
-  result.push_back(range.to);
+// The ends of a range and the knots inside of it; of a closed direction the part may begin before
+// its knots or end behind them.
+std::vector<double> knots_in(const std::vector<double>& knots, const Interval& range, bool closed) {
+  const double slack = 1e-9 * length(range), period = knots.back() - knots.front();
+  std::vector<double> result{range.from, range.to};
+  const double first = closed ? std::floor((range.from - knots.front()) / period) : 0;
+  for (const double turns : {first, first + (closed ? 1 : 0)})
+    for (const double knot : knots) {
+      const double x = knot + turns * period;
+      if (x > range.from + slack && x < range.to - slack) result.push_back(x);
+    }
+  std::sort(result.begin(), result.end());
+  result.erase(
+      std::unique(result.begin(), result.end(), [&](double a, double b) { return b - a <= slack; }),
+      result.end());
   return result;
 }
 
@@ -204,9 +259,9 @@ OffsetSurface offset_surface(const BezierSurface& surface, const ChartRectangle&
   validate(BallSupport{&surface, part, 1}, "to offset");
   if (!std::isfinite(distance) || !(tolerance > 0))
     throw InvalidInput("offset_surface: the distance is not finite, or the tolerance not positive");
-  OffsetSurface result =
-      OffsetFit(surface, distance, tolerance)
-          .fitted(knots_in(surface.u_knots, part.u), knots_in(surface.v_knots, part.v));
+  OffsetSurface result = OffsetFit(surface, distance, tolerance)
+                             .fitted(knots_in(surface.u_knots, part.u, surface.closed_u),
+                                     knots_in(surface.v_knots, part.v, surface.closed_v));
   result.surface.closed_u = surface.closed_u && is_whole(surface.u_knots, part.u);
   result.surface.closed_v = surface.closed_v && is_whole(surface.v_knots, part.v);
   return result;

@@ -81,6 +81,8 @@ class BlendSheet {
   /// What a user may want to know of how strips end.
   const std::vector<std::string>& notes() const { return notes_; }
   bool is_filleted(int edge) const { return strip_at_.count(edge) > 0; }
+  /// What stays of filleted edges, where strips stop short of their ends: at the start, the end.
+  const std::map<int, std::array<std::optional<EdgeRest>, 2>>& stubs() const { return stubs_; }
   EdgeSplits& splits() { return splits_; }
 
  private:
@@ -98,6 +100,8 @@ class BlendSheet {
   void end_at(const HalfEdge& half);
   void cap(const Ring& ring);
   bool blunt(const Ring& ring);
+  double wall_t(const Ring& ring);
+  std::optional<TopoDS_Vertex> wall_foot(const HalfEdge& half, double t);
   void joint(const Ring& ring, std::size_t other);
   void mitre(const Ring& ring);
   void corner(const Ring& ring);
@@ -139,6 +143,7 @@ class BlendSheet {
   std::vector<HalfEdge> done_;
   std::vector<TopoDS_Vertex> made_;  // inside of faces
   std::vector<std::string> notes_;
+  std::map<int, std::array<std::optional<EdgeRest>, 2>> stubs_;
 };
 
 }  // namespace blossom::occt

@@ -18,6 +18,10 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kSamePlace = 10;  // in tolerances
+// Of the strip's width: how far before a contact leaves its face a strip stops, so that something
+// of the face is left between the wall and the border.
+constexpr double kClearance = 0.25;
+constexpr int kSecantSteps = 40;
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
@@ -39,18 +43,72 @@ TopoDS_Face plane_across(const Handle(Geom_Curve) & spine, double t) {
 
 }  // namespace
 
+// Where a strip ends in a wall: at the vertex, or before a contact leaves its face beside it.
+double BlendSheet::wall_t(const Ring& ring) {
+  const HalfEdge half = ring.front().half;
+  const RolledStrip& strip = strip_of(half).strip;
+  const double inwards = half.at_start ? 1 : -1;
+  const VertexSector& last = ring.back();
+  const std::array<const EdgeUseInFace*, 2> uses{
+      &arriving(ring, 0), &body_.uses(last.face)[static_cast<std::size_t>(last.use)]};
+  const double speed = strip.contacts[0].curve->DN(end_t(half), 1).Magnitude();
+  double t = end_t(half);
+  for (const std::size_t side : {left_side(half), right_side(half)}) {
+    if (ring.size() < 2) break;
+    const auto meeting =
+        meeting_with(body_, strip, side, *uses[side == left_side(half) ? 0 : 1], end_t(half));
+    if (!meeting) continue;
+    const double stop = meeting->t + inwards * kClearance * strip.radius / speed;
+    if (inwards * (stop - t) > 0) t = stop;
+  }
+  return t;
+}
+
+// The vertex of the body at the end of the strip, or a new one on the edge, in the plane across the
+// strip at t, from which the edge stays as it was.
+std::optional<TopoDS_Vertex> BlendSheet::wall_foot(const HalfEdge& half, double t) {
+  const RolledStrip& strip = strip_of(half).strip;
+  if (t == end_t(half)) return body_.vertex(half);
+  if (t <= strip.edge_range.from || t >= strip.edge_range.to) return std::nullopt;
+  const TopoDS_Edge edge = body_.edge(half.edge);
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  gp_Pnt centre;
+  gp_Vec along;
+  strip.spine->D1(t, centre, along);
+  const auto off = [&](double x) { return gp_Vec(centre, curve->Value(x)).Dot(along); };
+  double x = nearest_on(curve, range, vec(centre.XYZ())),
+         last = half.at_start ? range.from : range.to;
+  double f = off(x), f_last = off(last);
+  for (int i = 0; i < kSecantSteps && f != 0 && f != f_last; ++i) {
+    const double next = x - f * (x - last) / (f - f_last);
+    last = x;
+    f_last = f;
+    x = next;
+    if (x <= range.from || x >= range.to) return std::nullopt;
+    f = off(x);
+  }
+  const int split = splits_.add(edge, x, body_.face(strip.contacts[0].face));
+  if (split == EdgeSplits::kFirst || split == EdgeSplits::kLast) return std::nullopt;
+  stubs_[half.edge][half.at_start ? 0 : 1] =
+      half.at_start ? EdgeRest{EdgeSplits::kFirst, split} : EdgeRest{split, EdgeSplits::kLast};
+  return splits_.vertex(edge, split);
+}
+
 // The wall across the strip at the vertex: between the arc of the ball and both faces. False, and
 // nothing is done, if the contacts have left their faces there, or the plane misses the faces.
 bool BlendSheet::blunt(const Ring& ring) {
   const HalfEdge half = ring.front().half;
   PlacedStrip& of = strip_of(half);
   const RolledStrip& strip = of.strip;
-  const double t = end_t(half);
+  const double t = wall_t(ring);
   const std::array<int, 2> faces{strip.contacts[0].face, strip.contacts[1].face};
   const std::size_t left = left_side(half), right = right_side(half);
   if (!lies_inside(body_, strip.contacts[0], t) || !lies_inside(body_, strip.contacts[1], t))
     return false;
-  const TopoDS_Vertex corner = body_.vertex(half);
+  const auto foot = wall_foot(half, t);
+  if (!foot) return false;
+  const TopoDS_Vertex corner = *foot;
   BlendPatch wall{plane_across(strip.spine, t), {}, strip.edge};
   std::array<TopoDS_Vertex, 2> ends;
   std::array<std::optional<EndCurve>, 2> down;

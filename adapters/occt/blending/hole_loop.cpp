@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <set>
 
 #include <BRep_Tool.hxx>
@@ -63,11 +64,9 @@ bool meet(const EdgeEnd& a, const EdgeEnd& b) {
 }
 
 std::string at_point(const gp_Pnt& p) {
-  const auto text = [](double x) {
-    std::string s = std::to_string(x);
-    return s;
-  };
-  return "(" + text(p.X()) + ", " + text(p.Y()) + ", " + text(p.Z()) + ")";
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", p.X(), p.Y(), p.Z());
+  return text;
 }
 
 HoleEdge picked(const TopoDS_Shape& model, const TopoDS_Edge& edge, int number) {
@@ -80,52 +79,78 @@ HoleEdge picked(const TopoDS_Shape& model, const TopoDS_Edge& edge, int number) 
   return {number, uses.front().edge, uses.front().face, false};
 }
 
-/// The one end that goes on from `from`, among edges that are not used yet.
-EdgeEnd next_end(const std::vector<std::array<EdgeEnd, 2>>& all, const std::vector<bool>& used,
-                 const EdgeEnd& from, int number) {
-  std::vector<EdgeEnd> found;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const EdgeEnd& end : all[i])
-      if (!used[i] && meet(end, from)) found.push_back(end);
-  if (found.size() == 1) return found.front();
-  throw BadModel("the way round the hole " + std::string(found.empty() ? "ends" : "forks") +
-                 " after " + name_of(number) + ", at " + at_point(from.point));
-}
+/// Walks from edge to edge; every edge is walked once, even where the way does not close.
+class LoopFinder {
+ public:
+  LoopFinder(const TopoDS_Shape& model, const std::vector<int>& edges) {
+    TopTools_IndexedMapOfShape all;
+    TopExp::MapShapes(model, TopAbs_EDGE, all);
+    std::set<int> known;
+    for (const int number : edges) {
+      if (number < 1 || number > all.Extent())
+        throw BadModel("there is no " + name_of(number) + ", the model has " +
+                       std::to_string(all.Extent()));
+      if (!known.insert(number).second) throw BadModel(name_of(number) + " is named twice");
+      edges_.push_back(picked(model, TopoDS::Edge(all(number)), number));
+      ends_.push_back(ends_of(edges_.back(), ends_.size()));
+    }
+    used_.assign(edges_.size(), false);
+  }
+
+  bool has_more() const { return std::find(used_.begin(), used_.end(), false) != used_.end(); }
+
+  /// The loop of the first edge that is left.
+  HoleLoop next() {
+    const auto start =
+        static_cast<std::size_t>(std::find(used_.begin(), used_.end(), false) - used_.begin());
+    HoleLoop loop{edges_[start]};
+    used_[start] = true;
+    EdgeEnd end = ends_[start][1];
+    while (!meet(end, ends_[start][0])) {
+      const EdgeEnd next = next_end(end, loop.back().number);
+      loop.push_back(edges_[next.edge]);
+      loop.back().backwards = next.last;
+      used_[next.edge] = true;
+      end = ends_[next.edge][next.last ? 0 : 1];
+    }
+    return loop;
+  }
+
+ private:
+  /// The one end that goes on from `from`, among edges that are not used yet.
+  EdgeEnd next_end(const EdgeEnd& from, int number) const {
+    std::vector<EdgeEnd> found;
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      for (const EdgeEnd& end : ends_[i])
+        if (!used_[i] && meet(end, from)) found.push_back(end);
+    if (found.size() == 1) return found.front();
+    throw BadModel("the way round the hole " + std::string(found.empty() ? "ends" : "forks") +
+                   " after " + name_of(number) + ", at " + at_point(from.point));
+  }
+
+  std::vector<HoleEdge> edges_;
+  std::vector<std::array<EdgeEnd, 2>> ends_;
+  std::vector<bool> used_;
+};
 
 }  // namespace
 
 std::vector<HoleLoop> hole_loops(const TopoDS_Shape& model, const std::vector<int>& edges) {
-  TopTools_IndexedMapOfShape all;
-  TopExp::MapShapes(model, TopAbs_EDGE, all);
-  std::vector<HoleEdge> chosen;
-  std::set<int> known;
-  for (const int number : edges) {
-    if (number < 1 || number > all.Extent())
-      throw BadModel("there is no " + name_of(number) + ", the model has " +
-                     std::to_string(all.Extent()));
-    if (!known.insert(number).second) throw BadModel(name_of(number) + " is named twice");
-    chosen.push_back(picked(model, TopoDS::Edge(all(number)), number));
-  }
-  std::vector<std::array<EdgeEnd, 2>> ends;
-  for (std::size_t i = 0; i < chosen.size(); ++i) ends.push_back(ends_of(chosen[i], i));
-
+  LoopFinder finder(model, edges);
   std::vector<HoleLoop> loops;
-  std::vector<bool> used(chosen.size(), false);
-  for (std::size_t start = 0; start < chosen.size(); ++start) {
-    if (used[start]) continue;
-    HoleLoop loop{chosen[start]};
-    used[start] = true;
-    EdgeEnd end = ends[start][1];
-    while (!meet(end, ends[start][0])) {
-      const EdgeEnd next = next_end(ends, used, end, loop.back().number);
-      loop.push_back(chosen[next.edge]);
-      loop.back().backwards = next.last;
-      used[next.edge] = true;
-      end = ends[next.edge][next.last ? 0 : 1];
-    }
-    loops.push_back(std::move(loop));
-  }
+  while (finder.has_more()) loops.push_back(finder.next());
   return loops;
+}
+
+OpenLoops open_loops(const TopoDS_Shape& model) {
+  LoopFinder finder(model, open_edges(model));
+  OpenLoops result;
+  while (finder.has_more()) try {
+      result.loops.push_back(finder.next());
+    } catch (const BadModel& error) {
+      result.left_out.push_back(error.what());
+    }
+  return result;
 }
 
 std::vector<int> open_edges(const TopoDS_Shape& model) {

@@ -29,4 +29,14 @@ std::vector<HoleLoop> hole_loops(const TopoDS_Shape& model, const std::vector<in
 /// The numbers of all edges that one face uses once, but for degenerated ones.
 std::vector<int> open_edges(const TopoDS_Shape& model);
 
+/// What open edges make up.
+struct OpenLoops {
+  std::vector<HoleLoop> loops;
+  std::vector<std::string> left_out;  ///< why the way round ends or forks, once for each such way
+};
+
+/// All loops of open edges. Faces that are not sewn have open edges side by side: a way that forks
+/// among edges which no way before it has walked is left out, with the edges that it has walked.
+OpenLoops open_loops(const TopoDS_Shape& model);
+
 }  // namespace blossom::occt

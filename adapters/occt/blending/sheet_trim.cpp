@@ -173,7 +173,8 @@ class Trimming {
  private:
   bool is_touched(int face) const;
   std::vector<TopoDS_Edge> edges_left(int face);
-  void add_rest(const EdgeUseInFace& use, bool reversed, std::vector<TopoDS_Edge>& edges);
+  void add_rest(const EdgeUseInFace& use, const EdgeRest& rest, bool reversed,
+                std::vector<TopoDS_Edge>& edges);
   void add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face, const Vec2& scale,
                   int from, int edge);
   bool collapse_one();
@@ -194,10 +195,9 @@ bool Trimming::is_touched(int face) const {
 }
 
 // The pieces of an edge between the splits at which fillets cut it.
-void Trimming::add_rest(const EdgeUseInFace& use, bool reversed, std::vector<TopoDS_Edge>& edges) {
+void Trimming::add_rest(const EdgeUseInFace& use, const EdgeRest& rest, bool reversed,
+                        std::vector<TopoDS_Edge>& edges) {
   const TopoDS_Edge edge = body_.edge(use.edge);
-  const auto known = sheet_.rests().find(use.edge);
-  const EdgeRest rest = known == sheet_.rests().end() ? EdgeRest{} : known->second;
   EdgeSplits& splits = sheet_.splits();
   const double from = splits.parameter(edge, rest.from), to = splits.parameter(edge, rest.to);
   if (from > to)
@@ -218,11 +218,18 @@ std::vector<TopoDS_Edge> Trimming::edges_left(int face) {
   const bool reversed = body_.face(face).Orientation() == TopAbs_REVERSED;
   std::vector<TopoDS_Edge> edges;
   for (const EdgeUseInFace& use : body_.uses(face)) {
-    if (sheet_.is_filleted(use.edge)) continue;
-    if (use.coedge->degenerated || sheet_.rests().count(use.edge) == 0)
+    if (sheet_.is_filleted(use.edge)) {
+      const auto stubs = sheet_.stubs().find(use.edge);
+      if (stubs == sheet_.stubs().end()) continue;
+      for (const auto& stub : stubs->second)
+        if (stub) add_rest(use, *stub, reversed, edges);
+      continue;
+    }
+    const auto rest = sheet_.rests().find(use.edge);
+    if (use.coedge->degenerated || rest == sheet_.rests().end())
       edges.push_back(use.coedge->edge);
     else
-      add_rest(use, reversed, edges);
+      add_rest(use, rest->second, reversed, edges);
   }
   if (const auto known = sheet_.added().find(face); known != sheet_.added().end())
     for (const TopoDS_Edge& edge : known->second) edges.push_back(turned(edge, reversed));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastMinor = 1e-10;  // of F', columns relative to |S_u|: below, its rank is lost
 constexpr double kSettled = 4 * 0x1p-52;  // a step, relative to a coordinate or its extent
-constexpr double kAlmostSettled = 1e-10;  // then a step that is no smaller is rounding
+constexpr double kAlmostSettled = 1e-9;   // then a step that is no smaller is rounding
 constexpr int kMostSteps = 25;
 constexpr double kLostStep = 10;       // so long a one comes from a matrix without its rank
 constexpr double kLongestStep = 0.25;  // of the extents, far from a solution

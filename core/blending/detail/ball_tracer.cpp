@@ -15,6 +15,7 @@ constexpr double kFirstStep = 0.02;
 constexpr double kLongestStep = 0.125;
 constexpr double kShortestStep = 1e-9;
 constexpr double kDrift = 1e-5;       // Newton's way from the predicted point, in steps
+constexpr double kNoise = 1e-10;      // and what rounding may add to it
 constexpr double kLeastCosine = 0.8;  // between the directions at both ends of a step
 constexpr double kOnLine = 1e-10;     // nearer to a knot line or border is on it
 constexpr double kAlongLine = 1e-8;   // of a direction's size: less does not leave a line
@@ -159,7 +160,7 @@ std::optional<Place> Walker::stepped(double h, double& error) const {
   for (int k = 0; k < 4; ++k) plane.row[k] = (*slope)[k] / (extents_[k] * extents_[k]);
   plane.value = dot(plane.row, y->x);
   const auto x = system_.solved(y->x, cells_, y->parameter, plane);
-  if (!x || size(*x - y->x) > kDrift * size(y->x - at_.x)) return std::nullopt;
+  if (!x || size(*x - y->x) > kDrift * size(y->x - at_.x) + kNoise) return std::nullopt;
   y->x = *x;
   return y;
 }

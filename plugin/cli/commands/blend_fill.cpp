@@ -140,16 +140,19 @@ Hole filled(const FillCommand& command, const Wishes& wishes, occt::HoleLoop loo
 Holes all_holes(const FillCommand& command, const Wishes& wishes, const Input& input) {
   const auto start = std::chrono::steady_clock::now();
   const TopoDS_Shape& model = input.model.shape();
-  const std::vector<int> edges = wishes.edges.empty() ? occt::open_edges(model) : wishes.edges;
-  if (edges.empty()) throw occt::BadModel(input.name + " has no open edge, so no hole");
+  const bool named = !wishes.edges.empty();
+  const occt::OpenLoops found =
+      named ? occt::OpenLoops{occt::hole_loops(model, wishes.edges), {}} : occt::open_loops(model);
   Holes holes;
-  for (occt::HoleLoop& loop : occt::hole_loops(model, edges)) {
+  for (const occt::HoleLoop& loop : found.loops) {
     stop_if_interrupted();
-    holes.all.push_back(filled(command, wishes, std::move(loop)));
-    const Hole& last = holes.all.back();
-    if (!last.reason.empty() && !wishes.edges.empty())
-      throw occt::BadModel(input.name + ": " + last.message);
+    holes.all.push_back(filled(command, wishes, loop));
+    if (named && !holes.all.back().reason.empty())
+      throw occt::BadModel(input.name + ": " + holes.all.back().message);
   }
+  for (const std::string& message : found.left_out)
+    holes.all.push_back({.loop = {}, .filled = {}, .reason = "edges", .message = message});
+  if (holes.all.empty()) throw occt::BadModel(input.name + " has no open edge, so no hole");
   if (holes.filled() == 0) throw occt::BadModel(input.name + ": " + holes.all.front().message);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   holes.seconds = took.count();
@@ -227,6 +230,10 @@ std::string summary(const Input& input, const Holes& holes) {
   text << "filled " << counted(holes.filled(), "hole") << " of " << input.name << ", "
        << rounded(holes.seconds) << " s\n";
   for (const Hole& hole : holes.all) {
+    if (hole.loop.empty()) {
+      text << "  left out: " << hole.message << '\n';
+      continue;
+    }
     text << "  edges";
     for (const occt::HoleEdge& edge : hole.loop) text << ' ' << edge.number;
     if (!hole.reason.empty()) {

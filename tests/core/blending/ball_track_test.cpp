@@ -196,6 +196,19 @@ TEST(BallTrack, FindsTheBallNearestToAPoint) {
   EXPECT_NEAR(track->nearest(track->at(s).centre), s, 1e-12);
 }
 
+TEST(BallTrack, IsFollowedFarFromTheOrigin) {
+  testing::Motion away;
+  away.shift = {1e5, -2e5, 3e4};
+  const BezierSurface floor = testing::moved(testing::split_in_u(floor_face(), 0.37), away),
+                      wall = testing::moved(wall_face(), away);
+  const auto track = track_through(whole_support(floor, 1), whole_support(wall, 1), 0.1,
+                                   {Vec2{3, 0.8}, Vec2{0.4, 0.2}});
+  ASSERT_TRUE(track);
+  EXPECT_LT(worst_contact(*track), 1e-9);
+  EXPECT_EQ(track->ends()[0], TrackEnd::Border);
+  EXPECT_EQ(track->ends()[1], TrackEnd::Border);
+}
+
 TEST(BallTrack, EndsOnTheBordersOfItsParts) {
   const BezierSurface floor = floor_face(), wall = wall_face();
   BallSupport a = whole_support(floor, 1);

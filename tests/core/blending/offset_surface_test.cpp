@@ -53,6 +53,20 @@ TEST(OffsetSurface, OfACylinderKeepsItsAngles) {
   EXPECT_LT(offset.error, 1e-10);
 }
 
+TEST(OffsetSurface, OfAPartOverASeamIsCutThere) {
+  const BezierSurface cylinder = whole_cylinder(2, 3);
+  const OffsetSurface offset = offset_surface(cylinder, {{5.5, 7.5}, {0, 1}}, 0.5, 1e-10);
+  EXPECT_FALSE(offset.surface.closed_u);
+  EXPECT_EQ(offset.surface.u_knots.front(), 5.5);
+  EXPECT_EQ(std::count(offset.surface.u_knots.begin(), offset.surface.u_knots.end(),
+                       cylinder.u_knots.back()),
+            1);
+  const auto off = [](const Vec2& uv, const Vec3& p) {
+    return distance(p, Vec3{2.5 * std::cos(uv[0]), 2.5 * std::sin(uv[0]), uv[1]});
+  };
+  EXPECT_LT(worst_of(offset.surface, off), 1e-10);
+}
+
 TEST(OffsetSurface, GoesOverAPole) {
   const BezierSurface sphere = upper_sphere(2);
   const OffsetSurface offset = offset_surface(sphere, all_of(sphere), -0.5, 1e-9);

@@ -158,5 +158,31 @@ TEST(HoleLoops, FindAllThatAreOpen) {
   EXPECT_EQ(loops[1].size(), 4u);
 }
 
+TEST(HoleLoops, LeaveOutWaysThatForkAndKeepTheOthers) {
+  // Two faces that lie side by side and are not sewn, and one with a hole.
+  TopoDS_Compound model;
+  BRep_Builder builder;
+  builder.MakeCompound(model);
+  builder.Add(model, testing::graph_face({}));
+  gp_Trsf beside;
+  beside.SetTranslation(gp_Vec(1, 0, 0));
+  builder.Add(model, testing::graph_face({}, [](double x, double y) {
+                       return base_cubic(x + 1, y);
+                     }).Moved(TopLoc_Location(beside)));
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(10, 0, 0));
+  builder.Add(model, squarely_holed().Moved(TopLoc_Location(away)));
+
+  const OpenLoops found = open_loops(model);
+  // The hole and the outer border of its face; of the two others one border, since the first way
+  // forks.
+  EXPECT_EQ(found.loops.size(), 3u);
+  EXPECT_FALSE(found.left_out.empty());
+  for (const std::string& message : found.left_out)
+    EXPECT_TRUE(message.find("forks") != std::string::npos ||
+                message.find("ends") != std::string::npos)
+        << message;
+}
+
 }  // namespace
 }  // namespace blossom::occt
