@@ -17,7 +17,8 @@ from pathlib import Path
 CORE_ROOMS = """base math math/series forms forms/algebra blossom subdivision subdivision/bulk
     papers bounds results cells surfaces/gap surfaces/pairs surfaces/contacts surfaces/coincidence
     surfaces/branches surfaces/search tracing surfaces/assembly surfaces/retry curves plane
-    distance rays regions watertight blending""".split()
+    distance rays regions watertight blending blending/fills blending/continuity
+    blending/balls""".split()
 OCCT_ROOMS = """base convert faces neighbours queries splitting coincidence solids repair exchange
     blending""".split()
 

@@ -26,7 +26,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/convert/surfaces.h"
-#include "core/blending/fill.h"
+#include "core/blending/fills/fill.h"
 #include "core/forms/evaluation.h"
 #include "tests/support/holes.h"
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/blending/fill.h"
+#include "core/blending/fills/fill.h"
 #include "core/forms/algebra/interpolation.h"
 #include "core/math/vec.h"
 #include "tests/support/random.h"

@@ -11,7 +11,7 @@
 
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/surface_projector.h"
-#include "core/blending/extended_surface.h"
+#include "core/blending/balls/extended_surface.h"
 
 namespace blossom::occt {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "adapters/occt/blending/body_edges.h"
-#include "core/blending/ball_track.h"
+#include "core/blending/balls/ball_track.h"
 #include "core/forms/surface.h"
 
 namespace blossom::occt {

@@ -11,7 +11,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "core/blending/continuity.h"
+#include "core/blending/continuity/continuity.h"
 
 namespace blossom::occt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A face beside one of its edges, for the figures of core/blending/continuity.h.
+// A face beside one of its edges, for the figures of core/blending/continuity/continuity.h.
 
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "core/blending/continuity.h"
+#include "core/blending/continuity/continuity.h"
 
 namespace blossom::occt {
 

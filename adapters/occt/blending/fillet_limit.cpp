@@ -8,7 +8,7 @@
 
 #include "adapters/occt/blending/ball_supports.h"
 #include "adapters/occt/blending/rolled_strip.h"
-#include "core/blending/largest_radius.h"
+#include "core/blending/balls/largest_radius.h"
 #include "core/plane/planar_curves.h"
 
 namespace blossom::occt {

@@ -14,7 +14,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/surfaces.h"
-#include "core/blending/fill_layout.h"
+#include "core/blending/fills/fill_layout.h"
 
 namespace blossom::occt {
 namespace {

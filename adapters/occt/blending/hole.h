@@ -10,7 +10,7 @@
 
 #include "adapters/occt/blending/hole_loop.h"
 #include "adapters/occt/blending/hole_side.h"
-#include "core/blending/fill.h"
+#include "core/blending/fills/fill.h"
 
 namespace blossom::occt {
 

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "adapters/occt/blending/hole_loop.h"
-#include "core/blending/fill_side.h"
+#include "core/blending/fills/fill_side.h"
 
 namespace blossom::occt {
 

@@ -23,9 +23,9 @@
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/rolled_strip.h"
 #include "adapters/occt/convert/curves.h"
-#include "core/blending/ball_spine.h"
-#include "core/blending/ball_strip.h"
-#include "core/blending/ball_track.h"
+#include "core/blending/balls/ball_spine.h"
+#include "core/blending/balls/ball_strip.h"
+#include "core/blending/balls/ball_track.h"
 
 namespace blossom::occt {
 namespace {

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/blending/balls/ball_spine.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "core/forms/algebra/interpolation.h"
+#include "core/math/sign_change.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kDegree = 4;              // of the interpolation, between two nodes of a track
+constexpr double kSafety = 2;           // on differences measured at twice as many points
+constexpr double kRough = 1e-2;         // difference relative to the function: the piece is halved
+constexpr int kMostHalvings = 24;       // of a piece between two nodes
+constexpr double kZero = 1e-12;         // determinants are dimensionless, 1 for a plane
+constexpr double kRootWidth = 0x1p-50;  // of the domain
+constexpr double kExtremum = 1e-9;      // of the piece: where an extremum is
+constexpr double kGolden = 0.38196601125010515;
+
+using Coefficients = std::array<double, kDegree + 1>;
+
+// 1 - s r k for the larger of s k: continuous, and negative just where the ball is not on its side.
+double least_factor(const BallContact& contact) {
+  const double half = 0.5 * contact.trace;
+  return half - std::sqrt(std::max(0.0, half * half - contact.determinant));
+}
+
+// Where f is extreme in a range in which it bends to one side; `sign` 1 for a least value.
+template <class Function>
+double extremum(const Function& f, Interval range, double sign) {
+  const double stop = kExtremum * length(range);
+  double p = at(range, kGolden), q = at(range, 1 - kGolden);
+  double fp = sign * f(p), fq = sign * f(q);
+  while (length(range) > stop) {
+    if (fp < fq) {
+      range.to = q;
+      q = p, fq = fp;
+      p = at(range, kGolden), fp = sign * f(p);
+    } else {
+      range.from = p;
+      p = q, fp = fq;
+      q = at(range, 1 - kGolden), fq = sign * f(q);
+    }
+  }
+  return fp < fq ? p : q;
+}
+
+double determinant_at(const BallTrack& track, int support, double parameter) {
+  return track.at(parameter).contacts[static_cast<std::size_t>(support)].determinant;
+}
+
+// Zeros of the determinants along a track.
+class CuspSearch {
+ public:
+  explicit CuspSearch(const BallTrack& track)
+      : track_(track), width_(kRootWidth * length(track.domain())) {}
+
+  std::vector<BallCusp> cusps();
+
+ private:
+  void look(const Interval& range, int depth);
+  void isolate(const Coefficients& c, const Interval& range, double error, int depth);
+  void add_zero(const Interval& range);
+
+  const BallTrack& track_;
+  double width_;
+  int support_ = 0;
+  std::vector<BallCusp> cusps_;
+};
+
+void CuspSearch::add_zero(const Interval& range) {
+  const auto f = [&](double p) { return determinant_at(track_, support_, p); };
+  const double from = f(range.from), to = f(range.to);
+  if ((from < 0) == (to < 0)) return;
+  const SignChange ends =
+      from < 0 ? SignChange{range.from, range.to} : SignChange{range.to, range.from};
+  const SignChange zero = narrowed(f, ends, std::min(from, to), std::max(from, to), width_);
+  cusps_.push_back({0.5 * (zero.below + zero.above), support_});
+}
+
+void CuspSearch::isolate(const Coefficients& c, const Interval& range, double error, int depth) {
+  const auto [low, high] = std::minmax_element(c.begin(), c.end());
+  if (*low > error || *high < -error) return;
+  if (std::max(-*low, *high) <= kZero) return;  // 0 all along
+  bool rises = true, falls = true, bends_up = true, bends_down = true;
+  for (std::size_t i = 0; i + 1 < c.size(); ++i) {
+    rises &= c[i + 1] > c[i];
+    falls &= c[i + 1] < c[i];
+    if (i + 2 >= c.size()) continue;
+    const double bend = c[i + 2] - 2 * c[i + 1] + c[i];
+    bends_up &= bend > 0;
+    bends_down &= bend < 0;
+  }
+  if (rises || falls) return add_zero(range);
+  if (bends_up || bends_down) {
+    const auto f = [&](double p) { return determinant_at(track_, support_, p); };
+    const double turn = extremum(f, range, bends_up ? 1 : -1);
+    add_zero({range.from, turn});
+    return add_zero({turn, range.to});
+  }
+  if (depth == kMostHalvings) return add_zero(range);
+  Coefficients left, right = c;  // right: the triangle's other side
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    left[k] = right[0];
+    for (std::size_t i = 0; i + k + 1 < c.size(); ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+  }
+  const double middle = at(range, 0.5);
+  isolate(left, {range.from, middle}, error, depth + 1);
+  isolate(right, {middle, range.to}, error, depth + 1);
+}
+
+void CuspSearch::look(const Interval& range, int depth) {
+  static const std::vector<double> fine = extreme_points(2 * kDegree);
+  std::vector<Vec2> all, nodes;  // determinants of both supports
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const BallPoint ball = track_.at(at(range, fine[i]), i + 1 < fine.size());
+    all.push_back({ball.contacts[0].determinant, ball.contacts[1].determinant});
+    if (i % 2 == 0) nodes.push_back(all.back());
+  }
+  const BezierCurve2 fit = bezier_through(nodes);
+  std::array<double, 2> error{}, size{};
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    std::vector<Vec2> d = fit.points;
+    for (std::size_t count = kDegree; count > 0; --count)
+      for (std::size_t k = 0; k < count; ++k) d[k] = (1 - fine[i]) * d[k] + fine[i] * d[k + 1];
+    for (int k = 0; k < 2; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      error[at] = std::max(error[at], kSafety * std::abs(d[0][k] - all[i][k]));
+      size[at] = std::max(size[at], std::abs(all[i][k]));
+    }
+  }
+  const auto is_rough = [&](std::size_t k) { return error[k] > kRough * size[k] + kZero; };
+  if ((is_rough(0) || is_rough(1)) && depth < kMostHalvings) {
+    look({range.from, at(range, 0.5)}, depth + 1);
+    return look({at(range, 0.5), range.to}, depth + 1);
+  }
+  for (support_ = 0; support_ < 2; ++support_) {
+    Coefficients c;
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = fit.points[i][support_];
+    isolate(c, range, error[static_cast<std::size_t>(support_)], depth);
+  }
+}
+
+std::vector<BallCusp> CuspSearch::cusps() {
+  const auto& nodes = track_.nodes();
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+    look({nodes[i].parameter, nodes[i + 1].parameter}, 0);
+  std::sort(cusps_.begin(), cusps_.end(),
+            [](const BallCusp& a, const BallCusp& b) { return a.parameter < b.parameter; });
+  return std::move(cusps_);
+}
+
+// Looks for the least factor near the nodes that have the least ones.
+BallPinch tightest_of(const BallTrack& track) {
+  BallPinch pinch{track.domain().from, 0, 1e300};
+  for (int k = 0; k < 2; ++k) {
+    const auto factor = [&](double p) {
+      return least_factor(track.at(p).contacts[static_cast<std::size_t>(k)]);
+    };
+    const auto note = [&](double p) {
+      const double f = factor(p);
+      if (f < pinch.factor) pinch = {p, k, f};
+    };
+    const auto& nodes = track.nodes();
+    std::vector<double> factors;
+    for (const BallTrack::Node& node : nodes) factors.push_back(factor(node.parameter));
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (factors[i] < pinch.factor) pinch = {nodes[i].parameter, k, factors[i]};
+      const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, nodes.size() - 1);
+      if (factors[i] > factors[before] || factors[i] > factors[after]) continue;
+      if (factors[i] == factors[before] && factors[i] == factors[after]) continue;
+      note(extremum(factor, {nodes[before].parameter, nodes[after].parameter}, 1));
+    }
+  }
+  return pinch;
+}
+
+}  // namespace
+
+BallSpine with_stretches(BallTrack track) {
+  BallSpine spine{std::move(track), {}, {}, {}};
+  const BallTrack& t = spine.track;
+  const Interval domain = t.domain();
+  spine.cusps = CuspSearch(t).cusps();
+  std::vector<double> cuts{domain.from};
+  for (const BallCusp& cusp : spine.cusps)
+    if (cusp.parameter > cuts.back() && cusp.parameter < domain.to) cuts.push_back(cusp.parameter);
+  cuts.push_back(domain.to);
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const BallPoint middle = t.at(at({cuts[i], cuts[i + 1]}, 0.5));
+    const bool valid =
+        least_factor(middle.contacts[0]) > kZero && least_factor(middle.contacts[1]) > kZero;
+    if (!spine.stretches.empty() && spine.stretches.back().valid == valid)
+      spine.stretches.back().range.to = cuts[i + 1];
+    else
+      spine.stretches.push_back({{cuts[i], cuts[i + 1]}, valid});
+  }
+  spine.tightest = tightest_of(t);
+  return spine;
+}
+
+}  // namespace blossom

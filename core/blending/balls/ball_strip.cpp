@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/blending/balls/ball_strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "core/base/errors.h"
+#include "core/blending/balls/chart_cell.h"
+#include "core/blending/balls/detail/analytic_strip.h"
+#include "core/blending/balls/detail/row_spline.h"
+#include "core/blending/balls/detail/strip_section.h"
+#include "core/tracing/deviation.h"
+
+namespace blossom {
+namespace {
+
+constexpr int kSamples = 8;  // of a span
+constexpr std::array kChecks{0.03, 0.2, 0.4, 0.6, 0.8, 0.97};
+constexpr std::array kSectionChecks{0.125, 0.25, 0.5, 0.75, 0.875};
+constexpr double kShare = 0.7;      // of what is wanted, that checks may find
+constexpr double kWide = -0.5;      // cosine of a section's angle, below: halved
+constexpr double kUneven = 2.001;   // ratio of neighbouring spans, more is halved
+constexpr double kSameRate = 1e-8;  // relative: no kink
+constexpr double kNoWidth = 1e-9;   // of the radius: a section without a direction
+constexpr double kRateStep = 1e-3;  // of the domain, for the derivative where a loop closes
+
+struct Check {
+  BallPoint ball;
+  CharacteristicCircle circle;
+  std::array<Vec4, kMostRows> rows;
+};
+
+// A span with its samples; they are made once.
+struct FitSpan {
+  Interval place;
+  bool after_break = false;  // begins at one
+  std::vector<double> parameters, values;
+  std::vector<Check> checks;
+};
+
+// What was found at the checks of a span.
+struct Measured {
+  std::array<double, 2> gap{}, angle{};
+  double section = 0;
+};
+
+class StripFitter {
+ public:
+  StripFitter(const BallTrack& track, const Interval& range, const BallStripOptions& options);
+
+  BallStrip strip();
+
+ private:
+  std::size_t columns() const { return 4 * static_cast<std::size_t>(form_.rows()) + 4; }
+  std::vector<double> values_at(double parameter, bool after) const;
+  std::vector<double> closing_rate() const;
+  FitSpan span_of(const Interval& place, bool after_break) const;
+  int multiplicity_at(double knot) const;
+  void fit();
+  Measured measured(std::size_t span) const;
+  bool is_good(const Measured& m) const;
+  bool refine();
+  void level();
+  void halve(std::size_t span);
+  void write_surface(BallStrip& strip) const;
+  void write_contact(std::size_t k, BallStrip& strip) const;
+
+  const BallTrack& track_;
+  Interval range_;
+  BallStripOptions options_;
+  SectionForm form_;
+  bool closed_ = false;
+  std::vector<FitSpan> spans_;
+  RowSpline spline_;
+};
+
+StripFitter::StripFitter(const BallTrack& track, const Interval& range,
+                         const BallStripOptions& options)
+    : track_(track), range_(range), options_(options), form_{options.section, options.rho, false} {
+  double least = 1;
+  std::vector<double> breaks{range.from};
+  for (const BallTrack::Node& node : track.nodes()) {
+    if (node.parameter <= range.from || node.parameter >= range.to) continue;
+    if (node.is_break) breaks.push_back(node.parameter);
+    const CharacteristicCircle c = characteristic_circle(track.at(node.parameter));
+    least = std::min(least, dot(c.to_contact[0], c.to_contact[1]));
+  }
+  breaks.push_back(range.to);
+  for (const double end : {range.from, range.to}) {
+    const CharacteristicCircle c = characteristic_circle(track.at(end));
+    least = std::min(least, dot(c.to_contact[0], c.to_contact[1]));
+  }
+  form_.halved = options.section == SectionKind::Circle && least < kWide;
+  const Interval domain = track.domain();
+  closed_ = track.closed() && range.from == domain.from && range.to == domain.to;
+  for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+    spans_.push_back(span_of({breaks[i], breaks[i + 1]}, i > 0));
+}
+
+std::vector<double> StripFitter::values_at(double parameter, bool after) const {
+  const BallPoint ball = track_.at(parameter, after);
+  const auto rows = section_rows(track_, ball, form_);
+  std::vector<double> values;
+  values.reserve(columns());
+  for (int r = 0; r < form_.rows(); ++r)
+    for (int k = 0; k < 4; ++k) values.push_back(rows[static_cast<std::size_t>(r)][k]);
+  for (const BallContact& contact : ball.contacts)
+    for (int k = 0; k < 2; ++k) values.push_back(contact.chart[k]);
+  return values;
+}
+
+// By the central difference of order four; charts go on by whole periods.
+std::vector<double> StripFitter::closing_rate() const {
+  const double h = kRateStep * length(range_);
+  const std::vector<double> first = values_at(range_.from, true),
+                            last = values_at(range_.to, false);
+  std::vector<double> rate(columns(), 0);
+  for (const auto& [step, weight] : {std::pair{1, 8.0}, std::pair{2, -1.0}}) {
+    const std::vector<double> after = values_at(range_.from + step * h, true),
+                              before = values_at(range_.to - step * h, false);
+    for (std::size_t c = 0; c < rate.size(); ++c)
+      rate[c] += weight * ((after[c] - first[c]) - (before[c] - last[c])) / (12 * h);
+  }
+  return rate;
+}
+
+FitSpan StripFitter::span_of(const Interval& place, bool after_break) const {
+  FitSpan span{place, after_break, {}, {}, {}};
+  for (int i = 0; i < kSamples; ++i) {
+    const double t = 0.5 - 0.5 * std::cos((i + 0.5) * std::numbers::pi / kSamples);
+    span.parameters.push_back(at(place, t));
+    const std::vector<double> values = values_at(span.parameters.back(), true);
+    span.values.insert(span.values.end(), values.begin(), values.end());
+  }
+  for (const double t : kChecks) {
+    const BallPoint ball = track_.at(at(place, t));
+    span.checks.push_back({ball, characteristic_circle(ball), section_rows(track_, ball, form_)});
+  }
+  return span;
+}
+
+// 1 inside of a smooth run, 4 where second derivatives jump, 5 at a kink.
+int StripFitter::multiplicity_at(double knot) const {
+  for (const BallTrack::Node& node : track_.nodes())
+    if (node.parameter == knot && node.is_break) {
+      const double size = std::max(max_norm(node.first[0]), max_norm(node.first[1]));
+      return max_norm(node.first[0] - node.first[1]) <= kSameRate * size ? 4 : 5;
+    }
+  return 1;
+}
+
+void StripFitter::fit() {
+  std::vector<double> knots{range_.from};
+  std::vector<int> multiplicities{kRowDegree + 1};
+  RowSamples samples;
+  for (const FitSpan& span : spans_) {
+    knots.push_back(span.place.to);
+    multiplicities.push_back(multiplicity_at(span.place.to));
+    samples.parameters.insert(samples.parameters.end(), span.parameters.begin(),
+                              span.parameters.end());
+    samples.values.insert(samples.values.end(), span.values.begin(), span.values.end());
+  }
+  multiplicities.back() = kRowDegree + 1;
+  samples.ends = {values_at(range_.from, true), values_at(range_.to, false)};
+  if (closed_) {
+    // The end is the start, bit for bit but for the charts' periods.
+    const auto rows = static_cast<std::ptrdiff_t>(columns() - 4);
+    std::copy_n(samples.ends[0].begin(), rows, samples.ends[1].begin());
+    const auto &first = track_.nodes().front(), &last = track_.nodes().back();
+    const double size = max_norm(first.first[1]);
+    if (!first.is_break && max_norm(first.first[1] - last.first[0]) <= kSameRate * size)
+      samples.rates = {closing_rate(), closing_rate()};
+  }
+  spline_ = least_squares_rows(knots, multiplicities, samples);
+}
+
+Measured StripFitter::measured(std::size_t span) const {
+  Measured m;
+  std::vector<double> value(columns()), rate(columns());
+  const auto row_count = static_cast<std::size_t>(form_.rows());
+  for (const Check& check : spans_[span].checks) {
+    evaluate(spline_, span, check.ball.parameter, value, rate);
+    std::array<Vec4, kMostRows> rows{};
+    for (std::size_t r = 0; r < row_count; ++r) {
+      for (int k = 0; k < 4; ++k) rows[r][k] = value[4 * r + static_cast<std::size_t>(k)];
+      if (!form_.has_weight(static_cast<int>(r))) rows[r][3] = 1;
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      const BezierSurface& surface = *track_.supports()[k].surface;
+      const std::size_t row = k == 0 ? 0 : row_count - 1, next = k == 0 ? 1 : row_count - 2;
+      const Vec2 chart{value[4 * row_count + 2 * k], value[4 * row_count + 2 * k + 1]};
+      const PatchJet s = chart_jet(surface, cell_at(surface, chart), chart, 1);
+      const Vec3 point = projected(rows[row]), across = projected(rows[next]) - point;
+      m.gap[k] = std::max(m.gap[k], distance(s.point, point));
+      if (form_.kind == SectionKind::Chamfer || norm(across) <= kNoWidth * check.ball.radius)
+        continue;
+      const Vec3 along{rate[4 * row], rate[4 * row + 1], rate[4 * row + 2]};
+      const Vec3 normal = cross(along, across), wanted = cross(s.u, s.v);
+      const double angle = std::atan2(norm(cross(normal, wanted)), std::abs(dot(normal, wanted)));
+      m.angle[k] = std::max(m.angle[k], angle);
+    }
+    for (const double v : kSectionChecks) {
+      const Vec3 point = section_point(rows, form_, v);
+      const double off = form_.kind == SectionKind::Circle
+                             ? std::abs(distance(point, check.circle.centre) - check.circle.radius)
+                             : distance(point, section_point(check.rows, form_, v));
+      m.section = std::max(m.section, off);
+    }
+  }
+  return m;
+}
+
+bool StripFitter::is_good(const Measured& m) const {
+  return std::max({m.gap[0], m.gap[1], m.section}) <= kShare * options_.gap &&
+         std::max(m.angle[0], m.angle[1]) <= kShare * options_.angle;
+}
+
+void StripFitter::halve(std::size_t span) {
+  const Interval whole = spans_[span].place;
+  const double middle = at(whole, 0.5);
+  FitSpan second = span_of({middle, whole.to}, false);
+  spans_[span] = span_of({whole.from, middle}, spans_[span].after_break);
+  spans_.insert(spans_.begin() + static_cast<std::ptrdiff_t>(span) + 1, std::move(second));
+}
+
+// Neighbours in a run differ in length by a factor of 2 at most: the error of a coarse span spreads
+// into fine ones, where it is divided by their length.
+void StripFitter::level() {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = 0; i + 1 < spans_.size(); ++i) {
+      if (spans_[i + 1].after_break) continue;
+      const double ratio = length(spans_[i].place) / length(spans_[i + 1].place);
+      if (ratio > kUneven || ratio < 1 / kUneven) {
+        halve(ratio > 1 ? i : i + 1);
+        changed = true;
+      }
+    }
+  }
+}
+
+// Halves the spans that are not good enough; false if there is none.
+bool StripFitter::refine() {
+  std::vector<char> bad(spans_.size());
+  for (std::size_t i = 0; i < spans_.size(); ++i) bad[i] = !is_good(measured(i));
+  bool changed = false;
+  for (std::size_t i = spans_.size(); i-- > 0;)
+    if (bad[i]) {
+      halve(i);
+      changed = true;
+    }
+  level();
+  return changed;
+}
+
+void StripFitter::write_surface(BallStrip& strip) const {
+  const int rows = form_.rows(), degree = form_.degree(), pieces = (rows - 1) / degree;
+  BezierSurface& surface = strip.surface;
+  surface.u_knots = spline_.knots;
+  surface.v_knots = pieces == 2 ? std::vector<double>{0, 0.5, 1} : std::vector<double>{0, 1};
+  surface.closed_u = closed_;
+  surface.rational = form_.kind == SectionKind::Circle || form_.kind == SectionKind::Conic;
+  const int spans = static_cast<int>(spline_.knots.size()) - 1;
+  surface.patches = Grid<RationalBezierPatch>(
+      spans, pieces, RationalBezierPatch{Grid<Vec4>(kRowDegree + 1, degree + 1)});
+  const auto point_of = [&](const std::vector<double>& from, std::size_t pole, int row) {
+    Vec4 p;
+    for (int k = 0; k < 4; ++k)
+      p[k] = from[pole * columns() + static_cast<std::size_t>(4 * row + k)];
+    if (!form_.has_weight(row)) p[3] = 1;
+    return p;
+  };
+  for (int i = 0; i < spans; ++i) {
+    const std::vector<double> bezier = bezier_points(spline_, static_cast<std::size_t>(i));
+    for (int piece = 0; piece < pieces; ++piece)
+      for (int p = 0; p <= kRowDegree; ++p)
+        for (int q = 0; q <= degree; ++q) {
+          Grid<Vec4>& points = surface.patches(i, piece).points;
+          points(p, q) = point_of(bezier, static_cast<std::size_t>(p), piece * degree + q);
+          // Neighbours share their borders bit for bit.
+          if (p == 0 && i > 0) points(p, q) = surface.patches(i - 1, piece).points(kRowDegree, q);
+        }
+  }
+  strip.knots = spline_.knots;
+  strip.multiplicities = spline_.multiplicities;
+  strip.v_degree = degree;
+  const auto count = spline_.pole_count();
+  strip.poles = Grid<Vec4>(static_cast<int>(count), rows);
+  for (std::size_t i = 0; i < count; ++i)
+    for (int r = 0; r < rows; ++r)
+      strip.poles(static_cast<int>(i), r) = point_of(spline_.poles, i, r);
+}
+
+// The largest distance of a contact's row from its chart's image, proven if it may be: the curve
+// has to be in one period of the surface.
+void prove_gap(const BezierSurface& surface, StripContactCurve& contact) {
+  IntersectionCurve curve;
+  curve.curve = contact.row;
+  curve.chart_a = contact.chart;
+  const std::array<const std::vector<double>*, 2> knots{&surface.u_knots, &surface.v_knots};
+  for (int d = 0; d < 2; ++d) {
+    const double first = knots[static_cast<std::size_t>(d)]->front(),
+                 last = knots[static_cast<std::size_t>(d)]->back();
+    double low = 1e300, high = -1e300;
+    for (const Vec2& p : contact.chart.points)
+      low = std::min(low, p[d]), high = std::max(high, p[d]);
+    if (d == 0 ? surface.closed_u : surface.closed_v) {
+      const double period = last - first;
+      const double shift = -period * std::floor((low - first) / period + 1e-9);
+      for (Vec2& p : curve.chart_a.points) p[d] += shift;
+      low += shift;
+      high += shift;
+    }
+    const double slack = 1e-9 * (last - first);
+    if (low < first - slack || high > last + slack) {
+      contact.proven = false;
+      return;
+    }
+  }
+  curve.chart_b = curve.chart_a;
+  const Deviation deviation = proven_deviation(curve, surface, surface);
+  contact.proven = deviation.proven;
+  contact.gap = std::max(contact.gap, deviation.a);
+}
+
+void StripFitter::write_contact(std::size_t k, BallStrip& strip) const {
+  StripContactCurve& contact = strip.contacts[k];
+  contact.chart.degree = contact.row.degree = kRowDegree;
+  contact.chart.knots = contact.row.knots = spline_.knots;
+  contact.chart.multiplicities = contact.row.multiplicities = spline_.multiplicities;
+  const auto rows = static_cast<std::size_t>(form_.rows());
+  const std::size_t row = k == 0 ? 0 : rows - 1;
+  for (std::size_t i = 0; i < spline_.pole_count(); ++i) {
+    const double* pole = spline_.poles.data() + i * columns();
+    contact.row.points.push_back({pole[4 * row], pole[4 * row + 1], pole[4 * row + 2]});
+    contact.chart.points.push_back({pole[4 * rows + 2 * k], pole[4 * rows + 2 * k + 1]});
+  }
+  prove_gap(*track_.supports()[k].surface, contact);
+}
+
+BallStrip StripFitter::strip() {
+  for (fit(); static_cast<int>(spans_.size()) <= options_.most_spans && refine();) fit();
+  BallStrip strip;
+  strip.closed = closed_;
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const Measured m = measured(i);
+    strip.section_error = std::max(strip.section_error, m.section);
+    for (std::size_t k = 0; k < 2; ++k) {
+      StripContactCurve& contact = strip.contacts[k];
+      contact.gap = std::max(contact.gap, m.gap[k]);
+      contact.normal_angle = std::max(contact.normal_angle, m.angle[k]);
+    }
+  }
+  write_surface(strip);
+  for (std::size_t k = 0; k < 2; ++k) write_contact(k, strip);
+  if (form_.kind == SectionKind::Circle) strip.analytic = analytic_strip(track_, range_);
+  return strip;
+}
+
+}  // namespace
+
+BallStrip ball_strip(const BallTrack& track, const Interval& range,
+                     const BallStripOptions& options) {
+  const Interval domain = track.domain();
+  if (!(length(range) > 0) || range.from < domain.from || range.to > domain.to)
+    throw InvalidInput("ball_strip: the range is empty or leaves the track");
+  if (!(options.rho > 0 && options.rho < 1))
+    throw InvalidInput("ball_strip: rho has to be in (0, 1), got " + std::to_string(options.rho));
+  if (!(options.gap > 0) || !(options.angle > 0))
+    throw InvalidInput("ball_strip: gap and angle have to be positive");
+  return StripFitter(track, range, options).strip();
+}
+
+}  // namespace blossom

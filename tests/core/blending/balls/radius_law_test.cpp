@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/blending/balls/radius_law.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/errors.h"
+
+namespace blossom {
+namespace {
+
+// Derivatives agree with differences of the values.
+void expect_derivatives(const RadiusLaw& law, double x) {
+  const double h = 1e-5;
+  const RadiusJet here = law.at(x), after = law.at(x + h), before = law.at(x - h);
+  EXPECT_NEAR(here.first, (after.value - before.value) / (2 * h), 1e-9);
+  EXPECT_NEAR(here.second, (after.first - before.first) / (2 * h), 1e-8);
+}
+
+TEST(RadiusLaw, OfEachKindGoesFromTheFirstToTheLast) {
+  const Interval range{1, 3};
+  for (const RadiusLaw& law :
+       {RadiusLaw::linear(range, 0.2, 0.5), RadiusLaw::smooth(range, 0.2, 0.5),
+        RadiusLaw::table({1, 1.5, 3}, {0.2, 0.7, 0.5})}) {
+    EXPECT_DOUBLE_EQ(law.at(1).value, 0.2);
+    EXPECT_DOUBLE_EQ(law.at(3).value, 0.5);
+    EXPECT_FALSE(law.is_constant());
+    for (const double x : {1.2, 1.9, 2.7}) expect_derivatives(law, x);
+  }
+  EXPECT_EQ(RadiusLaw::constant(0.3).at(17).value, 0.3);
+  EXPECT_EQ(RadiusLaw::constant(0.3).at(17).first, 0);
+}
+
+TEST(RadiusLaw, SmoothHasNoSlopeAtItsEnds) {
+  const RadiusLaw law = RadiusLaw::smooth({1, 3}, 0.2, 0.5);
+  EXPECT_EQ(law.at(1).first, 0);
+  EXPECT_NEAR(law.at(3).first, 0, 1e-15);
+  EXPECT_DOUBLE_EQ(law.at(2).value, 0.35);
+}
+
+TEST(RadiusLaw, OfATableIsSmoothAtItsKnotsAndStraightAtItsEnds) {
+  const std::vector<double> x{0, 1, 2.5, 3, 5}, r{1, 2, 1.5, 3, 2};
+  const RadiusLaw law = RadiusLaw::table(x, r);
+  EXPECT_EQ(law.knots(), (std::vector<double>{1, 2.5, 3}));
+  for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(law.at(x[i]).value, r[i], 1e-14);
+  for (const double knot : law.knots()) {
+    const RadiusJet before = law.at(knot - 1e-9), after = law.at(knot + 1e-9);
+    EXPECT_NEAR(before.first, after.first, 1e-7);
+    EXPECT_NEAR(before.second, after.second, 1e-7);
+  }
+  EXPECT_NEAR(law.at(0).second, 0, 1e-14);
+  EXPECT_NEAR(law.at(5).second, 0, 1e-12);
+}
+
+TEST(RadiusLaw, RefusesWhatIsNoLaw) {
+  EXPECT_THROW(RadiusLaw::constant(0), InvalidInput);
+  EXPECT_THROW(RadiusLaw::linear({0, 1}, 1, -1), InvalidInput);
+  EXPECT_THROW(RadiusLaw::linear({1, 1}, 1, 2), InvalidInput);
+  EXPECT_THROW(RadiusLaw::smooth({0, 1}, 0.0 / 0.0, 2), InvalidInput);
+  EXPECT_THROW(RadiusLaw::table({0}, {1}), InvalidInput);
+  EXPECT_THROW(RadiusLaw::table({0, 1}, {1}), InvalidInput);
+  EXPECT_THROW(RadiusLaw::table({1, 0}, {1, 1}), InvalidInput);
+}
+
+}  // namespace
+}  // namespace blossom
