@@ -3,24 +3,22 @@
 
 #include <charconv>
 #include <map>
+#include <memory>
 #include <set>
 #include <system_error>
 
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/soundness.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
-#include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
+#include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
 namespace {
-
-constexpr const char* kNoName = "Open CASCADE STEP translator";  // its writer's word for no name
 
 // Face numbers of one entry, "3" or "5-9".
 std::pair<int, int> face_range(const std::string& entry, const std::string& input) {
@@ -77,8 +75,8 @@ std::vector<int> chosen_numbers(const InputName& name, int count, Faces need) {
 
 void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {
   if (repairs.empty()) return;
-  note(file.string() + ": " + summary_of(repairs));
-  for (const std::string& line : details_of(repairs)) detail("  " + line);
+  note(file.string() + ": " + reports::summary_of(repairs));
+  for (const std::string& line : reports::details_of(repairs)) detail("  " + line);
 }
 
 }  // namespace
@@ -127,18 +125,9 @@ Input read_input(const std::string& text, Faces need, Repair repair) {
   return input;
 }
 
-std::string given_name(const std::string& part) { return part.starts_with(kNoName) ? "" : part; }
-
 std::string FaceLabels::of(int number) const {
   const std::string part = given_name(parts_.at(static_cast<std::size_t>(number) - 1));
   return "face " + std::to_string(number) + (part.empty() ? "" : " (" + part + ")");
-}
-
-void refuse_open_wires(const Input& input) {
-  for (std::size_t i = 0; i < input.faces.size(); ++i)
-    if (occt::has_open_wire(input.faces[i]))
-      throw occt::BadModel(input.name + ": a wire of face " + std::to_string(input.numbers[i]) +
-                           " is open and encloses nothing; `blossom check` lists what is wrong");
 }
 
 }  // namespace blossom::cli

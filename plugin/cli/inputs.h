@@ -4,17 +4,16 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <TopoDS_Face.hxx>
-#include <TopoDS_Shape.hxx>
-
-#include "adapters/occt/shapes.h"
+#include "plugin/reports/input.h"
 
 namespace blossom::cli {
+
+using reports::given_name;
+using reports::Input;
 
 /// What the user wrote, taken apart. No ranges means all faces.
 struct InputName {
@@ -29,17 +28,6 @@ InputName parse_input(const std::string& text);
 /// Opening such a file might wait for ever.
 /// throws   UsageError if there is a file of that name that is neither a regular one nor a folder
 void refuse_special(const std::filesystem::path& file);
-
-/// A model with the faces that the user means.
-struct Input {
-  std::string name;                    ///< as the user wrote it
-  std::shared_ptr<occt::Model> owner;  ///< shared by inputs from the same file
-  occt::Model& model;                  ///< the owner's
-  std::vector<int> numbers{};          ///< face numbers, 1-based as `info` prints them, each once
-  std::vector<TopoDS_Face> faces{};    ///< likewise
-  TopoDS_Shape shape{};                ///< of the model that the faces belong to
-  occt::Repairs repairs{};             ///< what was changed to use the faces
-};
 
 /// Whether a model without any face is an input at all.
 enum class Faces { Required, Optional };
@@ -58,10 +46,6 @@ enum class Repair {
 Input read_input(const std::string& text, Faces need = Faces::Required,
                  Repair repair = Repair::Used);
 
-/// The name of a part, or of a face; empty if it is only what Open CASCADE's writer puts there for
-/// none.
-std::string given_name(const std::string& part);
-
 /// Faces as results name them: "face 12 (Bolt)", the part's name if it has one.
 class FaceLabels {
  public:
@@ -71,9 +55,5 @@ class FaceLabels {
  private:
   std::vector<std::string> parts_;  // by number - 1
 };
-
-/// Readers of other systems leave such faces out or fill them with all of their surface.
-/// throws   occt::BadModel, with the file and the face, if a wire that bounds a face is open
-void refuse_open_wires(const Input& input);
 
 }  // namespace blossom::cli

@@ -65,8 +65,4 @@ void tell_unwritten(const std::string& file, const std::string& reason) {
                     : "\n");
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 }  // namespace blossom::cli

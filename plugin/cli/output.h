@@ -5,14 +5,13 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "adapters/occt/shapes.h"
+#include "plugin/reports/json.h"
 
 namespace blossom::cli {
 
-/// Objects keep the order in which their members were added.
-using Json = nlohmann::ordered_json;
+using reports::counted;
+using reports::Json;
 
 /// Writes a result to stdout.
 /// throws   occt::Failure if stdout does not take it (a full disk, a closed pipe)
@@ -40,8 +39,5 @@ void print_summary(const std::string& text, const std::string& json);
 /// Says on stderr that a file is not written and why; if there is a file of that name, that it is
 /// an older one.
 void tell_unwritten(const std::string& file, const std::string& reason);
-
-/// "1 curve", "2 curves".
-std::string counted(std::size_t count, const std::string& noun);
 
 }  // namespace blossom::cli

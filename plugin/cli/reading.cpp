@@ -11,6 +11,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
+#include "plugin/reports/reading.h"
 
 namespace blossom::cli {
 namespace {
@@ -25,11 +26,6 @@ bool shapes_are_lost() {
   return std::ranges::any_of(all_reports(), [](const auto& entry) {
     return entry.second.grade() == occt::ReadingGrade::ShapesLost;
   });
-}
-
-Json loss_json(const occt::Loss& loss) {
-  return {{"what", loss.what},   {"count", loss.count},           {"cause", loss.cause},
-          {"which", loss.which}, {"belongs_to", loss.belongs_to}, {"of_shape", loss.of_shape}};
 }
 
 void tell(const std::filesystem::path& file, const occt::ReadingReport& report) {
@@ -92,11 +88,7 @@ void add_reading(Json& report) {
   if (all_reports().empty()) return;
   Json files = Json::array();
   for (const auto& [file, reading] : all_reports()) {
-    Json losses = Json::array();
-    for (const occt::Loss& loss : reading.losses) losses.push_back(loss_json(loss));
-    files.push_back({{"file", file.string()},
-                     {"grade", to_string(reading.grade())},
-                     {"losses", std::move(losses)}});
+    files.push_back(reports::reading_json(file, reading));
   }
   report["reading"] = std::move(files);
   const char* const complete = to_string(Status::Complete);

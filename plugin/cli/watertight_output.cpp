@@ -2,7 +2,6 @@
 #include "plugin/cli/watertight_output.h"
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -27,32 +26,6 @@ NetValue value_of(const WatertightPiece& piece) {
   RationalBezierPatch made{Grid<Vec4>(net.rows(), net.columns())};
   std::ranges::transform(net.values(), made.points.values().begin(), homogeneous);
   return made;
-}
-
-std::size_t triangle_count(const WatertightPieces& pieces) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(pieces.pieces, [](const WatertightPiece& piece) {
-        return std::holds_alternative<BezierTriangle>(piece.form);
-      }));
-}
-
-// Sides on edges that two or more pieces have.
-std::size_t common_count(const WatertightPieces& pieces) {
-  std::vector<int> uses(pieces.sides.size(), 0);
-  for (const WatertightPiece& piece : pieces.pieces)
-    for (const int side : piece.sides) ++uses[static_cast<std::size_t>(side)];
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < uses.size(); ++k)
-    count += pieces.sides[k].edge >= 0 && uses[k] > 1 ? 1 : 0;
-  return count;
-}
-
-// Faces with pieces that may fold over, increasing, from 1 on.
-std::set<int> folded_faces(const WatertightPieces& pieces) {
-  std::set<int> faces;
-  for (const int piece : pieces.turned)
-    faces.insert(pieces.pieces[static_cast<std::size_t>(piece)].face + 1);
-  return faces;
 }
 
 }  // namespace
@@ -85,20 +58,8 @@ Status status_with(Status status, const WatertightPieces& pieces) {
   return pieces.turned.empty() ? status : weaker(status, Status::Tolerance);
 }
 
-Json to_json(const WatertightPieces& pieces) {
-  const std::size_t triangles = triangle_count(pieces);
-  Json open = Json::array();
-  for (const int face : pieces.open) open.push_back(face + 1);
-  return {{"patches", pieces.pieces.size() - triangles},
-          {"triangles", triangles},
-          {"common_sides", common_count(pieces)},
-          {"deviation", pieces.deviation},
-          {"may_fold", folded_faces(pieces)},
-          {"open", open}};
-}
-
 std::string summary_of(const WatertightPieces& pieces) {
-  const std::size_t triangles = triangle_count(pieces);
+  const std::size_t triangles = reports::triangle_count(pieces);
   std::ostringstream text;
   if (!pieces.open.empty()) {
     text << "  watertight: stopped; faces that are not done:";
@@ -108,12 +69,12 @@ std::string summary_of(const WatertightPieces& pieces) {
   }
   text << "  watertight: " << counted(triangles, "triangle") << ", "
        << counted(pieces.pieces.size() - triangles, "rectangle") << ", "
-       << counted(common_count(pieces), "common side") << ", within " << pieces.deviation
+       << counted(reports::common_count(pieces), "common side") << ", within " << pieces.deviation
        << " of the faces\n";
   if (pieces.turned.empty()) return text.str();
   text << "  not proven to fold over nowhere: " << counted(pieces.turned.size(), "piece")
        << " narrower than the edges beside are moved, of face";
-  for (const int face : folded_faces(pieces)) text << ' ' << face;
+  for (const int face : reports::folded_faces(pieces)) text << ' ' << face;
   text << '\n';
   return text.str();
 }

@@ -13,6 +13,7 @@
 #include "plugin/cli/nets/net.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
+#include "plugin/reports/watertight.h"
 
 namespace blossom::cli {
 
@@ -33,9 +34,6 @@ std::string reason_of(const WatertightPieces& pieces);
 /// The status of a result that was made watertight: at best `tolerance` if pieces may fold over,
 /// `stopped` if faces are open.
 Status status_with(Status status, const WatertightPieces& pieces);
-
-/// The member "watertight" of reports.
-Json to_json(const WatertightPieces& pieces);
 
 /// A line about the pieces, and one about those that may fold over.
 std::string summary_of(const WatertightPieces& pieces);

@@ -132,7 +132,9 @@ def faults(files):
                            ['"core/', f'"adapters/{library}/', "<"])
     for door in ("cli", "draw", "python", "freecad"):
         yield from foreign(files, f"plugin/{door}", (".h", ".cpp"),
-                           ['"core/', '"adapters/', f'"plugin/{door}/', "<"])
+                           ['"core/', '"adapters/', '"plugin/reports/', f'"plugin/{door}/', "<"])
+    yield from foreign(files, "plugin/reports", (".h", ".cpp"),
+                       ['"core/', '"adapters/', '"plugin/reports/', "<"])
 
 
 def sources(root):

@@ -10,10 +10,10 @@ build_packages=(
   libtbb-dev libboost-dev libeigen3-dev zlib1g-dev
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
   libocct-visualization-dev libocct-ocaf-dev libocct-data-exchange-dev libocct-draw-dev
-  libcgal-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev pybind11-dev python3-dev
+  libcgal-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev pybind11-dev python3-dev swig
   libgtest-dev libbenchmark-dev
 )
-test_packages=(freecad freecad-python3 occt-draw python3-numpy python3-scipy xvfb xauth)
+test_packages=(freecad freecad-python3 occt-draw python3-numpy python3-mypy python3-scipy xvfb xauth)
 
 current_step=start
 step() {

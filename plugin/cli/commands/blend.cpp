@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom blend KIND ...`: surfaces between surfaces.
 
-#include <algorithm>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -22,8 +21,8 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
-#include "plugin/cli/repairs.h"
 #include "plugin/cli/values.h"
+#include "plugin/reports/strip.h"
 
 namespace blossom::cli {
 namespace {
@@ -75,46 +74,9 @@ Timed timed_strip(const Input& a, const Input& b, const StripCommand& command) {
   return timed;
 }
 
-Json contact_json(const StripContact& contact) {
-  return {{"gap", contact.gap}, {"normal_angle", contact.normal_angle}, {"scale", contact.scale}};
-}
-
-StripContact worst_of(const Strip& strip) {
-  const auto& [a, b] = strip.contacts;
-  return {std::max(a.gap, b.gap), std::max(a.normal_angle, b.normal_angle), 0};
-}
-
-Json side_json(const Input& input, SurfaceSide side, double weight) {
-  return {{"file", input.name},
-          {"face", input.numbers.front()},
-          {"edge", to_string(side)},
-          {"weight", weight}};
-}
-
-Json report_of(const Input& a, const Input& b, const StripCommand& command, const Timed& timed) {
-  const occt::FaceStrip& made = timed.made;
-  const StripContact worst = worst_of(made.strip);
-  return {{"schema", "blossom.blend/1"},
-          {"kind", "strip"},
-          {"a", side_json(a, made.side_a, command.weight_a)},
-          {"b", side_json(b, made.side_b, command.weight_b)},
-          {"backward", made.strip.backward},
-          {"degree", {made.surface->UDegree(), made.surface->VDegree()}},
-          {"spans", {made.surface->NbUKnots() - 1, made.surface->NbVKnots() - 1}},
-          {"rational", made.strip.surface.rational},
-          {"continuity",
-           {{"gap", worst.gap},
-            {"normal_angle", worst.normal_angle},
-            {"a", contact_json(made.strip.contacts[0])},
-            {"b", contact_json(made.strip.contacts[1])}}},
-          {"source_error", made.strip.surface.error},
-          {"seconds", timed.seconds},
-          {"repairs", Json::array({repairs_json(a), repairs_json(b)})}};
-}
-
 std::string summary(const Input& a, const Input& b, const Timed& timed) {
   const occt::FaceStrip& made = timed.made;
-  const StripContact worst = worst_of(made.strip);
+  const StripContact worst = reports::worst_of(made.strip);
   std::ostringstream text;
   text << "strip from " << a.name << " " << to_string(made.side_a) << " to " << b.name << " "
        << to_string(made.side_b) << (made.strip.backward ? " (backwards)" : "") << ": degree "
@@ -139,7 +101,10 @@ void write_outputs(const Input& a, const Input& b, const StripCommand& command,
     occt::write_text(picture_png(picture), command.common.picture);
   }
   if (!command.common.json.empty())
-    write_json(report_of(a, b, command, timed), command.common.json);
+    write_json(
+        reports::strip_report(a, b, {.weight_a = command.weight_a, .weight_b = command.weight_b},
+                              timed.made, timed.seconds),
+        command.common.json);
   print_summary(summary(a, b, timed), command.common.json);
 }
 

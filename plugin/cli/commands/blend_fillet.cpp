@@ -28,7 +28,7 @@
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
-#include "plugin/cli/repairs.h"
+#include "plugin/reports/repairs.h"
 #include "plugin/cli/values.h"
 
 namespace blossom::cli {

@@ -18,7 +18,7 @@
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
-#include "plugin/cli/repairs.h"
+#include "plugin/reports/soundness.h"
 
 namespace blossom::cli {
 namespace {
@@ -28,94 +28,6 @@ struct Options {
   CommonOptions common;
   ContinuityCommand continuity;
 };
-
-/// Figures of a face, or of all that was looked at.
-struct Largest {
-  double tolerance = 0;
-  double gap = 0;
-  double same_parameter = 0;
-  double vertex_gap = 0;
-  int free = 0;
-  int crowded = 0;
-
-  void add(const occt::EdgeSoundness& edge) {
-    tolerance = std::max(tolerance, edge.tolerance);
-    gap = std::max(gap, edge.gap);
-    same_parameter = std::max(same_parameter, edge.same_parameter);
-    vertex_gap = std::max(vertex_gap, edge.vertex_gap);
-    free += edge.free ? 1 : 0;
-    crowded += edge.crowded ? 1 : 0;
-  }
-};
-
-Largest largest_of(const occt::Soundness& found) {
-  Largest all;
-  for (const occt::EdgeSoundness& edge : found.edges) all.add(edge);
-  return all;
-}
-
-Largest largest_of(const occt::Soundness& found, const occt::FaceSoundness& face) {
-  Largest all;
-  for (const occt::EdgeSoundness& edge : found.edges)
-    if (std::ranges::find(edge.faces, face.number) != edge.faces.end()) all.add(edge);
-  return all;
-}
-
-std::size_t problem_count(const occt::Soundness& found) {
-  std::size_t count = found.problems.size();
-  for (const occt::FaceSoundness& face : found.faces) count += face.problems.size();
-  for (const occt::EdgeSoundness& edge : found.edges) count += edge.problems.size();
-  return count;
-}
-
-const char* verdict_of(const occt::Soundness& found) {
-  return problem_count(found) == 0 ? "sound" : "not sound";
-}
-
-Json to_json(const std::vector<occt::Problem>& problems) {
-  Json list = Json::array();
-  for (const occt::Problem& problem : problems) list.push_back(problem.text());
-  return list;
-}
-
-Json to_json(const Largest& all) {
-  return {{"tolerance", all.tolerance},
-          {"gap", all.gap},
-          {"same_parameter", all.same_parameter},
-          {"vertex_gap", all.vertex_gap},
-          {"free_edges", all.free},
-          {"crowded_edges", all.crowded}};
-}
-
-Json edge_json(const occt::EdgeSoundness& edge) {
-  return {{"number", edge.number},
-          {"faces", edge.faces},
-          {"tolerance", edge.tolerance},
-          {"gap", edge.gap},
-          {"same_parameter", edge.same_parameter},
-          {"vertex_gap", edge.vertex_gap},
-          {"vertex_tolerance", edge.vertex_tolerance},
-          {"free", edge.free},
-          {"crowded", edge.crowded},
-          {"problems", to_json(edge.problems)}};
-}
-
-Json check_json(const Input& input, const occt::Soundness& found) {
-  Json faces = Json::array(), edges = Json::array();
-  for (const occt::FaceSoundness& face : found.faces) {
-    Json json = {{"number", face.number}, {"edges", face.edges}};
-    json.update(to_json(largest_of(found, face)));
-    json["problems"] = to_json(face.problems);
-    faces.push_back(std::move(json));
-  }
-  for (const occt::EdgeSoundness& edge : found.edges) edges.push_back(edge_json(edge));
-  const std::size_t count = problem_count(found);
-  return {{"schema", "blossom.check/1"},  {"file", input.name},
-          {"verdict", verdict_of(found)}, {"sound", count == 0},
-          {"problem_count", count},       {"summary", to_json(largest_of(found))},
-          {"problems", found.problems},   {"faces", std::move(faces)},
-          {"edges", std::move(edges)},    {"repairs", Json::array({repairs_json(input)})}};
-}
 
 // What is wrong in one way with faces or edges.
 struct Kind {
@@ -175,10 +87,10 @@ std::string kind_text(const Kind& kind) {
 }
 
 std::string check_text(const Input& input, const occt::Soundness& found) {
-  const Largest all = largest_of(found);
-  const std::size_t count = problem_count(found);
+  const reports::LargestGaps all = reports::largest_of(found);
+  const std::size_t count = reports::problem_count(found);
   std::ostringstream text;
-  text << input.name << ": " << verdict_of(found)
+  text << input.name << ": " << reports::verdict_of(found)
        << (count == 0 ? "" : ": " + counted(count, "problem")) << ", "
        << counted(found.faces.size(), "face") << ", " << counted(found.edges.size(), "edge")
        << "\n  gap of curves and surfaces " << all.gap << ", at the same parameter "
@@ -210,9 +122,9 @@ int run(const Options& options) {
                                       : occt::soundness(input.model.shape(), input.numbers, checks);
   stop_if_interrupted();
   const std::string& json = options.common.json;
-  if (!json.empty()) write_json(check_json(input, found), json);
+  if (!json.empty()) write_json(reports::soundness_report(input, found), json);
   print_summary(check_text(input, found), json);
-  return exit_code(kExitComplete, findings_of(problem_count(found) > 0), options.common);
+  return exit_code(kExitComplete, findings_of(reports::problem_count(found) > 0), options.common);
 }
 
 }  // namespace

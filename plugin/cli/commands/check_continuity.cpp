@@ -16,7 +16,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
-#include "plugin/cli/repairs.h"
+#include "plugin/reports/repairs.h"
 #include "plugin/cli/values.h"
 
 namespace blossom::cli {

@@ -24,8 +24,8 @@
 #include "plugin/cli/nets/trimmed_nets.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/repairs.h"
 #include "plugin/cli/values.h"
+#include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
 namespace {

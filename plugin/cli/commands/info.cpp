@@ -1,127 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom info F`: what a model is made of, and whether it is sound.
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
 #include <iomanip>
-#include <map>
 #include <memory>
-#include <optional>
 #include <sstream>
-#include <utility>
+#include <string>
 #include <vector>
 
-#include <ShapeAnalysis_ShapeTolerance.hxx>
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-
-#include "adapters/occt/base/errors.h"
-#include "adapters/occt/queries/least_box.h"
 #include "adapters/occt/soundness.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/edge_list.h"
 #include "plugin/cli/exit_code.h"
-#include "plugin/cli/face_facts.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
+#include "plugin/reports/info.h"
 
 namespace blossom::cli {
 namespace {
 
-struct Counted {
-  TopAbs_ShapeEnum kind;
-  const char* one;
-  const char* many;
-};
-
-constexpr std::array kCounted = {
-    Counted{TopAbs_SOLID, "solid", "solids"}, Counted{TopAbs_SHELL, "shell", "shells"},
-    Counted{TopAbs_FACE, "face", "faces"}, Counted{TopAbs_EDGE, "edge", "edges"},
-    Counted{TopAbs_VERTEX, "vertex", "vertices"}};
+using reports::FaceFacts;
+using reports::ModelFacts;
 
 constexpr double kUsualPrecision = 2e-7;  // of a box, model units: what is not told
-
-struct ModelFacts {
-  std::vector<FaceFacts> faces;
-  std::map<std::string, int> surfaces;  ///< faces per surface type
-  std::optional<occt::LeastBox> box;
-  double least_tolerance = 0;  ///< of faces, edges and vertices, model units
-  double largest_tolerance = 0;
-  bool valid = true;  ///< every listed face is
-};
-
-// None of what has no vertex, or no end.
-std::optional<occt::LeastBox> box_of(const TopoDS_Shape& shape) try {
-  return occt::least_box(shape, interrupted);
-} catch (const occt::BadModel&) {
-  return std::nullopt;
-}
-
-ModelFacts model_facts(const Input& input) {
-  ModelFacts facts;
-  const std::vector<std::string> names = input.model.face_names();
-  const auto problems =
-      occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
-  for (std::size_t i = 0; i < input.faces.size(); ++i) {
-    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], problems[i]));
-    FaceFacts& face = facts.faces.back();
-    face.name = given_name(names[static_cast<std::size_t>(face.number - 1)]);
-    ++facts.surfaces[face.surface];
-    facts.valid = facts.valid && face.problems.empty();
-  }
-  ShapeAnalysis_ShapeTolerance tolerances;
-  facts.least_tolerance = tolerances.Tolerance(input.model.shape(), -1);
-  facts.largest_tolerance = tolerances.Tolerance(input.model.shape(), 1);
-  // Numbers that are none would go into the box, too.
-  if (facts.valid) facts.box = box_of(input.model.shape());
-  return facts;
-}
-
-int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
-  TopTools_IndexedMapOfShape map;
-  TopExp::MapShapes(shape, kind, map);
-  return map.Extent();
-}
-
-Json face_json(const FaceFacts& face) {
-  Json json = {{"number", face.number}, {"name", face.name}, {"surface", face.surface}};
-  if (face.degree_u > 0) {
-    json["degree"] = {face.degree_u, face.degree_v};
-    json["spans"] = {face.spans_u, face.spans_v};
-    json["rational"] = face.rational;
-  }
-  json["periodic"] = {face.periodic_u, face.periodic_v};
-  json["wires"] = face.wires;
-  json["edges"] = face.edges;
-  json["tolerance"] = face.tolerance;
-  json["valid"] = face.problems.empty();
-  json["problems"] = face.problems;
-  return json;
-}
-
-Json info_json(const Input& input, const ModelFacts& facts) {
-  Json json = {{"schema", "blossom.info/1"},
-               {"file", input.name},
-               {"unit", "mm"},
-               {"file_unit", input.model.file_unit()}};
-  for (const auto& [kind, one, many] : kCounted)
-    json["counts"][many] = count(input.model.shape(), kind);
-  json["surfaces"] = facts.surfaces;
-  json["box"] = nullptr;
-  if (facts.box) {
-    json["box"] = {facts.box->box.low.coordinates, facts.box->box.high.coordinates};
-    json["box_precision"] = facts.box->precision;
-  }
-  json["tolerance"] = {{"least", facts.least_tolerance}, {"largest", facts.largest_tolerance}};
-  json["valid"] = facts.valid;
-  json["faces"] = Json::array();
-  for (const FaceFacts& face : facts.faces) json["faces"].push_back(face_json(face));
-  return json;
-}
 
 std::string face_line(const FaceFacts& face) {
   std::ostringstream line;
@@ -148,10 +51,8 @@ std::string corner_text(const Vec3& corner) {
 std::string info_text(const Input& input, const ModelFacts& facts) {
   std::ostringstream text;
   text << input.name << "\n ";
-  for (const auto& [kind, one, many] : kCounted) {
-    const int number = count(input.model.shape(), kind);
+  for (const auto& [number, one, many] : reports::shape_counts(input.model.shape()))
     text << " " << number << " " << (number == 1 ? one : many);
-  }
   text << "\n  surfaces:";
   for (const auto& [word, number] : facts.surfaces) text << " " << number << " " << word;
   if (facts.box)
@@ -175,10 +76,12 @@ struct Options {
 int run(const Options& options) {
   check_files(options.common, {options.input});
   const Input input = read_input(options.input, Faces::Optional, Repair::None);
-  const ModelFacts facts = model_facts(input);
+  const auto problems =
+      occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
+  const ModelFacts facts = reports::model_facts(input, problems, interrupted);
   stop_if_interrupted();
   const std::string& json = options.common.json;
-  Json report = info_json(input, facts);
+  Json report = reports::info_report(input, facts);
   std::string text = info_text(input, facts);
   if (options.edges) {
     const EdgeList edges = edge_list(input.model.shape());

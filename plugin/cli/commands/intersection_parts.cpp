@@ -40,12 +40,6 @@ struct Counts {
   bool any() const { return curves + points + overlaps + contacts > 0; }
 };
 
-// An overlap is told by its area; other places in which the surfaces keep within tolerance are
-// contacts.
-bool is_contact(const Place& place) {
-  return place.kind != PlaceKind::Open && place.kind != PlaceKind::Overlap;
-}
-
 double area_of(const Input& a, const occt::FaceIntersection& pair, const Overlap& overlap) {
   const TopoDS_Face& face = a.faces[static_cast<std::size_t>(pair.face_a)];
   if (!pair.equal_edges.empty() || overlap.boundary.empty()) return occt::area(face);
@@ -66,18 +60,13 @@ Counts counts_of(const Input& a, const occt::ShapeIntersection& found) {
     for (const Overlap& overlap : pair.found.overlaps)
       counts.overlap_area += area_of(a, pair, overlap);
     for (const Place& place : pair.found.places) {
-      if (is_contact(place) || (place.kind == PlaceKind::Overlap && pair.found.overlaps.empty()))
+      if (reports::is_contact(place) ||
+          (place.kind == PlaceKind::Overlap && pair.found.overlaps.empty()))
         ++counts.contacts;
       if (place.kind == PlaceKind::Open) ++counts.unresolved;
     }
   }
   return counts;
-}
-
-// What self-intersect answers. While something is open, none may be there that was not found.
-const char* verdict_of(const Counts& counts, Status status) {
-  if (counts.any()) return "found";
-  return status == Status::Stopped || counts.unresolved > 0 ? "undecided" : "none found";
 }
 
 const char* words_of(PlaceKind kind) {
@@ -129,7 +118,7 @@ class Names {
 };
 
 std::string curve_line(const occt::FaceIntersection& pair, const CurveChain& chain) {
-  const ChainFacts facts = facts_of(pair.found.curves, chain);
+  const reports::ChainFacts facts = reports::facts_of(pair.found.curves, chain);
   const Deviation& d = facts.deviation;
   std::ostringstream text;
   text << (chain.closed ? "closed" : "open") << (facts.tangential ? ", tangential" : "")
@@ -164,7 +153,7 @@ std::string summary(const Input& a, const Input& b, const std::string& title, co
                     const TimedIntersection& result) {
   std::ostringstream text;
   text << title << ": ";
-  if (&a == &b) text << verdict_of(counts, result.found.status) << ", ";
+  if (&a == &b) text << reports::verdict_of(result.found) << ", ";
   text << to_string(stated(result.found.status)) << ", " << counts_text(counts) << ", "
        << number_text(rounded(result.times.seconds)) << " s\n";
   const Names names(a, b);
@@ -237,9 +226,8 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
   if (unwritten) tell_unwritten(options.output, "no curve and no point was found");
   if (!options.picture.empty()) occt::write_text(png, options.picture);
   if (!options.json.empty()) {
-    const char* const verdict = verdict_of(counts, result.found.status);
-    write_json(&a == &b ? self_intersection_report(a, verdict, result.found, result.times)
-                        : intersection_report(a, b, result.found, result.times),
+    write_json(&a == &b ? reports::self_intersection_report(a, result.found, result.times)
+                        : reports::intersection_report(a, b, result.found, result.times),
                options.json);
   }
   print_summary(summary(a, b, title, counts, result), options.json);

@@ -8,8 +8,8 @@
 
 #include "adapters/occt/intersection.h"
 #include "plugin/cli/inputs.h"
-#include "plugin/cli/intersection_report.h"
 #include "plugin/cli/options.h"
+#include "plugin/reports/intersection.h"
 
 namespace blossom::cli {
 
@@ -24,7 +24,7 @@ void add_intersect_options(CLI::App& command, IntersectOptions& options);
 
 struct TimedIntersection {
   occt::ShapeIntersection found;
-  RunTimes times;
+  reports::RunTimes times;
 };
 
 /// Does it as often as the options say.

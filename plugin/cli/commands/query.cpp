@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom query KIND ...`: questions about points of models.
 
-#include <TopExp_Explorer.hxx>
-
-#include "adapters/occt/base/compounds.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/exit_code.h"
@@ -20,48 +17,13 @@ void add_query_options(CLI::App& command, QueryOptions& options) {
       ->default_str(number_text(options.tolerance));
 }
 
-namespace {
-
-// The number of a face in its model; 0 of what is no face.
-int face_number(const Input& input, const TopoDS_Shape& on) {
-  for (std::size_t i = 0; i < input.faces.size(); ++i)
-    if (input.faces[i].IsSame(on)) return input.numbers[i];
-  return 0;
-}
-
-// The part that a face belongs to, or a face with the edge or vertex; empty if it has no name.
-std::string part_with(const Input& input, const TopoDS_Shape& on) {
-  for (std::size_t i = 0; i < input.faces.size() && !on.IsNull(); ++i)
-    for (TopExp_Explorer it(input.faces[i], on.ShapeType()); it.More(); it.Next())
-      if (it.Current().IsSame(on))
-        return given_name(input.model.part_paths()[static_cast<std::size_t>(input.numbers[i] - 1)]);
-  return {};
-}
-
-}  // namespace
-
-Json place_json(const ShapeNumbers& numbers, const Input& input, const occt::ShapePoint& place) {
-  const int face = face_number(input, place.on);
-  Json json = {{"point", place.point.coordinates},
-               {"on", numbers.place(face > 0 ? TopoDS_Shape() : place.on, face)}};
-  if (face > 0) json["uv"] = place.uv.coordinates;
-  if (const std::string part = part_with(input, place.on); !part.empty()) json["part"] = part;
-  return json;
-}
-
 std::string place_text(const ShapeNumbers& numbers, const Input& input,
                        const occt::ShapePoint& place) {
-  const int face = face_number(input, place.on);
-  const std::string part = part_with(input, place.on);
+  const int face = reports::face_number(input, place.on);
+  const std::string part = reports::part_with(input, place.on);
   return vector_text(place.point) + " on " +
          numbers.text(face > 0 ? TopoDS_Shape() : place.on, face) +
          (part.empty() ? "" : " of " + part);
-}
-
-TopoDS_Shape chosen_shape(const Input& input) {
-  if (input.faces.empty() || static_cast<int>(input.faces.size()) == input.model.face_count())
-    return input.model.shape();
-  return occt::compound_of(input.faces);
 }
 
 void write_answer(const Json& report, const std::string& text, const QueryOptions& options) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,39 +11,25 @@
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/shape_numbers.h"
+#include "plugin/reports/measured_input.h"
 
 namespace blossom::cli {
 
 /// One model of a question.
-struct QuerySide {
-  Input input;
-  ShapeNumbers numbers;
-  std::optional<occt::Bodies> bodies;  ///< once it is prepared
+struct QuerySide : reports::MeasuredInput {
+  explicit QuerySide(const std::string& name) : MeasuredInput(read_input(name, Faces::Optional)) {}
 
-  explicit QuerySide(const std::string& name);
-  void prepare();
-
-  Json json(const occt::ShapePoint& place) const;
   std::string text(const occt::ShapePoint& place) const;
 
-  int solids() const;         ///< closed ones
-  int surface_faces() const;  ///< that bound no closed solid
   /// What is taken as a surface and why, as a line; empty if nothing is.
   std::string told_surface() const;
 
-  /// {"solid": 2, "part": "bolt"}; the solid is null of a surface.
-  Json body_json(std::size_t body) const;
   /// "solid 2 of bolt.step (bolt)", "the surface of lid.brep".
   std::string body_text(std::size_t body) const;
 };
 
 /// "A is inside B", "touching", with the names of the inputs.
 std::string relation_text(occt::Relation relation, const QuerySide& a, const QuerySide& b);
-
-/// Adds "relation", "pairs" and how many solids and faces of surfaces there are.
-void add_relation(const occt::ModelRelation& found, const QuerySide& a, const QuerySide& b,
-                  Json& report);
 
 /// The lines that follow an answer: pairs where there are several bodies, and what is taken as a
 /// surface.

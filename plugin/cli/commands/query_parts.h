@@ -14,10 +14,12 @@
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/shape_numbers.h"
 #include "plugin/cli/vectors.h"
+#include "plugin/reports/measured_input.h"
 
 namespace blossom::cli {
+
+using reports::ShapeNumbers;
 
 struct QueryOptions : CommonOptions {
   double tolerance = 1e-7;
@@ -37,14 +39,9 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// {"point", "on", "uv" of a face}: where a distance is taken.
-Json place_json(const ShapeNumbers& numbers, const Input& input, const occt::ShapePoint& place);
 /// "(1, 2, 3) on face 2".
 std::string place_text(const ShapeNumbers& numbers, const Input& input,
                        const occt::ShapePoint& place);
-
-/// The faces that the user means; the whole model, with free edges and vertices, if that is all.
-TopoDS_Shape chosen_shape(const Input& input);
 
 /// Writes the report where it is wanted, and the text unless the report is on stdout.
 void write_answer(const Json& report, const std::string& text, const QueryOptions& options);

@@ -11,12 +11,11 @@
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/intersection_report.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
-#include "plugin/cli/repairs.h"
+#include "plugin/reports/section.h"
 
 namespace blossom::cli {
 namespace {
@@ -42,67 +41,6 @@ occt::Plane plane_of(const Options& options) {
   if (largest == 0) throw UsageError("--normal: the zero vector has no direction");
   plane.normal = unit(plane.normal * (1 / largest));
   return plane;
-}
-
-Json curve_json(const Input& input, const ShapeNumbers& numbers, const occt::SectionCurve& curve) {
-  const int face = input.numbers[static_cast<std::size_t>(curve.face)];
-  Json json = {{"on", numbers.place(curve.edge, face)},
-               {"nodes", curve.nodes},
-               {"closed", curve.closed},
-               {"tangential", curve.tangential},
-               {"length", curve.length},
-               {"conic", to_json(curve.conic, curve.range)},
-               {"deviation", curve.deviation},
-               {"deviation_proven", curve.deviation_proven}};
-  json["points"] = Json::array();
-  for (const Vec3& p : curve.samples) json["points"].push_back(p.coordinates);
-  return json;
-}
-
-Json node_json(const ShapeNumbers& numbers, const occt::SectionNode& node) {
-  return {{"point", node.point.coordinates},
-          {"on", node.on.IsNull() ? Json() : numbers.place(node.on, 0)},
-          {"reach", node.reach},
-          {"proven", node.proven}};
-}
-
-Json wire_json(const occt::SectionWire& wire) {
-  Json json = {{"closed", wire.closed}, {"length", wire.length}, {"curves", Json::array()}};
-  for (const occt::CurveUse& use : wire.uses)
-    json["curves"].push_back({{"curve", use.curve}, {"forward", use.forward}});
-  return json;
-}
-
-Json report_of(const Input& input, const Options& options, const Answer& answer) {
-  const occt::PlaneSection& section = answer.section;
-  const ShapeNumbers numbers(input.model.shape());
-  Json report = {{"schema", "blossom.query/1"},
-                 {"kind", "plane"},
-                 {"file", input.name},
-                 {"point", answer.plane.point.coordinates},
-                 {"normal", answer.plane.normal.coordinates},
-                 {"tolerance", options.engine.tolerance},
-                 {"status", to_string(section.status)},
-                 {"seconds", answer.seconds}};
-  for (const char* list : {"wires", "curves", "nodes", "points", "faces_in_plane", "places"})
-    report[list] = Json::array();
-  for (const occt::SectionWire& wire : section.wires) report["wires"].push_back(wire_json(wire));
-  for (const occt::SectionCurve& curve : section.curves)
-    report["curves"].push_back(curve_json(input, numbers, curve));
-  for (const occt::SectionNode& node : section.nodes)
-    report["nodes"].push_back(node_json(numbers, node));
-  for (const std::size_t node : section.points) report["points"].push_back(node);
-  for (const int face : section.faces_in_plane)
-    report["faces_in_plane"].push_back(input.numbers[static_cast<std::size_t>(face)]);
-  for (const occt::SectionPlace& place : section.places) {
-    Json json = to_json(place.place);
-    json["face"] = input.numbers[static_cast<std::size_t>(place.face)];
-    report["places"].push_back(json);
-  }
-  report["certificate"] = to_json(section.certificate);
-  report["certificate"]["faces_searched"] = section.faces_searched;
-  report["repairs"] = Json::array({repairs_json(input)});
-  return report;
 }
 
 std::string text_of(const Input& input, const Answer& answer) {
@@ -146,7 +84,10 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
   if (!common.output.empty() && any) write_model(model, common.output);
   if (unwritten) tell_unwritten(common.output, "no wire and no point was found");
   if (!common.picture.empty()) occt::write_text(png, common.picture);
-  if (!common.json.empty()) write_json(report_of(input, options, answer), common.json);
+  if (!common.json.empty())
+    write_json(reports::section_report(input, answer.plane, options.engine.tolerance, section,
+                                       answer.seconds),
+               common.json);
   print_summary(text_of(input, answer), common.json);
 }
 

@@ -13,8 +13,8 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/reading.h"
-#include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
+#include "plugin/reports/rays.h"
 
 namespace blossom::cli {
 namespace {
@@ -39,52 +39,11 @@ Ray ray_of(const Options& options) {
   return ray;
 }
 
-struct Answer {
-  Ray ray;
-  std::vector<occt::ShapeHit> hits;
-  Status status = Status::Complete;
-  double seconds = 0;
-};
-
 int face_number(const Input& input, const occt::ShapeHit& hit) {
   return input.numbers[static_cast<std::size_t>(hit.hit.surface)];
 }
 
-Json hit_json(const Input& input, const ShapeNumbers& numbers, const occt::ShapeHit& found) {
-  const RayHit& hit = found.hit;
-  const int face = face_number(input, found);
-  return {{"distance", hit.parameter},
-          {"first", hit.first},
-          {"last", hit.last},
-          {"point", hit.point.coordinates},
-          {"face", face},
-          {"uv", hit.uv.coordinates},
-          {"normal", hit.normal.coordinates},
-          {"on", numbers.place(found.on, face)},
-          {"grazing", hit.grazing},
-          {"status", to_string(hit.status)}};
-}
-
-Json report_of(const Input& input, const Options& options, const Answer& answer) {
-  const ShapeNumbers numbers(input.model.shape());
-  Json report = {{"schema", "blossom.query/1"},
-                 {"kind", "ray"},
-                 {"file", input.name},
-                 {"from", answer.ray.origin.coordinates},
-                 {"direction", answer.ray.direction.coordinates},
-                 {"line", options.line},
-                 {"first", options.first},
-                 {"tolerance", options.common.tolerance},
-                 {"status", to_string(answer.status)},
-                 {"seconds", answer.seconds}};
-  report["hits"] = Json::array();
-  for (const occt::ShapeHit& hit : answer.hits)
-    report["hits"].push_back(hit_json(input, numbers, hit));
-  report["repairs"] = Json::array({repairs_json(input)});
-  return report;
-}
-
-std::string text_of(const Input& input, const Answer& answer) {
+std::string text_of(const Input& input, const reports::RayAnswer& answer) {
   const ShapeNumbers numbers(input.model.shape());
   std::ostringstream text;
   text.precision(12);
@@ -103,7 +62,10 @@ std::string text_of(const Input& input, const Answer& answer) {
 }
 
 int run(const Options& options) {
-  Answer answer{ray_of(options), {}};
+  reports::RayAnswer answer{.ray = ray_of(options),
+                            .line = options.line,
+                            .first_only = options.first,
+                            .tolerance = options.common.tolerance};
   check_files(options.common, {options.input});
   const Input input = read_input(options.input);
   stop_if_interrupted();
@@ -120,7 +82,7 @@ int run(const Options& options) {
   for (const occt::ShapeHit& hit : answer.hits)
     answer.status = weaker(answer.status, hit.hit.status);
   stop_if_interrupted();
-  write_answer(report_of(input, options, answer), text_of(input, answer), options.common);
+  write_answer(reports::ray_report(input, answer), text_of(input, answer), options.common);
   return exit_code(answer.status);
 }
 

@@ -12,7 +12,6 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/half_space.h"
-#include "adapters/occt/soundness.h"
 #include "adapters/occt/trim.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
@@ -20,18 +19,17 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/intersection_report.h"
 #include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
-#include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
 #include "plugin/cli/vectors.h"
 #include "plugin/cli/watertight_output.h"
+#include "plugin/reports/trim.h"
 
 namespace blossom::cli {
 namespace {
@@ -48,53 +46,20 @@ struct Options {
   EngineOptions engine;
 };
 
+occt::TrimOptions trim_options(const std::string& keep) {
+  if (const std::optional<occt::TrimOptions> options = reports::trim_options(keep)) return *options;
+  throw UsageError(
+      "--keep takes above, below, inside, outside, all or the number of a piece, not '" + keep +
+      "'");
+}
+
 struct Inputs {
   Input part;
   std::vector<Input> tools;
   std::vector<occt::Plane> planes;
 };
 
-struct Timed {
-  occt::TrimResult made;
-  double seconds = 0;
-};
-
-occt::TrimOptions trim_options(const std::string& keep) {
-  static const std::map<std::string, occt::Keep> words = {{"above", occt::Keep::Above},
-                                                          {"below", occt::Keep::Below},
-                                                          {"inside", occt::Keep::Inside},
-                                                          {"outside", occt::Keep::Outside},
-                                                          {"all", occt::Keep::All}};
-  occt::TrimOptions options;
-  if (const auto word = words.find(keep); word != words.end()) {
-    options.keep = word->second;
-    return options;
-  }
-  const bool number = !keep.empty() && keep.size() <= 9 &&
-                      keep.find_first_not_of("0123456789") == std::string::npos;
-  if (!number)
-    throw UsageError(
-        "--keep takes above, below, inside, outside, all or the number of a piece, not '" + keep +
-        "'");
-  options.keep = occt::Keep::Number;
-  options.piece = std::stoi(keep);
-  return options;
-}
-
-// Every face of the model, since neighbours of those to cut share edges with them.
-std::vector<occt::PartFace> part_faces(const Input& part) {
-  std::vector<occt::PartFace> faces;
-  for (int number = 1; number <= part.model.face_count(); ++number)
-    faces.push_back({number, part.model.face(number), false});
-  for (const int number : part.numbers) faces[static_cast<std::size_t>(number) - 1].cut = true;
-  return faces;
-}
-
-occt::TrimTool tool_of(const Input& tool) {
-  if (static_cast<int>(tool.faces.size()) == tool.model.face_count())
-    return occt::trim_tool(tool.model.shape());
-  return {tool.faces, {}};
-}
+using Timed = reports::TrimAnswer;
 
 // What cannot be used is told by file and face where an open wire is the cause.
 occt::TrimResult trim_named(const Inputs& inputs, const std::vector<occt::PartFace>& part,
@@ -107,18 +72,6 @@ occt::TrimResult trim_named(const Inputs& inputs, const std::vector<occt::PartFa
   throw;
 }
 
-// Where the wires of a tool's face cross, what it covers is not known, nor whether it cuts there.
-void tell_invalid_tools(const std::vector<Input>& tools, occt::TrimResult& made) {
-  for (const Input& tool : tools)
-    for (std::size_t i = 0; i < tool.faces.size(); ++i) {
-      const std::string fault = occt::face_fault(tool.faces[i]);
-      if (fault.empty()) continue;
-      made.notes.push_back(tool.name + ": face " + std::to_string(tool.numbers[i]) +
-                           " is not valid (" + fault + "); it may cut too much or too little");
-      made.status = weaker(made.status, Status::Tolerance);
-    }
-}
-
 Timed timed_trim(const Inputs& inputs, const Options& options) {
   Progress progress("trimming");
   occt::TrimOptions wanted = trim_options(options.keep);
@@ -126,52 +79,21 @@ Timed timed_trim(const Inputs& inputs, const Options& options) {
   const std::string& output = options.common.output;
   if (!output.empty() && (is_net_file(output) || !occt::keeps_internal_edges(output)))
     wanted.open_cuts = occt::OpenCuts::LeaveOut;
-  const std::vector<occt::PartFace> part = part_faces(inputs.part);
+  const std::vector<occt::PartFace> part = reports::part_faces(inputs.part);
   std::vector<occt::TrimTool> tools;
-  for (const Input& tool : inputs.tools) tools.push_back(tool_of(tool));
+  for (const Input& tool : inputs.tools) tools.push_back(reports::tool_of(tool));
   for (std::size_t i = 0; i < inputs.planes.size(); ++i)
-    tools.push_back(occt::plane_tool(inputs.planes[i], inputs.part.model.shape(), plane_name(i)));
+    tools.push_back(
+        occt::plane_tool(inputs.planes[i], inputs.part.model.shape(), reports::plane_name(i)));
   const auto start = std::chrono::steady_clock::now();
-  Timed result{trim_named(inputs, part, tools, wanted), 0};
+  Timed result{.planes = inputs.planes,
+               .keep = options.keep,
+               .made = trim_named(inputs, part, tools, wanted)};
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   stop_if_interrupted();
   result.seconds = took.count();
-  tell_invalid_tools(inputs.tools, result.made);
+  for (const Input& tool : inputs.tools) reports::note_invalid_faces(tool, result.made);
   return result;
-}
-
-Json report_of(const Inputs& inputs, const Options& options, const Timed& timed, bool written) {
-  Json tools = Json::array(), pieces = Json::array(), areas = Json::array();
-  Json repairs = Json::array({repairs_json(inputs.part)});
-  for (const Input& tool : inputs.tools) {
-    tools.push_back(tool.name);
-    repairs.push_back(repairs_json(tool));
-  }
-  std::map<int, double> sums;
-  for (const occt::TrimPiece& piece : timed.made.pieces) {
-    pieces.push_back({{"face", piece.face},
-                      {"piece", piece.number},
-                      {"side", to_string(piece.side)},
-                      {"kept", piece.kept},
-                      {"area", piece.area}});
-    sums[piece.face] += piece.area;
-  }
-  for (const auto& [face, area] : timed.made.areas)
-    areas.push_back({{"face", face}, {"area", area}, {"pieces", sums[face]}});
-  return {{"schema", "blossom.trim/1"},
-          {"part", inputs.part.name},
-          {"tools", std::move(tools)},
-          {"planes", planes_json(inputs.planes)},
-          {"keep", options.keep},
-          {"status", to_string(timed.made.status)},
-          {"written", written},
-          {"seconds", timed.seconds},
-          {"pieces", std::move(pieces)},
-          {"areas", std::move(areas)},
-          {"notes", timed.made.notes},
-          {"watertight", nullptr},
-          {"certificate", to_json(timed.made.certificate)},
-          {"repairs", std::move(repairs)}};
 }
 
 std::string words_of(occt::PieceSide side) {
@@ -239,7 +161,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   if (!options.common.picture.empty()) png = picture_png(picture_of(inputs, timed.made));
   const FaceLabels labels(inputs.part);
   if (reason.empty()) inputs.part.model.replace_faces(timed.made.replacements);
-  std::optional<WatertightPieces> watertight;
+  std::optional<WatertightPieces>& watertight = timed.watertight;
   if (options.watertight && reason.empty()) {
     watertight = make_watertight(inputs.part.model, options.engine);
     reason = reason_of(*watertight);
@@ -248,11 +170,11 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   const bool write = !options.common.output.empty() && reason.empty();
   const bool unwritten = !options.common.output.empty() && !write;
   std::string text = summary(inputs, labels, timed);
-  Json report = report_of(inputs, options, timed, write);
-  if (watertight) {
-    text += summary_of(*watertight);
-    report["watertight"] = to_json(*watertight);
-  }
+  timed.written = write;
+  std::vector<const Input*> others;
+  for (const Input& tool : inputs.tools) others.push_back(&tool);
+  const Json report = reports::trim_report(inputs.part, others, timed);
+  if (watertight) text += summary_of(*watertight);
   stop_if_interrupted();
 
   if (write && is_net_file(options.common.output))

@@ -21,34 +21,23 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/intersection_report.h"
 #include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
-#include "plugin/cli/repairs.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
 #include "plugin/cli/verbosity.h"
 #include "plugin/cli/watertight_output.h"
+#include "plugin/reports/repairs.h"
+#include "plugin/reports/solids.h"
+#include "plugin/reports/trim.h"
 
 namespace blossom::cli {
 namespace {
 
-const std::map<std::string, occt::SolidOperation> kOperations = {
-    {"cut", occt::SolidOperation::Cut},
-    {"common", occt::SolidOperation::Common},
-    {"fuse", occt::SolidOperation::Fuse},
-    {"split", occt::SolidOperation::Split}};
-
-struct Timed {
-  occt::SolidTrimResult made;
-  std::vector<std::string> invalid;  // faces of the result that were given so
-  std::vector<std::string> idle;     // planes in which no face of the result lies
-  std::optional<WatertightPieces> watertight;
-  double seconds = 0;
-};
+using Timed = reports::SolidAnswer;
 
 // All solids at once: those side by side keep their common faces. Pieces come from where their
 // faces do.
@@ -88,38 +77,6 @@ occt::Model model_of(const std::string& text, Json& repairs) {
 
 using Models = std::vector<occt::Model>;
 
-// What a tool is called: the files come first.
-std::string tool_name(const SolidTrim& options, int tool) {
-  const auto index = static_cast<std::size_t>(tool);
-  return index < options.tools.size() ? options.tools[index]
-                                      : plane_name(index - options.tools.size());
-}
-
-// Faces that nothing reached are those of the inputs, and may be invalid as they were given.
-std::vector<std::string> invalid_as_given(const SolidTrim& options,
-                                          const occt::SolidTrimResult& made) {
-  std::vector<std::string> told;
-  for (const occt::SolidFace& face : made.faces) {
-    const std::string fault = occt::face_fault(face.face);
-    if (fault.empty()) continue;
-    const std::string file = face.tool < 0 ? options.part : tool_name(options, face.tool);
-    told.push_back("face " + std::to_string(face.from + 1) + " of " + file + " is not valid (" +
-                   fault + "), and in the result as it was given");
-  }
-  return told;
-}
-
-std::vector<std::string> idle_planes(const SolidTrim& options, const occt::SolidTrimResult& made) {
-  std::vector<std::string> told;
-  for (std::size_t i = 0; i < options.planes.size() && !made.solids.empty(); ++i) {
-    const int tool = static_cast<int>(options.tools.size() + i);
-    if (std::ranges::none_of(made.faces,
-                             [tool](const occt::SolidFace& face) { return face.tool == tool; }))
-      told.push_back(plane_name(i) + " cuts nothing of what is in the result");
-  }
-  return told;
-}
-
 // Who takes a sheet for a tool is told what else there is.
 void check_solid(const occt::TrimTool& input, const std::string& name) {
   if (input.is_solid()) return;
@@ -143,76 +100,23 @@ Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models
   for (std::size_t i = 0; i < options.tools.size(); ++i)
     others.push_back(named_solid(tools[i], options.tools[i]));
   for (std::size_t i = 0; i < options.planes.size(); ++i)
-    others.push_back(occt::half_space_tool(options.planes[i], part.shape(), plane_name(i)));
+    others.push_back(
+        occt::half_space_tool(options.planes[i], part.shape(), reports::plane_name(i)));
   const auto start = std::chrono::steady_clock::now();
-  Timed result{occt::trim_solids(solid, others, kOperations.at(options.operation), engine,
-                                 options.planes.size()),
-               {},
-               {},
-               {},
-               0};
+  Timed result{.part = options.part,
+               .tools = options.tools,
+               .planes = options.planes,
+               .operation = options.operation};
+  result.made = occt::trim_solids(solid, others, *reports::solid_operation(options.operation),
+                                  engine, options.planes.size());
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   if (options.watertight && !result.made.solids.empty()) make_watertight(result, options.engine);
   stop_if_interrupted();
   result.seconds = seconds();
-  result.invalid = invalid_as_given(options, result.made);
-  result.idle = idle_planes(options, result.made);
+  reports::note_faces(result);
   return result;
-}
-
-int face_count(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  return faces.Extent();
-}
-
-int shell_count(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape shells;
-  TopExp::MapShapes(shape, TopAbs_SHELL, shells);
-  return shells.Extent();
-}
-
-Json volumes_json(const occt::SolidVolumes& volumes) {
-  return {{"part", volumes.part},
-          {"tool", volumes.tool},
-          {"cut", volumes.cut},
-          {"common", volumes.common},
-          {"fuse", volumes.fuse},
-          {"cut_error", volumes.cut_error()},
-          {"fuse_error", volumes.fuse_error()}};
-}
-
-Json report_of(const SolidTrim& options, const Timed& timed, const Json& repairs, bool written) {
-  Json solids = Json::array(), steps = Json::array();
-  for (const occt::SolidVolumes& volumes : timed.made.volumes)
-    steps.push_back(volumes_json(volumes));
-  for (const TopoDS_Solid& solid : timed.made.solids)
-    solids.push_back({{"faces", face_count(solid)}, {"voids", shell_count(solid) - 1}});
-  return {{"schema", "blossom.solid/1"},
-          {"part", options.part},
-          {"tools", options.tools},
-          {"planes", planes_json(options.planes)},
-          {"operation", options.operation},
-          {"status", to_string(timed.made.status)},
-          {"written", written},
-          {"seconds", timed.seconds},
-          {"solids", std::move(solids)},
-          {"volumes", steps.empty() ? Json(nullptr) : steps.back()},
-          {"steps", steps},
-          {"total",
-           {{"part", timed.made.total.part},
-            {"tools", timed.made.total.tools},
-            {"result", timed.made.total.result}}},
-          {"obstacles", timed.made.obstacles},
-          {"thin", timed.made.thin},
-          {"tolerances", timed.made.tolerances},
-          {"invalid", timed.invalid},
-          {"idle", timed.idle},
-          {"watertight", timed.watertight ? to_json(*timed.watertight) : Json(nullptr)},
-          {"certificate", to_json(timed.made.certificate)},
-          {"repairs", repairs}};
 }
 
 // Of the inputs and the result, and how well those of all steps add up.
@@ -264,28 +168,14 @@ occt::Model plane_model(const occt::Plane& plane, const occt::Model& part,
   return model;
 }
 
-// Where the faces of a solid come from, those of the part first. Faces that two solids have in
-// common stand twice among those of the result.
-std::vector<occt::FaceOrigin> origins_of(const TopoDS_Solid& solid,
-                                         const occt::SolidTrimResult& made, const occt::Model& part,
-                                         const Models& tools) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(solid, TopAbs_FACE, faces);
-  std::vector<occt::FaceOrigin> origins;
-  for (const occt::SolidFace& face : made.faces)
-    if (faces.RemoveKey(face.face))
-      origins.push_back({face.face,
-                         face.tool < 0 ? &part : &tools[static_cast<std::size_t>(face.tool)],
-                         face.from + 1});
-  return origins;
-}
-
 // Puts the solids in the place of the part's, as the output file can have them.
 void replace_solids(occt::Model& part, const occt::SolidTrimResult& made, const Models& tools,
                     const std::string& output) {
+  std::vector<const occt::Model*> origins;
+  for (const occt::Model& tool : tools) origins.push_back(&tool);
   std::vector<occt::CombinedSolid> solids;
   for (const TopoDS_Solid& solid : made.solids)
-    solids.push_back({solid, origins_of(solid, made, part, tools)});
+    solids.push_back({solid, reports::origins_of(solid, made, part, origins)});
   part.replace_solids(
       solids, occt::keeps_names(output) ? occt::CommonFaces::Copy : occt::CommonFaces::Keep);
 }
@@ -323,15 +213,8 @@ int exit_code_of(const occt::SolidTrimResult& made, const CommonOptions& outputs
 
 }  // namespace
 
-bool is_solid_operation(const std::string& word) { return kOperations.contains(word); }
-
-std::string plane_name(std::size_t index) { return "plane " + std::to_string(index + 1); }
-
-Json planes_json(const std::vector<occt::Plane>& planes) {
-  Json list = Json::array();
-  for (const occt::Plane& plane : planes)
-    list.push_back({{"point", plane.point.coordinates}, {"normal", plane.normal.coordinates}});
-  return list;
+bool is_solid_operation(const std::string& word) {
+  return reports::solid_operation(word).has_value();
 }
 
 int trim_solids(const SolidTrim& options) {
@@ -346,12 +229,14 @@ int trim_solids(const SolidTrim& options) {
   Models tools;
   for (const std::string& tool : options.tools) tools.push_back(model_of(tool, repairs));
   stop_if_interrupted();
-  const Timed timed = timed_trim(options, part, tools);
+  Timed timed = timed_trim(options, part, tools);
   for (std::size_t i = 0; i < options.planes.size(); ++i)
-    tools.push_back(plane_model(options.planes[i], part, plane_name(i)));
+    tools.push_back(plane_model(options.planes[i], part, reports::plane_name(i)));
   const std::string reason = reason_of(timed.made);
   const CommonOptions& outputs = options.common;
   const bool write = reason.empty() && !outputs.output.empty();
+  timed.written = write;
+  timed.repairs = repairs;
   const std::string png =
       reason.empty() && !outputs.picture.empty() ? picture_of(timed.made.solids) : std::string();
   if (write && is_net_file(outputs.output)) {
@@ -362,7 +247,7 @@ int trim_solids(const SolidTrim& options) {
   }
   if (!png.empty()) occt::write_text(png, outputs.picture);
   if (!reason.empty()) tell_no_solid(outputs, reason);
-  if (!outputs.json.empty()) write_json(report_of(options, timed, repairs, write), outputs.json);
+  if (!outputs.json.empty()) write_json(reports::solid_report(timed), outputs.json);
   print_summary(summary(options, timed), outputs.json);
   return exit_code_of(timed.made, outputs);
 }

@@ -25,12 +25,6 @@ struct SolidTrim {
 /// The operations as words of the command line.
 bool is_solid_operation(const std::string& word);
 
-/// What a plane is called in messages and results: "plane 1" is the first.
-std::string plane_name(std::size_t index);
-
-/// [{"point", "normal"}, ...].
-Json planes_json(const std::vector<occt::Plane>& planes);
-
 /// Does the work, writes the outputs and returns the exit code. Nothing but the report is written
 /// when the solids cannot be combined.
 /// throws   UsageError as read_input, if an input is no closed solid, or to fuse with planes

@@ -1,144 +1,250 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Intersections of CAD surfaces, proven, and strips between them.
+"""Intersections, sections, trims and solids of CAD models, with proofs.
 
     import blossom
+    model = blossom.read("bracket.step")
+    model.section((0, 0, 5), (0, 0, 1)).wires    # many questions, one reading
     found = blossom.intersect(face_a, face_b)
-    found.status            # "complete": nothing is missing
-    found.curves[0].points  # (n, 3) array
-    found.chains[0].curves  # curves that go on across seams: places in found.curves
+    found.status                                 # "complete": nothing is missing
+    found.curves[0].points                       # (n, 3) array
     Part.show(found.to_part())
 
-Shapes are FreeCAD Part shapes, BRep bytes or text (Open CASCADE's text and binary, FreeCAD's
-`exportBinary`), or numpy nets of one Bezier patch: (n + 1, m + 1, 3), or 4 with weights.
-Lengths are in the model's units, angles in radians, face numbers start at 1 as in "Face1".
+Shapes are
+    names of files             str or Path
+    BRep                       bytes, or its text
+    shapes of FreeCAD's Part   themselves, not copies, where Part's Open CASCADE is ours
+    other objects              that export BRep: CadQuery's, build123d's, pythonOCC's
+    numpy nets                 of one Bezier patch (n + 1, m + 1, 3), or 4 with weights, or of a
+                               curve (n + 1, 3 or 4); B-splines by `surface` and `curve`
+    models and results         of this package
+
+Every question takes these options:
+    tolerance    what counts as one point, model units; 1e-7
+    time_limit   seconds before giving up with the status "stopped"; 0 is no limit
+    budget       pairs of cells examined before giving up; None is the engine's own
+    threads      how many may work at the same time; 0 is one a core
+    form         "auto", "bezier" or "monomial": what the nets of cells are made from
+    cancel       a `Cancel`; its cancel(), from any thread, ends the work with `Cancelled`
+    progress     a function that is called with the seconds since the start, some 50 times a
+                 second; what it raises ends the work
+
+Lengths are in millimetres for files, else in the model's units; angles in radians; face numbers
+start at 1 as in "Face1". Wrong types are TypeErrors, wrong values and models that cannot be used
+ValueErrors, failures of Open CASCADE `blossom.Error`. Ctrl-C ends all work.
 """
 
-import os
-import tempfile
-from dataclasses import dataclass
+from typing import Any, Dict, Optional, Union
 
-from . import _core
-from ._core import Chain, Contact, Curve, Error, Intersection, Place, __version__
+from . import _checks, _core
+from ._bodies import Solid, Strip, Trim, Watertight
+from ._core import Cancel, Cancelled, Error, __version__
+from ._intersections import (
+    Chain,
+    Contact,
+    Curve,
+    Intersection,
+    Overlap,
+    Place,
+    SelfIntersection,
+)
+from ._model import FileName, Model, model_of
+from ._queries import (
+    Check,
+    Distance,
+    FootPoints,
+    Hit,
+    Meeting,
+    RayHits,
+    Section,
+    SectionCurve,
+    Wire,
+)
+from ._results import Result
+from ._shapes import spline_model
 
 __all__ = [
+    "Cancel",
+    "Cancelled",
     "Chain",
+    "Check",
     "Contact",
     "Curve",
+    "Distance",
     "Error",
+    "FootPoints",
+    "Hit",
     "Intersection",
+    "Meeting",
+    "Model",
+    "Overlap",
     "Place",
+    "RayHits",
+    "Result",
+    "Section",
+    "SectionCurve",
+    "SelfIntersection",
+    "Solid",
     "Strip",
+    "Trim",
+    "Watertight",
+    "Wire",
     "__version__",
     "blend_strip",
+    "check",
+    "convert",
+    "curve",
+    "distance",
+    "does_intersect",
+    "foot_points",
+    "info",
     "intersect",
+    "ray",
+    "read",
+    "section",
+    "self_intersect",
+    "shape",
+    "solid",
+    "surface",
+    "trim",
+    "watertight",
+    "write",
 ]
 
 
-def intersect(a, b, tolerance=1e-7, form="auto", time_limit=0, budget=None, threads=0):
+def read(path: FileName, faces: Any = None, strict: bool = False, **options: Any) -> Model:
+    """Reads a STEP, IGES or BREP file, told by its content.
+
+    faces    numbers of the faces that count; None is all
+    strict   a file of which shapes are missing is refused
+    """
+    file = _checks.path(path, "path")
+    model = Model(_core.read_file(file, _checks.flag(strict, "strict"), _checks.control(options)))
+    return model if faces is None else model.part(faces)
+
+
+def shape(shape: Any) -> Model:
+    """Any shape as a model, to ask it many questions."""
+    return model_of(shape, "shape")
+
+
+def surface(
+    poles: Any, weights: Any = None, knots: Any = None, multiplicities: Any = None, degree: Any = None
+) -> Model:
+    """A face on a B-spline surface, or on a Bezier patch without knots.
+
+    poles            (n + 1, m + 1, 3), rows along u; or 4 with weights
+    weights          (n + 1, m + 1)
+    knots            two lists that increase, along u and v
+    multiplicities   likewise, one for each knot
+    degree           a pair
+    """
+    return Model(spline_model(poles, weights, knots, multiplicities, degree, 2))
+
+
+def curve(
+    poles: Any, weights: Any = None, knots: Any = None, multiplicities: Any = None, degree: Any = None
+) -> Model:
+    """An edge on a B-spline curve, or on a Bezier curve without knots; as `surface`, with (n + 1, 3)
+    poles and one list of each."""
+    return Model(spline_model(poles, weights, knots, multiplicities, degree, 1))
+
+
+def write(shape: Any, path: FileName, **options: Any) -> None:
+    """Writes a shape to a file: .step, .iges or .brep."""
+    model_of(shape, "shape").write(path, **options)
+
+
+def convert(source: FileName, target: FileName, **options: Any) -> None:
+    """Reads one file and writes another; names, colours and assembly are kept where both have
+    them."""
+    read(source, **options).write(target, **options)
+
+
+def info(shape: Any, **options: Any) -> Dict[str, Any]:
+    """What a model is made of, as `blossom info` reports it."""
+    return model_of(shape, "shape").info(**options)
+
+
+def check(shape: Any, **options: Any) -> Check:
+    """What is wrong with a model."""
+    return model_of(shape, "shape").check(**options)
+
+
+def intersect(a: Any, b: Any, **options: Any) -> Intersection:
     """All intersections of every face of `a` with every face of `b`.
 
-    tolerance   what counts as one point, model units
-    form        "auto", "bezier" or "monomial": what the nets of cells are made from
-    time_limit  seconds before giving up with the status "stopped"; 0 is no limit
-    budget      pairs of cells examined before giving up; None is the engine's own
-    threads     how many may work at the same time; 0 is one a core
-
-    Returns an `Intersection`. An empty one whose status is "complete" is a proof of emptiness.
-    Raises ValueError for bad arguments, blossom.Error when Open CASCADE fails, and
-    KeyboardInterrupt when Ctrl-C ends the work.
+    An empty answer whose status is "complete" is a proof of emptiness.
     """
-    return _core.intersect(
-        _brep(a, "a"), _brep(b, "b"), tolerance, form, time_limit, budget, threads
-    )
+    return model_of(a, "a").intersect(model_of(b, "b"), **options)
 
 
-@dataclass(frozen=True)
-class Strip:
-    """A strip between two faces, and how well it continues them.
-
-    edge_a, edge_b              the borders that were joined: "umin", "umax", "vmin" or "vmax"
-    backward                    the border of b runs backwards along the strip
-    continuity_a, continuity_b  `gap` in model units, `normal_angle` in radians, `scale`: how
-                                many times the surface's own cross derivative the strip's is
-    """
-
-    brep: bytes
-    edge_a: str
-    edge_b: str
-    backward: bool
-    continuity_a: dict
-    continuity_b: dict
-
-    def to_brep(self):
-        """The strip's face as BRep text."""
-        return self.brep
-
-    def to_part(self):
-        """The strip's face as a shape of FreeCAD's Part."""
-        return _part_from(self.brep)
+def self_intersect(shape: Any, faces: bool = False, **options: Any) -> SelfIntersection:
+    """Where each face meets itself; with `faces`, also different faces each other."""
+    return model_of(shape, "shape").self_intersect(faces, **options)
 
 
-def blend_strip(a, b, edge_a=None, edge_b=None, weight_a=1.0, weight_b=1.0):
+def section(shape: Any, point: Any, normal: Any, **options: Any) -> Section:
+    """The section with the plane through a point."""
+    return model_of(shape, "shape").section(point, normal, **options)
+
+
+def ray(
+    shape: Any, origin: Any, direction: Any, first: bool = False, line: bool = False, **options: Any
+) -> RayHits:
+    """What a ray hits, in order."""
+    return model_of(shape, "shape").ray(origin, direction, first, line, **options)
+
+
+def distance(a: Any, b: Any, **options: Any) -> Distance:
+    """How far two shapes are apart."""
+    return model_of(a, "a").distance(model_of(b, "b"), **options)
+
+
+def does_intersect(a: Any, b: Any, **options: Any) -> Meeting:
+    """Whether two shapes have a point in common."""
+    return model_of(a, "a").does_intersect(model_of(b, "b"), **options)
+
+
+def foot_points(shape: Any, at: Any, all: bool = True, **options: Any) -> FootPoints:
+    """The nearest point of a shape to a point, and every point where the distance is stationary."""
+    return model_of(shape, "shape").foot_points(at, all, **options)
+
+
+def trim(
+    part: Any, *tools: Any, keep: Union[str, int], planes: Any = (), **options: Any
+) -> Trim:
+    """A part cut along its intersections with tools; see `Model.trim`."""
+    return model_of(part, "part").trim(*tools, keep=keep, planes=planes, **options)
+
+
+def solid(operation: str, part: Any, *tools: Any, planes: Any = (), **options: Any) -> Solid:
+    """Closed solids combined: "cut", "common", "fuse" or "split"; see `Model.solid`."""
+    return model_of(part, "part").solid(operation, *tools, planes=planes, **options)
+
+
+def watertight(shape: Any, **options: Any) -> Watertight:
+    """The faces as untrimmed patches and triangles that meet without gaps."""
+    return model_of(shape, "shape").watertight(**options)
+
+
+def blend_strip(
+    a: Any,
+    b: Any,
+    edge_a: Optional[str] = None,
+    edge_b: Optional[str] = None,
+    weight_a: float = 1.0,
+    weight_b: float = 1.0,
+    **options: Any,
+) -> Strip:
     """The strip between two faces that continues both with their tangent planes, exactly.
 
     edge_a, edge_b      "umin", "umax", "vmin" or "vmax"; None takes the nearest borders
     weight_a, weight_b  how far the tangents reach into the strip; 1 is a third of its width
-
-    Returns a `Strip`. Raises ValueError if a face has no such border or no strip is possible.
     """
+    side_a = None if edge_a is None else _checks.word(edge_a, "edge_a", _checks.SIDES)
+    side_b = None if edge_b is None else _checks.word(edge_b, "edge_b", _checks.SIDES)
+    reach_a, reach_b = _checks.number(weight_a, "weight_a"), _checks.number(weight_b, "weight_b")
+    core_a, core_b = model_of(a, "a")._core, model_of(b, "b")._core
     return Strip(
-        **_core.blend_strip(
-            _brep(a, "a"), _brep(b, "b"), edge_a, edge_b, weight_a, weight_b
-        )
+        _core.strip(core_a, core_b, side_a, side_b, reach_a, reach_b, _checks.control(options))
     )
-
-
-def _to_part(self):
-    """The edges, and vertices at isolated contacts, as a shape of FreeCAD's Part."""
-    return _part_from(self.to_brep())
-
-
-Intersection.to_part = _to_part
-
-
-def _part_from(brep):
-    try:
-        import Part
-    except ImportError as missing:
-        raise Error(f"to_part: FreeCAD's Part cannot be imported: {missing}") from missing
-    shape = Part.Shape()
-    shape.importBrepFromString(brep.decode("ascii"))
-    return shape
-
-
-def _brep(shape, name):
-    """BRep bytes of any accepted argument."""
-    if isinstance(shape, (bytes, bytearray, memoryview)):
-        return bytes(shape)
-    if isinstance(shape, str):
-        return shape.encode()
-    if hasattr(shape, "exportBinary") and hasattr(shape, "isNull"):
-        return _part_brep(shape, name)
-    if hasattr(shape, "exportBrepToString"):
-        return shape.exportBrepToString().encode()
-    if hasattr(shape, "__array_interface__"):
-        try:
-            return _core.brep_of_net(shape, name)
-        except TypeError:  # its text names pybind11's overloads, not the argument
-            kind = getattr(shape, "dtype", type(shape).__name__)
-            raise ValueError(f"{name}: a net holds numbers, got {kind}") from None
-    raise ValueError(
-        f"{name}: a Part shape, BRep bytes or text, or a numpy net is wanted, "
-        f"got {type(shape).__name__}"
-    )
-
-
-def _part_brep(shape, name):
-    """Binary, for it keeps every digit; Part writes it to files only."""
-    if shape.isNull():
-        raise ValueError(f"{name}: the shape is null")
-    with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
-        file = os.path.join(folder, "shape.bin")
-        shape.exportBinary(file)
-        with open(file, "rb") as stream:
-            return stream.read()

@@ -5,8 +5,12 @@
 
 #include <BRepPrimAPI_MakeBox.hxx>
 
+#include "plugin/reports/watertight.h"
+
 namespace blossom::cli {
 namespace {
+
+using reports::to_json;
 
 TEST(WatertightOutput, SaysWhichFacesAreOpenWhenTheTimeIsSpent) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3);

@@ -263,7 +263,7 @@ class Errors(unittest.TestCase):
         self.expect(ValueError, "^b: the shape is null$", FLOOR, Part.Shape())
 
     def test_other_types_are_named(self):
-        self.expect(ValueError, "^a: a Part shape, .* is wanted, got int$", 7, FLOOR)
+        self.expect(TypeError, "^a: a file's name, .* is wanted, got int$", 7, FLOOR)
 
     def test_bad_nets_are_refused(self):
         self.expect(ValueError, r"^b: .*got \(2, 2, 5\)$", FLOOR, np.zeros((2, 2, 5)))
@@ -272,7 +272,7 @@ class Errors(unittest.TestCase):
         self.expect(ValueError, "surface a: a weight is not positive", weights, WALL)
 
     def test_bad_options_are_refused(self):
-        self.expect(ValueError, "^tolerance: '-1.0*' is no positive", FLOOR, WALL, tolerance=-1)
+        self.expect(ValueError, "^tolerance: -1.0 is not positive$", FLOOR, WALL, tolerance=-1)
         self.expect(ValueError, "^tolerance: ", FLOOR, WALL, tolerance=float("nan"))
         self.expect(ValueError, "^form: 'x' is none of auto, bezier, monomial$", FLOOR, WALL,
                     form="x")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/intersection_report.h"
+#include "plugin/reports/intersection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "plugin/cli/repairs.h"
-#include "plugin/cli/shape_numbers.h"
+#include "plugin/reports/repairs.h"
+#include "plugin/reports/shape_numbers.h"
 
-namespace blossom::cli {
+namespace blossom::reports {
 namespace {
 
 constexpr double kSameConic = 1e-7;  // of the larger half axis: what conics of one curve differ by
@@ -181,6 +181,23 @@ ChainFacts facts_of(const std::vector<IntersectionCurve>& curves, const CurveCha
   return facts;
 }
 
+bool is_contact(const Place& place) {
+  return place.kind != PlaceKind::Open && place.kind != PlaceKind::Overlap;
+}
+
+const char* verdict_of(const occt::ShapeIntersection& found) {
+  bool open = found.status == Status::Stopped;
+  for (const occt::FaceIntersection& pair : found.pairs) {
+    if (!pair.chains.empty() || !pair.found.points.empty() || !pair.found.overlaps.empty())
+      return "found";
+    for (const Place& place : pair.found.places) {
+      if (place.kind != PlaceKind::Open) return "found";
+      open = true;
+    }
+  }
+  return open ? "undecided" : "none found";
+}
+
 Json to_json(const Vec2& point) { return Json::array({point[0], point[1]}); }
 
 Json to_json(const Vec3& point) { return Json::array({point[0], point[1], point[2]}); }
@@ -232,14 +249,15 @@ Json intersection_report(const Input& a, const Input& b, const occt::ShapeInters
   return report;
 }
 
-Json self_intersection_report(const Input& input, const char* verdict,
-                              const occt::ShapeIntersection& found, const RunTimes& times) {
-  Json report = {
-      {"schema", "blossom.self-intersection/1"}, {"input", input.name}, {"verdict", verdict}};
+Json self_intersection_report(const Input& input, const occt::ShapeIntersection& found,
+                              const RunTimes& times) {
+  Json report = {{"schema", "blossom.self-intersection/1"},
+                 {"input", input.name},
+                 {"verdict", verdict_of(found)}};
   add_times(found, times, report);
   add_findings(input, input, found, report);
   report["repairs"] = Json::array({repairs_json(input)});
   return report;
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::reports

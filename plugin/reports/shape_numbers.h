@@ -8,9 +8,9 @@
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/convert/border_numbers.h"
-#include "plugin/cli/output.h"
+#include "plugin/reports/json.h"
 
-namespace blossom::cli {
+namespace blossom::reports {
 
 /// Numbers of a model's edges and vertices, 1-based in the order of TopExp::MapShapes.
 class ShapeNumbers {
@@ -26,4 +26,4 @@ class ShapeNumbers {
   occt::BorderNumbers numbers_;
 };
 
-}  // namespace blossom::cli
+}  // namespace blossom::reports

@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "adapters/occt/intersection.h"
-#include "plugin/cli/inputs.h"
-#include "plugin/cli/output.h"
+#include "plugin/reports/input.h"
+#include "plugin/reports/json.h"
 
-namespace blossom::cli {
+namespace blossom::reports {
 
 /// Seconds from two shapes in memory to finished curves.
 struct RunTimes {
@@ -31,6 +31,13 @@ struct ChainFacts {
 };
 ChainFacts facts_of(const std::vector<IntersectionCurve>& curves, const CurveChain& chain);
 
+/// Whether surfaces keep within tolerance of each other in a place; an overlap has an area besides.
+bool is_contact(const Place& place);
+
+/// Whether faces of one input meet: "none found", "found" or "undecided". While something is open,
+/// none may be there that was not found.
+const char* verdict_of(const occt::ShapeIntersection& found);
+
 /// Pieces that other commands' reports have in common with it.
 Json to_json(const Vec2& point);
 Json to_json(const Vec3& point);
@@ -46,8 +53,7 @@ Json intersection_report(const Input& a, const Input& b, const occt::ShapeInters
 
 /// Likewise of the faces of one input with themselves, schema "blossom.self-intersection/1"; see
 /// plugin/cli/schemas/self-intersection-1.md.
-/// verdict  "none found", "found" or "undecided"
-Json self_intersection_report(const Input& input, const char* verdict,
-                              const occt::ShapeIntersection& found, const RunTimes& times);
+Json self_intersection_report(const Input& input, const occt::ShapeIntersection& found,
+                              const RunTimes& times);
 
-}  // namespace blossom::cli
+}  // namespace blossom::reports

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "adapters/occt/repairs.h"
-#include "plugin/cli/inputs.h"
-#include "plugin/cli/output.h"
+#include "plugin/reports/input.h"
+#include "plugin/reports/json.h"
 
-namespace blossom::cli {
+namespace blossom::reports {
 
 /// "117 parameter curves recomputed (up to 0.004), 34 tolerances raised (up to 2e-05)".
 std::string summary_of(const occt::Repairs& repairs);
@@ -22,4 +22,4 @@ std::vector<std::string> details_of(const occt::Repairs& repairs);
 /// command takes them.
 Json repairs_json(const Input& input);
 
-}  // namespace blossom::cli
+}  // namespace blossom::reports

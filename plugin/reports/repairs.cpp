@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/repairs.h"
+#include "plugin/reports/repairs.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <iomanip>
 #include <sstream>
 
-namespace blossom::cli {
+namespace blossom::reports {
 namespace {
 
 constexpr std::size_t kListed = 10;
@@ -103,4 +103,4 @@ Json repairs_json(const Input& input) {
           {"faces_not_repaired", repairs.failed}};
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::reports

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/shape_numbers.h"
+#include "plugin/reports/shape_numbers.h"
 
-namespace blossom::cli {
+namespace blossom::reports {
 
 Json ShapeNumbers::place(const TopoDS_Shape& on, int face) const {
   const occt::BorderNumber found = numbers_.of(on, face);
@@ -13,4 +13,4 @@ std::string ShapeNumbers::text(const TopoDS_Shape& on, int face) const {
   return std::string(found.kind) + " " + std::to_string(found.number);
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::reports

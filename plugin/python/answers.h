@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The questions of the module and what it hands to Python as answers.
+
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+#include <TopoDS_Shape.hxx>
+
+#include "adapters/occt/plane_section.h"
+#include "adapters/occt/strip.h"
+#include "core/base/status.h"
+#include "plugin/python/control.h"
+#include "plugin/python/loaded_model.h"
+#include "plugin/reports/json.h"
+
+namespace blossom::python {
+
+/// Each is made when it is asked for. Functions hold what they need of models and results.
+struct Answer {
+  std::function<reports::Json()> report;  ///< as the command line writes it
+  std::function<SharedModel()> model;     ///< the shape that was made; none if that is nothing
+  /// What has more than the report, as arrays of numpy. With Python's lock.
+  std::function<pybind11::dict()> records;
+};
+
+/// A report as `--json` gives it: with what reading these models lost, and a status no better than
+/// that allows.
+reports::Json with_reading(reports::Json report, const std::vector<SharedModel>& models);
+
+/// A status as it may be said of an answer: at most Tolerance if shapes are missing.
+Status stated_status(Status status, const std::vector<SharedModel>& models);
+
+Answer intersect(const SharedModel& a, const SharedModel& b, const Control& control);
+/// all_faces   different faces with each other, too
+Answer self_intersect(const SharedModel& model, bool all_faces, const Control& control);
+
+/// normal   of any length but 0, as is a direction
+Answer section(const SharedModel& model, const Vec3& point, const Vec3& normal,
+               const Control& control);
+Answer cast_ray(const SharedModel& model, const Vec3& from, const Vec3& direction, bool first_only,
+                bool line, const Control& control);
+Answer least_distance(const SharedModel& a, const SharedModel& b, const Control& control);
+Answer does_intersect(const SharedModel& a, const SharedModel& b, const Control& control);
+Answer nearest_point(const SharedModel& model, const Vec3& at, bool all, const Control& control);
+Answer check(const SharedModel& model, const Control& control);
+Answer info(const SharedModel& model, const Control& control);
+
+Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,
+            const std::vector<occt::Plane>& planes, const std::string& keep,
+            const Control& control);
+Answer combine_solids(const std::string& operation, const SharedModel& part,
+                      const std::vector<SharedModel>& tools, const std::vector<occt::Plane>& planes,
+                      const Control& control);
+Answer watertight(const SharedModel& model, const Control& control);
+Answer strip_between(const SharedModel& a, const SharedModel& b,
+                     const occt::FaceStripOptions& options, const Control& control);
+
+/// A plane whose normal has the length 1.
+/// throws   InvalidInput if the normal is 0
+occt::Plane plane_of(const Vec3& point, const Vec3& normal);
+
+}  // namespace blossom::python

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Answers that are shapes: trims, solids, watertight pieces, strips."""
+
+from typing import Any, Dict, List
+
+from ._results import Result, counted
+
+
+class Trim(Result):
+    """A part cut by tools; a list of pieces. Its shape is what is kept, with faces that were not to
+    be cut."""
+
+    @property
+    def pieces(self) -> List[Dict[str, Any]]:
+        """Each with `face`, `piece`, `side`, `kept` and `area`."""
+        return list(self._told()["pieces"])
+
+    @property
+    def notes(self) -> List[str]:
+        """What was left out, and why."""
+        return list(self._told()["notes"])
+
+    def _items(self) -> List[Any]:
+        return self.pieces
+
+    def _summary(self) -> str:
+        kept = sum(piece["kept"] for piece in self.pieces)
+        return f"{self.status}, {counted(len(self.pieces), 'piece')}, {kept} kept"
+
+
+class Solid(Result):
+    """Combined solids; a list of what came out, each with `faces` and `voids`."""
+
+    @property
+    def operation(self) -> str:
+        return str(self._told()["operation"])
+
+    @property
+    def volume(self) -> float:
+        """Of all that came out."""
+        return float(self._told()["total"]["result"])
+
+    @property
+    def volumes(self) -> Dict[str, float]:
+        """Of the inputs and what came out: `part`, `tools`, `result`."""
+        return dict(self._told()["total"])
+
+    @property
+    def obstacles(self) -> List[str]:
+        """Why there is no result; none if it can be used."""
+        return list(self._told()["obstacles"])
+
+    def _items(self) -> List[Any]:
+        return list(self._told()["solids"])
+
+    def _summary(self) -> str:
+        told = f"{self.operation}, {self.status}, {counted(len(self), 'solid')}"
+        return f"{told}, {self.obstacles[0]}" if self.obstacles else told
+
+
+class Watertight(Result):
+    """Untrimmed pieces with common sides; a list of them, each with `face`, `kind` ("patch" or
+    "triangle"), `degree` and `points`, (n + 1, m + 1, 3) or the rows of a triangle, (k, 3)."""
+
+    @property
+    def pieces(self) -> List[Dict[str, Any]]:
+        return list(self._made()["pieces"])
+
+    @property
+    def deviation(self) -> float:
+        """How far pieces are from the faces, at most."""
+        return float(self._told()["deviation"])
+
+    @property
+    def seconds(self) -> float:
+        raise AttributeError("watertight pieces tell no time")
+
+    def _items(self) -> List[Any]:
+        return self.pieces
+
+    def _summary(self) -> str:
+        told = self._told()
+        return (
+            f"{self.status}, {counted(told['patches'], 'patch').replace('patchs', 'patches')}, "
+            f"{counted(told['triangles'], 'triangle')}"
+        )
+
+
+class Strip(Result):
+    """A strip between two faces, and how well it continues them."""
+
+    @property
+    def status(self) -> str:
+        return "complete"
+
+    @property
+    def edge_a(self) -> str:
+        """The border that was joined: "umin", "umax", "vmin" or "vmax"."""
+        return str(self._told()["a"]["edge"])
+
+    @property
+    def edge_b(self) -> str:
+        return str(self._told()["b"]["edge"])
+
+    @property
+    def backward(self) -> bool:
+        """The border of b runs backwards along the strip."""
+        return bool(self._told()["backward"])
+
+    @property
+    def continuity_a(self) -> Dict[str, float]:
+        """`gap` in model units, `normal_angle` in radians, `scale`: how many times the surface's
+        own cross derivative the strip's is."""
+        return dict(self._told()["continuity"]["a"])
+
+    @property
+    def continuity_b(self) -> Dict[str, float]:
+        return dict(self._told()["continuity"]["b"])
+
+    def _items(self) -> List[Any]:
+        return [self.continuity_a, self.continuity_b]
+
+    def _summary(self) -> str:
+        return f"from {self.edge_a} of a to {self.edge_b} of b"

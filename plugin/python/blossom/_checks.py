@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Looks at what users pass, in one place: a wrong type is a TypeError, a wrong value a ValueError,
+and both name the argument, what came and what is wanted."""
+
+import math
+import numbers
+import os
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+
+from . import _core
+
+Triple = Tuple[float, float, float]
+
+FORMS = ("auto", "bezier", "monomial")
+SIDES = ("umax", "umin", "vmax", "vmin")
+
+
+def kind(value: object) -> str:
+    """What messages call a value's type."""
+    return type(value).__name__
+
+
+def number(value: Any, name: str) -> float:
+    """A finite number."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name}: a number is wanted, got {kind(value)}")
+    made = float(value)
+    if not math.isfinite(made):
+        raise ValueError(f"{name}: {made} is not finite")
+    return made
+
+
+def positive(value: Any, name: str) -> float:
+    """A finite number above 0."""
+    made = number(value, name)
+    if made <= 0:
+        raise ValueError(f"{name}: {made} is not positive")
+    return made
+
+
+def not_negative(value: Any, name: str) -> float:
+    """A finite number, 0 or more."""
+    made = number(value, name)
+    if made < 0:
+        raise ValueError(f"{name}: {made} is negative")
+    return made
+
+
+def whole(value: Any, name: str, least: int) -> int:
+    """A whole number that is not less than another one."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Integral):
+        raise TypeError(f"{name}: a whole number is wanted, got {kind(value)}")
+    made = int(value)
+    if made < least:
+        raise ValueError(f"{name}: {made} is less than {least}")
+    if made > 2**31 - 1:
+        raise ValueError(f"{name}: {made} is too large")
+    return made
+
+
+def flag(value: Any, name: str) -> bool:
+    """True or False."""
+    if not isinstance(value, bool):
+        raise TypeError(f"{name}: True or False is wanted, got {kind(value)}")
+    return value
+
+
+def word(value: Any, name: str, known: Sequence[str]) -> str:
+    """One of some words."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: one of {', '.join(known)} is wanted, got {kind(value)}")
+    if value not in known:
+        raise ValueError(f"{name}: '{value}' is none of {', '.join(known)}")
+    return value
+
+
+def path(value: Any, name: str) -> str:
+    """A file's name."""
+    if isinstance(value, (str, os.PathLike)):
+        made = os.fspath(value)
+        if isinstance(made, str):
+            if "\0" in made:
+                raise ValueError(f"{name}: a file's name has no null character")
+            return made
+    raise TypeError(f"{name}: a str or a Path is wanted, got {kind(value)}")
+
+
+def vector(value: Any, name: str) -> Triple:
+    """Three finite numbers: a sequence, an array, or FreeCAD's Vector."""
+    try:
+        parts = list(value)
+    except TypeError:
+        raise TypeError(f"{name}: three numbers are wanted, got {kind(value)}") from None
+    if isinstance(value, (str, bytes)):
+        raise TypeError(f"{name}: three numbers are wanted, got {kind(value)}")
+    if len(parts) != 3:
+        raise ValueError(f"{name}: three numbers are wanted, got {len(parts)}")
+    x, y, z = (number(part, name) for part in parts)
+    return (x, y, z)
+
+
+def planes(value: Any, name: str) -> List[Tuple[Triple, Triple]]:
+    """Pairs of a point and a normal."""
+    try:
+        listed = [list(pair) for pair in value]
+    except TypeError:
+        raise TypeError(
+            f"{name}: a list of pairs (point, normal) is wanted, got {kind(value)}"
+        ) from None
+    for pair in listed:
+        if len(pair) != 2:
+            raise ValueError(f"{name}: a plane is a pair (point, normal), got {len(pair)} members")
+    return [(vector(p, f"{name}, point"), vector(n, f"{name}, normal")) for p, n in listed]
+
+
+def face_numbers(value: Any, name: str) -> List[int]:
+    """One or more numbers of faces, each once, in increasing order."""
+    try:
+        listed = [whole(each, name, 1) for each in value]
+    except TypeError as error:
+        if str(error).startswith(f"{name}:"):
+            raise
+        raise TypeError(f"{name}: a list of face numbers is wanted, got {kind(value)}") from None
+    if not listed:
+        raise ValueError(f"{name}: there is no face number in it")
+    return sorted(set(listed))
+
+
+_KNOWN_OPTIONS = ("tolerance", "form", "time_limit", "budget", "threads", "cancel", "progress")
+
+Progress = Callable[[float], object]
+
+
+def control(options: Dict[str, Any]) -> _core.Control:
+    """The options that all questions have in common; see the package's help."""
+    for name in options:
+        if name not in _KNOWN_OPTIONS:
+            raise TypeError(f"there is no option '{name}'; there are {', '.join(_KNOWN_OPTIONS)}")
+    cancel: Optional[_core.Cancel] = options.get("cancel")
+    if cancel is not None and not isinstance(cancel, _core.Cancel):
+        raise TypeError(f"cancel: a blossom.Cancel is wanted, got {kind(cancel)}")
+    progress: Union[Progress, None] = options.get("progress")
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress: a function of the seconds is wanted, got {kind(progress)}")
+    budget = options.get("budget")
+    return _core.Control(
+        tolerance=positive(options.get("tolerance", 1e-7), "tolerance"),
+        form=word(options.get("form", "auto"), "form", FORMS),
+        time_limit=not_negative(options.get("time_limit", 0), "time_limit"),
+        budget=None if budget is None else whole(budget, "budget", 1),
+        threads=whole(options.get("threads", 0), "threads", 0),
+        cancel=cancel,
+        progress=progress,
+    )

@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Answers to questions about planes, rays, points and distances, and about models as they are."""
+
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Tuple
+
+import numpy as np
+
+from ._results import Array, Indices, Record, Result, counted
+
+
+@dataclass(eq=False, repr=False)
+class SectionCurve(Record):
+    """A curve of a section.
+
+    points            samples in order, (n, 3)
+    degree, poles, weights, knots, multiplicities
+                      the curve as a B-spline; weights are None where all are 1
+    on                what it lies on: {"kind": "face", "number": 3}, or an edge in the plane
+    nodes             places in the section's nodes; -1 of a loop
+    """
+
+    points: Array
+    on: Dict[str, Any]
+    nodes: List[int]
+    closed: bool
+    tangential: bool
+    length: float
+    conic: Optional[Dict[str, Any]]
+    deviation: float
+    deviation_proven: bool
+    degree: int
+    poles: Array
+    weights: Optional[Array]
+    knots: Array
+    multiplicities: Indices
+
+
+@dataclass(eq=False, repr=False)
+class Wire(Record):
+    """Curves that follow each other: places in the section's curves, and whether each is walked
+    forward."""
+
+    curves: List[Tuple[int, bool]]
+    closed: bool
+    length: float
+    points: Array
+
+
+class Section(Result):
+    """The section of a model with a plane; a list of wires."""
+
+    @property
+    def curves(self) -> List[SectionCurve]:
+        splines = self._made()["splines"]
+        told = self._told()["curves"]
+        curves = []
+        for curve, spline in zip(told, splines):
+            members: Dict[str, Any] = {**curve, **spline}
+            members["points"] = np.array(curve["points"], float)
+            curves.append(SectionCurve(**members))
+        return curves
+
+    @property
+    def wires(self) -> List[Wire]:
+        told = self._told()
+        points = [np.array(curve["points"], float).reshape(-1, 3) for curve in told["curves"]]
+        wires = []
+        for wire in told["wires"]:
+            uses = [(use["curve"], use["forward"]) for use in wire["curves"]]
+            pieces = [points[i] if forward else points[i][::-1] for i, forward in uses]
+            wires.append(Wire(uses, wire["closed"], wire["length"], np.concatenate(pieces)))
+        return wires
+
+    @property
+    def points(self) -> Array:
+        """Where the model only touches the plane, (n, 3)."""
+        told = self._told()
+        found = [told["nodes"][node]["point"] for node in told["points"]]
+        return np.array(found, float).reshape(-1, 3)
+
+    @property
+    def faces_in_plane(self) -> List[int]:
+        return list(self._told()["faces_in_plane"])
+
+    def _items(self) -> List[Any]:
+        return self.wires
+
+    def _summary(self) -> str:
+        told = self._told()
+        return (
+            f"{self.status}, {counted(len(told['wires']), 'wire')}, "
+            f"{counted(len(told['curves']), 'curve')}, {counted(len(told['points']), 'point')}"
+        )
+
+
+@dataclass(eq=False, repr=False)
+class Hit(Record):
+    """Where a ray meets a face. `first` and `last` differ where it runs in the face."""
+
+    distance: float
+    first: float
+    last: float
+    point: Array
+    face: int
+    uv: Array
+    normal: Array
+    on: Dict[str, Any]
+    grazing: bool
+    status: str
+
+
+class RayHits(Result):
+    """What a ray hits, in order; a list of hits."""
+
+    @property
+    def hits(self) -> List[Hit]:
+        arrays = ("point", "uv", "normal")
+        return [
+            Hit(**{k: np.array(v, float) if k in arrays else v for k, v in hit.items()})
+            for hit in self._told()["hits"]
+        ]
+
+    def _items(self) -> List[Any]:
+        return self.hits
+
+    def _summary(self) -> str:
+        return f"{self.status}, {counted(len(self._told()['hits']), 'hit')}"
+
+
+class Distance(Result):
+    """How far two models are apart, and how they lie to each other; a list of pairs of bodies that
+    are not disjoint."""
+
+    @property
+    def distance(self) -> float:
+        """0 where they have points in common."""
+        return float(self._told()["distance"][1])
+
+    @property
+    def bounds(self) -> Tuple[float, float]:
+        """The distance is proven to lie between these."""
+        low, high = self._told()["distance"]
+        return (low, high)
+
+    @property
+    def relation(self) -> str:
+        """ "disjoint", "touching", "crossing", "a inside b", "b inside a", "equal", "unknown"."""
+        return str(self._told()["relation"])
+
+    @property
+    def nearest_a(self) -> Array:
+        """The point of a's boundary that is nearest to b's."""
+        return np.array(self._told()["nearest_a"]["point"], float)
+
+    @property
+    def nearest_b(self) -> Array:
+        return np.array(self._told()["nearest_b"]["point"], float)
+
+    def __float__(self) -> float:
+        return self.distance
+
+    def _items(self) -> List[Any]:
+        return list(self._told()["pairs"])
+
+    def _summary(self) -> str:
+        return f"{self.status}, {self.relation}, distance {self.distance:g}"
+
+
+class Meeting(Distance):
+    """Whether two models have a point in common."""
+
+    @property
+    def answer(self) -> str:
+        """ "yes", "touching", "no" or "unknown"."""
+        return str(self._told()["answer"])
+
+    def _summary(self) -> str:
+        return f"{self.status}, {self.answer}, {self.relation}"
+
+
+class FootPoints(Result):
+    """What of a model is nearest to a point; a list of feet, where the distance is stationary."""
+
+    @property
+    def distance(self) -> float:
+        return float(self._told()["distance"][1])
+
+    @property
+    def bounds(self) -> Tuple[float, float]:
+        low, high = self._told()["distance"]
+        return (low, high)
+
+    @property
+    def point(self) -> Array:
+        """The nearest point."""
+        return np.array(self._told()["nearest"]["point"], float)
+
+    @property
+    def on(self) -> Dict[str, Any]:
+        """What the nearest point is on: {"kind": "face", "number": 3}."""
+        return dict(self._told()["nearest"]["on"])
+
+    @property
+    def feet(self) -> List[Dict[str, Any]]:
+        return list(self._told().get("feet", []))
+
+    @property
+    def inside(self) -> Optional[bool]:
+        """Whether the point is inside of a solid; None if that is not known, or it is on a
+        boundary."""
+        places = [solid["place"] for solid in self._told()["solids"]]
+        if "inside" in places:
+            return True
+        return None if "unknown" in places or "on the boundary" in places else False
+
+    def __float__(self) -> float:
+        return self.distance
+
+    def _items(self) -> List[Any]:
+        return self.feet
+
+    def _summary(self) -> str:
+        return f"{self.status}, distance {self.distance:g}, {counted(len(self.feet), 'foot point')}"
+
+
+class Check(Result):
+    """What is wrong with a model; a list of problems."""
+
+    @property
+    def sound(self) -> bool:
+        return bool(self._told()["sound"])
+
+    @property
+    def problems(self) -> List[str]:
+        """Of the whole, of faces and of edges, in words."""
+        told = self._told()
+        found = [str(problem) for problem in told["problems"]]
+        for kind in ("face", "edge"):
+            for each in told[f"{kind}s"]:
+                found += [f"{kind} {each['number']}: {text}" for text in each["problems"]]
+        return found
+
+    @property
+    def status(self) -> str:
+        """ "sound" or "not sound"."""
+        return str(self._told()["verdict"])
+
+    @property
+    def seconds(self) -> float:
+        raise AttributeError("a check tells no time")
+
+    def _items(self) -> List[Any]:
+        return self.problems
+
+    def _summary(self) -> str:
+        return f"{self.status}, {counted(int(self._told()['problem_count']), 'problem')}"

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all answers have in common."""
+
+import copy
+import os
+from dataclasses import fields
+from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _checks, _core, _shapes
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int32]
+Report = Dict[str, Any]
+
+
+class MadeShape:
+    """Something that has a shape to give away."""
+
+    def _core_model(self) -> _core.Model:
+        raise NotImplementedError
+
+    def to_brep(self) -> bytes:
+        """The shape as BRep text."""
+        return self._core_model().brep()
+
+    def to_part(self) -> Any:
+        """The shape as one of FreeCAD's Part."""
+        return _shapes.part_shape(self._core_model())
+
+    def to_step(self, path: Union[str, "os.PathLike[str]"], **options: Any) -> None:
+        """Writes the shape to a STEP file, with the names and colours that it has."""
+        file = _checks.path(path, "path")
+        if not file.lower().endswith((".step", ".stp")):
+            raise ValueError(f"path: {file} does not end with .step or .stp; write() takes others")
+        self.write(file, **options)
+
+    def write(self, path: Union[str, "os.PathLike[str]"], **options: Any) -> None:
+        """Writes the shape to a file: .step, .iges or .brep. The file is there whole or not at
+        all."""
+        self._core_model().write(_checks.path(path, "path"), _checks.control(options))
+
+
+class Result(MadeShape):
+    """An answer. `to_dict()` is the report of the command line, `blossom ... --json`."""
+
+    _words: Tuple[str, ...] = ()
+
+    def __init__(self, answer: _core.Answer) -> None:
+        self._answer: Optional[_core.Answer] = answer
+        self._report: Optional[Report] = None
+        self._records: Optional[Dict[str, Any]] = None
+        self._model: Optional[_core.Model] = None
+
+    def _told(self) -> Report:
+        if self._report is None:
+            assert self._answer is not None
+            self._report = self._answer.report()
+        return self._report
+
+    def _made(self) -> Dict[str, Any]:
+        if self._records is None:
+            assert self._answer is not None
+            self._records = self._answer.records()
+        return self._records
+
+    def _model_or_none(self) -> Optional[_core.Model]:
+        if self._model is None and self._answer is not None:
+            self._model = self._answer.model()
+        return self._model
+
+    def _core_model(self) -> _core.Model:
+        model = self._model_or_none()
+        if model is None:
+            raise _core.Error(f"{type(self).__name__}: there is no shape in this answer")
+        return model
+
+    def to_dict(self) -> Report:
+        """The report, as the command line writes it; yours to change."""
+        return copy.deepcopy(self._told())
+
+    @property
+    def status(self) -> str:
+        """ "complete", "tolerance" or "stopped"."""
+        return str(self._told()["status"])
+
+    @property
+    def seconds(self) -> float:
+        """From the model in memory to the answer."""
+        return float(self._told()["seconds"])
+
+    def __getstate__(self) -> Dict[str, Any]:
+        model = self._model_or_none()
+        return {
+            "report": self._told(),
+            "records": self._made(),
+            "brep": None if model is None else model.brep(),
+        }
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self._answer = None
+        self._report = state["report"]
+        self._records = state["records"]
+        brep = state["brep"]
+        self._model = None if brep is None else _core.read_bytes(brep, "unpickled")
+
+    def _items(self) -> List[Any]:
+        """What the answer is a list of."""
+        raise NotImplementedError
+
+    def __len__(self) -> int:
+        return len(self._items())
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(self._items())
+
+    def __getitem__(self, index: int) -> Any:
+        return self._items()[index]
+
+    def __bool__(self) -> bool:
+        return True  # an empty answer is an answer
+
+    def _summary(self) -> str:
+        return self.status
+
+    def __repr__(self) -> str:
+        return f"<blossom.{type(self).__name__}: {self._summary()}>"
+
+
+def counted(count: int, noun: str) -> str:
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
+class Record:
+    """A part of an answer; its fields are compared by identity, since some are arrays."""
+
+    def __repr__(self) -> str:
+        told = []
+        for field in fields(self):
+            value = getattr(self, field.name)
+            told.append(
+                f"{field.name}=array{value.shape}"
+                if isinstance(value, np.ndarray)
+                else f"{field.name}={value!r}"
+            )
+        return f"{type(self).__name__}({', '.join(told)})"

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Shapes of all kinds as the compiled part's models, and models as shapes of FreeCAD's Part."""
+
+import functools
+import importlib
+import io
+import os
+import re
+import sys
+import tempfile
+from typing import Any, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _checks, _core
+
+_WANTED = (
+    "a file's name, BRep text or bytes, a shape of FreeCAD's Part, an object that exports BRep, "
+    "a numpy net or a Model is wanted"
+)
+# How the text that Open CASCADE writes begins, with or without DRAW's first line.
+_BREP_TEXT = re.compile(r"\s*(DBRep_DrawableShape|CASCADE Topology V)")
+
+
+def core_model(shape: Any, name: str) -> _core.Model:
+    """The model of any accepted argument."""
+    try:
+        return _core_model(shape, name)
+    except ReferenceError as gone:  # FreeCAD's word for what belonged to a closed document
+        raise ValueError(f"{name}: the object is deleted, or its document closed") from gone
+
+
+def _core_model(shape: Any, name: str) -> _core.Model:
+    if isinstance(shape, _core.Model):
+        return shape
+    if isinstance(shape, (bytes, bytearray, memoryview)):
+        return _core.read_bytes(bytes(shape), name)
+    if isinstance(shape, str) and _BREP_TEXT.match(shape):
+        return _core.read_bytes(shape.encode(), name)
+    if isinstance(shape, (str, os.PathLike)):
+        return _core.read_file(_checks.path(shape, name), False, _checks.control({}))
+    if isinstance(shape, np.ndarray) or hasattr(shape, "__array_interface__"):
+        return net_model(shape, name)
+    if hasattr(shape, "exportBinary") and hasattr(shape, "isNull"):
+        return _part_model(shape, name)
+    exported = _exported_brep(shape, name)
+    if exported is not None:
+        return _core.read_bytes(exported, name)
+    raise TypeError(f"{name}: {_WANTED}, got {_checks.kind(shape)}")
+
+
+def net_model(net: Any, name: str) -> _core.Model:
+    """The face of a net with two directions, the edge of one with one direction."""
+    array = _numbers(net, name)
+    if array.ndim == 2:
+        return _core.net_edge(array, None, name)
+    return _core.net_face(array, None, None, name)
+
+
+def _numbers(net: Any, name: str) -> np.ndarray[Any, np.dtype[np.float64]]:
+    array = np.asarray(net)
+    if array.dtype.kind not in "iuf":
+        raise ValueError(f"{name}: a net holds numbers, got {array.dtype}")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
+
+def spline_model(
+    poles: Any, weights: Any, knots: Any, multiplicities: Any, degree: Any, directions: int
+) -> _core.Model:
+    """The model of a B-spline with poles, or of a Bezier form if there are no knots."""
+    name = "poles"
+    net = _numbers(poles, name)
+    if weights is not None:
+        listed = _numbers(weights, "weights")
+        if net.ndim != directions + 1 or net.shape[-1] != 3 or listed.shape != net.shape[:-1]:
+            raise ValueError(
+                f"weights: one for each pole of three coordinates is wanted, got the shapes "
+                f"{listed.shape} and {net.shape}"
+            )
+        net = np.concatenate([net, listed[..., np.newaxis]], axis=-1)
+    if directions == 1:
+        return _core.net_edge(net, _knot_vector(knots, multiplicities, degree, "knots"), name)
+    if knots is None and multiplicities is None and degree is None:
+        return _core.net_face(net, None, None, name)
+    pairs = [_pair(knots, "knots"), _pair(multiplicities, "multiplicities"), _pair(degree, "degree")]
+    u, v = (
+        _knot_vector(pairs[0][k], pairs[1][k], pairs[2][k], f"knots, along {'uv'[k]}")
+        for k in (0, 1)
+    )
+    return _core.net_face(net, u, v, name)
+
+
+def _pair(value: Any, name: str) -> Sequence[Any]:
+    try:
+        pair = list(value)
+    except TypeError:
+        pair = []
+    if len(pair) != 2:
+        raise ValueError(f"{name}: a pair is wanted, along u and along v")
+    return pair
+
+
+def _knot_vector(
+    knots: Any, multiplicities: Any, degree: Any, name: str
+) -> Optional[_core.KnotVector]:
+    if knots is None and multiplicities is None and degree is None:
+        return None
+    if knots is None or multiplicities is None or degree is None:
+        raise ValueError(f"{name}: knots, multiplicities and degree go together")
+    return _core.KnotVector(
+        degree=_checks.whole(degree, "degree", 1),
+        knots=[_checks.number(knot, name) for knot in knots],
+        multiplicities=[_checks.whole(each, "multiplicities", 1) for each in multiplicities],
+    )
+
+
+def _part_model(shape: Any, name: str) -> _core.Model:
+    """A shape of FreeCAD's Part: itself over SWIG's bridge, else a copy."""
+    if shape.isNull():
+        raise ValueError(f"{name}: the shape is null")
+    part = sys.modules.get("Part")
+    if part is not None and _has_bridge(part):
+        model = _core.from_swig(part.__toPythonOCC__(shape), name)
+        if model is not None:
+            return model
+    return _core.read_bytes(_part_brep(shape), name)
+
+
+def _part_brep(shape: Any) -> bytes:
+    """Binary, for it keeps every digit; Part writes it to files only."""
+    with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
+        file = os.path.join(folder, "shape.bin")
+        shape.exportBinary(file)
+        with open(file, "rb") as stream:
+            return stream.read()
+
+
+@functools.lru_cache(maxsize=None)
+def _has_bridge(part: Any) -> bool:
+    """Whether Part's shapes are those of our Open CASCADE, and SWIG hands them over.
+
+    Shapes of another copy of Open CASCADE have the same name and another layout: to take one of
+    them for ours would crash.
+    """
+    if not _core.has_swig_bridge or not hasattr(part, "__toPythonOCC__"):
+        return False
+    if getattr(part, "OCC_VERSION", None) != _core.occt_version or len(_loaded_kernels()) != 1:
+        return False
+    try:
+        importlib.import_module("blossom.swig_shapes")
+    except ImportError:
+        return False
+    return True
+
+
+def _loaded_kernels() -> List[str]:
+    """The copies of Open CASCADE in this process."""
+    try:
+        with open("/proc/self/maps", encoding="utf-8") as maps:
+            return sorted({line.split()[-1] for line in maps if "libTKernel" in line})
+    except OSError:
+        return []
+
+
+def _exported_brep(shape: Any, name: str) -> Optional[bytes]:
+    """The BRep bytes of an object of CadQuery, build123d or pythonOCC; None if it is none."""
+    for method in ("exportBrep", "export_brep"):
+        export = getattr(shape, method, None)
+        if callable(export):
+            return _written_brep(export, name)
+    value = getattr(shape, "val", None)  # CadQuery's Workplane
+    if callable(value) and hasattr(shape, "objects"):
+        return _exported_brep(value(), name)
+    for inner in (shape, getattr(shape, "wrapped", None)):
+        exporter = _breptools_of(inner)
+        if exporter is not None:
+            return _written_by_breptools(exporter, inner)
+    return None
+
+
+def _written_brep(export: Any, name: str) -> bytes:
+    stream = io.BytesIO()
+    try:
+        export(stream)
+        return stream.getvalue()
+    except TypeError:  # it writes files only
+        with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
+            file = os.path.join(folder, "shape.brep")
+            export(file)
+            if not os.path.exists(file):
+                raise ValueError(f"{name}: its export wrote no file") from None
+            with open(file, "rb") as written:
+                return written.read()
+
+
+# Where bindings of Open CASCADE keep what writes a shape.
+_BREPTOOLS: Tuple[Tuple[str, str, str], ...] = (
+    ("OCP.", "OCP.BRepTools", "BRepTools"),
+    ("OCC.", "OCC.Core.BRepTools", "breptools"),
+)
+
+
+def _breptools_of(shape: Any) -> Any:
+    module = type(shape).__module__ or ""
+    if not type(shape).__name__.startswith("TopoDS_"):
+        return None
+    for prefix, tools, member in _BREPTOOLS:
+        if module.startswith(prefix):
+            return getattr(importlib.import_module(tools), member, None)
+    return None
+
+
+def _written_by_breptools(tools: Any, shape: Any) -> bytes:
+    with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
+        file = os.path.join(folder, "shape.brep")
+        write = getattr(tools, "Write_s", None) or tools.Write
+        write(shape, file)
+        with open(file, "rb") as written:
+            return written.read()
+
+
+def part_shape(model: _core.Model) -> Any:
+    """A shape of FreeCAD's Part."""
+    try:
+        part = importlib.import_module("Part")
+    except ImportError as missing:
+        raise _core.Error(f"to_part: FreeCAD's Part cannot be imported: {missing}") from missing
+    if _has_bridge(part):
+        swig = model.swig()
+        if swig is not None:
+            return part.__fromPythonOCC__(swig)
+    shape = part.Shape()
+    shape.importBrepFromString(model.brep().decode("ascii"))
+    return shape

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Questions that make shapes: trims, solids, watertight pieces, strips.
+
+#include <list>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/half_space.h"
+#include "adapters/occt/watertight.h"
+#include "core/base/errors.h"
+#include "core/base/work_limit.h"
+#include "plugin/python/answers.h"
+#include "plugin/python/arrays.h"
+#include "plugin/python/json.h"
+#include "plugin/reports/repairs.h"
+#include "plugin/reports/solids.h"
+#include "plugin/reports/strip.h"
+#include "plugin/reports/trim.h"
+#include "plugin/reports/watertight.h"
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace blossom::python {
+namespace {
+
+constexpr double kWatertightFactor = 10;  // trims' own edges are about one tolerance off
+
+using Turns = std::list<LoadedModel::Turn>;
+
+// The turns of all models, each once and in one order for everybody.
+Turns turns_of(std::vector<SharedModel> models, const Watch& watch) {
+  std::ranges::sort(models, std::less<>(), [](const SharedModel& m) { return m->turn_order(); });
+  Turns turns;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    if (i == 0 || !models[i]->shares_turn(*models[i - 1])) turns.push_back(models[i]->turn(watch));
+  return turns;
+}
+
+std::vector<SharedModel> with_part(const SharedModel& part, std::vector<SharedModel> tools) {
+  tools.insert(tools.begin(), part);
+  return tools;
+}
+
+// The model's faces in a model of its own, with their names and colours, to be changed.
+occt::Model copy_of(const reports::Input& input) {
+  std::vector<occt::FaceOrigin> origins;
+  for (int number = 1; number <= input.model.face_count(); ++number)
+    origins.push_back({input.model.face(number), &input.model, number});
+  occt::Model copy;
+  copy.add_combined(input.model.shape(), input.model.part_name(1), origins);
+  return copy;
+}
+
+Answer made_answer(reports::Json report, SharedModel model) {
+  auto shared = std::make_shared<const reports::Json>(std::move(report));
+  return {.report = [shared] { return *shared; },
+          .model = [model = std::move(model)] { return model; },
+          .records = {}};
+}
+
+SharedModel made_model(const std::string& name, occt::Model model) {
+  if (model.face_count() == 0) return nullptr;
+  return std::make_shared<LoadedModel>(name, std::move(model), Repair::Never);
+}
+
+}  // namespace
+
+Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,
+            const std::vector<occt::Plane>& planes, const std::string& keep,
+            const Control& control) {
+  const std::optional<occt::TrimOptions> wanted = reports::trim_options(keep);
+  if (!wanted)
+    throw InvalidInput(
+        "keep: above, below, inside, outside, all or the number of a piece is "
+        "wanted, got '" +
+        keep + "'");
+  return interruptible(control, [&](const Watch& watch) {
+    const std::vector<SharedModel> models = with_part(part, tools);
+    const Turns turns = turns_of(models, watch);
+    part->faces(watch);
+    const reports::Input& input = part->repaired_input(watch);
+    std::vector<const reports::Input*> others;
+    std::vector<occt::TrimTool> cutters;
+    for (const SharedModel& tool : tools) {
+      tool->faces(watch);
+      others.push_back(&tool->repaired_input(watch));
+      cutters.push_back(reports::tool_of(*others.back()));
+    }
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      cutters.push_back(occt::plane_tool(planes[i], input.model.shape(), reports::plane_name(i)));
+    const double start = watch.seconds();
+    occt::TrimOptions options = *wanted;
+    options.intersection = watch.engine();
+    reports::TrimAnswer answer{.planes = planes, .keep = keep};
+    answer.made = occt::trim(reports::part_faces(input), cutters, options);
+    answer.seconds = watch.seconds() - start;
+    for (const reports::Input* tool : others) reports::note_invalid_faces(*tool, answer.made);
+    watch.stop();
+    occt::Model made = copy_of(input);
+    made.replace_faces(answer.made.replacements);
+    return made_answer(with_reading(reports::trim_report(input, others, answer), models),
+                       made_model("trim", std::move(made)));
+  });
+}
+
+namespace {
+
+occt::TrimTool solid_of(const reports::Input& input) {
+  occt::TrimTool tool = occt::trim_tool(input.model.shape());
+  tool.name = input.name;
+  if (!tool.is_solid())
+    throw occt::BadModel(input.name + " is no closed solid: " + occt::describe_open_shell(tool));
+  return tool;
+}
+
+// What gives the faces of a cut along a plane their name: the plane as a part.
+occt::Model plane_model(const occt::Plane& plane, const TopoDS_Shape& part,
+                        const std::string& name) {
+  occt::Model model;
+  model.add(occt::plane_tool(plane, part, name).faces.front(), name);
+  return model;
+}
+
+occt::Model model_of(const occt::SolidTrimResult& made, const occt::Model& part,
+                     const std::vector<const occt::Model*>& tools) {
+  occt::Model model;
+  const std::string name = part.part_name(1);
+  for (std::size_t i = 0; i < made.solids.size(); ++i) {
+    const bool one = made.solids.size() == 1;
+    model.add_combined(made.solids[i], one ? name : name + "." + std::to_string(i + 1),
+                       reports::origins_of(made.solids[i], made, part, tools));
+  }
+  return model;
+}
+
+}  // namespace
+
+Answer combine_solids(const std::string& operation, const SharedModel& part,
+                      const std::vector<SharedModel>& tools, const std::vector<occt::Plane>& planes,
+                      const Control& control) {
+  const std::optional<occt::SolidOperation> wanted = reports::solid_operation(operation);
+  if (!wanted)
+    throw InvalidInput("operation: '" + operation + "' is none of cut, common, fuse, split");
+  if (*wanted == occt::SolidOperation::Fuse && !planes.empty())
+    throw InvalidInput("planes: fuse takes none, what is above a plane has no end");
+  return interruptible(control, [&](const Watch& watch) {
+    const std::vector<SharedModel> models = with_part(part, tools);
+    const Turns turns = turns_of(models, watch);
+    const reports::Input& input = part->repaired_input(watch);
+    reports::SolidAnswer answer{.part = input.name, .planes = planes, .operation = operation};
+    answer.repairs.push_back(reports::repairs_json(input));
+    std::vector<occt::TrimTool> cutters;
+    std::vector<const occt::Model*> origins;
+    for (const SharedModel& tool : tools) {
+      const reports::Input& other = tool->repaired_input(watch);
+      answer.tools.push_back(other.name);
+      answer.repairs.push_back(reports::repairs_json(other));
+      cutters.push_back(solid_of(other));
+      origins.push_back(&other.model);
+    }
+    std::list<occt::Model> plane_models;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      cutters.push_back(
+          occt::half_space_tool(planes[i], input.model.shape(), reports::plane_name(i)));
+      plane_models.push_back(plane_model(planes[i], input.model.shape(), reports::plane_name(i)));
+      origins.push_back(&plane_models.back());
+    }
+    const double start = watch.seconds();
+    answer.made =
+        occt::trim_solids(solid_of(input), cutters, *wanted, watch.engine(), planes.size());
+    answer.seconds = watch.seconds() - start;
+    reports::note_faces(answer);
+    watch.stop();
+    return made_answer(with_reading(reports::solid_report(answer), models),
+                       made_model(operation, model_of(answer.made, input.model, origins)));
+  });
+}
+
+namespace {
+
+py::dict piece_record(const WatertightPiece& piece) {
+  py::dict record("face"_a = piece.face + 1);
+  if (const auto* triangle = std::get_if<BezierTriangle>(&piece.form)) {
+    record["kind"] = "triangle";
+    record["degree"] = triangle->degree;
+    record["points"] = points_array(std::span<const Vec3>(triangle->points));
+    return record;
+  }
+  const Grid<Vec3>& net = std::get<BezierPatch>(piece.form).points;
+  record["kind"] = "patch";
+  record["degree"] = py::make_tuple(net.rows() - 1, net.columns() - 1);
+  record["points"] = points_array(std::span<const Vec3>(net.values()))
+                         .attr("reshape")(net.rows(), net.columns(), 3);
+  return record;
+}
+
+}  // namespace
+
+Answer watertight(const SharedModel& model, const Control& control) {
+  auto made =
+      std::make_shared<occt::WatertightShape>(interruptible(control, [&](const Watch& watch) {
+        const LoadedModel::Turn turn = model->turn(watch);
+        model->faces(watch);
+        const reports::Input& input = model->repaired_input(watch);
+        const IntersectionOptions left = watch.engine();
+        const WorkLimit limit(left);
+        WatertightOptions options;
+        options.tolerance = kWatertightFactor * control.engine.tolerances.point;
+        options.ask = [&limit] { return limit.reached() == nullptr; };
+        return occt::watertight(reports::chosen_shape(input), options);
+      }));
+  if (!made->pieces.obstacle.empty() && made->pieces.open.empty())
+    throw occt::BadModel(model->name() +
+                         ": the faces cannot be made watertight: " + made->pieces.obstacle);
+  return {.report =
+              [made, model] {
+                reports::Json report = reports::to_json(made->pieces);
+                report["status"] = to_string(!made->pieces.open.empty()     ? Status::Stopped
+                                             : !made->pieces.turned.empty() ? Status::Tolerance
+                                                                            : Status::Complete);
+                return with_reading(std::move(report), {model});
+              },
+          .model =
+              [made] {
+                return made->shape.IsNull()
+                           ? nullptr
+                           : std::make_shared<LoadedModel>("watertight", made->shape);
+              },
+          .records =
+              [made] {
+                py::list pieces;
+                for (const WatertightPiece& piece : made->pieces.pieces)
+                  pieces.append(piece_record(piece));
+                return py::dict("pieces"_a = pieces);
+              }};
+}
+
+Answer strip_between(const SharedModel& a, const SharedModel& b,
+                     const occt::FaceStripOptions& options, const Control& control) {
+  return interruptible(control, [&](const Watch& watch) {
+    const BothTurns turns(*a, *b, watch);
+    for (const SharedModel& model : {a, b})
+      if (const std::size_t count = model->faces(watch).size(); count > 1)
+        throw occt::BadModel(model->name() + ": one face is wanted, got " + std::to_string(count));
+    const double start = watch.seconds();
+    const occt::FaceStrip strip =
+        occt::strip_between(a->faces(watch).front(), b->faces(watch).front(), options);
+    const double seconds = watch.seconds() - start;
+    reports::Json report = reports::strip_report(a->repaired_input(watch), b->repaired_input(watch),
+                                                 options.strip, strip, seconds);
+    return made_answer(with_reading(std::move(report), {a, b}),
+                       std::make_shared<LoadedModel>("strip", strip.face));
+  });
+}
+
+}  // namespace blossom::python

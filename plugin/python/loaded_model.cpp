@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/python/loaded_model.h"
+
+#include <chrono>
+#include <functional>
+#include <utility>
+
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/intersection_edges.h"
+
+namespace blossom::python {
+namespace {
+
+constexpr std::chrono::milliseconds kPause{20};  // between questions whether to wait any longer
+
+}  // namespace
+
+LoadedModel::LoadedModel(std::string name, occt::Model model, Repair repair)
+    : name_(std::move(name)),
+      repair_(repair),
+      model_(std::make_shared<occt::Model>(std::move(model))) {}
+
+LoadedModel::LoadedModel(std::string name, const TopoDS_Shape& shape)
+    : name_(std::move(name)), given_(shape) {}
+
+std::shared_ptr<LoadedModel> LoadedModel::part(const std::vector<int>& numbers,
+                                               const std::string& name) {
+  for (const int number : numbers) model().face(number);
+  std::shared_ptr<LoadedModel> made(new LoadedModel);
+  made->name_ = name;
+  made->repair_ = repair_;
+  made->given_ = given_;
+  made->numbers_ = numbers;
+  made->model_ = model_;
+  made->working_ = working_;
+  return made;
+}
+
+occt::Model& LoadedModel::model() {
+  if (!model_) {
+    model_ = std::make_shared<occt::Model>();
+    model_->add(given_, "");
+  }
+  return *model_;
+}
+
+const TopoDS_Shape& LoadedModel::whole_shape() const { return model_ ? model_->shape() : given_; }
+
+TopoDS_Shape LoadedModel::shape() {
+  if (!is_part()) return whole_shape();
+  return occt::compound_of(input().faces);
+}
+
+int LoadedModel::face_count() const {
+  if (is_part()) return static_cast<int>(numbers_.size());
+  return model_ ? model_->face_count() : static_cast<int>(occt::faces_of(given_).size());
+}
+
+const occt::Model* LoadedModel::file() const {
+  return model_ && !model_->file().empty() ? model_.get() : nullptr;
+}
+
+LoadedModel::Turn LoadedModel::turn(const Watch& watch) {
+  Turn turn(*working_, std::defer_lock);
+  while (!turn.try_lock_for(kPause)) watch.stop();
+  return turn;
+}
+
+const std::vector<TopoDS_Face>& LoadedModel::faces(const Watch& watch) {
+  if (model_) {
+    const reports::Input& input = repaired_input(watch);
+    if (input.faces.empty()) throw occt::BadModel(name_ + ": there is no face in it");
+    return input.faces;
+  }
+  if (faces_.empty()) faces_ = occt::faces_of(given_);
+  if (faces_.empty()) throw occt::BadModel(name_ + ": there is no face in it");
+  return faces_;
+}
+
+reports::Input& LoadedModel::input() {
+  if (measured_) return measured_->input;
+  occt::Model& all = model();
+  reports::Input input{name_, model_, all};
+  input.shape = all.shape();
+  input.numbers = numbers_;
+  for (int number = 1; number <= all.face_count() && numbers_.empty(); ++number)
+    input.numbers.push_back(number);
+  for (const int number : input.numbers) input.faces.push_back(all.face(number));
+  measured_.emplace(std::move(input));
+  return measured_->input;
+}
+
+reports::Input& LoadedModel::repaired_input(const Watch& watch) {
+  reports::Input& known = input();
+  if (repair_ == Repair::Never || repaired_) return known;
+  const std::function<void()> stop = [&watch] { watch.stop(); };
+  known.repairs = is_part() ? known.model.repair(known.numbers, stop) : known.model.repair(stop);
+  repaired_ = true;
+  return known;
+}
+
+reports::MeasuredInput& LoadedModel::measured(const Watch& watch) {
+  repaired_input(watch);
+  if (!measured_->bodies) measured_->prepare();
+  return *measured_;
+}
+
+const occt::ShapeRays& LoadedModel::rays(double tolerance, const Watch& watch) {
+  if (rays_ && rays_tolerance_ == tolerance) return *rays_;
+  const IntersectionOptions left = watch.engine();
+  const WorkLimit limit(left);
+  rays_.emplace(faces(watch), tolerance, &limit);
+  rays_tolerance_ = tolerance;
+  return *rays_;
+}
+
+BothTurns::BothTurns(LoadedModel& a, LoadedModel& b, const Watch& watch) {
+  // By address, so that two questions about the same two models never wait for each other.
+  LoadedModel* const lower = std::less<>()(a.turn_order(), b.turn_order()) ? &a : &b;
+  LoadedModel* const upper = lower == &a ? &b : &a;
+  first = lower->turn(watch);
+  if (!lower->shares_turn(*upper)) second = upper->turn(watch);
+}
+
+}  // namespace blossom::python

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A model that stays in memory with what questions about it have made ready.
+
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "adapters/occt/ray_casting.h"
+#include "adapters/occt/shapes.h"
+#include "plugin/python/control.h"
+#include "plugin/reports/measured_input.h"
+
+namespace blossom::python {
+
+/// Whether a model is repaired when the first question needs that, as files are.
+enum class Repair { WhenUsed, Never };
+
+/// A file's model, one that was made, or a shape of the caller's, which is never changed; or some
+/// faces of one.
+class LoadedModel {
+ public:
+  /// name   what reports and messages call it
+  LoadedModel(std::string name, occt::Model model, Repair repair);
+  LoadedModel(std::string name, const TopoDS_Shape& shape);
+
+  /// Some faces, by their numbers in the model, which they keep.
+  /// throws   BadModel if there is no such face
+  std::shared_ptr<LoadedModel> part(const std::vector<int>& numbers, const std::string& name);
+
+  const std::string& name() const { return name_; }
+  bool is_part() const { return !numbers_.empty(); }
+  const TopoDS_Shape& whole_shape() const;
+  /// Only the chosen faces, if some are.
+  TopoDS_Shape shape();
+  int face_count() const;
+  /// What a file is and what reading it lost; null if it is none.
+  const occt::Model* file() const;
+  /// Of a face by its place among the faces of a question.
+  int number_of(int face) const {
+    return numbers_.empty() ? face + 1 : numbers_[static_cast<std::size_t>(face)];
+  }
+
+  /// The members below belong to one question at a time.
+  using Turn = std::unique_lock<std::timed_mutex>;
+  /// Waits for other questions. throws   CancelledWork
+  Turn turn(const Watch& watch);
+  /// Whether two parts of one model wait for the same turn.
+  bool shares_turn(const LoadedModel& other) const { return working_ == other.working_; }
+  /// What turns are ordered by.
+  const void* turn_order() const { return working_.get(); }
+
+  /// Faces, repaired if they are a file's.
+  /// throws   BadModel if there is none
+  const std::vector<TopoDS_Face>& faces(const Watch& watch);
+  /// Made of a caller's shape when first needed.
+  occt::Model& model();
+  /// What reports speak of, repaired if wanted.
+  reports::Input& input();
+  reports::Input& repaired_input(const Watch& watch);
+  /// Ready for distances.
+  reports::MeasuredInput& measured(const Watch& watch);
+  const occt::ShapeRays& rays(double tolerance, const Watch& watch);
+
+ private:
+  LoadedModel() = default;
+
+  std::string name_;
+  Repair repair_ = Repair::Never;
+  TopoDS_Shape given_;        // of a caller
+  std::vector<int> numbers_;  // none: all
+  std::shared_ptr<occt::Model> model_;
+  std::shared_ptr<std::timed_mutex> working_ = std::make_shared<std::timed_mutex>();
+  bool repaired_ = false;
+  std::vector<TopoDS_Face> faces_;
+  std::optional<reports::MeasuredInput> measured_;
+  std::optional<occt::ShapeRays> rays_;
+  double rays_tolerance_ = 0;
+};
+
+using SharedModel = std::shared_ptr<LoadedModel>;
+
+/// The turns of both models of a question; they may be one.
+struct BothTurns {
+  BothTurns(LoadedModel& a, LoadedModel& b, const Watch& watch);
+  LoadedModel::Turn first, second;
+};
+
+}  // namespace blossom::python

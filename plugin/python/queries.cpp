@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Questions about points, planes, rays and distances, and about models as they are.
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_TrimmedCurve.hxx>
+
+#include "adapters/occt/soundness.h"
+#include "core/base/errors.h"
+#include "plugin/python/answers.h"
+#include "plugin/python/arrays.h"
+#include "plugin/reports/distance.h"
+#include "plugin/reports/info.h"
+#include "plugin/reports/rays.h"
+#include "plugin/reports/section.h"
+#include "plugin/reports/soundness.h"
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace blossom::python {
+namespace {
+
+// An answer whose report is all that there is.
+Answer told(reports::Json report) {
+  auto shared = std::make_shared<const reports::Json>(std::move(report));
+  return {.report = [shared] { return *shared; }, .model = {}, .records = {}};
+}
+
+// The curve as a B-spline, with the parameters that it has.
+Handle(Geom_BSplineCurve) spline_of(const occt::SectionCurve& curve) {
+  Handle(Geom_Curve) whole = curve.curve;
+  Interval range = curve.range;
+  if (!curve.edge.IsNull()) whole = BRep_Tool::Curve(curve.edge, range.from, range.to);
+  return GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(whole, range.from, range.to));
+}
+
+struct Cut {
+  SharedModel model;
+  occt::Plane plane;
+  double tolerance = 0;
+  occt::PlaneSection section;
+  double seconds = 0;
+};
+
+Vec3 unit_of(const Vec3& vector, const char* what) {
+  const double largest = max_norm(vector);
+  if (!(largest > 0)) throw InvalidInput(std::string(what) + ": the zero vector has no direction");
+  return unit(vector * (1 / largest));
+}
+
+// Asks about distances of two models.
+template <class Ask, class Report>
+Answer compare(const SharedModel& a, const SharedModel& b, const Control& control, const Ask& ask,
+               const Report& report) {
+  return told(interruptible(control, [&](const Watch& watch) {
+    const BothTurns turns(*a, *b, watch);
+    const double start = watch.seconds();
+    reports::MeasuredInput& side_a = a->measured(watch);
+    reports::MeasuredInput& side_b = b->measured(watch);
+    reports::DistanceAnswer answer =
+        ask(side_a, side_b, control.engine.tolerances.point, [&watch] { return watch.distance(); });
+    answer.seconds = watch.seconds() - start;
+    return with_reading(report(side_a, side_b, answer), {a, b});
+  }));
+}
+
+// Between two checks the work can be ended.
+occt::CheckRunner checks_of(const Watch& watch) {
+  return [&watch](const std::string&, const std::function<void()>& work) {
+    watch.stop();
+    work();
+    return true;
+  };
+}
+
+}  // namespace
+
+occt::Plane plane_of(const Vec3& point, const Vec3& normal) {
+  return {point, unit_of(normal, "normal")};
+}
+
+Answer section(const SharedModel& model, const Vec3& point, const Vec3& normal,
+               const Control& control) {
+  auto cut = std::make_shared<Cut>(
+      Cut{model, plane_of(point, normal), control.engine.tolerances.point, {}, 0});
+  interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    const std::vector<TopoDS_Face>& faces = model->faces(watch);
+    const double start = watch.seconds();
+    cut->section = occt::plane_section(faces, cut->plane, watch.engine());
+    cut->seconds = watch.seconds() - start;
+  });
+  return {.report =
+              [cut] {
+                const LoadedModel::Turn turn = cut->model->turn(Watch());
+                return with_reading(
+                    reports::section_report(cut->model->input(), cut->plane, cut->tolerance,
+                                            cut->section, cut->seconds),
+                    {cut->model});
+              },
+          .model =
+              [cut] {
+                return std::make_shared<LoadedModel>("section", occt::compound_of(cut->section));
+              },
+          .records =
+              [cut] {
+                py::list splines;
+                for (const occt::SectionCurve& curve : cut->section.curves)
+                  splines.append(spline_record(spline_of(curve)));
+                return py::dict("splines"_a = splines);
+              }};
+}
+
+Answer cast_ray(const SharedModel& model, const Vec3& from, const Vec3& direction, bool first_only,
+                bool line, const Control& control) {
+  reports::RayAnswer answer{
+      .line = line, .first_only = first_only, .tolerance = control.engine.tolerances.point};
+  answer.ray.origin = from;
+  answer.ray.direction = unit_of(direction, "direction");
+  if (line) answer.ray.from = -std::numeric_limits<double>::infinity();
+  return told(interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    reports::Input& input = model->repaired_input(watch);
+    const double start = watch.seconds();
+    try {
+      const occt::ShapeRays& rays = model->rays(answer.tolerance, watch);
+      answer.hits = first_only ? rays.first_hits(answer.ray) : rays.all_hits(answer.ray);
+    } catch (const occt::LimitFailure&) {  // nothing is known, then
+      answer.status = Status::Stopped;
+    }
+    answer.seconds = watch.seconds() - start;
+    for (const occt::ShapeHit& hit : answer.hits)
+      answer.status = weaker(answer.status, hit.hit.status);
+    return with_reading(reports::ray_report(input, answer), {model});
+  }));
+}
+
+Answer least_distance(const SharedModel& a, const SharedModel& b, const Control& control) {
+  return compare(a, b, control, reports::distance_between, reports::distance_report);
+}
+
+Answer does_intersect(const SharedModel& a, const SharedModel& b, const Control& control) {
+  return compare(a, b, control, reports::meeting_of, reports::meeting_report);
+}
+
+Answer nearest_point(const SharedModel& model, const Vec3& at, bool all, const Control& control) {
+  return told(interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    const double start = watch.seconds();
+    reports::MeasuredInput& side = model->measured(watch);
+    reports::PointAnswer answer = reports::nearest_to(
+        side, at, all, control.engine.tolerances.point, [&watch] { return watch.distance(); });
+    answer.seconds = watch.seconds() - start;
+    return with_reading(reports::point_report(side, answer), {model});
+  }));
+}
+
+Answer check(const SharedModel& model, const Control& control) {
+  return told(interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    model->faces(watch);
+    const reports::Input& input = model->repaired_input(watch);
+    watch.stop();
+    const occt::CheckRunner checks = checks_of(watch);
+    const occt::Soundness found = model->is_part()
+                                      ? occt::soundness(input.model.shape(), input.numbers, checks)
+                                      : occt::soundness(input.model.shape(), checks);
+    return with_reading(reports::soundness_report(input, found), {model});
+  }));
+}
+
+Answer info(const SharedModel& model, const Control& control) {
+  return told(interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    const reports::Input& input = model->input();
+    const auto problems = occt::face_problems(input.faces, input.numbers, checks_of(watch));
+    const reports::ModelFacts facts =
+        reports::model_facts(input, problems, [&watch] { return watch.ended(); });
+    return with_reading(reports::info_report(input, facts), {model});
+  }));
+}
+
+}  // namespace blossom::python

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/reports/info.h"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRep_Tool.hxx>
+#include <ShapeAnalysis_ShapeTolerance.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/errors.h"
+
+namespace blossom::reports {
+namespace {
+
+struct Counted {
+  TopAbs_ShapeEnum kind;
+  const char* one;
+  const char* many;
+};
+
+constexpr std::array kCounted = {
+    Counted{TopAbs_SOLID, "solid", "solids"}, Counted{TopAbs_SHELL, "shell", "shells"},
+    Counted{TopAbs_FACE, "face", "faces"}, Counted{TopAbs_EDGE, "edge", "edges"},
+    Counted{TopAbs_VERTEX, "vertex", "vertices"}};
+
+const char* surface_word(GeomAbs_SurfaceType type) {
+  switch (type) {
+    case GeomAbs_Plane: return "plane";
+    case GeomAbs_Cylinder: return "cylinder";
+    case GeomAbs_Cone: return "cone";
+    case GeomAbs_Sphere: return "sphere";
+    case GeomAbs_Torus: return "torus";
+    case GeomAbs_BezierSurface: return "bezier";
+    case GeomAbs_BSplineSurface: return "bspline";
+    case GeomAbs_SurfaceOfRevolution: return "revolution";
+    case GeomAbs_SurfaceOfExtrusion: return "extrusion";
+    case GeomAbs_OffsetSurface: return "offset";
+    case GeomAbs_OtherSurface: break;
+  }
+  return "other";
+}
+
+int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, kind, map);
+  return map.Extent();
+}
+
+FaceFacts face_facts(const TopoDS_Face& face, int number, std::vector<std::string> problems) {
+  FaceFacts facts;
+  facts.number = number;
+  facts.problems = std::move(problems);
+  facts.wires = count(face, TopAbs_WIRE);
+  facts.edges = count(face, TopAbs_EDGE);
+  facts.tolerance = BRep_Tool::Tolerance(face);
+  if (BRep_Tool::Surface(face).IsNull()) {
+    facts.surface = "none";
+    return facts;
+  }
+  const BRepAdaptor_Surface surface(face, Standard_False);
+  facts.surface = surface_word(surface.GetType());
+  if (surface.GetType() == GeomAbs_BezierSurface || surface.GetType() == GeomAbs_BSplineSurface) {
+    const bool bezier = surface.GetType() == GeomAbs_BezierSurface;
+    facts.degree_u = surface.UDegree();
+    facts.degree_v = surface.VDegree();
+    facts.spans_u = bezier ? 1 : surface.NbUKnots() - 1;
+    facts.spans_v = bezier ? 1 : surface.NbVKnots() - 1;
+    facts.rational = surface.IsURational() || surface.IsVRational();
+  }
+  facts.periodic_u = surface.IsUPeriodic();
+  facts.periodic_v = surface.IsVPeriodic();
+  return facts;
+}
+
+// None of what has no vertex, or no end.
+std::optional<occt::LeastBox> box_of(const TopoDS_Shape& shape,
+                                     const std::function<bool()>& cancelled) try {
+  return occt::least_box(shape, cancelled);
+} catch (const occt::BadModel&) {
+  return std::nullopt;
+}
+
+Json face_json(const FaceFacts& face) {
+  Json json = {{"number", face.number}, {"name", face.name}, {"surface", face.surface}};
+  if (face.degree_u > 0) {
+    json["degree"] = {face.degree_u, face.degree_v};
+    json["spans"] = {face.spans_u, face.spans_v};
+    json["rational"] = face.rational;
+  }
+  json["periodic"] = {face.periodic_u, face.periodic_v};
+  json["wires"] = face.wires;
+  json["edges"] = face.edges;
+  json["tolerance"] = face.tolerance;
+  json["valid"] = face.problems.empty();
+  json["problems"] = face.problems;
+  return json;
+}
+
+}  // namespace
+
+ModelFacts model_facts(const Input& input, const std::vector<std::vector<std::string>>& problems,
+                       const std::function<bool()>& cancelled) {
+  ModelFacts facts;
+  const std::vector<std::string> names = input.model.face_names();
+  for (std::size_t i = 0; i < input.faces.size(); ++i) {
+    facts.faces.push_back(face_facts(input.faces[i], input.numbers[i], problems[i]));
+    FaceFacts& face = facts.faces.back();
+    face.name = given_name(names[static_cast<std::size_t>(face.number - 1)]);
+    ++facts.surfaces[face.surface];
+    facts.valid = facts.valid && face.problems.empty();
+  }
+  ShapeAnalysis_ShapeTolerance tolerances;
+  facts.least_tolerance = tolerances.Tolerance(input.model.shape(), -1);
+  facts.largest_tolerance = tolerances.Tolerance(input.model.shape(), 1);
+  // Numbers that are none would go into the box, too.
+  if (facts.valid) facts.box = box_of(input.model.shape(), cancelled);
+  return facts;
+}
+
+std::vector<ShapeCount> shape_counts(const TopoDS_Shape& shape) {
+  std::vector<ShapeCount> counts;
+  for (const auto& [kind, one, many] : kCounted) counts.push_back({count(shape, kind), one, many});
+  return counts;
+}
+
+Json info_report(const Input& input, const ModelFacts& facts) {
+  Json json = {{"schema", "blossom.info/1"},
+               {"file", input.name},
+               {"unit", "mm"},
+               {"file_unit", input.model.file_unit()}};
+  for (const ShapeCount& each : shape_counts(input.model.shape()))
+    json["counts"][each.many] = each.count;
+  json["surfaces"] = facts.surfaces;
+  json["box"] = nullptr;
+  if (facts.box) {
+    json["box"] = {facts.box->box.low.coordinates, facts.box->box.high.coordinates};
+    json["box_precision"] = facts.box->precision;
+  }
+  json["tolerance"] = {{"least", facts.least_tolerance}, {"largest", facts.largest_tolerance}};
+  json["valid"] = facts.valid;
+  json["faces"] = Json::array();
+  for (const FaceFacts& face : facts.faces) json["faces"].push_back(face_json(face));
+  return json;
+}
+
+}  // namespace blossom::reports

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The models that answers are about.
+
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "adapters/occt/shapes.h"
+
+namespace blossom::reports {
+
+/// A model with the faces that the user means.
+struct Input {
+  std::string name;                    ///< as the user wrote it
+  std::shared_ptr<occt::Model> owner;  ///< shared by inputs from the same file
+  occt::Model& model;                  ///< the owner's
+  std::vector<int> numbers{};          ///< face numbers, 1-based as `info` prints them, each once
+  std::vector<TopoDS_Face> faces{};    ///< likewise
+  TopoDS_Shape shape{};                ///< of the model that the faces belong to
+  occt::Repairs repairs{};             ///< what was changed to use the faces
+};
+
+/// Readers of other systems leave such faces out or fill them with all of their surface.
+/// throws   occt::BadModel, with the file and the face, if a wire that bounds a face is open
+void refuse_open_wires(const Input& input);
+
+/// The name of a part, or of a face; empty if it is only what Open CASCADE's writer puts there for
+/// none.
+std::string given_name(const std::string& part);
+
+}  // namespace blossom::reports

@@ -1,0 +1,343 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A model that stays loaded: known figures, and the reports of the command line."""
+
+import pickle
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+import numpy as np
+from support import FAR, FLOOR, HARD, HARD_OPTIONS, NO_PART, Part, WALL, made_files
+from support import told_by_program, without_times
+
+import blossom
+
+FILES = made_files()
+BLOCK = FILES / "block.step"
+DRILL = FILES / "drill.step"
+HULL = FILES / "hull.step"
+CUTTERS = FILES / "cutters.step"
+DRILLED = 60 * 40 * 20 - np.pi * 8**2 * 20
+
+
+class Reading(unittest.TestCase):
+    def test_a_file_becomes_a_model(self):
+        for name in (BLOCK, str(BLOCK)):
+            model = blossom.read(name)
+            self.assertEqual(len(model), 6)
+            self.assertEqual(model.file, str(BLOCK))
+            self.assertEqual(model.file_unit, "MM")
+            self.assertEqual(model.counts["solids"], 1)
+            self.assertEqual(set(model.part_paths), {"Block"})
+            self.assertEqual(model.reading["grade"], "whole")
+            self.assertEqual(repr(model), f"<blossom.Model: {BLOCK}, 6 faces>")
+
+    def test_faces_keep_their_numbers(self):
+        part = blossom.read(BLOCK, faces=[5, 3, 3])
+        self.assertEqual(part.face_numbers, [3, 5])
+        self.assertEqual(part.name, f"{BLOCK}#3,5")
+        self.assertEqual([face.face_numbers for face in part], [[3], [5]])
+        found = part.section((0, 0, 10), (0, 0, 1)).to_dict()
+        self.assertLessEqual({curve["on"]["number"] for curve in found["curves"]}, {3, 5})
+
+    def test_what_cannot_be_read_is_told(self):
+        with self.assertRaisesRegex(ValueError, "none.step"):
+            blossom.read(FILES / "none.step")
+        with self.assertRaisesRegex(ValueError, "there is no face 9"):
+            blossom.read(BLOCK, faces=[9])
+        with self.assertRaisesRegex(TypeError, "^path: a str or a Path is wanted, got int$"):
+            blossom.read(7)
+        with self.assertRaisesRegex(TypeError, "^strict: True or False is wanted, got int$"):
+            blossom.read(BLOCK, strict=1)
+
+    def test_files_go_where_files_go(self):
+        self.assertAlmostEqual(blossom.distance(str(BLOCK), DRILL).distance, 0)
+
+
+class KnownFigures(unittest.TestCase):
+    def setUp(self):
+        self.block = blossom.read(BLOCK)
+
+    def test_a_plane_through_a_box_cuts_a_rectangle(self):
+        section = self.block.section((0, 0, 5), (0, 0, 2))
+        self.assertEqual(section.status, "complete")
+        self.assertEqual(len(section), 1)
+        wire = section[0]
+        self.assertTrue(wire.closed)
+        self.assertAlmostEqual(wire.length, 200, places=9)
+        np.testing.assert_allclose(wire.points[:, 2], 5, atol=1e-9)
+        np.testing.assert_allclose(wire.points.min(axis=0), (0, 0, 5), atol=1e-9)
+        np.testing.assert_allclose(wire.points.max(axis=0), (60, 40, 5), atol=1e-9)
+        self.assertEqual(repr(section), "<blossom.Section: complete, 1 wire, 4 curves, 0 points>")
+
+    def test_curves_of_a_section_are_splines(self):
+        circle = blossom.read(DRILL).section((0, 0, 5), (0, 0, 1)).curves
+        self.assertAlmostEqual(sum(curve.length for curve in circle), 16 * np.pi, places=6)
+        for curve in circle:
+            self.assertEqual(len(curve.poles), len(curve.weights))
+            self.assertEqual(curve.multiplicities.sum(), len(curve.poles) + curve.degree + 1)
+            np.testing.assert_allclose(curve.poles[0], curve.points[0], atol=1e-6)
+
+    def test_many_planes_need_one_reading(self):
+        lengths = [self.block.section((0, 0, z), (0, 0, 1))[0].length for z in range(1, 20)]
+        np.testing.assert_allclose(lengths, 200)
+
+    def test_a_ray_passes_two_faces(self):
+        hits = self.block.ray((30, 20, 50), (0, 0, -3))
+        self.assertEqual([round(hit.distance, 9) for hit in hits], [30, 50])
+        np.testing.assert_allclose(hits[0].point, (30, 20, 20), atol=1e-9)
+        np.testing.assert_allclose(hits[0].normal, (0, 0, 1), atol=1e-12)
+        self.assertEqual(len(self.block.ray((30, 20, 50), (0, 0, -1), first=True)), 1)
+        self.assertEqual(len(self.block.ray((30, 20, 10), (0, 0, 1))), 1)
+        self.assertEqual(len(self.block.ray((30, 20, 10), (0, 0, 1), line=True)), 2)
+
+    def test_distances(self):
+        apart = self.block.distance(np.array(FAR) + (0, 0, 20))
+        self.assertEqual(apart.relation, "disjoint")
+        self.assertAlmostEqual(apart.distance, 5, places=9)
+        self.assertAlmostEqual(float(apart), 5, places=9)
+        self.assertAlmostEqual(apart.nearest_a[2], 20)
+        drill = self.block.distance(DRILL)
+        self.assertEqual((drill.relation, drill.distance), ("crossing", 0))
+        self.assertEqual(self.block.does_intersect(DRILL).answer, "yes")
+        self.assertEqual(self.block.does_intersect(np.array(FAR) + (0, 0, 20)).answer, "no")
+
+    @unittest.skipIf(Part is None, NO_PART)
+    def test_a_ball_in_a_box_meets_it(self):
+        box, ball = Part.makeBox(4, 4, 4), Part.makeSphere(1)
+        ball.Placement.Base = (2, 2, 2)
+        found = blossom.distance(box, ball)
+        self.assertEqual((found.relation, found.distance), ("b inside a", 0))
+        self.assertEqual(blossom.does_intersect(box, ball).answer, "yes")
+        self.assertEqual(len(blossom.intersect(box, ball)), 0)
+
+    def test_points(self):
+        found = self.block.foot_points((30, 20, 23))
+        self.assertAlmostEqual(found.distance, 3)
+        np.testing.assert_allclose(found.point, (30, 20, 20), atol=1e-9)
+        self.assertEqual(found.on["kind"], "face")
+        self.assertFalse(found.inside)
+        self.assertGreater(len(found), 1)
+        self.assertTrue(self.block.foot_points((30, 20, 10), all=False).inside)
+
+    def test_a_box_is_sound(self):
+        found = self.block.check()
+        self.assertTrue(found.sound)
+        self.assertEqual(list(found), [])
+        self.assertEqual(repr(found), "<blossom.Check: sound, 0 problems>")
+
+    def test_a_box_does_not_meet_itself(self):
+        self.assertEqual(self.block.self_intersect(faces=True).verdict, "none found")
+
+    def test_solids_are_combined(self):
+        cut = self.block.solid("cut", DRILL)
+        self.assertEqual(cut.status, "complete")
+        self.assertAlmostEqual(cut.volume, DRILLED, delta=1e-6 * DRILLED)
+        common = self.block.solid("common", DRILL)
+        self.assertAlmostEqual(cut.volume + common.volume, 48000, delta=1e-6 * 48000)
+        halves = self.block.solid("split", planes=[((0, 0, 5), (0, 0, 1))])
+        self.assertEqual(len(halves), 2)
+        self.assertIn("split, complete, 2 solids", repr(halves))
+
+    @unittest.skipIf(Part is None, NO_PART)
+    def test_two_boxes_are_cut_as_part_has_them(self):
+        big, small = Part.makeBox(2, 2, 2), Part.makeBox(2, 2, 2)
+        small.Placement.Base = (1, 1, 1)
+        cut = blossom.solid("cut", big, small)
+        self.assertAlmostEqual(cut.volume, 7, places=9)
+        shape = cut.to_part()
+        self.assertTrue(shape.isValid())
+        self.assertAlmostEqual(shape.Volume, 7, places=9)
+
+    def test_a_made_shape_answers_questions(self):
+        drilled = blossom.shape(self.block.solid("cut", DRILL))
+        lengths = sorted(wire.length for wire in drilled.section((0, 0, 5), (0, 0, 1)))
+        np.testing.assert_allclose(lengths, [16 * np.pi, 200], rtol=1e-9)
+
+    def test_faces_are_trimmed(self):
+        found = self.block.trim(keep="below", planes=[((0, 0, 5), (0, 0, 1))])
+        self.assertEqual(found.status, "complete")
+        kept = sum(piece["area"] for piece in found if piece["kept"])
+        self.assertAlmostEqual(kept, 60 * 40 + 200 * 5, places=6)
+        self.assertEqual(len(self.block), 6)  # is not changed
+
+    def test_watertight_pieces_have_common_sides(self):
+        found = blossom.watertight(self.block)
+        self.assertEqual(found.status, "complete")
+        self.assertGreaterEqual(len(found), 6)
+        self.assertEqual(found[0]["points"].shape[-1], 3)
+
+
+class Reports(unittest.TestCase):
+    """`to_dict()` is what the command line writes."""
+
+    def equal(self, ours, *arguments):
+        self.maxDiff = 2000
+        theirs = told_by_program(*arguments)
+        ours = ours if isinstance(ours, dict) else ours.to_dict()
+        self.assertEqual(without_times(ours), without_times(theirs))
+
+    def test_info(self):
+        self.equal(blossom.read(HULL).info(), "info", HULL)
+
+    def test_check(self):
+        self.equal(blossom.read(HULL).check(), "check", HULL)
+
+    def test_intersect(self):
+        self.equal(blossom.read(HULL).intersect(CUTTERS), "intersect", HULL, CUTTERS)
+
+    def test_self_intersect(self):
+        self.equal(blossom.read(HULL).self_intersect(True), "self-intersect", HULL, "--faces")
+
+    def test_section(self):
+        found = blossom.read(BLOCK).section((0, 0, 5), (0, 0, 1))
+        self.equal(found, "query", "plane", BLOCK, "--point", "0,0,5", "--normal", "0,0,1")
+
+    def test_ray(self):
+        found = blossom.read(BLOCK).ray((30, 20, 50), (0, 0, -1))
+        self.equal(found, "query", "ray", BLOCK, "--from", "30,20,50", "--direction", "0,0,-1")
+
+    def test_distances(self):
+        block, drill = blossom.read(BLOCK), blossom.read(DRILL)
+        self.equal(block.distance(drill), "query", "distance", BLOCK, DRILL)
+        self.equal(block.does_intersect(drill), "query", "does-intersect", BLOCK, DRILL)
+        self.equal(block.foot_points((1, 2, 30)), "query", "point", BLOCK, "--at", "1,2,30", "--all")
+
+    def test_trim(self):
+        found = blossom.read(HULL).trim(blossom.read(CUTTERS, faces=[1]), keep="below")
+        self.equal(found, "trim", HULL, f"{CUTTERS}#1", "--keep", "below")
+
+    def test_solid(self):
+        found = blossom.read(BLOCK).solid("cut", DRILL, planes=[((0, 0, 5), (0, 0, 1))])
+        self.equal(found, "trim", BLOCK, DRILL, "--solid", "cut", "--plane", "0,0,5,0,0,1")
+
+    def test_a_report_is_the_callers_own(self):
+        found = blossom.read(BLOCK).section((0, 0, 5), (0, 0, 1))
+        found.to_dict()["wires"].clear()
+        self.assertEqual(len(found.to_dict()["wires"]), 1)
+
+
+class Writing(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_shapes_and_their_names_go_to_files(self):
+        blossom.read(BLOCK).solid("cut", DRILL).to_step(self.folder / "cut.step")
+        again = blossom.read(self.folder / "cut.step")
+        self.assertEqual(len(again), 7)
+        self.assertIn("Block", again.part_paths[0])
+        blossom.intersect(FLOOR, WALL).write(self.folder / "edges.brep")
+        self.assertEqual(blossom.read(self.folder / "edges.brep").counts["edges"], 1)
+
+    def test_files_are_converted(self):
+        blossom.convert(BLOCK, self.folder / "block.brep")
+        self.assertEqual(len(blossom.read(self.folder / "block.brep")), 6)
+
+    def test_what_cannot_be_written_is_told(self):
+        model = blossom.read(BLOCK)
+        with self.assertRaisesRegex(ValueError, "does not end with .step or .stp"):
+            model.to_step(self.folder / "block.brep")
+        with self.assertRaises(blossom.Error):
+            model.write(self.folder / "none" / "block.step")
+        with self.assertRaisesRegex(blossom.Error, "there is no shape in this answer"):
+            model.check().to_brep()
+
+    @unittest.skipUnless(Path("/dev/full").exists(), "there is no full disk here")
+    def test_a_full_disk_is_told(self):
+        (self.folder / "full.step").symlink_to("/dev/full")
+        with self.assertRaises(blossom.Error):
+            blossom.read(BLOCK).write(self.folder / "full.step")
+
+
+class Pickles(unittest.TestCase):
+    def test_answers_travel(self):
+        block = blossom.read(BLOCK)
+        for found in (
+            block.section((0, 0, 5), (0, 0, 1)), block.intersect(DRILL), block.ray((1, 1, 50), (0, 0, -1)),
+            block.distance(DRILL), block.foot_points((1, 2, 30)), block.check(), block.watertight(),
+            block.solid("cut", DRILL), block.trim(DRILL, keep="all"), block.self_intersect(),
+        ):  # fmt: skip
+            with self.subTest(found):
+                again = pickle.loads(pickle.dumps(found))
+                self.assertEqual(repr(again), repr(found))
+                self.assertEqual(again.to_dict(), found.to_dict())
+                self.assertEqual(len(again), len(found))
+
+    def test_curves_and_shapes_travel(self):
+        found = blossom.intersect(FLOOR, WALL)
+        again = pickle.loads(pickle.dumps(found))
+        np.testing.assert_array_equal(again.curves[0].poles, found.curves[0].poles)
+        self.assertIn(b"CASCADE Topology", again.to_brep())
+
+    def test_models_travel(self):
+        self.assertEqual(len(pickle.loads(pickle.dumps(blossom.read(BLOCK)))), 6)
+
+
+class Ending(unittest.TestCase):
+    def test_a_handle_ends_work(self):
+        cancel = blossom.Cancel()
+        threading.Timer(0.2, cancel.cancel).start()
+        with self.assertRaises(blossom.Cancelled):
+            blossom.intersect(*HARD, time_limit=60, cancel=cancel, **HARD_OPTIONS)
+        self.assertTrue(cancel.cancelled)
+
+    def test_progress_is_told_and_may_end_work(self):
+        told = []
+
+        def progress(seconds):
+            told.append(seconds)
+            if len(told) == 5:
+                raise KeyError("enough")
+
+        with self.assertRaisesRegex(KeyError, "enough"):
+            blossom.intersect(*HARD, time_limit=60, progress=progress, **HARD_OPTIONS)
+        self.assertEqual(told, sorted(told))
+
+    def test_two_threads_may_ask_one_model(self):
+        model, lengths = blossom.read(BLOCK), []
+
+        def ask():
+            for z in range(1, 20):
+                lengths.append(model.section((0, 0, z), (0, 0, 1))[0].length)
+
+        threads = [threading.Thread(target=ask) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        np.testing.assert_allclose(lengths, 200)
+
+
+class WrongTypes(unittest.TestCase):
+    def expect(self, error, words, call, *arguments, **options):
+        with self.assertRaisesRegex(error, words):
+            call(*arguments, **options)
+
+    def test_they_are_named(self):
+        model = blossom.read(BLOCK)
+        self.expect(TypeError, "^point: three numbers are wanted, got int$", model.section, 1, (0, 0, 1))
+        self.expect(ValueError, "^normal: three numbers are wanted, got 2$", model.section, (0, 0, 0), (0, 1))
+        self.expect(TypeError, "^point: three numbers are wanted, got str$", model.section, "abc", (0, 0, 1))
+        self.expect(ValueError, "^normal: the zero vector", model.section, (0, 0, 0), (0, 0, 0))
+        self.expect(TypeError, "^first: True or False", model.ray, (0, 0, 0), (0, 0, 1), first="no")
+        self.expect(TypeError, "^other: .* is wanted, got object$", model.distance, object())
+        self.expect(TypeError, "^tool 2: .* is wanted, got NoneType$", model.solid, "cut", DRILL, None)
+        self.expect(ValueError, "^operation: 'cat' is none of cut, ", model.solid, "cat", DRILL)
+        self.expect(ValueError, "^solid needs a tool, or a plane$", model.solid, "cut")
+        self.expect(ValueError, "^keep: above, .* got 'x'$", model.trim, DRILL, keep="x")
+        self.expect(TypeError, "^keep: a word or a number", model.trim, DRILL, keep=None)
+        self.expect(ValueError, "is no closed solid", model.solid, "cut", FLOOR)
+        self.expect(TypeError, "there is no option 'tolerence'", model.check, tolerence=1)
+        self.expect(TypeError, "^cancel: a blossom.Cancel is wanted", model.check, cancel=1)
+        self.expect(TypeError, "^progress: a function", model.check, progress=1)
+        self.expect(TypeError, "^threads: a whole number", model.check, threads=1.5)
+        self.expect(TypeError, "^planes: a list of pairs", model.solid, "cut", planes=3)
+        self.expect(TypeError, "^numbers: a list of face numbers", model.part, 3)
+        self.expect(TypeError, "^models are made by", blossom.Model, 3)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
