@@ -28,8 +28,8 @@
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
-#include "plugin/reports/repairs.h"
 #include "plugin/cli/values.h"
+#include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
 namespace {

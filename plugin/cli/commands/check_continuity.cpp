@@ -16,8 +16,8 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
-#include "plugin/reports/repairs.h"
 #include "plugin/cli/values.h"
+#include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
 namespace {
