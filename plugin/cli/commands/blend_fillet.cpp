@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -182,9 +183,10 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
     text << counted(made.edges.size(), "edge") << " rounded";
   text << ", " << timed.seconds << " s\n";
   if (!made.solids.empty()) {
+    const double more = volume_of(made) - made.volume_before;
     text << "  edges " << numbers_text(made.edges) << "\n  volume "
-         << number_text(rounded(made.volume_before)) << " before, "
-         << number_text(rounded(volume_of(made))) << " after, mm³\n";
+         << number_text(rounded(made.volume_before)) << " mm³, then "
+         << number_text(rounded(std::abs(more))) << (more < 0 ? " less" : " more") << "\n";
   }
   for (const std::string& note : made.notes) text << "  " << note << "\n";
   for (const occt::FilletRefusal& refusal : made.refused) text << "  " << refusal.text() << "\n";
