@@ -33,7 +33,9 @@ double least_factor(const BallContact& contact) {
 // Where f is extreme in a range in which it bends to one side; `sign` 1 for a least value.
 template <class Function>
 double extremum(const Function& f, Interval range, double sign) {
-  const double stop = kExtremum * length(range);
+  // Pieces beside knot lines may be so short that parameters in them are hardly told apart.
+  const double ulp = 0x1p-52 * std::max(std::abs(range.from), std::abs(range.to));
+  const double stop = std::max(kExtremum * length(range), 4 * ulp);
   double p = at(range, kGolden), q = at(range, 1 - kGolden);
   double fp = sign * f(p), fq = sign * f(q);
   while (length(range) > stop) {

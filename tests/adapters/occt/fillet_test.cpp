@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -34,6 +36,7 @@
 #include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
 #include "tests/support/free_form_bodies.h"
+#include "tests/support/models.h"
 
 namespace blossom::occt {
 namespace {
@@ -348,6 +351,19 @@ TEST(EdgeFacts, TellHowFacesMeet) {
       BRepAlgoAPI_Cut(box(10), BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 1), gp_Pnt(9, 9, 9)).Shape())
           .Shape();
   EXPECT_EQ(edges_of_kind(room, EdgeKind::Concave).size(), 12U);
+}
+
+// Beside a knot line the largest radius was looked for in a piece of a few roundings, for ever.
+TEST(FilletRefuses, AnEdgeOfRealFacesWithTheLargestRadiusInAShortTime) {
+  const char* data = std::getenv("BLOSSOM_TEST_DATA");
+  const std::filesystem::path file =
+      std::filesystem::path(data != nullptr ? data : "") / "models/propeller.brep";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const Model model = testing::repaired_model(file);
+  const FilletResult made = rounded(model.shape(), {29}, 5);
+  EXPECT_TRUE(made.solids.empty());
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_EQ(made.refused.front().edge, 29);
 }
 
 }  // namespace
