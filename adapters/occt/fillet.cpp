@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -31,6 +33,7 @@
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/solid_validity.h"
+#include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
 #include "core/base/work_limit.h"
 
@@ -118,6 +121,27 @@ RolledStrip Filleting::strip_of(int edge, bool concave) const {
   return traced_strip(body_, edge, concave, options_.radius);
 }
 
+// The first fault of a face that is new or was cut, if the face that it is left of had none.
+std::optional<Problem> new_fault(const BodyEdges& body, const FilletedSolid& made,
+                                 const TopTools_MapOfShape& known) {
+  TopTools_IndexedMapOfShape numbers;
+  TopExp::MapShapes(made.solid, TopAbs_FACE, numbers);
+  std::vector<int> wanted;
+  std::map<int, int> from;  // of each of them: the face that it is left of, or 0
+  for (const FilletFace& face : made.faces) {
+    if (known.Contains(face.face)) continue;
+    wanted.push_back(numbers.FindIndex(face.face));
+    from[wanted.back()] = face.from;
+  }
+  for (const FaceSoundness& face : soundness(made.solid, wanted).faces) {
+    if (face.problems.empty()) continue;
+    const int before = from[face.number];
+    if (before > 0 && !soundness(body.face(before)).faces.front().problems.empty()) continue;
+    return face.problems.front();
+  }
+  return std::nullopt;
+}
+
 // What is wrong with a solid that was put together; nothing is given out then.
 void Filleting::check(const SolidPart& part, const FilletedSolid& made,
                       const FilletEdges& edges) const {
@@ -133,6 +157,13 @@ void Filleting::check(const SolidPart& part, const FilletedSolid& made,
                          "the solid that comes out is not valid by BRepCheck",
                          {},
                          {},
+                         {}});
+  if (const auto fault = new_fault(body_, made, known))
+    throw FilletRefused({FilletFault::Result,
+                         first,
+                         "a face that comes out is not sound: " + fault->what,
+                         {},
+                         fault->place,
                          {}});
   const bool any_concave = std::ranges::any_of(edges, [](const auto& e) { return e.second; });
   const bool any_convex = std::ranges::any_of(edges, [](const auto& e) { return !e.second; });
