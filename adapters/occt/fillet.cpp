@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
 #include <optional>
 #include <set>
@@ -319,6 +320,16 @@ void add_limit(const BodyEdges& body, const std::vector<FilletEdges>& chains, do
   }
 }
 
+// What went wrong where no edge is known to be at fault.
+FilletRefusal not_put_together(const std::exception& error) {
+  return {FilletFault::Result,
+          0,
+          std::string("the strips cannot be put into the solid together: ") + error.what(),
+          {},
+          {},
+          {}};
+}
+
 }  // namespace
 
 FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
@@ -351,9 +362,9 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
       result.status = Status::Stopped;
       return result;
     } catch (const Failure& failure) {
-      refuse({FilletFault::Result, 0, failure.what(), {}, {}, {}});
+      refuse(not_put_together(failure));
     } catch (const BadModel& error) {
-      refuse({FilletFault::Result, 0, error.what(), {}, {}, {}});
+      refuse(not_put_together(error));
     }
   }
   return result;
