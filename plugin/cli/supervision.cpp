@@ -34,7 +34,7 @@ constexpr double kGrace = 0.8;                  // seconds between asking to end
 constexpr double kWritingShare = 0.1;           // of the limit, for writing after it
 constexpr timespec kTick{0, 20 * 1000 * 1000};  // between two looks at the work
 
-constexpr std::size_t kMostLines = 256;  // that are known when the work begins again
+constexpr std::size_t kMaxLines = 256;  // that are known when the work begins again
 
 /// What the work tells its parent, in memory of both, and of those that begin again.
 struct Board {
@@ -45,7 +45,7 @@ struct Board {
   char subject[4096] = "";
   char step[4096] = "";
   // Hashes of lines that were said.
-  std::array<std::size_t, kMostLines> said{};
+  std::array<std::size_t, kMaxLines> said{};
   std::size_t lines = 0;
 
   void begin() {
@@ -292,7 +292,7 @@ bool is_news(const std::string& line) {
   const std::span<const std::size_t> said(board->said.data(), board->lines);
   const std::size_t hash = std::hash<std::string>{}(line);
   if (std::ranges::find(said, hash) != said.end()) return false;
-  if (board->lines < kMostLines) board->said[board->lines++] = hash;
+  if (board->lines < kMaxLines) board->said[board->lines++] = hash;
   return true;
 }
 

@@ -19,7 +19,7 @@ namespace {
 // Supports go on past the natural borders of their surfaces as far as a ball's contacts may lead
 // beyond the edge, but no further than so many of their outer spans.
 constexpr double kBeyond = 2.5;  // widths
-constexpr double kMostSpans = 2;
+constexpr double kMaxSpans = 2;
 // Of the face's box: how far surfaces that have more of them are taken beyond the trims.
 constexpr double kRoom = 0.5;
 
@@ -70,7 +70,7 @@ BezierSurface surface_beyond(const TopoDS_Face& face, double length_beyond) {
   for (const std::size_t k : {0U, 1U})
     for (const std::size_t end : {0U, 1U})
       if (goes_on[k][end])
-        parts[k][end] = std::min(kMostSpans, length_beyond / outer_length(exact, k == 0, end == 0));
+        parts[k][end] = std::min(kMaxSpans, length_beyond / outer_length(exact, k == 0, end == 0));
   return extended(exact, parts[0], parts[1]);
 }
 

@@ -14,9 +14,9 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kLeastPart = 1e-3;     // of the radius asked for: smaller ones are not looked at
+constexpr double kMinShare = 1e-3;      // of the radius asked for: smaller ones are not looked at
 constexpr double kRadiusError = 1e-12;  // relative
-constexpr int kMostSteps = 100;
+constexpr int kMaxSteps = 100;
 constexpr int kSamples = 16;  // along a contact
 
 // The distance of a chart point from a border, positive on the face's side.
@@ -82,13 +82,13 @@ Room room_of(const BodyEdges& body, int edge, bool concave, double radius,
 // strips are lines and circles, as their borders mostly are, so it is the same all along.
 std::optional<FilletLimit> swept_limit(const BodyEdges& body, int edge, bool concave, double most,
                                        const Borders& borders) {
-  double low = kLeastPart * most, high = most;
+  double low = kMinShare * most, high = most;
   Room at_low = room_of(body, edge, concave, low, borders);
   Room at_high = room_of(body, edge, concave, high, borders);
   if (!(at_low.least > 0) || !(at_high.least < 0)) return std::nullopt;
   double f_low = at_low.least, f_high = at_high.least;
   int cause = at_high.edge, side = 0;
-  for (int i = 0; i < kMostSteps && high - low > kRadiusError * high; ++i) {
+  for (int i = 0; i < kMaxSteps && high - low > kRadiusError * high; ++i) {
     const double radius = high - f_high * (high - low) / (f_high - f_low);
     const Room room = room_of(body, edge, concave, radius, borders);
     if (room.edge > 0) cause = room.edge;
@@ -116,12 +116,12 @@ std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool co
   Borders borders;
   add_borders(body, edge, true, borders.of, borders.edges);
   add_borders(body, edge, false, borders.of, borders.edges);
-  if (swept_strip(body, edge, concave, kLeastPart * most))
+  if (swept_strip(body, edge, concave, kMinShare * most))
     return swept_limit(body, edge, concave, most, borders);
   const RolledSupports supports = rolled_supports(body, edge, concave, most);
   const auto found = largest_radius(supports.of[0].whole(), supports.of[1].whole(),
                                     {supports.of[0].at_edge, supports.of[1].at_edge},
-                                    kLeastPart * most, most, borders.of);
+                                    kMinShare * most, most, borders.of);
   if (!found || found->limit == RadiusLimit::None || found->limit == RadiusLimit::Other)
     return std::nullopt;
   std::string cause = "two walls that face each other";

@@ -69,9 +69,9 @@ std::string place_text(const Fill& fill, const HoleLoop& loop) {
 FilledHole filled_hole(const HoleLoop& loop, const std::vector<FillContinuity>& continuity,
                        const HoleOptions& options) {
   const auto count = static_cast<int>(loop.size());
-  if (count < kFewestFillSides || count > kMostFillSides)
-    throw BadModel("a hole of " + std::to_string(kFewestFillSides) + " to " +
-                   std::to_string(kMostFillSides) + " edges is wanted, that at edge " +
+  if (count < kMinFillSides || count > kMaxFillSides)
+    throw BadModel("a hole of " + std::to_string(kMinFillSides) + " to " +
+                   std::to_string(kMaxFillSides) + " edges is wanted, that at edge " +
                    std::to_string(loop.front().number) + " has " + std::to_string(count));
   FilledHole result;
   std::vector<FillSide> sides;

@@ -241,7 +241,7 @@ HoleSide fitted_side(const HoleEdge& edge, const FitTolerance& tolerance) {
                                 distance(rough.at(0.5).point, rough.at(1).point));
   const SideSampler sampler(edge, reach);
   HoleSide best;
-  for (int degree = 1; degree <= kMostFitDegree; ++degree) {
+  for (int degree = 1; degree <= kMaxFitDegree; ++degree) {
     HoleSide next = fitted(sampler, degree, with_face);
     if (degree == 1 || next.error < best.error || next.angle_error < best.angle_error)
       best = std::move(next);
@@ -252,7 +252,7 @@ HoleSide fitted_side(const HoleEdge& edge, const FitTolerance& tolerance) {
   std::snprintf(figures, sizeof figures, "off by %.3g, its normals by %.3g rad", best.error,
                 best.angle_error);
   throw BadModel(name_of(edge) + " cannot be followed by polynomials of degree " +
-                 std::to_string(kMostFitDegree) + ": " + figures);
+                 std::to_string(kMaxFitDegree) + ": " + figures);
 }
 
 }  // namespace

@@ -23,11 +23,11 @@ struct HoleSide {
 };
 
 /// The side of one edge, in the direction of the way round the hole, in model space.
-/// throws   BadModel if the edge has no curve, no polynomial of degree up to kMostFitDegree is near
+/// throws   BadModel if the edge has no curve, no polynomial of degree up to kMaxFitDegree is near
 ///          enough, or a continuity other than G0 is asked for without a face
 HoleSide hole_side(const HoleEdge& edge, FillContinuity continuity, const FitTolerance& tolerance);
 
 /// Highest degree of fits: the fill's own degree is at most four higher at G2.
-inline constexpr int kMostFitDegree = 9;
+inline constexpr int kMaxFitDegree = 9;
 
 }  // namespace blossom::occt

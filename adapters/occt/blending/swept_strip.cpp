@@ -41,9 +41,9 @@ constexpr double kSweepError = 1e-8;
 // as beyond a pole, by a part of it.
 constexpr double kBeyond = 8;
 constexpr double kLessBeyond = 0.75;
-constexpr double kLeastBeyond = 0.1;
-constexpr double kLeastGap = 1e-2;  // of a turn, radians: what an open strip leaves free
-constexpr double kOnAxis = 1e-9;    // of the radius: a torus so small is a sphere
+constexpr double kMinBeyond = 0.1;
+constexpr double kMinGap = 1e-2;  // of a turn, radians: what an open strip leaves free
+constexpr double kOnAxis = 1e-9;  // of the radius: a torus so small is a sphere
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 gp_Pnt pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
@@ -301,7 +301,7 @@ RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, co
   strip.edge_range = strip.range = edge_range;
   if (!closed) {
     const double size = in.flat(of.sides[0].corner.point)[0];
-    const double room = 0.5 * (2 * kPi - length(edge_range)) - kLeastGap;
+    const double room = 0.5 * (2 * kPi - length(edge_range)) - kMinGap;
     const double more = std::clamp(beyond * width(of, feet) / size, 0.0, std::max(room, 0.0));
     strip.range = {edge_range.from - more, edge_range.to + more};
   }
@@ -349,7 +349,7 @@ std::optional<RolledStrip> round_axis(const BodyEdges& body, int edge, bool conc
   const auto made = [&](double beyond) {
     return round(*of, {kPi - half, kPi + half}, false, -out, beyond);
   };
-  for (double beyond = kBeyond; beyond > kLeastBeyond; beyond *= kLessBeyond) {
+  for (double beyond = kBeyond; beyond > kMinBeyond; beyond *= kLessBeyond) {
     try {
       return made(beyond);
     } catch (const Failure&) {  // the contact leaves the chart of a face

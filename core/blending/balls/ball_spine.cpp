@@ -16,7 +16,7 @@ namespace {
 constexpr int kDegree = 4;              // of the interpolation, between two nodes of a track
 constexpr double kSafety = 2;           // on differences measured at twice as many points
 constexpr double kRough = 1e-2;         // difference relative to the function: the piece is halved
-constexpr int kMostHalvings = 24;       // of a piece between two nodes
+constexpr int kMaxHalvings = 24;        // of a piece between two nodes
 constexpr double kZero = 1e-12;         // determinants are dimensionless, 1 for a plane
 constexpr double kRootWidth = 0x1p-50;  // of the domain
 constexpr double kExtremum = 1e-9;      // of the piece: where an extremum is
@@ -105,7 +105,7 @@ void CuspSearch::isolate(const Coefficients& c, const Interval& range, double er
     add_zero({range.from, turn});
     return add_zero({turn, range.to});
   }
-  if (depth == kMostHalvings) return add_zero(range);
+  if (depth == kMaxHalvings) return add_zero(range);
   Coefficients left, right = c;  // right: the triangle's other side
   for (std::size_t k = 0; k < c.size(); ++k) {
     left[k] = right[0];
@@ -137,7 +137,7 @@ void CuspSearch::look(const Interval& range, int depth) {
     }
   }
   const auto is_rough = [&](std::size_t k) { return error[k] > kRough * size[k] + kZero; };
-  if ((is_rough(0) || is_rough(1)) && depth < kMostHalvings) {
+  if ((is_rough(0) || is_rough(1)) && depth < kMaxHalvings) {
     look({range.from, at(range, 0.5)}, depth + 1);
     return look({at(range, 0.5), range.to}, depth + 1);
   }

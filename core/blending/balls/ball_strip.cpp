@@ -31,7 +31,7 @@ constexpr double kRateStep = 1e-3;  // of the domain, for the derivative where a
 struct Check {
   BallPoint ball;
   CharacteristicCircle circle;
-  std::array<Vec4, kMostRows> rows;
+  std::array<Vec4, kMaxRows> rows;
 };
 
 // A span with its samples; they are made once.
@@ -184,7 +184,7 @@ Measured StripFitter::measured(std::size_t span) const {
   const auto row_count = static_cast<std::size_t>(form_.rows());
   for (const Check& check : spans_[span].checks) {
     evaluate(spline_, span, check.ball.parameter, value, rate);
-    std::array<Vec4, kMostRows> rows{};
+    std::array<Vec4, kMaxRows> rows{};
     for (std::size_t r = 0; r < row_count; ++r) {
       for (int k = 0; k < 4; ++k) rows[r][k] = value[4 * r + static_cast<std::size_t>(k)];
       if (!form_.has_weight(static_cast<int>(r))) rows[r][3] = 1;

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kDegree = 7;
 constexpr double kSafety = 2;  // on errors measured at twice as many nodes a direction
-constexpr int kMostCuts = 64;  // of one span in one direction
+constexpr int kMaxCuts = 64;   // of one span in one direction
 constexpr double kPole =
     1e-9;  // |S_u x S_v| relative to its factors' sizes: a border that is a point
 constexpr double kTorn = 100;  // tolerances: what two patches may differ by at a knot line
@@ -193,7 +193,7 @@ std::vector<double> with_cuts(const std::vector<double>& knots, const std::vecto
 
 OffsetSurface OffsetFit::fitted(std::vector<double> u, std::vector<double> v) {
   Pieces known;
-  for (int round = 0; round < kMostCuts; ++round) {
+  for (int round = 0; round < kMaxCuts; ++round) {
     const int rows = static_cast<int>(u.size()) - 1, columns = static_cast<int>(v.size()) - 1;
     Grid<RationalBezierPatch> patches(rows, columns);
     std::vector<int> u_parts(static_cast<std::size_t>(rows), 1),
@@ -218,7 +218,7 @@ OffsetSurface OffsetFit::fitted(std::vector<double> u, std::vector<double> v) {
     if (!good) {
       u = with_cuts(u, u_parts);
       v = with_cuts(v, v_parts);
-      if (u.size() * v.size() > static_cast<std::size_t>(kMostCuts) * kMostCuts) break;
+      if (u.size() * v.size() > static_cast<std::size_t>(kMaxCuts) * kMaxCuts) break;
       continue;
     }
     check_borders(patches, u, v);
@@ -226,8 +226,8 @@ OffsetSurface OffsetFit::fitted(std::vector<double> u, std::vector<double> v) {
     result.surface.error = result.error;
     return result;
   }
-  throw InvalidInput("offset_surface: no fit within the tolerance, by " +
-                     std::to_string(kMostCuts) + " cuts a direction");
+  throw InvalidInput("offset_surface: no fit within the tolerance, by " + std::to_string(kMaxCuts) +
+                     " cuts a direction");
 }
 
 // The ends of a range and the knots inside of it; of a closed direction the part may begin before

@@ -13,7 +13,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kLeastSamples = 97;    // of an edge
+constexpr int kMinSamples = 97;      // of an edge
 constexpr int kSamplesPerSpan = 13;  // odd, so that the middle is one of them
 
 /// How far inside of a span its ends are looked at, as a part of it: second derivatives may jump at
@@ -121,7 +121,7 @@ struct Sample {
 /// Evenly over every span, ends included.
 std::vector<Sample> places_in(std::span<const double> breaks) {
   const int spans = static_cast<int>(breaks.size()) - 1;
-  const int each = std::max(kSamplesPerSpan, (kLeastSamples + spans - 1) / spans);
+  const int each = std::max(kSamplesPerSpan, (kMinSamples + spans - 1) / spans);
   std::vector<Sample> samples;
   for (std::size_t span = 0; span + 1 < breaks.size(); ++span)
     for (int k = 0; k < each; ++k) {

@@ -22,7 +22,7 @@ namespace {
 constexpr double kOneBreak = 1e-12;
 
 /// Halvings of a span at most. Bounds that are this near to a value inside are close enough.
-constexpr int kMostHalvings = 8;
+constexpr int kMaxHalvings = 8;
 constexpr double kCloseEnough = 1.05;
 
 /// So are bounds that nobody will tell from 0: of the angle, radians; of the relative curvature;
@@ -282,7 +282,7 @@ class Bounds {
   void add(const Piece& piece, const Figures& bounds, const Figures& of_whole, int halvings) {
     bool may = false;
     for (std::size_t i = 0; i < bounds.size(); ++i) may |= may_fall(i, bounds[i], of_whole[i]);
-    if (halvings == kMostHalvings || !may) return take(bounds);
+    if (halvings == kMaxHalvings || !may) return take(bounds);
     std::array<Piece, 2> halves{piece, piece};
     std::array<Figures, 2> of;
     for (std::size_t h = 0; h < 2; ++h) {

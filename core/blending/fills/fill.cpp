@@ -52,9 +52,9 @@ void validate(const std::vector<FillSide>& sides) {
     throw InvalidInput("fill: side " + std::to_string(side) + " " + what);
   };
   const auto n = static_cast<int>(sides.size());
-  if (n < kFewestFillSides || n > kMostFillSides)
-    throw InvalidInput("fill: " + std::to_string(kFewestFillSides) + " to " +
-                       std::to_string(kMostFillSides) + " sides are wanted, got " +
+  if (n < kMinFillSides || n > kMaxFillSides)
+    throw InvalidInput("fill: " + std::to_string(kMinFillSides) + " to " +
+                       std::to_string(kMaxFillSides) + " sides are wanted, got " +
                        std::to_string(n));
   for (std::size_t k = 0; k < sides.size(); ++k) {
     const FillSide& side = sides[k];

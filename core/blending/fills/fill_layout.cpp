@@ -102,9 +102,9 @@ const char* to_string(FillLayout layout) {
 double sector_angle(int sides) { return 2 * std::numbers::pi / sides; }
 
 PolygonLayout polygon_layout(FillLayout kind, int sides) {
-  if (sides < kFewestFillSides || sides > kMostFillSides)
-    throw InvalidInput("polygon_layout: " + std::to_string(kFewestFillSides) + " to " +
-                       std::to_string(kMostFillSides) + " sides are wanted, got " +
+  if (sides < kMinFillSides || sides > kMaxFillSides)
+    throw InvalidInput("polygon_layout: " + std::to_string(kMinFillSides) + " to " +
+                       std::to_string(kMaxFillSides) + " sides are wanted, got " +
                        std::to_string(sides));
   PolygonLayout layout;
   layout.kind = kind;

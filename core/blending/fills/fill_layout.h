@@ -29,8 +29,8 @@ const char* to_string(FillLayout layout);
 
 /// The fewest and most sides that a layout is made for: as many as systems in use ask for. With
 /// two sides there is no polygon.
-inline constexpr int kFewestFillSides = 3;
-inline constexpr int kMostFillSides = 12;
+inline constexpr int kMinFillSides = 3;
+inline constexpr int kMaxFillSides = 12;
 
 /// A vertex of a layout: a role and the sector in which it plays it. The centre is in sector 0.
 struct LayoutVertex {
@@ -69,7 +69,7 @@ struct PolygonLayout {
 
 /// The layout over the polygon with `sides` sides. Inner vertices are the means of their
 /// neighbours, so every quad is strictly convex (Tutte 1963).
-/// throws    InvalidInput unless sides is within kFewestFillSides..kMostFillSides
+/// throws    InvalidInput unless sides is within kMinFillSides..kMaxFillSides
 PolygonLayout polygon_layout(FillLayout kind, int sides);
 
 /// The angle between neighbouring sectors: 2 pi / n, radians.

@@ -16,7 +16,7 @@ namespace {
 // a circle through three of them to their distances' ratio more.
 constexpr double kRounding = 1e-11;
 // A radius of rotation below this part of the ball's is none.
-constexpr double kLeastTurn = 1e-9;
+constexpr double kMinTurn = 1e-9;
 
 struct Section {
   Vec3 centre;  // of the ball
@@ -94,7 +94,7 @@ std::optional<AnalyticStrip> along_circle(const std::vector<Section>& sections, 
   const Elementary& torus = strip.surface;
   const Section& first = sections.front();
   strip.surface.minor = first.circle.radius;
-  if (!(torus.radius > kLeastTurn * torus.minor)) return std::nullopt;
+  if (!(torus.radius > kMinTurn * torus.minor)) return std::nullopt;
   const auto outward = [&](const Section& s) { return unit(s.centre - torus.centre); };
   strip.x = outward(first);
   double angle = 0;

@@ -12,10 +12,10 @@
 namespace blossom {
 namespace {
 
-constexpr double kLeastMinor = 1e-10;  // of F', columns relative to |S_u|: below, its rank is lost
+constexpr double kMinMinor = 1e-10;  // of F', columns relative to |S_u|: below, its rank is lost
 constexpr double kSettled = 4 * 0x1p-52;  // a step, relative to a coordinate or its extent
 constexpr double kAlmostSettled = 1e-9;   // then a step that is no smaller is rounding
-constexpr int kMostSteps = 25;
+constexpr int kMaxSteps = 25;
 constexpr double kLostStep = 10;       // so long a one comes from a matrix without its rank
 constexpr double kLongestStep = 0.25;  // of the extents, far from a solution
 constexpr double kStray = 0.5;         // of the extents, beside a part while looking for a start
@@ -125,7 +125,7 @@ std::optional<Vec4> BallSystem::rate(const Vec4& x, const BallCells& cells,
   const auto& c = columns;
   Vec4 kernel{triple(c[1], c[2], c[3]), -triple(c[0], c[2], c[3]), triple(c[0], c[1], c[3]),
               -triple(c[0], c[1], c[2])};
-  if (!(max_norm(kernel) > kLeastMinor)) return std::nullopt;
+  if (!(max_norm(kernel) > kMinMinor)) return std::nullopt;
   for (int k = 0; k < 4; ++k) kernel[k] /= sizes[static_cast<std::size_t>(k)];
   const Vec3 first = side[0].u * kernel[0] + side[0].v * kernel[1],
              second = side[1].u * kernel[2] + side[1].v * kernel[3];
@@ -140,7 +140,7 @@ std::optional<Vec4> BallSystem::solved(Vec4 x, const BallCells& cells, double pa
   MovingPlane driven;
   if (planes_) driven = planes_(parameter);
   double before = 1e300;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const auto o = jets(x, cells, radius);
     if (!o) return std::nullopt;
     const std::array<OffsetJet, 2>& side = *o;
@@ -174,7 +174,7 @@ bool BallSystem::shortest_step(std::array<Vec3, 4> columns, Vec3 f, Vec4& step) 
 std::optional<Vec4> BallSystem::nearest(Vec4 x) const {
   const double radius = law_.at(0).value;
   double before = 1e300;
-  for (int step = 0; step < 2 * kMostSteps; ++step) {
+  for (int step = 0; step < 2 * kMaxSteps; ++step) {
     const BallCells cells{cell_at(*supports_[0].surface, chart_of(x, 0)),
                           cell_at(*supports_[1].surface, chart_of(x, 1))};
     const auto o = jets(x, cells, radius);

@@ -63,7 +63,7 @@ class BallSystem {
                                                double radius) const;
 
   /// dx by the parameter: at rolling length 1, or as the planes drive it. Nothing where F' loses
-  /// its rank, to kLeastMinor of what it can be.
+  /// its rank, to kMinMinor of what it can be.
   std::optional<Vec4> rate(const Vec4& x, const BallCells& cells, double parameter) const;
 
   /// The solution next to x by Newton's method; `plane` is used if the system is not driven.

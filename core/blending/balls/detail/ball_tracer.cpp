@@ -14,13 +14,13 @@ constexpr double kStepError = 1e-11;  // of a Runge-Kutta step
 constexpr double kFirstStep = 0.02;
 constexpr double kLongestStep = 0.125;
 constexpr double kShortestStep = 1e-9;
-constexpr double kDrift = 1e-5;       // Newton's way from the predicted point, in steps
-constexpr double kNoise = 1e-10;      // and what rounding may add to it
-constexpr double kLeastCosine = 0.8;  // between the directions at both ends of a step
-constexpr double kOnLine = 1e-10;     // nearer to a knot line or border is on it
-constexpr double kAlongLine = 1e-8;   // of a direction's size: less does not leave a line
-constexpr double kSamePoint = 1e-7;   // where a loop closes
-constexpr int kMostNodes = 100'000;
+constexpr double kDrift = 1e-5;      // Newton's way from the predicted point, in steps
+constexpr double kNoise = 1e-10;     // and what rounding may add to it
+constexpr double kMinCosine = 0.8;   // between the directions at both ends of a step
+constexpr double kOnLine = 1e-10;    // nearer to a knot line or border is on it
+constexpr double kAlongLine = 1e-8;  // of a direction's size: less does not leave a line
+constexpr double kSamePoint = 1e-7;  // where a loop closes
+constexpr int kMaxNodes = 100'000;
 constexpr int kEventSteps = 30;
 
 struct Place {
@@ -146,7 +146,7 @@ std::optional<Place> Walker::predicted(double h, double& error) const {
   Vec4 off;
   for (std::size_t j = 0; j < 7; ++j) off += slopes[j] * (h * kError[j]);
   error = size(off);
-  if (!(relative(slopes[6], rate_, extents_) >= kLeastCosine * size(slopes[6]) * size(rate_)))
+  if (!(relative(slopes[6], rate_, extents_) >= kMinCosine * size(slopes[6]) * size(rate_)))
     return std::nullopt;
   return y;
 }
@@ -312,7 +312,7 @@ Walk Walker::walk(const Place& start) {
     cells_[static_cast<std::size_t>(k)] = cell_at(surface(k), chart_of(start.x, k));
   walk.places.push_back(start);
   walk.is_break.push_back(0);
-  for (int i = 0; i < kMostNodes && advance(walk); ++i) {
+  for (int i = 0; i < kMaxNodes && advance(walk); ++i) {
   }
   return walk;
 }

@@ -37,7 +37,7 @@ double normal_curvature(const BallSupport& support, const BallContact& contact,
 // Quintic with the circle's ends and tangents, their length that of the arc, and second derivatives
 // with the surfaces' curvatures.
 void add_curvature_rows(const BallTrack& track, const BallPoint& ball,
-                        const CharacteristicCircle& circle, std::array<Vec4, kMostRows>& rows) {
+                        const CharacteristicCircle& circle, std::array<Vec4, kMaxRows>& rows) {
   const Vec3 &e1 = circle.to_contact[0], &e2 = circle.to_contact[1];
   const double cosine = std::clamp(dot(e1, e2), -1.0, 1.0),
                length = circle.radius * std::acos(cosine);
@@ -89,11 +89,11 @@ bool SectionForm::has_weight(int row) const {
   return (kind == SectionKind::Circle || kind == SectionKind::Conic) && row % 2 == 1;
 }
 
-std::array<Vec4, kMostRows> section_rows(const BallTrack& track, const BallPoint& ball,
-                                         const SectionForm& form) {
+std::array<Vec4, kMaxRows> section_rows(const BallTrack& track, const BallPoint& ball,
+                                        const SectionForm& form) {
   const CharacteristicCircle circle = characteristic_circle(ball);
   const Vec3 &e1 = circle.to_contact[0], &e2 = circle.to_contact[1];
-  std::array<Vec4, kMostRows> rows{};
+  std::array<Vec4, kMaxRows> rows{};
   if (form.kind == SectionKind::Curvature) {
     add_curvature_rows(track, ball, circle, rows);
     return rows;
@@ -117,13 +117,13 @@ std::array<Vec4, kMostRows> section_rows(const BallTrack& track, const BallPoint
   return rows;
 }
 
-Vec3 section_point(const std::array<Vec4, kMostRows>& rows, const SectionForm& form, double v) {
+Vec3 section_point(const std::array<Vec4, kMaxRows>& rows, const SectionForm& form, double v) {
   std::size_t from = 0;
   if (form.halved) {
     from = v < 0.5 ? 0 : 2;
     v = v < 0.5 ? 2 * v : 2 * v - 1;
   }
-  std::array<Vec4, kMostRows> p{};
+  std::array<Vec4, kMaxRows> p{};
   const auto degree = static_cast<std::size_t>(form.degree());
   std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(from), degree + 1, p.begin());
   for (std::size_t count = degree; count > 0; --count)

@@ -20,7 +20,7 @@ struct CharacteristicCircle {
 /// throws   InvalidInput if the balls have no envelope there
 CharacteristicCircle characteristic_circle(const BallPoint& ball);
 
-inline constexpr int kMostRows = 6;
+inline constexpr int kMaxRows = 6;
 
 /// How sections are written.
 struct SectionForm {
@@ -35,10 +35,10 @@ struct SectionForm {
 
 /// Control points from contact 1 to contact 2; of a halved arc 5, with the middle one shared.
 /// throws   InvalidInput as `characteristic_circle`
-std::array<Vec4, kMostRows> section_rows(const BallTrack& track, const BallPoint& ball,
-                                         const SectionForm& form);
+std::array<Vec4, kMaxRows> section_rows(const BallTrack& track, const BallPoint& ball,
+                                        const SectionForm& form);
 
 /// The point at v in [0, 1] of rows like these.
-Vec3 section_point(const std::array<Vec4, kMostRows>& rows, const SectionForm& form, double v);
+Vec3 section_point(const std::array<Vec4, kMaxRows>& rows, const SectionForm& form, double v);
 
 }  // namespace blossom

@@ -21,7 +21,7 @@ double det(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 TEST(PolygonLayout, CoversThePolygonWithConvexQuads) {
   for (const FillLayout kind : kLayouts)
-    for (int n = kFewestFillSides; n <= kMostFillSides; ++n) {
+    for (int n = kMinFillSides; n <= kMaxFillSides; ++n) {
       const PolygonLayout layout = polygon_layout(kind, n);
       double area = 0;
       for (int quad = 0; quad < static_cast<int>(layout.quads.size()); ++quad)
@@ -37,7 +37,7 @@ TEST(PolygonLayout, CoversThePolygonWithConvexQuads) {
 TEST(PolygonLayout, HasAnInnerEdgeForEveryTwoOpenSidesOfQuads) {
   // Each quad of a sector has four edges; two of the sector's are halves of the polygon's side.
   for (const FillLayout kind : kLayouts)
-    for (int n = kFewestFillSides; n <= kMostFillSides; ++n) {
+    for (int n = kMinFillSides; n <= kMaxFillSides; ++n) {
       const PolygonLayout layout = polygon_layout(kind, n);
       EXPECT_EQ(2 * layout.shared.size(), 4 * layout.quads.size() - 2) << to_string(kind) << n;
     }
