@@ -21,6 +21,7 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/chart_region.h"
 #include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/intersection_edges.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom::occt {
@@ -39,14 +40,6 @@ struct RayFace {
   explicit RayFace(const TopoDS_Face& face)
       : trims(face_trims(face)), region(trims), reversed(face.Orientation() == TopAbs_REVERSED) {}
 };
-
-std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape map;
-  if (!shape.IsNull()) TopExp::MapShapes(shape, TopAbs_FACE, map);
-  std::vector<TopoDS_Face> faces;
-  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
-  return faces;
-}
 
 double largest_tolerance(const TopoDS_Face& face) {
   TopTools_IndexedMapOfShape edges;

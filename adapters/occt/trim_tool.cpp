@@ -17,18 +17,11 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/faces/point_inside.h"
+#include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/queries/solid_rays.h"
 
 namespace blossom::occt {
 namespace {
-
-std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape map;
-  TopExp::MapShapes(shape, TopAbs_FACE, map);
-  std::vector<TopoDS_Face> faces;
-  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
-  return faces;
-}
 
 // Whether the solid's faces are turned inwards, by the first line that tells. What cannot be
 // converted says so when it is used.

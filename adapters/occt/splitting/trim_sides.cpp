@@ -13,8 +13,6 @@
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Solid.hxx>
@@ -24,6 +22,7 @@
 #include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/point_inside.h"
+#include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/splitting/edge_images.h"
 
@@ -40,14 +39,6 @@ constexpr long kMaxPairs = 500;
 constexpr double kEquallyNear = 1e-3;
 // Places on a cut, as fractions, where the side is looked at.
 constexpr std::array kLooks{0.5, 0.23, 0.77};
-
-std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape map;
-  TopExp::MapShapes(shape, TopAbs_FACE, map);
-  std::vector<TopoDS_Face> faces;
-  for (int i = 1; i <= map.Extent(); ++i) faces.push_back(TopoDS::Face(map(i)));
-  return faces;
-}
 
 gp_Vec oriented_normal(const TopoDS_Face& face, const Vec2& uv) {
   gp_Pnt point;
