@@ -135,7 +135,8 @@ class AskedBody {
 }  // namespace
 
 struct Bodies::Impl {
-  explicit Impl(const TopoDS_Shape& shape) : bodies(bodies_of(shape)), boundary(shape) {
+  Impl(const TopoDS_Shape& shape, MeasuredShape measured)
+      : bodies(bodies_of(shape)), boundary(std::move(measured)) {
     for (const Body& body : bodies) asked.emplace_back(body.shape);
   }
 
@@ -151,8 +152,11 @@ struct Bodies::Impl {
 Bodies::Bodies(const TopoDS_Shape& shape)
     : impl_(guarded("taking a shape apart", [&] {
         if (shape.IsNull()) throw BadModel("there is no shape to measure");
-        return std::make_unique<Impl>(shape);
+        return std::make_unique<Impl>(shape, MeasuredShape(shape));
       })) {}
+Bodies::Bodies(const TopoDS_Shape& shape, MeasuredShape boundary)
+    : impl_(guarded("taking a shape apart",
+                    [&] { return std::make_unique<Impl>(shape, std::move(boundary)); })) {}
 Bodies::~Bodies() = default;
 Bodies::Bodies(Bodies&&) noexcept = default;
 Bodies& Bodies::operator=(Bodies&&) noexcept = default;

@@ -29,6 +29,8 @@ class Bodies {
  public:
   /// throws   as MeasuredShape
   explicit Bodies(const TopoDS_Shape& shape);
+  /// boundary   of the same shape, made ready already
+  Bodies(const TopoDS_Shape& shape, MeasuredShape boundary);
   ~Bodies();
   Bodies(Bodies&&) noexcept;
   Bodies& operator=(Bodies&&) noexcept;

@@ -89,7 +89,35 @@ struct MeasuredEdge {
 // Parts of the set are the faces, then the edges.
 struct MeasuredShape::Impl {
   explicit Impl(const TopoDS_Shape& shape)
-      : shapes(shape), faces(shapes.faces().size()), converted(shapes.faces().size()) {
+      : whole(shape),
+        shapes(shape),
+        faces(shapes.faces().size()),
+        converted(shapes.faces().size()) {
+    OperandParts parts = with_hulls();
+    parts.make = [this](int part) { return make(part); };
+    parts.trims = [this](int face, const Vec2& low, const Vec2& high) {
+      return guarded("following the trims of a face", [&] { return side(face, low, high); });
+    };
+    prepared.emplace(std::move(parts));
+  }
+
+  Impl(const TopoDS_Shape& place, std::shared_ptr<Impl> prototype)
+      : whole(place),
+        shapes(place),
+        faces(shapes.faces().size()),
+        converted(shapes.faces().size()),
+        original(std::move(prototype)),
+        move(place.Location().Transformation() *
+             original->whole.Location().Transformation().Inverted()),
+        error(original->error) {
+    OperandParts parts = with_hulls();
+    converted.clear();  // what was made for hulls is the original's to keep
+    parts.make = [this](int part) { return moved(original->prepared->part(part)); };
+    parts.trims = original->prepared->set().trims;
+    prepared.emplace(std::move(parts));
+  }
+
+  OperandParts with_hulls() {
     OperandParts parts;
     for (const PlacedShape& vertex : shapes.vertices()) {
       gp_XYZ p = BRep_Tool::Pnt(TopoDS::Vertex(vertex.shape)).XYZ();
@@ -104,11 +132,27 @@ struct MeasuredShape::Impl {
     for (const MeasuredEdge& edge : edges) parts.hulls.push_back(edge_hull(edge));
     if (parts.points.empty() && parts.hulls.empty())
       throw BadModel("there is nothing in the shape to measure");
-    parts.make = [this](int part) { return make(part); };
-    parts.trims = [this](int face, const Vec2& low, const Vec2& high) {
-      return guarded("following the trims of a face", [&] { return side(face, low, high); });
-    };
-    prepared.emplace(std::move(parts));
+    return parts;
+  }
+
+  // A copy of the original's at this place.
+  DistanceOperand moved(DistanceOperand set) const {
+    for (Vec3& p : set.points) p = moved(p);
+    for (RationalBezierCurve& curve : set.curves)
+      for (Vec4& p : curve.points) p = moved(p);
+    for (BezierSurface& surface : set.surfaces)
+      for (RationalBezierPatch& patch : surface.patches.values())
+        for (Vec4& p : patch.points.values()) p = moved(p);
+    return set;
+  }
+  Vec3 moved(const Vec3& p) const {
+    gp_XYZ xyz(p[0], p[1], p[2]);
+    move.Transforms(xyz);
+    return {xyz.X(), xyz.Y(), xyz.Z()};
+  }
+  Vec4 moved(const Vec4& p) const {
+    const Vec3 at = moved(projected(p));
+    return {at[0] * p[3], at[1] * p[3], at[2] * p[3], p[3]};
   }
 
   TopoDS_Face face(int i) const {
@@ -184,26 +228,37 @@ struct MeasuredShape::Impl {
     if (end.part < 0 && index >= shapes.vertices().size()) return {{}, {}, end.point};  // not known
     if (end.part < 0) return {shapes.placed(shapes.vertices()[index]), {}, end.point};
     if (is_face(end.part)) return {face(end.part), end.uv, end.point};
-    const MeasuredEdge& of = edge_of_part(end.part);
+    const MeasuredEdge& of = original ? original->edge_of_part(end.part) : edge_of_part(end.part);
     if (end.kind == DistanceEnd::Kind::Point)  // where a span ends and the next one begins
       return {edge(of), {of.spans[index].place.to, 0}, end.point};
     const EdgeSpan& span = of.spans[index];
     return {edge(of), {parameter_at(span.law, span.place, end.uv[0]), 0}, end.point};
   }
 
+  TopoDS_Shape whole;
   PlacedShapes shapes;
   std::deque<MeasuredFace> faces;
   std::vector<std::optional<BezierSurface>> converted;  // faces whose form had to be made for a box
   std::vector<MeasuredEdge> edges;
   std::optional<PreparedSet> prepared;
+  std::shared_ptr<Impl> original;  // of one that is somewhere else; null
+  gp_Trsf move;                    // from there
   double error = 0;
 };
 
 MeasuredShape::MeasuredShape(const TopoDS_Shape& shape)
     : impl_(guarded("preparing a shape to measure", [&] {
         if (shape.IsNull()) throw BadModel("there is no shape to measure");
-        return std::make_unique<Impl>(shape);
+        return std::make_shared<Impl>(shape);
       })) {}
+MeasuredShape::MeasuredShape(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
+MeasuredShape MeasuredShape::moved_to(const TopoDS_Shape& place) const {
+  const std::shared_ptr<Impl> original = impl_->original ? impl_->original : impl_;
+  if (!original->whole.IsPartner(place))
+    throw InvalidInput("moved_to: the place is not one of the measured shape");
+  return MeasuredShape(guarded("preparing a shape to measure",
+                               [&] { return std::make_shared<Impl>(place, original); }));
+}
 MeasuredShape::~MeasuredShape() = default;
 MeasuredShape::MeasuredShape(MeasuredShape&&) noexcept = default;
 MeasuredShape& MeasuredShape::operator=(MeasuredShape&&) noexcept = default;

@@ -40,6 +40,11 @@ class MeasuredShape {
   ///          cannot be used; Failure where Open CASCADE fails at one. Those of a conversion or of
   ///          trims may come with the first question near it, and with every later one
   explicit MeasuredShape(const TopoDS_Shape& shape);
+  /// The same shape at another place, turned but not scaled: what is converted for one of the two
+  /// serves both.
+  /// place     a partner of the shape that this one was made from
+  /// throws    InvalidInput if it is none
+  MeasuredShape moved_to(const TopoDS_Shape& place) const;
   ~MeasuredShape();
   MeasuredShape(MeasuredShape&&) noexcept;
   MeasuredShape& operator=(MeasuredShape&&) noexcept;
@@ -55,7 +60,8 @@ class MeasuredShape {
 
  private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  explicit MeasuredShape(std::shared_ptr<Impl> impl);
+  std::shared_ptr<Impl> impl_;
 };
 
 /// The least distance of two shapes, between proven bounds.

@@ -86,8 +86,9 @@ std::vector<Output> wanted_outputs(const CommonOptions& options, Outputs outputs
   Output model{"--output", options.output, {".step", ".brep", ".iges"}, {".stp", ".igs", ".brp"}};
   if (outputs == Outputs::ModelsAndNets) model.endings.emplace_back(".json");
   std::vector<Output> wanted;
-  for (const Output& output : {model, Output{"--json", options.json, {".json"}, {""}},
-                               Output{"--picture", options.picture, {".png"}}})
+  for (const Output& output :
+       {model, Output{"--json", options.json, {".json"}, {""}},
+        Output{"--picture", options.picture, {".png"}}, Output{"--table", options.table, {".csv"}}})
     if (!output.file.empty() && !(output.option == "--json" && is_stream(output.file)))
       wanted.push_back(output);
   return wanted;
@@ -136,6 +137,11 @@ void add_common_options(CLI::App& command, CommonOptions& options, const std::st
   if (!output.empty()) command.add_option("-o,--output", options.output, output)->type_name("FILE");
   command.add_option("--picture", options.picture, "write a picture (PNG)")->type_name("FILE");
   add_report_options(command, options);
+}
+
+void add_table(CLI::App& command, CommonOptions& options, const std::string& what) {
+  command.add_option("--table", options.table, "write a table (CSV) with a row for " + what)
+      ->type_name("FILE");
 }
 
 void add_fail_on(CLI::App& command, CommonOptions& options) {

@@ -17,6 +17,7 @@ struct CommonOptions {
   std::string output;   ///< -o: a model file; empty for none
   std::string json;     ///< --json: a file, or "-" for stdout; empty for none
   std::string picture;  ///< --picture: a PNG file; empty for none
+  std::string table{};  ///< --table: a CSV file; empty for none
   std::string fail_on;  ///< --fail-on: "findings"; empty for nothing
 };
 
@@ -35,6 +36,10 @@ void add_report_options(CLI::App& command, CommonOptions& options);
 /// The same, and -o and --picture.
 /// output    what -o gets, for the help text; empty if the command writes no model
 void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output);
+
+/// --table.
+/// what      has a row
+void add_table(CLI::App& command, CommonOptions& options, const std::string& what);
 
 /// --fail-on.
 void add_fail_on(CLI::App& command, CommonOptions& options);

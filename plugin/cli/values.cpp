@@ -69,6 +69,13 @@ CLI::Validator positive_number() {
   });
 }
 
+CLI::Validator number_not_negative() {
+  return taking("a number that is not negative", [](const std::string& text) {
+    const std::optional<double> value = finite_value(text);
+    return value && *value >= 0;
+  });
+}
+
 CLI::Validator finite_number() {
   return taking("finite numbers",
                 [](const std::string& text) { return finite_value(text).has_value(); });

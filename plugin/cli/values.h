@@ -19,6 +19,9 @@ std::optional<double> finite_value(const std::string& text);
 
 CLI::Validator positive_number();
 
+/// Finite and not below 0.
+CLI::Validator number_not_negative();
+
 /// Not nan and not infinite.
 CLI::Validator finite_number();
 

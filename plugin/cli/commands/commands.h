@@ -21,6 +21,7 @@ void add_trim(CLI::App& app, int& exit_code);
 void add_blend(CLI::App& app, int& exit_code);
 void add_subdivide(CLI::App& app, int& exit_code);
 void add_convert(CLI::App& app, int& exit_code);
+void add_clash(CLI::App& app, int& exit_code);
 void add_query(CLI::App& app, int& exit_code);
 void add_help(CLI::App& app, int& exit_code);
 

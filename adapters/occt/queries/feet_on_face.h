@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How far patches are at most from a face that is part of a plane, cylinder or sphere.
+
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <TopoDS_Face.hxx>
+#include <gp_Ax3.hxx>
+
+#include "adapters/occt/faces/face_trims.h"
+#include "core/forms/elementary.h"
+#include "core/forms/patch.h"
+
+namespace blossom::occt {
+
+class FeetOnFace {
+ public:
+  /// face   of a plane, cylinder or sphere; of any other surface nothing is bounded
+  explicit FeetOnFace(const TopoDS_Face& face);
+
+  /// A bound on the distances of all points of the patch from the face, model units; nothing unless
+  /// the foot of each is proven to lie within the trims.
+  ///
+  /// The squared distance from an axis or a centre is a quotient of two forms of twice the degree,
+  /// and lies between the least and the largest quotient of their Bezier coefficients: exactly so
+  /// where the patch is an arc about the same axis.
+  ///
+  /// within   feet so near to the border need not be proven to lie on this side of it, model units;
+  ///          twice as much is added to the bound
+  std::optional<double> farthest(const RationalBezierPatch& patch, double within) const;
+
+ private:
+  using Range = std::array<Interval, 2>;
+  std::optional<Range> feet_of(const RationalBezierPatch& patch) const;
+  bool are_inside(const Range& feet, double within) const;
+
+  std::optional<ElementaryKind> kind_;
+  gp_Ax3 frame_;
+  double radius_ = 0;
+  FaceTrims trims_;
+};
+
+}  // namespace blossom::occt

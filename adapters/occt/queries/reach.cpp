@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/queries/reach.h"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <map>
+#include <optional>
+#include <queue>
+#include <utility>
+
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/queries/feet_on_face.h"
+#include "adapters/occt/queries/solid_rays.h"
+#include "core/subdivision/patch_subdivision.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kNotKnown = std::numeric_limits<double>::infinity();
+constexpr double kAddedPart = 0.1;
+constexpr long kProofPairs = 1000;  // of cells; halving the cell is cheaper than more of them
+
+struct ReachPiece {
+  BezierSurface surface;
+  FaceTrims trims;
+};
+
+// A rectangle of a patch, in its local parameters.
+struct ReachCell {
+  const ReachPiece* piece = nullptr;
+  int i = 0, j = 0;
+  Interval u{0, 1}, v{0, 1};
+  double upper = 0;  // no point of it lies deeper, model units
+
+  bool operator<(const ReachCell& other) const { return upper < other.upper; }
+};
+
+Interval own_range(ParameterLaw law, const std::vector<double>& knots, int span,
+                   const Interval& local) {
+  const auto k = static_cast<std::size_t>(span);
+  const Interval of{knots[k], knots[k + 1]};
+  return {parameter_at(law, of, local.from), parameter_at(law, of, local.to)};
+}
+
+// The control points of a cell with their weights, and what follows from them.
+struct CellNet {
+  RationalBezierPatch patch;
+  Vec3 middle;        // a point of the surface
+  double radius = 0;  // of the ball round it that holds the cell
+  double width_u = 0, width_v = 0;
+
+  explicit CellNet(const ReachCell& cell)
+      : patch(sub_patch(cell.piece->surface.patches(cell.i, cell.j), cell.u, cell.v)) {
+    const RationalBezierPatch point = sub_patch(patch, {0.5, 0.5}, {0.5, 0.5});
+    middle = projected(point.points(0, 0));
+    const auto at = [&](int i, int j) { return projected(patch.points(i, j)); };
+    for (int i = 0; i < patch.points.rows(); ++i)
+      for (int j = 0; j < patch.points.columns(); ++j) {
+        radius = std::max(radius, distance(middle, at(i, j)));
+        if (i > 0) width_u = std::max(width_u, patch.degree_u() * distance(at(i, j), at(i - 1, j)));
+        if (j > 0) width_v = std::max(width_v, patch.degree_v() * distance(at(i, j), at(i, j - 1)));
+      }
+  }
+
+  DistanceOperand moved(const Vec3& by) const {
+    BezierSurface surface;
+    surface.u_knots = surface.v_knots = {0, 1};
+    surface.patches = Grid<RationalBezierPatch>(1, 1);
+    surface.patches(0, 0) = patch;
+    for (Vec4& p : surface.patches(0, 0).points.values()) {
+      surface.rational = surface.rational || p[3] != 1;
+      for (int k = 0; k < 3; ++k) p[k] += p[3] * by[k];
+    }
+    return measured(surface);
+  }
+};
+
+class Reaching {
+ public:
+  Reaching(const std::vector<TopoDS_Face>& faces, const MeasuredShape& boundary, double tolerance,
+           double known)
+      : boundary_(boundary),
+        rays_(boundary.faces(), tolerance),
+        tolerance_(tolerance),
+        best_(known) {
+    for (const TopoDS_Face& face : boundary.faces()) {
+      boundary_faces_.push_back(face);
+      TopExp::MapShapes(face, parts_.emplace_back());
+    }
+    for (const TopoDS_Face& face : faces) {
+      pieces_.push_back({bezier_surface(face, tolerance), face_trims(face)});
+      error_ = std::max(error_, pieces_.back().surface.error);
+    }
+  }
+
+  Reach found(const std::function<bool()>& stop) {
+    for (const ReachPiece& piece : pieces_)
+      for (int i = 0; i < piece.surface.patches.rows(); ++i)
+        for (int j = 0; j < piece.surface.patches.columns(); ++j) enter({&piece, i, j});
+    for (int count = 0; !cells_.empty() && count < kReachCells && !(stop && stop()); count += 2) {
+      const ReachCell cell = cells_.top();
+      if (cell.upper <= goal()) break;
+      cells_.pop();
+      halve(cell);
+    }
+    const double upper = std::max(done_, cells_.empty() ? 0.0 : cells_.top().upper);
+    return {std::max(0.0, best_ - error_), std::max(upper, best_) + error_, deepest_};
+  }
+
+ private:
+  double goal() const { return best_ * (1 + kReachAccuracy) + tolerance_; }
+
+  void halve(const ReachCell& cell) {
+    const CellNet net(cell);
+    ReachCell first = cell, second = cell;
+    const bool along_u = net.width_u >= net.width_v;
+    const Interval& of = along_u ? cell.u : cell.v;
+    const double middle = 0.5 * (of.from + of.to);
+    (along_u ? first.u : first.v).to = middle;
+    (along_u ? second.u : second.v).from = middle;
+    enter(first);
+    enter(second);
+  }
+
+  PartSide side(const ReachCell& cell, const Interval& u, const Interval& v) const {
+    const BezierSurface& surface = cell.piece->surface;
+    return part_side(cell.piece->trims, own_range(surface.u_law, surface.u_knots, cell.i, u),
+                     own_range(surface.v_law, surface.v_knots, cell.j, v));
+  }
+
+  // Takes a cell among those that may hold the deepest point, unless it does not.
+  void enter(ReachCell cell) {
+    const PartSide place = side(cell, cell.u, cell.v);
+    if (place == PartSide::Outside) return;
+    const CellNet net(cell);
+    const ShapeDistance near =
+        nearest_point(boundary_, net.middle, {.resolution = 0.1 * kReachAccuracy * best_});
+    const double u = 0.5 * (cell.u.from + cell.u.to), v = 0.5 * (cell.v.from + cell.v.to);
+    if (near.lower > best_ && side(cell, {u, u}, {v, v}) != PartSide::Outside) {
+      best_ = near.lower;
+      deepest_ = net.middle;
+    }
+    cell.upper = near.upper + net.radius;
+    if (cell.upper > goal()) cell.upper = std::min(cell.upper, to_one_face(net, near.b.on));
+    if (cell.upper > goal() && place == PartSide::Inside)  // others are halved anyway
+      cell.upper = std::min(cell.upper, way_out(net, near));
+    if (cell.upper > goal())
+      cells_.push(cell);
+    else
+      done_ = std::max(done_, cell.upper);
+  }
+
+  // The largest distance of the cell from one of the faces that have the middle's nearest point;
+  // infinite if no bound is known.
+  double to_one_face(const CellNet& net, const TopoDS_Shape& nearest) {
+    const double within = std::max(tolerance_, 0.1 * kReachAccuracy * best_);
+    double least = kNotKnown;
+    for (std::size_t i = 0; i < boundary_faces_.size(); ++i) {
+      if (!parts_[i].Contains(nearest)) continue;
+      const auto known = feet_.try_emplace(i, boundary_faces_[i]).first;
+      if (const std::optional<double> bound = known->second.farthest(net.patch, within))
+        least = std::min(least, *bound);
+    }
+    return least;
+  }
+
+  // The length of a way on which all of the cell leaves the body; infinite if none is proven.
+  double way_out(const CellNet& net, const ShapeDistance& near) {
+    const Vec3 way = near.b.point - net.middle;
+    const double length = norm(way);
+    if (!(length > tolerance_)) return kNotKnown;
+    const double s = std::max(goal(), length * (1 + 0.5 * kReachAccuracy));
+    if (s >= near.upper + net.radius) return kNotKnown;
+    const Vec3 by = way * (s / length);
+    const std::optional<bool> inside = rays_.is_inside(net.middle + by);
+    if (!inside || *inside) return kNotKnown;
+    // What comes nearer than a part of the way that is added is not worth a longer proof.
+    const double enough = kAddedPart * (s - length) + boundary_.error();
+    const DistanceResult apart = least_distance(PreparedSet(net.moved(by)), boundary_.set(),
+                                                {.budget = kProofPairs, .enough = enough});
+    return apart.lower > enough ? s : kNotKnown;
+  }
+
+  const MeasuredShape& boundary_;
+  SolidRays rays_;
+  double tolerance_;
+  std::vector<ReachPiece> pieces_{};
+  std::vector<TopoDS_Face> boundary_faces_{};
+  std::deque<TopTools_IndexedMapOfShape> parts_{};  // of each of these
+  std::map<std::size_t, FeetOnFace> feet_{};        // likewise, once asked for
+  double error_ = 0;                                // of approximated pieces
+  std::priority_queue<ReachCell> cells_{};
+  double best_, done_ = 0;
+  Vec3 deepest_;
+};
+
+}  // namespace
+
+Reach reach_of(const std::vector<TopoDS_Face>& pieces, const MeasuredShape& boundary,
+               double tolerance, double known, const std::function<bool()>& stop) {
+  return guarded("measuring how deep a body lies in another one", [&] {
+    Reaching reaching(pieces, boundary, tolerance, known);
+    return reaching.found(stop);
+  });
+}
+
+}  // namespace blossom::occt

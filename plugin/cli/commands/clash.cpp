@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom clash A [B]`: which parts penetrate, touch or hold each other, and how far others are.
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "adapters/occt/base/errors.h"
+#include "core/base/parallel.h"
+#include "plugin/cli/commands/commands.h"
+#include "plugin/cli/commands/query_parts.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/inputs.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/options.h"
+#include "plugin/cli/output.h"
+#include "plugin/cli/progress.h"
+#include "plugin/cli/reading.h"
+#include "plugin/cli/values.h"
+#include "plugin/cli/vectors.h"
+#include "plugin/cli/verbosity.h"
+#include "plugin/reports/clash.h"
+
+namespace blossom::cli {
+namespace {
+
+using reports::ClashAnswer;
+using reports::ClashRow;
+
+struct Options {
+  std::string a, b;  // b may be empty
+  double clearance = -1;
+  bool near = false;  // only pairs that are near each other are listed
+  CommonOptions common;
+  EngineOptions engine;
+};
+
+std::string number(double value) { return number_text(rounded(value)); }
+
+std::string bounds(double lower, double upper) {
+  if (number(lower) == number(upper)) return number(upper);
+  return number(lower) + ", at most " + number(upper);
+}
+
+std::string contact_text(const occt::Clash& clash) {
+  std::map<std::string, std::size_t> kinds;
+  for (const occt::BodyContact& contact : clash.contacts) ++kinds[to_string(contact.kind)];
+  const occt::BodyContact& first = clash.contacts.front();
+  std::string text = to_string(first.kind);
+  if (const std::size_t count = kinds[text]; count > 1)
+    text = std::to_string(count) + " " + text + "s, one of them";
+  return text + " at " +
+         vector_text({rounded(first.point[0]), rounded(first.point[1]), rounded(first.point[2])});
+}
+
+std::string details(const ClashRow& row, const ClashAnswer& answer) {
+  if (row.clash == nullptr) return "at least " + number(row.lower);
+  const occt::Clash& clash = *row.clash;
+  std::string text;
+  if (clash.relation == occt::Relation::AInsideB) text = answer.parts[row.a].name + " is inside, ";
+  if (clash.relation == occt::Relation::BInsideA) text = answer.parts[row.b].name + " is inside, ";
+  if (clash.common)
+    text += "volume " + number(clash.common->volume) + " mm³, depth " +
+            bounds(clash.common->lower, clash.common->upper) + ", deepest at " +
+            vector_text({rounded(clash.common->deepest[0]), rounded(clash.common->deepest[1]),
+                         rounded(clash.common->deepest[2])});
+  if (!clash.contacts.empty()) text += contact_text(clash);
+  if (clash.relation == occt::Relation::Disjoint)
+    text += clash.measured ? "distance " + bounds(clash.lower, clash.upper)
+                           : "more than " + number(clash.lower);
+  for (const std::string& obstacle : clash.obstacles) text += (text.empty() ? "" : "; ") + obstacle;
+  if (clash.status != Status::Complete) text += std::string(", ") + to_string(clash.status);
+  return text;
+}
+
+// The words of counts in the order of the table.
+std::string counts_text(const std::vector<ClashRow>& near, std::size_t all) {
+  std::map<std::string, std::size_t> counts;
+  for (const ClashRow& row : near) ++counts[clash_word(row)];
+  counts["clear"] += all - near.size();
+  std::string text;
+  for (const char* word : {"penetrates", "contained", "equal", "touches", "clear", "unknown"})
+    if (counts[word] > 0) text += ", " + std::to_string(counts[word]) + " " + word;
+  return text;
+}
+
+std::size_t width_of(const std::vector<ClashRow>& rows, const ClashAnswer& answer,
+                     std::size_t ClashRow::*side) {
+  std::size_t width = 0;
+  for (const ClashRow& row : rows) width = std::max(width, answer.parts[row.*side].name.size());
+  return width + 2;
+}
+
+std::string clash_text(const ClashAnswer& answer) {
+  std::vector<ClashRow> rows = reports::rows_of(answer, reports::ClashRows::Near);
+  const std::size_t all = reports::pair_count(answer);
+  std::ostringstream text;
+  text << answer.inputs.front()->name;
+  if (answer.inputs.size() > 1) text << " - " << answer.inputs.back()->name;
+  text << ": " << to_string(stated(status_of(answer))) << ", "
+       << counted(answer.parts.size(), "part") << ", " << counted(all, "pair")
+       << counts_text(rows, all) << ", " << answer.seconds << " s\n";
+  if (verbosity() != Verbosity::Verbose)
+    std::erase_if(rows, [](const ClashRow& row) { return !row.clash->measured; });
+  else if (answer.lists_far)
+    rows = reports::rows_of(answer, reports::ClashRows::All);
+  const auto padded = [](const std::string& word, std::size_t width) {
+    return word + std::string(width > word.size() ? width - word.size() : 0, ' ');
+  };
+  const std::size_t a = width_of(rows, answer, &ClashRow::a);
+  const std::size_t b = width_of(rows, answer, &ClashRow::b);
+  for (const ClashRow& row : rows)
+    text << "  " << padded(clash_word(row), 12) << padded(answer.parts[row.a].name, a)
+         << padded(answer.parts[row.b].name, b) << details(row, answer) << "\n";
+  if (rows.size() < all)
+    text << "  " << counted(all - rows.size(), "pair")
+         << (answer.clearance ? " farther apart than " + number(*answer.clearance)
+                              : " whose boxes are apart")
+         << "; -v lists them\n";
+  return text.str();
+}
+
+// The common bodies, each named by the parts that have it.
+void write_common(const ClashAnswer& answer, const std::string& file) {
+  occt::Model model;
+  bool any = false;
+  for (const ClashRow& row : reports::rows_of(answer, reports::ClashRows::Near)) {
+    if (!row.clash->common) continue;
+    for (const TopoDS_Solid& solid : row.clash->common->solids) {
+      model.add(solid, answer.parts[row.a].name + " x " + answer.parts[row.b].name, {});
+      any = true;
+    }
+  }
+  if (any)
+    write_model(model, file);
+  else
+    tell_unwritten(file, "no parts have a common body");
+}
+
+int write_outputs(const ClashAnswer& answer, const CommonOptions& common) {
+  stop_if_interrupted();
+  if (!common.output.empty()) write_common(answer, common.output);
+  if (!common.table.empty()) occt::write_text(reports::clash_csv(answer), common.table);
+  if (!common.json.empty()) write_json(reports::clash_report(answer), common.json);
+  print_summary(clash_text(answer), common.json);
+  const std::vector<ClashRow> rows = reports::rows_of(answer, reports::ClashRows::Near);
+  const bool any = std::ranges::any_of(
+      rows, [&](const ClashRow& row) { return is_finding(row, answer.clearance); });
+  return exit_code(exit_code(status_of(answer)), findings_of(any), common);
+}
+
+int run(const Options& options) {
+  std::vector<std::string> files{options.a};
+  if (!options.b.empty()) files.push_back(options.b);
+  check_files(options.common, files);
+  start_threads(options.engine.threads);
+  std::vector<Input> inputs;
+  for (const std::string& file : files) inputs.push_back(read_input(file));
+  stop_if_interrupted();
+  ClashAnswer answer;
+  answer.tolerance = options.engine.tolerance;
+  answer.lists_far = !options.near;
+  if (options.clearance >= 0) answer.clearance = options.clearance;
+  for (const Input& input : inputs) {
+    if (!answer.inputs.empty()) answer.first_of_b = answer.parts.size();
+    answer.inputs.push_back(&input);
+    for (reports::NamedPart& part : reports::named_parts(input))
+      answer.parts.push_back(std::move(part));
+  }
+  if (answer.parts.size() < 2)
+    throw occt::BadModel(options.a +
+                         ": has one part alone; clash compares two or more, or two "
+                         "models");
+  std::vector<TopoDS_Shape> shapes;
+  for (const reports::NamedPart& part : answer.parts) shapes.push_back(part.shape);
+  {
+    Progress progress("looking for clashes");
+    const Stopwatch watch;
+    answer.found =
+        occt::clashes_of(shapes, {answer.clearance, intersection_options(options.engine, progress)},
+                         answer.first_of_b);
+    answer.seconds = watch.seconds();
+  }
+  return write_outputs(answer, options.common);
+}
+
+}  // namespace
+
+void add_clash(CLI::App& app, int& exit_code) {
+  CLI::App* const command = app.add_subcommand(
+      "clash", "parts that penetrate, touch or hold each other, and how far others are apart");
+  const auto options = std::make_shared<Options>();
+  command->add_option("a", options->a, "model, or some of its faces")->required()->type_name("A");
+  command->add_option("b", options->b, "another one: pairs have one part of each")->type_name("B");
+  command
+      ->add_option("--clearance", options->clearance,
+                   "measure distances up to this; without it those of pairs whose boxes meet, and "
+                   "of parts that meet no other the nearest")
+      ->check(number_not_negative())
+      ->type_name("D");
+  command->add_flag("--near", options->near,
+                    "list no pairs of which only the boxes were looked at: they are many");
+  command
+      ->add_option("-o,--output", options->common.output,
+                   "write the common bodies (.step, .brep, .iges)")
+      ->type_name("FILE");
+  add_table(*command, options->common, "each pair");
+  add_report_options(*command, options->common);
+  add_fail_on(*command, options->common);
+  add_engine_options(*command, options->engine);
+  command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Parts of models and how pairs of them lie to each other; see plugin/cli/schemas/clash-1.md.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Shape.hxx>
+
+#include "adapters/occt/clash.h"
+#include "plugin/reports/input.h"
+#include "plugin/reports/json.h"
+
+namespace blossom::reports {
+
+/// A closed solid of a model, or the faces of one of its parts that bound none.
+struct NamedPart {
+  TopoDS_Shape shape;
+  const Input* input = nullptr;
+  std::string name;  ///< what tells it from all others of the model
+  std::string part;  ///< the names of instances that lead to it; may be empty
+  int solid = 0;     ///< 1-based in the order of TopExp::MapShapes; 0 of faces
+  int faces = 0;
+};
+
+/// The parts of an input in their order, solids first.
+std::vector<NamedPart> named_parts(const Input& input);
+
+struct ClashAnswer {
+  std::vector<const Input*> inputs;  ///< one, or two of which pairs have one part each
+  std::vector<NamedPart> parts;      ///< of all inputs
+  std::size_t first_of_b = 0;        ///< place of the second input's first part; 0: there is none
+  std::optional<double> clearance;
+  double tolerance = 0;
+  bool lists_far = true;  ///< reports have pairs of which only the boxes were looked at, too
+  occt::Clashes found;
+  double seconds = 0;
+};
+
+/// A pair that is told: one that was looked at, or one of which only the boxes were.
+struct ClashRow {
+  std::size_t a = 0, b = 0;
+  const occt::Clash* clash = nullptr;  ///< null: apart, as the boxes are
+  double lower = 0;                    ///< bound on the distance, model units
+};
+
+/// How many pairs there are.
+std::size_t pair_count(const ClashAnswer& answer);
+
+enum class ClashRows {
+  Near,  ///< that were looked at: about as many as there are parts
+  All,
+};
+
+/// Pairs of the question in order: those that penetrate or hold each other, then those that touch,
+/// then those that are clear with a measured distance, then all others.
+std::vector<ClashRow> rows_of(const ClashAnswer& answer, ClashRows wanted);
+
+/// "penetrates", "contained", "equal", "touches", "clear", "unknown".
+const char* clash_word(const ClashRow& row);
+
+Status status_of(const ClashAnswer& answer);
+
+/// Whether parts have an inside in common, or are nearer to each other than the clearance.
+bool is_finding(const ClashRow& row, const std::optional<double>& clearance);
+
+/// The whole object, schema "blossom.clash/1".
+Json clash_report(const ClashAnswer& answer);
+
+/// The table, with a line of titles.
+std::string clash_csv(const ClashAnswer& answer);
+
+}  // namespace blossom::reports
