@@ -21,12 +21,8 @@ constexpr double kFar = 1e-2;  // of a curve's length: where it ends off all edg
 
 class FaceSections {
  public:
-  FaceSections(const std::vector<TopoDS_Face>& faces, const Plane& plane,
-               const IntersectionOptions& options)
-      : frame_(plane),
-        options_(options),
-        tolerance_(options.tolerances.point),
-        faces_(faces, "", tolerance_, Extent::Trims) {}
+  FaceSections(FaceList& faces, const Plane& plane, const IntersectionOptions& options)
+      : frame_(plane), options_(options), tolerance_(options.tolerances.point), faces_(faces) {}
 
   PlaneSection run() {
     prepare();
@@ -114,7 +110,7 @@ class FaceSections {
   const IntersectionOptions& options_;
   const SharedLimit limit_{options_};
   double tolerance_;
-  FaceList faces_;
+  FaceList& faces_;
   std::vector<char> asked_;     // faces that may have a point in the plane
   std::vector<char> searched_;  // but for those that lie in it
   PlaneSection section_;
@@ -124,8 +120,28 @@ class FaceSections {
 
 PlaneSection plane_section(const std::vector<TopoDS_Face>& faces, const Plane& plane,
                            const IntersectionOptions& options) {
+  return SectionedFaces(faces, options.tolerances.point).section(plane, options);
+}
+
+struct SectionedFaces::Impl {
+  Impl(std::vector<TopoDS_Face> all, double tolerance)
+      : faces(std::move(all)), list(faces, "", tolerance, Extent::Trims) {}
+
+  std::vector<TopoDS_Face> faces;
+  FaceList list;
+};
+
+SectionedFaces::SectionedFaces(std::vector<TopoDS_Face> faces, double tolerance)
+    : impl_(std::make_unique<Impl>(std::move(faces), tolerance)) {}
+SectionedFaces::~SectionedFaces() = default;
+SectionedFaces::SectionedFaces(SectionedFaces&&) noexcept = default;
+SectionedFaces& SectionedFaces::operator=(SectionedFaces&&) noexcept = default;
+
+const std::vector<TopoDS_Face>& SectionedFaces::faces() const { return impl_->faces; }
+
+PlaneSection SectionedFaces::section(const Plane& plane, const IntersectionOptions& options) {
   PlaneSection section;
-  with_threads(options.threads, [&] { section = FaceSections(faces, plane, options).run(); });
+  with_threads(options.threads, [&] { section = FaceSections(impl_->list, plane, options).run(); });
   return section;
 }
 

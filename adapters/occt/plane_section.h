@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include <Geom2d_BSplineCurve.hxx>
@@ -91,6 +92,29 @@ struct PlaneSection {
 ///          converted; the message has the face's place in the list
 PlaneSection plane_section(const std::vector<TopoDS_Face>& faces, const Plane& plane,
                            const IntersectionOptions& options = {});
+
+/// Faces made ready for sections with many planes: what is converted for one serves all.
+class SectionedFaces {
+ public:
+  /// throws   BadModel if a face cannot be used
+  explicit SectionedFaces(std::vector<TopoDS_Face> faces, double tolerance = 1e-7);
+  ~SectionedFaces();
+  SectionedFaces(SectionedFaces&&) noexcept;
+  SectionedFaces& operator=(SectionedFaces&&) noexcept;
+
+  const std::vector<TopoDS_Face>& faces() const;
+
+  /// As plane_section.
+  PlaneSection section(const Plane& plane, const IntersectionOptions& options = {});
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Turns closed wires so that, seen from the tip of the normal, outer ones run counter-clockwise
+/// and holes clockwise: those inside of an odd number of others. By polygons of samples.
+void orient_wires(PlaneSection& section, const Plane& plane);
 
 /// A wire of edges for each wire, which share their vertices, and a vertex for each point.
 /// throws   Failure if Open CASCADE makes no edge

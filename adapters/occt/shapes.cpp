@@ -159,6 +159,27 @@ void Model::add(const TopoDS_Shape& shape, const std::string& name,
   });
 }
 
+void Model::add_assembly(const std::vector<std::pair<std::string, TopoDS_Shape>>& parts,
+                         const std::string& name) {
+  if (parts.empty()) throw BadModel("the assembly '" + name + "' has no part");
+  for (const auto& [part, shape] : parts)
+    if (shape.IsNull()) throw BadModel("the part '" + part + "' has no shape");
+  const std::lock_guard guard(exchange_lock());
+  guarded("adding the assembly '" + name + "'", [&] {
+    const Handle(XCAFDoc_ShapeTool) shapes = impl_->document.shapes();
+    const TDF_Label whole = shapes->NewShape();
+    set_name(whole, name);
+    for (const auto& [part, shape] : parts) {
+      const TDF_Label label = shapes->NewShape();
+      shapes->SetShape(label, shape);
+      set_name(label, part);
+      set_name(shapes->AddComponent(whole, label, TopLoc_Location()), part);
+    }
+    shapes->UpdateAssemblies();
+    impl_->refresh();
+  });
+}
+
 void quiet_messages() {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   const Handle(Message_PrinterOStream) printer =

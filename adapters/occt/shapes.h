@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
@@ -95,6 +96,11 @@ class Model {
   /// colour   red, green, blue in [0, 1], sRGB; empty for none
   void add(const TopoDS_Shape& shape, const std::string& name,
            const std::vector<double>& colour = {});
+
+  /// Adds an assembly of shapes, each a part of it with a name.
+  /// throws   BadModel if there is none, or a shape is null
+  void add_assembly(const std::vector<std::pair<std::string, TopoDS_Shape>>& parts,
+                    const std::string& name);
 
   /// Adds a shape that was made of other models' faces as a part of its own. Its faces have the
   /// names and colours of those that they come from, names numbered ("Top.1", "Top.2") where a face

@@ -85,6 +85,8 @@ struct Output {
 std::vector<Output> wanted_outputs(const CommonOptions& options, Outputs outputs) {
   Output model{"--output", options.output, {".step", ".brep", ".iges"}, {".stp", ".igs", ".brp"}};
   if (outputs == Outputs::ModelsAndNets) model.endings.emplace_back(".json");
+  if (outputs == Outputs::ModelsAndDrawings)
+    for (const char* ending : {".dxf", ".svg", ".json"}) model.endings.emplace_back(ending);
   std::vector<Output> wanted;
   for (const Output& output :
        {model, Output{"--json", options.json, {".json"}, {""}},
@@ -97,7 +99,7 @@ std::vector<Output> wanted_outputs(const CommonOptions& options, Outputs outputs
 void check_ending(const Output& output) {
   if (output.file == "-")
     throw UsageError(output.option + " takes a file; only --json can write to stdout");
-  const std::string ending = lower_case(std::filesystem::path(output.file).extension());
+  const std::string ending = ending_of(output.file);
   for (const auto* list : {&output.endings, &output.others})
     if (std::ranges::find(*list, ending) != list->end()) return;
   throw UsageError(output.file + ": " +
@@ -180,6 +182,10 @@ IntersectionOptions intersection_options(const EngineOptions& options, Progress&
     return interrupted();
   };
   return result;
+}
+
+std::string ending_of(const std::string& file) {
+  return lower_case(std::filesystem::path(file).extension());
 }
 
 void check_files(const CommonOptions& options, const std::vector<std::string>& inputs,

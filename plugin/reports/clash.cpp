@@ -4,54 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string_view>
 #include <utility>
 
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
-
-#include "adapters/occt/base/compounds.h"
-#include "adapters/occt/trim_tool.h"
 #include "plugin/reports/csv.h"
 #include "plugin/reports/measured_input.h"
 #include "plugin/reports/repairs.h"
 
 namespace blossom::reports {
 namespace {
-
-// The faces of an input by their places, with the names of their parts.
-class PartNames {
- public:
-  explicit PartNames(const Input& input) : paths_(input.model.part_paths()), input_(input) {
-    for (const TopoDS_Face& face : input.faces) faces_.Add(face);
-  }
-  std::string of(const TopoDS_Shape& face) const {
-    const int place = faces_.FindIndex(face);
-    if (place == 0) return {};
-    const int number = input_.numbers[static_cast<std::size_t>(place - 1)];
-    return given_name(paths_[static_cast<std::size_t>(number - 1)]);
-  }
-
- private:
-  std::vector<std::string> paths_;
-  const Input& input_;
-  TopTools_IndexedMapOfShape faces_;
-};
-
-// Where several parts have one name, their numbers tell them apart.
-void tell_apart(std::vector<NamedPart>& parts) {
-  std::map<std::string, int> uses;
-  for (const NamedPart& part : parts) ++uses[part.part];
-  for (NamedPart& part : parts) {
-    const std::string number =
-        part.solid > 0 ? "solid " + std::to_string(part.solid) : std::string("surface");
-    part.name = part.part.empty()      ? number
-                : uses[part.part] == 1 ? part.part
-                                       : part.part + " (" + number + ")";
-  }
-}
 
 int rank_of(const ClashRow& row) {
   if (row.clash == nullptr) return 5;
@@ -172,29 +133,6 @@ std::string csv_line(const ClashRow& row, const ClashAnswer& answer) {
 }
 
 }  // namespace
-
-std::vector<NamedPart> named_parts(const Input& input) {
-  const PartNames names(input);
-  std::vector<NamedPart> parts;
-  TopTools_IndexedMapOfShape solids, bounding;
-  const TopoDS_Shape chosen = chosen_shape(input);
-  TopExp::MapShapes(chosen, TopAbs_SOLID, solids);
-  for (int i = 1; i <= solids.Extent(); ++i) {
-    if (!occt::is_closed_solid(solids(i))) continue;
-    TopTools_IndexedMapOfShape own;
-    TopExp::MapShapes(solids(i), TopAbs_FACE, own);
-    for (int k = 1; k <= own.Extent(); ++k) bounding.Add(own(k));
-    parts.push_back({solids(i), &input, {}, names.of(own(1)), i, own.Extent()});
-  }
-  std::map<std::string, std::vector<TopoDS_Face>> rest;
-  for (const TopoDS_Face& face : input.faces)
-    if (!bounding.Contains(face)) rest[names.of(face)].push_back(face);
-  for (const auto& [part, faces] : rest)
-    parts.push_back(
-        {occt::compound_of(faces), &input, {}, part, 0, static_cast<int>(faces.size())});
-  tell_apart(parts);
-  return parts;
-}
 
 std::size_t pair_count(const ClashAnswer& answer) {
   const std::size_t count = answer.parts.size(), of_a = answer.first_of_b;

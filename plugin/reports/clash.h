@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Parts of models and how pairs of them lie to each other; see plugin/cli/schemas/clash-1.md.
+// How pairs of parts lie to each other; see plugin/cli/schemas/clash-1.md.
 
 #pragma once
 
@@ -13,21 +13,9 @@
 #include "adapters/occt/clash.h"
 #include "plugin/reports/input.h"
 #include "plugin/reports/json.h"
+#include "plugin/reports/parts.h"
 
 namespace blossom::reports {
-
-/// A closed solid of a model, or the faces of one of its parts that bound none.
-struct NamedPart {
-  TopoDS_Shape shape;
-  const Input* input = nullptr;
-  std::string name;  ///< what tells it from all others of the model
-  std::string part;  ///< the names of instances that lead to it; may be empty
-  int solid = 0;     ///< 1-based in the order of TopExp::MapShapes; 0 of faces
-  int faces = 0;
-};
-
-/// The parts of an input in their order, solids first.
-std::vector<NamedPart> named_parts(const Input& input);
 
 struct ClashAnswer {
   std::vector<const Input*> inputs;  ///< one, or two of which pairs have one part each

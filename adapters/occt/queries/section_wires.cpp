@@ -110,6 +110,68 @@ void chain_wires(PlaneSection& section, const Vec3& normal) {
     }
 }
 
+namespace {
+
+// In coordinates of the plane, each point once.
+std::vector<Vec2> polygon_of(const PlaneSection& section, const SectionWire& wire, const Vec3& x,
+                             const Vec3& y) {
+  std::vector<Vec2> polygon;
+  for (const CurveUse& use : wire.uses) {
+    std::vector<Vec3> samples = section.curves[use.curve].samples;
+    if (!use.forward) std::ranges::reverse(samples);
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+      polygon.push_back({dot(samples[i], x), dot(samples[i], y)});
+  }
+  return polygon;
+}
+
+double signed_area(const std::vector<Vec2>& polygon) {
+  double area = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 p = polygon[i] - polygon.front();
+    const Vec2 q = polygon[(i + 1) % polygon.size()] - polygon.front();
+    area += 0.5 * (p[0] * q[1] - p[1] * q[0]);
+  }
+  return area;
+}
+
+bool holds(const std::vector<Vec2>& polygon, const Vec2& point) {
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    if ((p[1] > point[1]) == (q[1] > point[1])) continue;
+    if (point[0] < p[0] + (point[1] - p[1]) / (q[1] - p[1]) * (q[0] - p[0])) inside = !inside;
+  }
+  return inside;
+}
+
+// Of wires that touch, a point of one may lie on the other: most of its points decide.
+bool lies_in(const std::vector<Vec2>& one, const std::vector<Vec2>& other) {
+  const auto inside = std::ranges::count_if(one, [&](const Vec2& p) { return holds(other, p); });
+  return 2 * static_cast<std::size_t>(inside) > one.size();
+}
+
+}  // namespace
+
+void orient_wires(PlaneSection& section, const Plane& plane) {
+  const Vec3 n = unit(plane.normal);
+  const Vec3 x = unit(cross(n, std::abs(n[0]) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+  const Vec3 y = cross(n, x);
+  std::vector<std::vector<Vec2>> polygons;
+  for (const SectionWire& wire : section.wires)
+    polygons.push_back(wire.closed ? polygon_of(section, wire, x, y) : std::vector<Vec2>{});
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (!section.wires[i].closed) continue;
+    int around = 0;
+    for (std::size_t j = 0; j < polygons.size(); ++j)
+      if (i != j && section.wires[j].closed) around += lies_in(polygons[i], polygons[j]) ? 1 : 0;
+    if ((signed_area(polygons[i]) > 0) == (around % 2 == 0)) continue;
+    std::vector<CurveUse>& uses = section.wires[i].uses;
+    std::ranges::reverse(uses);
+    for (CurveUse& use : uses) use.forward = !use.forward;
+  }
+}
+
 TopoDS_Compound compound_of(const PlaneSection& section) {
   return guarded("making wires of a section", [&] {
     std::vector<TopoDS_Vertex> nodes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// `blossom query plane F --point P --normal N`: the section of a model with a plane.
+// `blossom query plane F --point P --normal N`: the section of a model with a plane, or with many.
 
 #include <memory>
 #include <sstream>
@@ -9,6 +9,7 @@
 #include "adapters/occt/plane_section.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/query_parts.h"
+#include "plugin/cli/commands/query_planes.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
@@ -24,6 +25,8 @@ struct Options {
   std::string input;
   std::string point;
   std::string normal;
+  std::string offsets;
+  std::string planes;  // a file
   CommonOptions common;
   EngineOptions engine;
 };
@@ -75,25 +78,53 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
   const occt::PlaneSection& section = answer.section;
   const CommonOptions& common = options.common;
   const bool any = !section.wires.empty() || !section.points.empty();
-  const bool unwritten = !common.output.empty() && !any;
   occt::Model model;
-  if (!common.output.empty() && any) model.add(occt::compound_of(section), "section", {});
+  const std::string ending = ending_of(common.output);
+  const bool drawing = ending == ".dxf" || ending == ".svg", report = ending == ".json";
+  const bool unwritten = !common.output.empty() && !report && !any;
+  const bool as_model = !common.output.empty() && !drawing && !report;
+  if (as_model && any) model.add(occt::compound_of(section), "section", {});
   std::string png;
   if (!common.picture.empty()) png = picture_png(picture_of(input, section));
   stop_if_interrupted();
-  if (!common.output.empty() && any) write_model(model, common.output);
+  if (as_model && any) write_model(model, common.output);
+  if (drawing && any)
+    write_drawing(input, {answer.plane, "section", {}}, options.engine, common.output);
+  const Json json = reports::section_report(input, answer.plane, options.engine.tolerance, section,
+                                            answer.seconds);
+  if (report) write_json(json, common.output);
   if (unwritten) tell_unwritten(common.output, "no wire and no point was found");
   if (!common.picture.empty()) occt::write_text(png, common.picture);
-  if (!common.json.empty())
-    write_json(reports::section_report(input, answer.plane, options.engine.tolerance, section,
-                                       answer.seconds),
-               common.json);
+  if (!common.json.empty()) write_json(json, common.json);
   print_summary(text_of(input, answer), common.json);
 }
 
+// Of the planes that were asked for, when they are many; none if it is a single one.
+std::vector<reports::NamedPlane> planes_of(const Options& options) {
+  if (!options.planes.empty()) return planes_in(options.planes);
+  if (options.offsets.empty()) return {};
+  Options base = options;
+  if (base.point.empty()) base.point = "0,0,0";
+  if (base.normal.empty()) base.normal = "0,0,1";
+  return planes_at(options.offsets, plane_of(base));
+}
+
+void check_question(const Options& options) {
+  if (!options.offsets.empty() || !options.planes.empty()) return;
+  if (options.point.empty())
+    throw UsageError("query plane needs --point X,Y,Z (a point of the plane)");
+  if (options.normal.empty())
+    throw UsageError("query plane needs --normal X,Y,Z (its normal; of any length)");
+}
+
 int run(const Options& options) {
-  check_files(options.common, {options.input});
+  check_question(options);
+  std::vector<std::string> inputs{options.input};
+  if (!options.planes.empty()) inputs.push_back(options.planes);
+  check_files(options.common, inputs, Outputs::ModelsAndDrawings);
   start_threads(options.engine.threads);
+  if (std::vector<reports::NamedPlane> planes = planes_of(options); !planes.empty())
+    return run_planes(options.input, std::move(planes), options.common, options.engine);
   Answer answer;
   answer.plane = plane_of(options);
   const Input input = read_input(options.input);
@@ -118,13 +149,26 @@ void add_query_plane(CLI::App& query, int& exit_code) {
   command->add_option("input", options->input, "model, or some of its faces")
       ->required()
       ->type_name("FILE");
-  command->add_option("--point", options->point, "a point of the plane")
-      ->required()
-      ->type_name("X,Y,Z");
-  command->add_option("--normal", options->normal, "its normal; of any length")
-      ->required()
-      ->type_name("X,Y,Z");
-  add_common_options(*command, options->common, "write the wires (.step, .brep, .iges)");
+  CLI::Option* const point =
+      command->add_option("--point", options->point, "a point of the plane")->type_name("X,Y,Z");
+  CLI::Option* const normal =
+      command->add_option("--normal", options->normal, "its normal; of any length")
+          ->type_name("X,Y,Z");
+  CLI::Option* const offsets =
+      command
+          ->add_option("--offsets", options->offsets,
+                       "so many planes instead of one, from the first offset along the normal to "
+                       "the last; the point is then 0,0,0 and the normal 0,0,1 unless given")
+          ->type_name("FROM:TO:NUMBER");
+  command
+      ->add_option("--planes", options->planes,
+                   "planes of a file, one a line: X,Y,Z,NX,NY,NZ and perhaps a name")
+      ->type_name("FILE")
+      ->excludes(point)
+      ->excludes(normal)
+      ->excludes(offsets);
+  add_common_options(*command, options->common,
+                     "write the wires (.step, .brep, .iges, .dxf, .svg, .json)");
   add_engine_options(*command, options->engine);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

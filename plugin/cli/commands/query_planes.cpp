@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/query_planes.h"
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "adapters/occt/plane_section.h"
+#include "adapters/occt/shapes.h"
+#include "core/bounds/box_tree.h"
+#include "plugin/cli/commands/query_parts.h"
+#include "plugin/cli/drawing/drawing.h"
+#include "plugin/cli/drawing/dxf.h"
+#include "plugin/cli/drawing/svg.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/output.h"
+#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/progress.h"
+#include "plugin/cli/reading.h"
+#include "plugin/cli/values.h"
+#include "plugin/cli/vectors.h"
+#include "plugin/reports/parts.h"
+
+namespace blossom::cli {
+namespace {
+
+using reports::NamedPlane;
+using reports::PartSection;
+using reports::SectionsAnswer;
+using reports::SectionsOfPlane;
+
+constexpr long kMostPlanes = 100'000;
+// Of the size of all sections: how far polylines of drawings may be off their curves.
+constexpr double kDrawnDeviation = 1e-5;
+
+std::string offset_text(double offset) { return number_text(rounded(offset)); }
+
+// A part of the model, with its faces made ready.
+struct ReadyPart {
+  std::string name;
+  bool solid = false;
+  std::vector<int> numbers{};
+  occt::SectionedFaces faces;
+};
+
+std::vector<ReadyPart> ready_parts(const Input& input, double tolerance) {
+  std::vector<ReadyPart> parts;
+  for (const reports::NamedPart& part : reports::named_parts(input)) {
+    const reports::FacesOfPart own = reports::faces_of(part);
+    parts.push_back(
+        {part.name, part.solid > 0, own.numbers, occt::SectionedFaces(own.faces, tolerance)});
+  }
+  return parts;
+}
+
+bool is_empty(const occt::PlaneSection& section) {
+  return section.wires.empty() && section.points.empty() && section.places.empty();
+}
+
+SectionsOfPlane sections_with(const NamedPlane& plane, std::vector<ReadyPart>& parts,
+                              const EngineOptions& engine, Progress& progress, Status& status) {
+  SectionsOfPlane made{plane, {}};
+  for (ReadyPart& part : parts) {
+    stop_if_interrupted();
+    PartSection section{part.name, part.solid, part.numbers,
+                        part.faces.section(plane.plane, intersection_options(engine, progress))};
+    status = weaker(status, section.section.status);
+    if (is_empty(section.section)) continue;
+    occt::orient_wires(section.section, plane.plane);
+    made.parts.push_back(std::move(section));
+  }
+  return made;
+}
+
+double size_of(const SectionsAnswer& answer) {
+  Box box;
+  for (const SectionsOfPlane& plane : answer.planes)
+    for (const PartSection& part : plane.parts)
+      for (const occt::SectionCurve& curve : part.section.curves)
+        for (const Vec3& point : curve.samples) box = joined(box, Box{point, point});
+  return box.low[0] > box.high[0] ? 1 : diagonal(box);
+}
+
+std::string drawing_of(const SectionsAnswer& answer, const std::string& ending) {
+  const double deviation = kDrawnDeviation * size_of(answer);
+  std::vector<DrawnPlane> planes;
+  for (const SectionsOfPlane& of : answer.planes) {
+    const DrawingFrame frame(of.plane.plane);
+    DrawnPlane& plane = planes.emplace_back();
+    plane.name = of.plane.name;
+    plane.elevation = dot(frame.normal, of.plane.plane.point);
+    for (const PartSection& part : of.parts) {
+      DrawnPart made = drawn(part.section, frame, deviation);
+      made.name = part.name;
+      made.solid = part.solid;
+      plane.parts.push_back(std::move(made));
+    }
+  }
+  return ending == ".svg" ? svg_text(planes) : dxf_text(planes);
+}
+
+bool is_drawing(const std::string& file) {
+  const std::string ending = ending_of(file);
+  return ending == ".dxf" || ending == ".svg";
+}
+
+// A product for each plane, with one for each of its parts.
+occt::Model model_of(const SectionsAnswer& answer) {
+  occt::Model model;
+  for (const SectionsOfPlane& plane : answer.planes) {
+    std::vector<std::pair<std::string, TopoDS_Shape>> parts;
+    for (const PartSection& part : plane.parts)
+      if (!part.section.wires.empty() || !part.section.points.empty())
+        parts.emplace_back(part.name, occt::compound_of(part.section));
+    if (!parts.empty()) model.add_assembly(parts, plane.plane.name);
+  }
+  return model;
+}
+
+std::string plane_line(const SectionsOfPlane& plane) {
+  std::size_t wires = 0, open = 0, points = 0;
+  double length = 0;
+  std::string status;
+  for (const PartSection& part : plane.parts) {
+    points += part.section.points.size();
+    for (const occt::SectionWire& wire : part.section.wires) {
+      ++wires;
+      open += wire.closed ? 0 : 1;
+      length += wire.length;
+    }
+    if (part.section.status != Status::Complete)
+      status = std::string(", ") + to_string(part.section.status) + " in " + part.name;
+  }
+  std::string text = "  " + plane.plane.name + ": " + counted(wires, "wire");
+  if (open > 0) text += " (" + std::to_string(open) + " open)";
+  if (points > 0) text += ", " + counted(points, "point");
+  if (wires > 0) text += ", length " + number_text(rounded(length));
+  if (plane.parts.size() > 1) text += ", " + counted(plane.parts.size(), "part");
+  return text + status + "\n";
+}
+
+std::string text_of(const Input& input, const SectionsAnswer& answer) {
+  std::ostringstream text;
+  text << input.name << ": " << to_string(stated(answer.status)) << ", "
+       << counted(answer.planes.size(), "plane") << ", " << answer.seconds << " s\n";
+  for (const SectionsOfPlane& plane : answer.planes) text << plane_line(plane);
+  return text.str();
+}
+
+std::string picture_of(const Input& input, const SectionsAnswer& answer) {
+  Picture picture;
+  picture.groups = {{input.faces, kFirstColour, kFirstOpacity}};
+  for (const SectionsOfPlane& plane : answer.planes)
+    for (const PartSection& part : plane.parts) {
+      for (const occt::SectionCurve& curve : part.section.curves)
+        picture.curves.push_back(curve.samples);
+      for (const std::size_t node : part.section.points)
+        picture.points.push_back(part.section.nodes[node].point);
+    }
+  return picture_png(picture);
+}
+
+SectionsAnswer sections_of(const Input& input, const std::vector<NamedPlane>& planes,
+                           const EngineOptions& engine) {
+  Progress progress("cutting");
+  const Stopwatch watch;
+  SectionsAnswer answer;
+  answer.tolerance = engine.tolerance;
+  std::vector<ReadyPart> parts = ready_parts(input, engine.tolerance);
+  for (const NamedPlane& plane : planes)
+    answer.planes.push_back(sections_with(plane, parts, engine, progress, answer.status));
+  answer.seconds = watch.seconds();
+  return answer;
+}
+
+void write_result(const Input& input, const SectionsAnswer& answer, const std::string& file) {
+  if (is_drawing(file)) return occt::write_text(drawing_of(answer, ending_of(file)), file);
+  if (ending_of(file) == ".json") return write_json(reports::sections_report(input, answer), file);
+  const occt::Model model = model_of(answer);
+  if (model.shape().IsNull())
+    tell_unwritten(file, "no wire and no point was found");
+  else
+    write_model(model, file);
+}
+
+NamedPlane plane_in(const std::string& line, const std::string& where) {
+  std::string words = line;
+  for (char& c : words) c = c == ',' ? ' ' : c;
+  std::istringstream text(words);
+  std::string numbers, name;
+  for (int i = 0; i < 6; ++i) {
+    std::string word;
+    text >> word;
+    numbers += (i == 0 ? "" : ",") + word;
+  }
+  std::getline(text >> std::ws, name);
+  return {parse_plane(numbers, where), name};
+}
+
+}  // namespace
+
+std::vector<NamedPlane> planes_at(const std::string& offsets, const occt::Plane& plane) {
+  const std::size_t first = offsets.find(':'), second = offsets.find(':', first + 1);
+  const auto number = [&](std::size_t begin, std::size_t end) {
+    return finite_value(offsets.substr(begin, end - begin));
+  };
+  std::optional<double> from, to, count;
+  if (first != std::string::npos && second != std::string::npos) {
+    from = number(0, first);
+    to = number(first + 1, second);
+    count = number(second + 1, std::string::npos);
+  }
+  if (!from || !to || !count || *count != std::floor(*count) || *count < 1 ||
+      *count > kMostPlanes || (*count == 1 && *from != *to))
+    throw UsageError("--offsets: '" + offsets +
+                     "' is not FROM:TO:NUMBER, so many planes from the first offset to the last");
+  std::vector<NamedPlane> planes;
+  const auto all = static_cast<int>(*count);
+  for (int i = 0; i < all; ++i) {
+    const double t = all == 1 ? 0 : static_cast<double>(i) / (all - 1);
+    const double offset = i + 1 == all ? *to : *from + t * (*to - *from);
+    planes.push_back({{plane.point + plane.normal * offset, plane.normal},
+                      "plane " + std::to_string(i + 1) + ", offset " + offset_text(offset),
+                      offset});
+  }
+  return planes;
+}
+
+std::vector<NamedPlane> planes_in(const std::string& file) {
+  std::ifstream stream(file);
+  if (!stream) throw UsageError(file + ": cannot be read");
+  std::vector<NamedPlane> planes;
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    line = line.substr(0, line.find('#'));
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    while (!line.empty() && line.back() == '\r') line.pop_back();
+    planes.push_back(plane_in(line, file + ", line " + std::to_string(number)));
+    if (planes.back().name.empty()) planes.back().name = "plane " + std::to_string(planes.size());
+    if (static_cast<long>(planes.size()) > kMostPlanes)
+      throw UsageError(file + ": has more than " + std::to_string(kMostPlanes) + " planes");
+  }
+  if (planes.empty()) throw UsageError(file + ": has no planes");
+  return planes;
+}
+
+void write_drawing(const Input& input, const NamedPlane& plane, const EngineOptions& engine,
+                   const std::string& file) {
+  occt::write_text(drawing_of(sections_of(input, {plane}, engine), ending_of(file)), file);
+}
+
+int run_planes(const std::string& name, std::vector<NamedPlane> planes, const CommonOptions& common,
+               const EngineOptions& engine) {
+  const Input input = read_input(name);
+  stop_if_interrupted();
+  const SectionsAnswer answer = sections_of(input, planes, engine);
+  stop_if_interrupted();
+  if (!common.output.empty()) write_result(input, answer, common.output);
+  if (!common.picture.empty()) occt::write_text(picture_of(input, answer), common.picture);
+  if (!common.json.empty()) write_json(reports::sections_report(input, answer), common.json);
+  print_summary(text_of(input, answer), common.json);
+  return exit_code(answer.status);
+}
+
+}  // namespace blossom::cli

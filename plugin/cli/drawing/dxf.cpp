@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/drawing/dxf.h"
+
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "plugin/cli/values.h"
+
+namespace blossom::cli {
+namespace {
+
+constexpr std::size_t kLongestName = 31;                 // of a layer in release 12
+constexpr std::array kColours{7, 1, 5, 3, 6, 4, 2, 30};  // of AutoCAD's index, by parts
+
+struct DxfLayer {
+  std::string name;
+  int colour = 7;
+};
+
+// The lines of a file: a group code and its value by turns.
+class DxfLines {
+ public:
+  void add(int code, const std::string& value) {
+    text_ += std::to_string(code) + "\n" + value + "\n";
+  }
+  void add(int code, double value) { add(code, number_text(value)); }
+  void add(int code, int value) { add(code, std::to_string(value)); }
+  /// x, y and z; the codes of points go up by ten.
+  void add_point(int code, const Vec2& point, double z) {
+    add(code, point[0]);
+    add(code + 10, point[1]);
+    add(code + 20, z);
+  }
+  void add_entity(const char* kind, const DxfLayer& layer) {
+    add(0, std::string(kind));
+    add(8, layer.name);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+// Unlike all others; they differ by more than the case of letters.
+std::string layer_name(const std::string& wanted, std::set<std::string>& known) {
+  std::string name;
+  for (const char c : wanted)
+    name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '$' ? c : '_';
+  name = name.substr(0, kLongestName);
+  const auto upper = [](std::string text) {
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+  };
+  std::string made = name;
+  for (int i = 2; !known.insert(upper(made)).second; ++i) {
+    const std::string ending = "_" + std::to_string(i);
+    made = name.substr(0, kLongestName - ending.size()) + ending;
+  }
+  return made;
+}
+
+bool has_several_parts(const std::vector<DrawnPlane>& planes) {
+  std::set<std::string> names;
+  for (const DrawnPlane& plane : planes)
+    for (const DrawnPart& part : plane.parts) names.insert(part.name);
+  return names.size() > 1;
+}
+
+// One for each part of each plane.
+std::vector<std::vector<DxfLayer>> layers_of(const std::vector<DrawnPlane>& planes) {
+  const bool several = has_several_parts(planes);
+  std::set<std::string> known{"0"};
+  std::vector<std::string> parts;  // in the order of their colours
+  std::vector<std::vector<DxfLayer>> layers;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    std::vector<DxfLayer>& own = layers.emplace_back();
+    const std::string plane = "PLANE_" + std::to_string(i + 1);
+    const std::string common = several ? "" : layer_name(plane, known);
+    for (const DrawnPart& part : planes[i].parts) {
+      std::size_t colour = 0;
+      while (colour < parts.size() && parts[colour] != part.name) ++colour;
+      if (colour == parts.size()) parts.push_back(part.name);
+      own.push_back({several ? layer_name(plane + "-" + part.name, known) : common,
+                     kColours[colour % kColours.size()]});
+    }
+  }
+  return layers;
+}
+
+void add_head(const DrawingBox& box, DxfLines& lines) {
+  lines.add(0, std::string("SECTION"));
+  lines.add(2, std::string("HEADER"));
+  lines.add(9, std::string("$ACADVER"));
+  lines.add(1, std::string("AC1009"));
+  if (!box.is_empty()) {
+    lines.add(9, std::string("$EXTMIN"));
+    lines.add_point(10, box.low, 0);
+    lines.add(9, std::string("$EXTMAX"));
+    lines.add_point(10, box.high, 0);
+  }
+  lines.add(0, std::string("ENDSEC"));
+}
+
+void add_tables(const std::vector<std::vector<DxfLayer>>& layers, DxfLines& lines) {
+  std::vector<DxfLayer> all{{"0", 7}};
+  for (const auto& of_plane : layers)
+    for (const DxfLayer& layer : of_plane)
+      if (layer.name != all.back().name) all.push_back(layer);
+  lines.add(0, std::string("SECTION"));
+  lines.add(2, std::string("TABLES"));
+  lines.add(0, std::string("TABLE"));
+  lines.add(2, std::string("LTYPE"));
+  lines.add(70, 1);
+  lines.add(0, std::string("LTYPE"));
+  lines.add(2, std::string("CONTINUOUS"));
+  lines.add(70, 0);
+  lines.add(3, std::string("Solid line"));
+  lines.add(72, 65);
+  lines.add(73, 0);
+  lines.add(40, 0.0);
+  lines.add(0, std::string("ENDTAB"));
+  lines.add(0, std::string("TABLE"));
+  lines.add(2, std::string("LAYER"));
+  lines.add(70, static_cast<int>(all.size()));
+  for (const DxfLayer& layer : all) {
+    lines.add(0, std::string("LAYER"));
+    lines.add(2, layer.name);
+    lines.add(70, 0);
+    lines.add(62, layer.colour);
+    lines.add(6, std::string("CONTINUOUS"));
+  }
+  lines.add(0, std::string("ENDTAB"));
+  lines.add(0, std::string("ENDSEC"));
+}
+
+double degrees(const Vec2& from, const Vec2& to) {
+  const double angle = std::atan2(to[1] - from[1], to[0] - from[0]) * 180 / std::numbers::pi;
+  return angle < 0 ? angle + 360 : angle;
+}
+
+void add_polyline(const std::vector<Vec2>& points, double z, const DxfLayer& layer,
+                  DxfLines& lines) {
+  lines.add_entity("POLYLINE", layer);
+  lines.add(66, 1);
+  lines.add_point(10, {0, 0}, z);
+  lines.add(70, 0);
+  for (const Vec2& point : points) {
+    lines.add_entity("VERTEX", layer);
+    lines.add_point(10, point, z);
+  }
+  lines.add_entity("SEQEND", layer);
+}
+
+void add_stroke(const Stroke& stroke, double z, const DxfLayer& layer, DxfLines& lines) {
+  switch (stroke.kind) {
+    case StrokeKind::Line:
+      lines.add_entity("LINE", layer);
+      lines.add_point(10, stroke.from, z);
+      lines.add_point(11, stroke.to, z);
+      return;
+    case StrokeKind::Circle:
+      lines.add_entity("CIRCLE", layer);
+      lines.add_point(10, stroke.centre, z);
+      lines.add(40, stroke.radius);
+      return;
+    case StrokeKind::Arc: {  // always counter-clockwise
+      const bool forward = stroke.counter_clockwise;
+      lines.add_entity("ARC", layer);
+      lines.add_point(10, stroke.centre, z);
+      lines.add(40, stroke.radius);
+      lines.add(50, degrees(stroke.centre, forward ? stroke.from : stroke.to));
+      lines.add(51, degrees(stroke.centre, forward ? stroke.to : stroke.from));
+      return;
+    }
+    case StrokeKind::Polyline: add_polyline(stroke.points, z, layer, lines); return;
+  }
+}
+
+}  // namespace
+
+std::string dxf_text(const std::vector<DrawnPlane>& planes) {
+  DrawingBox box;
+  for (const DrawnPlane& plane : planes) box.add(plane);
+  const std::vector<std::vector<DxfLayer>> layers = layers_of(planes);
+  DxfLines lines;
+  add_head(box, lines);
+  add_tables(layers, lines);
+  lines.add(0, std::string("SECTION"));
+  lines.add(2, std::string("ENTITIES"));
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t k = 0; k < planes[i].parts.size(); ++k) {
+      const DrawnPart& part = planes[i].parts[k];
+      const DxfLayer& layer = layers[i][k];
+      for (const DrawnWire& wire : part.wires)
+        for (const Stroke& stroke : wire.strokes)
+          add_stroke(stroke, planes[i].elevation, layer, lines);
+      for (const Vec2& point : part.points) {
+        lines.add_entity("POINT", layer);
+        lines.add_point(10, point, planes[i].elevation);
+      }
+    }
+  lines.add(0, std::string("ENDSEC"));
+  lines.add(0, std::string("EOF"));
+  return lines.text();
+}
+
+}  // namespace blossom::cli

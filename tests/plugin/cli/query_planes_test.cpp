@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom query plane` with many planes, and drawings of sections, as a user runs it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <TopoDS_Shape.hxx>
+#include <nlohmann/json.hpp>
+
+#include "adapters/occt/shapes.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using nlohmann::json;
+using std::numbers::pi;
+using testing::blossom;
+using testing::Finished;
+
+// An entity of a DXF file: its kind, and its values by group code.
+struct Entity {
+  std::string kind;
+  std::map<int, std::string> values;
+
+  double number(int code) const { return std::stod(values.at(code)); }
+};
+
+struct Dxf {
+  std::vector<std::string> layers;
+  std::vector<Entity> entities;
+};
+
+std::string trimmed(std::string text) {
+  text.erase(0, text.find_first_not_of(' '));
+  if (!text.empty() && text.back() == '\r') text.pop_back();
+  return text;
+}
+
+// Group codes and values by turns; sections and tables nest as they have to.
+Dxf parsed(const std::string& text) {
+  std::istringstream lines(text);
+  std::string code, value, section, table;
+  Dxf dxf;
+  std::vector<Entity> all;
+  while (std::getline(lines, code)) {
+    EXPECT_TRUE(std::getline(lines, value)) << "a group code without a value";
+    const int group = std::stoi(code);
+    if (group == 0) all.push_back({trimmed(value), {}});
+    EXPECT_FALSE(all.empty());
+    if (group != 0) all.back().values.insert({group, trimmed(value)});
+  }
+  for (const Entity& entity : all) {
+    if (entity.kind == "SECTION") {
+      EXPECT_EQ(section, "");
+      section = entity.values.at(2);
+    } else if (entity.kind == "ENDSEC") {
+      section = "";
+    } else if (section == "TABLES" && entity.kind == "LAYER") {
+      dxf.layers.push_back(entity.values.at(2));
+    } else if (section == "ENTITIES") {
+      dxf.entities.push_back(entity);
+    }
+  }
+  EXPECT_EQ(section, "");
+  EXPECT_EQ(all.back().kind, "EOF");
+  return dxf;
+}
+
+class QueryPlanes : public ::testing::Test {
+ protected:
+  // A plate of 20 x 10 x 4 with a round hole of radius 3, and a ball of radius 2 beside it.
+  void SetUp() override {
+    const gp_Ax2 axis(gp_Pnt(10, 5, -1), gp_Dir(0, 0, 1));
+    const TopoDS_Shape plate = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 10, 4).Shape(),
+                                               BRepPrimAPI_MakeCylinder(axis, 3, 6).Shape());
+    occt::Model model;
+    model.add(plate, "Plate");
+    model.add(BRepPrimAPI_MakeSphere(gp_Pnt(30, 5, 2), 2).Shape(), "Ball");
+    occt::write_model(model, folder_ / "set.step");
+    file_ = folder_ / "set.step";
+  }
+
+  Finished run(const std::vector<std::string>& words) {
+    std::vector<std::string> all{"query", "plane", file_};
+    all.insert(all.end(), words.begin(), words.end());
+    return blossom(all);
+  }
+
+  json report(std::vector<std::string> words) {
+    words.insert(words.end(), {"--json", "-"});
+    const Finished made = run(words);
+    EXPECT_EQ(made.code, 0) << made.err;
+    return json::parse(made.out);
+  }
+
+  testing::TestFolder folder_;
+  std::string file_;
+};
+
+TEST_F(QueryPlanes, CutsAtEvenOffsetsWithBothEnds) {
+  const json found = report({"--offsets", "0.5:3.5:4"});
+  EXPECT_EQ(found["schema"], "blossom.sections/1");
+  EXPECT_EQ(found["status"], "complete");
+  ASSERT_EQ(found["planes"].size(), 4u);
+  for (int i = 0; i < 4; ++i) {
+    const json& plane = found["planes"][static_cast<std::size_t>(i)];
+    EXPECT_NEAR(plane["offset"], 0.5 + i, 1e-12);
+    EXPECT_NEAR(plane["point"][2], 0.5 + i, 1e-12);
+    ASSERT_EQ(plane["parts"].size(), 2u);
+    EXPECT_EQ(plane["parts"][0]["part"], "Plate");
+    EXPECT_EQ(plane["parts"][0]["wires"].size(), 2u);
+    EXPECT_EQ(plane["parts"][1]["part"], "Ball");
+    const double radius = std::sqrt(4 - (i - 1.5) * (i - 1.5));
+    EXPECT_NEAR(plane["parts"][1]["wires"][0]["length"], 2 * pi * radius, 1e-8);
+  }
+}
+
+// Twice the area within a wire, positive if it runs counter-clockwise.
+double doubled_area(const json& part, const json& wire) {
+  std::vector<std::pair<double, double>> points;
+  for (const json& use : wire["curves"]) {
+    json samples = part["curves"][use["curve"].get<std::size_t>()]["points"];
+    if (!use["forward"]) std::reverse(samples.begin(), samples.end());
+    for (const json& p : samples) points.emplace_back(p[0], p[1]);
+  }
+  double area = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& [x, y] = points[i];
+    const auto& [u, v] = points[(i + 1) % points.size()];
+    area += x * v - y * u;
+  }
+  return area;
+}
+
+TEST_F(QueryPlanes, TurnsOuterWiresCounterClockwiseAndHolesClockwise) {
+  const json found = report({"--offsets", "1:1:1"});
+  const json& plate = found["planes"][0]["parts"][0];
+  std::vector<double> areas;
+  for (const json& wire : plate["wires"]) areas.push_back(doubled_area(plate, wire) / 2);
+  std::sort(areas.begin(), areas.end());
+  ASSERT_EQ(areas.size(), 2u);
+  EXPECT_NEAR(areas[0], -9 * pi, 0.5);
+  EXPECT_NEAR(areas[1], 200, 1e-9);
+}
+
+TEST_F(QueryPlanes, WritesAProductForEachPlaneWithItsParts) {
+  const std::string out = folder_ / "cuts.step";
+  ASSERT_EQ(run({"--offsets", "1:3:2", "-o", out}).code, 0);
+  const std::string text = testing::text_of(out);
+  for (const char* name : {"'plane 1, offset 1'", "'plane 2, offset 3'", "'Plate'", "'Ball'"})
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+  EXPECT_NE(text.find("CIRCLE("), std::string::npos);
+  EXPECT_NE(text.find("LINE("), std::string::npos);
+}
+
+TEST_F(QueryPlanes, DrawsLinesCirclesAndArcsAsSuchInDxf) {
+  const std::string out = folder_ / "cuts.dxf";
+  ASSERT_EQ(run({"--offsets", "1:3:2", "-o", out}).code, 0);
+  const Dxf dxf = parsed(testing::text_of(out));
+  EXPECT_EQ(std::set<std::string>(dxf.layers.begin(), dxf.layers.end()),
+            (std::set<std::string>{"0", "PLANE_1-Plate", "PLANE_1-Ball", "PLANE_2-Plate",
+                                   "PLANE_2-Ball"}));
+  std::map<std::string, int> kinds;
+  for (const Entity& entity : dxf.entities)
+    if (entity.values.at(8) == "PLANE_2-Plate") ++kinds[entity.kind];
+  EXPECT_EQ(kinds, (std::map<std::string, int>{{"LINE", 4}, {"CIRCLE", 1}}));
+  for (const Entity& entity : dxf.entities)
+    if (entity.values.at(8) == "PLANE_2-Plate" && entity.kind == "CIRCLE") {
+      EXPECT_NEAR(entity.number(10), 10, 1e-9);
+      EXPECT_NEAR(entity.number(20), 5, 1e-9);
+      EXPECT_NEAR(entity.number(30), 3, 1e-9);
+      EXPECT_NEAR(entity.number(40), 3, 1e-9);
+    }
+}
+
+TEST_F(QueryPlanes, DrawsArcsCounterClockwiseFromTheirStart) {
+  // Through the hole and the corner of the plate stands half a disc: half a circle and lines.
+  const TopoDS_Shape disc =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 5, 1, pi / 2);
+  occt::Model model;
+  model.add(disc, "quarter");
+  occt::write_model(model, folder_ / "quarter.step");
+  const std::string out = folder_ / "quarter.dxf";
+  const Finished made = blossom({"query", "plane", folder_ / "quarter.step", "--point", "0,0,0.5",
+                                 "--normal", "0,0,1", "-o", out});
+  ASSERT_EQ(made.code, 0) << made.err;
+  const Dxf dxf = parsed(testing::text_of(out));
+  ASSERT_EQ(dxf.entities.size(), 3u);
+  for (const Entity& entity : dxf.entities) {
+    EXPECT_EQ(entity.values.at(8), "PLANE_1");
+    if (entity.kind != "ARC") continue;
+    EXPECT_NEAR(entity.number(40), 5, 1e-9);
+    EXPECT_NEAR(entity.number(50), 0, 1e-9);
+    EXPECT_NEAR(entity.number(51), 90, 1e-9);
+  }
+}
+
+TEST_F(QueryPlanes, HatchesSolidsInSvg) {
+  const std::string out = folder_ / "cuts.svg";
+  ASSERT_EQ(run({"--offsets", "1:3:3", "-o", out}).code, 0);
+  const std::string svg = testing::text_of(out);
+  for (const char* text : {"<svg ", "id=\"plane-3\"", "<title>Plate</title>", "url(#hatch-1)",
+                           "url(#hatch-2)", "fill-rule=\"evenodd\"", "plane 2, offset 2"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+}
+
+TEST_F(QueryPlanes, TakesPlanesOfAFile) {
+  testing::write_text(folder_ / "planes.txt",
+                      "# two planes\n0,0,1, 0,0,2 deck\n\n10 5 2  1 0 0  # the middle\n");
+  const json found = report({"--planes", folder_ / "planes.txt"});
+  ASSERT_EQ(found["planes"].size(), 2u);
+  EXPECT_EQ(found["planes"][0]["name"], "deck");
+  EXPECT_EQ(found["planes"][0]["normal"], json({0.0, 0.0, 1.0}));
+  EXPECT_TRUE(found["planes"][0]["offset"].is_null());
+  EXPECT_EQ(found["planes"][1]["name"], "plane 2");
+  EXPECT_EQ(found["planes"][1]["parts"].size(), 1u);  // the ball is beside it
+  testing::write_text(folder_ / "bad.txt", "0,0,1,0,0,1\n0,0,1,0,0\n");
+  const Finished bad = run({"--planes", folder_ / "bad.txt"});
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_NE(bad.err.find("line 2"), std::string::npos) << bad.err;
+}
+
+TEST_F(QueryPlanes, TellsWhereNothingIsMet) {
+  const std::string out = folder_ / "none.step";
+  const Finished made = run({"--offsets", "50:60:3", "-o", out});
+  EXPECT_EQ(made.code, 0);
+  EXPECT_NE(made.out.find("plane 2, offset 55: 0 wires"), std::string::npos) << made.out;
+  EXPECT_NE(made.err.find("is not written"), std::string::npos) << made.err;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+}  // namespace
+}  // namespace blossom
