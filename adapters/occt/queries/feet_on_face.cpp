@@ -8,10 +8,12 @@
 #include <vector>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <ElSLib.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Sphere.hxx>
 
+#include "adapters/occt/curve_queries.h"
 #include "core/math/binomial.h"
 
 namespace blossom::occt {
@@ -115,14 +117,61 @@ std::optional<double> FeetOnFace::farthest(const RationalBezierPatch& patch, dou
   if (!kind_ || std::max(patch.degree_u(), patch.degree_v()) > kMaxBinomial / 2) return {};
   const std::optional<Range> feet = feet_of(patch);
   if (!feet || !are_inside(*feet, within)) return {};
-  const Net net = in_frame(frame_, patch);
+  return distance_bound(in_frame(frame_, patch)) + 2 * within;
+}
+
+// From the surface without its trims; a net in its frame.
+double FeetOnFace::distance_bound(const Net& net) const {
   if (kind_ == ElementaryKind::Plane) {
     const Interval heights = range_of(net, [](const Vec4& p) { return p[2] / p[3]; });
-    return std::max(std::abs(heights.from), std::abs(heights.to)) + 2 * within;
+    return std::max(std::abs(heights.from), std::abs(heights.to));
   }
   const Interval squares = squared_norms(net, kind_ == ElementaryKind::Cylinder ? 2 : 3);
   const double least = std::sqrt(std::max(0.0, squares.from)), most = std::sqrt(squares.to);
-  return std::max(radius_ - least, most - radius_) + 2 * within;
+  return std::max(radius_ - least, most - radius_);
+}
+
+std::optional<double> FeetOnFace::farthest_in_plane(const FaceTrims& piece, double within) const {
+  if (kind_ != ElementaryKind::Plane && kind_ != ElementaryKind::Cylinder) return {};
+  if (BRepAdaptor_Surface(piece.face, Standard_False).GetType() != GeomAbs_Plane) return {};
+  if (kind_ == ElementaryKind::Cylinder && axis_meets(piece)) return {};
+  double most = 0;
+  Range feet{Interval{kInfinite, -kInfinite}, Interval{kInfinite, -kInfinite}};
+  for (const auto& loop : piece.loops)
+    for (const Coedge& coedge : loop) {
+      const CurveSpans curve = bezier_spans(coedge.edge, within);
+      for (const CurveSpan& span : curve.spans) {
+        Net net(static_cast<int>(span.curve.points.size()), 1);
+        for (int i = 0; i < net.rows(); ++i)
+          net(i, 0) = in_frame(frame_, span.curve.points[static_cast<std::size_t>(i)]);
+        most = std::max(most, distance_bound(net) + curve.error + coedge.tolerance);
+        for (std::size_t k = 0; k < 2; ++k) {
+          const int along = kind_ == ElementaryKind::Plane ? static_cast<int>(k) : 2;
+          const Interval range = range_of(net, [&](const Vec4& p) { return p[along] / p[3]; });
+          feet[k] = {std::min(feet[k].from, range.from), std::max(feet[k].to, range.to)};
+        }
+      }
+    }
+  if (kind_ == ElementaryKind::Cylinder) {  // whatever the angle
+    const double seam = trims_.box.low[0] / trims_.scale[0];
+    feet[0] = {seam, seam + kTurn};
+  }
+  if (!(feet[1].from <= feet[1].to) || !are_inside(feet, within)) return {};
+  return most + 2 * within;
+}
+
+// Or may meet it, where it is along the plane.
+bool FeetOnFace::axis_meets(const FaceTrims& piece) const {
+  constexpr double kAlong = 1e-6;  // of unit vectors
+  const gp_Pln plane = BRepAdaptor_Surface(piece.face, Standard_False).Plane();
+  const gp_Dir &normal = plane.Axis().Direction(), &axis = frame_.Direction();
+  const double across = normal.Dot(axis);
+  if (std::abs(across) < kAlong) return true;
+  const gp_Vec way(frame_.Location(), plane.Location());
+  const double t = way.Dot(gp_Vec(normal)) / across;
+  double u = 0, v = 0;
+  ElSLib::Parameters(plane, frame_.Location().Translated(gp_Vec(axis) * t), u, v);
+  return part_side(piece, {u, u}, {v, v}) != PartSide::Outside;
 }
 
 // The chart rectangle of all feet.

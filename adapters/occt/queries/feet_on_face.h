@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far patches are at most from a face that is part of a plane, cylinder or sphere.
+// How far patches, and pieces of planes, are at most from a face that is part of a plane, cylinder
+// or sphere.
 
 #pragma once
 
@@ -31,9 +32,18 @@ class FeetOnFace {
   ///          twice as much is added to the bound
   std::optional<double> farthest(const RationalBezierPatch& patch, double within) const;
 
+  /// The same of a face in a plane, from a face of a plane or cylinder, by its edges alone.
+  ///
+  /// In the plane the distance r from an axis across it is convex, with its minimum on the axis: so
+  /// r - radius is largest on an edge, and so is radius - r unless the axis meets the piece.
+  /// Heights over a plane are linear.
+  std::optional<double> farthest_in_plane(const FaceTrims& piece, double within) const;
+
  private:
   using Range = std::array<Interval, 2>;
   std::optional<Range> feet_of(const RationalBezierPatch& patch) const;
+  double distance_bound(const Grid<Vec4>& net) const;
+  bool axis_meets(const FaceTrims& piece) const;
   bool are_inside(const Range& feet, double within) const;
 
   std::optional<ElementaryKind> kind_;

@@ -15,6 +15,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
+#include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/feet_on_face.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "core/subdivision/patch_subdivision.h"
@@ -29,11 +30,12 @@ constexpr long kProofPairs = 1000;  // of cells; halving the cell is cheaper tha
 struct ReachPiece {
   BezierSurface surface;
   FaceTrims trims;
+  std::optional<double> upper{};  // no point of it lies deeper, once that was asked for
 };
 
 // A rectangle of a patch, in its local parameters.
 struct ReachCell {
-  const ReachPiece* piece = nullptr;
+  ReachPiece* piece = nullptr;
   int i = 0, j = 0;
   Interval u{0, 1}, v{0, 1};
   double upper = 0;  // no point of it lies deeper, model units
@@ -100,14 +102,18 @@ class Reaching {
   }
 
   Reach found(const std::function<bool()>& stop) {
-    for (const ReachPiece& piece : pieces_)
+    for (ReachPiece& piece : pieces_)
       for (int i = 0; i < piece.surface.patches.rows(); ++i)
         for (int j = 0; j < piece.surface.patches.columns(); ++j) enter({&piece, i, j});
     for (int count = 0; !cells_.empty() && count < kReachCells && !(stop && stop()); count += 2) {
       const ReachCell cell = cells_.top();
       if (cell.upper <= goal()) break;
       cells_.pop();
-      halve(cell);
+      const double upper = upper_of(*cell.piece);
+      if (upper <= goal())
+        done_ = std::max(done_, std::min(upper, cell.upper));
+      else
+        halve(cell);
     }
     const double upper = std::max(done_, cells_.empty() ? 0.0 : cells_.top().upper);
     return {std::max(0.0, best_ - error_), std::max(upper, best_) + error_, deepest_};
@@ -156,15 +162,34 @@ class Reaching {
       done_ = std::max(done_, cell.upper);
   }
 
+  // Of a piece in a plane, from one of the faces next to a point of it.
+  double upper_of(ReachPiece& piece) {
+    if (piece.upper) return *piece.upper;
+    double& least = piece.upper.emplace(kNotKnown);
+    const std::optional<gp_Pnt> point = point_inside(piece.trims.face);
+    if (!point) return least;
+    const Vec3 place{point->X(), point->Y(), point->Z()};
+    const TopoDS_Shape nearest = nearest_point(boundary_, place).b.on;
+    for (std::size_t i = 0; i < boundary_faces_.size(); ++i)
+      if (parts_[i].Contains(nearest))
+        if (const auto bound = feet_on(i).farthest_in_plane(piece.trims, within()))
+          least = std::min(least, *bound);
+    return least;
+  }
+
+  const FeetOnFace& feet_on(std::size_t face) {
+    return feet_.try_emplace(face, boundary_faces_[face]).first->second;
+  }
+
+  double within() const { return std::max(tolerance_, 0.1 * kReachAccuracy * best_); }
+
   // The largest distance of the cell from one of the faces that have the middle's nearest point;
   // infinite if no bound is known.
   double to_one_face(const CellNet& net, const TopoDS_Shape& nearest) {
-    const double within = std::max(tolerance_, 0.1 * kReachAccuracy * best_);
     double least = kNotKnown;
     for (std::size_t i = 0; i < boundary_faces_.size(); ++i) {
       if (!parts_[i].Contains(nearest)) continue;
-      const auto known = feet_.try_emplace(i, boundary_faces_[i]).first;
-      if (const std::optional<double> bound = known->second.farthest(net.patch, within))
+      if (const std::optional<double> bound = feet_on(i).farthest(net.patch, within()))
         least = std::min(least, *bound);
     }
     return least;

@@ -24,8 +24,8 @@ struct Reach {
 /// Cells of the pieces are halved, those first that may lie deepest, until the bounds agree to a
 /// hundredth or kReachCells cells were looked at. No point of a cell is deeper than its middle by
 /// more than the cell's radius; nor farther from the boundary than from a face that all its feet
-/// lie on; nor than s, if the cell moved by s lies outside of the body, since every point crosses
-/// the boundary on that way.
+/// lie on, which may hold of a whole piece in a plane; nor than s, if the cell moved by s lies
+/// outside of the body, since every point crosses the boundary on that way.
 ///
 /// pieces     faces within the body or on its boundary
 /// boundary   of a closed solid

@@ -107,7 +107,7 @@ TEST_F(ClashCommand, TellsInOneTableHowAllPartsLieToEachOther) {
   EXPECT_NEAR(shaft["common"]["volume"], pi * (10.05 * 10.05 - 100) * 15, 1e-4);
   EXPECT_NEAR(shaft["common"]["depth"][0], 0.05, 1e-6);
   EXPECT_GE(shaft["common"]["depth"][1], 0.05);
-  EXPECT_LE(shaft["common"]["depth"][1], 0.5);
+  EXPECT_LE(shaft["common"]["depth"][1], 0.051);
 
   const json foot = pair_in(report, "Foot", "Frame");
   EXPECT_EQ(foot["relation"], "touches");
