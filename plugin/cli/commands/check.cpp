@@ -15,6 +15,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/many_files.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
@@ -24,7 +25,7 @@ namespace blossom::cli {
 namespace {
 
 struct Options {
-  std::string input;
+  std::vector<std::string> inputs;
   CommonOptions common;
   ContinuityCommand continuity;
 };
@@ -110,11 +111,49 @@ std::string check_text(const Input& input, const occt::Soundness& found) {
   return text.str();
 }
 
+std::string number_in(const Json& report, const char* member) {
+  return report.at(member).is_null() ? "" : report.at(member).dump();
+}
+
+std::vector<std::string> check_fields(const Json& report) {
+  const Json& all = report.at("summary");
+  return {report.at("verdict").get<std::string>(),
+          number_in(report, "problem_count"),
+          std::to_string(report.at("faces").size()),
+          std::to_string(report.at("edges").size()),
+          number_in(all, "free_edges"),
+          number_in(all, "crowded_edges"),
+          number_in(all, "gap"),
+          number_in(all, "same_parameter"),
+          number_in(all, "vertex_gap"),
+          number_in(all, "tolerance")};
+}
+
+std::string check_words(const Json& report) {
+  const auto problems = report.at("problem_count").get<std::size_t>();
+  return report.at("verdict").get<std::string>() +
+         (problems == 0 ? "" : ": " + counted(problems, "problem")) + ", " +
+         counted(report.at("faces").size(), "face") + ", " +
+         counted(report.at("edges").size(), "edge");
+}
+
+int run_on_many(const CLI::App& command, const Options& options) {
+  if (options.continuity.wanted)
+    throw UsageError("--continuity takes one model, and goes without --table");
+  return run_many({&command,
+                   options.inputs,
+                   options.common,
+                   {"verdict", "problems", "faces", "edges", "open_edges", "non_manifold_edges",
+                    "gap", "same_parameter", "vertex_gap", "tolerance"},
+                   check_fields,
+                   check_words});
+}
+
 int run(const Options& options) {
   if (options.continuity.wanted)
-    return run_continuity(options.input, options.common, options.continuity);
-  check_files(options.common, {options.input});
-  const Input input = read_input(options.input);
+    return run_continuity(options.inputs.front(), options.common, options.continuity);
+  check_files(options.common, options.inputs);
+  const Input input = read_input(options.inputs.front());
   stop_if_interrupted();
   const bool whole = static_cast<int>(input.numbers.size()) == input.model.face_count();
   const occt::CheckRunner checks = watched_checks(input.model.file());
@@ -134,13 +173,17 @@ void add_check(CLI::App& app, int& exit_code) {
       "check",
       "what is wrong with a model: validity, gaps beside stated tolerances, wires, open edges");
   const auto options = std::make_shared<Options>();
-  command->add_option("input", options->input, "model, or some of its faces")
+  command->add_option("input", options->inputs, "model, or some of its faces; or many models")
       ->required()
       ->type_name("FILE");
   add_report_options(*command, options->common);
+  add_table(*command, options->common, "each model");
   add_fail_on(*command, options->common);
   add_continuity_options(*command, options->common, options->continuity);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, command, &exit_code] {
+    exit_code = are_many(options->inputs, options->common) ? run_on_many(*command, *options)
+                                                           : run(*options);
+  });
 }
 
 }  // namespace blossom::cli

@@ -155,7 +155,7 @@ void add_continuity_options(CLI::App& command, CommonOptions& common, Continuity
   CLI::Option* const require = command.add_option("--require", options.require,
                                                   "edges less smooth are findings; G0 without");
   limit_to(*needing(require, wanted), {"G0", "G1", "G2"});
-  needing(command.add_flag("--table", options.table, "print a line for every edge, as -v"), wanted);
+  needing(command.add_flag("--edges", options.table, "print a line for every edge, as -v"), wanted);
   needing(command.add_option("--picture", common.picture,
                              "write a picture (PNG) with edges coloured by their class"),
           wanted)

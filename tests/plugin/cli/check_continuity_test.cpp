@@ -56,7 +56,7 @@ TEST_F(CheckContinuityCommand, CountsEdgesByClassAndNamesTheWorst) {
 
 TEST_F(CheckContinuityCommand, TableHasALineForEveryEdge) {
   const std::string file = written(BRepPrimAPI_MakeSphere(3).Shape(), "ball.brep");
-  for (const char* flag : {"--table", "-v"}) {
+  for (const char* flag : {"--edges", "-v"}) {
     const Finished run = blossom({"check", "--continuity", flag, file});
     EXPECT_TRUE(has(run, "(seam of face 1): G2, gap ")) << run.out;
     EXPECT_TRUE(has(run, "(faces 1): degenerate\n")) << run.out;
