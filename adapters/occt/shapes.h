@@ -35,6 +35,16 @@ struct CombinedSolid {
   std::vector<FaceOrigin> faces;  ///< all of its faces
 };
 
+/// A part of a model, or an assembly of such, at its place.
+struct AssemblyNode {
+  std::string name;                 ///< of the instance; that of the part where it has none
+  std::string product;              ///< what it is an instance of
+  std::string path;                 ///< as `Model::part_paths` has it, of an assembly up to it
+  std::vector<int> solids;          ///< of a part: their numbers, in the order of TopExp::MapShapes
+  std::vector<int> faces;           ///< likewise
+  std::vector<AssemblyNode> parts;  ///< of an assembly
+};
+
 /// Faces that two parts have in common, such as the cut between the parts of a split solid.
 enum class CommonFaces {
   Keep,
@@ -74,6 +84,9 @@ class Model {
   /// For each face, by number - 1, where its part is used: the names of instances from the outside
   /// in, as "machine:2/bolt:1"; the part's own name if it is in no assembly.
   std::vector<std::string> part_paths() const;
+
+  /// The parts and assemblies that are in no other one.
+  std::vector<AssemblyNode> assembly() const;
 
   /// The name of the part that a face belongs to; empty if it has none.
   /// throws   BadModel if there is no such face

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/inputs.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <map>
 #include <memory>
 #include <set>
 #include <system_error>
 
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/selection.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
 #include "plugin/reports/repairs.h"
@@ -68,9 +75,48 @@ std::vector<int> chosen_numbers(const InputName& name, int count, Faces need) {
                            counted(static_cast<std::size_t>(count), "face"));
     for (int number = first; number <= last; ++number) wanted.insert(number);
   }
-  if (name.faces.empty())
+  if (name.is_whole())
     for (int number = 1; number <= count; ++number) wanted.insert(number);
   return {wanted.begin(), wanted.end()};
+}
+
+// A name has letters; what has none is meant as numbers.
+bool is_name(const std::string& entry) {
+  return std::ranges::any_of(entry, [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte >= 0x80 || std::isalpha(byte) != 0;
+  });
+}
+
+// Solids, faces that are in none of them, and edges, side by side.
+TopoDS_Shape shape_of(const Selection& selection, const std::vector<int>& faces,
+                      const occt::Model& model) {
+  TopTools_IndexedMapOfShape solids, edges, bounding;
+  TopExp::MapShapes(model.shape(), TopAbs_SOLID, solids);
+  TopExp::MapShapes(model.shape(), TopAbs_EDGE, edges);
+  std::vector<TopoDS_Shape> shapes;
+  for (const int number : selection.solids) {
+    shapes.push_back(solids(number));
+    TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
+  }
+  for (const int number : faces)
+    if (!bounding.Contains(model.face(number))) shapes.push_back(model.face(number));
+  for (const int number : selection.edges) shapes.push_back(edges(number));
+  return occt::compound_of(shapes);
+}
+
+// What words name, beside the faces that numbers do.
+void select(const InputName& name, Faces need, Input& input) {
+  const Selection selection = selection_of(input.model, name.words);
+  std::set<int> faces(input.numbers.begin(), input.numbers.end());
+  faces.insert(selection.faces.begin(), selection.faces.end());
+  input.numbers.assign(faces.begin(), faces.end());
+  input.solids.assign(selection.solids.begin(), selection.solids.end());
+  input.edges.assign(selection.edges.begin(), selection.edges.end());
+  if (need == Faces::Required && !input.edges.empty())
+    throw UsageError("input '" + input.name + "': an edge is named where faces are wanted");
+  if (!input.solids.empty() || !input.edges.empty())
+    input.selected = shape_of(selection, input.numbers, input.model);
 }
 
 void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {
@@ -83,13 +129,17 @@ void tell(const occt::Repairs& repairs, const std::filesystem::path& file) {
 
 InputName parse_input(const std::string& text) {
   const std::size_t mark = text.rfind('#');
-  if (mark == std::string::npos || exists(text)) return {text, {}};
+  if (mark == std::string::npos || exists(text)) return {text, {}, {}};
 
-  InputName name{text.substr(0, mark), {}};
+  InputName name{text.substr(0, mark), {}, {}};
   std::size_t begin = mark + 1;
   while (true) {
     const std::size_t comma = text.find(',', begin);
-    name.faces.push_back(face_range(text.substr(begin, comma - begin), text));
+    const std::string entry = text.substr(begin, comma - begin);
+    if (is_name(entry))
+      name.words.push_back(entry);
+    else
+      name.faces.push_back(face_range(entry, text));
     if (comma == std::string::npos) return name;
     begin = comma + 1;
   }
@@ -116,11 +166,12 @@ Input read_input(const std::string& text, Faces need, Repair repair) {
   Input input{text, model, *model};
   input.shape = model->shape();
   input.numbers = chosen_numbers(name, model->face_count(), need);
+  if (!name.words.empty()) select(name, need, input);
   for (const int number : input.numbers) input.faces.push_back(model->face(number));
   if (repair == Repair::None) return input;
   enter(Phase::Working, "repairing " + name.file.string());
-  input.repairs = name.faces.empty() ? model->repair(stop_if_interrupted)
-                                     : model->repair(input.numbers, stop_if_interrupted);
+  input.repairs = name.is_whole() ? model->repair(stop_if_interrupted)
+                                  : model->repair(input.numbers, stop_if_interrupted);
   tell(input.repairs, name.file);
   return input;
 }

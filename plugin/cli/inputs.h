@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Inputs of commands: a file, or some faces of a file, as in `wing.step#3,5-9`.
+// Inputs of commands: a file, or something in it, as in `wing.step#3,5-9` or `wing.step#Rib/Face3`.
 
 #pragma once
 
@@ -15,14 +15,19 @@ namespace blossom::cli {
 using reports::given_name;
 using reports::Input;
 
-/// What the user wrote, taken apart. No ranges means all faces.
+/// What the user wrote, taken apart. No ranges and no words means all faces.
 struct InputName {
   std::filesystem::path file;
   std::vector<std::pair<int, int>> faces;  ///< first and last number of each range, 1-based
+  std::vector<std::string> words{};        ///< that name parts, faces, solids or edges, see
+                                           ///< `selection_of`
+
+  bool is_whole() const { return faces.empty() && words.empty(); }
 };
 
-/// Takes `FILE`, `FILE#3` or `FILE#3,5-9` apart. A file that is really called so wins.
-/// throws   UsageError if what follows the last '#' is no list of face numbers
+/// Takes `FILE`, `FILE#3,5-9`, `FILE#Shaft` or `FILE#Shaft/Face3,solid:2` apart. A file that is
+/// really called so wins.
+/// throws   UsageError if an entry after the last '#' is empty, or a bad number
 InputName parse_input(const std::string& text);
 
 /// Opening such a file might wait for ever.
@@ -41,8 +46,9 @@ enum class Repair {
 /// Reads the file and picks the faces. Files are read once as long as an input from them is there,
 /// so that edges which faces of two inputs share are known to be the same. What was repaired is
 /// told in one line, and with -v where.
-/// throws   UsageError as parse_input; occt::BadModel if the file cannot be read, has no face
-///          though they are required, or a face number does not exist
+/// throws   UsageError as parse_input, or if edges are named where faces are required;
+///          occt::BadModel if the file cannot be read, has no face though they are required, or
+///          what is named does not exist
 Input read_input(const std::string& text, Faces need = Faces::Required,
                  Repair repair = Repair::Used);
 

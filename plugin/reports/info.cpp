@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <ShapeAnalysis_ShapeTolerance.hxx>
 #include <TopExp.hxx>
@@ -61,6 +62,7 @@ FaceFacts face_facts(const TopoDS_Face& face, int number, std::vector<std::strin
     facts.surface = "none";
     return facts;
   }
+  BRepTools::UVBounds(face, facts.u.from, facts.u.to, facts.v.from, facts.v.to);
   const BRepAdaptor_Surface surface(face, Standard_False);
   facts.surface = surface_word(surface.GetType());
   if (surface.GetType() == GeomAbs_BezierSurface || surface.GetType() == GeomAbs_BSplineSurface) {
@@ -91,6 +93,8 @@ Json face_json(const FaceFacts& face) {
     json["spans"] = {face.spans_u, face.spans_v};
     json["rational"] = face.rational;
   }
+  if (face.surface != "none")
+    json["parameters"] = {{face.u.from, face.u.to}, {face.v.from, face.v.to}};
   json["periodic"] = {face.periodic_u, face.periodic_v};
   json["wires"] = face.wires;
   json["edges"] = face.edges;

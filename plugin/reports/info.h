@@ -13,6 +13,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/queries/least_box.h"
+#include "core/math/interval.h"
 #include "plugin/reports/input.h"
 #include "plugin/reports/json.h"
 
@@ -27,6 +28,7 @@ struct FaceFacts {
   int spans_u = 0;  ///< likewise
   int spans_v = 0;
   bool rational = false;
+  Interval u, v;  ///< the box of the trims in the surface's parameters
   bool periodic_u = false;
   bool periodic_v = false;
   int wires = 0;

@@ -22,6 +22,9 @@ struct Input {
   std::vector<int> numbers{};          ///< face numbers, 1-based as `info` prints them, each once
   std::vector<TopoDS_Face> faces{};    ///< likewise
   TopoDS_Shape shape{};                ///< of the model that the faces belong to
+  std::vector<int> solids{};           ///< that the user names as such, or by their parts
+  std::vector<int> edges{};            ///< that the user names; with them, and no faces, no faces
+  TopoDS_Shape selected{};             ///< solids, other faces and edges; null if none are named
   occt::Repairs repairs{};             ///< what was changed to use the faces
 };
 

@@ -3,7 +3,9 @@
 
 #include <utility>
 
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 
 #include "adapters/occt/base/compounds.h"
 
@@ -31,7 +33,15 @@ std::string part_of(const Input& input, const occt::Body& body) {
   return {};
 }
 
+int solid_number(const Input& input, const occt::Body& body) {
+  if (input.selected.IsNull()) return body.solid;
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(input.model.shape(), TopAbs_SOLID, solids);
+  return solids.FindIndex(body.shape);
+}
+
 TopoDS_Shape chosen_shape(const Input& input) {
+  if (!input.selected.IsNull()) return input.selected;
   if (input.faces.empty() || static_cast<int>(input.faces.size()) == input.model.face_count())
     return input.model.shape();
   return occt::compound_of(input.faces);
@@ -64,7 +74,7 @@ int MeasuredInput::surface_faces() const {
 
 Json MeasuredInput::body_json(std::size_t body) const {
   const occt::Body& of = bodies->all()[body];
-  Json json = {{"solid", of.is_solid() ? Json(of.solid) : Json()}};
+  Json json = {{"solid", of.is_solid() ? Json(solid_number(input, of)) : Json()}};
   if (const std::string part = part_of(input, of); of.is_solid() && !part.empty())
     json["part"] = part;
   return json;

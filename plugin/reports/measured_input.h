@@ -23,7 +23,10 @@ std::string part_with(const Input& input, const TopoDS_Shape& on);
 /// The part of a body by its first face; empty if it has none, or no name.
 std::string part_of(const Input& input, const occt::Body& body);
 
-/// The faces that the user means; the whole model, with free edges and vertices, if that is all.
+/// The number of a body that is a solid, in the order of TopExp::MapShapes of the model.
+int solid_number(const Input& input, const occt::Body& body);
+
+/// What the user names; the whole model, with free edges and vertices, if that is all.
 TopoDS_Shape chosen_shape(const Input& input);
 
 /// One model of a question.

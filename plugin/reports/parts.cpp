@@ -53,12 +53,15 @@ std::vector<NamedPart> named_parts(const Input& input) {
   TopTools_IndexedMapOfShape solids, bounding;
   const TopoDS_Shape chosen = chosen_shape(input);
   TopExp::MapShapes(chosen, TopAbs_SOLID, solids);
+  TopTools_IndexedMapOfShape numbered;
+  TopExp::MapShapes(input.model.shape(), TopAbs_SOLID, numbered);
   for (int i = 1; i <= solids.Extent(); ++i) {
     if (!occt::is_closed_solid(solids(i))) continue;
     TopTools_IndexedMapOfShape own;
     TopExp::MapShapes(solids(i), TopAbs_FACE, own);
     for (int k = 1; k <= own.Extent(); ++k) bounding.Add(own(k));
-    parts.push_back({solids(i), &input, {}, names.of(own(1)), i, own.Extent()});
+    parts.push_back(
+        {solids(i), &input, {}, names.of(own(1)), numbered.FindIndex(solids(i)), own.Extent()});
   }
   std::map<std::string, std::vector<TopoDS_Face>> rest;
   for (const TopoDS_Face& face : input.faces)

@@ -7,6 +7,7 @@
 
 #include "adapters/occt/soundness.h"
 #include "plugin/reports/intersection.h"
+#include "plugin/reports/measured_input.h"
 #include "plugin/reports/repairs.h"
 #include "plugin/reports/watertight.h"
 
@@ -40,8 +41,8 @@ std::vector<occt::PartFace> part_faces(const Input& part) {
 }
 
 occt::TrimTool tool_of(const Input& tool) {
-  if (static_cast<int>(tool.faces.size()) == tool.model.face_count())
-    return occt::trim_tool(tool.model.shape());
+  if (!tool.solids.empty() || static_cast<int>(tool.faces.size()) == tool.model.face_count())
+    return occt::trim_tool(chosen_shape(tool));
   return {tool.faces, {}};
 }
 

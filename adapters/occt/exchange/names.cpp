@@ -105,6 +105,64 @@ std::vector<std::string> Model::part_paths() const {
   return paths;
 }
 
+namespace {
+
+// Solids and faces of a model by their numbers.
+struct NumberedShapes {
+  TopTools_IndexedMapOfShape solids;
+  const TopTools_IndexedMapOfShape& faces;
+};
+
+std::vector<int> numbers_in(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
+                            const TopTools_IndexedMapOfShape& all) {
+  TopTools_IndexedMapOfShape own;
+  TopExp::MapShapes(shape, kind, own);
+  std::vector<int> numbers;
+  for (int i = 1; i <= own.Extent(); ++i)
+    if (const int number = all.FindIndex(own(i)); number > 0) numbers.push_back(number);
+  return numbers;
+}
+
+AssemblyNode node_of(const TDF_Label& label, const TopLoc_Location& place, const std::string& path,
+                     const NumberedShapes& all) {
+  TDF_Label referred;
+  if (XCAFDoc_ShapeTool::GetReferredShape(label, referred)) {
+    const std::string own = instance_name(label, referred);
+    AssemblyNode node = node_of(referred, place * XCAFDoc_ShapeTool::GetLocation(label),
+                                path + (path.empty() || own.empty() ? "" : "/") + own, all);
+    node.name = own;
+    return node;
+  }
+  AssemblyNode node;
+  node.name = node.product = name_of(label);
+  node.path = path.empty() ? node.name : path;
+  if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
+    TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    if (shape.IsNull()) return node;
+    shape.Location(place * shape.Location(), false);
+    node.solids = numbers_in(shape, TopAbs_SOLID, all.solids);
+    node.faces = numbers_in(shape, TopAbs_FACE, all.faces);
+    return node;
+  }
+  TDF_LabelSequence components;
+  XCAFDoc_ShapeTool::GetComponents(label, components);
+  for (const TDF_Label& component : components)
+    node.parts.push_back(node_of(component, place, path, all));
+  return node;
+}
+
+}  // namespace
+
+std::vector<AssemblyNode> Model::assembly() const {
+  NumberedShapes all{{}, impl_->faces};
+  if (!shape().IsNull()) TopExp::MapShapes(shape(), TopAbs_SOLID, all.solids);
+  TDF_LabelSequence roots;
+  impl_->document.shapes()->GetFreeShapes(roots);
+  std::vector<AssemblyNode> nodes;
+  for (const TDF_Label& root : roots) nodes.push_back(node_of(root, {}, {}, all));
+  return nodes;
+}
+
 const std::string& Model::file_unit() const { return impl_->document.unit; }
 
 }  // namespace blossom::occt

@@ -14,7 +14,9 @@ void add_commands(CLI::App& app, int& exit_code) {
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer(
-      "An input is FILE, or some of its faces: FILE#3 or FILE#3,5-9 (numbers as in 'info').\n");
+      "An input is FILE, or something in it: faces FILE#3,5-9 (numbers as in 'info'), parts "
+      "FILE#Shaft,\n"
+      "FILE#Shaft/Face3, FILE#solid:2 or FILE#edge:12.\n");
 
   add_info(app, exit_code);
   add_check(app, exit_code);

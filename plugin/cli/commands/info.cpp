@@ -13,9 +13,12 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/many_files.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/tree_list.h"
+#include "plugin/cli/verbosity.h"
 #include "plugin/reports/info.h"
 
 namespace blossom::cli {
@@ -39,6 +42,9 @@ std::string face_line(const FaceFacts& face) {
   for (std::size_t i = 0; i < face.problems.size(); ++i)
     line << (i == 0 ? "" : "; ") << face.problems[i];
   line << (face.name.empty() || face.problems.empty() ? "" : "  ") << face.name << "\n";
+  if (verbosity() == Verbosity::Verbose && face.surface != "none")
+    line << "        u " << face.u.from << " to " << face.u.to << ", v " << face.v.from << " to "
+         << face.v.to << "\n";
   return line.str();
 }
 
@@ -68,14 +74,46 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
 }
 
 struct Options {
-  std::string input;
-  bool edges = false;
+  std::vector<std::string> inputs;
+  bool edges = false, tree = false;
   CommonOptions common;
 };
 
+std::vector<std::string> info_fields(const Json& report) {
+  std::vector<std::string> fields;
+  for (const char* kind : {"solids", "shells", "faces", "edges", "vertices"})
+    fields.push_back(report.at("counts").at(kind).dump());
+  fields.push_back(report.at("file_unit").get<std::string>());
+  for (std::size_t corner = 0; corner < 2; ++corner)
+    for (std::size_t k = 0; k < 3; ++k)
+      fields.push_back(report.at("box").is_null() ? "" : report.at("box")[corner][k].dump());
+  fields.push_back(report.at("tolerance").at("largest").dump());
+  fields.emplace_back(report.at("valid").get<bool>() ? "valid" : "not valid");
+  return fields;
+}
+
+std::string info_words(const Json& report) {
+  const auto count = [&](const char* kind) {
+    return report.at("counts").at(kind).get<std::size_t>();
+  };
+  return counted(count("solids"), "solid") + ", " + counted(count("faces"), "face") + ", " +
+         counted(count("edges"), "edge") + ", " +
+         (report.at("valid").get<bool>() ? "valid" : "NOT VALID");
+}
+
+int run_on_many(const CLI::App& command, const Options& options) {
+  return run_many({&command,
+                   options.inputs,
+                   options.common,
+                   {"solids", "shells", "faces", "edges", "vertices", "unit", "x_min", "y_min",
+                    "z_min", "x_max", "y_max", "z_max", "largest_tolerance", "validity"},
+                   info_fields,
+                   info_words});
+}
+
 int run(const Options& options) {
-  check_files(options.common, {options.input});
-  const Input input = read_input(options.input, Faces::Optional, Repair::None);
+  check_files(options.common, options.inputs);
+  const Input input = read_input(options.inputs.front(), Faces::Optional, Repair::None);
   const auto problems =
       occt::face_problems(input.faces, input.numbers, watched_checks(input.model.file()));
   const ModelFacts facts = reports::model_facts(input, problems, interrupted);
@@ -88,6 +126,11 @@ int run(const Options& options) {
     report["edges"] = edges.json;
     text += edges.text;
   }
+  if (options.tree) {
+    const TreeList tree = tree_list(input.model);
+    report["tree"] = tree.json;
+    text += tree.text;
+  }
   if (!json.empty()) write_json(report, json);
   print_summary(text, json);
   return kExitComplete;
@@ -99,13 +142,19 @@ void add_info(CLI::App& app, int& exit_code) {
   CLI::App* const command =
       app.add_subcommand("info", "faces by surface type, degrees, spans, tolerances, validity");
   const auto options = std::make_shared<Options>();
-  command->add_option("input", options->input, "model, or some of its faces")
+  command->add_option("input", options->inputs, "model, or some of its faces; or many models")
       ->required()
       ->type_name("FILE");
+  command->add_flag("--tree", options->tree,
+                    "list parts and assemblies, too: names, numbers of solids and faces");
   command->add_flag("--edges", options->edges,
                     "list all edges of the model, too: faces, kind, angle, length, middle");
+  add_table(*command, options->common, "each model");
   add_report_options(*command, options->common);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, command, &exit_code] {
+    exit_code = are_many(options->inputs, options->common) ? run_on_many(*command, *options)
+                                                           : run(*options);
+  });
 }
 
 }  // namespace blossom::cli

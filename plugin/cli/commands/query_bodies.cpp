@@ -10,7 +10,7 @@ std::string QuerySide::told_surface() const {
   const int faces = surface_faces();
   if (faces == 0) return {};
   const std::string taken = "taken as a surface, which has no inside: ";
-  if (static_cast<int>(input.faces.size()) < input.model.face_count())
+  if (input.solids.empty() && static_cast<int>(input.faces.size()) < input.model.face_count())
     return "  " + input.name + " is " + taken + "it names some faces of the model\n";
   if (solids() == 0) return "  " + input.name + " is " + taken + "it has no closed solid\n";
   return "  " + counted(static_cast<std::size_t>(faces), "face") + " of " + input.name +
@@ -22,7 +22,7 @@ std::string QuerySide::body_text(std::size_t body) const {
   const occt::Body& of = bodies->all()[body];
   if (!of.is_solid()) return "the surface of " + input.name;
   const std::string part = reports::part_of(input, of);
-  return "solid " + std::to_string(of.solid) + " of " + input.name +
+  return "solid " + std::to_string(reports::solid_number(input, of)) + " of " + input.name +
          (part.empty() ? "" : " (" + part + ")");
 }
 

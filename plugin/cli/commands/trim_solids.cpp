@@ -21,6 +21,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
@@ -66,12 +67,25 @@ void make_watertight(Timed& timed, const EngineOptions& engine) {
   timed.watertight = std::move(made.pieces);
 }
 
+// Whether all that the user names is solids.
+bool names_solids(const Input& input) {
+  TopTools_IndexedMapOfShape solids, bounding;
+  TopExp::MapShapes(input.model.shape(), TopAbs_SOLID, solids);
+  for (const int number : input.solids) TopExp::MapShapes(solids(number), TopAbs_FACE, bounding);
+  return !input.solids.empty() && std::ranges::all_of(input.faces, [&](const TopoDS_Face& face) {
+    return bounding.Contains(face);
+  });
+}
+
 // Models of their own, even of one file: the part is changed.
 occt::Model model_of(const std::string& text, Json& repairs) {
   Input input = read_input(text);
   repairs.push_back(repairs_json(input));
-  if (static_cast<int>(input.numbers.size()) != input.model.face_count())
-    throw UsageError(text + ": --solid takes whole models, not some of their faces");
+  if (static_cast<int>(input.numbers.size()) == input.model.face_count())
+    return std::move(input.model);
+  if (!names_solids(input))
+    throw UsageError(text + ": --solid takes whole models or solids, not some of their faces");
+  drop_other_faces(input);
   return std::move(input.model);
 }
 

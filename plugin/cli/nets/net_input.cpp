@@ -8,6 +8,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
+#include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/nets/net_shapes.h"
@@ -20,6 +21,9 @@ void append(std::vector<Net>& all, std::vector<Net> more) {
 }
 
 std::vector<Net> chosen(std::vector<Net> nets, const InputName& name) {
+  if (!name.words.empty())
+    throw UsageError(name.file.string() + ": nets have numbers, there is no '" +
+                     name.words.front() + "' in it");
   if (name.faces.empty()) return nets;
   const int count = static_cast<int>(nets.size());
   for (const auto& [first, last] : name.faces)
@@ -54,6 +58,7 @@ std::vector<Net> nets_of_edges(const Input& input, bool all) {
   TopTools_IndexedMapOfShape numbered, wanted;
   TopExp::MapShapes(input.model.shape(), TopAbs_EDGE, numbered);
   for (const TopoDS_Face& face : input.faces) TopExp::MapShapes(face, TopAbs_EDGE, wanted);
+  for (const int number : input.edges) wanted.Add(numbered(number));
   std::vector<Net> nets;
   for (int number = 1; number <= numbered.Extent(); ++number) {
     if (!all && !wanted.Contains(numbered(number))) continue;
@@ -98,8 +103,7 @@ NetInput read_net_input(const std::string& text, Take take) {
   }
   const bool edges = take == Take::Edges;
   input.model.emplace(read_input(text, edges ? Faces::Optional : Faces::Required));
-  input.nets =
-      edges ? nets_of_edges(*input.model, name.faces.empty()) : nets_of_faces(*input.model);
+  input.nets = edges ? nets_of_edges(*input.model, name.is_whole()) : nets_of_faces(*input.model);
   return input;
 }
 

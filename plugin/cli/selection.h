@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What inputs name of a model: parts, solids, faces and edges.
+
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "adapters/occt/shapes.h"
+
+namespace blossom::cli {
+
+/// Numbers are 1-based in the order of TopExp::MapShapes.
+struct Selection {
+  std::set<int> faces;   ///< those of parts and solids among them
+  std::set<int> solids;  ///< as wholes
+  std::set<int> edges;
+};
+
+/// What words mean in a model:
+///
+///   Shaft, machine:1/Shaft   a part: its own name, that of an instance, or the way to it, as a
+///                            whole or from some instance on; all that are called so
+///   Shaft/Face3, /Edge3, /Solid3   the third one of each such part
+///   part:12                  a part with a name that is a number
+///   face:3, solid:2, edge:12       by the numbers of `info`
+///   TopFace                  a face with a name of its own, if there is no such part
+///
+/// throws   occt::BadModel, with the nearest names, if there is none; UsageError if a number is
+/// none
+Selection selection_of(const occt::Model& model, const std::vector<std::string>& words);
+
+}  // namespace blossom::cli

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Inputs that name parts, solids, faces and edges of a model, as a user writes them.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <nlohmann/json.hpp>
+
+#include "adapters/occt/shapes.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom {
+namespace {
+
+using nlohmann::json;
+using testing::blossom;
+using testing::Finished;
+
+class Selectors : public ::testing::Test {
+ protected:
+  // A plate of six faces, a shaft of three that goes through it, and a lid above both.
+  void SetUp() override {
+    occt::Model model;
+    model.add(BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 0), 10, 10, 2).Shape(), "Plate");
+    model.add(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -4), gp_Dir(0, 0, 1)), 1, 10).Shape(),
+              "Shaft");
+    model.add(BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, 9), 10, 10, 1).Shape(), "Lid");
+    occt::write_model(model, folder_ / "rig.step");
+    file_ = folder_ / "rig.step";
+  }
+
+  json report(std::vector<std::string> words) {
+    words.insert(words.end(), {"--json", "-"});
+    const Finished run = blossom(words);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return json::parse(run.out);
+  }
+
+  std::vector<int> faces_of(const std::string& selector) {
+    std::vector<int> numbers;
+    const json found = report({"info", file_ + "#" + selector});
+    for (const json& face : found["faces"]) numbers.push_back(face["number"]);
+    return numbers;
+  }
+
+  testing::TestFolder folder_;
+  std::string file_;
+};
+
+TEST_F(Selectors, NamePartsSolidsAndFacesOfParts) {
+  EXPECT_EQ(faces_of("Shaft"), (std::vector{7, 8, 9}));
+  EXPECT_EQ(faces_of("solid:2"), (std::vector{7, 8, 9}));
+  EXPECT_EQ(faces_of("Shaft/Face3"), (std::vector{9}));
+  EXPECT_EQ(faces_of("face:4"), (std::vector{4}));
+  EXPECT_EQ(faces_of("Lid/face1,2,Shaft/Solid1"), (std::vector{2, 7, 8, 9, 10}));
+}
+
+TEST_F(Selectors, NameSolidsWithAnInside) {
+  const json found = report({"query", "distance", file_ + "#Shaft", file_ + "#Lid"});
+  EXPECT_NEAR(found["distance"][1], 3, 1e-9);
+  EXPECT_EQ(found["solids_a"], 1);
+  const json meets = report({"query", "does-intersect", file_ + "#Shaft", file_ + "#solid:1"});
+  EXPECT_EQ(meets["answer"], "yes");
+  EXPECT_EQ(meets["pairs"][0]["a"]["solid"], 2);
+  EXPECT_EQ(meets["pairs"][0]["b"]["solid"], 1);
+}
+
+TEST_F(Selectors, NameEdges) {
+  const json whole = report({"info", file_, "--edges"});
+  const json middle = whole["edges"][0]["middle"];
+  const std::string at = middle[0].dump() + "," + middle[1].dump() + ",50";
+  const json found = report({"query", "point", file_ + "#edge:1", "--at", at});
+  EXPECT_NEAR(found["distance"][1], 50 - middle[2].get<double>(), 1e-9);
+  EXPECT_EQ(found["nearest"]["on"]["kind"], "edge");
+  const Finished faces = blossom({"check", file_ + "#edge:1"});
+  EXPECT_EQ(faces.code, 2);
+  EXPECT_NE(faces.err.find("an edge is named where faces are wanted"), std::string::npos);
+}
+
+TEST_F(Selectors, CombineTwoSolidsOfOneFile) {
+  const std::string out = folder_ / "made.step";
+  const json made =
+      report({"trim", file_ + "#solid:1", file_ + "#Shaft", "--solid", "fuse", "-o", out});
+  const double plate = 200, shaft = 10 * 3.141592653589793, common = shaft / 5;
+  EXPECT_NEAR(made["total"]["result"], plate + shaft - common, 1e-6);
+  const occt::Model model = occt::read_model(out);
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(model.shape(), TopAbs_SOLID, solids);
+  EXPECT_EQ(solids.Extent(), 1);  // the lid is not in it
+  EXPECT_EQ(model.part_name(1), "Plate");
+}
+
+TEST_F(Selectors, CutFacesByASolid) {
+  const json made = report({"trim", file_ + "#Plate/Face5", file_ + "#Shaft", "--keep", "outside"});
+  EXPECT_EQ(made["pieces"].size(), 2u);
+}
+
+struct Refusal {
+  const char* selector;
+  const char* words;
+};
+
+class BadSelectors : public Selectors, public ::testing::WithParamInterface<Refusal> {};
+
+TEST_P(BadSelectors, AreRefusedWithTheNearestNames) {
+  const Finished run = blossom({"info", file_ + "#" + GetParam().selector});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find(GetParam().words), std::string::npos) << run.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, BadSelectors,
+    ::testing::Values(Refusal{"Shft",
+                              "there is no part and no face 'Shft' in it; did you mean 'Shaft'?"},
+                      Refusal{"Turbine", "there are Plate, Shaft and Lid"},
+                      Refusal{"Shaft/Face9", "there is no face 9 in 'Shaft', it has 3 faces"},
+                      Refusal{"solid:4", "there is no solid 4 in it, it has 3 solids"},
+                      Refusal{"edge:400", "there is no edge 400 in it"},
+                      Refusal{"solid:x", "'solid:x' has no number"}));
+
+TEST_F(Selectors, AreFoundInATree) {
+  occt::Model model;
+  model.add_assembly({{"left", BRepPrimAPI_MakeBox(1, 1, 1).Shape()},
+                      {"right", BRepPrimAPI_MakeBox(gp_Pnt(2, 0, 0), 1, 1, 1).Shape()}},
+                     "Frame");
+  const std::string file = folder_ / "frame.step";
+  occt::write_model(model, file);
+  const Finished run = blossom({"info", file, "--tree"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("    Frame\n      left: solid 1, faces 1-6\n"), std::string::npos)
+      << run.out;
+  const json tree = report({"info", file, "--tree"})["tree"];
+  ASSERT_EQ(tree.size(), 1u);
+  EXPECT_EQ(tree[0]["product"], "Frame");
+  EXPECT_EQ(tree[0]["parts"][1]["name"], "right");
+  EXPECT_EQ(tree[0]["parts"][1]["faces"], (json{7, 8, 9, 10, 11, 12}));
+  EXPECT_EQ(report({"info", file + "#right"})["faces"].size(), 6u);
+  EXPECT_EQ(report({"info", file + "#Frame"})["faces"].size(), 12u);
+}
+
+TEST_F(Selectors, AreBesideParameterRanges) {
+  const json face = report({"info", file_ + "#Shaft/Face1"})["faces"][0];
+  ASSERT_EQ(face["surface"], "cylinder");
+  EXPECT_NEAR(face["parameters"][0][1].get<double>() - face["parameters"][0][0].get<double>(),
+              2 * 3.141592653589793, 1e-9);
+  EXPECT_NEAR(face["parameters"][1][1].get<double>() - face["parameters"][1][0].get<double>(), 10,
+              1e-9);
+  EXPECT_NE(blossom({"info", file_ + "#Shaft/Face1", "-v"}).out.find("        u 0 to 6.28319, v "),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace blossom
