@@ -12,6 +12,7 @@
 #include <TopoDS.hxx>
 
 #include "plugin/cli/commands/commands.h"
+#include "plugin/cli/commands/subdivide_whole.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_input.h"
@@ -37,6 +38,7 @@ struct Options {
   std::vector<double> triangle;
   std::vector<double> q;
   int levels = 0;
+  bool whole = false;  // one B-spline instead of pieces
   CommonOptions common;
 };
 
@@ -139,6 +141,8 @@ void write_outputs(NetInput& input, const Options& options, const Timed& timed) 
 }
 
 int run(const Options& options) {
+  if (options.whole)
+    return run_whole({options.input, options.interval, options.rectangle, options.common});
   check_files(options.common, {options.input}, Outputs::ModelsAndNets);
   const Cut cut = cut_of(options);
   NetInput input =
@@ -169,20 +173,29 @@ void add_subdivide(CLI::App& app, int& exit_code) {
           ->check(finite_number())
           ->type_name("U0 U1 V0 V1")
           ->excludes(interval);
-  command->add_option("--triangle", options->triangle, "the triangular patch over these corners")
-      ->expected(6)
-      ->check(finite_number())
-      ->type_name("U0 V0 U1 V1 U2 V2")
-      ->excludes(interval)
-      ->excludes(rectangle);
-  command->add_option("--levels", options->levels, "halve so often in each direction")
-      ->check(whole_number(0, 20))
-      ->type_name("N")
-      ->capture_default_str();
-  command->add_option("--q", options->q, "give pieces by their (q1,q2)-Bezier points")
-      ->expected(2)
-      ->check(finite_number())
-      ->type_name("Q1 Q2");
+  CLI::Option* const triangle =
+      command
+          ->add_option("--triangle", options->triangle, "the triangular patch over these corners")
+          ->expected(6)
+          ->check(finite_number())
+          ->type_name("U0 V0 U1 V1 U2 V2")
+          ->excludes(interval)
+          ->excludes(rectangle);
+  CLI::Option* const levels =
+      command->add_option("--levels", options->levels, "halve so often in each direction");
+  levels->check(whole_number(0, 20))->type_name("N")->capture_default_str();
+  CLI::Option* const q =
+      command->add_option("--q", options->q, "give pieces by their (q1,q2)-Bezier points")
+          ->expected(2)
+          ->check(finite_number())
+          ->type_name("Q1 Q2");
+  command
+      ->add_flag("--whole", options->whole,
+                 "one B-spline surface of each face, or curve of each edge, instead of its Bezier "
+                 "pieces; parameters outside of it are an error")
+      ->excludes(triangle)
+      ->excludes(levels)
+      ->excludes(q);
   add_common_options(*command, options->common, "write the pieces (.step, .brep, .iges, .json)");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
