@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <pybind11/pybind11.h>
@@ -59,6 +60,22 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
 Answer watertight(const SharedModel& model, const Control& control);
 Answer strip_between(const SharedModel& a, const SharedModel& b,
                      const occt::FaceStripOptions& options, const Control& control);
+
+/// Which edges are meant, all that any member says.
+struct EdgeWish {
+  std::vector<int> edges{};                      ///< numbers as in `edge_facts`
+  std::string kind{};                            ///< "all", "convex", "concave", or empty
+  std::optional<std::pair<int, int>> between{};  ///< the edges that two faces have in common
+};
+
+Answer fillet(const SharedModel& part, const EdgeWish& edges, double radius, bool partial,
+              const Control& control);
+
+/// The answer with a report that is made already, and the shape of a model; none if that is null.
+Answer made_answer(reports::Json report, SharedModel model);
+
+/// The model's faces in a model of its own, with their numbers, names and colours, to be changed.
+occt::Model copy_of(const reports::Input& input);
 
 /// A plane whose normal has the length 1.
 /// throws   InvalidInput if the normal is 0

@@ -48,7 +48,13 @@ std::vector<SharedModel> with_part(const SharedModel& part, std::vector<SharedMo
   return tools;
 }
 
-// The model's faces in a model of its own, with their names and colours, to be changed.
+SharedModel made_model(const std::string& name, occt::Model model) {
+  if (model.face_count() == 0) return nullptr;
+  return std::make_shared<LoadedModel>(name, std::move(model), Repair::Never);
+}
+
+}  // namespace
+
 occt::Model copy_of(const reports::Input& input) {
   std::vector<occt::FaceOrigin> origins;
   for (int number = 1; number <= input.model.face_count(); ++number)
@@ -64,13 +70,6 @@ Answer made_answer(reports::Json report, SharedModel model) {
           .model = [model = std::move(model)] { return model; },
           .records = {}};
 }
-
-SharedModel made_model(const std::string& name, occt::Model model) {
-  if (model.face_count() == 0) return nullptr;
-  return std::make_shared<LoadedModel>(name, std::move(model), Repair::Never);
-}
-
-}  // namespace
 
 Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,
             const std::vector<occt::Plane>& planes, const std::string& keep,

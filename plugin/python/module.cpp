@@ -282,6 +282,19 @@ void add_strip(py::module_& module) {
       arg("control"));
 }
 
+void add_fillet(py::module_& module) {
+  module.def(
+      "fillet",
+      [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,
+         const std::optional<std::pair<int, int>>& between, double radius, bool partial,
+         const Control& control) {
+        return fillet(part, {.edges = edges, .kind = kind, .between = between}, radius, partial,
+                      control);
+      },
+      arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("partial"),
+      arg("control"));
+}
+
 }  // namespace
 }  // namespace blossom::python
 
@@ -298,4 +311,5 @@ PYBIND11_MODULE(_core, module) {
   bp::add_nets(module);
   bp::add_answers(module);
   bp::add_strip(module);
+  bp::add_fillet(module);
 }

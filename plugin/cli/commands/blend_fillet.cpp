@@ -30,7 +30,7 @@
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/repairs.h"
+#include "plugin/reports/fillet.h"
 
 namespace blossom::cli {
 namespace {
@@ -46,30 +46,17 @@ struct FilletCommand {
   EngineOptions engine;
 };
 
-struct Timed {
-  std::vector<int> asked;
-  occt::FilletResult made;
-  double seconds = 0;
-};
-
-bool can_be_rounded(const occt::EdgeFacts& edge) {
-  return edge.kind == occt::EdgeKind::Convex || edge.kind == occt::EdgeKind::Concave;
-}
+using Timed = reports::FilletAnswer;
 
 // The edges that two faces have in common.
 void add_between(const FilletCommand& command, const std::vector<occt::EdgeFacts>& facts,
                  std::set<int>& edges) {
-  std::vector<int> pair = command.between;
-  std::ranges::sort(pair);
-  const std::size_t before = edges.size();
-  for (const occt::EdgeFacts& each : facts) {
-    std::vector<int> faces = each.faces;
-    std::ranges::sort(faces);
-    if (faces == pair && each.kind != occt::EdgeKind::Degenerate) edges.insert(each.number);
-  }
-  if (edges.size() == before)
-    throw UsageError(command.part + ": faces " + std::to_string(pair[0]) + " and " +
-                     std::to_string(pair[1]) + " have no edge in common");
+  const std::vector<int>& pair = command.between;
+  const std::vector<int> common = reports::edges_between(facts, pair[0], pair[1]);
+  if (common.empty())
+    throw UsageError(command.part + ": faces " + std::to_string(std::ranges::min(pair)) + " and " +
+                     std::to_string(std::ranges::max(pair)) + " have no edge in common");
+  edges.insert(common.begin(), common.end());
 }
 
 std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& shape) {
@@ -78,16 +65,14 @@ std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& s
   const std::vector<occt::EdgeFacts> facts = occt::edge_facts(shape);
   if (!command.between.empty()) add_between(command, facts, edges);
   if (!command.all.empty())
-    for (const occt::EdgeFacts& each : facts)
-      if (command.all == "all" ? can_be_rounded(each) : command.all == to_string(each.kind))
-        edges.insert(each.number);
+    for (const int edge : reports::edges_to_round(facts, command.all)) edges.insert(edge);
   if (edges.empty()) throw UsageError(command.part + ": it has no edges that can be rounded");
   return {edges.begin(), edges.end()};
 }
 
 Timed timed_fillet(const FilletCommand& command, const Input& part) {
   Progress progress("filleting");
-  Timed timed;
+  Timed timed{.radius = command.radius};
   timed.asked = edges_asked(command, part.model.shape());
   const auto start = std::chrono::steady_clock::now();
   timed.made = occt::fillet(part.model.shape(), timed.asked,
@@ -99,72 +84,9 @@ Timed timed_fillet(const FilletCommand& command, const Input& part) {
   return timed;
 }
 
-std::string blend_name(const occt::FilletFace& face) {
-  return face.edge > 0 ? "fillet of edge " + std::to_string(face.edge) : "fillet of a corner";
-}
-
-// What gives the blends their names: each as a part.
-occt::Model blends_of(const occt::FilletResult& made) {
-  occt::Model blends;
-  for (const occt::FilletedSolid& solid : made.solids)
-    for (const occt::FilletFace& face : solid.faces)
-      if (face.from == 0) blends.add(face.face, blend_name(face));
-  return blends;
-}
-
 void write_part(const Input& part, const occt::FilletResult& made, const std::string& file) {
-  const occt::Model blends = blends_of(made);
-  std::vector<occt::CombinedSolid> solids;
-  int next = 0;
-  for (const occt::FilletedSolid& each : made.solids) {
-    solids.push_back({each.solid, {}});
-    for (const occt::FilletFace& face : each.faces)
-      solids.back().faces.push_back(face.from > 0
-                                        ? occt::FaceOrigin{face.face, &part.model, face.from}
-                                        : occt::FaceOrigin{face.face, &blends, ++next});
-  }
-  part.model.replace_solids(solids);
+  reports::put_fillets(part.model, made);
   write_model(part.model, file);
-}
-
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-Json refusal_json(const occt::FilletRefusal& refusal) {
-  return {{"edge", refusal.edge > 0 ? Json(refusal.edge) : Json(nullptr)},
-          {"fault", to_string(refusal.fault)},
-          {"cause", refusal.cause},
-          {"parameter", number_or_null(refusal.parameter)},
-          {"point", refusal.point ? Json(refusal.point->coordinates) : Json(nullptr)},
-          {"largest_radius", number_or_null(refusal.largest)}};
-}
-
-double volume_of(const occt::FilletResult& made) {
-  double volume = 0;
-  for (const occt::FilletedSolid& solid : made.solids) volume += solid.volume;
-  return volume;
-}
-
-Json report_of(const FilletCommand& command, const Input& part, const Timed& timed, bool written) {
-  Json refused = Json::array();
-  for (const occt::FilletRefusal& each : timed.made.refused) refused.push_back(refusal_json(each));
-  const bool any = !timed.made.solids.empty();
-  return {{"schema", "blossom.blend/1"},
-          {"kind", "fillet"},
-          {"part", part.name},
-          {"radius", command.radius},
-          {"status", to_string(timed.made.status)},
-          {"asked", timed.asked},
-          {"edges", timed.made.edges},
-          {"refused", std::move(refused)},
-          {"notes", timed.made.notes},
-          {"written", written},
-          {"volume",
-           {{"before", timed.made.volume_before},
-            {"after", any ? Json(volume_of(timed.made)) : Json(nullptr)}}},
-          {"seconds", timed.seconds},
-          {"repairs", Json::array({repairs_json(part)})}};
 }
 
 std::string numbers_text(const std::vector<int>& numbers) {
@@ -183,7 +105,7 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
     text << counted(made.edges.size(), "edge") << " rounded";
   text << ", " << timed.seconds << " s\n";
   if (!made.solids.empty()) {
-    const double more = volume_of(made) - made.volume_before;
+    const double more = reports::volume_of(made) - made.volume_before;
     text << "  edges " << numbers_text(made.edges) << "\n  volume "
          << number_text(rounded(made.volume_before)) << " mm³, then "
          << number_text(rounded(std::abs(more))) << (more < 0 ? " less" : " more") << "\n";
@@ -218,12 +140,13 @@ int run(const FilletCommand& command) {
   if (static_cast<int>(part.numbers.size()) != part.model.face_count())
     throw UsageError(command.part + ": fillets are made in whole models, not in some faces");
   stop_if_interrupted();
-  const Timed timed = timed_fillet(command, part);
+  Timed timed = timed_fillet(command, part);
   stop_if_interrupted();
   const CommonOptions& outputs = command.common;
   const bool any = !timed.made.solids.empty(), write = any && !outputs.output.empty();
   if (any && !outputs.picture.empty()) occt::write_text(picture_of(timed.made), outputs.picture);
   if (write) write_part(part, timed.made, outputs.output);
+  timed.written = write;
   if (!any) {
     const std::string reason =
         timed.made.refused.empty() ? "nothing was rounded" : timed.made.refused.front().text();
@@ -232,7 +155,7 @@ int run(const FilletCommand& command) {
     if (outputs.output.empty() && outputs.picture.empty())
       std::cerr << "blossom: there is no fillet: " << reason << '\n';
   }
-  if (!outputs.json.empty()) write_json(report_of(command, part, timed, write), outputs.json);
+  if (!outputs.json.empty()) write_json(reports::fillet_report(part, timed), outputs.json);
   print_summary(summary(command, part, timed), outputs.json);
   if (!any) return exit_code_unwritten(timed.made.status);
   return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);

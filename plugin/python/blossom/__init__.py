@@ -36,7 +36,7 @@ ValueErrors, failures of Open CASCADE `blossom.Error`. Ctrl-C ends all work.
 from typing import Any, Dict, Optional, Union
 
 from . import _checks, _core
-from ._bodies import Solid, Strip, Trim, Watertight
+from ._bodies import Fillet, Solid, Strip, Trim, Watertight
 from ._core import Cancel, Cancelled, Error, __version__
 from ._intersections import (
     Chain,
@@ -71,6 +71,7 @@ __all__ = [
     "Curve",
     "Distance",
     "Error",
+    "Fillet",
     "FootPoints",
     "Hit",
     "Intersection",
@@ -95,6 +96,7 @@ __all__ = [
     "curve",
     "distance",
     "does_intersect",
+    "fillet",
     "foot_points",
     "info",
     "intersect",
@@ -220,6 +222,13 @@ def trim(
 def solid(operation: str, part: Any, *tools: Any, planes: Any = (), **options: Any) -> Solid:
     """Closed solids combined: "cut", "common", "fuse" or "split"; see `Model.solid`."""
     return model_of(part, "part").solid(operation, *tools, planes=planes, **options)
+
+
+def fillet(
+    shape: Any, edges: Any = (), *, radius: float, between: Any = None, **options: Any
+) -> Fillet:
+    """Edges of solids rounded by a rolling ball; see `Model.fillet`."""
+    return model_of(shape, "shape").fillet(edges, radius=radius, between=between, **options)
 
 
 def watertight(shape: Any, **options: Any) -> Watertight:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Answers that are shapes: trims, solids, watertight pieces, strips."""
 
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Optional
 
 from ._results import Result, counted
 
@@ -56,6 +56,43 @@ class Solid(Result):
     def _summary(self) -> str:
         told = f"{self.operation}, {self.status}, {counted(len(self), 'solid')}"
         return f"{told}, {self.obstacles[0]}" if self.obstacles else told
+
+
+class Fillet(Result):
+    """A model with rounded edges; a list of the numbers of those that have fillets."""
+
+    @property
+    def edges(self) -> List[int]:
+        """Those that were asked for and made, and those that they go on in."""
+        return list(self._told()["edges"])
+
+    @property
+    def refused(self) -> List[Dict[str, Any]]:
+        """What cannot be made: `edge`, `fault`, `cause`, `parameter`, `point`,
+        `largest_radius`."""
+        return list(self._told()["refused"])
+
+    @property
+    def notes(self) -> List[str]:
+        """How strips end, where that is not what one would think."""
+        return list(self._told()["notes"])
+
+    @property
+    def volume(self) -> Optional[float]:
+        """Of all solids; None if nothing was made."""
+        after = self._told()["volume"]["after"]
+        return None if after is None else float(after)
+
+    @property
+    def volume_before(self) -> float:
+        return float(self._told()["volume"]["before"])
+
+    def _items(self) -> List[Any]:
+        return self.edges
+
+    def _summary(self) -> str:
+        told = f"{self.status}, {counted(len(self.edges), 'edge')} rounded"
+        return f"{told}, {len(self.refused)} refused" if self.refused else told
 
 
 class Watertight(Result):

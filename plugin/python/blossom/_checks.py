@@ -12,6 +12,7 @@ from . import _core
 Triple = Tuple[float, float, float]
 
 FORMS = ("auto", "bezier", "monomial")
+EDGE_WORDS = ("all", "convex", "concave")
 SIDES = ("umax", "umin", "vmax", "vmin")
 
 
@@ -113,17 +114,37 @@ def planes(value: Any, name: str) -> List[Tuple[Triple, Triple]]:
     return [(vector(p, f"{name}, point"), vector(n, f"{name}, normal")) for p, n in listed]
 
 
-def face_numbers(value: Any, name: str) -> List[int]:
-    """One or more numbers of faces, each once, in increasing order."""
+def _numbers(value: Any, name: str, noun: str) -> List[int]:
     try:
         listed = [whole(each, name, 1) for each in value]
     except TypeError as error:
         if str(error).startswith(f"{name}:"):
             raise
-        raise TypeError(f"{name}: a list of face numbers is wanted, got {kind(value)}") from None
+        raise TypeError(f"{name}: a list of {noun} numbers is wanted, got {kind(value)}") from None
+    return sorted(set(listed))
+
+
+def face_numbers(value: Any, name: str) -> List[int]:
+    """One or more numbers of faces, each once, in increasing order."""
+    listed = _numbers(value, name, "face")
     if not listed:
         raise ValueError(f"{name}: there is no face number in it")
-    return sorted(set(listed))
+    return listed
+
+
+def face_pair(value: Any, name: str) -> Tuple[int, int]:
+    """Two numbers of faces."""
+    listed = _numbers(value, name, "face")
+    if len(listed) != 2:
+        raise ValueError(f"{name}: two different face numbers are wanted, got {len(listed)}")
+    return (listed[0], listed[1])
+
+
+def edges(value: Any, name: str) -> Tuple[List[int], str]:
+    """Numbers of edges, or a word for them; what is not meant is empty."""
+    if isinstance(value, str):
+        return [], word(value, name, EDGE_WORDS)
+    return _numbers(value, name, "edge"), ""
 
 
 _KNOWN_OPTIONS = ("tolerance", "form", "time_limit", "budget", "threads", "cancel", "progress")

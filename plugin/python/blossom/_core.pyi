@@ -106,3 +106,12 @@ def strip(
     weight_b: float,
     control: Control,
 ) -> Answer: ...
+def fillet(
+    part: Model,
+    edges: List[int],
+    kind: str,
+    between: Optional[Tuple[int, int]],
+    radius: float,
+    partial: bool,
+    control: Control,
+) -> Answer: ...

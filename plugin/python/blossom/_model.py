@@ -5,7 +5,7 @@ import os
 from typing import Any, Dict, Iterator, List, Optional, Union
 
 from . import _checks, _core, _results, _shapes
-from ._bodies import Solid, Trim, Watertight
+from ._bodies import Fillet, Solid, Trim, Watertight
 from ._intersections import Intersection, SelfIntersection
 from ._queries import Check, Distance, FootPoints, Meeting, RayHits, Section
 
@@ -202,6 +202,37 @@ class Model(_results.MadeShape):
             raise ValueError("solid needs a tool, or a plane")
         return Solid(
             _core.solid(wanted, self._core, cutters, listed, _checks.control(options))
+        )
+
+    def fillet(
+        self,
+        edges: Any = (),
+        *,
+        radius: float,
+        between: Any = None,
+        partial: bool = False,
+        **options: Any,
+    ) -> Fillet:
+        """Edges of solids rounded by a ball that rolls along them.
+
+        edges     numbers, as in "Edge1", or "all", "convex" or "concave"
+        between   two face numbers: the edges that they have in common
+        partial   round the edges that can be, instead of all or none; see `refused`
+        """
+        numbers, kind = _checks.edges(edges, "edges")
+        pair = None if between is None else _checks.face_pair(between, "between")
+        if not numbers and not kind and pair is None:
+            raise ValueError("fillet needs edges, or two faces that they are between")
+        return Fillet(
+            _core.fillet(
+                self._core,
+                numbers,
+                kind,
+                pair,
+                _checks.positive(radius, "radius"),
+                _checks.flag(partial, "partial"),
+                _checks.control(options),
+            )
         )
 
     def watertight(self, **options: Any) -> Watertight:

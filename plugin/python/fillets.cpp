@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Rounding edges of solids.
+
+#include <set>
+#include <utility>
+
+#include "adapters/occt/base/errors.h"
+#include "core/base/errors.h"
+#include "plugin/python/answers.h"
+#include "plugin/reports/fillet.h"
+
+namespace blossom::python {
+namespace {
+
+std::vector<int> edges_asked(const EdgeWish& wish, const reports::Input& input) {
+  std::set<int> edges(wish.edges.begin(), wish.edges.end());
+  if (!wish.kind.empty() || wish.between) {
+    const std::vector<occt::EdgeFacts> facts = occt::edge_facts(input.model.shape());
+    if (wish.between) {
+      const auto [face, other] = *wish.between;
+      const std::vector<int> common = reports::edges_between(facts, face, other);
+      if (common.empty())
+        throw InvalidInput("between: faces " + std::to_string(face) + " and " +
+                           std::to_string(other) + " have no edge in common");
+      edges.insert(common.begin(), common.end());
+    }
+    if (!wish.kind.empty())
+      for (const int edge : reports::edges_to_round(facts, wish.kind)) edges.insert(edge);
+  }
+  if (edges.empty()) throw occt::BadModel(input.name + ": it has no edges that can be rounded");
+  return {edges.begin(), edges.end()};
+}
+
+}  // namespace
+
+Answer fillet(const SharedModel& part, const EdgeWish& wish, double radius, bool partial,
+              const Control& control) {
+  return interruptible(control, [&](const Watch& watch) {
+    if (part->is_part())
+      throw occt::BadModel(part->name() + ": fillets are made in whole models, not in some faces");
+    const LoadedModel::Turn turn = part->turn(watch);
+    const reports::Input& input = part->repaired_input(watch);
+    const double start = watch.seconds();
+    reports::FilletAnswer answer{.radius = radius, .asked = edges_asked(wish, input)};
+    answer.made =
+        occt::fillet(input.model.shape(), answer.asked,
+                     {.radius = radius, .partial = partial, .intersection = watch.engine()});
+    answer.seconds = watch.seconds() - start;
+    watch.stop();
+    SharedModel made;
+    if (!answer.made.solids.empty()) {
+      occt::Model copy = copy_of(input);
+      reports::put_fillets(copy, answer.made);
+      made = std::make_shared<LoadedModel>("fillet", std::move(copy), Repair::Never);
+    }
+    return made_answer(with_reading(reports::fillet_report(input, answer), {part}),
+                       std::move(made));
+  });
+}
+
+}  // namespace blossom::python

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/reports/fillet.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "plugin/reports/repairs.h"
+
+namespace blossom::reports {
+namespace {
+
+bool can_be_rounded(const occt::EdgeFacts& edge) {
+  return edge.kind == occt::EdgeKind::Convex || edge.kind == occt::EdgeKind::Concave;
+}
+
+std::string blend_name(const occt::FilletFace& face) {
+  return face.edge > 0 ? "fillet of edge " + std::to_string(face.edge) : "fillet of a corner";
+}
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json refusal_json(const occt::FilletRefusal& refusal) {
+  return {{"edge", refusal.edge > 0 ? Json(refusal.edge) : Json(nullptr)},
+          {"fault", to_string(refusal.fault)},
+          {"cause", refusal.cause},
+          {"parameter", number_or_null(refusal.parameter)},
+          {"point", refusal.point ? Json(refusal.point->coordinates) : Json(nullptr)},
+          {"largest_radius", number_or_null(refusal.largest)}};
+}
+
+}  // namespace
+
+std::vector<int> edges_to_round(const std::vector<occt::EdgeFacts>& facts,
+                                const std::string& kind) {
+  std::vector<int> edges;
+  for (const occt::EdgeFacts& each : facts)
+    if (kind == "all" ? can_be_rounded(each) : kind == to_string(each.kind))
+      edges.push_back(each.number);
+  return edges;
+}
+
+std::vector<int> edges_between(const std::vector<occt::EdgeFacts>& facts, int face, int other) {
+  const std::vector<int> pair{std::min(face, other), std::max(face, other)};
+  std::vector<int> edges;
+  for (const occt::EdgeFacts& each : facts) {
+    std::vector<int> faces = each.faces;
+    std::ranges::sort(faces);
+    if (faces == pair && each.kind != occt::EdgeKind::Degenerate) edges.push_back(each.number);
+  }
+  return edges;
+}
+
+double volume_of(const occt::FilletResult& made) {
+  double volume = 0;
+  for (const occt::FilletedSolid& solid : made.solids) volume += solid.volume;
+  return volume;
+}
+
+occt::Model blends_of(const occt::FilletResult& made) {
+  occt::Model blends;
+  for (const occt::FilletedSolid& solid : made.solids)
+    for (const occt::FilletFace& face : solid.faces)
+      if (face.from == 0) blends.add(face.face, blend_name(face));
+  return blends;
+}
+
+void put_fillets(occt::Model& part, const occt::FilletResult& made) {
+  const occt::Model blends = blends_of(made);
+  std::vector<occt::CombinedSolid> solids;
+  int next = 0;
+  for (const occt::FilletedSolid& each : made.solids) {
+    solids.push_back({each.solid, {}});
+    for (const occt::FilletFace& face : each.faces)
+      solids.back().faces.push_back(face.from > 0 ? occt::FaceOrigin{face.face, &part, face.from}
+                                                  : occt::FaceOrigin{face.face, &blends, ++next});
+  }
+  part.replace_solids(solids);
+}
+
+Json fillet_report(const Input& part, const FilletAnswer& answer) {
+  Json refused = Json::array();
+  for (const occt::FilletRefusal& each : answer.made.refused) refused.push_back(refusal_json(each));
+  const bool any = !answer.made.solids.empty();
+  return {{"schema", "blossom.blend/1"},
+          {"kind", "fillet"},
+          {"part", part.name},
+          {"radius", answer.radius},
+          {"status", to_string(answer.made.status)},
+          {"asked", answer.asked},
+          {"edges", answer.made.edges},
+          {"refused", std::move(refused)},
+          {"notes", answer.made.notes},
+          {"written", answer.written},
+          {"volume",
+           {{"before", answer.made.volume_before},
+            {"after", any ? Json(volume_of(answer.made)) : Json(nullptr)}}},
+          {"seconds", answer.seconds},
+          {"repairs", Json::array({repairs_json(part)})}};
+}
+
+}  // namespace blossom::reports

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Rounded edges: which are meant, what comes out, what is refused and how that is said."""
+
+import math
+import pickle
+import unittest
+
+import blossom
+import support
+
+FILES = support.made_files()
+BLOCK = blossom.read(FILES / "block.step")
+VOLUME = 60 * 40 * 20
+CORNER = 4 - math.pi  # what a fillet of radius 2 takes off an edge, for each unit of its length
+
+
+class Fillets(unittest.TestCase):
+    def test_an_edge_by_number_is_rounded_exactly(self):
+        made = BLOCK.fillet([1], radius=2)
+
+        self.assertEqual((made.status, list(made), made.refused), ("complete", [1], []))
+        self.assertAlmostEqual(made.volume_before, VOLUME, 6)
+        taken = VOLUME - made.volume
+        self.assertTrue(any(abs(taken - CORNER * length) < 1e-6 for length in (60, 40, 20)), taken)
+        self.assertEqual(blossom.shape(made).face_count, 7)
+
+    def test_a_word_and_a_pair_of_faces_mean_edges(self):
+        everywhere = BLOCK.fillet("convex", radius=2)
+        one = blossom.fillet(BLOCK, between=(3, 1), radius=2)
+
+        self.assertEqual(everywhere.edges, list(range(1, 13)))
+        self.assertEqual(everywhere.edges, BLOCK.fillet("all", radius=2).edges)
+        self.assertEqual(len(one), 1)
+
+    def test_the_report_is_that_of_the_command_line(self):
+        told = support.told_by_program("blend", "fillet", FILES / "block.step", "--edge", 1, "--radius", 2)
+        mine = BLOCK.fillet([1], radius=2).to_dict()
+
+        self.assertEqual(support.without_times(mine), support.without_times(told))
+
+    def test_answers_pickle_with_their_shape(self):
+        made = pickle.loads(pickle.dumps(BLOCK.fillet([1], radius=2)))
+
+        self.assertEqual(blossom.shape(made).face_count, 7)
+        self.assertEqual(repr(made), "<blossom.Fillet: complete, 1 edge rounded>")
+
+    def test_what_is_too_large_is_refused_with_the_largest_radius(self):
+        made = BLOCK.fillet([1], radius=200)
+
+        self.assertEqual((made.edges, made.volume), ([], None))
+        self.assertEqual(made.refused[0]["fault"], "leaves face")
+        self.assertIn("the radius is too large", made.refused[0]["cause"])
+        with self.assertRaisesRegex(blossom.Error, "Fillet: there is no shape in this answer"):
+            made.to_brep()
+
+    def test_errors_are_words(self):
+        for error, message, arguments in (
+            (ValueError, "^edges: 'sharp' is none of all, convex, concave", {"edges": "sharp"}),
+            (TypeError, "^edges: a list of edge numbers is wanted, got int", {"edges": 3}),
+            (ValueError, "^edges: 0 is less than 1", {"edges": [0]}),
+            (ValueError, "there is no edge 99, only 1 to 12", {"edges": [99]}),
+            (ValueError, "^radius: -1.0 is not positive", {"edges": [1], "radius": -1}),
+            (TypeError, "^partial: True or False is wanted", {"edges": [1], "partial": 1}),
+            (ValueError, "^between: two different face numbers are wanted", {"between": [2]}),
+            (ValueError, "faces 1 and 2 have no edge in common", {"between": [2, 1]}),
+            (ValueError, "^fillet needs edges, or two faces", {}),
+        ):
+            with self.subTest(arguments), self.assertRaisesRegex(error, message):
+                BLOCK.fillet(**{"radius": 2, **arguments})
+        with self.assertRaisesRegex(ValueError, "fillets are made in whole models"):
+            BLOCK.face(1).fillet([1], radius=2)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
