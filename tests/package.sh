@@ -78,8 +78,14 @@ example=/usr/share/doc/blossom/examples/intersect_two_faces.py
 claim "freecadcmd runs the example" prints "ALL CLAIMS HOLD" \
   as_user BLOSSOM_EXAMPLE=$example freecadcmd /srv/tests/freecad/intersect_test.py
 claim "FreeCAD's window runs the README's lines and the example" prints "ALL CLAIMS HOLD" \
-  inside bash /srv/tests/freecad/run_window.sh /srv/window - /srv/tests/freecad/README.md $example
+  inside bash /srv/tests/freecad/run_window.sh window_test.py /srv/window - /srv/tests/freecad/README.md $example
 as_root cp "$bare/srv/window/window.png" "$folder/"
+for objects in objects documents; do
+  claim "freecadcmd makes the workbench's $objects" prints "ALL CLAIMS HOLD" \
+    as_user BLOSSOM_PROGRAM=/usr/bin/blossom freecadcmd "/srv/tests/freecad/${objects}_test.py"
+done
+claim "the tour of the workbench runs" prints "ALL CLAIMS HOLD" \
+  inside bash /srv/tests/freecad/run_window.sh tour.py /srv/tour - /dev/null $example
 printf 'pload -BlossomPlugin BLOSSOM\nhelp blintersect\n' | as_root tee "$bare/srv/load.tcl" >/dev/null
 claim "DRAW loads the plugin by its name alone" prints "blintersect " \
   as_user occt-draw-7.6 -b -f /srv/load.tcl

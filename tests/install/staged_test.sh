@@ -42,6 +42,9 @@ for prefix in /usr /usr/local /opt/somewhere; do
   addon=$folder$prefix/share/freecad/Mod/Blossom
   claim "the add-on below $prefix has it" test "$addon/blossom" -ef "$folder$package"
   claim "and says what it is" grep -q '<name>Blossom</name>' "$addon/package.xml"
+  claim "the workbench is in it" test -s "$addon/freecad/blossom/init_gui.py"
+  claim "with its icons" test -s "$addon/freecad/blossom/resources/icons/Blossom.svg"
+  claim "and what it was built with" grep -q 'OCCT = "7' "$addon/freecad/blossom/built_with.py"
 done
 
 # DRAW always exits with 0, so what it prints decides.

@@ -124,9 +124,12 @@ def read(path: FileName, faces: Any = None, strict: bool = False, **options: Any
     return model if faces is None else model.part(faces)
 
 
-def shape(shape: Any) -> Model:
-    """Any shape as a model, to ask it many questions."""
-    return model_of(shape, "shape")
+def shape(shape: Any, name: str = "shape") -> Model:
+    """Any shape as a model, to ask it many questions.
+
+    name   what messages and reports call it
+    """
+    return model_of(shape, _checks.text(name, "name"))
 
 
 def surface(

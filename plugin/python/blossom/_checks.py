@@ -75,6 +75,15 @@ def word(value: Any, name: str, known: Sequence[str]) -> str:
     return value
 
 
+def text(value: Any, name: str) -> str:
+    """A text that is not empty."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: a text is wanted, got {kind(value)}")
+    if not value:
+        raise ValueError(f"{name}: it is empty")
+    return value
+
+
 def path(value: Any, name: str) -> str:
     """A file's name."""
     if isinstance(value, (str, os.PathLike)):

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Runs window_test.py in FreeCAD's window on a screen of its own, with a profile of its own and an
+# Runs a script in FreeCAD's window on a screen of its own, with a profile of its own and an
 # otherwise empty environment.
 #
-# usage: run_window.sh FOLDER ADDON README EXAMPLE
-#   FOLDER    made anew: profile, claims, window.png
+# usage: run_window.sh SCRIPT FOLDER ADDON README EXAMPLE
+#   SCRIPT    beside this one: window_test.py, tour.py
+#   FOLDER    made anew: profile, claims, pictures
 #   ADDON     the add-on's folder, which the profile gets a link to; - if FreeCAD finds it itself
 set -euo pipefail
-folder=$1 addon=$2 readme=$3 example=$4
-test=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/window_test.py
+script=$1 folder=$2 addon=$3 readme=$4 example=$5
+test=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/$script
 
 rm -rf "$folder"
 mkdir -p "$folder/profile/Mod"
@@ -21,7 +22,7 @@ fi
 cat >"$folder/profile/user.cfg" <<'XML'
 <?xml version="1.0" encoding="UTF-8"?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
-<FCParamGroup Name="General"><FCText Name="AutoloadModule">PartWorkbench</FCText></FCParamGroup>
+<FCParamGroup Name="General"><FCText Name="AutoloadModule">BlossomWorkbench</FCText></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 XML
 
@@ -29,7 +30,7 @@ code=0
 env -i PATH=/usr/bin:/bin HOME="$folder" FREECAD_USER_HOME="$folder/profile" \
   LIBGL_ALWAYS_SOFTWARE=1 \
   BLOSSOM_PACKAGE="$package" BLOSSOM_README="$readme" BLOSSOM_EXAMPLE="$example" \
-  BLOSSOM_CLAIMS="$folder/claims" BLOSSOM_SHOT="$folder/window.png" \
+  BLOSSOM_CLAIMS="$folder/claims" BLOSSOM_SHOT="$folder/window.png" BLOSSOM_SHOTS="$folder" \
   timeout 300 xvfb-run -a -s "-screen 0 1280x1024x24" freecad "$test" \
   >"$folder/output" 2>&1 </dev/null || code=$?
 cat "$folder/claims" || cat "$folder/output"

@@ -28,8 +28,10 @@ def claim(what, holds):
 def lines_of_readme():
     with open(os.environ["BLOSSOM_README"]) as readme:
         blocks = re.findall(r"```python\n(.*?)```", readme.read(), re.DOTALL)
-    claim("the README has lines to run", "getSelectionEx" in blocks[0])
-    return "".join(blocks)
+    of_objects, *of_selection = blocks
+    claim("the README has lines for objects", "freecad.blossom" in of_objects)
+    claim("and for what is selected", "getSelectionEx" in of_selection[0])
+    return of_objects, "".join(of_selection)
 
 
 def plane_in_a_moved_part(document):
@@ -57,8 +59,9 @@ def check():
     FreeCADGui.Selection.addSelection(document.Name, part.Name, "Square.Face1")
     FreeCADGui.Selection.addSelection(document.Name, slope.Name, "Face1")
 
+    of_objects, of_selection = lines_of_readme()
     names = {}
-    exec(lines_of_readme(), names)
+    exec(of_selection, names)
 
     found = names["found"]
     package = os.environ["BLOSSOM_PACKAGE"]
@@ -71,6 +74,21 @@ def check():
     claim("it is as long as both", abs(found.curves[0].length - 10) < 1e-6)
     claim("it is shown", document.Objects[-2].Shape.Edges[0].Length > 9.999)
     claim("and the strip, too", len(document.Objects[-1].Shape.Faces) == 1)
+    check_objects(of_objects)
+
+
+def check_objects(lines):
+    names = {}
+    exec(lines, names)
+    curves, bored, rounded = (names[name] for name in ("curves", "bored", "rounded"))
+    claim(
+        "curves",
+        (curves.Status, curves.Curves) == ("complete", 2) and 25.13 < curves.Length < 25.14,
+    )
+    claim("a bore", 874.3 < bored.Volume < 874.4)
+    claim("round edges", list(rounded.Rounded) == [1, 3])
+    claim("they have icons", all(each.ViewObject.Icon is not None for each in (curves, bored)))
+    FreeCAD.closeDocument(names["document"].Name)
 
 
 def check_example():

@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The workbench Blossom. Nothing here needs a window: freecadcmd imports it, too.
+
+    from freecad.blossom import make
+    curves = make.intersection(document, [(box, "Face1")], [(part, "Cylinder.Face1")])
+    document.recompute()
+"""
+
+import os
+
+ICONS = os.path.join(os.path.dirname(__file__), "resources", "icons")

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The same questions to the program `blossom`, over files in a folder of their own."""
+
+import json
+import os
+import re
+import subprocess
+import tempfile
+
+import Part
+
+from .door import Answer
+
+# Exit codes of the program that come with an answer: complete, within tolerance, stopped, findings.
+ANSWERED = (0, 3, 4, 5)
+PAUSE = 0.02  # seconds between looks whether the work was cancelled
+
+
+class Cancelled(RuntimeError):
+    """The work was ended by `cancel`."""
+
+
+class ProgramDoor:
+    """Questions that `cancel` ends with `Cancelled`. What is held may be asked about in any
+    thread."""
+
+    Cancelled = Cancelled
+
+    def __init__(self, program):
+        self._program = program
+        self._folder = tempfile.TemporaryDirectory(prefix="blossom-")
+        self._files = 0
+        self._cancelled = False
+
+    def cancel(self):
+        self._cancelled = True
+
+    def hold(self, shape, name):
+        """A shape of Part as a file; messages call it by the name."""
+        file = os.path.join(self._folder.name, f"{name}.brep")
+        shape.exportBrep(file)
+        return file
+
+    def intersect(self, a, b, **options):
+        return self._ask(["intersect", a, b], options)
+
+    def section(self, part, point, normal, **options):
+        plane = ["--point", _numbers(point), "--normal", _numbers(normal)]
+        return self._ask(["query", "plane", part, *plane], options)
+
+    def trim(self, part, tools, keep, **options):
+        return self._ask(["trim", part, *tools, "--keep", str(keep)], options)
+
+    def solid(self, operation, part, tools, **options):
+        return self._ask(["trim", "--solid", operation, part, *tools], options)
+
+    def check(self, part):
+        return self._ask(["check", part], {}, makes_shape=False)
+
+    def strip(self, a, b, edge_a, edge_b, weight_a, weight_b):
+        command = ["blend", "strip", a, b]
+        for name, value in (("--edge-a", edge_a), ("--edge-b", edge_b)):
+            command += [] if value is None else [name, value]
+        return self._ask(command + ["--weight-a", repr(weight_a), "--weight-b", repr(weight_b)], {})
+
+    def fillet(self, part, edges, radius, partial, **options):
+        command = ["blend", "fillet", part, "--radius", repr(radius)]
+        chosen = ["--edges", edges] if edges == "all" else ["--edge", ",".join(map(str, edges))]
+        command += chosen + (["--partial"] if partial else [])
+        return self._ask(command, options)
+
+    def _new_file(self, ending):
+        self._files += 1
+        return os.path.join(self._folder.name, f"{self._files}.{ending}")
+
+    def _ask(self, command, options, makes_shape=True):
+        made, report, errors = (self._new_file(end) for end in ("brep", "json", "txt"))
+        for name, value in options.items():
+            command = [*command, f"--{name.replace('_', '-')}", repr(value)]
+        output = ["-o", made] if makes_shape else []
+        with open(errors, "w", encoding="utf-8") as stream:
+            code = self._run([self._program, *command, *output, "--json", report, "-q"], stream)
+        if not os.path.exists(report) or (code not in ANSWERED and os.path.getsize(report) == 0):
+            with open(errors, encoding="utf-8", errors="replace") as stream:
+                raise ValueError(self._message(stream.read()) or f"{command[0]} failed: {code}")
+        with open(report, encoding="utf-8") as stream:
+            told = json.load(stream)
+        shape = None
+        if os.path.exists(made):
+            shape = Part.Shape()
+            shape.importBrep(made)
+        elif makes_shape and command[0] in ("intersect", "query"):
+            shape = Part.makeCompound([])  # the program writes no empty model
+        return Answer(shape, told)
+
+    def _message(self, said):
+        """What the program says, as if it were about shapes."""
+        lines = [line for line in said.splitlines() if not line.startswith("see 'blossom ")]
+        text = "\n".join(lines).replace(self._folder.name + os.sep, "")
+        return re.sub(r"(\w)\.brep\b", r"\1", text).replace("blossom: ", "", 1)
+
+    def _run(self, command, errors):
+        with subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors
+        ) as process:
+            while True:
+                try:
+                    return process.wait(PAUSE)
+                except subprocess.TimeoutExpired:
+                    if self._cancelled:
+                        process.terminate()
+                        process.wait()
+                        raise Cancelled("the work was cancelled") from None
+
+
+def _numbers(vector):
+    return ",".join(repr(float(x)) for x in vector)

@@ -1,0 +1,235 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What all parametric objects of the workbench have in common.
+
+A kind of object is a class that says which links, choices and facts it has, and asks the engine.
+Its module's and its own name are in documents: they stay.
+"""
+
+import collections
+
+import FreeCAD
+import Part
+
+from . import door, links, work
+
+# A link to other objects. `one`: a single face is wanted.
+Link = collections.namedtuple("Link", "name label tip")
+# A choice of the user's. kind: "length", "distance", "number", "count", "flag", "word", "vector",
+# "points". of: its words, or its least and largest number.
+Choice = collections.namedtuple("Choice", "name kind default label tip of", defaults=(None,))
+# A fact of the answer. kind: "word", "count", "number", "words", "flag".
+Fact = collections.namedtuple("Fact", "name kind tip")
+
+TOLERANCE = Choice(
+    "Tolerance", "length", "1e-7 mm", "Tolerance", "What counts as one point"
+)
+
+_TYPES = {
+    "length": "App::PropertyLength",
+    "distance": "App::PropertyDistance",
+    "number": "App::PropertyFloat",
+    "count": "App::PropertyInteger",
+    "flag": "App::PropertyBool",
+    "word": "App::PropertyEnumeration",
+    "vector": "App::PropertyVector",
+    "points": "App::PropertyVectorList",
+}
+_FACT_TYPES = {
+    "word": "App::PropertyString",
+    "count": "App::PropertyInteger",
+    "number": "App::PropertyFloat",
+    "words": "App::PropertyStringList",
+    "counts": "App::PropertyIntegerList",
+}
+_READ_ONLY, _HIDDEN = 1, 4  # as addProperty wants them
+
+
+class Feature:
+    """A parametric object whose shape is an answer of the engine."""
+
+    NAME = ""  # of new objects, and of the command
+    TITLE = ""  # in menus
+    TIP = ""
+    DOING = ""  # what is said while it works
+    LINKS = ()
+    CHOICES = ()
+    FACTS = ()
+    _ready = None  # a question with its answer, for the next execute
+    TABLED = ()  # facts that its panel shows otherwise
+    HIDES = False  # whether what it is made of is hidden and becomes its children
+
+    def __init__(self, obj):
+        self.Type = f"Blossom::{self.NAME}"
+        self._ready = None
+        for link in self.LINKS:
+            obj.addProperty("App::PropertyLinkSubListGlobal", link.name, "Blossom", link.tip)
+        for choice in self.CHOICES:
+            obj.addProperty(_TYPES[choice.kind], choice.name, "Blossom", choice.tip)
+            if choice.kind == "word":
+                setattr(obj, choice.name, list(choice.of))
+            setattr(obj, choice.name, choice.default)
+        for fact in self.FACTS:
+            obj.addProperty(_FACT_TYPES[fact.kind], fact.name, "Result", fact.tip, _READ_ONLY)
+        obj.addProperty(
+            "App::PropertyStringList", "Linked", "Result", "What was linked when it was made",
+            _READ_ONLY | _HIDDEN,
+        )  # fmt: skip
+        obj.Proxy = self
+
+    # What kinds say.
+
+    def inputs(self, obj):
+        """Shapes of Part that the question is about, by names. throws ValueError"""
+        raise NotImplementedError
+
+    def options(self, obj):
+        """What else the question depends on, as plain values by names."""
+        return {}
+
+    def ask(self, entrance, inputs, options):
+        """The answer. In a thread of its own: it must not touch the document."""
+        raise NotImplementedError
+
+    def facts(self, report):
+        """The values of FACTS."""
+        return {}
+
+    def shape(self, obj, answer, inputs):
+        """The object's shape. throws RuntimeError if there is none"""
+        if answer.shape is None:
+            raise RuntimeError("there is no result")
+        return answer.shape
+
+    def colours(self, obj):
+        """A colour for each face of the shape, or None."""
+        return None
+
+    # What FreeCAD calls.
+
+    def execute(self, obj):
+        try:
+            self.compute(obj)
+        except (ValueError, RuntimeError) as error:
+            # What users can mend is a message, without the way that it came.
+            raise error.with_traceback(None) from None
+
+    def compute(self, obj):
+        """The object's answer, if its question has changed. throws ValueError, RuntimeError"""
+        self.check_links(obj)
+        question = self.question(obj)
+        ready, self._ready = self._ready, None
+        if ready is not None and ready[0].same_as(question):
+            answer = ready[1]
+        else:
+            answer = work.answer_of(question.job(), self.DOING)
+        self.take(obj, question, answer)
+
+    def onDocumentRestored(self, obj):  # noqa: N802 - FreeCAD's name
+        self._ready = None
+        if FreeCAD.GuiUp and getattr(obj.ViewObject, "Proxy", None) is None:
+            from .view import ViewProvider
+
+            ViewProvider(obj.ViewObject)
+
+    def dumps(self):
+        return {"Type": self.Type}
+
+    def loads(self, state):
+        self.Type = (state or {}).get("Type", f"Blossom::{self.NAME}")
+        self._ready = None
+
+    # FreeCAD 0.20 calls them by other names than later ones.
+    __getstate__ = dumps
+    __setstate__ = loads
+
+    # What panels and `execute` are made of.
+
+    def question(self, obj):
+        """What the object wants to know, taken out of the document. throws ValueError"""
+        return Question(self, self.inputs(obj), self.options(obj))
+
+    def take(self, obj, question, answer):
+        """Gives the object what came out."""
+        for name, value in self.facts(answer.report).items():
+            setattr(obj, name, value)
+        obj.Linked = self.linked(obj)
+        obj.Shape = _placed(self.shape(obj, answer, question.inputs), obj)
+
+    def keep_ready(self, question, answer):
+        """The next `execute` need not ask again, if nothing has changed by then."""
+        self._ready = (question, answer)
+
+    def linked(self, obj):
+        return [
+            f"{link.name}: {each}"
+            for link in self.LINKS
+            for each in links.told(getattr(obj, link.name))
+        ]
+
+    def forget_links(self, obj):
+        """What is linked now is what is meant, whatever was deleted."""
+        obj.Linked = []
+        obj.touch()
+
+    def check_links(self, obj):
+        """FreeCAD takes deleted objects out of links without a word. If that is why there are
+        fewer, the answer would be one to another question. throws ValueError"""
+        gone = [each for each in obj.Linked if _object_of(obj.Document, each) is None]
+        left = [each for each in obj.Linked if each not in gone]
+        if gone and self.linked(obj) == left:
+            prop, member = gone[0].split(": ", 1)
+            raise ValueError(f"{prop}: {member.split('.')[0]} was deleted; choose others")
+
+
+class Question:
+    """A feature's question with all that it needs."""
+
+    def __init__(self, feature, inputs, options):
+        self.feature = feature
+        self.inputs = inputs
+        self.options = options
+
+    def job(self):
+        """The work, to be started."""
+        entrance = door.opened()
+        held = {name: _held(entrance, shape, name) for name, shape in self.inputs.items()}
+        return work.Job(entrance, lambda opened: self.feature.ask(opened, held, self.options))
+
+    def same_as(self, other):
+        return (
+            self.options == other.options
+            and self.inputs.keys() == other.inputs.keys()
+            and all(_same(shape, other.inputs[name]) for name, shape in self.inputs.items())
+        )
+
+
+def _held(entrance, shape, name):
+    if isinstance(shape, list):
+        return [entrance.hold(each, f"{name} {i}") for i, each in enumerate(shape, start=1)]
+    return entrance.hold(shape, name)
+
+
+def _same(a, b):
+    if isinstance(a, list):
+        return len(a) == len(b) and all(map(_same, a, b))
+    if a.isPartner(b):
+        return a.Orientation == b.Orientation and a.Matrix == b.Matrix
+    both = a.ShapeType == b.ShapeType == "Compound"  # which are made for each question
+    return both and _same(a.childShapes(), b.childShapes())
+
+
+def _object_of(document, linked):
+    return document.getObject(linked.split(": ", 1)[1].split(".", 1)[0])
+
+
+def _placed(shape, obj):
+    """The shape, which is where it is in space, for an object that may be in a container and moved
+    by hand itself."""
+    container = obj.getGlobalPlacement().multiply(obj.Placement.inverse())
+    if not container.isIdentity():
+        shape = shape.copy(False)
+        shape.Placement = container.inverse().multiply(shape.Placement)
+    if not shape.Placement.isIdentity() or shape.isNull():
+        shape = Part.makeCompound([shape])
+    shape.Placement = obj.Placement
+    return shape

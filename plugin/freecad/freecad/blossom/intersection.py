@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All intersections of faces with other faces, as edges."""
+
+from . import links
+from .feature import TOLERANCE, Fact, Feature, Link
+
+
+class Intersection(Feature):
+    NAME = "Intersection"
+    TITLE = "Intersection"
+    TIP = "All curves in which faces meet other faces, with a proof that none is missing"
+    DOING = "Intersecting faces"
+    LINKS = (
+        Link("A", "Faces", "Faces, or objects with faces"),
+        Link("B", "Other faces", "Faces, or objects with faces, that they meet"),
+    )
+    CHOICES = (TOLERANCE,)
+    FACTS = (
+        Fact("Status", "word", "complete: no curve is missing; tolerance, stopped: see Reasons"),
+        Fact("Curves", "count", "How many curves there are"),
+        Fact("Points", "count", "How many points there are in which faces only touch"),
+        Fact("Overlaps", "count", "How many common areas there are"),
+        Fact("Length", "number", "Of all curves, mm"),
+        Fact("Deviation", "number", "How far curves are from both faces at most, mm"),
+        Fact("Reasons", "words", "What could not be decided"),
+    )
+
+    def inputs(self, obj):
+        return {"A": links.faces(obj.A, "A"), "B": links.faces(obj.B, "B")}
+
+    def options(self, obj):
+        return {"tolerance": obj.Tolerance.Value}
+
+    def ask(self, entrance, inputs, options):
+        return entrance.intersect(inputs["A"], inputs["B"], **options)
+
+    def facts(self, report):
+        curves = report["curves"]
+        deviations = [curve["deviation"][side] for curve in curves for side in ("a", "b")]
+        return {
+            "Status": report["status"],
+            "Curves": len(curves),
+            "Points": len(report["points"]),
+            "Overlaps": len(report["overlaps"]),
+            "Length": sum(curve["length"] for curve in curves),
+            "Deviation": max(deviations, default=0.0),
+            "Reasons": report["certificate"]["reasons"],
+        }

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What objects link to, as shapes where they are shown.
+
+A link is a list of pairs (object, names). A name is "Face3", "" for all of the object, or a path
+through a container: (part, ["Box.Face3"]) is the face of the box where the part has put it, which
+the box alone does not know.
+"""
+
+import Part
+
+
+def told(link):
+    """The members of a link as ["Box.Face3", ...]; they are compared and stored."""
+    return [f"{target.Name}.{sub}" for target, sub in members(link)]
+
+
+def members(link):
+    """Pairs of an object and one name."""
+    return [(target, sub) for target, subs in link or [] for sub in (subs or ("",))]
+
+
+def shown(target, sub):
+    """A member as messages and lists call it, with the labels that users gave."""
+    leaf = leaf_of(target, sub)
+    label = target.Label if leaf is None else leaf.Label
+    element = element_of(sub)
+    return f"{label}.{element}" if element else label
+
+
+def element_of(sub):
+    """ "Face3" of "Box.Face3", "" of "Box."."""
+    return sub.rsplit(".", 1)[-1]
+
+
+def path_of(sub):
+    """ "Box." of "Box.Face3", "" of "Face3"."""
+    return sub[: len(sub) - len(element_of(sub))]
+
+
+def leaf_of(target, sub):
+    """The object that has the shape itself, below all containers; None if it is gone."""
+    if not path_of(sub):
+        return target
+    return target.getSubObject(path_of(sub), retType=1)
+
+
+def shape_of(target, sub, name):
+    """The placed shape of a member. throws ValueError, with the property's name"""
+    shape = Part.getShape(target, sub, needSubElement=True)
+    if shape.isNull():
+        what = sub or "its shape"
+        raise ValueError(f"{name}: {what} of {target.Label} is gone, or it has no shape")
+    return shape
+
+
+def shape(link, name, wanted="a shape"):
+    """All members of a link as one shape. throws ValueError"""
+    shapes = [shape_of(target, sub, name) for target, sub in members(link)]
+    if not shapes:
+        raise ValueError(f"{name}: {wanted} is wanted, and there is none")
+    return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
+
+
+def faces(link, name):
+    """All members of a link, which have faces, as one shape. throws ValueError"""
+    made = shape(link, name, "a face")
+    if not made.Faces:
+        raise ValueError(f"{name}: faces are wanted, {shown(*members(link)[0])} has none")
+    return made
+
+
+def one_face(link, name):
+    """The face of a link that has one. throws ValueError"""
+    made = faces(link, name)
+    if len(made.Faces) != 1:
+        raise ValueError(f"{name}: one face is wanted, there are {len(made.Faces)}")
+    return made.Faces[0]
+
+
+def whole_with_edges(link, name):
+    """The whole placed shape of one object, and the numbers of the edges that the link names; of
+    faces their edges; none if it names only the object. throws ValueError"""
+    listed = members(link)
+    if not listed:
+        raise ValueError(f"{name}: edges of a solid are wanted, and there are none")
+    wholes = {(target, path_of(sub)) for target, sub in listed}
+    if len(wholes) != 1:
+        raise ValueError(f"{name}: edges of one object are wanted, there are {len(wholes)}")
+    target, path = wholes.pop()
+    whole = shape_of(target, path, name)
+    numbers = set()
+    for _, sub in listed:
+        numbers.update(_edge_numbers(whole, element_of(sub), name))
+    return whole, sorted(numbers)
+
+
+def _edge_numbers(whole, element, name):
+    if not element:
+        return []
+    if element.startswith("Edge"):
+        return [_number_within(element, "Edge", len(whole.Edges), name)]
+    if element.startswith("Face"):
+        face = whole.Faces[_number_within(element, "Face", len(whole.Faces), name) - 1]
+        return [
+            number
+            for number, edge in enumerate(whole.Edges, start=1)
+            if any(edge.isSame(other) for other in face.Edges)
+        ]
+    raise ValueError(f"{name}: edges or faces are wanted, got {element}")
+
+
+def _number_within(element, word, count, name):
+    digits = element[len(word) :]
+    number = int(digits) if digits.isdigit() else 0
+    if not 1 <= number <= count:
+        raise ValueError(f"{name}: there is no {element}, there are {count}")
+    return number

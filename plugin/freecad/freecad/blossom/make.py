@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Objects by a line of Python. A link is a list of pairs: [(box, "Face1"), (part, "Ball.Face1")].
+Objects compute when the document does; choices are properties of the same names.
+
+    from freecad.blossom import make
+    curves = make.intersection(document, [(box, "Face1")], [(part, "Cylinder.Face1")])
+    curves.Tolerance = "1e-6 mm"
+    document.recompute()
+    print(curves.Status, curves.Curves, curves.Length)
+"""
+
+import FreeCAD
+
+from .check import Check
+from .fillet import Fillet
+from .intersection import Intersection
+from .section import Section
+from .solid import Solid
+from .strip import Strip
+from .trim import Trim
+
+
+def of_kind(kind, document, *given, **choices):
+    """A new object with its links in order, and its choices by name."""
+    obj = document.addObject("Part::FeaturePython", kind.NAME)
+    kind(obj)
+    if FreeCAD.GuiUp:
+        from .view import ViewProvider
+
+        ViewProvider(obj.ViewObject)
+    for link, members in zip(kind.LINKS, given):
+        setattr(obj, link.name, _link(members))
+    for name, value in choices.items():
+        setattr(obj, name, value)
+    return obj
+
+
+def _link(members):
+    """A link as FreeCAD takes it; a lone object or pair is a list of one."""
+    if hasattr(members, "Name"):
+        members = [(members, "")]
+    elif isinstance(members, tuple) and len(members) == 2 and hasattr(members[0], "Name"):
+        members = [members]
+    return [each if isinstance(each, tuple) else (each, "") for each in members]
+
+
+def intersection(document, a, b, **choices):
+    """The curves in which faces meet others."""
+    return of_kind(Intersection, document, a, b, **choices)
+
+
+def section(document, part, plane=(), **choices):
+    """Wires in planes: by a flat face or a placed object, or Point and Normal."""
+    return of_kind(Section, document, part, plane, **choices)
+
+
+def trim(document, part, tools, **choices):
+    """Faces cut where they meet tools."""
+    return of_kind(Trim, document, part, tools, **choices)
+
+
+def solid(document, operation, part, tools, **choices):
+    """Solids combined: "cut", "common", "fuse" or "split"."""
+    return of_kind(Solid, document, part, tools, Operation=operation, **choices)
+
+
+def blend_strip(document, a, b, **choices):
+    """A strip between two faces."""
+    return of_kind(Strip, document, a, b, **choices)
+
+
+def fillet(document, edges, **choices):
+    """Edges of a solid rounded."""
+    return of_kind(Fillet, document, edges, **choices)
+
+
+def check(document, part, **choices):
+    """What is wrong with an object."""
+    return of_kind(Check, document, part, **choices)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sections with one plane or many parallel ones, as wires."""
+
+import FreeCAD
+import Part
+
+from . import links
+from .door import Answer
+from .feature import TOLERANCE, Choice, Fact, Feature, Link
+
+MOST_PLANES = 10000
+
+
+class Section(Feature):
+    NAME = "Section"
+    TITLE = "Section"
+    TIP = "Wires in which parallel planes cut objects"
+    DOING = "Cutting with planes"
+    LINKS = (
+        Link("Part", "Objects", "What is cut: objects or faces"),
+        Link("Plane", "Plane", "A flat face, or an object whose placement says where the plane "
+             "is; none: Point and Normal say it"),
+    )  # fmt: skip
+    CHOICES = (
+        Choice("Point", "vector", FreeCAD.Vector(0, 0, 0), "Point", "A point of the plane"),
+        Choice("Normal", "vector", FreeCAD.Vector(0, 0, 1), "Normal", "Its normal, of any length"),
+        Choice("Offset", "distance", "0 mm", "Offset", "Of the first plane, along the normal"),
+        Choice("Count", "count", 1, "Planes", "How many there are", (1, MOST_PLANES)),
+        Choice("Spacing", "distance", "1 mm", "Spacing", "From each plane to the next"),
+        TOLERANCE,
+    )
+    FACTS = (
+        Fact("Status", "word", "The weakest of all planes"),
+        Fact("Wires", "count", "How many wires there are"),
+        Fact("Closed", "count", "How many of them are closed"),
+        Fact("Length", "number", "Of all wires, mm"),
+        Fact("WiresOfPlanes", "counts", "How many wires each plane makes"),
+    )
+
+    def inputs(self, obj):
+        return {"Part": links.faces(obj.Part, "Part")}
+
+    def options(self, obj):
+        point, normal = _plane_of(obj)
+        if not 1 <= obj.Count <= MOST_PLANES:
+            raise ValueError(f"Count: 1 to {MOST_PLANES} planes are wanted, got {obj.Count}")
+        offsets = [obj.Offset.Value + i * obj.Spacing.Value for i in range(obj.Count)]
+        return {
+            "points": [tuple(point + normal * offset) for offset in offsets],
+            "normal": tuple(normal),
+            "tolerance": obj.Tolerance.Value,
+        }
+
+    def ask(self, entrance, inputs, options):
+        part, normal, tolerance = inputs["Part"], options["normal"], options["tolerance"]
+        answers = [
+            entrance.section(part, point, normal, tolerance=tolerance)
+            for point in options["points"]
+        ]
+        shapes = [_wires(answer) for answer in answers]
+        reports = [answer.report for answer in answers]
+        return Answer(shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes), reports)
+
+    def facts(self, reports):
+        wires = [wire for report in reports for wire in report["wires"]]
+        return {
+            "Status": max((report["status"] for report in reports), key=_STRENGTH.index),
+            "Wires": len(wires),
+            "Closed": sum(wire["closed"] for wire in wires),
+            "Length": sum(wire["length"] for wire in wires),
+            "WiresOfPlanes": [len(report["wires"]) for report in reports],
+        }
+
+
+_STRENGTH = ("complete", "tolerance", "stopped")
+
+
+def _plane_of(obj):
+    """A point and the unit normal. throws ValueError"""
+    if obj.Plane:
+        return _plane_of_link(obj.Plane)
+    if obj.Normal.Length == 0:
+        raise ValueError("Normal: the zero vector has no direction")
+    return obj.Point, FreeCAD.Vector(obj.Normal).normalize()
+
+
+def _plane_of_link(link):
+    target, sub = links.members(link)[0]
+    if links.element_of(sub).startswith("Face"):
+        face = links.shape_of(target, sub, "Plane")
+        surface = face.findPlane() if face.Surface.isPlanar() else None
+        if surface is None:
+            raise ValueError(f"Plane: {links.shown(target, sub)} is not flat")
+        return surface.Position, FreeCAD.Vector(surface.Axis).normalize()
+    leaf = links.leaf_of(target, sub)
+    if leaf is None or not hasattr(leaf, "getGlobalPlacement"):
+        raise ValueError(f"Plane: {links.shown(target, sub)} has no place")
+    placement = leaf.getGlobalPlacement()
+    return placement.Base, placement.Rotation.multVec(FreeCAD.Vector(0, 0, 1))
+
+
+def _wires(answer):
+    """The edges as wires where they are linked up; those and points that are not stay as they
+    are."""
+    edges = answer.shape.Edges
+    made = [
+        Part.Wire(Part.__sortEdges__([edges[use["curve"]] for use in wire["curves"]]))
+        for wire in answer.report["wires"]
+    ]
+    return Part.makeCompound(made + [v for v in answer.shape.Vertexes if _is_free(v, edges)])
+
+
+def _is_free(vertex, edges):
+    return not any(vertex.isSame(end) for edge in edges for end in edge.Vertexes)

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Closed solids combined: cut, common, fuse, split."""
+
+from . import links
+from .feature import TOLERANCE, Choice, Fact, Feature, Link
+
+
+class Solid(Feature):
+    NAME = "Solid"
+    TITLE = "Combine solids"
+    TIP = "Cut, common, fuse or split of closed solids, with volumes that add up"
+    DOING = "Combining solids"
+    HIDES = True
+    LINKS = (
+        Link("Part", "Part", "A closed solid"),
+        Link("Tools", "Tools", "Closed solids"),
+    )
+    CHOICES = (
+        Choice("Operation", "word", "cut", "Operation", "split: cut and common side by side",
+               ("cut", "common", "fuse", "split")),
+        TOLERANCE,
+    )  # fmt: skip
+    FACTS = (
+        Fact("Status", "word", "That of the intersection"),
+        Fact("Solids", "count", "How many solids came out"),
+        Fact("Volume", "number", "Of what came out, cubic mm"),
+        Fact("Obstacles", "words", "Why there is no result"),
+    )
+
+    def inputs(self, obj):
+        tools = [
+            links.shape_of(target, sub, "Tools") for target, sub in links.members(obj.Tools)
+        ]
+        if not tools:
+            raise ValueError("Tools: a solid is wanted, and there is none")
+        return {"Part": links.shape(obj.Part, "Part", "a solid"), "Tools": tools}
+
+    def options(self, obj):
+        return {"operation": obj.Operation, "tolerance": obj.Tolerance.Value}
+
+    def ask(self, entrance, inputs, options):
+        return entrance.solid(
+            options["operation"], inputs["Part"], inputs["Tools"], tolerance=options["tolerance"]
+        )
+
+    def facts(self, report):
+        return {
+            "Status": report["status"],
+            "Solids": len(report["solids"]),
+            "Volume": report["total"]["result"],
+            "Obstacles": report["obstacles"],
+        }
+
+    def shape(self, obj, answer, inputs):
+        if answer.report["obstacles"]:
+            raise RuntimeError(answer.report["obstacles"][0])
+        if answer.shape is None or answer.shape.isNull():
+            raise RuntimeError(f"the result of {obj.Operation} is empty")
+        return answer.shape

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Questions in threads of their own, so that the window goes on answering."""
+
+import os
+import threading
+
+import FreeCAD
+
+LATER = 10  # niceness of work beside a window
+PAUSE = 0.02  # seconds between looks at the work
+
+
+class Job(threading.Thread):
+    """One question. `ask` gets a door, which `cancel` closes."""
+
+    def __init__(self, door, ask):
+        super().__init__(daemon=True, name="blossom")
+        self._door = door
+        self._ask = ask
+        self._answer = None
+        self._error = None
+
+    def run(self):
+        if FreeCAD.GuiUp:
+            _give_way()
+        try:
+            self._answer = self._ask(self._door)
+        except BaseException as error:  # noqa: B902 - it is raised again by answer()
+            self._error = error
+
+    def cancel(self):
+        self._door.cancel()
+
+    @property
+    def done(self):
+        return not self.is_alive()
+
+    @property
+    def cancelled(self):
+        return isinstance(self._error, self._door.Cancelled)
+
+    def answer(self):
+        """What came out, or what went wrong as an exception; of work that is done."""
+        if self._error is not None:
+            raise self._error
+        return self._answer
+
+
+def _give_way():
+    """The window's thread goes before this one and those that it starts. (On Linux, where a thread
+    has a priority of its own; it is no harm if that is not to be had.)"""
+    try:
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), LATER)
+    except (AttributeError, OSError):
+        pass
+
+
+def answer_of(job, text):
+    """Starts a question and waits for its answer. Meanwhile a window paints itself and takes no
+    input but the cancelling; without one, Ctrl-C cancels.
+
+    text   what is being done, "Intersecting faces"
+    """
+    job.start()
+    try:
+        if FreeCAD.GuiUp:
+            from .waiting import wait
+
+            wait(job, text)
+        else:
+            while not job.done:
+                job.join(PAUSE)
+    except BaseException:
+        job.cancel()
+        job.join()
+        raise
+    return job.answer()

@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What happens to objects with their documents: undo, save and open again, deleted parents, closed
+documents, work that is cancelled. Without a window."""
+
+import os
+import sys
+import tempfile
+import threading
+
+import FreeCAD
+import Part
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from claims import claim, near, run, says, valid  # noqa: E402
+from freecad.blossom import door, feature, kinds, make, work  # noqa: E402
+
+V = FreeCAD.Vector
+
+
+def box_and_rod(document):
+    """In containers; the rod goes through the box."""
+    block = document.addObject("Part::Box", "Block")
+    rod = document.addObject("Part::Cylinder", "Rod")
+    rod.Height = 20
+    holder = document.addObject("App::Part", "Holder")
+    holder.addObject(rod)
+    holder.Placement.Base = V(5, 5, -5)
+    return (block, ""), (holder, "Rod.")
+
+
+def one_of_each(document):
+    """By names."""
+    block, rod = box_and_rod(document)
+    sheet = document.addObject("Part::Plane", "Sheet")
+    sheet.Placement.Base = V(20, 0, 0)
+    return {
+        "curves": make.intersection(document, block, rod),
+        "cut": make.section(document, block, Point=V(0, 0, 5), Count=2),
+        "trimmed": make.trim(
+            document, (block[0], "Face6"), rod, Keep="picked", Picked=[V(5, 5, 10)]
+        ),
+        "made": make.solid(document, "fuse", block, rod),
+        "strip": make.blend_strip(document, (block[0], "Face6"), (sheet, "Face1")),
+        "rounded": make.fillet(document, (block[0], "Edge1"), Radius="2 mm"),
+        "checked": make.check(document, rod),
+    }
+
+
+def told(obj):
+    """All that an object has found."""
+    facts = [getattr(obj, fact.name) for fact in obj.Proxy.FACTS]
+    return facts, obj.Shape.Length, obj.Shape.Area, len(obj.Shape.Faces), len(obj.Shape.Edges)
+
+
+def saved_documents_open_with_the_same_results(document):
+    made = one_of_each(document)
+    document.recompute()
+    claim("there is one of each kind", len(made) == len(kinds.KINDS))
+    claim("all can be computed", all(valid(obj) for obj in made.values()))
+    before = {obj.Name: told(obj) for obj in made.values()}
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "objects.FCStd")
+        document.saveAs(file)
+        FreeCAD.closeDocument(document.Name)
+        again = FreeCAD.openDocument(file)
+    try:
+        claim("they are there when it is opened", _all_alike(again, before))
+        for name in before:
+            again.getObject(name).touch()
+        again.recompute()
+        claim("and the same when computed again", _all_alike(again, before))
+        again.Block.Length = 12
+        again.recompute()
+        claim(
+            "they still follow their parents",
+            near(again.Solid.Volume - before["Solid"][0][2], 200),
+        )
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
+def _all_alike(document, before):
+    return all(_alike(told(document.getObject(name)), before[name]) for name in before)
+
+
+def one_undo_takes_an_object_away(document):
+    block, rod = box_and_rod(document)
+    document.recompute()
+    document.openTransaction("Blossom")
+    make.intersection(document, block, rod)
+    document.recompute()
+    document.commitTransaction()
+    claim("it is there", document.getObject("Intersection") is not None)
+    document.undo()
+    claim("it is gone", document.getObject("Intersection") is None)
+    document.redo()
+    document.recompute()
+    claim("it is back", valid(document.Intersection) and document.Intersection.Curves == 2)
+
+
+def deleted_parents_are_errors_of_the_object(document):
+    block, rod = box_and_rod(document)
+    other = document.addObject("Part::Box", "Other")
+    other.Length = other.Width = other.Height = 2
+    curves = make.intersection(document, block, rod)
+    made = make.solid(document, "cut", block, [rod, (other, "")])
+    document.recompute()
+    claim("both are computed", valid(curves) and valid(made))
+    volume = made.Volume
+    document.openTransaction("Delete")
+    document.removeObject("Other")
+    document.commitTransaction()
+    document.recompute()
+    claim(
+        "a tool that was deleted is an error, not another result",
+        says(made, "Tools: Other was deleted"),
+    )
+    claim("the others go on", valid(curves))
+    document.undo()
+    document.recompute()
+    claim("undo brings it back", valid(made) and made.Volume == volume)
+    document.removeObject("Other")
+    document.recompute()
+    made.Tools = [(rod[0], "Rod."), (document.Block, "Face1")][:1]
+    document.recompute()
+    claim("the same tools again are not chosen anew", not valid(made))
+    made.Proxy.forget_links(made)
+    document.recompute()
+    claim("until they are said to be meant", valid(made) and made.Volume > 0)
+    document.removeObject("Rod")
+    document.recompute()
+    claim("one inside of a container, too", says(curves, "B: Rod. of Holder is gone"))
+    document.removeObject("Block")
+    document.recompute()
+    claim("and the only one", says(curves, "A: Block was deleted"))
+    claim("the document can be saved", _can_be_saved(document))
+
+
+def _can_be_saved(document):
+    with tempfile.TemporaryDirectory() as folder:
+        document.saveCopy(os.path.join(folder, "copy.FCStd"))
+        return os.listdir(folder) == ["copy.FCStd"]
+
+
+def wrong_inputs_are_errors_of_the_object(document):
+    point = document.addObject("Part::Vertex", "Point")
+    block, rod = box_and_rod(document)
+    curves = make.intersection(document, (block[0], "Edge1"), rod)
+    document.recompute()
+    claim("an edge has no face", says(curves, "A: faces are wanted, Block.Edge1 has none"))
+    curves.A = [(point, "")]
+    document.recompute()
+    claim("nor has a point", says(curves, "A: faces are wanted, Point has none"))
+    curves.A = []
+    document.recompute()
+    claim("nothing is too little", says(curves, "A: a face is wanted, and there is none"))
+    group = document.addObject("App::DocumentObjectGroup", "Group")
+    curves.A = [(group, "")]
+    document.recompute()
+    claim("a group has no shape", says(curves, "its shape of Group is gone, or it has no shape"))
+    curves.A, curves.Tolerance = [block], 0
+    document.recompute()
+    claim("a tolerance of 0 is none", says(curves, "tolerance: 0.0 is not positive"))
+    curves.Tolerance = "1e-7 mm"
+    document.recompute()
+    claim("all can be mended", valid(curves))
+    try:
+        curves.A = 3
+        claim("a number is no link", False)
+    except TypeError:
+        pass
+
+
+def answers_of_closed_documents_do_no_harm(document):
+    block, rod = box_and_rod(document)
+    curves = make.intersection(document, block, rod)
+    document.recompute()
+    job = curves.Proxy.question(curves).job()
+    FreeCAD.closeDocument(document.Name)
+    job.start()
+    job.join()
+    claim("work goes on without its document", job.answer().report["status"] == "complete")
+    try:
+        curves.Shape
+        claim("its object is gone", False)
+    except ReferenceError:
+        pass
+
+
+def work_can_be_cancelled(document):
+    class Endless(feature.Feature):
+        def ask(self, entrance, inputs, options):
+            started.set()
+            while True:  # until the door is closed
+                entrance.intersect(*inputs["Both"])
+
+        def inputs(self, obj):
+            return {"Both": [Part.makeBox(10, 10, 10), Part.makeCylinder(2, 20, V(5, 5, -5))]}
+
+    started = threading.Event()
+    obj = document.addObject("Part::FeaturePython", "Endless")
+    Endless(obj)
+    job = obj.Proxy.question(obj).job()
+    stopper = threading.Thread(target=lambda: (started.wait(), job.cancel()))
+    stopper.start()
+    try:
+        work.answer_of(job, "Working")
+        claim("it ended by itself", False)
+    except job._door.Cancelled as error:
+        claim("it says so", "cancelled" in str(error) and job.cancelled)
+    stopper.join()
+
+
+def without_the_module_the_program_answers(document):
+    made = one_of_each(document)
+    document.recompute()
+    by_module = {name: told(obj) for name, obj in made.items()}
+    program = os.environ["BLOSSOM_PROGRAM"]
+    kept, door.choice = door.choice, lambda: door.Choice("program", "as a test", program)
+    try:
+        for obj in made.values():
+            obj.touch()
+        document.recompute()
+        for name, obj in made.items():
+            claim(f"{name} by the program", valid(obj) and _alike(told(obj), by_module[name]))
+        made["rounded"].Radius = 100
+        document.recompute()
+        claim("refusals come from there, too", says(made["rounded"], "the radius is too large"))
+        made["made"].Part = [(document.Sheet, "")]
+        document.recompute()
+        claim("and errors", says(made["made"], "Part is no closed solid"))
+        door.choice = lambda: door.Choice("", "FreeCAD uses another Open CASCADE", "")
+        made["cut"].touch()
+        document.recompute()
+        claim(
+            "without both, that is said",
+            says(made["cut"], "engine is not here: FreeCAD uses another"),
+        )
+    finally:
+        door.choice = kept
+
+
+def _alike(a, b):
+    if isinstance(a, (list, tuple)):
+        return len(a) == len(b) and all(map(_alike, a, b))
+    return near(a, b, 1e-6 * max(1, abs(b))) if isinstance(a, float) else a == b
+
+
+def another_open_cascade_keeps_the_module_away(document):
+    kept = door.built_with.OCCT, sys.modules["blossom"]
+    door.built_with.OCCT, sys.modules["blossom"] = "7.0.0", None  # to import it would be an error
+    try:
+        reason = door._why_no_module()
+        claim("that is the reason", reason.endswith("the package blossom was built with 7.0.0"))
+    finally:
+        door.built_with.OCCT, sys.modules["blossom"] = kept
+
+
+run(
+    saved_documents_open_with_the_same_results,
+    one_undo_takes_an_object_away,
+    deleted_parents_are_errors_of_the_object,
+    wrong_inputs_are_errors_of_the_object,
+    answers_of_closed_documents_do_no_harm,
+    work_can_be_cancelled,
+    without_the_module_the_program_answers,
+    another_open_cascade_keeps_the_module_away,
+)

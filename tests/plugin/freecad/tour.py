@@ -1,0 +1,400 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A tour of the workbench in FreeCAD's window, as a user goes: selects, calls a command, waits for
+the preview, clicks OK. It takes pictures, of which README.md shows some.
+
+The window prints nothing, so claims go to BLOSSOM_CLAIMS; pictures go to the folder BLOSSOM_SHOTS.
+"""
+
+import math
+import os
+import sys
+import time
+import traceback
+
+import FreeCAD
+import FreeCADGui
+import Part
+from PySide2 import QtCore, QtGui, QtWidgets
+
+V = FreeCAD.Vector
+claims = open(os.environ["BLOSSOM_CLAIMS"], "w", buffering=1)
+PICTURE_WIDTH = 760  # pixels
+SETTLED = 600  # milliseconds until the window is painted
+PATIENCE = 60  # seconds for a condition
+MOST_WORK = 3  # seconds of work while the window is watched
+
+
+def claim(what, holds):
+    if not holds:
+        raise AssertionError(what)
+    print("holds:", what, file=claims)
+
+
+# ---- the user's hands and eyes
+
+
+def window():
+    return FreeCADGui.getMainWindow()
+
+
+def select(document, *members):
+    FreeCADGui.Selection.clearSelection()
+    for name, sub in members:
+        FreeCADGui.Selection.addSelection(document.Name, name, sub)
+
+
+def press(word):
+    """OK or Cancel of the task panel."""
+    button = getattr(QtWidgets.QDialogButtonBox, word)
+    for box in window().findChildren(QtWidgets.QDialogButtonBox):
+        if box.isVisible() and box.button(button):
+            box.button(button).click()
+            return
+    raise AssertionError(f"there is no button {word}")
+
+
+def widget(kind, name):
+    found = [each for each in window().findChildren(kind, name) if each.isVisible()]
+    return found[0] if found else None
+
+
+def said():
+    """What the panel says of the preview, without its table."""
+    label = widget(QtWidgets.QLabel, "BlossomText")
+    document = QtGui.QTextDocument()
+    document.setHtml(label.text() if label else "")
+    return document.toPlainText()
+
+
+def found():
+    """Whether a preview is there: its facts end with the time."""
+    return "Time" in said()
+
+
+def look(document, part=1.0):
+    """All of the document in the view, or the middle part."""
+    view = FreeCADGui.getDocument(document.Name).activeView()
+    view.setAnimationEnabled(False)
+    view.viewIsometric()
+    view.fitAll()
+    height = view.getCameraNode().height
+    height.setValue(part * height.getValue())
+
+
+def picture(name):
+    grabbed = window().screen().grabWindow(window().winId())
+    scaled = grabbed.toImage().scaledToWidth(PICTURE_WIDTH, QtCore.Qt.SmoothTransformation)
+    file = os.path.join(os.environ["BLOSSOM_SHOTS"], f"{name}.png")
+    scaled.convertToFormat(QtGui.QImage.Format_RGB888).save(file)
+    claim(f"there is a picture of {name}", os.path.getsize(file) > 10000)
+
+
+# ---- what is shown
+
+
+def new_document(name):
+    document = FreeCAD.newDocument(name)
+    document.UndoMode = 1
+    return document
+
+
+def wave(document, name, height):
+    points = [[V(x, y, height(x, y)) for y in range(11)] for x in range(11)]
+    surface = Part.BSplineSurface()
+    surface.interpolate(points)
+    feature = document.addObject("Part::Feature", name)
+    feature.Shape = surface.toShape()
+    return feature
+
+
+def bumps(document, name, height):
+    """A patch of degree 24 whose like are hard to tell apart."""
+    surface = Part.BezierSurface()
+    surface.increase(24, 24)
+    for i in range(25):
+        for j in range(25):
+            surface.setPole(i + 1, j + 1, V(i / 2.4, j / 2.4, height * (-1) ** (i + j)))
+    feature = document.addObject("Part::Feature", name)
+    feature.Shape = surface.toShape()
+    return feature
+
+
+# ---- the stations; each yields what it waits for: milliseconds or a condition
+
+
+def intersection():
+    document = new_document("Intersection")
+    wave(document, "Sea", lambda x, y: math.sin(0.6 * x) * math.cos(0.5 * y))
+    sail = wave(document, "Sail", lambda x, y: 0.2 * (x - 5) + 0.3 * math.sin(y))
+    document.Sea.ViewObject.ShapeColor = (0.55, 0.75, 0.95)
+    sail.ViewObject.ShapeColor = (0.97, 0.87, 0.66)
+    boat = document.addObject("App::Part", "Boat")
+    boat.addObject(sail)
+    boat.Placement = FreeCAD.Placement(V(0, 2.5, 0.5), FreeCAD.Rotation(V(0, 0, 1), 30))
+    document.recompute()
+    look(document)
+    select(document, ("Sea", "Face1"), ("Boat", "Sail.Face1"))
+    FreeCADGui.runCommand("Blossom_Intersection")
+    yield found
+    look(document, 0.6)  # containers have an origin with long axes
+    yield SETTLED
+    claim("the panel says that nothing is missing", "complete" in said())
+    picture("intersection")
+    press("Ok")
+    curves = document.Objects[-1]
+    claim("there are curves", curves.Curves > 0 and "Invalid" not in curves.State)
+    placed = sail.Shape.copy()
+    placed.Placement = boat.Placement
+    points = [point for edge in curves.Shape.Edges for point in edge.discretize(Number=9)]
+    faces = (document.Sea.Shape, placed)
+    off = max(Part.Vertex(point).distToShape(face)[0] for point in points for face in faces)
+    claim("they are where the faces are shown", off < 1e-6)
+    claim("one step can be undone", document.UndoNames[0] == "Intersection")
+    document.undo()
+    claim("and takes the object away", document.getObject("Intersection") is None)
+    document.redo()
+    boat.Placement.Base = V(0.5, 2, 0.25)
+    length = document.Intersection.Length
+    document.recompute()
+    claim("curves follow the container", document.Intersection.Length != length)
+    yield SETTLED
+
+
+def trim():
+    document = new_document("Trim")
+    block = document.addObject("Part::Box", "Block")
+    rod = document.addObject("Part::Cylinder", "Rod")
+    block.Length, rod.Radius, rod.Height = 16, 3, 30
+    rod.Placement = FreeCAD.Placement(V(4, 5, -8), FreeCAD.Rotation(V(0, 1, 0), 25))
+    document.recompute()
+    look(document)
+    select(document, ("Block", ""), ("Rod", ""))
+    FreeCADGui.runCommand("Blossom_Trim")
+    yield found
+    look(document)
+    yield SETTLED
+    trimmed = document.Objects[-1]
+    claim("all pieces are shown", trimmed.Pieces == len(trimmed.Shape.Faces) == 8)
+    claim("and have colours", len(set(trimmed.ViewObject.DiffuseColor)) > 2)
+    claim("what is cut is hidden", not block.Visibility and not rod.Visibility)
+    picture("trim")
+    widget(QtWidgets.QPushButton, "BlossomPick").click()
+    yield SETTLED
+    yield found
+    faces = sorted(range(8), key=lambda i: trimmed.Shape.Faces[i].CenterOfMass.z)
+    for index in faces[-2:]:
+        p = trimmed.Shape.Faces[index].CenterOfMass
+        face = f"Face{index + 1}"
+        FreeCADGui.Selection.addSelection(document.Name, trimmed.Name, face, p.x, p.y, p.z)
+    widget(QtWidgets.QPushButton, "BlossomPick").click()
+    yield lambda: found() and trimmed.Keep == "picked" and len(trimmed.Shape.Faces) == 2
+    press("Ok")
+    claim(
+        "the clicked pieces are kept",
+        len(trimmed.Shape.Faces) == 2 and trimmed.Shape.BoundBox.ZMin > 9,
+    )
+    document.undo()
+    claim("undo shows what was cut", block.Visibility and rod.Visibility)
+    yield SETTLED
+
+
+def fillet():
+    document = new_document("Fillet")
+    block = document.addObject("Part::Box", "Block")
+    block.Length, block.Width, block.Height = 30, 20, 12
+    document.recompute()
+    look(document)
+    select(document, ("Block", "Face6"))
+    FreeCADGui.runCommand("Blossom_Fillet")
+    yield found
+    look(document)
+    panel_radius = widget(QtWidgets.QWidget, "BlossomRadius")
+    panel_radius.setProperty("rawValue", 3)
+    yield lambda: found() and document.Fillet.Volume < 30 * 20 * 12 - 100
+    yield SETTLED
+    picture("fillet")
+    panel_radius.setProperty("rawValue", 300)
+    yield lambda: "radius" in said()
+    press("Ok")
+    claim("what cannot be made keeps the panel open", FreeCADGui.Control.activeDialog())
+    claim("and says why", "the radius is too large" in said())
+    panel_radius.setProperty("rawValue", 3)
+    yield found
+    press("Ok")
+    claim(
+        "four edges are rounded",
+        len(document.Fillet.Rounded) == 4 and not FreeCADGui.Control.activeDialog(),
+    )
+    claim("and it is a valid solid", document.Fillet.Shape.isValid())
+    FreeCADGui.getDocument(document.Name).setEdit("Fillet")
+    yield found
+    widget(QtWidgets.QWidget, "BlossomRadius").setProperty("rawValue", 1)
+    yield lambda: found() and document.Fillet.Volume > 30 * 20 * 12 - 100
+    press("Cancel")
+    claim(
+        "Cancel takes an edit back",
+        document.Fillet.Radius.Value == 3 and len(document.Objects) == 2,
+    )
+    yield SETTLED
+
+
+def check():
+    document = new_document("Check")
+    shape = Part.makeShell(Part.makeBox(20, 20, 10).Faces[:5])
+    corners = [(0, 0), (20, 20), (20, 0), (0, 20), (0, 0)]
+    crossed = Part.makePolygon([V(x, y, 16) for x, y in corners])
+    bow = Part.Face(Part.Plane(V(0, 0, 16), V(0, 0, 1)), crossed)
+    document.addObject("Part::Feature", "Import").Shape = Part.makeCompound([shape, bow])
+    document.recompute()
+    look(document)
+    select(document, ("Import", ""))
+    FreeCADGui.runCommand("Blossom_Check")
+    yield found
+    look(document)
+    yield SETTLED
+    table = widget(QtWidgets.QTableWidget, "BlossomProblems")
+    claim(
+        "the table has a row for each problem",
+        table.rowCount() == len(document.Check.Problems) > 0,
+    )
+    row = [table.item(i, 0).text() for i in range(table.rowCount())].index("Face6")
+    table.selectRow(row)
+    chosen = FreeCADGui.Selection.getSelectionEx()
+    claim("a row selects its face", chosen[0].SubElementNames == ("Face6",))
+    FreeCADGui.Selection.clearSelection()
+    yield SETTLED
+    picture("check")
+    press("Ok")
+    claim("a check is no error", not FreeCADGui.Control.activeDialog())
+
+
+class Pulse(QtCore.QTimer):
+    """Notes how long the window lets others wait."""
+
+    def __init__(self):
+        super().__init__()
+        self.setInterval(10)
+        self.timeout.connect(self.beat)
+        self.beats, self.longest = 0, 0.0
+        self.last = self.began = time.monotonic()
+        self.start()
+
+    def beat(self):
+        now = time.monotonic()
+        self.longest = max(self.longest, now - self.last)
+        self.last, self.beats = now, self.beats + 1
+
+    def told(self, what):
+        self.stop()
+        seconds = time.monotonic() - self.began
+        print(f"{what}: {seconds:.1f} s of work, the window answered {self.beats} times, "
+              f"at the latest after {1000 * self.longest:.0f} ms", file=claims)  # fmt: skip
+        return self.beats
+
+
+def work():
+    """Hard work in a preview, and in a recompute, that the user ends."""
+    document = new_document("Work")
+    bumps(document, "Low", 5), bumps(document, "High", 2.5)
+    document.recompute()
+    look(document)
+    yield SETTLED
+    select(document, ("Low", "Face1"), ("High", "Face1"))
+    FreeCADGui.runCommand("Blossom_Intersection")
+    document.Intersection.Tolerance = 1e-10  # before the preview begins
+    yield lambda: widget(QtWidgets.QPushButton, "BlossomStop")
+    pulse = Pulse()
+    yield lambda: time.monotonic() - pulse.began > MOST_WORK or found()
+    claim(f"it is still at work: {said()}", widget(QtWidgets.QPushButton, "BlossomStop"))
+    claim("the window answers during a preview", pulse.told("preview") > 20)
+    widget(QtWidgets.QPushButton, "BlossomStop").click()
+    yield lambda: "stopped" in said()
+
+    def give_up():
+        if widget(QtWidgets.QFrame, "BlossomWaiting") is None:
+            QtCore.QTimer.singleShot(100, give_up)
+            return
+        if time.monotonic() - pulse.began < MOST_WORK:
+            QtCore.QTimer.singleShot(100, give_up)
+            return
+        picture("waiting")
+        button = widget(QtWidgets.QFrame, "BlossomWaiting").button
+        at = QtCore.QPointF(5, 5)
+        for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
+            left = QtCore.Qt.LeftButton
+            event = QtGui.QMouseEvent(kind, at, left, left, QtCore.Qt.NoModifier)
+            QtWidgets.QApplication.postEvent(button, event)
+
+    pulse = Pulse()
+    QtCore.QTimer.singleShot(100, give_up)
+    press("Ok")
+    claim("the window answers during a recompute", pulse.told("recompute") > 20)
+    claim("the button ends it", "cancelled" in said())
+    press("Cancel")
+    claim(
+        "Cancel leaves the document as it was",
+        [o.Name for o in document.Objects] == ["Low", "High"],
+    )
+
+    select(document, ("Low", "Face1"), ("High", "Face1"))
+    FreeCADGui.runCommand("Blossom_Intersection")
+    yield lambda: widget(QtWidgets.QPushButton, "BlossomStop")
+    FreeCAD.closeDocument(document.Name)
+    yield SETTLED
+    claim("a document may be closed meanwhile", not FreeCADGui.Control.activeDialog())
+
+
+def tour():
+    FreeCADGui.activateWorkbench("BlossomWorkbench")
+    claim("the workbench is there", FreeCADGui.activeWorkbench().name() == "BlossomWorkbench")
+    window().resize(1000, 720)
+    colours = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    colours.SetBool("Simple", True)
+    colours.SetBool("Gradient", False)
+    colours.SetUnsigned("BackgroundColor", 0xF4F6F8FF)
+    for dock in window().findChildren(QtWidgets.QDockWidget):
+        if dock.objectName() in ("Python console", "Report view"):
+            dock.hide()
+        if dock.objectName() == "Combo View":
+            window().resizeDocks([dock], [330], QtCore.Qt.Horizontal)
+    for station in (intersection, trim, fillet, check, work):
+        print(f"-- {station.__name__}", file=claims)
+        yield from station()
+    print("ALL CLAIMS HOLD", file=claims)
+
+
+class Guide:
+    """Goes on with the tour from the event loop when what it waits for has come."""
+
+    def __init__(self, steps):
+        self._steps = steps
+        self._busy = False
+        self._wanted, self._since = (lambda: True), time.monotonic()
+        self._timer = QtCore.QTimer()
+        self._timer.setInterval(30)
+        self._timer.timeout.connect(self._look)
+        self._timer.start()
+
+    def _look(self):
+        if self._busy:  # a step runs an event loop of its own
+            return
+        try:
+            if not self._wanted():
+                if time.monotonic() - self._since > PATIENCE:
+                    self._steps.throw(TimeoutError(f"nothing came; the panel says: {said()}"))
+                return
+            self._busy = True
+            wanted = next(self._steps)
+        except StopIteration:
+            os._exit(0)
+        except BaseException:
+            traceback.print_exc(file=claims)
+            os._exit(1)  # a dialog could hold the process
+        finally:
+            self._busy = False
+        self._since = time.monotonic()
+        ready = self._since + (0 if callable(wanted) else wanted / 1000)
+        self._wanted = wanted if callable(wanted) else lambda: time.monotonic() > ready
+
+
+QtCore.QTimer.singleShot(1000, lambda: setattr(sys, "blossom_guide", Guide(tour())))
