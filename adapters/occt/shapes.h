@@ -60,6 +60,10 @@ class Model {
   Model& operator=(Model&&) noexcept;
   ~Model();
 
+  /// A model of the same shapes, so that it shares all faces and edges, with the same names, looks,
+  /// layers, unit and assembly; to be changed. It is of no file.
+  Model copy() const;
+
   /// The shape of all parts, in one compound when there are several. Millimetres.
   const TopoDS_Shape& shape() const;
 

@@ -7,16 +7,12 @@
 
 #include "adapters/occt/edge_facts.h"
 #include "plugin/cli/values.h"
+#include "plugin/reports/edges.h"
 
 namespace blossom::cli {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-
-Json edge_json(const occt::EdgeFacts& edge) {
-  return {{"number", edge.number}, {"faces", edge.faces},   {"kind", to_string(edge.kind)},
-          {"angle", edge.angle},   {"length", edge.length}, {"middle", edge.middle.coordinates}};
-}
 
 std::string edge_line(const occt::EdgeFacts& edge) {
   std::ostringstream faces, line, middle;
@@ -35,11 +31,10 @@ std::string edge_line(const occt::EdgeFacts& edge) {
 }  // namespace
 
 EdgeList edge_list(const TopoDS_Shape& shape) {
-  EdgeList list{Json::array(), "  edge  faces     kind      angle°    length      middle\n"};
-  for (const occt::EdgeFacts& edge : occt::edge_facts(shape)) {
-    list.json.push_back(edge_json(edge));
-    list.text += edge_line(edge);
-  }
+  const std::vector<occt::EdgeFacts> edges = occt::edge_facts(shape);
+  EdgeList list{reports::edges_json(edges),
+                "  edge  faces     kind      angle°    length      middle\n"};
+  for (const occt::EdgeFacts& edge : edges) list.text += edge_line(edge);
   return list;
 }
 

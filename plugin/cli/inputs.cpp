@@ -16,12 +16,12 @@
 #include "adapters/occt/base/errors.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/selection.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
+#include "plugin/nets/net_json.h"
 #include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
@@ -158,7 +158,7 @@ void refuse_special(const std::filesystem::path& file) {
 
 Input read_input(const std::string& text, Faces need, Repair repair) {
   const InputName name = parse_input(text);
-  if (is_net_file(name.file) && cli::exists(name.file))
+  if (nets::is_net_file(name.file) && cli::exists(name.file))
     throw occt::BadModel(name.file.string() +
                          ": is of nets (.json), which subdivide and convert take alone; "
                          "`blossom convert` makes a model of them");

@@ -16,7 +16,7 @@ constexpr double kToleranceFactor = 10;  // trims' own edges are about one toler
 
 Vec4 homogeneous(const Vec3& p) { return {p[0], p[1], p[2], 1}; }
 
-NetValue value_of(const WatertightPiece& piece) {
+nets::NetValue value_of(const WatertightPiece& piece) {
   if (const auto* triangle = std::get_if<BezierTriangle>(&piece.form)) {
     RationalBezierTriangle made{triangle->degree, {}};
     for (const Vec3& p : triangle->points) made.points.push_back(homogeneous(p));
@@ -79,10 +79,10 @@ std::string summary_of(const WatertightPieces& pieces) {
   return text.str();
 }
 
-std::vector<Net> nets_of(const WatertightPieces& pieces, const std::string& file) {
-  std::vector<Net> nets;
+std::vector<nets::Net> nets_of(const WatertightPieces& pieces, const std::string& file) {
+  std::vector<nets::Net> nets;
   for (const WatertightPiece& piece : pieces.pieces) {
-    Net net;
+    nets::Net net;
     net.value = value_of(piece);
     net.u = net.v = {0, 1};
     net.source.file = file;

@@ -10,9 +10,9 @@
 
 #include "adapters/occt/watertight.h"
 #include "core/base/status.h"
-#include "plugin/cli/nets/net.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
+#include "plugin/nets/net.h"
 #include "plugin/reports/watertight.h"
 
 namespace blossom::cli {
@@ -39,6 +39,6 @@ Status status_with(Status status, const WatertightPieces& pieces);
 std::string summary_of(const WatertightPieces& pieces);
 
 /// The pieces as nets: patches and triangles, by the faces' numbers in the trimmed model.
-std::vector<Net> nets_of(const WatertightPieces& pieces, const std::string& file);
+std::vector<nets::Net> nets_of(const WatertightPieces& pieces, const std::string& file);
 
 }  // namespace blossom::cli

@@ -15,6 +15,8 @@
 #include "adapters/occt/plane_section.h"
 #include "adapters/occt/strip.h"
 #include "core/base/status.h"
+#include "core/blending/continuity/continuity.h"
+#include "plugin/nets/pieces.h"
 #include "plugin/python/control.h"
 #include "plugin/python/loaded_model.h"
 #include "plugin/reports/json.h"
@@ -49,7 +51,10 @@ Answer least_distance(const SharedModel& a, const SharedModel& b, const Control&
 Answer does_intersect(const SharedModel& a, const SharedModel& b, const Control& control);
 Answer nearest_point(const SharedModel& model, const Vec3& at, bool all, const Control& control);
 Answer check(const SharedModel& model, const Control& control);
-Answer info(const SharedModel& model, const Control& control);
+Answer continuity(const SharedModel& model, const ContinuityTolerances& tolerances,
+                  const std::string& require, const Control& control);
+/// edges   list all edges of the model, too
+Answer info(const SharedModel& model, bool edges, const Control& control);
 
 Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,
             const std::vector<occt::Plane>& planes, const std::string& keep,
@@ -71,11 +76,24 @@ struct EdgeWish {
 Answer fillet(const SharedModel& part, const EdgeWish& edges, double radius, bool partial,
               const Control& control);
 
+struct FillWish {
+  std::vector<int> edges{};               ///< numbers; none: all that are open
+  std::vector<std::string> continuity{};  ///< "G0", "G1", "G2": one, or one for each edge
+  std::string layout{};                   ///< "auto", "star", "ring", "deep-ring"
+  double angle = 0;                       ///< between normals that count as one, radians
+  bool sew = false;                       ///< joined to the model
+};
+Answer fill(const SharedModel& model, const FillWish& wish, const Control& control);
+
+/// cut   an interval is of the model's edges, anything else of its faces
+Answer subdivide(const SharedModel& model, const nets::Cut& cut, const Control& control);
+/// to   "bezier", "monomial" or "triangles"; the control's tolerance is how far borders may lie
+/// from
+///      trims
+Answer convert(const SharedModel& model, const std::string& to, const Control& control);
+
 /// The answer with a report that is made already, and the shape of a model; none if that is null.
 Answer made_answer(reports::Json report, SharedModel model);
-
-/// The model's faces in a model of its own, with their numbers, names and colours, to be changed.
-occt::Model copy_of(const reports::Input& input);
 
 /// A plane whose normal has the length 1.
 /// throws   InvalidInput if the normal is 0

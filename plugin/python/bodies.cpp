@@ -6,9 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/half_space.h"
@@ -55,15 +52,6 @@ SharedModel made_model(const std::string& name, occt::Model model) {
 
 }  // namespace
 
-occt::Model copy_of(const reports::Input& input) {
-  std::vector<occt::FaceOrigin> origins;
-  for (int number = 1; number <= input.model.face_count(); ++number)
-    origins.push_back({input.model.face(number), &input.model, number});
-  occt::Model copy;
-  copy.add_combined(input.model.shape(), input.model.part_name(1), origins);
-  return copy;
-}
-
 Answer made_answer(reports::Json report, SharedModel model) {
   auto shared = std::make_shared<const reports::Json>(std::move(report));
   return {.report = [shared] { return *shared; },
@@ -102,7 +90,7 @@ Answer trim(const SharedModel& part, const std::vector<SharedModel>& tools,
     answer.seconds = watch.seconds() - start;
     for (const reports::Input* tool : others) reports::note_invalid_faces(*tool, answer.made);
     watch.stop();
-    occt::Model made = copy_of(input);
+    occt::Model made = input.model.copy();
     made.replace_faces(answer.made.replacements);
     return made_answer(with_reading(reports::trim_report(input, others, answer), models),
                        made_model("trim", std::move(made)));
@@ -127,15 +115,14 @@ occt::Model plane_model(const occt::Plane& plane, const TopoDS_Shape& part,
   return model;
 }
 
+// The part with what was made in the place of its solids.
 occt::Model model_of(const occt::SolidTrimResult& made, const occt::Model& part,
                      const std::vector<const occt::Model*>& tools) {
-  occt::Model model;
-  const std::string name = part.part_name(1);
-  for (std::size_t i = 0; i < made.solids.size(); ++i) {
-    const bool one = made.solids.size() == 1;
-    model.add_combined(made.solids[i], one ? name : name + "." + std::to_string(i + 1),
-                       reports::origins_of(made.solids[i], made, part, tools));
-  }
+  occt::Model model = part.copy();
+  std::vector<occt::CombinedSolid> solids;
+  for (const TopoDS_Solid& solid : made.solids)
+    solids.push_back({solid, reports::origins_of(solid, made, model, tools)});
+  model.replace_solids(solids, occt::CommonFaces::Keep);
   return model;
 }
 

@@ -49,7 +49,7 @@ Answer fillet(const SharedModel& part, const EdgeWish& wish, double radius, bool
     watch.stop();
     SharedModel made;
     if (!answer.made.solids.empty()) {
-      occt::Model copy = copy_of(input);
+      occt::Model copy = input.model.copy();
       reports::put_fillets(copy, answer.made);
       made = std::make_shared<LoadedModel>("fillet", std::move(copy), Repair::Never);
     }

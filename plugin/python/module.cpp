@@ -221,7 +221,15 @@ void add_answers(py::module_& module) {
   module.def("distance", &least_distance, arg("a"), arg("b"), arg("control"));
   module.def("does_intersect", &does_intersect, arg("a"), arg("b"), arg("control"));
   module.def("check", &check, arg("model"), arg("control"));
-  module.def("info", &info, arg("model"), arg("control"));
+  module.def("info", &info, arg("model"), arg("edges"), arg("control"));
+  module.def(
+      "continuity",
+      [](const SharedModel& model, double gap, double angle, double curvature,
+         const std::string& require, const Control& control) {
+        return continuity(model, {.gap = gap, .angle = angle, .curvature = curvature}, require,
+                          control);
+      },
+      arg("model"), arg("gap"), arg("angle"), arg("curvature"), arg("require"), arg("control"));
   module.def("watertight", &watertight, arg("model"), arg("control"));
   module.def(
       "section",
@@ -295,6 +303,41 @@ void add_fillet(py::module_& module) {
       arg("control"));
 }
 
+nets::Cut cut_of(const std::vector<double>& interval, const std::vector<double>& rectangle,
+                 const std::vector<double>& triangle, const std::vector<double>& q, int levels) {
+  nets::Cut cut;
+  cut.levels = levels;
+  if (const auto& i = interval; !i.empty()) cut.interval = Interval{i[0], i[1]};
+  if (const auto& r = rectangle; !r.empty())
+    cut.rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
+  if (const auto& t = triangle; !t.empty())
+    cut.triangle = {Vec2{t[0], t[1]}, Vec2{t[2], t[3]}, Vec2{t[4], t[5]}};
+  if (!q.empty()) cut.q = QParameters{q[0], q[1]};
+  return cut;
+}
+
+void add_forms(py::module_& module) {
+  using Numbers = std::vector<double>;
+  module.def(
+      "subdivide",
+      [](const SharedModel& model, const Numbers& interval, const Numbers& rectangle,
+         const Numbers& triangle, const Numbers& q, int levels, const Control& control) {
+        return subdivide(model, cut_of(interval, rectangle, triangle, q, levels), control);
+      },
+      arg("model"), arg("interval"), arg("rectangle"), arg("triangle"), arg("q"), arg("levels"),
+      arg("control"));
+  module.def("convert", &convert, arg("model"), arg("to"), arg("control"));
+  module.def(
+      "fill",
+      [](const SharedModel& model, const std::vector<int>& edges,
+         const std::vector<std::string>& continuity, const std::string& layout, double angle,
+         bool sew, const Control& control) {
+        return fill(model, {edges, continuity, layout, angle, sew}, control);
+      },
+      arg("model"), arg("edges"), arg("continuity"), arg("layout"), arg("angle"), arg("sew"),
+      arg("control"));
+}
+
 }  // namespace
 }  // namespace blossom::python
 
@@ -312,4 +355,5 @@ PYBIND11_MODULE(_core, module) {
   bp::add_answers(module);
   bp::add_strip(module);
   bp::add_fillet(module);
+  bp::add_forms(module);
 }

@@ -14,7 +14,9 @@
 #include "core/base/errors.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
+#include "plugin/reports/continuity.h"
 #include "plugin/reports/distance.h"
+#include "plugin/reports/edges.h"
 #include "plugin/reports/info.h"
 #include "plugin/reports/rays.h"
 #include "plugin/reports/section.h"
@@ -175,14 +177,28 @@ Answer check(const SharedModel& model, const Control& control) {
   }));
 }
 
-Answer info(const SharedModel& model, const Control& control) {
+Answer continuity(const SharedModel& model, const ContinuityTolerances& tolerances,
+                  const std::string& require, const Control& control) {
+  return told(interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    model->faces(watch);
+    const reports::Input& input = model->repaired_input(watch);
+    const reports::ContinuityAnswer answer =
+        reports::measured_continuity_of(input, tolerances, require, [&watch] { watch.stop(); });
+    return with_reading(reports::continuity_report(input, answer), {model});
+  }));
+}
+
+Answer info(const SharedModel& model, bool edges, const Control& control) {
   return told(interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
     const reports::Input& input = model->input();
     const auto problems = occt::face_problems(input.faces, input.numbers, checks_of(watch));
     const reports::ModelFacts facts =
         reports::model_facts(input, problems, [&watch] { return watch.ended(); });
-    return with_reading(reports::info_report(input, facts), {model});
+    reports::Json report = reports::info_report(input, facts);
+    if (edges) report["edges"] = reports::edges_json(occt::edge_facts(input.model.shape()));
+    return with_reading(std::move(report), {model});
   }));
 }
 

@@ -132,7 +132,10 @@ def faults(files):
                            ['"core/', f'"adapters/{library}/', "<"])
     for door in ("cli", "draw", "python", "freecad"):
         yield from foreign(files, f"plugin/{door}", (".h", ".cpp"),
-                           ['"core/', '"adapters/', '"plugin/reports/', f'"plugin/{door}/', "<"])
+                           ['"core/', '"adapters/', '"plugin/reports/', '"plugin/nets/',
+                            f'"plugin/{door}/', "<"])
+    yield from foreign(files, "plugin/nets", (".h", ".cpp"),
+                       ['"core/', '"adapters/', '"plugin/reports/', '"plugin/nets/', "<"])
     yield from foreign(files, "plugin/reports", (".h", ".cpp"),
                        ['"core/', '"adapters/', '"plugin/reports/', "<"])
 

@@ -2,7 +2,6 @@
 #include "plugin/cli/commands/check_continuity.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,7 +16,6 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/values.h"
-#include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
 namespace {
@@ -29,77 +27,6 @@ constexpr Vec3 kSharpColour = {0.10, 0.11, 0.13};
 constexpr Vec3 kTangentColour = {0.90, 0.49, 0.08};
 constexpr Vec3 kSmoothColour = {0.13, 0.58, 0.25};
 constexpr Vec3 kOpenColour = {0.82, 0.12, 0.12};
-
-std::vector<occt::EdgeContinuity> measured(const Input& input, const ContinuityCommand& command) {
-  occt::ContinuityOptions options;
-  options.tolerances = command.tolerances;
-  options.tick = [] { stop_if_interrupted(); };
-  if (static_cast<int>(input.numbers.size()) != input.model.face_count())
-    options.faces = input.numbers;
-  return occt::edge_continuity(input.model.shape(), options);
-}
-
-Json figure_json(const LargestFound& found, const std::optional<double>& bound) {
-  return {{"value", found.value},
-          {"bound", bound ? Json(*bound) : Json()},
-          {"parameter", found.parameter},
-          {"point", Json::array({found.point[0], found.point[1], found.point[2]})}};
-}
-
-Json figures_json(const occt::EdgeContinuity& edge) {
-  const MeasuredContinuity& found = *edge.found;
-  const auto bound = [&](double ContinuityBounds::*member) {
-    return edge.bounds ? std::optional<double>((*edge.bounds).*member) : std::nullopt;
-  };
-  Json json = {{"gap", figure_json(found.gap, bound(&ContinuityBounds::gap))}};
-  const bool has_normals = found.singular < found.samples;
-  json["angle"] = has_normals ? figure_json(found.angle, bound(&ContinuityBounds::angle)) : Json();
-  const bool smooth = edge.smoothness >= Smoothness::G1;
-  json["curvature"] =
-      smooth ? figure_json(found.curvature, bound(&ContinuityBounds::curvature)) : Json();
-  json["curvature_difference"] =
-      smooth ? figure_json(found.difference, bound(&ContinuityBounds::difference)) : Json();
-  json["samples"] = found.samples;
-  json["singular_samples"] = found.singular;
-  return json;
-}
-
-Json edge_json(const occt::EdgeContinuity& edge) {
-  Json json = {{"number", edge.number}, {"faces", edge.faces}, {"kind", to_string(edge.kind)}};
-  json["class"] = edge.found ? Json(class_word(edge)) : Json();
-  if (edge.found) {
-    json["proven"] = edge.proven;
-    json.update(figures_json(edge));
-    if (!edge.bounds) json["no_bounds"] = edge.no_bounds;
-  }
-  if (!edge.problem.empty()) json["problem"] = edge.problem;
-  return json;
-}
-
-Json report_of(const Input& input, const ContinuityReport& report) {
-  Json summary, kinds, edges = Json::array();
-  for (const char* word : kClassWords) summary[word] = report.count(word);
-  summary["proven"] = report.proven();
-  summary["unmeasured"] = report.unmeasured().size();
-  for (int k = 0; k <= static_cast<int>(occt::EdgeRole::Inner); ++k) {
-    const auto kind = static_cast<occt::EdgeRole>(k);
-    kinds[to_string(kind)] = report.count(kind);
-  }
-  for (const occt::EdgeContinuity& edge : report.edges) edges.push_back(edge_json(edge));
-  const std::string& require = report.command.require;
-  return {{"schema", "blossom.continuity/1"},
-          {"file", input.name},
-          {"tolerances",
-           {{"gap", report.command.tolerances.gap},
-            {"angle", report.command.tolerances.angle},
-            {"curvature", report.command.tolerances.curvature}}},
-          {"require", require.empty() ? Json() : Json(require)},
-          {"less_than_required", report.failing()},
-          {"summary", std::move(summary)},
-          {"kinds", std::move(kinds)},
-          {"edges", std::move(edges)},
-          {"repairs", Json::array({repairs_json(input)})}};
-}
 
 std::vector<Vec3> line_of(const TopoDS_Edge& edge) {
   Interval range;
@@ -167,11 +94,14 @@ int run_continuity(const std::string& name, const CommonOptions& common,
   check_files(common, {name});
   const Input input = read_input(name);
   stop_if_interrupted();
-  const ContinuityReport report{command, measured(input, command)};
+  const ContinuityReport report{
+      {reports::measured_continuity_of(input, command.tolerances, command.require,
+                                       stop_if_interrupted)},
+      command.table};
   stop_if_interrupted();
   if (!common.picture.empty())
     occt::write_text(picture_png(picture_of(input, report)), common.picture);
-  if (!common.json.empty()) write_json(report_of(input, report), common.json);
+  if (!common.json.empty()) write_json(reports::continuity_report(input, report), common.json);
   print_summary(continuity_text(input.name, report, !common.picture.empty()), common.json);
   return exit_code(kExitComplete, findings_of(!report.failing().empty()), common);
 }

@@ -24,10 +24,6 @@ constexpr std::size_t kNamed = 12;
 /// A turn by more than this is a face that lies on the other or is turned over; 170 degrees.
 constexpr double kFold = 170 * std::numbers::pi / 180;
 
-bool is_measurable(const EdgeContinuity& edge) {
-  return edge.kind == EdgeRole::Shared || edge.kind == EdgeRole::Seam;
-}
-
 bool is_smooth(const EdgeContinuity& edge) {
   return edge.found && edge.smoothness >= Smoothness::G1;
 }
@@ -171,7 +167,7 @@ void add_exceptions(const ContinuityReport& report, std::ostringstream& text) {
   if (unmeasured.size() > kNamed)
     text << "  and " << counted(unmeasured.size() - kNamed, "edge") << " more; --json lists all\n";
   const std::vector<int> failing = report.failing();
-  const std::string& require = report.command.require;
+  const std::string& require = report.require;
   if (!require.empty() && failing.empty())
     text << "  no edge is less than " << require << "\n";
   else if (!failing.empty())
@@ -236,7 +232,7 @@ std::string head_text(const std::string& name, const ContinuityReport& report) {
     text << "  no two faces share an edge: there is nothing to compare\n";
     return text.str();
   }
-  const ContinuityTolerances& within = report.command.tolerances;
+  const ContinuityTolerances& within = report.tolerances;
   text << "  within gap " << short_text(within.gap) << " mm, angle " << angle_text(within.angle)
        << ", curvature " << short_text(100 * within.curvature) << " %; proven for "
        << report.proven() << " of " << all << "\n";
@@ -244,44 +240,6 @@ std::string head_text(const std::string& name, const ContinuityReport& report) {
 }
 
 }  // namespace
-
-const char* class_word(const EdgeContinuity& edge) {
-  return kClassWords[static_cast<std::size_t>(edge.smoothness)];
-}
-
-std::size_t ContinuityReport::count(std::string_view word) const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      edges, [&](const EdgeContinuity& edge) { return edge.found && class_word(edge) == word; }));
-}
-
-std::size_t ContinuityReport::count(EdgeRole kind) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(edges, [&](const EdgeContinuity& edge) { return edge.kind == kind; }));
-}
-
-std::size_t ContinuityReport::proven() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(edges, [](const EdgeContinuity& edge) { return edge.proven; }));
-}
-
-std::vector<const EdgeContinuity*> ContinuityReport::unmeasured() const {
-  std::vector<const EdgeContinuity*> found;
-  for (const EdgeContinuity& edge : edges)
-    if (is_measurable(edge) && !edge.found) found.push_back(&edge);
-  return found;
-}
-
-std::vector<int> ContinuityReport::failing() const {
-  const Smoothness wanted = command.require == "G2"   ? Smoothness::G2
-                            : command.require == "G1" ? Smoothness::G1
-                                                      : Smoothness::G0;
-  std::vector<int> numbers;
-  for (const EdgeContinuity& edge : edges)
-    if (is_measurable(edge) && (!edge.found || edge.smoothness < wanted))
-      numbers.push_back(edge.number);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
-}
 
 std::string continuity_text(const std::string& name, const ContinuityReport& report,
                             bool has_picture) {
@@ -294,7 +252,7 @@ std::string continuity_text(const std::string& name, const ContinuityReport& rep
   add_exceptions(report, text);
   if (has_picture)
     text << "  colours: sharp black, G1 orange, G2 green, apart purple, not compared red\n";
-  if (report.command.table || verbosity() == Verbosity::Verbose)
+  if (report.table || verbosity() == Verbosity::Verbose)
     for (const EdgeContinuity& edge : report.edges) text << table_line(edge);
   return text.str();
 }

@@ -3,37 +3,17 @@
 
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "adapters/occt/blending/continuity.h"
-#include "plugin/cli/commands/check_continuity.h"
+#include "plugin/reports/continuity.h"
 
 namespace blossom::cli {
 
-/// What an edge between faces is called: apart, sharp (G0), G1, G2.
-inline constexpr std::array kClassWords{"apart", "G0", "G1", "G2"};
+using reports::class_word;
+using reports::kClassWords;
 
-/// Of an edge that was measured.
-const char* class_word(const occt::EdgeContinuity& edge);
-
-struct ContinuityReport {
-  const ContinuityCommand& command;
-  std::vector<occt::EdgeContinuity> edges;
-
-  std::size_t count(std::string_view word) const;
-  std::size_t count(occt::EdgeRole kind) const;
-  std::size_t proven() const;
-
-  /// Edges that should have been measured and could not be.
-  std::vector<const occt::EdgeContinuity*> unmeasured() const;
-
-  /// Numbers of edges between faces that are less smooth than required, or not known to be; G0 is
-  /// required where nothing is said.
-  std::vector<int> failing() const;
+struct ContinuityReport : reports::ContinuityAnswer {
+  bool table = false;  ///< wanted, with a line for every edge
 };
 
 /// The summary, and the table if it is asked for.

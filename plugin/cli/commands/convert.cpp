@@ -2,9 +2,6 @@
 // `blossom convert F -o OUT`: between file formats, and to other forms of surfaces.
 
 #include <algorithm>
-#include <chrono>
-#include <iterator>
-#include <map>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -19,21 +16,17 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_input.h"
-#include "plugin/cli/nets/net_json.h"
-#include "plugin/cli/nets/pieces.h"
-#include "plugin/cli/nets/trimmed_nets.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/values.h"
+#include "plugin/nets/conversion.h"
+#include "plugin/nets/net_json.h"
 #include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
 namespace {
 
-enum class Form { AsItIs, Bezier, Monomial, Triangles };
-
-const std::map<std::string, Form> kTargets = {
-    {"bezier", Form::Bezier}, {"monomial", Form::Monomial}, {"triangles", Form::Triangles}};
+using Form = nets::TargetForm;
 
 struct Options {
   std::string input;
@@ -42,64 +35,10 @@ struct Options {
   CommonOptions common;
 };
 
-struct Made {
-  std::vector<Net> nets;  ///< empty if a model was written as it is
-  std::size_t faces = 0;
-  std::size_t trims_left_out = 0;    ///< faces that lost their trims
-  std::vector<TrimmedNets> trimmed;  ///< faces whose trims were to be followed, without their nets
-  Json repairs = Json::array();      ///< of a model
-  double seconds = 0;
+// What was made, and what was repaired for it.
+struct Made : nets::Conversion {
+  Json repairs = Json::array();
 };
-
-std::vector<Net> converted(const std::vector<Net>& nets, Form form) {
-  std::vector<Net> result;
-  for (const Net& net : nets) {
-    stop_if_interrupted();
-    switch (form) {
-      case Form::AsItIs: result.push_back(net); break;
-      case Form::Bezier: result.push_back(bezier_net(net)); break;
-      case Form::Monomial: result.push_back(monomial_net(net)); break;
-      case Form::Triangles:
-        for (Net& triangle : triangle_nets(net)) result.push_back(std::move(triangle));
-        break;
-    }
-  }
-  return result;
-}
-
-// As Bezier patches, a triangle too: one of its sides is a point.
-std::vector<Net> patches_of(const std::vector<Net>& nets) {
-  std::vector<Net> result;
-  for (const Net& net : nets) result.push_back(is_triangle(net) ? collapsed_net(net) : net);
-  return result;
-}
-
-void append(std::vector<Net>& all, std::vector<Net> more) {
-  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
-// Face by face: what its trims leave, or all of its surface if it has none or they cannot be
-// followed.
-void convert_faces(const NetInput& input, Form form, double tolerance, Made& made) {
-  const Input& model = *input.model;
-  TriangleLowering lowering;
-  for (std::size_t i = 0; i < model.faces.size(); ++i) {
-    const int number = model.numbers[i];
-    std::vector<Net> whole;
-    for (const Net& net : input.nets)
-      if (net.source.face == number) whole.push_back(net);
-    TrimmedNets trimmed;
-    if (is_trimmed(model.faces[i]) && !whole.empty()) {
-      trimmed = trimmed_nets(model.faces[i], whole.front().source, tolerance, lowering);
-      if (!trimmed.obstacle.empty()) ++made.trims_left_out;
-    }
-    const std::vector<Net>& nets = trimmed.nets.empty() ? whole : trimmed.nets;
-    append(made.nets, form == Form::Bezier && !trimmed.nets.empty() ? patches_of(nets)
-                                                                    : converted(nets, form));
-    trimmed.nets.clear();
-    if (trimmed.face > 0) made.trimmed.push_back(std::move(trimmed));
-  }
-}
 
 Made write_as_it_is(const Options& options) {
   Input input = read_input(options.input, Faces::Optional);
@@ -116,57 +55,21 @@ Made write_as_it_is(const Options& options) {
 Made write_converted(const Options& options, Form form) {
   NetInput input = read_net_input(options.input, Take::Faces);
   Made made;
-  const bool follows_trims = input.model && (form == Form::Bezier || form == Form::Triangles);
-  const auto start = std::chrono::steady_clock::now();
-  if (follows_trims)
-    convert_faces(input, form, options.tolerance, made);
-  else
-    made.nets = converted(input.nets, form);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  made.seconds = took.count();
   if (input.model) {
+    static_cast<nets::Conversion&>(made) = nets::converted_faces(
+        *input.model, input.nets, form, options.tolerance, stop_if_interrupted);
     made.repairs.push_back(repairs_json(*input.model));
-    made.faces = input.model->faces.size();
-    if (!follows_trims)
-      made.trims_left_out =
-          static_cast<std::size_t>(std::ranges::count_if(input.model->faces, is_trimmed));
+  } else {
+    static_cast<nets::Conversion&>(made) = nets::converted(input.nets, form, stop_if_interrupted);
   }
   stop_if_interrupted();
   write_nets(input, made.nets, options.common.output);
   return made;
 }
 
-double largest_error(const Made& made) {
-  double error = 0;
-  for (const Net& net : made.nets) error = std::max(error, net.source.error);
-  return error;
-}
-
-Json trimmed_json(const std::vector<TrimmedNets>& faces) {
-  Json list = Json::array();
-  for (const TrimmedNets& face : faces) {
-    Json json = {{"face", face.face},
-                 {"exact", face.exact},
-                 {"fitted", face.fitted},
-                 {"border_error", face.border_error}};
-    if (!face.obstacle.empty()) json["obstacle"] = face.obstacle;
-    list.push_back(std::move(json));
-  }
-  return list;
-}
-
 Json report_of(const Options& options, const Made& made) {
-  return {{"schema", "blossom.conversion/1"},
-          {"file", options.input},
-          {"output", options.common.output},
-          {"to", options.to.empty() ? Json(nullptr) : Json(options.to)},
-          {"faces", made.faces},
-          {"nets", made.nets.size()},
-          {"trims_left_out", made.trims_left_out},
-          {"trimmed", trimmed_json(made.trimmed)},
-          {"error", largest_error(made)},
-          {"seconds", made.seconds},
-          {"repairs", made.repairs}};
+  return nets::conversion_report(options.input, options.common.output, options.to, made,
+                                 made.repairs);
 }
 
 std::string summary(const Options& options, const Made& made) {
@@ -177,9 +80,9 @@ std::string summary(const Options& options, const Made& made) {
   if (!made.nets.empty()) text << counted(made.nets.size(), "net");
   if (made.trims_left_out > 0)
     text << ", the trims of " << counted(made.trims_left_out, "face") << " left out";
-  if (largest_error(made) > 0) text << ", within " << largest_error(made);
+  if (made.largest_error() > 0) text << ", within " << made.largest_error();
   text << "\n";
-  for (const TrimmedNets& face : made.trimmed) {
+  for (const nets::TrimmedNets& face : made.trimmed) {
     text << "  face " << face.face << ": ";
     if (!face.obstacle.empty())
       text << "its trims are left out: " << face.obstacle;
@@ -193,12 +96,12 @@ std::string summary(const Options& options, const Made& made) {
 
 int run(const Options& options) {
   check_files(options.common, {options.input}, Outputs::ModelsAndNets);
-  const bool to_nets = is_net_file(options.common.output);
-  const Form form = options.to.empty() ? Form::AsItIs : kTargets.at(options.to);
+  const bool to_nets = nets::is_net_file(options.common.output);
+  const Form form = nets::target_form(options.to).value_or(Form::AsItIs);
   if (form == Form::Monomial && !to_nets)
     throw UsageError(options.common.output +
                      ": models have no monomial form; --to monomial writes .json");
-  const bool from_nets = is_net_file(parse_input(options.input).file);
+  const bool from_nets = nets::is_net_file(parse_input(options.input).file);
   const Made made = form == Form::AsItIs && !from_nets && !to_nets ? write_as_it_is(options)
                                                                    : write_converted(options, form);
   if (!options.common.json.empty()) write_json(report_of(options, made), options.common.json);

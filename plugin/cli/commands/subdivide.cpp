@@ -2,11 +2,11 @@
 // `blossom subdivide F`: sub-curves, sub-patches and sub-triangles by blossoms.
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <TopoDS.hxx>
@@ -16,20 +16,16 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_input.h"
-#include "plugin/cli/nets/net_json.h"
-#include "plugin/cli/nets/net_shapes.h"
-#include "plugin/cli/nets/pieces.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/values.h"
+#include "plugin/nets/net_shapes.h"
+#include "plugin/nets/subdivision.h"
 #include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
 namespace {
-
-// So many pieces need some gigabytes.
-constexpr double kMaxPieces = 1 << 20;
 
 struct Options {
   std::string input;
@@ -42,9 +38,10 @@ struct Options {
   CommonOptions common;
 };
 
-Cut cut_of(const Options& options) {
-  Cut cut;
+nets::Cut cut_of(const Options& options) {
+  nets::Cut cut;
   cut.levels = options.levels;
+  cut.stop = stop_if_interrupted;
   if (const auto& i = options.interval; !i.empty()) cut.interval = Interval{i[0], i[1]};
   if (const auto& r = options.rectangle; !r.empty())
     cut.rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
@@ -54,65 +51,16 @@ Cut cut_of(const Options& options) {
   return cut;
 }
 
-struct Timed {
-  std::vector<Net> pieces;
-  double seconds = 0;
-};
+Json report_of(const NetInput& input, const nets::Subdivision& made) {
+  Json repairs = Json::array();
+  if (input.model) repairs.push_back(repairs_json(*input.model));
+  return nets::subdivision_report(made, std::move(repairs));
+}
 
-std::string box_of(const std::vector<Net>& nets) {
+std::string summary(const NetInput& input, const nets::Subdivision& made) {
   std::ostringstream text;
-  Interval u = nets.front().u, v = nets.front().v;
-  for (const Net& net : nets) {
-    u = {std::min(u.from, net.u.from), std::max(u.to, net.u.to)};
-    v = {std::min(v.from, net.v.from), std::max(v.to, net.v.to)};
-  }
-  text << "[" << u.from << ", " << u.to << "]";
-  if (!is_curve(nets.front())) text << " x [" << v.from << ", " << v.to << "]";
-  return text.str();
-}
-
-Timed timed_pieces(const NetInput& input, const Cut& cut) {
-  double count = 0;
-  for (const Net& net : input.nets) count += piece_count(net, cut);
-  if (count > kMaxPieces)
-    throw UsageError(input.name + ": these would be more than a million pieces; fewer --levels");
-  const auto start = std::chrono::steady_clock::now();
-  Timed timed;
-  for (const Net& net : input.nets)
-    for (Net& piece : pieces(net, cut)) timed.pieces.push_back(std::move(piece));
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  timed.seconds = took.count();
-  if (timed.pieces.empty())
-    throw occt::BadModel(input.name + ": what is to be cut out lies outside of the parameters " +
-                         box_of(input.nets));
-  return timed;
-}
-
-Json list_or_null(const std::vector<double>& values) {
-  return values.empty() ? Json(nullptr) : Json(values);
-}
-
-Json report_of(const NetInput& input, const Options& options, const Timed& timed) {
-  Json json = {{"schema", "blossom.subdivision/1"},
-               {"file", input.name},
-               {"interval", list_or_null(options.interval)},
-               {"rectangle", list_or_null(options.rectangle)},
-               {"triangle", list_or_null(options.triangle)},
-               {"levels", options.levels},
-               {"q", list_or_null(options.q)},
-               {"seconds", timed.seconds},
-               {"pieces", timed.pieces.size()},
-               {"nets", Json::array()},
-               {"repairs", Json::array()}};
-  if (input.model) json["repairs"].push_back(repairs_json(*input.model));
-  for (const Net& piece : timed.pieces) json["nets"].push_back(to_json(piece));
-  return json;
-}
-
-std::string summary(const NetInput& input, const Timed& timed) {
-  std::ostringstream text;
-  text << input.name << ": " << counted(timed.pieces.size(), "piece") << " of "
-       << counted(input.nets.size(), "net") << ", " << timed.seconds << " s\n";
+  text << input.name << ": " << counted(made.pieces.size(), "piece") << " of "
+       << counted(input.nets.size(), "net") << ", " << made.seconds << " s\n";
   return text.str();
 }
 
@@ -123,33 +71,33 @@ std::string picture_of(const std::vector<Net>& made) {
   picture.groups = {{{}, kFirstColour}, {{}, kSecondColour}};
   for (std::size_t i = 0; i < made.size(); ++i) {
     stop_if_interrupted();
-    if (!is_curve(made[i])) picture.groups[i % 2].faces.push_back(TopoDS::Face(net_shape(made[i])));
+    if (!is_curve(made[i]))
+      picture.groups[i % 2].faces.push_back(TopoDS::Face(nets::net_shape(made[i])));
     if (made.size() > kFew && !is_curve(made[i])) continue;
-    for (auto& line : net_lines(made[i])) picture.curves.push_back(std::move(line));
+    for (auto& line : nets::net_lines(made[i])) picture.curves.push_back(std::move(line));
   }
   return picture_png(picture);
 }
 
-void write_outputs(NetInput& input, const Options& options, const Timed& timed) {
+void write_outputs(NetInput& input, const Options& options, const nets::Subdivision& made) {
   std::string png;
-  if (!options.common.picture.empty()) png = picture_of(timed.pieces);
-  if (!options.common.output.empty()) write_nets(input, timed.pieces, options.common.output);
+  if (!options.common.picture.empty()) png = picture_of(made.pieces);
+  if (!options.common.output.empty()) write_nets(input, made.pieces, options.common.output);
   if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);
-  if (!options.common.json.empty())
-    write_json(report_of(input, options, timed), options.common.json);
-  print_summary(summary(input, timed), options.common.json);
+  if (!options.common.json.empty()) write_json(report_of(input, made), options.common.json);
+  print_summary(summary(input, made), options.common.json);
 }
 
 int run(const Options& options) {
   if (options.whole)
     return run_whole({options.input, options.interval, options.rectangle, options.common});
   check_files(options.common, {options.input}, Outputs::ModelsAndNets);
-  const Cut cut = cut_of(options);
+  const nets::Cut cut = cut_of(options);
   NetInput input =
       read_net_input(options.input, options.interval.empty() ? Take::Faces : Take::Edges);
-  const Timed timed = timed_pieces(input, cut);
+  const nets::Subdivision made = nets::subdivided(input.name, input.nets, cut);
   stop_if_interrupted();
-  write_outputs(input, options, timed);
+  write_outputs(input, options, made);
   return kExitComplete;
 }
 

@@ -19,7 +19,6 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
@@ -29,6 +28,7 @@
 #include "plugin/cli/values.h"
 #include "plugin/cli/vectors.h"
 #include "plugin/cli/watertight_output.h"
+#include "plugin/nets/net_json.h"
 #include "plugin/reports/trim.h"
 
 namespace blossom::cli {
@@ -77,7 +77,7 @@ Timed timed_trim(const Inputs& inputs, const Options& options) {
   occt::TrimOptions wanted = trim_options(options.keep);
   wanted.intersection = intersection_options(options.engine, progress);
   const std::string& output = options.common.output;
-  if (!output.empty() && (is_net_file(output) || !occt::keeps_internal_edges(output)))
+  if (!output.empty() && (nets::is_net_file(output) || !occt::keeps_internal_edges(output)))
     wanted.open_cuts = occt::OpenCuts::LeaveOut;
   const std::vector<occt::PartFace> part = reports::part_faces(inputs.part);
   std::vector<occt::TrimTool> tools;
@@ -177,8 +177,9 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   if (watertight) text += summary_of(*watertight);
   stop_if_interrupted();
 
-  if (write && is_net_file(options.common.output))
-    write_plain_json(nets_json(nets_of(*watertight, inputs.part.name)), options.common.output);
+  if (write && nets::is_net_file(options.common.output))
+    write_plain_json(nets::nets_json(nets_of(*watertight, inputs.part.name)),
+                     options.common.output);
   else if (write)
     write_model(inputs.part.model, options.common.output);
   if (unwritten) tell_unwritten(options.common.output, reason);

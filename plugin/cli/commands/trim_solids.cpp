@@ -21,8 +21,6 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/nets/net_input.h"
-#include "plugin/cli/nets/net_json.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
@@ -31,6 +29,7 @@
 #include "plugin/cli/values.h"
 #include "plugin/cli/verbosity.h"
 #include "plugin/cli/watertight_output.h"
+#include "plugin/nets/net_json.h"
 #include "plugin/reports/repairs.h"
 #include "plugin/reports/solids.h"
 #include "plugin/reports/trim.h"
@@ -253,8 +252,8 @@ int trim_solids(const SolidTrim& options) {
   timed.repairs = repairs;
   const std::string png =
       reason.empty() && !outputs.picture.empty() ? picture_of(timed.made.solids) : std::string();
-  if (write && is_net_file(outputs.output)) {
-    write_plain_json(nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
+  if (write && nets::is_net_file(outputs.output)) {
+    write_plain_json(nets::nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
   } else if (write) {
     replace_solids(part, timed.made, tools, outputs.output);
     write_model(part, outputs.output);

@@ -4,21 +4,16 @@
 #include <algorithm>
 #include <map>
 
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/nets/net_json.h"
-#include "plugin/cli/nets/net_shapes.h"
+#include "plugin/cli/output.h"
+#include "plugin/nets/net_json.h"
+#include "plugin/nets/net_models.h"
 
 namespace blossom::cli {
 namespace {
-
-void append(std::vector<Net>& all, std::vector<Net> more) {
-  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
 
 std::vector<Net> chosen(std::vector<Net> nets, const InputName& name) {
   if (!name.words.empty())
@@ -39,85 +34,29 @@ std::vector<Net> chosen(std::vector<Net> nets, const InputName& name) {
   return nets;
 }
 
-std::vector<Net> nets_of_faces(const Input& input) {
-  const std::vector<std::string> names = input.model.face_names();
-  std::vector<Net> nets;
-  for (std::size_t i = 0; i < input.faces.size(); ++i) {
-    stop_if_interrupted();
-    NetSource source;
-    source.file = input.model.file().string();
-    source.face = input.numbers[i];
-    source.name = names[static_cast<std::size_t>(source.face - 1)];
-    append(nets, face_nets(input.faces[i], source));
-  }
-  return nets;
-}
-
-// Edges have the numbers of the whole model, whichever faces were chosen.
-std::vector<Net> nets_of_edges(const Input& input, bool all) {
-  TopTools_IndexedMapOfShape numbered, wanted;
-  TopExp::MapShapes(input.model.shape(), TopAbs_EDGE, numbered);
-  for (const TopoDS_Face& face : input.faces) TopExp::MapShapes(face, TopAbs_EDGE, wanted);
-  for (const int number : input.edges) wanted.Add(numbered(number));
-  std::vector<Net> nets;
-  for (int number = 1; number <= numbered.Extent(); ++number) {
-    if (!all && !wanted.Contains(numbered(number))) continue;
-    stop_if_interrupted();
-    NetSource source;
-    source.file = input.model.file().string();
-    source.edge = number;
-    append(nets, edge_nets(TopoDS::Edge(numbered(number)), source));
-  }
-  if (nets.empty())
-    throw occt::BadModel(input.model.file().string() + ": there is no edge with a curve in it");
-  return nets;
-}
-
-void write_parts(std::span<const Net> nets, const std::string& file) {
-  occt::Model model;
-  std::map<std::string, int> counts;
-  for (const Net& net : nets) ++counts[name_of(net.source)];
-  std::map<std::string, int> numbers;
-  for (const Net& net : nets) {
-    std::string name = name_of(net.source);
-    const int number = ++numbers[name];
-    if (counts[name] > 1) name += "." + std::to_string(number);
-    model.add(net_shape(net), name);
-  }
-  write_model(model, file);
-}
-
-// The face of a net, oriented as the face that it comes from.
-TopoDS_Face oriented_face(const Net& net, const occt::Model& model) {
-  return TopoDS::Face(net_shape(net).Oriented(model.face(net.source.face).Orientation()));
-}
-
 }  // namespace
 
 NetInput read_net_input(const std::string& text, Take take) {
   const InputName name = parse_input(text);
   NetInput input{text, {}, {}};
-  if (is_net_file(name.file)) {
-    input.nets = chosen(read_nets(name.file), name);
+  if (nets::is_net_file(name.file)) {
+    input.nets = chosen(nets::read_nets(name.file), name);
     return input;
   }
   const bool edges = take == Take::Edges;
   input.model.emplace(read_input(text, edges ? Faces::Optional : Faces::Required));
-  input.nets = edges ? nets_of_edges(*input.model, name.is_whole()) : nets_of_faces(*input.model);
+  input.nets = edges ? nets::nets_of_edges(*input.model, name.is_whole(), stop_if_interrupted)
+                     : nets::nets_of_faces(*input.model, stop_if_interrupted);
   return input;
 }
 
 void write_nets(NetInput& input, std::span<const Net> nets, const std::string& file) {
-  if (is_net_file(file)) return write_plain_json(nets_json(nets), file);
+  if (nets::is_net_file(file)) return write_plain_json(nets::nets_json(nets), file);
   const bool of_faces = input.model && !nets.empty() && nets.front().source.face > 0;
-  if (!of_faces) return write_parts(nets, file);
-  occt::Model& model = input.model->model;
-  std::map<int, std::vector<TopoDS_Face>> faces;
-  for (int number = 1; number <= model.face_count(); ++number) faces[number];
-  for (const Net& net : nets) faces[net.source.face].push_back(oriented_face(net, model));
+  if (!of_faces) return write_model(nets::model_of_nets(nets), file);
   stop_if_interrupted();
-  model.replace_faces(faces);
-  write_model(model, file);
+  nets::put_nets(input.model->model, nets);
+  write_model(input.model->model, file);
 }
 
 void drop_other_faces(Input& input) {

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "plugin/cli/inputs.h"
-#include "plugin/cli/nets/net.h"
+#include "plugin/nets/net.h"
 
 namespace blossom::cli {
+
+using nets::Net;
 
 struct NetInput {
   std::string name;            ///< as the user wrote it

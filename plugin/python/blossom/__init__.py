@@ -36,8 +36,9 @@ ValueErrors, failures of Open CASCADE `blossom.Error`. Ctrl-C ends all work.
 from typing import Any, Dict, Optional, Union
 
 from . import _checks, _core
-from ._bodies import Fillet, Solid, Strip, Trim, Watertight
+from ._bodies import Fill, Fillet, Solid, Strip, Trim, Watertight
 from ._core import Cancel, Cancelled, Error, __version__
+from ._forms import Conversion, Net, Subdivision
 from ._intersections import (
     Chain,
     Contact,
@@ -50,6 +51,7 @@ from ._intersections import (
 from ._model import FileName, Model, model_of
 from ._queries import (
     Check,
+    Continuity,
     Distance,
     FootPoints,
     Hit,
@@ -67,16 +69,20 @@ __all__ = [
     "Cancelled",
     "Chain",
     "Check",
+    "Continuity",
+    "Conversion",
     "Contact",
     "Curve",
     "Distance",
     "Error",
+    "Fill",
     "Fillet",
     "FootPoints",
     "Hit",
     "Intersection",
     "Meeting",
     "Model",
+    "Net",
     "Overlap",
     "Place",
     "RayHits",
@@ -86,16 +92,19 @@ __all__ = [
     "SelfIntersection",
     "Solid",
     "Strip",
+    "Subdivision",
     "Trim",
     "Watertight",
     "Wire",
     "__version__",
     "blend_strip",
     "check",
+    "continuity",
     "convert",
     "curve",
     "distance",
     "does_intersect",
+    "fill",
     "fillet",
     "foot_points",
     "info",
@@ -106,6 +115,7 @@ __all__ = [
     "self_intersect",
     "shape",
     "solid",
+    "subdivide",
     "surface",
     "trim",
     "watertight",
@@ -159,15 +169,36 @@ def write(shape: Any, path: FileName, **options: Any) -> None:
     model_of(shape, "shape").write(path, **options)
 
 
-def convert(source: FileName, target: FileName, **options: Any) -> None:
-    """Reads one file and writes another; names, colours and assembly are kept where both have
-    them."""
-    read(source, **options).write(target, **options)
+def convert(source: Any, target: Optional[FileName] = None, *, to: Optional[str] = None,
+            **options: Any) -> Optional[Conversion]:
+    """A shape in another form, a file in another format, or both.
+
+    target   the file to write: .step, .iges or .brep; names, colours and assembly are kept where
+             both have them
+    to       "bezier", "monomial" or "triangles"; see `Model.convert`. None keeps the forms
+    """  # fmt: skip
+    if target is None and to is None:
+        raise ValueError("convert needs a target, or a form to convert to")
+    model = model_of(source, "source")
+    made = None if to is None else model.convert(to, **options)
+    if target is not None:
+        (model if made is None else made).write(target, **options)
+    return made
 
 
-def info(shape: Any, **options: Any) -> Dict[str, Any]:
+def subdivide(shape: Any, rectangle: Any = None, **options: Any) -> Subdivision:
+    """Sub-patches of faces, sub-curves of edges; see `Model.subdivide`."""
+    return model_of(shape, "shape").subdivide(rectangle, **options)
+
+
+def info(shape: Any, edges: bool = False, **options: Any) -> Dict[str, Any]:
     """What a model is made of, as `blossom info` reports it."""
-    return model_of(shape, "shape").info(**options)
+    return model_of(shape, "shape").info(edges, **options)
+
+
+def continuity(shape: Any, **options: Any) -> Continuity:
+    """How smoothly faces meet along every edge; see `Model.continuity`."""
+    return model_of(shape, "shape").continuity(**options)
 
 
 def check(shape: Any, **options: Any) -> Check:
@@ -232,6 +263,11 @@ def fillet(
 ) -> Fillet:
     """Edges of solids rounded by a rolling ball; see `Model.fillet`."""
     return model_of(shape, "shape").fillet(edges, radius=radius, between=between, **options)
+
+
+def fill(shape: Any, edges: Any = (), **options: Any) -> Fill:
+    """Patches in holes that continue their neighbours; see `Model.fill`."""
+    return model_of(shape, "shape").fill(edges, **options)
 
 
 def watertight(shape: Any, **options: Any) -> Watertight:

@@ -95,6 +95,34 @@ class Fillet(Result):
         return f"{told}, {len(self.refused)} refused" if self.refused else told
 
 
+class Fill(Result):
+    """Patches in holes; a list of what was filled, each with `edges`, `layout`, `patches`,
+    `reached` and figures of how it meets its neighbours. Its shape is the patches, or the model
+    with them."""
+
+    @property
+    def holes(self) -> List[Dict[str, Any]]:
+        return list(self._told()["holes"])
+
+    @property
+    def refused(self) -> List[Dict[str, Any]]:
+        """Holes that stay: `edges`, `reason` and `message`."""
+        return list(self._told()["refused"])
+
+    @property
+    def status(self) -> str:
+        """ "complete", or "stopped" if a hole stays."""
+        return "stopped" if self.refused else "complete"
+
+    def _items(self) -> List[Any]:
+        return self.holes
+
+    def _summary(self) -> str:
+        patches = sum(hole["patches"] for hole in self.holes)
+        told = f"{counted(len(self), 'hole')} filled with {patches} patches"
+        return f"{told}, {len(self.refused)} refused" if self.refused else told
+
+
 class Watertight(Result):
     """Untrimmed pieces with common sides; a list of them, each with `face`, `kind` ("patch" or
     "triangle"), `degree` and `points`, (n + 1, m + 1, 3) or the rows of a triangle, (k, 3)."""

@@ -12,6 +12,9 @@ from . import _core
 Triple = Tuple[float, float, float]
 
 FORMS = ("auto", "bezier", "monomial")
+SMOOTHNESS = ("G0", "G1", "G2")
+LAYOUTS = ("auto", "star", "ring", "deep-ring")
+TARGETS = ("bezier", "monomial", "triangles")
 EDGE_WORDS = ("all", "convex", "concave")
 SIDES = ("umax", "umin", "vmax", "vmin")
 
@@ -123,7 +126,8 @@ def planes(value: Any, name: str) -> List[Tuple[Triple, Triple]]:
     return [(vector(p, f"{name}, point"), vector(n, f"{name}, normal")) for p, n in listed]
 
 
-def _numbers(value: Any, name: str, noun: str) -> List[int]:
+def numbers_of(value: Any, name: str, noun: str) -> List[int]:
+    """Numbers of faces or edges, each once, in increasing order."""
     try:
         listed = [whole(each, name, 1) for each in value]
     except TypeError as error:
@@ -133,9 +137,44 @@ def _numbers(value: Any, name: str, noun: str) -> List[int]:
     return sorted(set(listed))
 
 
+def smoothness(value: Any, name: str, edges: int) -> List[str]:
+    """One word for all edges, or one for each."""
+    words = [value] if isinstance(value, str) else list(value)
+    made = [word(each, name, SMOOTHNESS) for each in words]
+    if len(made) != 1 and len(made) != edges:
+        raise ValueError(f"{name}: one word, or one for each edge is wanted, got {len(made)}")
+    return made
+
+
+def number_list(value: Any, name: str, count: int) -> List[float]:
+    """So many finite numbers; none if there is no value."""
+    if value is None:
+        return []
+    try:
+        parts = list(value)
+    except TypeError:
+        raise TypeError(f"{name}: {count} numbers are wanted, got {kind(value)}") from None
+    if len(parts) != count:
+        raise ValueError(f"{name}: {count} numbers are wanted, got {len(parts)}")
+    return [number(part, name) for part in parts]
+
+
+def corners(value: Any, name: str) -> List[float]:
+    """Three pairs as six numbers; none if there is no value."""
+    if value is None:
+        return []
+    try:
+        pairs = [list(pair) for pair in value]
+    except TypeError:
+        raise TypeError(f"{name}: three pairs (u, v) are wanted, got {kind(value)}") from None
+    if len(pairs) != 3:
+        raise ValueError(f"{name}: three pairs (u, v) are wanted, got {len(pairs)}")
+    return [part for pair in pairs for part in number_list(pair, name, 2)]
+
+
 def face_numbers(value: Any, name: str) -> List[int]:
     """One or more numbers of faces, each once, in increasing order."""
-    listed = _numbers(value, name, "face")
+    listed = numbers_of(value, name, "face")
     if not listed:
         raise ValueError(f"{name}: there is no face number in it")
     return listed
@@ -143,7 +182,7 @@ def face_numbers(value: Any, name: str) -> List[int]:
 
 def face_pair(value: Any, name: str) -> Tuple[int, int]:
     """Two numbers of faces."""
-    listed = _numbers(value, name, "face")
+    listed = numbers_of(value, name, "face")
     if len(listed) != 2:
         raise ValueError(f"{name}: two different face numbers are wanted, got {len(listed)}")
     return (listed[0], listed[1])
@@ -153,7 +192,7 @@ def edges(value: Any, name: str) -> Tuple[List[int], str]:
     """Numbers of edges, or a word for them; what is not meant is empty."""
     if isinstance(value, str):
         return [], word(value, name, EDGE_WORDS)
-    return _numbers(value, name, "edge"), ""
+    return numbers_of(value, name, "edge"), ""
 
 
 _KNOWN_OPTIONS = ("tolerance", "form", "time_limit", "budget", "threads", "cancel", "progress")

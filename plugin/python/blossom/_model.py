@@ -5,9 +5,10 @@ import os
 from typing import Any, Dict, Iterator, List, Optional, Union
 
 from . import _checks, _core, _results, _shapes
-from ._bodies import Fillet, Solid, Trim, Watertight
+from ._bodies import Fill, Fillet, Solid, Trim, Watertight
+from ._forms import Conversion, Subdivision
 from ._intersections import Intersection, SelfIntersection
-from ._queries import Check, Distance, FootPoints, Meeting, RayHits, Section
+from ._queries import Check, Continuity, Distance, FootPoints, Meeting, RayHits, Section
 
 FileName = Union[str, "os.PathLike[str]"]
 
@@ -101,9 +102,36 @@ class Model(_results.MadeShape):
         name = f"{self.name}#{','.join(map(str, listed))}"
         return Model(self._core.part(listed, name))
 
-    def info(self, **options: Any) -> Dict[str, Any]:
-        """What the model is made of, as `blossom info` reports it."""
-        return _core.info(self._core, _checks.control(options)).report()
+    def info(self, edges: bool = False, **options: Any) -> Dict[str, Any]:
+        """What the model is made of, as `blossom info` reports it; with all its edges, too."""
+        listed = _checks.flag(edges, "edges")
+        return _core.info(self._core, listed, _checks.control(options)).report()
+
+    def continuity(
+        self,
+        gap: float = 1e-3,
+        angle: float = 1e-3,
+        curvature: float = 1e-2,
+        require: Optional[str] = None,
+        **options: Any,
+    ) -> Continuity:
+        """How smoothly faces meet along every edge.
+
+        gap        faces less apart meet (G0), model units
+        angle      normals less turned are one (G1), radians
+        curvature  curvatures that differ by less, relative to the larger, are one (G2)
+        require    "G0", "G1" or "G2": what is less smooth is `failing`; G0 if None
+        """
+        return Continuity(
+            _core.continuity(
+                self._core,
+                _checks.positive(gap, "gap"),
+                _checks.positive(angle, "angle"),
+                _checks.positive(curvature, "curvature"),
+                "" if require is None else _checks.word(require, "require", _checks.SMOOTHNESS),
+                _checks.control(options),
+            )
+        )
 
     def check(self, **options: Any) -> Check:
         """What is wrong with it, with gaps measured beside stated tolerances."""
@@ -234,6 +262,82 @@ class Model(_results.MadeShape):
                 _checks.control(options),
             )
         )
+
+    def fill(
+        self,
+        edges: Any = (),
+        *,
+        continuity: Any = "G1",
+        layout: str = "auto",
+        angle: float = 1e-6,
+        sew: bool = False,
+        **options: Any,
+    ) -> Fill:
+        """Patches in holes of 3 to 12 sides that continue their neighbours.
+
+        edges       round the holes, by number and in any order; all open ones if none is given
+        continuity  "G0", "G1" or "G2": one for all edges, or one for each
+        layout      "auto", "star", "ring" or "deep-ring"
+        angle       between normals that counts as smooth, radians
+        sew         the shape is the model with the patches, not the patches alone
+        """
+        numbers = _checks.numbers_of(edges, "edges", "edge")
+        words = _checks.smoothness(continuity, "continuity", len(numbers))
+        return Fill(
+            _core.fill(
+                self._core,
+                numbers,
+                words,
+                _checks.word(layout, "layout", _checks.LAYOUTS),
+                _checks.positive(angle, "angle"),
+                _checks.flag(sew, "sew"),
+                _checks.control(options),
+            )
+        )
+
+    def subdivide(
+        self,
+        rectangle: Any = None,
+        *,
+        interval: Any = None,
+        triangle: Any = None,
+        levels: int = 0,
+        q: Any = None,
+        **options: Any,
+    ) -> Subdivision:
+        """Sub-patches of the faces, or sub-curves of the edges, by blossoms.
+
+        rectangle  (u0, u1, v0, v1): this part of faces
+        interval   (a, b): this part of edges
+        triangle   three pairs (u, v): the triangular patch over them
+        levels     halve so often in each direction
+        q          (q1, q2): pieces by their (q1, q2)-Bezier points
+
+        Without a place all of it: of the faces, or of the edges if there is no face.
+        """
+        places = [interval, rectangle, triangle]
+        if sum(place is not None for place in places) > 1:
+            raise ValueError("one of rectangle, interval and triangle is wanted, not several")
+        return Subdivision(
+            _core.subdivide(
+                self._core,
+                _checks.number_list(interval, "interval", 2),
+                _checks.number_list(rectangle, "rectangle", 4),
+                _checks.corners(triangle, "triangle"),
+                _checks.number_list(q, "q", 2),
+                _checks.whole(levels, "levels", 0),
+                _checks.control(options),
+            )
+        )
+
+    def convert(self, to: str, **options: Any) -> Conversion:
+        """The faces in another form.
+
+        to   "bezier" and "triangles" follow the trims, within `tolerance`; "monomial" leaves them
+             out, and has no shape
+        """
+        wanted = _checks.word(to, "to", _checks.TARGETS)
+        return Conversion(_core.convert(self._core, wanted, _checks.control(options)))
 
     def watertight(self, **options: Any) -> Watertight:
         """The faces as untrimmed patches and triangles that meet without gaps."""

@@ -224,6 +224,41 @@ class FootPoints(Result):
         return f"{self.status}, distance {self.distance:g}, {counted(len(self.feet), 'foot point')}"
 
 
+class Continuity(Result):
+    """How smoothly faces meet; a list of edges, each with `number`, `faces`, `kind`, `class`
+    ("apart", "G0", "G1", "G2"; None of an open one), and figures with their bounds."""
+
+    @property
+    def edges(self) -> List[Dict[str, Any]]:
+        return list(self._told()["edges"])
+
+    @property
+    def counts(self) -> Dict[str, int]:
+        """Of each class, `proven` ones, and those that could not be measured."""
+        return dict(self._told()["summary"])
+
+    @property
+    def failing(self) -> List[int]:
+        """Edges that are less smooth than required, or not known to be."""
+        return list(self._told()["less_than_required"])
+
+    @property
+    def status(self) -> str:
+        return "complete" if self.counts["unmeasured"] == 0 else "stopped"
+
+    @property
+    def seconds(self) -> float:
+        raise AttributeError("continuity tells no time")
+
+    def _items(self) -> List[Any]:
+        return self.edges
+
+    def _summary(self) -> str:
+        counts = self.counts
+        classes = [f"{counts[word]} {word}" for word in ("apart", "G0", "G1", "G2") if counts[word]]
+        return f"{counted(len(self), 'edge')}: {', '.join(classes) or 'none between faces'}"
+
+
 class Check(Result):
     """What is wrong with a model; a list of problems."""
 

@@ -33,7 +33,8 @@ class Fillets(unittest.TestCase):
         self.assertEqual(len(one), 1)
 
     def test_the_report_is_that_of_the_command_line(self):
-        told = support.told_by_program("blend", "fillet", FILES / "block.step", "--edge", 1, "--radius", 2)
+        options = ("--edge", 1, "--radius", 2)
+        told = support.told_by_program("blend", "fillet", FILES / "block.step", *options)
         mine = BLOCK.fillet([1], radius=2).to_dict()
 
         self.assertEqual(support.without_times(mine), support.without_times(told))

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,7 +17,7 @@
 #include "core/papers/q_curve.h"
 #include "core/papers/q_patch.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 
 using QCurve = QBezierCurveOf<Vec4>;
 using QPatch = QBezierPatchOf<Vec4>;
@@ -61,6 +62,13 @@ inline bool is_curve(const Net& net) {
 }
 inline bool is_triangle(const Net& net) { return holds<RationalBezierTriangle>(net); }
 
+/// What ends work by an exception; none does nothing.
+using Stop = std::function<void()>;
+
+inline void ask(const Stop& stop) {
+  if (stop) stop();
+}
+
 /// "wing.step: face 3" or "nets.json: net 2", for messages.
 std::string text_of(const NetSource& source);
 
@@ -72,6 +80,6 @@ std::string name_of(const NetSource& source);
 template <class Work>
 auto named(const NetSource& source, Work&& work) -> decltype(work());
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets
 
-#include "plugin/cli/nets/net_impl.h"
+#include "plugin/nets/net_impl.h"

@@ -11,9 +11,9 @@
 #include <system_error>
 
 #include "adapters/occt/base/errors.h"
-#include "plugin/cli/nets/net_json.h"
+#include "plugin/nets/net_json.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 namespace {
 
 using Rows = std::vector<std::vector<Vec4>>;
@@ -84,7 +84,7 @@ class Table {
   static void check(const Json& list, std::size_t count, const std::string& what) {
     if (!list.is_array()) refuse(what + " is no list");
     if (list.size() != count)
-      refuse(what + " has " + counted(list.size(), "entry") + ", the degree wants " +
+      refuse(what + " has " + reports::counted(list.size(), "entry") + ", the degree wants " +
              std::to_string(count));
   }
 
@@ -283,4 +283,4 @@ std::vector<Net> read_nets(const std::filesystem::path& file) {
   return nets;
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

@@ -7,10 +7,12 @@
 #include <span>
 #include <vector>
 
-#include "plugin/cli/nets/net.h"
-#include "plugin/cli/output.h"
+#include "plugin/nets/net.h"
+#include "plugin/reports/json.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
+
+using reports::Json;
 
 /// True for the ending .json, in any case.
 bool is_net_file(const std::filesystem::path& file);
@@ -26,4 +28,4 @@ Json to_json(const Net& net);
 /// A whole file, schema "blossom.net/1".
 Json nets_json(std::span<const Net> nets);
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

@@ -3,9 +3,9 @@
 
 #include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
-#include "plugin/cli/nets/net.h"
+#include "plugin/nets/net.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 
 template <class Work>
 auto named(const NetSource& source, Work&& work) -> decltype(work()) {
@@ -18,4 +18,4 @@ auto named(const NetSource& source, Work&& work) -> decltype(work()) {
   }
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/nets/trimmed_nets.h"
+#include "plugin/nets/trimmed_nets.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,9 +9,8 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/faces/untrimmed.h"
 #include "core/base/errors.h"
-#include "plugin/cli/interruption.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 namespace {
 
 Interval place_of(const Interval& local, const Interval& span, ParameterLaw law) {
@@ -63,7 +62,7 @@ bool is_trimmed(const TopoDS_Face& face) {
 }
 
 TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, double tolerance,
-                         TriangleLowering& lowering) {
+                         TriangleLowering& lowering, const Stop& stop) {
   TrimmedNets result;
   result.face = source.face;
   RegionOptions options;
@@ -72,7 +71,7 @@ TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, doubl
     const occt::UntrimmedFace made = occt::untrimmed(face, options, lowering);
     result.obstacle = made.region.obstacle;
     for (const RegionPiece& piece : made.region.pieces) {
-      stop_if_interrupted();
+      ask(stop);
       Net net = std::holds_alternative<RegionCell>(piece.shape) ? cell_net(made.surface, piece)
                                                                 : triangle_net(made.surface, piece);
       net.source = source;
@@ -90,4 +89,4 @@ TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, doubl
   return result;
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Nets to JSON.
 
-#include "plugin/cli/nets/net_json.h"
+#include "plugin/nets/net_json.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 namespace {
 
 // Three coordinates of a polynomial form, four of a rational one.
@@ -129,4 +129,4 @@ Json nets_json(std::span<const Net> nets) {
   return json;
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

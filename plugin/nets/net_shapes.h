@@ -9,9 +9,9 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
-#include "plugin/cli/nets/net.h"
+#include "plugin/nets/net.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 
 /// The Bezier spans of a face's surface over the box of its trims, row by row.
 /// throws   occt::BadModel, naming the source
@@ -30,4 +30,4 @@ TopoDS_Shape net_shape(const Net& net);
 /// The lines of a control net: along rows and columns, or along the three directions of a triangle.
 std::vector<std::vector<Vec3>> net_lines(const Net& net);
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/nets/pieces.h"
+#include "plugin/nets/pieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,8 @@
 #include "core/subdivision/curve_subdivision.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/subdivision/triangle_subdivision.h"
-#include "plugin/cli/exit_code.h"
-#include "plugin/cli/interruption.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 namespace {
 
 Net with_value(const Net& net, NetValue value) {
@@ -108,7 +106,7 @@ std::vector<Net> q_curve_pieces(const Net& net, const Interval& part, const Cut&
 
 std::vector<Net> curve_pieces(const Net& net, const Cut& cut) {
   if (cut.rectangle || cut.triangle)
-    throw UsageError(text_of(net.source) + ": it is a curve; pieces of it take --interval");
+    throw InvalidInput("it is a curve; pieces of it take an interval");
   const auto part = clipped(net, net.u, cut.interval.value_or(net.u));
   if (!part) return {};
   if (cut.q) return q_curve_pieces(net, *part, cut);
@@ -146,8 +144,9 @@ Net patch_piece(const Net& net, NetValue value, const Interval& u, const Interva
   return piece;
 }
 
-void add_quadrants(const Net& net, QPatch patch, int levels, std::vector<Net>& result) {
-  stop_if_interrupted();
+void add_quadrants(const Net& net, QPatch patch, int levels, const Stop& stop,
+                   std::vector<Net>& result) {
+  ask(stop);
   if (levels == 0) {
     if (!net.rational) settle_weights(net, patch.points.values());
     const Interval u = patch.u, v = patch.v;
@@ -155,7 +154,7 @@ void add_quadrants(const Net& net, QPatch patch, int levels, std::vector<Net>& r
   }
   const Grid<QPatch> quadrants = subdivide(patch, at(patch.u, 0.5), at(patch.v, 0.5));
   for (const QPatch& quadrant : quadrants.values())
-    add_quadrants(net, quadrant, levels - 1, result);
+    add_quadrants(net, quadrant, levels - 1, stop, result);
 }
 
 std::vector<Net> q_patch_pieces(const Net& net, const Interval& u, const Interval& v,
@@ -165,7 +164,7 @@ std::vector<Net> q_patch_pieces(const Net& net, const Interval& u, const Interva
       given && given->q == *cut.q && given->r == *cut.q && u == given->u && v == given->v;
   std::vector<Net> result;
   add_quadrants(net, same ? *given : q_bezier_form(patch_on(net, u, v), u, v, *cut.q, *cut.q),
-                cut.levels, result);
+                cut.levels, cut.stop, result);
   return result;
 }
 
@@ -262,12 +261,13 @@ RationalBezierTriangle triangle_on(const Net& net, const RationalBezierPatch* pa
 }
 
 // Those of a patch are cut from its Bezier form, which is made once.
-std::vector<Net> triangles_on(const Net& net, const std::vector<TriangleCorners>& triangles) {
+std::vector<Net> triangles_on(const Net& net, const std::vector<TriangleCorners>& triangles,
+                              const Stop& stop) {
   RationalBezierPatch patch;
   if (!is_triangle(net) && !triangles.empty()) patch = patch_on(net, net.u, net.v);
   std::vector<Net> result;
   for (const TriangleCorners& corners : triangles) {
-    stop_if_interrupted();
+    ask(stop);
     result.push_back(
         with_value(net, triangle_on(net, is_triangle(net) ? nullptr : &patch, corners)));
     result.back().corners = corners;
@@ -276,20 +276,17 @@ std::vector<Net> triangles_on(const Net& net, const std::vector<TriangleCorners>
 }
 
 std::vector<Net> triangle_pieces(const Net& net, const Cut& cut) {
-  if (cut.q)
-    throw UsageError(text_of(net.source) + ": --q goes with curves and patches, not triangles");
+  if (cut.q) throw InvalidInput("(q1,q2)-forms are of curves and patches, not of triangles");
   if (is_triangle(net) && !cut.triangle && cut.levels == 0) return {net};
   const TriangleCorners& place = cut.triangle ? *cut.triangle : net.corners;
-  return triangles_on(net, quartered(clipped(net, place), cut.levels));
+  return triangles_on(net, quartered(clipped(net, place), cut.levels), cut.stop);
 }
 
 std::vector<Net> surface_pieces(const Net& net, const Cut& cut) {
-  if (cut.interval)
-    throw UsageError(text_of(net.source) + ": it is a surface; --interval goes with curves");
+  if (cut.interval) throw InvalidInput("it is a surface; an interval goes with curves");
   if (cut.triangle) return triangle_pieces(net, cut);
   if (!is_triangle(net)) return rectangle_pieces(net, cut);
-  if (cut.rectangle)
-    throw UsageError(text_of(net.source) + ": it is a triangle; pieces of it take --triangle");
+  if (cut.rectangle) throw InvalidInput("it is a triangle; pieces of it take a triangle");
   return triangle_pieces(net, cut);
 }
 
@@ -341,7 +338,7 @@ double piece_count(const Net& net, const Cut& cut) {
 }
 
 std::vector<Net> pieces(const Net& net, const Cut& cut) {
-  stop_if_interrupted();
+  ask(cut.stop);
   return named(net.source,
                [&] { return is_curve(net) ? curve_pieces(net, cut) : surface_pieces(net, cut); });
 }
@@ -367,13 +364,14 @@ Net monomial_net(const Net& net) {
 }
 
 std::vector<Net> triangle_nets(const Net& net) {
-  if (is_curve(net)) throw UsageError(text_of(net.source) + ": a curve cannot become triangles");
+  if (is_curve(net))
+    throw occt::BadModel(text_of(net.source) + ": a curve cannot become triangles");
   if (is_triangle(net)) return {net};
   const auto& [u0, u1] = net.u;
   const auto& [v0, v1] = net.v;
   const std::vector<TriangleCorners> halves = {{Vec2{u0, v0}, Vec2{u1, v0}, Vec2{u0, v1}},
                                                {Vec2{u1, v1}, Vec2{u0, v1}, Vec2{u1, v0}}};
-  return named(net.source, [&] { return triangles_on(net, halves); });
+  return named(net.source, [&] { return triangles_on(net, halves, {}); });
 }
 
 Net collapsed_net(const Net& net) {
@@ -388,4 +386,4 @@ Net collapsed_net(const Net& net) {
   });
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

@@ -10,9 +10,9 @@
 #include <TopoDS_Face.hxx>
 
 #include "core/regions/triangle_lowering.h"
-#include "plugin/cli/nets/net.h"
+#include "plugin/nets/net.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 
 struct TrimmedNets {
   int face = 0;
@@ -32,7 +32,8 @@ bool is_trimmed(const TopoDS_Face& face);
 ///
 /// tolerance   how far borders may lie from the trims where they cannot be exact, model units
 /// lowering    keeps its matrices for the next face
+/// stop        asked for every piece; ends the work by an exception
 TrimmedNets trimmed_nets(const TopoDS_Face& face, const NetSource& source, double tolerance,
-                         TriangleLowering& lowering);
+                         TriangleLowering& lowering, const Stop& stop = {});
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/nets/net.h"
+#include "plugin/nets/net.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 namespace {
 
 std::string place_of(const NetSource& source) {
@@ -18,4 +18,4 @@ std::string name_of(const NetSource& source) {
   return source.name.empty() ? place_of(source) : source.name;
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/nets/net_shapes.h"
+#include "plugin/nets/net_shapes.h"
 
 #include <utility>
 
@@ -12,9 +12,9 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "core/base/tolerances.h"
-#include "plugin/cli/nets/pieces.h"
+#include "plugin/nets/pieces.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 namespace {
 
 TopoDS_Shape face_on(const RationalBezierPatch& patch) {
@@ -128,4 +128,4 @@ std::vector<std::vector<Vec3>> net_lines(const Net& net) {
   return lines;
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

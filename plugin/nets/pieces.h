@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "plugin/cli/nets/net.h"
+#include "plugin/nets/net.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 
 /// What of each net is wanted; all in the source's parameters. At most one of the places.
 struct Cut {
@@ -18,6 +18,7 @@ struct Cut {
   std::optional<TriangleCorners> triangle;           ///< patches and triangles
   int levels = 0;                                    ///< halvings in each direction
   std::optional<QParameters> q;                      ///< give pieces in (q1,q2)-Bezier form
+  Stop stop;                                         ///< asked for every piece
 };
 
 /// How many pieces a cut makes of a net at most.
@@ -29,8 +30,8 @@ double piece_count(const Net& net, const Cut& cut);
 /// parameter is an angle, sides of triangles are straight in the rational form's own parameter. A
 /// net of a file is taken on the whole place, also outside of its domain. Places run backwards if
 /// from > to.
-/// throws   UsageError if the place is not one for this kind of net; occt::BadModel, naming the
-///          source, if a weight is not positive there, or the (q1,q2)-basis does not exist
+/// throws   occt::BadModel, naming the source, if the place is not one for this kind of net, a
+/// weight is not positive there, or the (q1,q2)-basis does not exist
 std::vector<Net> pieces(const Net& net, const Cut& cut);
 
 /// The net on its whole domain in Bezier form.
@@ -42,7 +43,7 @@ Net bezier_net(const Net& net);
 Net monomial_net(const Net& net);
 
 /// A patch as two triangles of degree n + m, lower left and upper right; a triangle as itself.
-/// throws   UsageError for a curve; occt::BadModel as above
+/// throws   occt::BadModel for a curve, and as above
 std::vector<Net> triangle_nets(const Net& net);
 
 /// A triangle as one patch of bidegree (N, N), its side u = 0 collapsed to the corner c, or to the
@@ -50,4 +51,4 @@ std::vector<Net> triangle_nets(const Net& net);
 /// throws   occt::BadModel if the degree is above kMaxDegree
 Net collapsed_net(const Net& net);
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

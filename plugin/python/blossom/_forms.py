@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Answers that are control nets: pieces of curves and surfaces, and other forms of them."""
+
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Tuple, Union
+
+import numpy as np
+
+from ._results import Array, Record, Result, counted
+
+
+@dataclass(eq=False, repr=False)
+class Net(Record):
+    """A net of control points, or of coefficients.
+
+    kind      "curve", "patch" or "triangle"
+    form      "bezier", "monomial" or "q-bezier"
+    degree    one number; of a patch a pair
+    rational  points have a weight as their fourth number, and are multiplied by it
+    points    (n + 1, 3 or 4); of a patch (n + 1, m + 1, 3 or 4); of a triangle a list of rows, of
+              which the last one is its corner c
+    u, v      the source's parameters where it begins and ends; a curve has u alone
+    corners   of a triangle in the source's parameters
+    face, edge  numbers of what it comes from; None of the other
+    error     how far it may be from that, model units
+    """
+
+    kind: str
+    form: str
+    degree: Union[int, Tuple[int, int]]
+    rational: bool
+    points: Union[Array, List[Array]]
+    u: Optional[Tuple[float, float]]
+    v: Optional[Tuple[float, float]]
+    corners: Optional[Array]
+    face: Optional[int]
+    edge: Optional[int]
+    error: float
+    told: Dict[str, Any]
+
+    @classmethod
+    def of(cls, told: Dict[str, Any]) -> "Net":
+        """From what files of nets have."""
+        ragged = told["kind"] == "triangle"
+        points = told["points"]
+        u = told.get("u", told.get("interval"))
+        v, degree, corners = told.get("v"), told["degree"], told.get("corners")
+        return cls(
+            kind=told["kind"],
+            form=told["form"],
+            degree=degree if isinstance(degree, int) else (degree[0], degree[1]),
+            rational=told["rational"],
+            points=(
+                [np.array(row, float) for row in points] if ragged else np.array(points, float)
+            ),
+            u=None if u is None else (u[0], u[1]),
+            v=None if v is None else (v[0], v[1]),
+            corners=None if corners is None else np.array(corners, float),
+            face=told.get("face"),
+            edge=told.get("edge"),
+            error=float(told.get("error", 0.0)),
+            told=told,
+        )
+
+
+class NetResult(Result):
+    """A list of nets. Its shape has untrimmed faces in the places of those that they come from."""
+
+    @property
+    def nets(self) -> List[Net]:
+        known: Optional[List[Net]] = self.__dict__.get("_known")
+        if known is None:
+            known = self.__dict__["_known"] = [Net.of(each) for each in self._made()["nets"]]
+        return known
+
+    @property
+    def status(self) -> str:
+        return "complete"
+
+    def _items(self) -> List[Any]:
+        return self.nets
+
+
+class Subdivision(NetResult):
+    """Pieces by blossoms, row by row of each face's grid."""
+
+    def _summary(self) -> str:
+        return counted(len(self), "piece")
+
+
+class Conversion(NetResult):
+    """Faces in another form."""
+
+    @property
+    def trims_left_out(self) -> int:
+        """How many faces lost their trims."""
+        return int(self._told()["trims_left_out"])
+
+    @property
+    def error(self) -> float:
+        """How far nets are from what they stand for, at most."""
+        return float(self._told()["error"])
+
+    @property
+    def trimmed(self) -> List[Dict[str, Any]]:
+        """Faces whose trims were followed: how many pieces are exact, how many fitted, how well."""
+        return list(self._told()["trimmed"])
+
+    def _summary(self) -> str:
+        told = self._told()
+        return f"{told['to']}, {counted(len(self), 'net')} of {counted(told['faces'], 'face')}"

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What users write, for mypy: what it says of types is right, and nothing is Any by accident."""
+
+from typing import Any, Dict, List, Optional, assert_type
+
+import numpy as np
+from numpy.typing import NDArray
+
+import blossom
+
+Array = NDArray[np.float64]
+
+model = blossom.read("block.step")
+assert_type(model, blossom.Model)
+assert_type(model.face(1), blossom.Model)
+assert_type(model.counts, Dict[str, int])
+assert_type(model.info(edges=True), Dict[str, Any])
+
+found = model.intersect("drill.step", tolerance=1e-6, cancel=blossom.Cancel())
+assert_type(found, blossom.Intersection)
+assert_type(found.curves, List[blossom.Curve])
+assert_type(found.curves[0].points, Array)
+assert_type(found.curves[0].weights, Optional[Array])
+assert_type(found.to_brep(), bytes)
+assert_type(found.to_dict(), Dict[str, Any])
+
+assert_type(blossom.section(model, (0, 0, 1), (0, 0, 1)).wires, List[blossom.Wire])
+assert_type(model.ray((0, 0, 9), (0, 0, -1)).hits, List[blossom.Hit])
+assert_type(model.distance(b"").bounds[0], float)
+assert_type(model.foot_points((0, 0, 0)).inside, Optional[bool])
+assert_type(model.check().problems, List[str])
+assert_type(model.continuity(require="G1").failing, List[int])
+
+assert_type(model.trim("drill.step", keep="outside"), blossom.Trim)
+assert_type(model.solid("cut", "drill.step").volume, float)
+assert_type(model.fillet([1], radius=2).edges, List[int])
+assert_type(model.fill(continuity="G2"), blossom.Fill)
+assert_type(model.subdivide((0, 1, 0, 1), levels=1).nets, List[blossom.Net])
+assert_type(model.convert("bezier").error, float)
+assert_type(blossom.convert("a.step", "a.brep"), Optional[blossom.Conversion])
+assert_type(blossom.blend_strip(model, model).edge_a, str)
+
+model.fillet([1])  # type: ignore[call-arg]
+model.solid(3)  # type: ignore[arg-type]
+blossom.read(3)  # type: ignore[arg-type]
