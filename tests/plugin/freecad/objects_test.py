@@ -232,6 +232,42 @@ def strip_joins_faces(document):
     claim("six faces are not one", says(strip, "A: one face is wanted, there are 6"))
 
 
+def sub_patch_is_the_surface_there(document):
+    hill = wavy(document, "Hill", lambda x, y: math.sin(0.6 * x) * math.cos(0.5 * y))
+    patch = make.sub_patch(document, (hill, "Face1"), UFrom=0.25, UTo=0.5, VTo=0.75)
+    document.recompute()
+    surface = hill.Shape.Faces[0].Surface
+    u0, u1, v0, v1 = hill.Shape.Faces[0].ParameterRange
+    wanted = surface.value(u0 + 0.25 * (u1 - u0), v0 + 0.75 * (v1 - v0))
+    claim("a corner is where it was wanted", distance(patch.Shape, wanted) < 1e-9)
+    off = max(distance(hill.Shape, point) for point in samples(patch.Shape, 3))
+    claim("all of it is on the face", off < 1e-9)
+    claim("pieces are bicubic", list(patch.Degrees) == ["3 x 3"] and patch.Deviation == 0)
+    count = patch.Pieces
+    patch.Levels = 1
+    document.recompute()
+    claim("halving makes four of each", patch.Pieces == 4 * count == len(patch.Shape.Faces))
+    patch.UTo = 0.1
+    document.recompute()
+    claim("an empty part is an error", says(patch, "UFrom, UTo: 0 <= from < to <= 1 is wanted"))
+
+
+def fill_closes_holes(document):
+    faces = Part.makeBox(10, 10, 10).Faces[:5]
+    cup = shaped(document, "Cup", Part.makeShell(faces))
+    filled = make.fill(document, cup, Continuity="G0")
+    document.recompute()
+    claim("one hole is filled", valid(filled) and filled.Holes == 1)
+    claim("with patches", len(filled.Shape.Faces) == filled.Patches > 0)
+    claim("flat, as its edges are", near(filled.Shape.Area, 100) and filled.Gap < 1e-9)
+    filled.Sewn = True
+    document.recompute()
+    claim("with the cup it is closed", filled.Shape.isClosed() and near(filled.Shape.Area, 600))
+    filled.Edges = [(box(document), "")]
+    document.recompute()
+    claim("without a hole it is an error", says(filled, "has no open edge, so no hole"))
+
+
 def fillet_rounds_edges(document):
     block = box(document)
     rounded = make.fillet(document, [(block, ("Edge1", "Edge3"))], Radius="2 mm")
@@ -277,4 +313,6 @@ run(
     check_colours_what_is_wrong,
     strip_joins_faces,
     fillet_rounds_edges,
+    sub_patch_is_the_surface_there,
+    fill_closes_holes,
 )

@@ -50,6 +50,13 @@ class ModuleDoor:
         made = part.fillet(edges, radius=radius, partial=partial, **self._with_cancel(options))
         return self._answer(made, len(made) > 0)
 
+    def subdivide(self, part, rectangle, levels):
+        return self._answer(part.subdivide(rectangle, levels=levels, cancel=self._cancel))
+
+    def fill(self, part, edges, continuity, sew, **options):
+        options = self._with_cancel(options)
+        return self._answer(part.fill(edges, continuity=continuity, sew=sew, **options))
+
     def _with_cancel(self, options):
         return {**options, "cancel": self._cancel}
 

@@ -69,6 +69,15 @@ class ProgramDoor:
         command += chosen + (["--partial"] if partial else [])
         return self._ask(command, options)
 
+    def subdivide(self, part, rectangle, levels):
+        place = ["--rectangle", *map(repr, rectangle), "--levels", str(levels)]
+        return self._ask(["subdivide", part, *place], {})
+
+    def fill(self, part, edges, continuity, sew, **options):
+        command = ["blend", "fill", part, "--continuity", continuity] + (["--sew"] if sew else [])
+        command += ["--edges", ",".join(map(str, edges))] if edges else []
+        return self._ask(command, options)
+
     def _new_file(self, ending):
         self._files += 1
         return os.path.join(self._folder.name, f"{self._files}.{ending}")

@@ -82,7 +82,7 @@ def whole_with_edges(link, name):
     faces their edges; none if it names only the object. throws ValueError"""
     listed = members(link)
     if not listed:
-        raise ValueError(f"{name}: edges of a solid are wanted, and there are none")
+        raise ValueError(f"{name}: edges, or an object are wanted, and there are none")
     wholes = {(target, path_of(sub)) for target, sub in listed}
     if len(wholes) != 1:
         raise ValueError(f"{name}: edges of one object are wanted, there are {len(wholes)}")

@@ -12,11 +12,13 @@ Objects compute when the document does; choices are properties of the same names
 import FreeCAD
 
 from .check import Check
+from .fill import Fill
 from .fillet import Fillet
 from .intersection import Intersection
 from .section import Section
 from .solid import Solid
 from .strip import Strip
+from .subpatch import SubPatch
 from .trim import Trim
 
 
@@ -72,6 +74,16 @@ def blend_strip(document, a, b, **choices):
 def fillet(document, edges, **choices):
     """Edges of a solid rounded."""
     return of_kind(Fillet, document, edges, **choices)
+
+
+def fill(document, edges, **choices):
+    """Holes closed: those with these edges, or all of an object."""
+    return of_kind(Fill, document, edges, **choices)
+
+
+def sub_patch(document, face, **choices):
+    """A part of a face's surface: UFrom, UTo, VFrom, VTo between 0 and 1, Levels."""
+    return of_kind(SubPatch, document, face, **choices)
 
 
 def check(document, part, **choices):

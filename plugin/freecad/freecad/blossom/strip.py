@@ -18,8 +18,8 @@ class Strip(Feature):
         Link("B", "Other face", "The face on the other side"),
     )
     CHOICES = (
-        Choice("BorderA", "word", NEAREST, "Its border", "Where the strip begins", BORDERS),
-        Choice("BorderB", "word", NEAREST, "Its border", "Where the strip ends", BORDERS),
+        Choice("BorderA", "word", NEAREST, "Border of the face", "Where the strip begins", BORDERS),
+        Choice("BorderB", "word", NEAREST, "Border of the other", "Where the strip ends", BORDERS),
         Choice("WeightA", "number", 1.0, "Weight of the face",
                "How far its tangents reach into the strip; 1 is a third of the width", (0.01, 10)),
         Choice("WeightB", "number", 1.0, "Weight of the other",
