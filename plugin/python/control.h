@@ -17,6 +17,7 @@
 
 #include "adapters/occt/distance.h"
 #include "core/results/options.h"
+#include "plugin/python/workers.h"
 
 namespace blossom::python {
 
@@ -75,7 +76,7 @@ template <class Work>
 auto interruptible(const Control& control, Work&& work) {
   constexpr std::chrono::milliseconds kPause{20};
   Watch watch(control);
-  auto answer = std::async(std::launch::async, [&] { return work(watch); });
+  auto answer = start_in_worker([&] { return work(watch); });
   bool interrupted = false;
   {
     const pybind11::gil_scoped_release released;

@@ -318,6 +318,7 @@ def work():
             QtCore.QTimer.singleShot(100, give_up)
             return
         picture("waiting")
+        pulse.last = time.monotonic()  # to take it took long
         button = widget(QtWidgets.QFrame, "BlossomWaiting").button
         at = QtCore.QPointF(5, 5)
         for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
@@ -344,6 +345,23 @@ def work():
     claim("a document may be closed meanwhile", not FreeCADGui.Control.activeDialog())
 
 
+def deleted():
+    document = new_document("Deleted")
+    document.addObject("Part::Box", "Block")
+    document.addObject("Part::Plane", "Knife").Placement.Base = V(-1, -1, 5)
+    document.recompute()
+    select(document, ("Block", ""), ("Knife", ""))
+    FreeCADGui.runCommand("Blossom_Section")
+    yield found
+    cut = document.Section
+    claim("a flat face is the plane", cut.Plane[0][0].Name == "Knife")
+    claim("and cuts the other", cut.Shape.BoundBox.ZMin > 4.9 and cut.Closed == 1)
+    document.removeObject("Section")
+    widget(QtWidgets.QWidget, "BlossomOffset").setProperty("rawValue", 1)
+    yield SETTLED
+    claim("an object may be deleted under its panel", not FreeCADGui.Control.activeDialog())
+
+
 def tour():
     FreeCADGui.activateWorkbench("BlossomWorkbench")
     claim("the workbench is there", FreeCADGui.activeWorkbench().name() == "BlossomWorkbench")
@@ -357,7 +375,7 @@ def tour():
             dock.hide()
         if dock.objectName() == "Combo View":
             window().resizeDocks([dock], [330], QtCore.Qt.Horizontal)
-    for station in (intersection, trim, fillet, check, work):
+    for station in (intersection, trim, fillet, check, work, deleted):
         print(f"-- {station.__name__}", file=claims)
         yield from station()
     print("ALL CLAIMS HOLD", file=claims)

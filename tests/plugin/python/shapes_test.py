@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What is taken for a shape: bytes, FreeCAD's shapes themselves, other objects, nets."""
 
+import os
 import re
 import subprocess
 import sys
@@ -202,6 +203,33 @@ class Types(unittest.TestCase):
             stdout=subprocess.PIPE, text=True, check=False,
         )  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout)
+
+
+class Processes(unittest.TestCase):
+    @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
+    def test_a_forked_process_answers_too(self):
+        square = support.FLOOR
+        blossom.intersect(square, support.WALL)  # threads wait in this process, not in the child
+        child = os.fork()
+        if child == 0:
+            found = blossom.intersect(square, support.WALL)
+            os._exit(0 if len(found) == 1 else 1)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+
+    def test_a_question_may_be_asked_within_another(self):
+        inner = []
+
+        def ask(_):
+            if not inner:
+                inner.append(len(blossom.intersect(support.FLOOR, support.WALL)))
+
+        with self.assertRaises(blossom.Cancelled):
+            cancel = blossom.Cancel()
+            blossom.intersect(
+                *support.HARD, cancel=cancel,
+                progress=lambda seconds: (ask(seconds), cancel.cancel()), **support.HARD_OPTIONS,
+            )  # fmt: skip
+        self.assertEqual(inner, [1])
 
 
 if __name__ == "__main__":

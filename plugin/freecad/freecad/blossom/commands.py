@@ -27,7 +27,7 @@ class Command:
 
     def Activated(self):  # noqa: N802
         document = FreeCAD.ActiveDocument
-        members = selection.dealt(selection.selected(), len(self._kind.LINKS))
+        members = self._kind.deal(selection.selected())
         FreeCADGui.Selection.clearSelection()
         document.openTransaction(self._kind.TITLE)
         try:

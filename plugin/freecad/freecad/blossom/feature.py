@@ -94,6 +94,11 @@ class Feature:
         """The values of FACTS."""
         return {}
 
+    @classmethod
+    def deal(cls, members):
+        """What is selected, for each of LINKS."""
+        return links.dealt(members, len(cls.LINKS))
+
     def shape(self, obj, answer, inputs):
         """The object's shape. throws RuntimeError if there is none"""
         if answer.shape is None:

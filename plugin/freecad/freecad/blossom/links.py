@@ -115,3 +115,21 @@ def _number_within(element, word, count, name):
     if not 1 <= number <= count:
         raise ValueError(f"{name}: there is no {element}, there are {count}")
     return number
+
+
+def dealt(members, count):
+    """Members for so many links: what is of the first object goes to the first link and all other
+    to the second; of one object alone, its first element."""
+    if count == 1 or not members:
+        return [members] + [[]] * (count - 1)
+    first = _owner(members[0])
+    own = [each for each in members if _owner(each) == first]
+    others = [each for each in members if _owner(each) != first]
+    if not others:
+        own, others = own[:1], own[1:]
+    return [own, others] + [[]] * (count - 2)
+
+
+def _owner(member):
+    target, sub = member
+    return target, path_of(sub)

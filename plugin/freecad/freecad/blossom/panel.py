@@ -35,10 +35,11 @@ class Panel:
     def __init__(self, obj):
         self.obj = obj
         self.feature = obj.Proxy
-        self._document = obj.Document.Name
+        self._document, self._name = obj.Document.Name, obj.Name
         self._job = self._question = None
         self._wrong = None  # a question that has no answer, and why
         self._typed = set()
+        self._leaving = False
         self._began = 0.0
         self.form = self._form()
         self._delay = _timer(self.form, QUIET, self.preview, once=True)
@@ -77,6 +78,9 @@ class Panel:
 
     def changed(self, name=""):
         """A link or a choice, by its name, is another one; the preview follows when it is quiet."""
+        if not self._is_there():
+            self._leave()
+            return
         self._typed.add(name)
         self._write()
         self.stop()
@@ -91,6 +95,8 @@ class Panel:
     def accept(self):
         """OK: the object with what is chosen, in one step to undo."""
         self._delay.stop()
+        if not self._is_there():
+            return self.reject()
         if self._job is not None:
             self._job.cancel()
             self._job.join()
@@ -119,6 +125,19 @@ class Panel:
         self._close()
         return True
 
+    def _is_there(self):
+        """Whether the object was deleted meanwhile, or its document closed."""
+        document = FreeCAD.listDocuments().get(self._document)
+        return document is not None and document.getObject(self._name) is not None
+
+    def _leave(self):
+        """Closes the panel, but not within a signal of what goes with it."""
+        self.stop()
+        self._clock.stop()
+        if not self._leaving:
+            self._leaving = True
+            QtCore.QTimer.singleShot(0, self.reject)
+
     def _is_known_to_fail(self):
         try:
             question = self.feature.question(self.obj)
@@ -137,6 +156,9 @@ class Panel:
         if self._job is not None:  # it was cancelled, and ends soon
             self._delay.start()
             return
+        if not self._is_there():
+            self._leave()
+            return
         try:
             self._question = self.feature.question(self.obj)
             self._job = self._question.job()
@@ -149,8 +171,8 @@ class Panel:
         self.state.say_busy(self.feature.DOING, 0.0)
 
     def _look(self):
-        if self._document not in FreeCAD.listDocuments():
-            self.reject()  # it was closed meanwhile
+        if not self._is_there():
+            self._leave()
             return
         if not self._job.done:
             self.state.say_busy(self.feature.DOING, time.monotonic() - self._began)

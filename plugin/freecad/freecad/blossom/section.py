@@ -61,6 +61,12 @@ class Section(Feature):
         reports = [answer.report for answer in answers]
         return Answer(shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes), reports)
 
+    @classmethod
+    def deal(cls, members):
+        planes = [each for each in members if _is_plane(*each)]
+        others = [each for each in members if each not in planes]
+        return [others, planes] if others and len(planes) == 1 else [members, []]
+
     def facts(self, reports):
         wires = [wire for report in reports for wire in report["wires"]]
         return {
@@ -82,6 +88,15 @@ def _plane_of(obj):
     if obj.Normal.Length == 0:
         raise ValueError("Normal: the zero vector has no direction")
     return obj.Point, FreeCAD.Vector(obj.Normal).normalize()
+
+
+def _is_plane(target, sub):
+    """Whether a member is more likely the plane than what it cuts."""
+    leaf = links.leaf_of(target, sub)
+    if leaf is not None and leaf.TypeId in ("App::Plane", "PartDesign::Plane"):
+        return True
+    faces = Part.getShape(target, sub, needSubElement=True).Faces
+    return len(faces) == 1 and faces[0].Surface.isPlanar()
 
 
 def _plane_of_link(link):

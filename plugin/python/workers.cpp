@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/python/workers.h"
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#if defined(__unix__)
+#include <pthread.h>
+#include <sys/resource.h>
+#endif
+
+namespace blossom::python {
+namespace {
+
+struct Worker {
+  int priority = 0;
+  std::mutex lock{};
+  std::condition_variable wake{};
+  std::function<void()> task{};  // empty while it waits
+};
+
+// Never destroyed: threads wait in it until the process ends.
+struct Pool {
+  std::mutex lock{};
+  std::map<int, std::vector<Worker*>> idle{};  // by priority
+};
+
+Pool& pool() {
+  static Pool* const the_pool = new Pool;
+  return *the_pool;
+}
+
+// Of the calling thread.
+int current_priority() {
+#if defined(__linux__)
+  return ::getpriority(PRIO_PROCESS, 0);
+#else
+  return 0;
+#endif
+}
+
+// Only the thread that forks goes on in the child.
+void forget_workers_in_children() {
+#if defined(__unix__)
+  ::pthread_atfork([] { pool().lock.lock(); }, [] { pool().lock.unlock(); },
+                   [] {
+                     pool().idle.clear();
+                     pool().lock.unlock();
+                   });
+#endif
+}
+
+void serve(Worker* worker) {
+  while (true) {
+    std::function<void()> task;
+    {
+      std::unique_lock guard(worker->lock);
+      worker->wake.wait(guard, [worker] { return static_cast<bool>(worker->task); });
+      task = std::exchange(worker->task, {});
+    }
+    task();
+    task = {};  // what it holds goes before the next one comes
+    const std::lock_guard guard(pool().lock);
+    pool().idle[worker->priority].push_back(worker);
+  }
+}
+
+Worker* waiting_worker(int priority) {
+  const std::lock_guard guard(pool().lock);
+  std::vector<Worker*>& idle = pool().idle[priority];
+  if (idle.empty()) return nullptr;
+  Worker* const worker = idle.back();
+  idle.pop_back();
+  return worker;
+}
+
+}  // namespace
+
+void run_in_worker(std::function<void()> task) {
+  static std::once_flag once;
+  std::call_once(once, forget_workers_in_children);
+  const int priority = current_priority();
+  Worker* worker = waiting_worker(priority);
+  if (worker == nullptr) {
+    worker = new Worker{.priority = priority};
+    worker->task = std::move(task);
+    std::thread(serve, worker).detach();
+    return;
+  }
+  {
+    const std::lock_guard guard(worker->lock);
+    worker->task = std::move(task);
+  }
+  worker->wake.notify_one();
+}
+
+}  // namespace blossom::python
