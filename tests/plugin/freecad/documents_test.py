@@ -3,6 +3,7 @@
 documents, work that is cancelled. Without a window."""
 
 import os
+import signal
 import sys
 import tempfile
 import threading
@@ -189,19 +190,39 @@ def answers_of_closed_documents_do_no_harm(document):
         pass
 
 
-def work_can_be_cancelled(document):
-    class Endless(feature.Feature):
-        def ask(self, entrance, inputs, options):
-            started.set()
-            while True:  # until the door is closed
-                entrance.intersect(*inputs["Both"])
-
-        def inputs(self, obj):
-            return {"Both": [Part.makeBox(10, 10, 10), Part.makeCylinder(2, 20, V(5, 5, -5))]}
-
+class Endless(feature.Feature):
     started = threading.Event()
+
+    def ask(self, entrance, inputs, options):
+        self.started.set()
+        while True:  # until the door is closed
+            entrance.intersect(*inputs["Both"])
+
+    def inputs(self, obj):
+        return {"Both": [Part.makeBox(10, 10, 10), Part.makeCylinder(2, 20, V(5, 5, -5))]}
+
+
+def endless(document):
     obj = document.addObject("Part::FeaturePython", "Endless")
     Endless(obj)
+    Endless.started.clear()
+    return obj
+
+
+def control_c_is_an_error_of_the_object(document):
+    obj = endless(document)
+    hit = threading.Thread(
+        target=lambda: (Endless.started.wait(), os.kill(os.getpid(), signal.SIGINT))
+    )
+    hit.start()
+    document.recompute()
+    hit.join()
+    claim("the work ends and FreeCAD goes on", says(obj, "interrupted by Ctrl-C"))
+
+
+def work_can_be_cancelled(document):
+    obj = endless(document)
+    started = Endless.started
     job = obj.Proxy.question(obj).job()
     stopper = threading.Thread(target=lambda: (started.wait(), job.cancel()))
     stopper.start()
@@ -265,6 +286,7 @@ run(
     wrong_inputs_are_errors_of_the_object,
     answers_of_closed_documents_do_no_harm,
     work_can_be_cancelled,
+    control_c_is_an_error_of_the_object,
     without_the_module_the_program_answers,
     another_open_cascade_keeps_the_module_away,
 )

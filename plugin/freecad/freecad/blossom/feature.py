@@ -117,6 +117,8 @@ class Feature:
         except (ValueError, RuntimeError) as error:
             # What users can mend is a message, without the way that it came.
             raise error.with_traceback(None) from None
+        except KeyboardInterrupt:
+            raise RuntimeError("interrupted by Ctrl-C") from None
 
     def compute(self, obj):
         """The object's answer, if its question has changed. throws ValueError, RuntimeError"""
