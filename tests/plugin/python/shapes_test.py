@@ -8,7 +8,7 @@ import sys
 import unittest
 
 import numpy as np
-from support import FLOOR, FreeCAD, NO_PART, Part, WALL, plane
+from support import FLOOR, HARD, HARD_OPTIONS, FreeCAD, NO_PART, Part, WALL, plane
 
 import blossom
 from blossom import _core, _shapes
@@ -208,11 +208,11 @@ class Types(unittest.TestCase):
 class Processes(unittest.TestCase):
     @unittest.skipUnless(hasattr(os, "fork"), "there is no fork here")
     def test_a_forked_process_answers_too(self):
-        square = support.FLOOR
-        blossom.intersect(square, support.WALL)  # threads wait in this process, not in the child
+        square = FLOOR
+        blossom.intersect(square, WALL)  # threads wait in this process, not in the child
         child = os.fork()
         if child == 0:
-            found = blossom.intersect(square, support.WALL)
+            found = blossom.intersect(square, WALL)
             os._exit(0 if len(found) == 1 else 1)
         self.assertEqual(os.waitpid(child, 0)[1], 0)
 
@@ -221,13 +221,13 @@ class Processes(unittest.TestCase):
 
         def ask(_):
             if not inner:
-                inner.append(len(blossom.intersect(support.FLOOR, support.WALL)))
+                inner.append(len(blossom.intersect(FLOOR, WALL)))
 
         with self.assertRaises(blossom.Cancelled):
             cancel = blossom.Cancel()
             blossom.intersect(
-                *support.HARD, cancel=cancel,
-                progress=lambda seconds: (ask(seconds), cancel.cancel()), **support.HARD_OPTIONS,
+                *HARD, cancel=cancel,
+                progress=lambda seconds: (ask(seconds), cancel.cancel()), **HARD_OPTIONS,
             )  # fmt: skip
         self.assertEqual(inner, [1])
 
