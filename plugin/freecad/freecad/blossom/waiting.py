@@ -65,7 +65,13 @@ class WaitingBox(QtGui.QFrame):
         self.move((window.width() - self.width()) // 2, (window.height() - self.height()) // 2)
 
     def tell(self, seconds):
-        self._label.setText(f"{self._text}: {seconds:.1f} s")
+        """Shows itself, and for how long the work has been going on."""
+        if not self.isVisible():
+            self.show()
+            self.raise_()
+        text = f"{self._text}: {seconds:.1f} s"
+        if text != self._label.text():
+            self._label.setText(text)
 
 
 def wait(job, text):
@@ -79,8 +85,6 @@ def wait(job, text):
         while not job.done:
             seconds = time.monotonic() - start
             if seconds > PATIENCE:
-                box.show()
-                box.raise_()
                 box.tell(seconds)
             application.processEvents(QtCore.QEventLoop.AllEvents, ROUND)
             job.join(ROUND / 1000)
