@@ -362,6 +362,36 @@ def deleted():
     claim("an object may be deleted under its panel", not FreeCADGui.Control.activeDialog())
 
 
+def reopened():
+    from freecad.blossom import make
+
+    document = new_document("Saved")
+    block = document.addObject("Part::Box", "Block")
+    rod = document.addObject("Part::Cylinder", "Rod")
+    rod.Placement.Base = V(5, 5, 5)
+    bored = make.solid(document, "cut", block, rod)
+    make.check(document, block)
+    document.recompute()
+    volume, file = bored.Volume, os.path.join(os.environ["BLOSSOM_SHOTS"], "saved.FCStd")
+    document.saveAs(file)
+    FreeCAD.closeDocument(document.Name)
+    yield SETTLED
+    document = FreeCAD.openDocument(file)
+    yield SETTLED
+    bored, view = document.Solid, document.Solid.ViewObject
+    claim("it is there again", bored.Volume == volume and len(bored.Shape.Solids) == 1)
+    claim("its view knows it", view.Proxy.Object.Name == "Solid")
+    claim("and has its icon", view.Proxy.getIcon().endswith("Solid.svg"))
+    claim("and its parents", [each.Name for each in view.claimChildren()] == ["Block", "Rod"])
+    claim("colours are kept", len(document.Check.ViewObject.DiffuseColor) == 6)
+    FreeCADGui.getDocument(document.Name).setEdit("Solid")
+    yield found
+    widget(QtWidgets.QComboBox, "BlossomOperation").setCurrentText("fuse")
+    yield lambda: found() and bored.Volume > 1000
+    press("Ok")
+    claim("it can be edited", bored.Operation == "fuse" and "Invalid" not in bored.State)
+
+
 def tour():
     FreeCADGui.activateWorkbench("BlossomWorkbench")
     claim("the workbench is there", FreeCADGui.activeWorkbench().name() == "BlossomWorkbench")
@@ -375,7 +405,7 @@ def tour():
             dock.hide()
         if dock.objectName() == "Combo View":
             window().resizeDocks([dock], [330], QtCore.Qt.Horizontal)
-    for station in (intersection, trim, fillet, check, work, deleted):
+    for station in (intersection, trim, fillet, check, work, deleted, reopened):
         print(f"-- {station.__name__}", file=claims)
         yield from station()
     print("ALL CLAIMS HOLD", file=claims)
