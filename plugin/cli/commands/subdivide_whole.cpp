@@ -19,8 +19,8 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/nets/net_json.h"
-#include "plugin/cli/nets/whole.h"
+#include "plugin/nets/net_json.h"
+#include "plugin/nets/whole.h"
 #include "plugin/cli/picture/picture.h"
 #include "plugin/reports/repairs.h"
 
@@ -41,11 +41,11 @@ WholePart whole_face(const Input& input, std::size_t i, const std::vector<std::s
   part.source.name = names[static_cast<std::size_t>(part.source.face) - 1];
   std::optional<std::array<Interval, 2>> rectangle;
   if (!r.empty()) rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
-  const auto surface = whole_surface(input.faces[i], part.source, rectangle);
+  const auto surface = nets::whole_surface(input.faces[i], part.source, rectangle);
   BRepBuilderAPI_MakeFace maker(surface, Tolerances{}.point);
   if (!maker.IsDone()) throw occt::BadModel(text_of(part.source) + ": gives no face");
   part.shape = maker.Shape().Oriented(input.faces[i].Orientation());
-  part.json = spline_json(*surface);
+  part.json = nets::spline_json(*surface);
   part.json["face"] = part.source.face;
   return part;
 }
@@ -63,14 +63,14 @@ std::vector<WholePart> whole_edges(const Input& input, const std::vector<double>
     WholePart part;
     part.source.file = input.model.file().string();
     part.source.edge = number;
-    const auto curve = whole_curve(TopoDS::Edge(numbered(number)), part.source,
+    const auto curve = nets::whole_curve(TopoDS::Edge(numbered(number)), part.source,
                                    Interval{interval[0], interval[1]});
     if (curve.IsNull()) continue;
     BRepBuilderAPI_MakeEdge maker(curve);
     if (!maker.IsDone())
       throw occt::BadModel(text_of(part.source) + ": gives no edge: is it a point?");
     part.shape = maker.Shape();
-    part.json = spline_json(*curve);
+    part.json = nets::spline_json(*curve);
     part.json["edge"] = number;
     parts.push_back(std::move(part));
   }
@@ -143,7 +143,7 @@ Json report_of(const Input& input, const WholeQuestion& question,
 
 int run_whole(const WholeQuestion& question) {
   check_files(question.common, {question.input});
-  if (is_net_file(parse_input(question.input).file))
+  if (nets::is_net_file(parse_input(question.input).file))
     throw UsageError(question.input + ": --whole takes models; nets are one piece already");
   const bool edges = !question.interval.empty();
   const Input input = read_input(question.input, edges ? Faces::Optional : Faces::Required);

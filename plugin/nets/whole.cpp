@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/nets/whole.h"
+#include "plugin/nets/whole.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@
 #include "core/blossom/curve_blossom.h"
 #include "core/blossom/patch_blossom.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 namespace {
 
 constexpr double kOneKnot = 1e-9;  // of the range: what is nearer to a knot is that knot
@@ -310,4 +310,4 @@ Json spline_json(const Geom_BSplineCurve& curve) {
   return json;
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets

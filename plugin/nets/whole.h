@@ -13,10 +13,10 @@
 #include <TopoDS_Face.hxx>
 
 #include "core/math/interval.h"
-#include "plugin/cli/nets/net.h"
-#include "plugin/cli/output.h"
+#include "plugin/nets/net.h"
+#include "plugin/reports/json.h"
 
-namespace blossom::cli {
+namespace blossom::nets {
 
 /// The surface of a face over a rectangle of its parameters as one B-spline surface, trims left
 /// out. Pole i of a direction of degree p is the blossom of a span at the knots i + 1 to i + p,
@@ -42,4 +42,4 @@ Handle(Geom_BSplineCurve) whole_curve(const TopoDS_Edge& edge, const NetSource& 
 Json spline_json(const Geom_BSplineSurface& surface);
 Json spline_json(const Geom_BSplineCurve& curve);
 
-}  // namespace blossom::cli
+}  // namespace blossom::nets
