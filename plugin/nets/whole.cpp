@@ -234,7 +234,7 @@ Handle(Geom_BSplineCurve) curve_of(const CurveSpans& form, const WholeDirection&
              : new Geom_BSplineCurve(poles, knots.knots, knots.multiplicities, u.degree);
 }
 
-Json point_json(const gp_Pnt& p) { return Json::array({p.X(), p.Y(), p.Z()}); }
+reports::Json point_json(const gp_Pnt& p) { return reports::Json::array({p.X(), p.Y(), p.Z()}); }
 
 }  // namespace
 
@@ -270,10 +270,10 @@ Handle(Geom_BSplineCurve) whole_curve(const TopoDS_Edge& edge, const NetSource& 
   });
 }
 
-Json spline_json(const Geom_BSplineSurface& surface) {
-  Json json = {{"kind", "surface"}, {"degree", {surface.UDegree(), surface.VDegree()}}};
+reports::Json spline_json(const Geom_BSplineSurface& surface) {
+  reports::Json json = {{"kind", "surface"}, {"degree", {surface.UDegree(), surface.VDegree()}}};
   for (const char* list : {"u_knots", "v_knots", "u_multiplicities", "v_multiplicities", "poles"})
-    json[list] = Json::array();
+    json[list] = reports::Json::array();
   for (int i = 1; i <= surface.NbUKnots(); ++i) {
     json["u_knots"].push_back(surface.UKnot(i));
     json["u_multiplicities"].push_back(surface.UMultiplicity(i));
@@ -283,9 +283,9 @@ Json spline_json(const Geom_BSplineSurface& surface) {
     json["v_multiplicities"].push_back(surface.VMultiplicity(i));
   }
   const bool rational = surface.IsURational() || surface.IsVRational();
-  if (rational) json["weights"] = Json::array();
+  if (rational) json["weights"] = reports::Json::array();
   for (int i = 1; i <= surface.NbUPoles(); ++i) {
-    Json row = Json::array(), weights = Json::array();
+    Json row = reports::Json::array(), weights = reports::Json::array();
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
       row.push_back(point_json(surface.Pole(i, j)));
       weights.push_back(surface.Weight(i, j));
@@ -296,16 +296,16 @@ Json spline_json(const Geom_BSplineSurface& surface) {
   return json;
 }
 
-Json spline_json(const Geom_BSplineCurve& curve) {
-  Json json = {{"kind", "curve"}, {"degree", curve.Degree()}};
-  for (const char* list : {"knots", "multiplicities", "poles"}) json[list] = Json::array();
+reports::Json spline_json(const Geom_BSplineCurve& curve) {
+  reports::Json json = {{"kind", "curve"}, {"degree", curve.Degree()}};
+  for (const char* list : {"knots", "multiplicities", "poles"}) json[list] = reports::Json::array();
   for (int i = 1; i <= curve.NbKnots(); ++i) {
     json["knots"].push_back(curve.Knot(i));
     json["multiplicities"].push_back(curve.Multiplicity(i));
   }
   for (int i = 1; i <= curve.NbPoles(); ++i) json["poles"].push_back(point_json(curve.Pole(i)));
   if (!curve.IsRational()) return json;
-  json["weights"] = Json::array();
+  json["weights"] = reports::Json::array();
   for (int i = 1; i <= curve.NbPoles(); ++i) json["weights"].push_back(curve.Weight(i));
   return json;
 }

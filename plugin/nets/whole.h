@@ -39,7 +39,7 @@ Handle(Geom_BSplineCurve) whole_curve(const TopoDS_Edge& edge, const NetSource& 
                                       const std::optional<Interval>& interval);
 
 /// Degrees, knots with multiplicities, poles and weights, for reports.
-Json spline_json(const Geom_BSplineSurface& surface);
-Json spline_json(const Geom_BSplineCurve& curve);
+reports::Json spline_json(const Geom_BSplineSurface& surface);
+reports::Json spline_json(const Geom_BSplineCurve& curve);
 
 }  // namespace blossom::nets
