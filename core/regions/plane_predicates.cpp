@@ -3,6 +3,7 @@
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <limits>
 
 namespace blossom {
 namespace {
@@ -49,27 +50,42 @@ Sum<Scalar> lifted(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
 
 // Roundings of a term: two differences, a product and the last difference; and of a term of the
 // circle's sign: 2 + 2 differences, squares and their sum, products, sums. One more for this bound.
-constexpr double kTurnError = 8 * 0x1p-53;
-constexpr double kLiftedError = 24 * 0x1p-53;
+constexpr double kTurnRoundings = 8;
+constexpr double kLiftedRoundings = 24;
 constexpr double kMinSize = 0x1p-900;  // above it an underflow is far below the error bound
 
 int sign_of(const auto& x) { return (x > 0) - (x < 0); }
 
-bool decides(const Sum<double>& sum, double error) {
-  return sum.size > kMinSize && std::abs(sum.value) > error * sum.size;
+// Whether the sum, of that many roundings a term, has the sign of the exact one. Nothing is
+// rounded where all products are 0.
+template <class Scalar>
+bool decides(const Sum<Scalar>& sum, double roundings) {
+  constexpr Scalar kUnit = std::numeric_limits<Scalar>::epsilon() / 2;
+  return sum.size > Scalar(kMinSize) && absolute(sum.value) > Scalar(roundings) * kUnit * sum.size;
+}
+
+// Points in a row along an axis.
+bool is_axis_line(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (a[0] == b[0] && a[0] == c[0]) || (a[1] == b[1] && a[1] == c[1]);
 }
 
 }  // namespace
 
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Sum<double> sum = turn<double>(a, b, c);
-  return decides(sum, kTurnError) ? sign_of(sum.value) : sign_of(turn<Rational>(a, b, c).value);
+  if (decides(sum, kTurnRoundings)) return sign_of(sum.value);
+  if (is_axis_line(a, b, c)) return 0;
+  const Sum<long double> longer = turn<long double>(a, b, c);
+  if (decides(longer, kTurnRoundings)) return sign_of(longer.value);
+  return sign_of(turn<Rational>(a, b, c).value);
 }
 
 int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const Sum<double> sum = lifted<double>(a, b, c, d);
-  return decides(sum, kLiftedError) ? sign_of(sum.value)
-                                    : sign_of(lifted<Rational>(a, b, c, d).value);
+  if (decides(sum, kLiftedRoundings)) return sign_of(sum.value);
+  const Sum<long double> longer = lifted<long double>(a, b, c, d);
+  if (decides(longer, kLiftedRoundings)) return sign_of(longer.value);
+  return sign_of(lifted<Rational>(a, b, c, d).value);
 }
 
 }  // namespace blossom

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tessellation/face_facets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/base/errors.h"
+#include "core/regions/constrained_delaunay.h"
+#include "core/tessellation/inner_points.h"
+
+namespace blossom {
+namespace {
+
+using Face = ConstrainedDelaunay::Face;
+
+// Rounds in which all curved borders are halved where they do not go round a region.
+constexpr int kCoarseRounds = 5;
+// In facets: points of rows that are nearer to others or to borders are left out.
+constexpr double kNearPoint = 0.55;
+constexpr double kNearSide = 0.4;
+// Of the distance of a border from its chord: so far points are from the chord at least.
+constexpr double kSagitta = 2.5;
+// Of the deviation: borders are not made shorter than this to undo folds.
+constexpr double kShortFold = 0.5;
+// Of the box: facets in it are divided no further.
+constexpr double kSmallest = 1e-6;
+// Of the distance of a facet: sides that are farther than this are worth dividing.
+constexpr double kLongSide = 0.4;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+template <class Point>
+double segment_gap(const Point& p, const Point& a, const Point& b) {
+  const Point d = b - a;
+  const double square = dot(d, d);
+  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
+  return distance(p, a + t * d);
+}
+
+class FacetBuilder {
+ public:
+  FacetBuilder(const ModelFace& face, const ShapeModel& model,
+               const std::vector<EdgePolyline>& polylines, const ChartSurface& surface,
+               const FacetOptions& options)
+      : model_(model),
+        polylines_(polylines),
+        surface_(surface),
+        options_(options),
+        polygon_(face, polylines),
+        density_(surface.density(polygon_.low, polygon_.high)) {}
+
+  FaceAttempt attempt(int round) {
+    const bool last = round == kLastRound;
+    if (polygon_.sides.empty()) return refused("its borders have no length");
+    if (!last) {
+      std::vector<EdgeSegment> far = polygon_.too_far(surface_, options_.deviation);
+      if (!far.empty()) return {std::move(far), {}};
+    }
+    std::vector<Vec2> scaled_points;
+    for (const Vec2& uv : polygon_.points) scaled_points.push_back(scaled(uv));
+    ConstrainedDelaunay mesh(std::move(scaled_points));
+    const Conflicts conflicts = fix_sides(mesh);
+    if (conflicts.any)
+      return last || conflicts.splits.empty() ? refused("its borders cross each other")
+                                              : FaceAttempt{conflicts.splits, {}};
+    if (!mesh.mark_region(windings())) {
+      std::vector<EdgeSegment> curved;
+      if (round < kCoarseRounds) curved = curved_sides();
+      return curved.empty() ? refused("its borders do not go round a region")
+                            : FaceAttempt{std::move(curved), {}};
+    }
+    take_corners(mesh);
+    add_rows(mesh);
+    refine(mesh);
+    FaceAttempt made{last ? std::vector<EdgeSegment>{} : folding_sides(mesh), {}};
+    if (made.splits.empty()) made.facets = collected(mesh);
+    return made;
+  }
+
+ private:
+  struct Conflicts {
+    bool any = false;
+    std::vector<EdgeSegment> splits;
+  };
+
+  static FaceAttempt refused(const char* why) {
+    FaceAttempt attempt;
+    attempt.facets.obstacle = why;
+    return attempt;
+  }
+
+  Vec2 scaled(const Vec2& uv) const {
+    return {uv[0] * density_.scale[0], uv[1] * density_.scale[1]};
+  }
+  Vec2 unscaled(const Vec2& p) const {
+    return {p[0] / density_.scale[0], p[1] / density_.scale[1]};
+  }
+
+  Conflicts fix_sides(ConstrainedDelaunay& mesh) const {
+    Conflicts conflicts;
+    std::map<std::pair<int, int>, std::size_t> known;
+    const auto divide = [&](const PolygonSide& side) {
+      if (side.segment.edge >= 0 && !side.straight) conflicts.splits.push_back(side.segment);
+    };
+    for (std::size_t k = 0; k < polygon_.sides.size(); ++k) {
+      const PolygonSide& side = polygon_.sides[k];
+      const bool is_new = known.try_emplace({side.from, side.to}, k).second;
+      std::pair<int, int> obstacle{ConstrainedDelaunay::kNone, ConstrainedDelaunay::kNone};
+      if (is_new && mesh.fix(side.from, side.to, obstacle)) continue;
+      conflicts.any = true;
+      divide(side);
+      for (const PolygonSide& other : polygon_.sides) {
+        const bool at_point = obstacle.second == ConstrainedDelaunay::kNone &&
+                              (other.from == obstacle.first || other.to == obstacle.first);
+        const bool same = (other.from == obstacle.first && other.to == obstacle.second) ||
+                          (other.to == obstacle.first && other.from == obstacle.second);
+        if (at_point || same) divide(other);
+      }
+    }
+    return conflicts;
+  }
+
+  // A hole beyond the chord of another border crosses nothing.
+  std::vector<EdgeSegment> curved_sides() const {
+    std::vector<EdgeSegment> curved;
+    for (const PolygonSide& side : polygon_.sides)
+      if (side.segment.edge >= 0 && !side.straight) curved.push_back(side.segment);
+    return curved;
+  }
+
+  SideWindings windings() const {
+    SideWindings result;
+    for (const PolygonSide& side : polygon_.sides) {
+      ++result[{side.from, side.to}];
+      --result[{side.to, side.from}];
+    }
+    return result;
+  }
+
+  // By the numbers of the triangulation; its far corners have none.
+  void take_corners(const ConstrainedDelaunay& mesh) {
+    corners_.resize(index(mesh.point_count()));
+    moved_.assign(corners_.size(), 0);
+    poles_.assign(corners_.size(), -1);
+    for (const PolygonSide& side : polygon_.sides) {
+      if (side.segment.edge >= 0) continue;
+      const Vec2 d = absolute(polygon_.points[index(side.to)] - polygon_.points[index(side.from)]);
+      if (d[0] > 0 && d[1] > 0) continue;
+      poles_[index(side.from)] = poles_[index(side.to)] = d[0] > 0 ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < polygon_.points.size(); ++i) {
+      const PointNormal frame = surface_.frame_at(polygon_.points[i]);
+      corners_[i] = {polygon_.origins[i], polygon_.points[i], point_of(polygon_.origins[i]),
+                     frame.normal};
+      moved_[i] = distance(frame.point, corners_[i].point);
+    }
+  }
+
+  Vec3 point_of(const EdgePoint& origin) const {
+    const EdgePolyline& line = polylines_[index(origin.edge)];
+    const ModelEdge& edge = model_.edges[index(origin.edge)];
+    if (origin.number == 0) return model_.vertices[index(edge.from)];
+    if (origin.number == line.segments()) return model_.vertices[index(edge.to)];
+    return line.points()[origin.number];
+  }
+
+  int add_inner(ConstrainedDelaunay& mesh, const Vec2& uv, int face) {
+    const PointNormal frame = surface_.frame_at(uv);
+    corners_.push_back({{}, uv, frame.point, frame.normal});
+    moved_.push_back(0);
+    poles_.push_back(-1);
+    return mesh.insert(scaled(uv), face);
+  }
+
+  void add_rows(ConstrainedDelaunay& mesh) {
+    for (const Vec2& uv : points_in_rows(density_, polygon_.low, polygon_.high)) {
+      const int face = mesh.locate(scaled(uv));
+      if (mesh.faces()[index(face)].inside && is_clear(mesh, uv, face)) add_inner(mesh, uv, face);
+    }
+  }
+
+  // Of the corners and borders of the face that it lies in.
+  bool is_clear(const ConstrainedDelaunay& mesh, const Vec2& uv, int number) const {
+    const Face& face = mesh.faces()[index(number)];
+    const Vec2 facets = facets_at(density_, uv);
+    const auto counted = [&](int corner) {
+      const Vec2 d = corners_[index(corner)].uv - uv;
+      return Vec2{d[0] * facets[0], d[1] * facets[1]};
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int from = face.corner[k], to = face.corner[(k + 1) % 3];
+      const Vec2 a = counted(from), b = counted(to);
+      if (norm(a) < kNearPoint) return false;
+      if (!face.fixed[(k + 2) % 3]) continue;
+      if (segment_gap(Vec2{}, a, b) < kNearSide || !is_beside(uv, from, to)) return false;
+    }
+    return true;
+  }
+
+  // Whether a point is farther from a border's chord than the border is: behind the chord, or
+  // hardly before it, facets would fold over.
+  bool is_beside(const Vec2& uv, int from, int to) const {
+    const FaceCorner& a = corners_[index(from)];
+    const FaceCorner& b = corners_[index(to)];
+    const Vec3 middle = surface_.frame_at(0.5 * (a.uv + b.uv)).point;
+    return segment_gap(surface_.frame_at(uv).point, a.point, b.point) >
+           kSagitta * segment_gap(middle, a.point, b.point);
+  }
+
+  Vec3 normal_at(const std::array<int, 3>& corners) const {
+    for (const int corner : corners)
+      if (const Vec3& n = corners_[index(corner)].normal; dot(n, n) > 0) return n;
+    return {};
+  }
+
+  double distance_of(const std::array<int, 3>& corners) const {
+    return surface_.facet_distance(parameters_of(corners), normal_at(corners));
+  }
+
+  // All points of a border at a pole are the same: the best one is beside the other corners.
+  std::array<Vec2, 3> parameters_of(const std::array<int, 3>& corners) const {
+    std::array<Vec2, 3> uv;
+    for (std::size_t k = 0; k < 3; ++k) uv[k] = corners_[index(corners[k])].uv;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int pole = poles_[index(corners[k])];
+      if (pole < 0) continue;
+      const int along = pole == 0 ? 0 : 1;
+      const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+      if (poles_[index(corners[a])] >= 0 || poles_[index(corners[b])] >= 0) continue;
+      uv[k][along] = 0.5 * (uv[a][along] + uv[b][along]);
+    }
+    return uv;
+  }
+
+  bool is_small(const std::array<int, 3>& corners) const {
+    const Vec2& a = corners_[index(corners[0])].uv;
+    for (const int corner : corners)
+      for (int k = 0; k < 2; ++k)
+        if (std::abs(corners_[index(corner)].uv[k] - a[k]) >
+            kSmallest * (polygon_.high[k] - polygon_.low[k]))
+          return false;
+    return true;
+  }
+
+  // The middle of the side inside of the face that is farthest from the surface; or of the facet,
+  // if only its borders are far.
+  Vec2 dividing_point(const Face& face, double distance) const {
+    double most = kLongSide * distance;
+    const auto uv = [&](std::size_t k) { return corners_[index(face.corner[k % 3])].uv; };
+    Vec2 best = (1.0 / 3) * (uv(0) + uv(1) + uv(2));
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (face.fixed[k]) continue;
+      const int a = face.corner[(k + 1) % 3], b = face.corner[(k + 2) % 3];
+      const double far = distance_of({a, b, b});
+      if (far <= most) continue;
+      most = far;
+      best = 0.5 * (uv(k + 1) + uv(k + 2));
+    }
+    return best;
+  }
+
+  void refine(ConstrainedDelaunay& mesh) {
+    std::vector<int> open;
+    for (std::size_t i = 0; i < mesh.faces().size(); ++i)
+      if (mesh.faces()[i].inside) open.push_back(static_cast<int>(i));
+    while (!open.empty()) {
+      const Face face = mesh.faces()[index(open.back())];
+      const int number = open.back();
+      open.pop_back();
+      const double far = distance_of(face.corner);
+      if (far <= options_.deviation || is_small(face.corner) || is_flat(face.corner)) continue;
+      const Vec2 uv = dividing_point(face, far);
+      // Rounding may put it a little beside the face.
+      const int found = mesh.locate(scaled(uv));
+      const int holder = mesh.faces()[index(found)].inside ? found : number;
+      if (std::ranges::any_of(mesh.faces()[index(holder)].corner,
+                              [&](int corner) { return mesh.point(corner) == scaled(uv); }))
+        continue;
+      const int made = add_inner(mesh, uv, holder);
+      mesh.for_each_face_at(made, [&](int changed) { open.push_back(changed); });
+    }
+  }
+
+  // Corners that are one point in space make no facet.
+  bool is_flat(const std::array<int, 3>& triangle) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const EdgePoint& a = corners_[index(triangle[k])].origin;
+      const EdgePoint& b = corners_[index(triangle[(k + 1) % 3])].origin;
+      if (a.edge < 0 || b.edge < 0) continue;
+      if (vertex_of(a) >= 0 && vertex_of(a) == vertex_of(b)) return true;
+      if (a.edge == b.edge && a.number == b.number) return true;
+    }
+    return false;
+  }
+
+  int vertex_of(const EdgePoint& origin) const {
+    const ModelEdge& edge = model_.edges[index(origin.edge)];
+    if (origin.number == 0) return edge.from;
+    return origin.number == polylines_[index(origin.edge)].segments() ? edge.to : -1;
+  }
+
+  bool is_folded(const std::array<int, 3>& corners) const {
+    const auto point = [&](std::size_t k) { return corners_[index(corners[k])].point; };
+    return dot(cross(point(1) - point(0), point(2) - point(0)), normal_at(corners)) < 0;
+  }
+
+  // Borders whose chords are behind the other corner of a facet, though it is in front of them in
+  // the parameters. Halving a chord brings it nearer to the border by a factor of 4.
+  std::vector<EdgeSegment> folding_sides(const ConstrainedDelaunay& mesh) const {
+    std::map<std::pair<int, int>, const PolygonSide*> sides;
+    for (const PolygonSide& side : polygon_.sides) sides[{side.from, side.to}] = &side;
+    std::vector<EdgeSegment> splits;
+    for (const Face& face : mesh.faces()) {
+      if (!face.inside || is_flat(face.corner) || !is_folded(face.corner)) continue;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int from = face.corner[k], to = face.corner[(k + 1) % 3];
+        if (!face.fixed[(k + 2) % 3]) continue;
+        const auto side = sides.find({from, to});
+        if (side == sides.end() || side->second->segment.edge < 0) continue;
+        const Vec3& a = corners_[index(from)].point;
+        const Vec3& b = corners_[index(to)].point;
+        if (distance(a, b) > kShortFold * options_.deviation)
+          splits.push_back(side->second->segment);
+      }
+    }
+    return splits;
+  }
+
+  FaceFacets collected(const ConstrainedDelaunay& mesh) {
+    FaceFacets result;
+    std::vector<int> places(corners_.size(), -1);
+    for (const Face& face : mesh.faces()) {
+      if (!face.inside || is_flat(face.corner)) continue;
+      double moved = 0;
+      for (const int corner : face.corner) moved = std::max(moved, moved_[index(corner)]);
+      result.distance = std::max(result.distance, distance_of(face.corner) + moved);
+      result.folded += is_folded(face.corner);
+      std::array<int, 3> triangle{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        int& place = places[index(face.corner[k])];
+        if (place < 0) {
+          place = static_cast<int>(result.corners.size());
+          result.corners.push_back(corners_[index(face.corner[k])]);
+        }
+        triangle[k] = place;
+      }
+      result.triangles.push_back(triangle);
+    }
+    result.distance += surface_.error();
+    return result;
+  }
+
+  const ShapeModel& model_;
+  const std::vector<EdgePolyline>& polylines_;
+  const ChartSurface& surface_;
+  const FacetOptions& options_;
+  FacePolygon polygon_;
+  FacetDensity density_;
+  std::vector<FaceCorner> corners_;
+  std::vector<double> moved_;  // of each corner: from the surface
+  std::vector<int> poles_;     // of each corner: the parameter along the pole it is at, or -1
+};
+
+}  // namespace
+
+FaceAttempt facets_of(const ModelFace& face, const ShapeModel& model,
+                      const std::vector<EdgePolyline>& polylines, const ChartSurface& surface,
+                      const FacetOptions& options, int round) {
+  try {
+    return FacetBuilder(face, model, polylines, surface, options).attempt(round);
+  } catch (const InvalidInput& error) {
+    FaceAttempt attempt;
+    attempt.facets.obstacle = error.what();
+    return attempt;
+  }
+}
+
+}  // namespace blossom

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The facets of one face between the polylines of its edges.
+
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/math/vec.h"
+#include "core/tessellation/chart_surface.h"
+#include "core/tessellation/edge_polyline.h"
+#include "core/tessellation/face_borders.h"
+#include "core/tessellation/shape_model.h"
+
+namespace blossom {
+
+/// Corners of a face have parameters and a normal of their own there: a vertex on a seam is two
+/// corners, a pole several.
+struct FaceCorner {
+  EdgePoint origin;  ///< no edge for a point inside of the face
+  Vec2 uv;           ///< the surface's own parameters
+  Vec3 point;
+  Vec3 normal;  ///< unit, along S_u x S_v; zero where that vanishes
+};
+
+struct FaceFacets {
+  std::vector<FaceCorner> corners;
+  /// Numbers of corners, counter-clockwise round S_u x S_v.
+  std::vector<std::array<int, 3>> triangles;
+  double distance = 0;  ///< proven between facets and surface, both ways; model units
+  int folded = 0;  ///< facets whose normal is turned from the surface's by more than a right angle
+  std::string obstacle = {};  ///< why there are no facets; empty if all is well
+};
+
+struct FaceAttempt {
+  /// What has to be divided first: chords that cross in the parameters, or are too far from the
+  /// surface. There are no facets then.
+  std::vector<EdgeSegment> splits;
+  FaceFacets facets;
+};
+
+/// Each round halves what crosses; after so many the crossing is no matter of chords.
+inline constexpr int kLastRound = 14;
+
+/// A constrained Delaunay triangulation of the polygon, with points in rows inside, and more where
+/// the distance is not proven to be within the deviation.
+///
+/// vertices    of the model
+/// polylines   of all edges
+/// round       of attempts, from 0 on; in the last one nothing is divided any more, and what
+///             crosses is an obstacle
+FaceAttempt facets_of(const ModelFace& face, const ShapeModel& model,
+                      const std::vector<EdgePolyline>& polylines, const ChartSurface& surface,
+                      const FacetOptions& options, int round);
+
+}  // namespace blossom

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tessellation/shape_facets.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "core/base/errors.h"
+#include "core/base/parallel.h"
+#include "core/tessellation/edge_polyline.h"
+
+namespace blossom {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+void check(const ShapeModel& model, const FacetOptions& options) {
+  if (!(options.deviation > 0) || !std::isfinite(options.deviation))
+    throw InvalidInput("shape_facets: the deviation must be positive and finite, got " +
+                       std::to_string(options.deviation));
+  if (!(options.angle >= 0) || !(options.edge_length >= 0))
+    throw InvalidInput("shape_facets: the angle and the length must not be negative");
+  const auto is_in = [](int i, std::size_t count) { return i >= 0 && index(i) < count; };
+  for (const ModelEdge& edge : model.edges)
+    if (!is_in(edge.from, model.vertices.size()) || !is_in(edge.to, model.vertices.size()))
+      throw InvalidInput("shape_facets: an edge names a vertex that is not there");
+  for (const ModelFace& face : model.faces) {
+    if (face.edges.size() != face.chart.borders.size())
+      throw InvalidInput("shape_facets: a face has as many edges as borders");
+    for (const int edge : face.edges)
+      if (!is_in(edge, model.edges.size()))
+        throw InvalidInput("shape_facets: a face names an edge that is not there");
+  }
+}
+
+class Mesher {
+ public:
+  Mesher(const ShapeModel& model, const FacetOptions& options, const std::function<bool()>& ask)
+      : model_(model),
+        options_(options),
+        ask_(ask),
+        polylines_(model.edges.size()),
+        surfaces_(model.faces.size()),
+        attempts_(model.faces.size()) {}
+
+  ShapeFacets facets() {
+    parallel_for(model_.edges.size(), 16, [this](std::size_t k) {
+      const ModelEdge& edge = model_.edges[k];
+      if (!edge.is_point) polylines_[k] = EdgePolyline(edge.curve, edge.from == edge.to, options_);
+    });
+    std::vector<std::size_t> open(model_.faces.size());
+    for (std::size_t f = 0; f < open.size(); ++f) open[f] = f;
+    for (int round = 0; round <= kLastRound && !open.empty(); ++round) {
+      attempt(open, round);
+      if (stopped_) break;
+      open = faces_at(divide(open));
+    }
+    ShapeFacets result;
+    result.stopped = stopped_;
+    return stopped_ ? result : numbered();
+  }
+
+ private:
+  bool goes_on() {
+    if (!ask_) return true;
+    const std::lock_guard<std::mutex> lock(asking_);
+    return !stopped_ && ask_();
+  }
+
+  void attempt(const std::vector<std::size_t>& faces, int round) {
+    parallel_for(faces.size(), 1, [&](std::size_t k) {
+      if (!goes_on()) {
+        stopped_ = true;
+        return;
+      }
+      const std::size_t f = faces[k];
+      const ModelFace& face = model_.faces[f];
+      if (!surfaces_[f]) surfaces_[f] = std::make_unique<ChartSurface>(face.surface, options_);
+      attempts_[f] = facets_of(face, model_, polylines_, *surfaces_[f], options_, round);
+    });
+  }
+
+  // The edges that were divided.
+  std::set<int> divide(const std::vector<std::size_t>& faces) {
+    std::set<std::pair<int, std::size_t>> wanted;
+    for (const std::size_t f : faces)
+      for (const EdgeSegment& segment : attempts_[f].splits)
+        wanted.insert({segment.edge, segment.number});
+    std::set<int> edges;
+    for (auto it = wanted.begin(); it != wanted.end();) {
+      const int edge = it->first;
+      std::vector<std::size_t> segments;
+      for (; it != wanted.end() && it->first == edge; ++it) segments.push_back(it->second);
+      polylines_[index(edge)].split(segments);
+      edges.insert(edge);
+    }
+    return edges;
+  }
+
+  std::vector<std::size_t> faces_at(const std::set<int>& edges) const {
+    std::vector<std::size_t> found;
+    if (edges.empty()) return found;
+    for (std::size_t f = 0; f < model_.faces.size(); ++f)
+      if (std::ranges::any_of(model_.faces[f].edges, [&](int e) { return edges.contains(e); }))
+        found.push_back(f);
+    return found;
+  }
+
+  ShapeFacets numbered() const {
+    ShapeFacets result;
+    result.points = model_.vertices;
+    std::vector<int> first_inner(polylines_.size(), 0);  // of each edge
+    for (std::size_t k = 0; k < polylines_.size(); ++k) {
+      if (polylines_[k].segments() == 0) continue;
+      first_inner[k] = static_cast<int>(result.points.size());
+      const std::vector<Vec3>& points = polylines_[k].points();
+      if (points.size() > 2)
+        result.points.insert(result.points.end(), points.begin() + 1, points.end() - 1);
+      const ModelEdge& edge = model_.edges[k];
+      const double off = std::max(distance(points.front(), result.points[index(edge.from)]),
+                                  distance(points.back(), result.points[index(edge.to)]));
+      result.distance = std::max(result.distance, polylines_[k].distance() + off);
+    }
+    for (const FaceAttempt& made : attempts_)
+      result.faces.push_back(numbered(made.facets, first_inner, result));
+    return result;
+  }
+
+  MeshedFace numbered(const FaceFacets& facets, const std::vector<int>& first_inner,
+                      ShapeFacets& all) const {
+    MeshedFace face;
+    face.triangles = facets.triangles;
+    face.distance = facets.distance;
+    face.folded = facets.folded;
+    face.obstacle = facets.obstacle;
+    for (const FaceCorner& corner : facets.corners) {
+      int vertex = static_cast<int>(all.points.size());
+      if (corner.origin.edge < 0)
+        all.points.push_back(corner.point);
+      else
+        vertex = number_of(corner.origin, first_inner);
+      face.vertices.push_back(vertex);
+      face.uv.push_back(corner.uv);
+      face.normals.push_back(corner.normal);
+    }
+    all.distance = std::max(all.distance, face.distance);
+    return face;
+  }
+
+  int number_of(const EdgePoint& origin, const std::vector<int>& first_inner) const {
+    const ModelEdge& edge = model_.edges[index(origin.edge)];
+    if (origin.number == 0) return edge.from;
+    if (origin.number == polylines_[index(origin.edge)].segments()) return edge.to;
+    return first_inner[index(origin.edge)] + static_cast<int>(origin.number) - 1;
+  }
+
+  const ShapeModel& model_;
+  const FacetOptions& options_;
+  const std::function<bool()>& ask_;
+  std::mutex asking_;
+  std::atomic<bool> stopped_ = false;
+  std::vector<EdgePolyline> polylines_;
+  std::vector<std::unique_ptr<ChartSurface>> surfaces_;
+  std::vector<FaceAttempt> attempts_;
+};
+
+}  // namespace
+
+ShapeFacets shape_facets(const ShapeModel& model, const FacetOptions& options,
+                         const std::function<bool()>& ask) {
+  check(model, options);
+  return Mesher(model, options, ask).facets();
+}
+
+}  // namespace blossom

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tessellation/shape_facets.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "core/base/errors.h"
+#include "core/base/parallel.h"
+
+namespace blossom {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+RegionBorder line(const Vec2& a, const Vec2& b, int from, int to, bool reversed = false) {
+  RegionBorder border;
+  border.curve = planar_line(a, b, {0, 1});
+  border.reversed = reversed;
+  border.from = from;
+  border.to = to;
+  return border;
+}
+
+CurveSpans straight(const Vec3& a, const Vec3& b) { return curve_spans(BezierCurve{{a, b}}); }
+
+// The unit square in z = 0, as one face.
+ShapeModel square() {
+  ShapeModel model;
+  model.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  ModelFace face;
+  face.surface = ElementaryChart{};
+  const Vec2 corners[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  for (int k = 0; k < 4; ++k) {
+    const int next = (k + 1) % 4;
+    model.edges.push_back({straight(model.vertices[static_cast<std::size_t>(k)],
+                                    model.vertices[static_cast<std::size_t>(next)]),
+                           k, next});
+    face.chart.borders.push_back(line(corners[k], corners[next], k, next));
+    face.edges.push_back(k);
+  }
+  face.chart.corners.assign(corners, corners + 4);
+  model.faces.push_back(face);
+  return model;
+}
+
+double area(const ShapeFacets& facets) {
+  double sum = 0;
+  for (const MeshedFace& face : facets.faces)
+    for (const auto& [i, j, k] : face.triangles) {
+      const auto point = [&](int corner) {
+        return facets
+            .points[static_cast<std::size_t>(face.vertices[static_cast<std::size_t>(corner)])];
+      };
+      sum += 0.5 * norm(cross(point(j) - point(i), point(k) - point(i)));
+    }
+  return sum;
+}
+
+TEST(ShapeFacets, OfASquareAreTwoTriangles) {
+  const ShapeFacets facets = shape_facets(square(), {.deviation = 0.1});
+  ASSERT_EQ(facets.faces.size(), 1u);
+  EXPECT_EQ(facets.faces[0].triangles.size(), 2u);
+  EXPECT_EQ(facets.points.size(), 4u);
+  EXPECT_DOUBLE_EQ(area(facets), 1);
+  EXPECT_NEAR(facets.distance, 0, 1e-15);
+  for (const Vec3& n : facets.faces[0].normals) EXPECT_EQ(n, (Vec3{0, 0, 1}));
+}
+
+TEST(ShapeFacets, HaveSidesOfAboutTheWantedLength) {
+  const ShapeFacets facets = shape_facets(square(), {.deviation = 0.1, .edge_length = 0.1});
+  EXPECT_GE(facets.faces[0].triangles.size(), 200u);
+  EXPECT_LE(facets.faces[0].triangles.size(), 320u);
+  EXPECT_NEAR(area(facets), 1, 1e-12);
+}
+
+// A whole sphere: a seam, and a pole at either end of it.
+ShapeModel sphere(double radius) {
+  ShapeModel model;
+  model.vertices = {{0, 0, -radius}, {0, 0, radius}};
+  CurveSpans seam;
+  const double w = std::sqrt(0.5);
+  seam.rational = true;
+  for (const double z : {-1.0, 1.0}) {
+    CurveSpan span;
+    span.curve.points = {{0, 0, -radius, 1}, {w * radius, 0, -w * radius, w}, {radius, 0, 0, 1}};
+    if (z > 0)
+      span.curve.points = {{radius, 0, 0, 1}, {w * radius, 0, w * radius, w}, {0, 0, radius, 1}};
+    span.place = z < 0 ? Interval{-kTurn / 4, 0} : Interval{0, kTurn / 4};
+    span.law = ParameterLaw::Angle;
+    seam.spans.push_back(span);
+  }
+  model.edges = {{{}, 0, 0, true}, {seam, 0, 1}, {{}, 1, 1, true}};
+  ModelFace face;
+  face.surface = ElementaryChart{.kind = ElementaryKind::Sphere, .radius = radius};
+  const double low = -kTurn / 4, high = kTurn / 4;
+  face.chart.corners = {{0, low}, {kTurn, low}, {kTurn, high}, {0, high}};
+  RegionBorder right = line({kTurn, low}, {kTurn, high}, 1, 2), left;
+  right.curve = planar_line({kTurn, low}, {kTurn, high}, {low, high});
+  left = line({0, low}, {0, high}, 3, 0, true);
+  left.curve = planar_line({0, low}, {0, high}, {low, high});
+  face.chart.borders = {line({0, low}, {kTurn, low}, 0, 1), right,
+                        line({kTurn, high}, {0, high}, 2, 3), left};
+  face.chart.borders[0].is_point = face.chart.borders[2].is_point = true;
+  face.edges = {0, 1, 2, 1};
+  model.faces.push_back(face);
+  return model;
+}
+
+// How often sides are walked on more than back; empty if the mesh is closed.
+std::map<std::pair<int, int>, int> open_sides(const ShapeFacets& facets) {
+  std::map<std::pair<int, int>, int> sides;
+  for (const MeshedFace& face : facets.faces)
+    for (const auto& triangle : face.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int a = face.vertices[static_cast<std::size_t>(triangle[k])];
+        const int b = face.vertices[static_cast<std::size_t>(triangle[(k + 1) % 3])];
+        ++sides[{a, b}];
+        --sides[{b, a}];
+      }
+  std::erase_if(sides, [](const auto& side) { return side.second == 0; });
+  return sides;
+}
+
+TEST(ShapeFacets, OfASphereAreClosedAndWithinTheDeviation) {
+  for (const double deviation : {0.5, 0.05, 0.005}) {
+    const ShapeFacets facets = shape_facets(sphere(2), {.deviation = deviation, .angle = 0});
+    EXPECT_TRUE(open_sides(facets).empty());
+    EXPECT_LE(facets.distance, deviation);
+    for (const Vec3& p : facets.points) EXPECT_NEAR(norm(p), 2, 1e-12);
+    double worst = 0;
+    for (const auto& [i, j, k] : facets.faces[0].triangles) {
+      Vec3 middle;
+      for (const int corner : {i, j, k})
+        middle += facets.points[static_cast<std::size_t>(
+                      facets.faces[0].vertices[static_cast<std::size_t>(corner)])] *
+                  (1.0 / 3);
+      worst = std::max(worst, 2 - norm(middle));
+    }
+    EXPECT_LE(worst, facets.distance);
+    EXPECT_GE(worst, facets.distance / 3);
+    EXPECT_EQ(facets.faces[0].folded, 0);
+  }
+}
+
+TEST(ShapeFacets, DoNotDependOnTheNumberOfThreads) {
+  ShapeFacets one, two;
+  with_threads(1, [&] { one = shape_facets(sphere(2), {.deviation = 0.01}); });
+  with_threads(2, [&] { two = shape_facets(sphere(2), {.deviation = 0.01}); });
+  EXPECT_EQ(one.points, two.points);
+  EXPECT_EQ(one.faces[0].triangles, two.faces[0].triangles);
+}
+
+// The square with an arc for its lower side, whose chord is y = 0, and a triangle for a hole.
+ShapeModel holed(const std::array<Vec2, 3>& clockwise) {
+  ShapeModel model = square();
+  model.edges[0].curve = curve_spans(BezierCurve{{{0, 0, 0}, {0.5, -0.3, 0}, {1, 0, 0}}});
+  ModelFace& face = model.faces[0];
+  face.chart.borders[0].curve.spans = {{{{{0, 0, 1}, {0.5, -0.3, 1}, {1, 0, 1}}}, {0, 1}}};
+  for (int k = 0; k < 3; ++k) {
+    const Vec2 &a = clockwise[static_cast<std::size_t>(k)],
+               &b = clockwise[static_cast<std::size_t>((k + 1) % 3)];
+    model.vertices.push_back({a[0], a[1], 0});
+    face.chart.corners.push_back(a);
+    model.edges.push_back({straight({a[0], a[1], 0}, {b[0], b[1], 0}), 4 + k, 4 + (k + 1) % 3});
+    face.chart.borders.push_back(line(a, b, 4 + k, 4 + (k + 1) % 3));
+    face.edges.push_back(4 + k);
+  }
+  return model;
+}
+
+TEST(ShapeFacets, DivideArcsWhoseChordsCrossOtherBorders) {
+  const ShapeFacets facets = shape_facets(holed({Vec2{0.4, 0.1}, Vec2{0.6, 0.1}, Vec2{0.5, -0.1}}),
+                                          {.deviation = 10, .angle = 0});
+  EXPECT_EQ(facets.faces[0].obstacle, "");
+  EXPECT_NEAR(area(facets), 1 + 0.1 - 0.02, 0.04);  // the arc has an area of 2/3 * 0.15
+}
+
+TEST(ShapeFacets, DivideArcsWhoseChordsLeaveHolesOutside) {
+  const ShapeFacets facets = shape_facets(
+      holed({Vec2{0.4, -0.02}, Vec2{0.6, -0.02}, Vec2{0.5, -0.1}}), {.deviation = 10, .angle = 0});
+  EXPECT_EQ(facets.faces[0].obstacle, "");
+  EXPECT_NEAR(area(facets), 1 + 0.1 - 0.008, 0.04);
+}
+
+TEST(ShapeFacets, SayWhichFaceHasCrossingBorders) {
+  ShapeModel model = square();
+  std::swap(model.faces[0].chart.corners[1], model.faces[0].chart.corners[2]);
+  const ShapeFacets facets = shape_facets(model, {.deviation = 0.1});
+  EXPECT_NE(facets.faces[0].obstacle, "");
+  EXPECT_TRUE(facets.faces[0].triangles.empty());
+}
+
+TEST(ShapeFacets, StopWhenTheyAreTold) {
+  EXPECT_TRUE(shape_facets(square(), {.deviation = 0.1}, [] { return false; }).stopped);
+}
+
+TEST(ShapeFacets, RefuseWhatIsNoDeviation) {
+  EXPECT_THROW(shape_facets(square(), {.deviation = 0}), InvalidInput);
+  EXPECT_THROW(shape_facets(square(), {.deviation = std::nan("")}), InvalidInput);
+  EXPECT_THROW(shape_facets(square(), {.deviation = 1, .angle = -1}), InvalidInput);
+  ShapeModel model = square();
+  model.faces[0].edges[2] = 9;
+  EXPECT_THROW(shape_facets(model, {.deviation = 1}), InvalidInput);
+}
+
+}  // namespace
+}  // namespace blossom
