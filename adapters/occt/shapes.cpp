@@ -33,6 +33,7 @@ Format format_of(const std::filesystem::path& file) {
   if (ending == ".step" || ending == ".stp") return Format::Step;
   if (ending == ".iges" || ending == ".igs") return Format::Iges;
   if (ending == ".brep" || ending == ".brp") return Format::Brep;
+  if (ending == ".glb") return Format::Glb;
   throw BadModel(file.string() + ": the ending '" + ending +
                  "' is not known; known are .step .stp .iges .igs .brep .brp");
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "adapters/openmesh/meshes.h"
+#include "adapters/openmesh/silence.h"
 
 namespace blossom::openmesh {
 namespace {
@@ -54,25 +55,6 @@ OpenMesh::PolyMesh to_openmesh(const Mesh& mesh, bool triangles_only,
   }
   return result;
 }
-
-// Keeps OpenMesh from telling the terminal; what matters is in the exception.
-class Silence {
- public:
-  Silence() : log_(omlog().is_enabled()), errors_(omerr().is_enabled()) {
-    omlog().disable();
-    omerr().disable();
-  }
-  ~Silence() {
-    if (log_) omlog().enable();
-    if (errors_) omerr().enable();
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  bool log_;
-  bool errors_;
-};
 
 }  // namespace
 

@@ -84,7 +84,11 @@ struct Output {
 
 std::vector<Output> wanted_outputs(const CommonOptions& options, Outputs outputs) {
   Output model{"--output", options.output, {".step", ".brep", ".iges"}, {".stp", ".igs", ".brp"}};
-  if (outputs == Outputs::ModelsAndNets) model.endings.emplace_back(".json");
+  if (outputs == Outputs::ModelsAndNets || outputs == Outputs::ModelsNetsAndTriangles)
+    model.endings.emplace_back(".json");
+  if (outputs == Outputs::ModelsNetsAndTriangles)
+    for (const char* ending : {".stl", ".ply", ".obj", ".off", ".glb"})
+      model.endings.emplace_back(ending);
   if (outputs == Outputs::ModelsAndDrawings)
     for (const char* ending : {".dxf", ".svg", ".json"}) model.endings.emplace_back(ending);
   std::vector<Output> wanted;

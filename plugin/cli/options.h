@@ -53,8 +53,9 @@ void add_engine_options(CLI::App& command, EngineOptions& options);
 /// progress  has to live as long as the result is used
 IntersectionOptions intersection_options(const EngineOptions& options, Progress& progress);
 
-/// What -o takes: models; files of nets (.json), too; or drawings (.dxf, .svg) and reports, too.
-enum class Outputs { Models, ModelsAndNets, ModelsAndDrawings };
+/// What -o takes: models; files of nets (.json), too; those of triangles as well; or drawings (.dxf,
+/// .svg) and reports, too.
+enum class Outputs { Models, ModelsAndNets, ModelsNetsAndTriangles, ModelsAndDrawings };
 
 /// The ending of a file's name in small letters, ".dxf".
 std::string ending_of(const std::string& file);

@@ -25,7 +25,8 @@
 
 namespace blossom::occt {
 
-enum class Format { Step, Iges, Brep };
+/// Glb is written only: of the triangles that lie on faces.
+enum class Format { Step, Iges, Brep, Glb };
 
 /// By the ending, in any case.
 /// throws   BadModel if the ending is not known

@@ -82,6 +82,7 @@ std::string all_of_no_format(const fs::path& file) {
       case Format::Step: return "is no STEP file";
       case Format::Iges: return "is no IGES file";
       case Format::Brep: return "is no BREP file";
+      case Format::Glb: return "is of a format that is written only";
     }
   } catch (const BadModel&) {
     // An ending that says nothing, as the content does.

@@ -30,6 +30,7 @@ void read_format(Format format, Reading& reading) {
     case Format::Step: return read_step(reading);
     case Format::Iges: return read_iges(reading);
     case Format::Brep: return read_brep(reading);
+    case Format::Glb: break;  // no content is taken for it
   }
 }
 

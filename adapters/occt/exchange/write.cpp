@@ -37,6 +37,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/exchange/glb.h"
 #include "adapters/occt/repair/closed_corners.h"
 #include "adapters/occt/repair/missing_curves.h"
 #include "adapters/occt/repair/spline_hyperbolas.h"
@@ -282,7 +283,7 @@ void write_model(const Model& model, const std::filesystem::path& file,
   if (model.shape().IsNull()) throw Failure(file.string() + ": the model is empty");
   // Open CASCADE's writers break down on them.
   if (const std::size_t missing = missing_curves(model.shape()).size();
-      keeps_names(file) && missing > 0)
+      format != Format::Glb && keeps_names(file) && missing > 0)
     throw Failure(file.string() + ": the model has " + std::to_string(missing) +
                   " edges without a curve in the parameters of their face, which only BREP has");
   std::string text;
@@ -299,6 +300,7 @@ void write_model(const Model& model, const std::filesystem::path& file,
           const SplineHyperbolas splines(model.shape());
           return iges_text(model.impl_->document);
         }
+        case Format::Glb: return glb_bytes(model.impl_->document);
         case Format::Brep: break;
       }
       return brep_text(model.shape());

@@ -13,6 +13,7 @@
 #include "adapters/occt/base/errors.h"
 #include "core/regions/border_arcs.h"
 #include "plugin/cli/commands/commands.h"
+#include "plugin/cli/commands/convert_mesh.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_input.h"
@@ -32,6 +33,7 @@ struct Options {
   std::string input;
   std::string to;  ///< empty: the forms stay
   double tolerance = RegionOptions{}.tolerance;
+  MeshConversion mesh;
   CommonOptions common;
 };
 
@@ -95,7 +97,12 @@ std::string summary(const Options& options, const Made& made) {
 }
 
 int run(const Options& options) {
-  check_files(options.common, {options.input}, Outputs::ModelsAndNets);
+  check_files(options.common, {options.input}, Outputs::ModelsNetsAndTriangles);
+  if (is_of_triangles(options.common.output)) {
+    if (!options.to.empty())
+      throw UsageError(options.common.output + ": is of flat triangles, --to is of surfaces");
+    return run_mesh_conversion(options.input, options.common, options.mesh);
+  }
   const bool to_nets = nets::is_net_file(options.common.output);
   const Form form = nets::target_form(options.to).value_or(Form::AsItIs);
   if (form == Form::Monomial && !to_nets)
@@ -118,7 +125,10 @@ void add_convert(CLI::App& app, int& exit_code) {
   command->add_option("input", options->input, "model, nets (.json), or some faces or nets")
       ->required()
       ->type_name("FILE");
-  command->add_option("-o,--output", options->common.output, "write .step, .brep, .iges or .json")
+  command
+      ->add_option(
+          "-o,--output", options->common.output,
+          "write .step, .brep, .iges or .json; or triangles, as .stl, .ply, .obj, .off or .glb")
       ->required()
       ->type_name("FILE");
   limit_to(*command->add_option("--to", options->to,
@@ -131,6 +141,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->check(positive_number())
       ->default_str(number_text(options->tolerance))
       ->type_name("T");
+  add_mesh_options(*command, options->mesh);
   add_report_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/cgal/mesh_judge.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Intersections_3/Segment_3_Triangle_3.h>
+#include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "core/base/disjoint_sets.h"
+#include "core/base/errors.h"
+#include "core/bounds/box_tree.h"
+
+namespace blossom::cgal {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Triangle = std::array<int, 3>;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+constexpr int kAskEvery = 1 << 14;  // pairs
+
+// A side, its lower vertex first, and the triangle that has it.
+struct Side {
+  int low, high, triangle;
+  bool forward;
+};
+
+std::vector<Side> sides_of(std::span<const Triangle> triangles) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = triangles[t][k], b = triangles[t][(k + 1) % 3];
+      if (a != b) sides.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), a < b});
+    }
+  std::ranges::sort(sides, {}, [](const Side& side) {
+    return std::array{side.low, side.high, side.triangle};
+  });
+  return sides;
+}
+
+class Judge {
+ public:
+  Judge(std::span<const Vec3> points, std::span<const Triangle> triangles,
+        const std::function<void()>& ask)
+      : points_(points), triangles_(triangles), ask_(ask) {}
+
+  MeshVerdict verdict() {
+    count_sides();
+    measure();
+    count_crossings();
+    return std::move(found_);
+  }
+
+ private:
+  Kernel::Point_3 point(int i) const {
+    const Vec3& p = points_[index(i)];
+    return {p[0], p[1], p[2]};
+  }
+  Kernel::Triangle_3 triangle(const Triangle& t) const {
+    return {point(t[0]), point(t[1]), point(t[2])};
+  }
+
+  void count_sides() {
+    const std::vector<Side> sides = sides_of(triangles_);
+    DisjointSets parts(triangles_.size());
+    for (std::size_t first = 0; first < sides.size();) {
+      std::size_t end = first + 1;
+      while (end < sides.size() && sides[end].low == sides[first].low &&
+             sides[end].high == sides[first].high)
+        ++end;
+      found_.open_sides += end - first == 1;
+      found_.crowded_sides += end - first > 2;
+      found_.turned_sides += end - first == 2 && sides[first].forward == sides[first + 1].forward;
+      for (std::size_t k = first + 1; k < end; ++k)
+        parts.join(index(sides[k].triangle), index(sides[first].triangle));
+      first = end;
+    }
+    for (std::size_t t = 0; t < triangles_.size(); ++t) found_.parts += parts.find(t) == t;
+  }
+
+  void measure() {
+    const Vec3 origin = points_.empty() ? Vec3{} : points_.front();
+    for (const Triangle& t : triangles_) {
+      const Vec3 a = points_[index(t[0])] - origin, b = points_[index(t[1])] - origin,
+                 c = points_[index(t[2])] - origin;
+      found_.area += 0.5 * norm(cross(b - a, c - a));
+      found_.volume += dot(a, cross(b, c)) / 6;
+      const bool flat = is_flat(t);
+      found_.degenerate += flat;
+      flat_.push_back(flat);
+    }
+    if (!found_.closed()) found_.volume = 0;
+  }
+
+  bool is_flat(const Triangle& t) const {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0] ||
+           CGAL::collinear(point(t[0]), point(t[1]), point(t[2]));
+  }
+
+  void count_crossings() {
+    std::vector<Box> boxes;
+    for (const Triangle& t : triangles_) {
+      Box box;
+      for (const int corner : t)
+        box = joined(box, {points_[index(corner)], points_[index(corner)]});
+      boxes.push_back(box);
+    }
+    const BoxTree tree(boxes);
+    int asked = 0;
+    tree.for_each_meeting(tree, [&](int i, int j) {
+      if (ask_ && ++asked % kAskEvery == 0) ask_();
+      if (i >= j || flat_[index(i)] || flat_[index(j)] ||
+          !cross_beyond(triangles_[index(i)], triangles_[index(j)]))
+        return;
+      ++found_.crossings;
+      if (found_.crossing_pairs.size() < kListedCrossings) found_.crossing_pairs.push_back({i, j});
+    });
+    std::ranges::sort(found_.crossing_pairs);
+  }
+
+  // Beyond the vertices that they share.
+  bool cross_beyond(const Triangle& a, const Triangle& b) const {
+    std::array<std::size_t, 3> in_a{}, in_b{};
+    std::size_t shared = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        if (a[i] == b[j] && shared < 3) {
+          in_a[shared] = i;
+          in_b[shared++] = j;
+        }
+    if (shared == 0) return CGAL::do_intersect(triangle(a), triangle(b));
+    if (shared == 1) {
+      const auto opposite = [&](const Triangle& t, std::size_t k) {
+        return Kernel::Segment_3(point(t[(k + 1) % 3]), point(t[(k + 2) % 3]));
+      };
+      return CGAL::do_intersect(triangle(a), opposite(b, in_b[0])) ||
+             CGAL::do_intersect(triangle(b), opposite(a, in_a[0]));
+    }
+    if (shared == 3) return true;
+    // One lies on the other where they are in one plane and on one side of what they share.
+    const auto p = point(a[in_a[0]]), q = point(a[in_a[1]]);
+    const auto r = point(a[3 - in_a[0] - in_a[1]]), s = point(b[3 - in_b[0] - in_b[1]]);
+    return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
+  }
+
+  std::span<const Vec3> points_;
+  std::span<const Triangle> triangles_;
+  const std::function<void()>& ask_;
+  std::vector<char> flat_;
+  MeshVerdict found_;
+};
+
+void check(std::span<const Vec3> points, std::span<const Triangle> triangles) {
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (const double x : points[k].coordinates)
+      if (!std::isfinite(x))
+        throw InvalidInput("judge_mesh: point " + std::to_string(k) + " is not finite");
+  for (std::size_t k = 0; k < triangles.size(); ++k)
+    for (const int corner : triangles[k])
+      if (corner < 0 || index(corner) >= points.size())
+        throw InvalidInput("judge_mesh: triangle " + std::to_string(k) + " has corner " +
+                           std::to_string(corner) + ", but there are " +
+                           std::to_string(points.size()) + " points");
+}
+
+}  // namespace
+
+MeshVerdict judge_mesh(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                       const std::function<void()>& ask) {
+  check(points, triangles);
+  return Judge(points, triangles, ask).verdict();
+}
+
+}  // namespace blossom::cgal

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What is wrong with a mesh of triangles, decided exactly by CGAL's kernel: whether it is closed
+// and turned one way, which triangles cross, and what it encloses.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/math/vec.h"
+
+namespace blossom::cgal {
+
+struct MeshVerdict {
+  std::size_t open_sides = 0;     ///< of one triangle alone
+  std::size_t crowded_sides = 0;  ///< of more than two
+  std::size_t turned_sides = 0;   ///< of two that go round it the same way: one is turned over
+  std::size_t degenerate = 0;     ///< triangles with corners on a line or repeated
+  std::size_t parts = 0;          ///< connected by sides
+  double area = 0;
+  /// Enclosed where the mesh is closed, negative if it is turned inside out; to rounding.
+  double volume = 0;
+  std::size_t crossings = 0;  ///< pairs of triangles that meet beyond what they share
+  /// The first of them, by place.
+  std::vector<std::array<int, 2>> crossing_pairs;
+
+  bool closed() const { return open_sides == 0 && crowded_sides == 0 && turned_sides == 0; }
+};
+
+/// The most pairs that `crossing_pairs` lists.
+inline constexpr std::size_t kListedCrossings = 1000;
+
+/// Degenerate triangles cross nothing here.
+///
+/// points      model units
+/// triangles   three indices of points each
+/// ask         asked now and then; may throw to end the work
+/// throws      InvalidInput if an index is out of range or a coordinate is not finite
+/// cost        O(n log n) for n triangles that meet few others
+MeshVerdict judge_mesh(std::span<const Vec3> points, std::span<const std::array<int, 3>> triangles,
+                       const std::function<void()>& ask = {});
+
+}  // namespace blossom::cgal

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/commands/convert_mesh.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
+
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/tessellation.h"
+#include "adapters/occt/tessellation/triangulated_faces.h"
+#include "core/base/work_limit.h"
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/inputs.h"
+#include "plugin/cli/interruption.h"
+#include "plugin/cli/mesh_files.h"
+#include "plugin/cli/nets/net_input.h"
+#include "plugin/cli/output.h"
+#include "plugin/cli/progress.h"
+#include "plugin/cli/supervision.h"
+#include "plugin/cli/values.h"
+#include "plugin/reports/mesh.h"
+#include "plugin/reports/repairs.h"
+
+namespace blossom::cli {
+namespace {
+
+constexpr double kSizePart = 1e-3;  // of the diagonal, where no deviation is given
+
+// Looking for crossings takes longer than meshing; of so many triangles some seconds.
+constexpr std::size_t kMostJudged = 2'000'000;
+
+double diagonal_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  return box.IsVoid() ? 1 : std::sqrt(box.SquareExtent());
+}
+
+FacetOptions facet_options(const TopoDS_Shape& shape, const MeshConversion& options) {
+  FacetOptions result = options.facets;
+  result.deviation = options.deviation > 0 ? options.deviation : kSizePart * diagonal_of(shape);
+  return result;
+}
+
+occt::ShapeTessellation meshed(const TopoDS_Shape& shape, const FacetOptions& options) {
+  Progress progress("meshing");
+  const std::function<bool()> cancelled = interrupted;
+  const WorkLimit limit(seconds_left(), cancelled);
+  return occt::tessellation(shape, options, [&] {
+    progress.tick();
+    return limit.reached() == nullptr;
+  });
+}
+
+void look_for_crossings(const FileMesh& mesh, const std::vector<int>& face_of,
+                        const std::vector<int>& numbers, reports::MeshAnswer& answer) {
+  if (mesh.triangles.size() > kMostJudged) return;
+  const auto judged = judged_mesh(mesh);
+  if (!judged) return;
+  answer.crossings = judged->crossings;
+  std::set<std::array<int, 2>> pairs;
+  for (const auto& [a, b] : judged->crossing_pairs) {
+    const auto number = [&](int t) {
+      return numbers[static_cast<std::size_t>(face_of[static_cast<std::size_t>(t)])];
+    };
+    pairs.insert({std::min(number(a), number(b)), std::max(number(a), number(b))});
+  }
+  answer.crossing_faces.assign(pairs.begin(), pairs.end());
+}
+
+std::string summary(const std::string& input, const std::string& output,
+                    const reports::MeshAnswer& answer) {
+  std::ostringstream text;
+  text << input << " to " << output << ": " << counted(answer.triangles, "triangle") << ", "
+       << counted(answer.points, "point") << ", within " << answer.distance
+       << " of the faces, proven\n"
+       << reports::mesh_notes(answer);
+  return text.str();
+}
+
+}  // namespace
+
+void add_mesh_options(CLI::App& command, MeshConversion& options) {
+  command
+      .add_option("--deviation", options.deviation,
+                  "of triangles: how far they may be from the faces, model units; else a "
+                  "thousandth of the model's size")
+      ->check(positive_number())
+      ->type_name("D");
+  command
+      .add_option("--angle", options.facets.angle,
+                  "of triangles: how far normals may turn along a side, about; radians")
+      ->check(positive_number())
+      ->default_str(number_text(options.facets.angle))
+      ->type_name("A");
+  command
+      .add_option("--edge-length", options.facets.edge_length,
+                  "of triangles: how long sides may be, about; model units")
+      ->check(positive_number())
+      ->type_name("L");
+  command.add_flag("--text", options.text, "of triangles: .stl, .ply and .off as text");
+}
+
+bool is_of_triangles(const std::string& file) { return is_mesh_file(file) || is_glb_file(file); }
+
+int run_mesh_conversion(const std::string& name, const CommonOptions& common,
+                        const MeshConversion& conversion) {
+  Input input = read_input(name);
+  const Json repairs = Json::array({reports::repairs_json(input)});
+  drop_other_faces(input);
+  stop_if_interrupted();
+  const TopoDS_Shape& shape = input.model.shape();
+  const FacetOptions options = facet_options(shape, conversion);
+  const auto start = std::chrono::steady_clock::now();
+  const occt::ShapeTessellation made = meshed(shape, options);
+  stop_if_interrupted();
+  if (made.facets.stopped) {
+    tell_unwritten(common.output, "the time limit was reached while it was meshed");
+    return exit_code_unwritten(Status::Stopped);
+  }
+  std::vector<int> face_of;
+  FileMesh mesh{made.facets.points, occt::triangles_of(made, &face_of)};
+  if (mesh.triangles.empty()) throw occt::BadModel(input.name + ": no face can be meshed");
+  reports::MeshAnswer answer = reports::answer_of(made, shape, input.numbers, options);
+  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  answer.points = mesh.points.size();
+  answer.triangles = mesh.triangles.size();
+  look_for_crossings(mesh, face_of, input.numbers, answer);
+  stop_if_interrupted();
+  if (is_glb_file(common.output)) {
+    occt::put_on_faces(made, shape);
+    write_model(input.model, common.output);
+  } else {
+    const WrittenMesh written = write_mesh_file(mesh, common.output, conversion.text);
+    answer.rounding = written.rounding;
+    answer.distance += written.rounding;
+    answer.apart = written.apart;
+  }
+  if (!common.json.empty()) {
+    Json report = reports::mesh_report(name, common.output, answer);
+    report["repairs"] = repairs;
+    write_json(report, common.json);
+  }
+  print_summary(summary(input.name, common.output, answer), common.json);
+  return answer.refused.empty() ? kExitComplete : kExitStopped;
+}
+
+}  // namespace blossom::cli

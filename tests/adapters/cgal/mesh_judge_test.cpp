@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/cgal/mesh_judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/base/errors.h"
+
+namespace blossom {
+namespace {
+
+using Triangles = std::vector<std::array<int, 3>>;
+
+const std::vector<Vec3> kCorners{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 3}};
+const Triangles kTetrahedron{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+
+TEST(MeshVerdict, OfATetrahedronIsClosedWithItsVolume) {
+  const cgal::MeshVerdict found = cgal::judge_mesh(kCorners, kTetrahedron);
+  EXPECT_TRUE(found.closed());
+  EXPECT_DOUBLE_EQ(found.volume, 2);
+  EXPECT_EQ(found.crossings, 0u);
+  EXPECT_EQ(found.degenerate, 0u);
+  EXPECT_EQ(found.parts, 1u);
+}
+
+TEST(MeshVerdict, CountsOpenTurnedAndCrowdedSides) {
+  Triangles open = kTetrahedron;
+  open.pop_back();
+  EXPECT_EQ(cgal::judge_mesh(kCorners, open).open_sides, 3u);
+
+  Triangles turned = kTetrahedron;
+  std::swap(turned[0][0], turned[0][1]);
+  const cgal::MeshVerdict found = cgal::judge_mesh(kCorners, turned);
+  EXPECT_EQ(found.turned_sides, 3u);
+  EXPECT_EQ(found.volume, 0);
+
+  std::vector<Vec3> points = kCorners;
+  points.push_back({-1, -1, 1});
+  Triangles crowded = kTetrahedron;
+  crowded.push_back({0, 3, 4});
+  EXPECT_EQ(cgal::judge_mesh(points, crowded).crowded_sides, 1u);
+}
+
+TEST(MeshVerdict, FindsCrossingsOfTrianglesThatShareNothingACornerOrASide) {
+  const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0},  {1, 1, -1},
+                                 {1, 1, 1}, {3, 3, 1}, {1, 1, -2}, {1, 1, 0}};
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {3, 4, 5}}).crossings, 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 4, 6}}).crossings, 1u);
+  // Folded onto the other one, and beside it.
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 7}}).crossings, 1u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {1, 0, 4}}).crossings, 0u);
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 1, 2}}).crossings, 1u);
+}
+
+TEST(MeshVerdict, CountsFlatTrianglesExactly) {
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}, {0.1, 0.2, 0.3}, {0.5, 1.0, 1.5}};
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 1, 2}, {0, 0, 1}}).degenerate, 2u);
+  // 5 * 0.3 is not 1.5 in binary numbers.
+  EXPECT_EQ(cgal::judge_mesh(points, Triangles{{0, 3, 4}}).degenerate, 0u);
+}
+
+TEST(MeshVerdict, RefusesWhatIsNoMesh) {
+  EXPECT_THROW(cgal::judge_mesh(kCorners, Triangles{{0, 1, 9}}), InvalidInput);
+  EXPECT_THROW(cgal::judge_mesh(std::vector<Vec3>{{std::nan(""), 0, 0}}, Triangles{}),
+               InvalidInput);
+}
+
+}  // namespace
+}  // namespace blossom

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// `blossom convert` to triangles: what is promised is in the report, and the files hold it.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numbers>
+#include <string>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <nlohmann/json.hpp>
+
+#include "adapters/occt/shapes.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+class ConvertMesh : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  void write(const TopoDS_Shape& shape, const std::string& name) {
+    occt::quiet_messages();
+    occt::Model model;
+    model.add(shape, "part", {0.25, 0.5, 0.75});
+    occt::write_model(model, path(name));
+  }
+
+  Finished run(const std::string& from, const std::string& to, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"convert", path(from), "-o", path(to)});
+    return blossom(more);
+  }
+
+  Json report(const std::string& from, const std::string& to, std::vector<std::string> more = {}) {
+    more.insert(more.end(), {"--json", "-"});
+    const Finished ran = run(from, to, more);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.code == 0 ? Json::parse(ran.out) : Json();
+  }
+
+  TestFolder folder;
+};
+
+// Of a binary STL.
+double stl_volume(const std::string& bytes, std::uint32_t& facets) {
+  std::memcpy(&facets, bytes.data() + 80, sizeof facets);
+  double sum = 0;
+  for (std::uint32_t k = 0; k < facets; ++k) {
+    float p[12];
+    std::memcpy(p, bytes.data() + 84 + 50 * static_cast<std::size_t>(k), sizeof p);
+    const float *a = p + 3, *b = p + 6, *c = p + 9;
+    sum += (double(a[0]) * (double(b[1]) * c[2] - double(b[2]) * c[1]) +
+            double(a[1]) * (double(b[2]) * c[0] - double(b[0]) * c[2]) +
+            double(a[2]) * (double(b[0]) * c[1] - double(b[1]) * c[0])) /
+           6;
+  }
+  return sum;
+}
+
+TEST_F(ConvertMesh, WritesABinaryStlWithinTheDeviation) {
+  write(BRepPrimAPI_MakeCylinder(10, 20), "a.step");
+
+  const Json made = report("a.step", "a.stl", {"--deviation", "0.01"});
+
+  EXPECT_EQ(made["schema"], "blossom.mesh/1");
+  EXPECT_EQ(made["closed"], true);
+  EXPECT_EQ(made["crossings"], 0);
+  EXPECT_LE(made["distance"].get<double>(), 0.0101);
+  const std::string bytes = text_of(path("a.stl"));
+  std::uint32_t facets = 0;
+  const double volume = stl_volume(bytes, facets);
+  EXPECT_EQ(facets, made["triangles"]);
+  EXPECT_EQ(bytes.size(), 84 + 50 * std::size_t{facets});
+  const double exact = std::numbers::pi * 100 * 20;
+  EXPECT_LT(volume, exact);
+  EXPECT_GT(volume, exact - 0.0101 * 2 * std::numbers::pi * 10 * 30);
+}
+
+TEST_F(ConvertMesh, WritesAllFormatsAndSaysHowNearTheyAre) {
+  write(BRepPrimAPI_MakeSphere(5), "ball.brep");
+  for (const char* ending : {"stl", "ply", "obj", "off", "glb"}) {
+    const std::string name = std::string("ball.") + ending;
+    const Finished ran = run("ball.brep", name, {"--deviation", "0.1"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("of the faces, proven"), std::string::npos) << ran.out;
+    EXPECT_GT(text_of(path(name)).size(), 1000u) << ending;
+  }
+  EXPECT_EQ(text_of(path("ball.glb")).substr(0, 4), "glTF");
+}
+
+TEST_F(ConvertMesh, KeepsNamesAndColoursInGlb) {
+  write(BRepPrimAPI_MakeBox(1, 2, 3), "box.step");
+  EXPECT_EQ(run("box.step", "box.glb").code, 0);
+  const std::string bytes = text_of(path("box.glb"));
+  EXPECT_NE(bytes.find("\"part\""), std::string::npos);
+  EXPECT_NE(bytes.find("baseColorFactor"), std::string::npos);
+}
+
+TEST_F(ConvertMesh, TakesFinerOptionsByTheirWord) {
+  write(BRepPrimAPI_MakeBox(1, 1, 1), "box.brep");
+  EXPECT_EQ(report("box.brep", "a.ply")["triangles"], 12);
+  EXPECT_GT(report("box.brep", "b.ply", {"--edge-length", "0.1"})["triangles"], 1000);
+  write(BRepPrimAPI_MakeCylinder(1, 1), "rod.brep");
+  EXPECT_LT(report("rod.brep", "c.ply", {"--deviation", "9", "--angle", "2"})["triangles"],
+            report("rod.brep", "d.ply", {"--deviation", "9", "--angle", "0.2"})["triangles"]);
+}
+
+TEST_F(ConvertMesh, NamesOpenEdgesOfSingleFaces) {
+  write(BRepPrimAPI_MakeBox(1, 1, 1), "box.brep");
+  const Finished ran = blossom({"convert", path("box.brep") + "#1,2", "-o", path("open.stl")});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("it is open at"), std::string::npos) << ran.out;
+}
+
+TEST_F(ConvertMesh, SaysWhichFacesCross) {
+  TopoDS_Compound both;
+  const BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, BRepPrimAPI_MakeBox(2, 2, 2).Shape());
+  builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 1), gp_Pnt(3, 3, 3)).Shape());
+  write(both, "two.brep");
+  const Json made = report("two.brep", "two.stl");
+  EXPECT_GT(made["crossings"], 0);
+  EXPECT_EQ(made["crossing_faces"].size(), 6u);
+}
+
+TEST_F(ConvertMesh, RefusesFormsOfSurfaces) {
+  write(BRepPrimAPI_MakeBox(1, 1, 1), "box.brep");
+  EXPECT_EQ(run("box.brep", "a.stl", {"--to", "bezier"}).code, 2);
+  EXPECT_EQ(run("box.brep", "a.stl", {"--deviation", "-1"}).code, 2);
+}
+
+}  // namespace
+}  // namespace blossom::testing
