@@ -8,6 +8,7 @@ namespace blossom {
 namespace {
 
 constexpr int kMostRows = 20000;
+constexpr int kMostSparse = 10;  // level of rows
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -67,17 +68,27 @@ struct Rows {
   double low_of(int k) const { return low[turned ? 1 - k : k]; }
   double high_of(int k) const { return high[turned ? 1 - k : k]; }
 
+  double most_in(int j) const {
+    double most = 0;
+    for (int i = 0; i + 1 < static_cast<int>(p_ends().size()); ++i)
+      most = std::max(most, along_q(i, j));
+    return most;
+  }
+
   Spread across() const {
-    const int count = static_cast<int>(p_ends().size()) - 1;
-    return Spread(q_ends(), low_of(1), high_of(1), [&](int j) {
-      double most = 0;
-      for (int i = 0; i < count; ++i) most = std::max(most, along_q(i, j));
-      return most;
-    });
+    return Spread(q_ends(), low_of(1), high_of(1), [this](int j) { return most_in(j); });
   }
 
   Spread along(int j) const {
     return Spread(p_ends(), low_of(0), high_of(0), [&](int i) { return along_p(i, j); });
+  }
+
+  // Of 2^level rows one is enough at p, in a cell of q where rows are as dense as `most` wants.
+  int level(double p, int j, double most) const {
+    const double here = along_q(cell_of(p_ends(), p), j);
+    int level = 0;
+    while (level < kMostSparse && here * (2 << level) <= most) ++level;
+    return level;
   }
 
   // How many, about; they are nearer than the sides of equilateral triangles are long.
@@ -112,11 +123,16 @@ std::vector<Vec2> points_in_rows(const FacetDensity& density, const Vec2& low, c
   std::vector<Vec2> points;
   for (int k = 1; k < count; ++k) {
     const double q = across.place(static_cast<double>(k) / count);
-    const Spread along = rows.along(cell_of(rows.q_ends(), q));
+    const int cell = cell_of(rows.q_ends(), q);
+    const double most = rows.most_in(cell);
+    const Spread along = rows.along(cell);
     const int parts = static_cast<int>(std::ceil(along.all()));
-    const bool shifted = k % 2 == 1;
-    for (int i = shifted ? 0 : 1; i < parts; ++i) {
-      const int step = k % 4 < 2 ? i : parts - 1 - i + (shifted ? 0 : 1);
+    for (int i = 0; i < parts; ++i) {
+      const int step = k % 2 == 1 ? i : parts - 1 - i;
+      const int level = rows.level(along.place((step + 0.25) / parts), cell, most);
+      if (k % (1 << level) != 0) continue;
+      const bool shifted = (k >> level) % 2 == 1;
+      if (!shifted && step == 0) continue;
       const double p = along.place((step + (shifted ? 0.5 : 0.0)) / parts);
       points.push_back(turn ? Vec2{q, p} : Vec2{p, q});
     }

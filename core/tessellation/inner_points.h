@@ -12,8 +12,8 @@ namespace blossom {
 
 /// Rows over a rectangle of parameters: as far apart as the densest place along them wants, with
 /// points along each row as its own places want, those of every other row in the gaps of its
-/// neighbours. Rows run along u or v, whichever takes fewer points, to and fro. None lies on the
-/// rectangle's border.
+/// neighbours. Where a half, a quarter, ... of the rows is enough, the others have no points. Rows
+/// run along u or v, whichever takes fewer points, to and fro. None lies on the rectangle's border.
 std::vector<Vec2> points_in_rows(const FacetDensity& density, const Vec2& low, const Vec2& high);
 
 /// The density at a place.

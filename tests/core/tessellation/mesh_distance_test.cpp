@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "core/tessellation/mesh_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/base/errors.h"
+#include "tests/support/random.h"
+
+namespace blossom {
+namespace {
+
+using Triangles = std::vector<std::array<int, 3>>;
+
+const std::vector<Vec3> kSquare{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const Triangles kTwo{{0, 1, 2}, {0, 2, 3}};
+
+std::vector<Vec3> moved(std::vector<Vec3> points, const Vec3& by) {
+  for (Vec3& p : points) p += by;
+  return points;
+}
+
+TEST(FarthestPoint, OfAMovedSquareIsTheMove) {
+  const auto found = farthest_point(kSquare, kTwo, moved(kSquare, {0, 0, 0.25}), kTwo, 1e-6);
+  EXPECT_DOUBLE_EQ(found.lower, 0.25);
+  EXPECT_DOUBLE_EQ(found.upper, 0.25);
+}
+
+TEST(FarthestPoint, IsFoundInsideOfAFacet) {
+  // Two squares side by side; the middle of the gap between them is farthest.
+  std::vector<Vec3> apart = kSquare;
+  for (const Vec3& p : moved(kSquare, {2, 0, 0})) apart.push_back(p);
+  const Triangles four{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}};
+  const std::vector<Vec3> whole{{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}};
+  const auto found = farthest_point(whole, kTwo, apart, four, 1e-4);
+  EXPECT_NEAR(found.lower, 0.5, 1e-4);
+  EXPECT_LE(found.upper, 0.5 + 2e-4);
+  EXPECT_GE(found.upper, 0.5);
+  EXPECT_NEAR(found.point[0], 1.5, 1e-3);
+  EXPECT_EQ(farthest_point(apart, four, whole, kTwo, 1e-4).lower, 0);
+}
+
+TEST(FarthestPoint, IsBetweenItsBoundsForRandomMeshes) {
+  auto random = testing::seeded(5);
+  const auto drawn = [&] {
+    std::vector<Vec3> points;
+    for (int k = 0; k < 30; ++k)
+      points.push_back({testing::uniform(random, 0, 1), testing::uniform(random, 0, 1),
+                        testing::uniform(random, 0, 1)});
+    return points;
+  };
+  Triangles triangles;
+  for (int k = 0; k + 2 < 30; k += 3) triangles.push_back({k, k + 1, k + 2});
+  for (int trial = 0; trial < 20; ++trial) {
+    const std::vector<Vec3> a = drawn(), b = drawn();
+    const auto fine = farthest_point(a, triangles, b, triangles, 1e-5);
+    const auto coarse = farthest_point(a, triangles, b, triangles, 0.05);
+    EXPECT_LE(fine.upper - fine.lower, 1.01e-5);
+    EXPECT_LE(coarse.lower, fine.upper);
+    EXPECT_LE(fine.lower, coarse.upper);
+  }
+}
+
+TEST(FarthestPoint, RefusesWhatIsNoMesh) {
+  EXPECT_THROW(farthest_point(kSquare, kTwo, kSquare, Triangles{}, 1), InvalidInput);
+  EXPECT_THROW(farthest_point(kSquare, Triangles{{0, 1, 7}}, kSquare, kTwo, 1), InvalidInput);
+  EXPECT_THROW(farthest_point(kSquare, kTwo, kSquare, kTwo, 0), InvalidInput);
+}
+
+}  // namespace
+}  // namespace blossom
