@@ -12,6 +12,7 @@
 #include "adapters/occt/soundness.h"
 #include "plugin/cli/commands/check_continuity.h"
 #include "plugin/cli/commands/commands.h"
+#include "plugin/cli/commands/mesh_commands.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
@@ -26,6 +27,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> inputs;
+  bool deep = false;
   CommonOptions common;
   ContinuityCommand continuity;
 };
@@ -152,6 +154,8 @@ int run_on_many(const CLI::App& command, const Options& options) {
 int run(const Options& options) {
   if (options.continuity.wanted)
     return run_continuity(options.inputs.front(), options.common, options.continuity);
+  if (is_mesh_input(options.inputs.front()))
+    return run_mesh_check(options.inputs.front(), options.common);
   check_files(options.common, options.inputs);
   const Input input = read_input(options.inputs.front());
   stop_if_interrupted();
@@ -159,11 +163,15 @@ int run(const Options& options) {
   const occt::CheckRunner checks = watched_checks(input.model.file());
   const occt::Soundness found = whole ? occt::soundness(input.model.shape(), checks)
                                       : occt::soundness(input.model.shape(), input.numbers, checks);
+  const DeepCheck deep = options.deep ? deep_check(input) : DeepCheck{};
   stop_if_interrupted();
   const std::string& json = options.common.json;
-  if (!json.empty()) write_json(reports::soundness_report(input, found), json);
-  print_summary(check_text(input, found), json);
-  return exit_code(kExitComplete, findings_of(reports::problem_count(found) > 0), options.common);
+  Json report = reports::soundness_report(input, found);
+  if (options.deep) report["triangles"] = deep.report;
+  if (!json.empty()) write_json(report, json);
+  print_summary(check_text(input, found) + deep.text, json);
+  const bool wrong = reports::problem_count(found) > 0 || deep.wrong;
+  return exit_code(kExitComplete, findings_of(wrong), options.common);
 }
 
 }  // namespace
@@ -173,12 +181,17 @@ void add_check(CLI::App& app, int& exit_code) {
       "check",
       "what is wrong with a model: validity, gaps beside stated tolerances, wires, open edges");
   const auto options = std::make_shared<Options>();
-  command->add_option("input", options->inputs, "model, or some of its faces; or many models")
+  command
+      ->add_option("input", options->inputs,
+                   "model, or some of its faces; or triangles, as .stl, .ply, .obj or .off; or many "
+                   "of them")
       ->required()
       ->type_name("FILE");
   add_report_options(*command, options->common);
   add_table(*command, options->common, "each model");
   add_fail_on(*command, options->common);
+  command->add_flag("--deep", options->deep,
+                    "also mesh the whole model and look for triangles that cross");
   add_continuity_options(*command, options->common, options->continuity);
   command->callback([options, command, &exit_code] {
     exit_code = are_many(options->inputs, options->common) ? run_on_many(*command, *options)

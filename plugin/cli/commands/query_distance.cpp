@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "adapters/occt/bodies.h"
+#include "plugin/cli/commands/mesh_commands.h"
 #include "plugin/cli/commands/query_bodies.h"
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/exit_code.h"
@@ -84,6 +85,8 @@ int run_point(const Options& options) {
 }
 
 int run_distance(const Options& options) {
+  if (is_mesh_input(options.a) || is_mesh_input(options.b))
+    return run_mesh_distance(options.a, options.b, options.common);
   check_files(options.common, {options.a, options.b});
   QuerySide a(options.a), b(options.b);
   stop_if_interrupted();
@@ -165,7 +168,9 @@ void add_query_point(CLI::App& query, int& exit_code) {
 }
 
 void add_query_distance(CLI::App& query, int& exit_code) {
-  add_pair(query, "distance", "the least distance of two models; 0 if one is inside of the other",
+  add_pair(query, "distance",
+           "the least distance of two models; of triangles (.stl, .ply, .obj, .off) the largest, "
+           "both ways",
            run_distance, exit_code);
 }
 

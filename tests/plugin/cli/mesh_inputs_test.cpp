@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Files of triangles as inputs: `blossom check` and `blossom query distance`.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numbers>
+#include <string>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <nlohmann/json.hpp>
+
+#include "adapters/occt/shapes.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kTetrahedron =
+    "OFF\n4 4 0\n0 0 0\n2 0 0\n0 2 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+constexpr const char* kOpen = "OFF\n4 3 0\n0 0 0\n2 0 0\n0 2 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
+
+class MeshInputs : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  void write(const TopoDS_Shape& shape, const std::string& name) {
+    occt::quiet_messages();
+    occt::Model model;
+    model.add(shape, "part");
+    occt::write_model(model, path(name));
+  }
+
+  Json report(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", "-"});
+    const Finished ran = blossom(arguments);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return ran.code == 0 ? Json::parse(ran.out) : Json();
+  }
+
+  TestFolder folder;
+};
+
+TEST_F(MeshInputs, AreCheckedForSidesAndVolume) {
+  write_text(path("a.off"), kTetrahedron);
+  const Json found = report({"check", path("a.off")});
+  EXPECT_EQ(found["schema"], "blossom.mesh-check/1");
+  EXPECT_EQ(found["closed"], true);
+  EXPECT_DOUBLE_EQ(found["volume"].get<double>(), 2);
+  EXPECT_EQ(found["crossings"], 0);
+}
+
+TEST_F(MeshInputs, SayHowManySidesAreOpen) {
+  write_text(path("a.off"), kOpen);
+  EXPECT_EQ(report({"check", path("a.off")})["open_sides"], 3);
+  EXPECT_EQ(blossom({"check", path("a.off"), "--fail-on", "findings"}).code, 5);
+  EXPECT_NE(blossom({"check", path("a.off")}).out.find("3 sides of one triangle"),
+            std::string::npos);
+}
+
+TEST_F(MeshInputs, ThatPromiseTenGigabytesAreRefused) {
+  std::string bytes(84, ' ');
+  const std::uint32_t count = 200'000'000;
+  std::memcpy(bytes.data() + 80, &count, sizeof count);
+  write_text(path("a.stl"), bytes);
+  const Finished ran = blossom({"check", path("a.stl")});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("promises 200000000 facets"), std::string::npos) << ran.err;
+}
+
+TEST_F(MeshInputs, AreAsFarFromTheirModelAsTheyClaim) {
+  write(BRepPrimAPI_MakeCylinder(10, 20), "rod.brep");
+  const Json made = [&] {
+    const Finished ran = blossom(
+        {"convert", path("rod.brep"), "-o", path("rod.stl"), "--deviation", "0.05", "--json", "-"});
+    return Json::parse(ran.out);
+  }();
+  const Json found = report({"query", "distance", path("rod.stl"), path("rod.brep")});
+  EXPECT_EQ(found["schema"], "blossom.mesh-distance/1");
+  EXPECT_LE(found["lower"], made["distance"]);
+  EXPECT_GE(found["upper"].get<double>(), 0.7 * made["distance"].get<double>());
+  EXPECT_LE(found["upper"].get<double>(), 1.3 * found["lower"].get<double>());
+}
+
+TEST_F(MeshInputs, OfAnotherPartAreFarFromIt) {
+  write(BRepPrimAPI_MakeBox(1, 1, 1), "a.brep");
+  write(BRepPrimAPI_MakeBox(1, 1, 3), "b.brep");
+  EXPECT_EQ(blossom({"convert", path("b.brep"), "-o", path("b.ply")}).code, 0);
+  const Json found = report({"query", "distance", path("a.brep"), path("b.ply")});
+  EXPECT_NEAR(found["a_to_b"]["upper"].get<double>(), 0, 1e-6);
+  EXPECT_NEAR(found["b_to_a"]["lower"].get<double>(), 2, 1e-6);
+  EXPECT_NEAR(found["upper"].get<double>(), 2, 1e-6);
+}
+
+TEST_F(MeshInputs, DeepChecksOfModelsCountCrossings) {
+  write(BRepPrimAPI_MakeCylinder(10, 20), "rod.brep");
+  const Json found = report({"check", path("rod.brep"), "--deep"})["triangles"];
+  EXPECT_EQ(found["closed"], true);
+  EXPECT_EQ(found["crossings"], 0);
+  EXPECT_NEAR(found["volume"].get<double>(), std::numbers::pi * 2000, 60);
+}
+
+}  // namespace
+}  // namespace blossom::testing
