@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kStlHeader = 84;
 constexpr std::size_t kStlFacet = 50;
 constexpr std::uint64_t kOffCounts = 12, kOffVertex = 12, kOffTriangle = 16;  // binary, at least
+constexpr std::uint64_t kOffWords = 4;           // before the vertices: its name and three counts
 constexpr std::size_t kHeaderBytes = 64 * 1024;  // that PLY and OFF may take for theirs
 // Bytes that a vertex or a polygon takes at least, in text or binary.
 constexpr std::uint64_t kLeastVertex = 6;
@@ -190,7 +191,7 @@ std::uint64_t check_off(const fs::path& file, std::uint64_t size) {
     std::uint64_t vertices = 0, polygons = 0;
     if (!(words >> vertices >> polygons)) refuse(file, "does not say how many vertices it has");
     compare(file, size, vertices, polygons);
-    if (words_in(file) < 3 * vertices + 4 * polygons)
+    if (words_in(file) < kOffWords + 3 * vertices + 4 * polygons)
       refuse(file, "has fewer numbers than its header says: it is cut off");
     return polygons;
   }

@@ -323,23 +323,31 @@ class FacetBuilder {
   }
 
   // Borders whose chords are behind the other corner of a facet, though it is in front of them in
-  // the parameters. Halving a chord brings it nearer to the border by a factor of 4.
+  // the parameters; those round its corners if it has none itself. Halving a chord brings it nearer
+  // to the border by a factor of 4.
   std::vector<EdgeSegment> folding_sides(const ConstrainedDelaunay& mesh) const {
-    std::map<std::pair<int, int>, const PolygonSide*> sides;
-    for (const PolygonSide& side : polygon_.sides) sides[{side.from, side.to}] = &side;
+    std::map<std::pair<int, int>, EdgeSegment> segments;
+    for (const PolygonSide& side : polygon_.sides) segments[{side.from, side.to}] = side.segment;
     std::vector<EdgeSegment> splits;
-    for (const Face& face : mesh.faces()) {
-      if (!face.inside || is_flat(face.corner) || !is_folded(face.corner)) continue;
+    const auto take_sides = [&](const Face& face) {
       for (std::size_t k = 0; k < 3; ++k) {
         const int from = face.corner[k], to = face.corner[(k + 1) % 3];
-        if (!face.fixed[(k + 2) % 3]) continue;
-        const auto side = sides.find({from, to});
-        if (side == sides.end() || side->second->segment.edge < 0) continue;
-        const Vec3& a = corners_[index(from)].point;
-        const Vec3& b = corners_[index(to)].point;
-        if (distance(a, b) > kShortFold * options_.deviation)
-          splits.push_back(side->second->segment);
+        if (!face.fixed[(k + 2) % 3] || !face.inside) continue;
+        const auto found = segments.find({from, to});
+        if (found == segments.end() || found->second.edge < 0) continue;
+        if (distance(corners_[index(from)].point, corners_[index(to)].point) >
+            kShortFold * options_.deviation)
+          splits.push_back(found->second);
       }
+    };
+    for (const Face& face : mesh.faces()) {
+      if (!face.inside || is_flat(face.corner) || !is_folded(face.corner)) continue;
+      const std::size_t before = splits.size();
+      take_sides(face);
+      if (splits.size() > before) continue;
+      for (const int corner : face.corner)
+        if (corners_[index(corner)].origin.edge >= 0)
+          mesh.for_each_face_at(corner, [&](int at) { take_sides(mesh.faces()[index(at)]); });
     }
     return splits;
   }

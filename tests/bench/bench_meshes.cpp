@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Models as triangles, beside BRepMesh_IncrementalMesh.
 //
-//   bench_meshes [--part P] [--angle A] [--samples N] [--no-crossings] FILE...
+//   bench_meshes [--part P] [--angle A] [--samples N] [--no-crossings] [--faces] FILE...
 //
 // A row for each model: Open CASCADE's mesh at a deflection of P of the diagonal, and ours at the
 // deviation at which the measured distance is about the same: triangles, measured and proven
 // distance over the deflection, processor seconds, whether it is closed, and pairs of triangles
 // that cross, by CGAL. Distances are measured both ways at N samples (meshes_measure.h). The last
-// column has ours at the deflection itself.
+// columns have ours at the deflection itself. --faces lists faces of many triangles and of large
+// distances.
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,13 +31,14 @@
 namespace blossom::bench {
 namespace {
 
+constexpr std::size_t kListedFaces = 6;
 constexpr int kTries = 4;  // to find the deviation with the same measured distance
 
 struct Settings {
   double part = 1e-3;
   double angle = 0.5;
   int samples = 100'000;
-  bool crossings = true;
+  bool crossings = true, faces = false;
   std::vector<std::string> files;
 };
 
@@ -64,6 +67,22 @@ std::string told(const FacetMesh& mesh, double measured, double deflection,
   return all;
 }
 
+// The faces with the most triangles, and those with the largest distances.
+void print_faces(const FacetMesh& mesh) {
+  std::vector<int> count(mesh.of_face.size(), 0), order;
+  for (const int face : mesh.face) ++count[static_cast<std::size_t>(face)];
+  for (std::size_t f = 0; f < count.size(); ++f) order.push_back(static_cast<int>(f));
+  const auto print_first = [&](const auto& value) {
+    std::ranges::sort(order, std::ranges::greater(), value);
+    for (std::size_t k = 0; k < order.size() && k < kListedFaces; ++k) {
+      const auto f = static_cast<std::size_t>(order[k]);
+      std::printf("  face %zu: %d triangles within %g\n", f + 1, count[f], mesh.of_face[f]);
+    }
+  };
+  print_first([&](int f) { return static_cast<double>(count[static_cast<std::size_t>(f)]); });
+  print_first([&](int f) { return mesh.of_face[static_cast<std::size_t>(f)]; });
+}
+
 void run(const std::string& file, const Settings& settings) {
   const occt::Model model = testing::repaired_model(file);
   const TopoDS_Shape& shape = model.shape();
@@ -86,6 +105,7 @@ void run(const std::string& file, const Settings& settings) {
               static_cast<double>(equal.triangles.size()) /
                   static_cast<double>(std::max<std::size_t>(1, theirs.triangles.size())),
               told(same, of_same, deflection, settings).c_str());
+  if (settings.faces) print_faces(same);
   std::fflush(stdout);
 }
 
@@ -102,6 +122,8 @@ std::optional<Settings> settings_from(int argc, char** argv) {
       settings.samples = std::atoi(value());
     else if (word == "--no-crossings")
       settings.crossings = false;
+    else if (word == "--faces")
+      settings.faces = true;
     else
       settings.files.push_back(word);
   }
@@ -127,7 +149,8 @@ int run_all(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace blossom::bench;
-  return run_command(settings_from(argc, argv),
-                     "bench_meshes [--part P] [--angle A] [--samples N] [--no-crossings] FILE...",
-                     run_all);
+  return run_command(
+      settings_from(argc, argv),
+      "bench_meshes [--part P] [--angle A] [--samples N] [--no-crossings] [--faces] FILE...",
+      run_all);
 }

@@ -161,6 +161,7 @@ FacetMesh our_mesh(const TopoDS_Shape& shape, const FacetOptions& options) {
   for (std::size_t f = 0; f < made.facets.faces.size(); ++f) {
     const MeshedFace& face = made.facets.faces[f];
     mesh.folded += face.folded;
+    mesh.of_face.push_back(face.distance);
     mesh.refused += !face.obstacle.empty();
     for (std::array<int, 3> corner : face.triangles) {
       if (made.reversed[f]) std::swap(corner[1], corner[2]);

@@ -22,6 +22,7 @@ struct FacetMesh {
   double proven = 0;                          ///< 0 if nothing is
   double seconds = 0;                         ///< of processor time
   int folded = 0, refused = 0;                ///< facets; faces
+  std::vector<double> of_face;                ///< proven, of each face; empty if nothing is
 };
 
 FacetMesh our_mesh(const TopoDS_Shape& shape, const FacetOptions& options);
