@@ -117,22 +117,23 @@ Vec3 largest_jump(const RationalBezierPatch& before, const CellSide& at_before,
   const std::vector<Vec4> right = across(after, at_after, by_u, false);
   if (left.size() != right.size()) return {1e300, 1e300, 1e300};
   const int n = static_cast<int>(left.size()) - 1;
-  std::vector<Vec3> product(static_cast<std::size_t>(2 * n + 1));
-  double least = 1e300;
+  // Coefficients of the numerator and of w^2.
+  std::vector<Vec4> product(static_cast<std::size_t>(2 * n + 1));
   for (int i = 0; i <= n; ++i) {
     const Vec4 x = by_u ? after.points(0, i) : after.points(i, 0);
-    least = std::min(least, x[3]);
     for (int j = 0; j <= n; ++j) {
       const auto at = static_cast<std::size_t>(j);
       const Vec4 d = right[at] - left[at];
+      const double w = by_u ? after.points(0, j)[3] : after.points(j, 0)[3];
       const double share = binomial(n, i) * binomial(n, j) / binomial(2 * n, i + j);
-      for (int k = 0; k < 3; ++k)
-        product[static_cast<std::size_t>(i + j)][k] += share * (d[k] * x[3] - d[3] * x[k]);
+      Vec4& sum = product[static_cast<std::size_t>(i + j)];
+      for (int k = 0; k < 3; ++k) sum[k] += share * (d[k] * x[3] - d[3] * x[k]);
+      sum[3] += share * w * x[3];
     }
   }
   Vec3 largest;
-  for (const Vec3& p : product)
-    for (int k = 0; k < 3; ++k) largest[k] = std::max(largest[k], std::abs(p[k]) / (least * least));
+  for (const Vec4& p : product)
+    for (int k = 0; k < 3; ++k) largest[k] = std::max(largest[k], std::abs(p[k]) / p[3]);
   return largest;
 }
 

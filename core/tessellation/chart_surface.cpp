@@ -14,9 +14,6 @@ constexpr double kSpacing = 4.8;
 // So much longer than wide may triangles be that follow the curvature.
 constexpr double kMostLong = 16;
 
-constexpr int kNewtonSteps = 5;
-constexpr double kSecant = 1e-7;  // of the parameter
-
 constexpr int kElementaryCells = 12;  // of a direction in which the density changes
 
 Vec2 wanted(const CurvatureSample& at, const FacetOptions& options) {
@@ -83,32 +80,6 @@ PointNormal ChartSurface::frame_at(const Vec2& uv) const {
   if (const auto* elementary = std::get_if<ElementaryChart>(&chart_))
     return blossom::frame_at(*elementary, uv);
   return std::get<SplineChart>(chart_).frame_at(uv);
-}
-
-Vec2 ChartSurface::nearer_parameters(const Vec3& point, const Vec2& uv) const {
-  Vec2 best = uv;
-  double least = distance(frame_at(uv).point, point);
-  for (int step = 0; step < kNewtonSteps; ++step) {
-    const Vec3 at = frame_at(best).point;
-    std::array<Vec3, 2> slope;
-    for (int k = 0; k < 2; ++k) {
-      Vec2 beside = best;
-      const double by = kSecant * std::max(1.0, std::abs(best[k]));
-      beside[k] += by;
-      slope[static_cast<std::size_t>(k)] = (frame_at(beside).point - at) * (1 / by);
-    }
-    const Vec3 off = point - at;
-    const double a = dot(slope[0], slope[0]), b = dot(slope[0], slope[1]);
-    const double c = dot(slope[1], slope[1]), det = a * c - b * b;
-    if (!(det > 0)) break;
-    const double f = dot(off, slope[0]), g = dot(off, slope[1]);
-    const Vec2 next = best + Vec2{(c * f - b * g) / det, (a * g - b * f) / det};
-    const double there = distance(frame_at(next).point, point);
-    if (!(there < least)) break;
-    least = there;
-    best = next;
-  }
-  return best;
 }
 
 double ChartSurface::facet_distance(const std::array<Vec2, 3>& corners, const Vec3& normal) const {

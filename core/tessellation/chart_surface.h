@@ -30,10 +30,6 @@ class ChartSurface {
 
   PointNormal frame_at(const Vec2& uv) const;
 
-  /// Parameters of a point of the surface that is nearer to `point` than that at `uv`, if a few
-  /// steps of Newton's method find one.
-  Vec2 nearer_parameters(const Vec3& point, const Vec2& uv) const;
-
   /// A bound on the distance of a facet with its corners on the surface, and of the surface from
   /// facets that cover it once.
   double facet_distance(const std::array<Vec2, 3>& corners, const Vec3& normal) const;

@@ -26,8 +26,6 @@ constexpr double kSagitta = 2.5;
 constexpr double kShortFold = 0.5;
 // Of the box: facets in it are divided no further.
 constexpr double kSmallest = 1e-6;
-// Of the deviation: farther off the surface corners of edges are looked at again.
-constexpr double kOffSurface = 0.01;
 // Of the distance of a facet: sides that are farther than this are worth dividing.
 constexpr double kLongSide = 0.4;
 
@@ -96,9 +94,6 @@ class FacetBuilder {
   Vec2 scaled(const Vec2& uv) const {
     return {uv[0] * density_.scale[0], uv[1] * density_.scale[1]};
   }
-  Vec2 unscaled(const Vec2& p) const {
-    return {p[0] / density_.scale[0], p[1] / density_.scale[1]};
-  }
 
   Conflicts fix_sides(ConstrainedDelaunay& mesh) const {
     Conflicts conflicts;
@@ -157,17 +152,7 @@ class FacetBuilder {
       corners_[i] = {polygon_.origins[i], polygon_.points[i], point_of(polygon_.origins[i]),
                      frame.normal};
       moved_[i] = distance(frame.point, corners_[i].point);
-      if (moved_[i] > kOffSurface * options_.deviation) take_nearer(i);
     }
-  }
-
-  // Where an edge's parameters are not those of its curve on the face, the surface is nearer to its
-  // points elsewhere. The border stays where it is: what is proven is of the points in space.
-  void take_nearer(std::size_t i) {
-    const FaceCorner& corner = corners_[i];
-    const Vec2 uv = surface_.nearer_parameters(corner.point, corner.uv);
-    nearest_[static_cast<int>(i)] = uv;
-    moved_[i] = distance(surface_.frame_at(uv).point, corner.point);
   }
 
   Vec3 point_of(const EdgePoint& origin) const {
@@ -234,11 +219,7 @@ class FacetBuilder {
   // All points of a border at a pole are the same: the best one is beside the other corners.
   std::array<Vec2, 3> parameters_of(const std::array<int, 3>& corners) const {
     std::array<Vec2, 3> uv;
-    for (std::size_t k = 0; k < 3; ++k) {
-      uv[k] = corners_[index(corners[k])].uv;
-      if (nearest_.empty()) continue;
-      if (const auto near = nearest_.find(corners[k]); near != nearest_.end()) uv[k] = near->second;
-    }
+    for (std::size_t k = 0; k < 3; ++k) uv[k] = corners_[index(corners[k])].uv;
     for (std::size_t k = 0; k < 3; ++k) {
       const int pole = poles_[index(corners[k])];
       if (pole < 0) continue;
@@ -384,9 +365,7 @@ class FacetBuilder {
   FacetDensity density_;
   std::vector<FaceCorner> corners_;
   std::vector<double> moved_;  // of each corner: from the surface
-  std::map<int, Vec2>
-      nearest_;             // of corners off their parameters' points: parameters that are near
-  std::vector<int> poles_;  // of each corner: the parameter along the pole it is at, or -1
+  std::vector<int> poles_;     // of each corner: the parameter along the pole it is at, or -1
 };
 
 }  // namespace
