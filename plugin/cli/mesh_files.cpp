@@ -14,16 +14,10 @@
 #endif
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/options.h"
 
 namespace blossom::cli {
 namespace {
-
-std::string ending_of(const std::filesystem::path& file) {
-  std::string text = file.extension().string();
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 #ifndef BLOSSOM_WITH_OPENMESH
 [[noreturn]] void refuse(const std::filesystem::path& file) {
@@ -34,11 +28,11 @@ std::string ending_of(const std::filesystem::path& file) {
 }  // namespace
 
 bool is_mesh_file(const std::filesystem::path& file) {
-  const std::string ending = ending_of(file);
+  const std::string ending = ending_of(file.string());
   return ending == ".stl" || ending == ".ply" || ending == ".obj" || ending == ".off";
 }
 
-bool is_glb_file(const std::filesystem::path& file) { return ending_of(file) == ".glb"; }
+bool is_glb_file(const std::filesystem::path& file) { return ending_of(file.string()) == ".glb"; }
 
 #ifdef BLOSSOM_WITH_OPENMESH
 WrittenMesh write_mesh_file(const FileMesh& mesh, const std::string& file, bool text) {
