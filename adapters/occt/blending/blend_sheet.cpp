@@ -35,6 +35,7 @@ BlendSheet::BlendSheet(const BodyEdges& body, double tolerance)
 
 void BlendSheet::add(RolledStrip strip) {
   strip_at_[strip.edge] = strips_.size();
+  border_.filleted.push_back(strip.edge);
   strips_.push_back({std::move(strip), {}});
 }
 
@@ -78,12 +79,12 @@ void BlendSheet::end_at(const HalfEdge& half) {
     if (is_filleted(ring[i].half.edge)) filleted.push_back(i);
   for (const std::size_t i : filleted) done_.push_back(ring[i].half);
   if (filleted.size() == 1) {
-    const std::map<int, EdgeRest> rests = rests_;
+    const SheetBorder border = border_;
     const std::map<int, std::vector<TopoDS_Edge>> added = added_;
     try {
       return cap(ring);
     } catch (const FilletRefused&) {
-      rests_ = rests;
+      border_ = border;
       added_ = added;
       end_of(half).path.clear();
       if (!blunt(ring)) throw;
@@ -114,8 +115,7 @@ TopoDS_Vertex BlendSheet::cut_edge(const HalfEdge& cut, double parameter,
                                    const TopoDS_Face& asking) {
   const TopoDS_Edge edge = body_.edge(cut.edge);
   const int split = splits_.add(edge, parameter, asking);
-  EdgeRest& rest = rests_[cut.edge];
-  (cut.at_start ? rest.from : rest.to) = split;
+  border_.cuts.push_back({cut.edge, split, cut.at_start});
   return splits_.vertex(edge, split);
 }
 

@@ -22,6 +22,7 @@
 #include "adapters/occt/blending/body_edges.h"
 #include "adapters/occt/blending/end_curves.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/kept_edges.h"
 #include "adapters/occt/blending/rolled_strip.h"
 #include "adapters/occt/splitting/edge_splits.h"
 
@@ -49,12 +50,6 @@ struct PlacedStrip {
   std::array<StripEnd, 2> ends;  ///< at the start and at the end of the forward edge
 };
 
-/// What is left of an edge of the body: from one of its splits to another.
-struct EdgeRest {
-  int from = EdgeSplits::kFirst;
-  int to = EdgeSplits::kLast;
-};
-
 /// A new face, or what a face of the body gets: edges as the outward face uses them.
 struct BlendPatch {
   TopoDS_Face face;  ///< without wires, oriented outwards
@@ -77,12 +72,10 @@ class BlendSheet {
 
   const std::vector<BlendPatch>& patches() const { return patches_; }
   const std::map<int, std::vector<TopoDS_Edge>>& added() const { return added_; }
-  const std::map<int, EdgeRest>& rests() const { return rests_; }
+  const SheetBorder& border() const { return border_; }
   /// What a user may want to know of how strips end.
   const std::vector<std::string>& notes() const { return notes_; }
   bool is_filleted(int edge) const { return strip_at_.count(edge) > 0; }
-  /// What stays of filleted edges, where strips stop short of their ends: at the start, the end.
-  const std::map<int, std::array<std::optional<EdgeRest>, 2>>& stubs() const { return stubs_; }
   EdgeSplits& splits() { return splits_; }
 
  private:
@@ -139,13 +132,12 @@ class BlendSheet {
   EdgeSplits splits_;
   std::vector<PlacedStrip> strips_;
   std::map<int, std::size_t> strip_at_;            // by edge
-  std::map<int, EdgeRest> rests_;                  // by edge
+  SheetBorder border_;
   std::map<int, std::vector<TopoDS_Edge>> added_;  // by face
   std::vector<BlendPatch> patches_;
   std::vector<HalfEdge> done_;
   std::vector<TopoDS_Vertex> made_;  // inside of faces
   std::vector<std::string> notes_;
-  std::map<int, std::array<std::optional<EdgeRest>, 2>> stubs_;
 };
 
 }  // namespace blossom::occt

@@ -90,8 +90,7 @@ std::optional<TopoDS_Vertex> BlendSheet::wall_foot(const HalfEdge& half, double 
   }
   const int split = splits_.add(edge, x, body_.face(strip.contacts[0].face));
   if (split == EdgeSplits::kFirst || split == EdgeSplits::kLast) return std::nullopt;
-  stubs_[half.edge][half.at_start ? 0 : 1] =
-      half.at_start ? EdgeRest{EdgeSplits::kFirst, split} : EdgeRest{split, EdgeSplits::kLast};
+  border_.cuts.push_back({half.edge, split, !half.at_start});
   return splits_.vertex(edge, split);
 }
 
@@ -137,6 +136,7 @@ bool BlendSheet::blunt(const Ring& ring) {
   StripEnd& end = end_of(half);
   end.t = {t, t};
   end.vertices = ends;
+  border_.vertices.push_back(corner);
   const TopoDS_Edge arc = section(of, end);
   const bool forward = strip.contacts[0].w < strip.contacts[1].w;
   add_chart(arc, strip.section_line(t), strip.bare_face());

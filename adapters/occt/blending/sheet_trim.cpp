@@ -2,6 +2,7 @@
 #include "adapters/occt/blending/sheet_trim.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -166,15 +167,16 @@ TopoDS_Edge turned(const TopoDS_Edge& edge, bool reversed) {
 class Trimming {
  public:
   Trimming(const BodyEdges& body, BlendSheet& sheet, double tolerance)
-      : body_(body), sheet_(sheet), tolerance_(tolerance) {}
+      : body_(body),
+        sheet_(sheet),
+        tolerance_(tolerance),
+        kept_(kept_pieces(body, sheet.splits(), sheet.border())) {}
 
   std::vector<TrimmedFace> faces();
 
  private:
   bool is_touched(int face) const;
   std::vector<TopoDS_Edge> edges_left(int face);
-  void add_rest(const EdgeUseInFace& use, const EdgeRest& rest, bool reversed,
-                std::vector<TopoDS_Edge>& edges);
   void add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face, const Vec2& scale,
                   int from, int edge);
   bool collapse_one();
@@ -183,6 +185,7 @@ class Trimming {
   const BodyEdges& body_;
   BlendSheet& sheet_;
   double tolerance_;
+  std::map<int, std::vector<EdgePiece>> kept_;
   std::vector<Border> borders_;
 };
 
@@ -190,27 +193,8 @@ bool Trimming::is_touched(int face) const {
   if (sheet_.added().count(face) > 0) return true;
   const auto& uses = body_.uses(face);
   return std::any_of(uses.begin(), uses.end(), [&](const EdgeUseInFace& use) {
-    return sheet_.is_filleted(use.edge) || sheet_.rests().count(use.edge) > 0;
+    return kept_.count(use.edge) > 0;
   });
-}
-
-// The pieces of an edge between the splits at which fillets cut it.
-void Trimming::add_rest(const EdgeUseInFace& use, const EdgeRest& rest, bool reversed,
-                        std::vector<TopoDS_Edge>& edges) {
-  const TopoDS_Edge edge = body_.edge(use.edge);
-  EdgeSplits& splits = sheet_.splits();
-  const double from = splits.parameter(edge, rest.from), to = splits.parameter(edge, rest.to);
-  if (from > to)
-    throw FilletRefused({FilletFault::EdgeConsumed,
-                         use.edge,
-                         "fillets at both its ends would take more of it than there is",
-                         from,
-                         point_of(splits.vertex(edge, rest.from)),
-                         {}});
-  for (const EdgePiece& piece : splits.pieces(edge))
-    if (piece.range.from >= from && piece.range.to <= to)
-      edges.push_back(TopoDS::Edge(
-          piece.edge.Oriented(use.forward != reversed ? TopAbs_FORWARD : TopAbs_REVERSED)));
 }
 
 // As the forward face uses them.
@@ -218,18 +202,14 @@ std::vector<TopoDS_Edge> Trimming::edges_left(int face) {
   const bool reversed = body_.face(face).Orientation() == TopAbs_REVERSED;
   std::vector<TopoDS_Edge> edges;
   for (const EdgeUseInFace& use : body_.uses(face)) {
-    if (sheet_.is_filleted(use.edge)) {
-      const auto stubs = sheet_.stubs().find(use.edge);
-      if (stubs == sheet_.stubs().end()) continue;
-      for (const auto& stub : stubs->second)
-        if (stub) add_rest(use, *stub, reversed, edges);
+    const auto kept = kept_.find(use.edge);
+    if (kept == kept_.end()) {
+      edges.push_back(use.coedge->edge);
       continue;
     }
-    const auto rest = sheet_.rests().find(use.edge);
-    if (use.coedge->degenerated || rest == sheet_.rests().end())
-      edges.push_back(use.coedge->edge);
-    else
-      add_rest(use, rest->second, reversed, edges);
+    for (const EdgePiece& piece : kept->second)
+      edges.push_back(TopoDS::Edge(
+          piece.edge.Oriented(use.forward != reversed ? TopAbs_FORWARD : TopAbs_REVERSED)));
   }
   if (const auto known = sheet_.added().find(face); known != sheet_.added().end())
     for (const TopoDS_Edge& edge : known->second) edges.push_back(turned(edge, reversed));
