@@ -24,6 +24,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/blending/ball_walk.h"
 #include "adapters/occt/blending/blend_sheet.h"
 #include "adapters/occt/blending/edge_chain.h"
 #include "adapters/occt/blending/fillet_limit.h"
@@ -71,7 +72,6 @@ class Filleting {
  private:
   void find_parts(const TopoDS_Shape& shape);
   const SolidPart& part_of(int edge) const;
-  RolledStrip strip_of(int edge, bool concave) const;
   FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                        const FilletEdges& edges) const;
   void check(const SolidPart& part, const FilletedSolid& made, const FilletEdges& edges) const;
@@ -114,12 +114,6 @@ const SolidPart& Filleting::part_of(int edge) const {
   if (found->volume <= 0)
     throw FilletRefused({FilletFault::Edge, edge, "its solid is turned inside out", {}, {}, {}});
   return *found;
-}
-
-RolledStrip Filleting::strip_of(int edge, bool concave) const {
-  check_limit(&limit_, kFilleting);
-  if (auto strip = swept_strip(body_, edge, concave, options_.radius)) return *std::move(strip);
-  return traced_strip(body_, edge, concave, options_.radius);
 }
 
 // The first fault of a face that is new or was cut, if the face that it is left of had none.
@@ -262,8 +256,12 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
       all.push_back(std::move(kept));
       continue;
     }
+    WalkOptions walking{options_.radius, options_.intersection.tolerances.point, {}, [this] {
+                          check_limit(&limit_, kFilleting);
+                        }};
+    for (const auto& [edge, concave] : own) walking.filleted.insert(edge);
     BlendSheet sheet(body_, options_.intersection.tolerances.point);
-    for (const auto& [edge, concave] : own) sheet.add(strip_of(edge, concave));
+    for (const EdgeRun& run : edge_runs(body_, own)) sheet.add(ball_walk(body_, run, walking));
     check_limit(&limit_, kFilleting);
     sheet.build();
     check_limit(&limit_, kFilleting);

@@ -9,6 +9,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
 
+#include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "core/subdivision/extended_surface.h"
@@ -74,6 +75,11 @@ BezierSurface surface_beyond(const TopoDS_Face& face, double length_beyond) {
   return extended(exact, parts[0], parts[1]);
 }
 
+// Of du x dv of a face's surface, on which the ball is.
+int side_of(const TopoDS_Face& face, bool concave) {
+  return (concave ? 1 : -1) * (face.Orientation() == TopAbs_REVERSED ? -1 : 1);
+}
+
 RolledSupport support_of(const BodyEdges& body, const EdgeUseInFace& use, double parameter,
                          const BodyEdges::Corner& corner, double width, bool concave) {
   const TopoDS_Face& face = body.face(use.face);
@@ -83,11 +89,26 @@ RolledSupport support_of(const BodyEdges& body, const EdgeUseInFace& use, double
   const Vec2 uv{chart[0] / scale[0], chart[1] / scale[1]};
   made.at_edge = uv;
   made.start = uv + chart_step(frame_at(BRep_Tool::Surface(face), uv), width * corner.inwards);
-  made.side = (concave ? 1 : -1) * (face.Orientation() == TopAbs_REVERSED ? -1 : 1);
+  made.side = side_of(face, concave);
   const Interval u{made.surface.u_knots.front(), made.surface.u_knots.back()};
   const Interval v{made.surface.v_knots.front(), made.surface.v_knots.back()};
   made.start = {std::clamp(made.start[0], u.from, u.to), std::clamp(made.start[1], v.from, v.to)};
   return made;
+}
+
+// A chart moved by whole periods to where the converted surface is, and onto it.
+Vec2 near_range(const Handle(Geom_Surface) & surface, const BezierSurface& converted, Vec2 chart) {
+  const std::array<Interval, 2> ranges{
+      Interval{converted.u_knots.front(), converted.u_knots.back()},
+      Interval{converted.v_knots.front(), converted.v_knots.back()}};
+  const std::array<double, 2> turns = turns_of(surface);
+  for (int k = 0; k < 2; ++k) {
+    const Interval& range = ranges[static_cast<std::size_t>(k)];
+    const double turn = turns[static_cast<std::size_t>(k)];
+    if (turn > 0) chart[k] += turn * std::round((at(range, 0.5) - chart[k]) / turn);
+    chart[k] = std::clamp(chart[k], range.from, range.to);
+  }
+  return chart;
 }
 
 }  // namespace
@@ -105,6 +126,22 @@ RolledSupports rolled_supports(const BodyEdges& body, int edge, bool concave, do
       radius * std::tan(0.5 * std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal)));
   made.of[0] = support_of(body, left, middle, a, made.width, concave);
   made.of[1] = support_of(body, right, middle, b, made.width, concave);
+  return made;
+}
+
+RolledSupports supports_at(const BodyEdges& body, const BallPlace& place, bool concave,
+                           double radius) {
+  RolledSupports made;
+  made.middle = place.centre;
+  made.width = radius;
+  for (const std::size_t k : {0U, 1U}) {
+    const TopoDS_Face& face = body.face(place.faces[k]);
+    RolledSupport& of = made.of[k];
+    of.surface = surface_beyond(face, kBeyond * radius);
+    of.start = near_range(BRep_Tool::Surface(face), of.surface, place.charts[k]);
+    of.at_edge = of.start;
+    of.side = side_of(face, concave);
+  }
   return made;
 }
 

@@ -32,4 +32,16 @@ struct RolledSupports {
 /// throws   BadModel if a face cannot be converted
 RolledSupports rolled_supports(const BodyEdges& body, int edge, bool concave, double radius);
 
+/// A ball that touches two faces.
+struct BallPlace {
+  std::array<int, 2> faces{};
+  std::array<Vec2, 2> charts;  ///< of the contacts, in the parameters of the faces' surfaces
+  Vec3 centre;
+  Vec3 along;  ///< the way it goes, unit; the first face is to the left of it
+};
+
+/// The same for two faces that need not have an edge in common; `middle` is the ball's centre.
+RolledSupports supports_at(const BodyEdges& body, const BallPlace& place, bool concave,
+                           double radius);
+
 }  // namespace blossom::occt

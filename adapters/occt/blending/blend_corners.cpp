@@ -155,7 +155,7 @@ void BlendSheet::corner(const Ring& ring) {
         strip_of(each.half).strip.radius != strip.radius)
       refuse(first, FilletFault::Corner,
              "edges of its corner differ in kind or radius: such a corner cannot be built yet");
-  const double inwards = first.at_start ? 1 : -1;
+  const double inwards = is_low_end(first) ? 1 : -1;
   const auto t = touches(strip, body_.face(ring[1].face), end_t(first), inwards);
   if (!t) refuse(first, FilletFault::Corner, "no ball touches all faces of its corner");
   const Vec3 centre = vec(strip.spine->Value(*t).XYZ());
@@ -193,7 +193,7 @@ void BlendSheet::corner(const Ring& ring) {
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(arc, range.from, range.to);
     add_chart(arc, image_of(curve, range, on_ball, Vec2{0, 0}, tolerance_).chart, patch.face);
     // The strip walks from left to right of the vertex, the ball back.
-    const bool strip_forward = half.at_start ? forward : !forward;
+    const bool strip_forward = is_low_end(half) ? forward : !forward;
     patch.edges.push_back(
         TopoDS::Edge(arc.Oriented(strip_forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
   }

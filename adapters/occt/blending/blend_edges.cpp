@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
+#include <gp_Vec2d.hxx>
 
 namespace blossom::occt {
 namespace {
@@ -83,6 +85,56 @@ void add_seam_charts(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & forwa
   BRep_Builder().UpdateEdge(edge, forward, reversed, raw, location, Precision::Confusion());
   for (const auto& chart : {forward, reversed})
     widen(edge, kMargin * deviation(edge, chart, BRep_Tool::Surface(face)));
+}
+
+std::array<double, 2> turns_of(const Handle(Geom_Surface) & surface) {
+  Interval u, v;
+  surface->Bounds(u.from, u.to, v.from, v.to);
+  std::array<double, 2> turns{};
+  if (surface->IsUPeriodic())
+    turns[0] = surface->UPeriod();
+  else if (surface->IsUClosed())
+    turns[0] = length(u);
+  if (surface->IsVPeriodic())
+    turns[1] = surface->VPeriod();
+  else if (surface->IsVClosed())
+    turns[1] = length(v);
+  return turns;
+}
+
+Handle(Geom2d_Curve)
+    chart_near_face(const Handle(Geom2d_Curve) & chart, double at, const FaceTrims& trims) {
+  const std::array<double, 2> turns = turns_of(BRep_Tool::Surface(trims.face));
+  const gp_Pnt2d there = chart->Value(at);
+  const Vec2 middle = 0.5 * (trims.box.low + trims.box.high);
+  Vec2 best;
+  double least = std::numeric_limits<double>::infinity();
+  // The turn that brings it nearest to the middle, and those beside it.
+  const std::array<int, 2> room{turns[0] > 0 ? 1 : 0, turns[1] > 0 ? 1 : 0};
+  for (int i = -room[0]; i <= room[0]; ++i)
+    for (int k = -room[1]; k <= room[1]; ++k) {
+      Vec2 move;
+      const std::array<int, 2> step{i, k};
+      for (int d = 0; d < 2; ++d) {
+        const double turn = turns[static_cast<std::size_t>(d)];
+        if (turn == 0) continue;
+        const double off = middle[d] / trims.scale[d] - (d == 0 ? there.X() : there.Y());
+        move[d] = turn * (std::round(off / turn) + step[static_cast<std::size_t>(d)]);
+      }
+      const Vec2 point{(there.X() + move[0]) * trims.scale[0],
+                       (there.Y() + move[1]) * trims.scale[1]};
+      Vec2 beside;
+      for (int d = 0; d < 2; ++d)
+        beside[d] = std::max({trims.box.low[d] - point[d], point[d] - trims.box.high[d], 0.0});
+      const double outside = is_inside(trims, point) ? -1 : norm(beside);
+      if (outside >= least) continue;
+      least = outside;
+      best = move;
+    }
+  if (norm(best) == 0) return chart;
+  const auto moved = Handle(Geom2d_Curve)::DownCast(chart->Copy());
+  moved->Translate(gp_Vec2d(best[0], best[1]));
+  return moved;
 }
 
 double nearest_on(const Handle(Geom_Curve) & curve, const Interval& range, const Vec3& point) {

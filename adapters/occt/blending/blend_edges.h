@@ -3,12 +3,16 @@
 
 #pragma once
 
+#include <array>
+
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_Surface.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/faces/face_trims.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
 
@@ -35,6 +39,15 @@ void add_chart(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & chart,
 /// forward edge.
 void add_seam_charts(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & forward,
                      const Handle(Geom2d_Curve) & reversed, const TopoDS_Face& face);
+
+/// The parameters after which a surface comes back to where it was, in u and v: periods, or the
+/// range of a surface whose borders meet; 0 for none.
+std::array<double, 2> turns_of(const Handle(Geom_Surface) & surface);
+
+/// A curve in the chart of a face, moved by whole turns so that at a parameter it is as near as can
+/// be to where the face is: inside of its box, and of its wires, if any is.
+Handle(Geom2d_Curve)
+    chart_near_face(const Handle(Geom2d_Curve) & chart, double at, const FaceTrims& trims);
 
 /// The parameter of the point of a curve nearest to a point, by Newton's method from the nearest of
 /// samples; within the range.

@@ -33,21 +33,44 @@ Vec3 contact_point(const RolledStrip& strip, std::size_t side, double t) {
 BlendSheet::BlendSheet(const BodyEdges& body, double tolerance)
     : body_(body), tolerance_(tolerance), splits_(tolerance) {}
 
-void BlendSheet::add(RolledStrip strip) {
-  strip_at_[strip.edge] = strips_.size();
-  border_.filleted.push_back(strip.edge);
-  strips_.push_back({std::move(strip), {}});
+void BlendSheet::add(const BallWalk& walk) {
+  const std::size_t first = strips_.size(), count = walk.strips.size();
+  for (const WalkedStrip& each : walk.strips) strips_.push_back({each.strip, each.inside, {}, {}});
+  for (const RunEdge& each : walk.run.edges) {
+    filleted_.insert(each.edge);
+    border_.filleted.push_back(each.edge);
+  }
+  const auto low_if = [](bool low) { return low ? std::size_t{0} : std::size_t{1}; };
+  for (std::size_t i = 0; i < walk.joints.size(); ++i) {
+    const std::size_t next = (i + 1) % count;
+    joints_.push_back({{first + i, low_if(!walk.strips[i].forward)},
+                       {first + next, low_if(walk.strips[next].forward)},
+                       walk.joints[i]});
+  }
+  if (walk.joints.size() == count) return;  // closed
+  const HalfEdge start = walk.run.first(), end = walk.run.last();
+  ends_at_[{start.edge, start.at_start}] = {first, low_if(walk.strips.front().forward)};
+  ends_at_[{end.edge, end.at_start}] = {first + count - 1, low_if(!walk.strips.back().forward)};
+  open_.push_back(start);
+  open_.push_back(end);
 }
 
-PlacedStrip& BlendSheet::strip_of(const HalfEdge& half) { return strips_[strip_at_.at(half.edge)]; }
+PlacedStrip& BlendSheet::strip_of(const HalfEdge& half) {
+  return strips_[ends_at_.at({half.edge, half.at_start}).strip];
+}
 
 StripEnd& BlendSheet::end_of(const HalfEdge& half) {
-  return strip_of(half).ends[half.at_start ? 0 : 1];
+  const EndPlace& place = ends_at_.at({half.edge, half.at_start});
+  return strips_[place.strip].ends[place.end];
+}
+
+bool BlendSheet::is_low_end(const HalfEdge& half) const {
+  return ends_at_.at({half.edge, half.at_start}).end == 0;
 }
 
 double BlendSheet::end_t(const HalfEdge& half) {
   const Interval& range = strip_of(half).strip.edge_range;
-  return half.at_start ? range.from : range.to;
+  return is_low_end(half) ? range.from : range.to;
 }
 
 void BlendSheet::refuse(const HalfEdge& half, FilletFault fault, const std::string& cause) const {
@@ -64,11 +87,9 @@ const EdgeUseInFace& BlendSheet::arriving(const Ring& ring, std::size_t sector) 
 }
 
 void BlendSheet::build() {
-  for (const PlacedStrip& of : strips_)
-    for (const bool at_start : {true, false}) {
-      const HalfEdge half{of.strip.edge, at_start};
-      if (std::find(done_.begin(), done_.end(), half) == done_.end()) end_at(half);
-    }
+  for (const Joint& each : joints_) join(each);
+  for (const HalfEdge& half : open_)
+    if (std::find(done_.begin(), done_.end(), half) == done_.end()) end_at(half);
   for (PlacedStrip& of : strips_) finish(of);
 }
 
@@ -93,8 +114,6 @@ void BlendSheet::end_at(const HalfEdge& half) {
   }
   if (filleted.size() == 2) {
     const HalfEdge& other = ring[filleted[1]].half;
-    const Vec3 a = direction_at(body_, half), b = -direction_at(body_, other);
-    if (std::atan2(norm(cross(a, b)), dot(a, b)) < kSmoothJoint) return joint(ring, filleted[1]);
     if (ring.size() != 3)
       refuse(half, FilletFault::Corner,
              "it meets edge " + std::to_string(other.edge) + " at a vertex of " +
@@ -116,6 +135,13 @@ TopoDS_Vertex BlendSheet::cut_edge(const HalfEdge& cut, double parameter,
   const TopoDS_Edge edge = body_.edge(cut.edge);
   const int split = splits_.add(edge, parameter, asking);
   border_.cuts.push_back({cut.edge, split, cut.at_start});
+  return splits_.vertex(edge, split);
+}
+
+TopoDS_Vertex BlendSheet::cut_edge(const ContactCrossing& crossing, const TopoDS_Face& asking) {
+  const TopoDS_Edge edge = body_.edge(crossing.use->edge);
+  const int split = splits_.add(edge, crossing.edge_parameter, asking);
+  border_.cuts.push_back({crossing.use->edge, split, crossing.keep_after});
   return splits_.vertex(edge, split);
 }
 
@@ -154,66 +180,6 @@ Interval BlendSheet::part_near(const HalfEdge& half, const std::array<double, 2>
           std::min(strip.range.to, std::max(t[0], t[1]) + room)};
 }
 
-// Across one of the faces at the end of a strip, from its left to its right.
-void BlendSheet::cap_face(const HalfEdge& half, const Interval& part, int face,
-                          const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
-  const RolledStrip& strip = strip_of(half).strip;
-  const double reach =
-      kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(from), BRep_Tool::Tolerance(to)});
-  const auto curve =
-      curve_between(strip, part, body_.face(face), point_of(from), point_of(to), reach);
-  if (!curve)
-    refuse(
-        half, FilletFault::End,
-        "the strip does not cross face " + std::to_string(face) + " at its end from side to side");
-  const TopoDS_Edge edge =
-      edge_on(curve->curve, curve->range, curve->forward ? from : to, curve->forward ? to : from);
-  add_chart(edge, curve->on_strip, strip.bare_face());
-  add_chart(edge, curve->on_face, body_.face(face));
-  // Seen from the vertex the face lies beyond the strip's end: it walks from right to left.
-  added_[face].push_back(
-      TopoDS::Edge(edge.Oriented(curve->forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
-  end_of(half).path.push_back({edge, curve->forward});
-}
-
-// One strip ends among faces that have no other.
-void BlendSheet::cap(const Ring& ring) {
-  const HalfEdge half = ring.front().half;
-  if (ring.size() < 3)
-    refuse(half, FilletFault::End,
-           ring.size() == 1 ? std::string("no face is at its end")
-                            : "it ends where only edge " + std::to_string(ring[1].half.edge) +
-                                  " goes on, between the same faces");
-  StripEnd& end = end_of(half);
-  const VertexSector& last = ring.back();
-  const Cut left = cut_by_contact(half, left_side(half), arriving(ring, 0), ring[1].half);
-  const Cut right = cut_by_contact(
-      half, right_side(half), body_.uses(last.face)[static_cast<std::size_t>(last.use)], last.half);
-  end.t[left_side(half)] = left.t;
-  end.t[right_side(half)] = right.t;
-  end.vertices[left_side(half)] = left.vertex;
-  end.vertices[right_side(half)] = right.vertex;
-  const Interval part = part_near(half, end.t);
-  TopoDS_Vertex from = left.vertex;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    TopoDS_Vertex to = right.vertex;
-    if (i + 2 < ring.size()) {
-      const HalfEdge& beside = ring[i + 1].half;
-      const auto through = edge_through(strip_of(half).strip, part, body_, beside);
-      if (!through)
-        refuse(half, FilletFault::End,
-               "edge " + std::to_string(beside.edge) + " at its end does not go through the strip");
-      to = cut_edge(beside, *through, body_.face(ring[i].face));
-    }
-    cap_face(half, part, ring[i].face, from, to);
-    from = to;
-  }
-  if (left_side(half) == 1) {
-    std::reverse(end.path.begin(), end.path.end());
-    for (PathEdge& each : end.path) each.forward = !each.forward;
-  }
-}
-
 // The arc of the ball at the end of a strip.
 TopoDS_Edge BlendSheet::section(const PlacedStrip& of, const StripEnd& end) {
   const RolledStrip& strip = of.strip;
@@ -231,93 +197,59 @@ TopoDS_Vertex BlendSheet::new_vertex(const Vec3& point) {
   return made_.back();
 }
 
-BlendSheet::Gap BlendSheet::gap_beside(const HalfEdge& half, std::size_t side, const Ring& ring,
-                                       std::size_t first, std::size_t last) {
-  if (first == last) return {};
-  if (last - first > 1)
-    refuse(half, FilletFault::Corner, "more than one edge is beside the fillet where it goes on");
-  const VertexSector& before = ring[last - 1];
-  Gap gap{&ring[first].half, side == left_side(half)
-                                 ? &arriving(ring, first - 1)
-                                 : &body_.uses(before.face)[static_cast<std::size_t>(before.use)]};
-  gap.meeting = meeting_with(body_, strip_of(half).strip, side, *gap.use, end_t(half));
-  if (!gap.meeting)
-    refuse(half, FilletFault::Corner,
-           "its contact on face " + std::to_string(gap.use->face) + " does not go over edge " +
-               std::to_string(gap.use->edge) + ", where it goes on");
-  return gap;
+bool BlendSheet::is_seam_crossing(const ContactCrossing& crossing) const {
+  return body_.use(crossing.use->edge, !crossing.use->forward).face == crossing.use->face;
 }
 
-// Where a strip ends that another one goes on from: at the edge that a contact goes over there.
-double BlendSheet::joint_t(const HalfEdge& half, const Gap& left, const Gap& right) {
-  const RolledStrip& strip = strip_of(half).strip;
-  if (!left.meeting && !right.meeting) return end_t(half);
-  const double t = left.meeting ? left.meeting->t : right.meeting->t;
-  if (!left.meeting || !right.meeting) return t;
-  const std::size_t side = right_side(half);
-  const double off =
-      distance(contact_point(strip, side, t), contact_point(strip, side, right.meeting->t));
-  if (off > kSamePlace * std::max(tolerance_, right.use->coedge->tolerance))
-    refuse(half, FilletFault::Corner,
-           "its contacts go over edges " + std::to_string(left.use->edge) + " and " +
-               std::to_string(right.use->edge) +
-               " at different places: such a joint cannot be built yet");
-  return t;
-}
-
-// On the edge that the contacts of two strips go over; a new one where the face is the same.
-TopoDS_Vertex BlendSheet::joint_vertex(const HalfEdge& half, std::size_t side, double t,
-                                       const Gap& gap) {
-  const Vec3 point = contact_point(strip_of(half).strip, side, t);
-  if (gap.beside == nullptr) return new_vertex(point);
-  const TopoDS_Vertex vertex =
-      cut_edge(*gap.beside, gap.meeting->edge_parameter, body_.face(gap.use->face));
+// Where a strip ends that another one goes on from: on the edge that the contact goes over there;
+// a new one inside of a face.
+TopoDS_Vertex BlendSheet::joint_vertex(const PlacedStrip& of, std::size_t side, double t,
+                                       const std::optional<ContactCrossing>& over) {
+  const Vec3 point = contact_point(of.strip, side, t);
+  const TopoDS_Face& face = body_.face(of.strip.contacts[side].face);
+  std::optional<ContactCrossing> crossing = over;
+  if (!crossing)  // a closed strip may begin on a seam
+    for (const ContactCrossing& each : contact_crossings(body_, of.strip, side, filleted_)) {
+      const double off = distance(contact_point(of.strip, side, each.t), point);
+      const double reach = kSamePlace * std::max(tolerance_, each.use->coedge->tolerance);
+      if (off <= reach && is_seam_crossing(each)) crossing = each;
+    }
+  if (!crossing) return new_vertex(point);
+  const TopoDS_Vertex vertex = cut_edge(*crossing, face);
   cover(vertex, point, Precision::Confusion());
   return vertex;
 }
 
 // Two strips go on in one another, or a closed one in itself.
-void BlendSheet::joint(const Ring& ring, std::size_t other) {
-  const HalfEdge half = ring.front().half, next = ring[other].half;
-  const RolledStrip& after = strip_of(next).strip;
-  StripEnd &end = end_of(half), &next_end = end_of(next);
-  const std::size_t left = left_side(half), right = right_side(half);
-  const Gap left_gap = gap_beside(half, left, ring, 1, other);
-  const Gap right_gap = gap_beside(half, right, ring, other + 1, ring.size());
-  const bool closed = half.edge == next.edge;
-  const double t = closed ? end_t(half) : joint_t(half, left_gap, right_gap);
+void BlendSheet::join(const Joint& joint) {
+  const PlacedStrip &of = strips_[joint.before.strip], &next = strips_[joint.after.strip];
+  StripEnd& end = strips_[joint.before.strip].ends[joint.before.end];
+  StripEnd& begin = strips_[joint.after.strip].ends[joint.after.end];
+  const double t = joint.walked.before, t_after = joint.walked.after;
   end.t = {t, t};
-  end.vertices[left] = joint_vertex(half, left, t, left_gap);
-  end.vertices[right] = joint_vertex(half, right, t, right_gap);
-  const Vec3 centre = vec(strip_of(half).strip.spine->Value(t).XYZ());
-  const double t_after = closed ? end_t(next) : nearest_on(after.spine, after.range, centre);
-  next_end.t = {t_after, t_after};
-  next_end.vertices[right_side(next)] = end.vertices[left];
-  next_end.vertices[left_side(next)] = end.vertices[right];
-  const double claimed = BRep_Tool::Tolerance(body_.vertex(half));
-  for (const std::size_t side : {left_side(next), right_side(next)}) {
-    const TopoDS_Vertex& vertex = next_end.vertices[side];
-    const double reach = kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(vertex), claimed});
-    const double gap = distance(contact_point(after, side, t_after), point_of(vertex));
-    if (gap > reach) {
-      std::ostringstream cause;
-      cause << "the next strip, of edge " << next.edge << ", begins " << gap << " away from it";
-      refuse(half, FilletFault::Corner, cause.str());
-    }
+  begin.t = {t_after, t_after};
+  for (const std::size_t walking : {0U, 1U}) {
+    const std::size_t side = joint.before.end == 1 ? walking : 1 - walking;
+    const std::size_t side_after = joint.after.end == 0 ? walking : 1 - walking;
+    const TopoDS_Vertex vertex = joint_vertex(of, side, t, joint.walked.over[walking]);
+    cover(vertex, contact_point(next.strip, side_after, t_after), Precision::Confusion());
+    end.vertices[side] = begin.vertices[side_after] = vertex;
   }
-  join_section(half, next);
+  join_section(joint.before, joint.after);
 }
 
 // The arc in which two strips go on in one another.
-void BlendSheet::join_section(const HalfEdge& half, const HalfEdge& next) {
-  const RolledStrip &strip = strip_of(half).strip, &after = strip_of(next).strip;
-  StripEnd &end = end_of(half), &next_end = end_of(next);
-  const TopoDS_Edge arc = section(strip_of(half), end);
+void BlendSheet::join_section(const EndPlace& before, const EndPlace& after) {
+  const RolledStrip &strip = strips_[before.strip].strip, &next = strips_[after.strip].strip;
+  StripEnd& end = strips_[before.strip].ends[before.end];
+  StripEnd& begin = strips_[after.strip].ends[after.end];
+  const TopoDS_Edge arc = section(strips_[before.strip], end);
   const bool forward = strip.contacts[0].w < strip.contacts[1].w;
   end.path = {{arc, forward}};
-  // Seen from the vertex the two walk across it in opposite directions.
-  next_end.path = {{arc, (left_side(half) == right_side(next)) == forward}};
-  if (&strip == &after) {
+  // Both have the same contact to the left of the way if t grows along both or neither.
+  const bool alike = (before.end == 1) == (after.end == 0);
+  begin.path = {{arc, alike == forward}};
+  if (before.strip == after.strip) {
     // The strip lies to the left of the forward arc at one of its ends.
     const Handle(Geom2d_Curve) first = strip.section_line(strip.edge_range.from);
     const Handle(Geom2d_Curve) last = strip.section_line(strip.edge_range.to);
@@ -327,21 +259,63 @@ void BlendSheet::join_section(const HalfEdge& half, const HalfEdge& next) {
     return;
   }
   add_chart(arc, strip.section_line(end.t[0]), strip.bare_face());
-  const SurfaceProjector feet(after.bare_face(), Precision::Confusion());
+  const SurfaceProjector feet(next.bare_face(), Precision::Confusion());
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(arc, range.from, range.to);
-  const Vec2 near = after.chart(next_end.t[0], 0.5 * (after.contacts[0].w + after.contacts[1].w));
-  const double apart =
-      std::max({tolerance_, BRep_Tool::Tolerance(end.vertices[0]),
-                BRep_Tool::Tolerance(end.vertices[1]), BRep_Tool::Tolerance(body_.vertex(half))});
-  add_chart(arc, image_of(curve, range, feet, near, kSamePlace * apart).chart, after.bare_face());
+  const Vec2 near = next.chart(begin.t[0], 0.5 * (next.contacts[0].w + next.contacts[1].w));
+  const double apart = std::max(
+      {tolerance_, BRep_Tool::Tolerance(end.vertices[0]), BRep_Tool::Tolerance(end.vertices[1])});
+  add_chart(arc, image_of(curve, range, feet, near, kSamePlace * apart).chart, next.bare_face());
+}
+
+// The places between the ends of a strip where its contact goes over the seam of a face. Other
+// edges are too near.
+void BlendSheet::cut_seams(PlacedStrip& of, std::size_t side) {
+  const Interval between{of.ends[0].t[side], of.ends[1].t[side]};
+  const RolledContact& contact = of.strip.contacts[side];
+  for (const ContactCrossing& each : contact_crossings(body_, of.strip, side, filleted_)) {
+    const double speed = contact.curve->DN(each.t, 1).Magnitude();
+    const double room = kSamePlace * std::max(tolerance_, each.use->coedge->tolerance) / speed;
+    if (each.t <= between.from + room || each.t >= between.to - room) continue;
+    if (!is_seam_crossing(each))
+      throw FilletRefused({FilletFault::LeavesFace,
+                           of.strip.edge,
+                           "the ball's contact on face " + std::to_string(contact.face) +
+                               " goes over edge " + std::to_string(each.use->edge) +
+                               ": the radius is too large there",
+                           std::nullopt,
+                           vec(contact.curve->Value(each.t).XYZ()),
+                           {}});
+    std::vector<Cut>& seams = of.seams[side];
+    if (!seams.empty() && each.t - seams.back().t <= room) continue;  // its other use
+    seams.push_back({each.t, cut_edge(each, body_.face(contact.face))});
+  }
+}
+
+// The edges of one border of a strip.
+void BlendSheet::add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patch) {
+  const RolledContact& contact = of.strip.contacts[side];
+  std::vector<Cut> cuts = of.seams[side];
+  cuts.insert(cuts.begin(), {of.ends[0].t[side], of.ends[0].vertices[side]});
+  cuts.push_back({of.ends[1].t[side], of.ends[1].vertices[side]});
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Interval range{cuts[i].t, cuts[i + 1].t};
+    const TopoDS_Edge edge = edge_on(contact.curve, range, cuts[i].vertex, cuts[i + 1].vertex);
+    add_chart(edge, of.strip.contact_line(contact.w), patch.face);
+    add_chart(edge, chart_near_face(contact.chart, at(range, 0.5), body_.trims(contact.face)),
+              body_.face(contact.face));
+    added_[contact.face].push_back(
+        TopoDS::Edge(edge.Oriented(side == 0 ? TopAbs_FORWARD : TopAbs_REVERSED)));
+    patch.edges.push_back(
+        TopoDS::Edge(edge.Oriented(side == 0 ? TopAbs_REVERSED : TopAbs_FORWARD)));
+  }
 }
 
 // The contact edges and the face of a strip whose ends are known.
 void BlendSheet::finish(PlacedStrip& of) {
   const RolledStrip& strip = of.strip;
-  const TopoDS_Face face = strip.bare_face();
-  std::array<TopoDS_Edge, 2> contacts;
+  BlendPatch patch{strip.bare_face(), {}, strip.edge};
+  patch.face.Orientation(strip.outward ? TopAbs_FORWARD : TopAbs_REVERSED);
   for (const std::size_t side : {0U, 1U}) {
     const Interval range{of.ends[0].t[side], of.ends[1].t[side]};
     const double speed = strip.contacts[side].curve->DN(at(range, 0.5), 1).Magnitude();
@@ -349,45 +323,21 @@ void BlendSheet::finish(PlacedStrip& of) {
                           of.ends[0].vertices[side].IsSame(of.ends[1].vertices[side]);
     if (is_point) continue;
     if (length(range) * speed < tolerance_)
-      refuse({strip.edge, true}, FilletFault::EdgeConsumed,
-             "what is at its two ends meets: no strip is left between them");
-    check_contact(of, side);
-    contacts[side] = edge_on(strip.contacts[side].curve, range, of.ends[0].vertices[side],
-                             of.ends[1].vertices[side]);
-    add_chart(contacts[side], strip.contact_line(strip.contacts[side].w), face);
-    add_chart(contacts[side], strip.contacts[side].chart, body_.face(strip.contacts[side].face));
-    added_[strip.contacts[side].face].push_back(
-        TopoDS::Edge(contacts[side].Oriented(side == 0 ? TopAbs_FORWARD : TopAbs_REVERSED)));
+      throw FilletRefused({FilletFault::EdgeConsumed,
+                           strip.edge,
+                           "what is at the two ends of its strip meets: nothing is left between",
+                           std::nullopt,
+                           contact_point(strip, side, range.from),
+                           {}});
+    cut_seams(of, side);
+    add_contact(of, side, patch);
   }
-  BlendPatch patch{face, {}, strip.edge};
-  patch.face.Orientation(strip.outward ? TopAbs_FORWARD : TopAbs_REVERSED);
   const auto use = [&](const TopoDS_Edge& edge, bool forward) {
     patch.edges.push_back(TopoDS::Edge(edge.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
   };
-  if (!contacts[0].IsNull()) use(contacts[0], false);
   for (const PathEdge& each : of.ends[0].path) use(each.edge, each.forward);
-  if (!contacts[1].IsNull()) use(contacts[1], true);
   for (const PathEdge& each : of.ends[1].path) use(each.edge, !each.forward);
   patches_.push_back(std::move(patch));
-}
-
-void BlendSheet::check_contact(const PlacedStrip& of, std::size_t side) const {
-  const RolledContact& contact = of.strip.contacts[side];
-  const Interval between{of.ends[0].t[side], of.ends[1].t[side]};
-  for (const EdgeUseInFace& use : body_.uses(contact.face)) {
-    ContactMeeting where;
-    if (use.coedge->degenerated || is_filleted(use.edge) ||
-        !goes_over(body_, of.strip, side, use, between, where))
-      continue;
-    throw FilletRefused({FilletFault::LeavesFace,
-                         of.strip.edge,
-                         "the ball's contact on face " + std::to_string(contact.face) +
-                             " goes over edge " + std::to_string(use.edge) +
-                             ": the radius is too large there",
-                         std::nullopt,
-                         vec(contact.curve->Value(where.t).XYZ()),
-                         {}});
-  }
 }
 
 }  // namespace blossom::occt

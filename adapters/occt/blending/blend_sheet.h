@@ -12,13 +12,16 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/blending/ball_walk.h"
 #include "adapters/occt/blending/body_edges.h"
 #include "adapters/occt/blending/end_curves.h"
 #include "adapters/occt/blending/fillet_refusal.h"
@@ -27,10 +30,6 @@
 #include "adapters/occt/splitting/edge_splits.h"
 
 namespace blossom::occt {
-
-/// The contacts of a strip that lie to the left and right of who walks away from one of its ends.
-inline std::size_t left_side(const HalfEdge& half) { return half.at_start ? 0 : 1; }
-inline std::size_t right_side(const HalfEdge& half) { return half.at_start ? 1 : 0; }
 
 /// An edge on the way across a strip from its first contact to its second.
 struct PathEdge {
@@ -45,9 +44,17 @@ struct StripEnd {
   std::vector<PathEdge> path;  ///< from vertices[0] to vertices[1]
 };
 
+/// Where a contact meets an edge; the edge is cut there.
+struct ContactCut {
+  double t = 0;
+  TopoDS_Vertex vertex;
+};
+
 struct PlacedStrip {
   RolledStrip strip;
-  std::array<StripEnd, 2> ends;  ///< at the start and at the end of the forward edge
+  double inside = 0;                             ///< a t between the ends
+  std::array<StripEnd, 2> ends;                  ///< at the least and the largest t
+  std::array<std::vector<ContactCut>, 2> seams;  ///< that contacts go over between the ends, by t
 };
 
 /// A new face, or what a face of the body gets: edges as the outward face uses them.
@@ -63,8 +70,8 @@ class BlendSheet {
   /// tolerance   model units
   BlendSheet(const BodyEdges& body, double tolerance);
 
-  /// Strips of all edges that get one, before the ends.
-  void add(RolledStrip strip);
+  /// All strips, before the ends are made.
+  void add(const BallWalk& walk);
 
   /// Makes all ends and patches.
   /// throws   FilletRefused, BadModel
@@ -75,20 +82,29 @@ class BlendSheet {
   const SheetBorder& border() const { return border_; }
   /// What a user may want to know of how strips end.
   const std::vector<std::string>& notes() const { return notes_; }
-  bool is_filleted(int edge) const { return strip_at_.count(edge) > 0; }
+  bool is_filleted(int edge) const { return filleted_.count(edge) > 0; }
   EdgeSplits& splits() { return splits_; }
 
  private:
   using Ring = std::vector<VertexSector>;
-  /// Where a contact meets an edge beside its strip's end; the edge is cut there.
-  struct Cut {
-    double t = 0;
-    TopoDS_Vertex vertex;
+  using Cut = ContactCut;
+  /// An end of a strip: that of the least t, or of the largest.
+  struct EndPlace {
+    std::size_t strip = 0;
+    std::size_t end = 0;
+  };
+  struct Joint {
+    EndPlace before, after;
+    WalkJoint walked;
   };
 
   PlacedStrip& strip_of(const HalfEdge& half);
   StripEnd& end_of(const HalfEdge& half);
+  bool is_low_end(const HalfEdge& half) const;
   double end_t(const HalfEdge& half);
+  /// The contacts of a strip that lie to the left and right of who walks away from one of its ends.
+  std::size_t left_side(const HalfEdge& half) const { return is_low_end(half) ? 0 : 1; }
+  std::size_t right_side(const HalfEdge& half) const { return is_low_end(half) ? 1 : 0; }
 
   void end_at(const HalfEdge& half);
   void cap(const Ring& ring);
@@ -97,7 +113,13 @@ class BlendSheet {
   void add_wall_border(const EndCurve& down, const TopoDS_Vertex& contact,
                        const TopoDS_Vertex& corner, bool on_left, int face, BlendPatch& wall);
   std::optional<TopoDS_Vertex> wall_foot(const HalfEdge& half, double t);
-  void joint(const Ring& ring, std::size_t other);
+  Cut end_cut(const HalfEdge& half, std::size_t side, int& beyond, int& edge);
+  int cross_face(const HalfEdge& half, const Interval& part, int face, int& entered, double& w,
+                 TopoDS_Vertex& from);
+  bool keeps_after(const HalfEdge& half, int face, int edge, const EdgeThrough& through);
+  void join(const Joint& joint);
+  TopoDS_Vertex joint_vertex(const PlacedStrip& of, std::size_t side, double t,
+                             const std::optional<ContactCrossing>& over);
   void mitre(const Ring& ring);
   void corner(const Ring& ring);
 
@@ -106,24 +128,17 @@ class BlendSheet {
   [[noreturn]] void refuse_miss(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
                                 const HalfEdge& cut) const;
   TopoDS_Vertex cut_edge(const HalfEdge& cut, double parameter, const TopoDS_Face& asking);
-  /// The edge beside a strip over which its contact goes from face to face at a joint, if any.
-  struct Gap {
-    const HalfEdge* beside = nullptr;
-    const EdgeUseInFace* use = nullptr;  ///< in the face of the strip's contact
-    std::optional<ContactMeeting> meeting{};
-  };
-  Gap gap_beside(const HalfEdge& half, std::size_t side, const Ring& ring, std::size_t first,
-                 std::size_t last);
-  double joint_t(const HalfEdge& half, const Gap& left, const Gap& right);
-  TopoDS_Vertex joint_vertex(const HalfEdge& half, std::size_t side, double t, const Gap& gap);
-  void join_section(const HalfEdge& half, const HalfEdge& next);
+  TopoDS_Vertex cut_edge(const ContactCrossing& crossing, const TopoDS_Face& asking);
+  bool is_seam_crossing(const ContactCrossing& crossing) const;
+  void join_section(const EndPlace& before, const EndPlace& after);
   TopoDS_Vertex new_vertex(const Vec3& point);
   Interval part_near(const HalfEdge& half, const std::array<double, 2>& t);
   TopoDS_Edge section(const PlacedStrip& of, const StripEnd& end);
   void cap_face(const HalfEdge& half, const Interval& part, int face, const TopoDS_Vertex& from,
                 const TopoDS_Vertex& to);
   const EdgeUseInFace& arriving(const Ring& ring, std::size_t sector) const;
-  void check_contact(const PlacedStrip& of, std::size_t side) const;
+  void cut_seams(PlacedStrip& of, std::size_t side);
+  void add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patch);
   void finish(PlacedStrip& of);
   [[noreturn]] void refuse(const HalfEdge& half, FilletFault fault, const std::string& cause) const;
 
@@ -131,7 +146,10 @@ class BlendSheet {
   double tolerance_;
   EdgeSplits splits_;
   std::vector<PlacedStrip> strips_;
-  std::map<int, std::size_t> strip_at_;            // by edge
+  std::vector<Joint> joints_;
+  std::map<std::pair<int, bool>, EndPlace> ends_at_;  // by half-edge
+  std::vector<HalfEdge> open_;
+  std::set<int> filleted_;
   SheetBorder border_;
   std::map<int, std::vector<TopoDS_Edge>> added_;  // by face
   std::vector<BlendPatch> patches_;

@@ -47,7 +47,7 @@ TopoDS_Face plane_across(const Handle(Geom_Curve) & spine, double t) {
 double BlendSheet::wall_t(const Ring& ring) {
   const HalfEdge half = ring.front().half;
   const RolledStrip& strip = strip_of(half).strip;
-  const double inwards = half.at_start ? 1 : -1;
+  const double inwards = is_low_end(half) ? 1 : -1;
   const VertexSector& last = ring.back();
   const std::array<const EdgeUseInFace*, 2> uses{
       &arriving(ring, 0), &body_.uses(last.face)[static_cast<std::size_t>(last.use)]};
@@ -102,7 +102,8 @@ void BlendSheet::add_wall_border(const EndCurve& down, const TopoDS_Vertex& cont
   const TopoDS_Edge edge = edge_on(down.curve, down.range, down.forward ? contact : corner,
                                    down.forward ? corner : contact);
   add_chart(edge, down.on_strip, wall.face);
-  add_chart(edge, down.on_face, body_.face(face));
+  add_chart(edge, chart_near_face(down.on_face, at(down.range, 0.5), body_.trims(face)),
+            body_.face(face));
   const bool forward = down.forward == on_left;
   wall.edges.push_back(TopoDS::Edge(edge.Oriented(forward ? TopAbs_FORWARD : TopAbs_REVERSED)));
   added_[face].push_back(TopoDS::Edge(edge.Oriented(forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
@@ -146,7 +147,7 @@ bool BlendSheet::blunt(const Ring& ring) {
   add_chart(arc, image_of(curve, range, feet, std::nullopt, reach).chart, wall.face);
   end.path = {{arc, forward}};
   // The strip walks from left to right of the vertex, the wall back, down to the vertex and up.
-  const bool strip_forward = half.at_start ? forward : !forward;
+  const bool strip_forward = is_low_end(half) ? forward : !forward;
   wall.edges.push_back(
       TopoDS::Edge(arc.Oriented(strip_forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
   for (const std::size_t side : {left, right})

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
@@ -82,6 +83,46 @@ FilletEdges smooth_chain(const BodyEdges& body, int edge) {
     }
   }
   return chain;
+}
+
+namespace {
+
+// The half of a filleted edge in which another one goes on at its end, if any.
+std::optional<HalfEdge> next_half(const BodyEdges& body, const HalfEdge& half,
+                                  const FilletEdges& edges) {
+  std::vector<HalfEdge> others;
+  for (const VertexSector& each : body.round(half))
+    if (!(each.half == half) && edges.count(each.half.edge) > 0) others.push_back(each.half);
+  if (others.size() != 1 || edges.at(others.front().edge) != edges.at(half.edge))
+    return std::nullopt;
+  const Vec3 a = direction_at(body, half), b = -direction_at(body, others.front());
+  if (std::atan2(norm(cross(a, b)), dot(a, b)) >= kSmoothJoint) return std::nullopt;
+  return others.front();
+}
+
+}  // namespace
+
+std::vector<EdgeRun> edge_runs(const BodyEdges& body, const FilletEdges& edges) {
+  std::vector<EdgeRun> runs;
+  FilletEdges open = edges;
+  while (!open.empty()) {
+    EdgeRun run{{{open.begin()->first, true}}, false, open.begin()->second};
+    open.erase(open.begin());
+    while (const auto next = next_half(body, run.last(), edges)) {
+      run.closed = *next == run.first();
+      if (run.closed) break;
+      run.edges.push_back({next->edge, next->at_start});
+      open.erase(next->edge);
+    }
+    while (!run.closed) {
+      const auto before = next_half(body, run.first(), edges);
+      if (!before) break;
+      run.edges.insert(run.edges.begin(), RunEdge{before->edge, !before->at_start});
+      open.erase(before->edge);
+    }
+    runs.push_back(std::move(run));
+  }
+  return runs;
 }
 
 }  // namespace blossom::occt

@@ -18,4 +18,24 @@ using FilletEdges = std::map<int, bool>;
 /// throws   FilletRefused if it, or one of those, cannot have a fillet
 FilletEdges smooth_chain(const BodyEdges& body, int edge);
 
+/// An edge on the way along a run.
+struct RunEdge {
+  int edge = 0;
+  bool forward = true;
+};
+
+/// Edges that go on in one another smoothly, in order.
+struct EdgeRun {
+  std::vector<RunEdge> edges;
+  bool closed = false;
+  bool concave = false;
+
+  HalfEdge first() const { return {edges.front().edge, edges.front().forward}; }
+  HalfEdge last() const { return {edges.back().edge, !edges.back().forward}; }
+};
+
+/// The runs that filleted edges make up: they go on over vertices with two of them that have one
+/// direction, and end at all others.
+std::vector<EdgeRun> edge_runs(const BodyEdges& body, const FilletEdges& edges);
+
 }  // namespace blossom::occt

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -27,9 +28,9 @@
 namespace blossom::occt {
 namespace {
 
-constexpr int kFootSamples = 5;    // a side, of the strip's part whose feet bound what is searched
-constexpr double kRoom = 0.25;     // of the feet's box: how far beyond it is searched
-constexpr double kEndPart = 1e-6;  // of the range: meetings so near to its ends are those
+constexpr int kFootSamples = 5;   // a side, of the strip's part whose feet bound what is searched
+constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are those
+constexpr double kRoom = 0.25;    // of the feet's box: how far beyond it is searched
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
@@ -45,7 +46,13 @@ std::vector<PlanarCrossing> meetings(const BodyEdges& body, const RolledStrip& s
     if (norm(shift) > 0 && trims.period[0] == 0 && trims.period[1] == 0) continue;
     const PlanarCrossings found =
         crossings(transformed(contact, {1, 1}, shift), use.coedge->curve, tolerance);
-    all.insert(all.end(), found.points.begin(), found.points.end());
+    // Where they run along each other neither goes over the other.
+    std::ranges::copy_if(found.points, std::back_inserter(all), [&](const PlanarCrossing& each) {
+      return std::ranges::none_of(found.overlaps, [&](const PlanarOverlap& run) {
+        const double room = kRunEnd * length(run.a);
+        return each.a >= run.a.from - room && each.a <= run.a.to + room;
+      });
+    });
   }
   return all;
 }
@@ -130,23 +137,46 @@ std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledSt
   return best;
 }
 
-bool goes_over(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
-               const EdgeUseInFace& use, const Interval& between, ContactMeeting& where) {
-  for (const PlanarCrossing& each : meetings(body, strip, side, use, between)) {
-    const double room = kEndPart * length(between);
-    if (each.a <= between.from + room || each.a >= between.to - room) continue;
-    where = {each.a, each.b};
-    return true;
-  }
-  return false;
+namespace {
+
+// On which side of the contact the edge stays: the face lies to the left of the first contact of a
+// strip and to the right of the second, seen from outside.
+bool keeps_after(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
+                 const EdgeUseInFace& use, double t, double edge_parameter) {
+  gp_Pnt2d point;
+  gp_Vec2d rate;
+  strip.contacts[side].chart->D1(t, point, rate);
+  const Vec2 scale = body.trims(use.face).scale;
+  const Vec2 edge = jet_at(use.coedge->curve, edge_parameter).first;
+  const bool reversed = body.face(use.face).Orientation() == TopAbs_REVERSED;
+  const double sign = (side == 0) != reversed ? 1 : -1;
+  return sign * cross(Vec2{rate.X() * scale[0], rate.Y() * scale[1]}, edge) > 0;
 }
 
-std::optional<double> edge_through(const RolledStrip& strip, const Interval& part,
-                                   const BodyEdges& body, const HalfEdge& half) {
-  const TopoDS_Edge edge = body.edge(half.edge);
-  const CurveSurfaceIntersection found = intersect(bezier_spans(edge), strip_surface(strip, part));
-  if (found.points.empty()) return std::nullopt;
-  return half.at_start ? found.points.front().t : found.points.back().t;
+}  // namespace
+
+std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
+                                               std::size_t side, const std::set<int>& left_out) {
+  std::vector<ContactCrossing> all;
+  for (const EdgeUseInFace& use : body.uses(strip.contacts[side].face)) {
+    if (use.coedge->degenerated || left_out.count(use.edge) > 0) continue;
+    for (const PlanarCrossing& each : meetings(body, strip, side, use, strip.range))
+      all.push_back({each.a, &use, each.b, keeps_after(body, strip, side, use, each.a, each.b)});
+  }
+  std::sort(all.begin(), all.end(),
+            [](const ContactCrossing& a, const ContactCrossing& b) { return a.t < b.t; });
+  return all;
+}
+
+std::vector<EdgeThrough> edge_through(const RolledStrip& strip, const Interval& part,
+                                      const BodyEdges& body, int edge) {
+  std::vector<EdgeThrough> all;
+  const CurveSurfaceIntersection found =
+      intersect(bezier_spans(body.edge(edge)), strip_surface(strip, part));
+  for (const CurveSurfacePoint& each : found.points)
+    all.push_back(
+        {each.t, each.uv[strip.along_u ? 0 : 1], each.uv[strip.along_u ? 1 : 0], each.point});
+  return all;
 }
 
 namespace {

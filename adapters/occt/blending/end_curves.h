@@ -4,6 +4,8 @@
 #pragma once
 
 #include <optional>
+#include <set>
+#include <vector>
 
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
@@ -28,15 +30,30 @@ struct ContactMeeting {
 std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledStrip& strip,
                                            std::size_t side, const EdgeUseInFace& use, double near);
 
-/// All meetings between two values of t, ends left out by a part of the range.
-bool goes_over(const BodyEdges& body, const RolledStrip& strip, std::size_t side,
-               const EdgeUseInFace& use, const Interval& between, ContactMeeting& where);
+/// Where a contact goes over an edge of its face.
+struct ContactCrossing {
+  double t = 0;  ///< of the strip
+  const EdgeUseInFace* use = nullptr;
+  double edge_parameter = 0;
+  bool keep_after = true;  ///< what stays of the edge lies beyond the parameter
+};
 
-/// The parameter of an edge at which it goes through a strip, nearest to one of its ends.
+/// All crossings of a contact with the edges of its face but those left out, by t.
+std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
+                                               std::size_t side, const std::set<int>& left_out);
+
+/// Where an edge goes through a strip.
+struct EdgeThrough {
+  double edge_parameter = 0;
+  double t = 0, w = 0;  ///< of the strip
+  Vec3 point;
+};
+
+/// All places where an edge goes through a strip.
 ///
 /// part   of t in which the strip is looked at
-std::optional<double> edge_through(const RolledStrip& strip, const Interval& part,
-                                   const BodyEdges& body, const HalfEdge& half);
+std::vector<EdgeThrough> edge_through(const RolledStrip& strip, const Interval& part,
+                                      const BodyEdges& body, int edge);
 
 /// A piece of the curve in which a strip and the surface of a face meet.
 struct EndCurve {

@@ -26,7 +26,7 @@ struct EdgeCut {
 
 /// The border of a sheet as edges see it.
 struct SheetBorder {
-  std::vector<int> filleted;            ///< edges that go, but for what cuts keep of them
+  std::vector<int> filleted;  ///< edges that go, but for what cuts keep of them
   std::vector<EdgeCut> cuts;
   std::vector<TopoDS_Vertex> vertices;  ///< of the body, at which the border ends
 };

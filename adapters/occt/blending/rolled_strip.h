@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 
 #include <Geom2d_Curve.hxx>
@@ -11,6 +12,7 @@
 #include <Geom_Surface.hxx>
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/blending/ball_supports.h"
 #include "adapters/occt/blending/body_edges.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
@@ -39,6 +41,10 @@ struct RolledStrip {
   Interval range;                         ///< of t; further than the edge where it is open
   Interval edge_range;                    ///< t of the sections through the edge's ends
 
+  /// The same strip over another range inside of `most`; none where the range is all there is.
+  std::function<RolledStrip(const Interval&)> over{};
+  Interval most{};
+
   Vec2 chart(double t, double w) const { return along_u ? Vec2{t, w} : Vec2{w, t}; }
   /// The chart curves of a contact, by t, and of a section, by w.
   Handle(Geom2d_Curve) contact_line(double w) const;
@@ -64,5 +70,13 @@ std::optional<RolledStrip> swept_strip(const BodyEdges& body, int edge, bool con
 ///
 /// throws    FilletRefused if there is no such ball, or it is too large for a face's curvature
 RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double radius);
+
+/// The strip of a ball that is known to touch two faces, both ways from there; t grows the way it
+/// goes.
+///
+/// edge      in whose place it is, for refusals and names
+/// throws    as `traced_strip`
+RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge, bool concave,
+                         double radius);
 
 }  // namespace blossom::occt

@@ -192,9 +192,8 @@ class Trimming {
 bool Trimming::is_touched(int face) const {
   if (sheet_.added().count(face) > 0) return true;
   const auto& uses = body_.uses(face);
-  return std::any_of(uses.begin(), uses.end(), [&](const EdgeUseInFace& use) {
-    return kept_.count(use.edge) > 0;
-  });
+  return std::any_of(uses.begin(), uses.end(),
+                     [&](const EdgeUseInFace& use) { return kept_.count(use.edge) > 0; });
 }
 
 // As the forward face uses them.

@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -85,108 +88,109 @@ Handle(Geom_Curve) spine_of(const BallTrack& track, const std::vector<double>& k
 }
 
 // Chart curves may lie whole periods beside the face.
-void shift_to_face(const BodyEdges& body, const EdgeUseInFace& use, double t,
-                   RolledContact& contact) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(body.face(use.face));
-  const Vec2 scale = body.trims(use.face).scale;
-  const Vec2 near = point_at(use.coedge->curve, at(use.coedge->curve.domain(), 0.5));
-  const gp_Pnt2d middle = contact.chart->Value(t);
+void shift_near(const Handle(Geom_Surface) & surface, const Vec2& near, double t,
+                RolledContact& contact) {
+  const gp_Pnt2d there = contact.chart->Value(t);
+  const std::array<double, 2> turns = turns_of(surface);
   gp_Vec2d move(0, 0);
-  if (surface->IsUPeriodic())
-    move.SetX(surface->UPeriod() *
-              std::round((near[0] / scale[0] - middle.X()) / surface->UPeriod()));
-  if (surface->IsVPeriodic())
-    move.SetY(surface->VPeriod() *
-              std::round((near[1] / scale[1] - middle.Y()) / surface->VPeriod()));
+  if (turns[0] > 0) move.SetX(turns[0] * std::round((near[0] - there.X()) / turns[0]));
+  if (turns[1] > 0) move.SetY(turns[1] * std::round((near[1] - there.Y()) / turns[1]));
   if (move.Magnitude() > 0) contact.chart->Translate(move);
 }
 
-struct Tracing {
+// The parameter -t for all curves and the surface of a strip.
+void negate(RolledStrip& strip) {
+  const auto turn = [](const Handle(Geom_BSplineCurve) & curve) {
+    curve->Reverse();
+    const double sum = curve->FirstParameter() + curve->LastParameter();
+    TColStd_Array1OfReal knots(1, curve->NbKnots());
+    for (int i = 1; i <= curve->NbKnots(); ++i) knots(i) = curve->Knot(i) - sum;
+    curve->SetKnots(knots);
+  };
+  const auto surface = Handle(Geom_BSplineSurface)::DownCast(strip.surface);
+  surface->UReverse();
+  TColStd_Array1OfReal knots(1, surface->NbUKnots());
+  const double sum = surface->UKnot(1) + surface->UKnot(surface->NbUKnots());
+  for (int i = 1; i <= surface->NbUKnots(); ++i) knots(i) = surface->UKnot(i) - sum;
+  surface->SetUKnots(knots);
+  turn(Handle(Geom_BSplineCurve)::DownCast(strip.spine));
+  for (RolledContact& contact : strip.contacts) {
+    turn(Handle(Geom_BSplineCurve)::DownCast(contact.curve));
+    const auto chart = Handle(Geom2d_BSplineCurve)::DownCast(contact.chart);
+    chart->Reverse();
+    TColStd_Array1OfReal of_chart(1, chart->NbKnots());
+    const double all = chart->FirstParameter() + chart->LastParameter();
+    for (int i = 1; i <= chart->NbKnots(); ++i) of_chart(i) = chart->Knot(i) - all;
+    chart->SetKnots(of_chart);
+  }
+  for (Interval* each : {&strip.range, &strip.edge_range, &strip.most})
+    *each = {-each->to, -each->from};
+}
+
+// A ball on its way along two faces, of which any part becomes a strip.
+struct Tracing : std::enable_shared_from_this<Tracing> {
+  Tracing(const BodyEdges& of, int edge_number, bool is_concave, double ball_radius)
+      : body(of), edge(edge_number), concave(is_concave), radius(ball_radius) {}
+
   const BodyEdges& body;
   int edge;
   bool concave;
   double radius;
-  Interval edge_domain;
-  Vec3 middle;
+  std::array<int, 2> faces{};
+  std::array<Vec2, 2> near;  // where the contacts' charts are to be
+  double near_at = 0;        // the track's parameter there
+  RolledSupports supports;
+  std::optional<BallTrack> track;
+  bool turned = false;  // t = - the track's parameter
+  Interval valid, edge_range;
 
   [[noreturn]] void refuse(FilletFault fault, const std::string& cause,
                            const std::optional<Vec3>& point) const {
     throw FilletRefused(
-        {fault, edge, cause, std::nullopt, point ? point : std::optional(middle), {}});
+        {fault, edge, cause, std::nullopt, point ? point : std::optional(supports.middle), {}});
   }
-  Interval valid_part(const BallTrack& track, const Interval& wanted) const;
-  void check_reach(const BallTrack& track, double end, const Vec3& vertex, double room) const;
+  void start(const std::array<Vec2, 2>& at);
+  void find_valid(double parameter);
+  void check_reach(double end, const Vec3& vertex, double room) const;
+  RolledStrip strip(const Interval& range) const;
 };
 
-// As much of what is wanted as the ball keeps to its sides.
-Interval Tracing::valid_part(const BallTrack& track, const Interval& wanted) const {
-  const BallSpine spine = with_stretches(track);
+void Tracing::start(const std::array<Vec2, 2>& at) {
+  track = track_through(supports.of[0].whole(), supports.of[1].whole(), radius, at);
+  if (!track)
+    refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
+}
+
+// As much of the track as the ball keeps to its sides.
+void Tracing::find_valid(double parameter) {
+  const BallSpine spine = with_stretches(*track);
   for (const BallStretch& stretch : spine.stretches) {
-    const double centre = at(wanted, 0.5);
-    if (centre < stretch.range.from || centre > stretch.range.to) continue;
+    if (parameter < stretch.range.from || parameter > stretch.range.to) continue;
     if (!stretch.valid) break;
-    return {std::max(wanted.from, stretch.range.from), std::min(wanted.to, stretch.range.to)};
+    valid = stretch.range;
+    return;
   }
-  const BallPoint ball = track.at(spine.tightest.parameter);
+  const BallPoint ball = track->at(spine.tightest.parameter);
   refuse(FilletFault::Pinch,
          "the ball is too large for the curvature of the face on its " +
              std::string(spine.tightest.support == 0 ? "left" : "right"),
          ball.contacts[static_cast<std::size_t>(spine.tightest.support)].point);
 }
 
-// Whether a track comes to the end of the edge, or about as near as the strip is wide.
-void Tracing::check_reach(const BallTrack& track, double end, const Vec3& vertex,
-                          double room) const {
-  const BallPoint ball = track.at(end);
+// Whether the track comes to the end of the edge, or about as near as the strip is wide.
+void Tracing::check_reach(double end, const Vec3& vertex, double room) const {
+  const BallPoint ball = track->at(end);
   if (std::abs(dot(vertex - ball.centre, unit(ball.centre_rate))) <= room) return;
   refuse(FilletFault::LeavesFace,
          std::string("the ball rolls only along a part of the edge: there ") +
-             (track.ends()[0] == TrackEnd::Lost || track.ends()[1] == TrackEnd::Lost
+             (track->ends()[0] == TrackEnd::Lost || track->ends()[1] == TrackEnd::Lost
                   ? "its way is lost"
                   : "a contact leaves the surface of a face"),
          ball.contacts[0].point);
 }
 
-// Turns the strip round so that t grows as the edge runs.
-void reverse(RolledStrip& strip) {
-  const double sum = strip.range.from + strip.range.to;
-  strip.surface->UReverse();
-  strip.spine->Reverse();
-  for (RolledContact& contact : strip.contacts) {
-    contact.curve->Reverse();
-    contact.chart->Reverse();
-  }
-  strip.edge_range = {sum - strip.edge_range.to, sum - strip.edge_range.from};
-}
-
-}  // namespace
-
-RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double radius) {
-  Tracing of{body, edge, concave, radius, {}, {}};
-  BRep_Tool::Range(body.edge(edge), of.edge_domain.from, of.edge_domain.to);
-  const std::array<const EdgeUseInFace*, 2> uses{&body.use(edge, true), &body.use(edge, false)};
-  const RolledSupports supports = rolled_supports(body, edge, concave, radius);
-  const double width = supports.width;
-  of.middle = supports.middle;
-  const auto track = track_through(supports.of[0].whole(), supports.of[1].whole(), radius,
-                                   {supports.of[0].start, supports.of[1].start});
-  if (!track)
-    of.refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
-  if (track->closed())
-    of.refuse(FilletFault::End, "closed edges of free-form faces cannot be rounded yet", {});
-  const double start = track->nearest(point_of(body.vertex({edge, true})));
-  const double end = track->nearest(point_of(body.vertex({edge, false})));
-  const bool backwards = end < start;
-  Interval edge_range{std::min(start, end), std::max(start, end)};
-  const double beyond = kBeyond * std::max(width, radius);
-  Interval range = of.valid_part(*track, {std::max(track->domain().from, edge_range.from - beyond),
-                                          std::min(track->domain().to, edge_range.to + beyond)});
-  edge_range = {std::max(edge_range.from, range.from), std::min(edge_range.to, range.to)};
-  if (length(edge_range) <= 0)
-    of.refuse(FilletFault::NoBall, "the ball does not roll along the edge", {});
-  const HalfEdge low{edge, !backwards}, high{edge, backwards};
-  of.check_reach(*track, edge_range.from, point_of(body.vertex(low)), beyond);
-  of.check_reach(*track, edge_range.to, point_of(body.vertex(high)), beyond);
+RolledStrip Tracing::strip(const Interval& wanted) const {
+  const Interval range = turned ? Interval{-wanted.to, -wanted.from} : wanted;
   const BallStrip made = ball_strip(*track, range);
   RolledStrip strip;
   strip.edge = edge;
@@ -194,16 +198,88 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double r
   strip.radius = radius;
   strip.surface = surface_of(made);
   strip.outward = false;  // du runs along the edge, dv from left to right as seen from outside
+  strip.closed = made.closed;
   strip.spine = spine_of(*track, made.knots);
   strip.range = range;
   strip.edge_range = edge_range;
+  strip.most = valid;
   for (const std::size_t k : {0U, 1U}) {
-    strip.contacts[k] = {uses[k]->face, to_occt(made.contacts[k].row),
-                         to_occt(made.contacts[k].chart), static_cast<double>(k)};
-    shift_to_face(body, *uses[k], at(range, 0.5), strip.contacts[k]);
+    strip.contacts[k] = {faces[k], to_occt(made.contacts[k].row), to_occt(made.contacts[k].chart),
+                         static_cast<double>(k)};
+    shift_near(BRep_Tool::Surface(body.face(faces[k])), near[k],
+               std::clamp(near_at, range.from, range.to), strip.contacts[k]);
   }
-  if (backwards) reverse(strip);
+  if (turned) negate(strip);
+  if (!strip.closed)
+    strip.over = [self = shared_from_this()](const Interval& part) { return self->strip(part); };
   return strip;
+}
+
+Interval common(const Interval& a, const Interval& b) {
+  return {std::max(a.from, b.from), std::min(a.to, b.to)};
+}
+
+}  // namespace
+
+RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double radius) {
+  const auto of = std::make_shared<Tracing>(body, edge, concave, radius);
+  Interval domain;
+  BRep_Tool::Range(body.edge(edge), domain.from, domain.to);
+  of->supports = rolled_supports(body, edge, concave, radius);
+  for (const std::size_t k : {0U, 1U}) {
+    const EdgeUseInFace& use = body.use(edge, k == 0);
+    const Vec2 scale = body.trims(use.face).scale;
+    const Vec2 at_middle = point_at(use.coedge->curve, at(use.coedge->curve.domain(), 0.5));
+    of->faces[k] = use.face;
+    of->near[k] = {at_middle[0] / scale[0], at_middle[1] / scale[1]};
+  }
+  of->start({of->supports.of[0].start, of->supports.of[1].start});
+  const BallTrack& track = *of->track;
+  const gp_Vec along = BRepAdaptor_Curve(body.edge(edge)).DN(at(domain, 0.5), 1);
+  const double middle = track.nearest(of->supports.middle);
+  const Vec3 rate = track.at(middle).centre_rate;
+  of->turned = rate[0] * along.X() + rate[1] * along.Y() + rate[2] * along.Z() < 0;
+  if (track.closed()) {
+    of->find_valid(middle);
+    of->edge_range = track.domain();
+    of->near_at = middle;
+    if (of->valid.from > track.domain().from || of->valid.to < track.domain().to)
+      of->refuse(FilletFault::Pinch, "the ball is too large for the curvature of a face", {});
+    return of->strip(of->turned ? Interval{-of->valid.to, -of->valid.from} : of->valid);
+  }
+  const double start = track.nearest(point_of(body.vertex({edge, true})));
+  const double end = track.nearest(point_of(body.vertex({edge, false})));
+  of->turned = end < start;
+  const Interval edge_range{std::min(start, end), std::max(start, end)};
+  const double beyond = kBeyond * std::max(of->supports.width, radius);
+  of->near_at = at(edge_range, 0.5);
+  of->find_valid(of->near_at);
+  of->edge_range = common(edge_range, of->valid);
+  if (length(of->edge_range) <= 0)
+    of->refuse(FilletFault::NoBall, "the ball does not roll along the edge", {});
+  const HalfEdge low{edge, !of->turned}, high{edge, of->turned};
+  of->check_reach(of->edge_range.from, point_of(body.vertex(low)), beyond);
+  of->check_reach(of->edge_range.to, point_of(body.vertex(high)), beyond);
+  const Interval range =
+      common({of->edge_range.from - beyond, of->edge_range.to + beyond}, of->valid);
+  return of->strip(of->turned ? Interval{-range.to, -range.from} : range);
+}
+
+RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge, bool concave,
+                         double radius) {
+  const auto of = std::make_shared<Tracing>(body, edge, concave, radius);
+  of->supports = supports_at(body, place, concave, radius);
+  of->faces = place.faces;
+  of->near = place.charts;
+  of->start({of->supports.of[0].start, of->supports.of[1].start});
+  const BallTrack& track = *of->track;
+  of->near_at = track.nearest(place.centre);
+  of->turned = dot(track.at(of->near_at).centre_rate, place.along) < 0;
+  of->find_valid(of->near_at);
+  const double beyond = kBeyond * radius;
+  const Interval range = common({of->near_at - beyond, of->near_at + beyond}, of->valid);
+  of->edge_range = range;
+  return of->strip(of->turned ? Interval{-range.to, -range.from} : range);
 }
 
 }  // namespace blossom::occt

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/ball_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+
+#include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/fillet_refusal.h"
+
+namespace blossom::occt {
+namespace {
+
+// In tolerances: what meets at one place may be so far apart.
+constexpr double kSamePlace = 10;
+// Strips longer than asked for grow by so many times their length until they meet what ends them.
+constexpr double kGrowth = 2;
+// Strips for each edge of a run before a walk counts as lost.
+constexpr std::size_t kMostStrips = 16;
+
+Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+
+// Of a strip's two contacts that to the left of the way.
+std::size_t contact_at(const WalkedStrip& of, std::size_t walking_side) {
+  return of.forward ? walking_side : 1 - walking_side;
+}
+
+// Where the ball leaves a strip for the next one.
+struct Exit {
+  double t = 0;
+  std::array<std::optional<ContactCrossing>, 2> over{};  // by walking side
+  bool ends = false;                                     // the walk does, and nothing follows
+};
+
+class Walker {
+ public:
+  Walker(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options)
+      : body_(body), run_(run), options_(options), made_(run.edges.size()) {}
+
+  BallWalk walk();
+
+ private:
+  using Part = std::vector<std::pair<WalkJoint, WalkedStrip>>;
+
+  std::array<int, 2> faces_of(std::size_t place) const;
+  const WalkedStrip& strip_at(std::size_t place);
+  std::size_t start();
+  bool goes_beside(const WalkedStrip& of) const;
+  Part way(WalkedStrip& from, std::size_t place, int step);
+  Exit exit(WalkedStrip& of, std::size_t place, int step, double from,
+            const std::array<int, 2>& entered);
+  std::optional<ContactCrossing> first_crossing(const WalkedStrip& of, std::size_t side,
+                                                double from, int ahead, int entered) const;
+  bool is_smooth(const ContactCrossing& crossing) const;
+  std::array<int, 2> faces_behind(const WalkedStrip& of, const Exit& exit) const;
+  std::optional<std::size_t> place_with(const std::array<int, 2>& faces, std::size_t place,
+                                        int step) const;
+  WalkedStrip pair_strip(const WalkedStrip& of, const Exit& exit, const std::array<int, 2>& faces,
+                         std::size_t place);
+  bool grow(WalkedStrip& of, bool at_start) const;
+  Exit over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
+                  const std::optional<ContactCrossing>& other) const;
+  bool reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const;
+  double reach_at(const Exit& exit) const;
+  std::pair<WalkedStrip, double> following(const WalkedStrip& of, const Exit& exit,
+                                           std::size_t& place, int step);
+  BallWalk round(WalkedStrip strip) const;
+  void check_end(const WalkedStrip& of, std::size_t place, int step, double t) const;
+  bool is_shared(int step) const;
+  std::optional<std::size_t> next_place(std::size_t place, int step) const;
+
+  const BodyEdges& body_;
+  const EdgeRun& run_;
+  const WalkOptions& options_;
+  std::vector<std::optional<WalkedStrip>> made_;  // by place in the run
+};
+
+// To the left and right of the way.
+std::array<int, 2> Walker::faces_of(std::size_t place) const {
+  const RunEdge& edge = run_.edges[place];
+  return {body_.use(edge.edge, edge.forward).face, body_.use(edge.edge, !edge.forward).face};
+}
+
+const WalkedStrip& Walker::strip_at(std::size_t place) {
+  if (made_[place]) return *made_[place];
+  options_.tick();
+  const RunEdge& edge = run_.edges[place];
+  auto strip = swept_strip(body_, edge.edge, run_.concave, options_.radius);
+  if (!strip) strip = traced_strip(body_, edge.edge, run_.concave, options_.radius);
+  const double middle = at(strip->edge_range, 0.5);
+  made_[place] = WalkedStrip{*std::move(strip), edge.forward, middle};
+  return *made_[place];
+}
+
+// Whether the ball touches both faces where they are, beside the middle of the strip's edge.
+bool Walker::goes_beside(const WalkedStrip& of) const {
+  return std::ranges::all_of(of.strip.contacts, [&](const RolledContact& contact) {
+    const FaceTrims& trims = body_.trims(contact.face);
+    const gp_Pnt2d uv = contact.chart->Value(of.inside);
+    const PlanarCurve there =
+        planar_line({uv.X() * trims.scale[0], uv.Y() * trims.scale[1]},
+                    {uv.X() * trims.scale[0], uv.Y() * trims.scale[1]}, {0, 1});
+    return std::ranges::any_of(period_shifts(trims, there), [&](const Vec2& shift) {
+      return is_inside(trims, point_at(there, 0) + shift);
+    });
+  });
+}
+
+// The first edge beside which there is a ball; where contacts run along borders, any edge.
+std::size_t Walker::start() {
+  std::optional<std::size_t> any;
+  std::optional<FilletRefused> refused;
+  for (std::size_t i = 0; i < run_.edges.size(); ++i) try {
+      const WalkedStrip& of = strip_at(i);
+      if (goes_beside(of)) return i;
+      if (!any) any = i;
+    } catch (const FilletRefused& why) {
+      if (!refused) refused = why;
+    }
+  if (!any) throw FilletRefused(*refused);
+  return *any;
+}
+
+std::optional<std::size_t> Walker::next_place(std::size_t place, int step) const {
+  const std::size_t count = run_.edges.size();
+  if (step > 0 ? place + 1 < count : place > 0) return step > 0 ? place + 1 : place - 1;
+  if (!run_.closed) return std::nullopt;
+  return step > 0 ? 0 : count - 1;
+}
+
+// Whether other fillets end where the run does: they, not borders of faces, end its strips.
+bool Walker::is_shared(int step) const {
+  const HalfEdge half = step > 0 ? run_.last() : run_.first();
+  const auto ring = body_.round(half);
+  return std::ranges::any_of(ring, [&](const VertexSector& each) {
+    return !(each.half == half) && options_.filleted.count(each.half.edge) > 0;
+  });
+}
+
+bool Walker::is_smooth(const ContactCrossing& crossing) const {
+  const BodyEdges::Corner a = body_.corner(*crossing.use, crossing.edge_parameter);
+  const BodyEdges::Corner b =
+      body_.corner(body_.use(crossing.use->edge, !crossing.use->forward), crossing.edge_parameter);
+  return std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal)) < kSmoothEdge;
+}
+
+// Seams are none, as the face is the same behind them.
+std::optional<ContactCrossing> Walker::first_crossing(const WalkedStrip& of, std::size_t side,
+                                                      double from, int ahead, int entered) const {
+  const std::size_t contact = contact_at(of, side);
+  std::optional<ContactCrossing> best;
+  for (const ContactCrossing& each :
+       contact_crossings(body_, of.strip, contact, options_.filleted)) {
+    const double far = ahead * (each.t - from);
+    const double speed = of.strip.contacts[contact].curve->DN(each.t, 1).Magnitude();
+    const double room =
+        kSamePlace * std::max(options_.tolerance, each.use->coedge->tolerance) / speed;
+    if (far < (each.use->edge == entered ? room : 0)) continue;
+    if (body_.use(each.use->edge, !each.use->forward).face == each.use->face) continue;
+    if (!best || far < ahead * (best->t - from)) best = each;
+  }
+  return best;
+}
+
+double Walker::reach_at(const Exit& exit) const {
+  double reach = options_.tolerance;
+  for (const auto& each : exit.over) {
+    if (!each) continue;
+    const TopoDS_Edge edge = body_.edge(each->use->edge);
+    reach = std::max({reach, BRep_Tool::Tolerance(edge),
+                      BRep_Tool::Tolerance(TopExp::FirstVertex(edge)),
+                      BRep_Tool::Tolerance(TopExp::LastVertex(edge))});
+  }
+  return kSamePlace * reach;
+}
+
+// More of a strip past one of its ends, if there is.
+bool Walker::grow(WalkedStrip& of, bool at_start) const {
+  const Interval range = of.strip.range, most = of.strip.most;
+  if (!of.strip.over || !(at_start ? most.from < range.from : most.to > range.to)) return false;
+  const double more = (kGrowth - 1) * length(range);
+  options_.tick();
+  of.strip = of.strip.over(at_start ? Interval{std::max(most.from, range.from - more), range.to}
+                                    : Interval{range.from, std::min(most.to, range.to + more)});
+  return true;
+}
+
+// Both contacts at once, where they go over smooth edges at one place.
+Exit Walker::over_edges(const WalkedStrip& of, std::size_t side, const ContactCrossing& first,
+                        const std::optional<ContactCrossing>& other) const {
+  Exit found{first.t};
+  found.over[side] = first;
+  if (!other || !is_smooth(*other)) return found;
+  Exit both = found;
+  both.over[1 - side] = other;
+  const double speed =
+      of.strip.contacts[contact_at(of, 1 - side)].curve->DN(found.t, 1).Magnitude();
+  return std::abs(other->t - found.t) * speed <= reach_at(both) ? both : found;
+}
+
+// Where the ball goes on over another face, or along the next edge of the same faces.
+Exit Walker::exit(WalkedStrip& of, std::size_t place, int step, double from,
+                  const std::array<int, 2>& entered) {
+  const int ahead = of.forward ? step : -step;
+  const auto is_nearer = [&](double a, double b) { return ahead * (a - b) < 0; };
+  const auto next = next_place(place, step);
+  const bool goes_on_alike = of.of_edge && next && faces_of(*next) == faces_of(place);
+  const bool ends_shared = of.of_edge && !next && is_shared(step);
+  const double edge_end = ahead > 0 ? of.strip.edge_range.to : of.strip.edge_range.from;
+  for (;;) {
+    std::array<std::optional<ContactCrossing>, 2> first;
+    std::optional<std::size_t> side;
+    for (const std::size_t k : {0U, 1U}) {
+      first[k] = first_crossing(of, k, from, ahead, entered[k]);
+      if (first[k] && (!side || is_nearer(first[k]->t, first[*side]->t))) side = k;
+    }
+    if ((goes_on_alike || ends_shared) && (!side || !is_nearer(first[*side]->t, edge_end)))
+      return {edge_end, {}, ends_shared};
+    if (side && !is_smooth(*first[*side])) return {first[*side]->t, {}, true};
+    if (side) return over_edges(of, *side, *first[*side], first[1 - *side]);
+    if (!grow(of, ahead < 0))
+      return {ahead > 0 ? of.strip.range.to : of.strip.range.from, {}, true};
+  }
+}
+
+std::array<int, 2> Walker::faces_behind(const WalkedStrip& of, const Exit& exit) const {
+  std::array<int, 2> faces{};
+  for (const std::size_t side : {0U, 1U}) {
+    faces[side] = of.strip.contacts[contact_at(of, side)].face;
+    if (const auto& over = exit.over[side])
+      faces[side] = body_.use(over->use->edge, !over->use->forward).face;
+  }
+  return faces;
+}
+
+// The next place of the run whose edge has these faces.
+std::optional<std::size_t> Walker::place_with(const std::array<int, 2>& faces, std::size_t place,
+                                              int step) const {
+  auto next = next_place(place, step);
+  for (std::size_t i = 0; next && i < run_.edges.size(); ++i) {
+    if (faces_of(*next) == faces) return next;
+    next = next_place(*next, step);
+  }
+  return std::nullopt;
+}
+
+WalkedStrip Walker::pair_strip(const WalkedStrip& of, const Exit& exit,
+                               const std::array<int, 2>& faces, std::size_t place) {
+  options_.tick();
+  gp_Pnt centre;
+  gp_Vec rate;
+  of.strip.spine->D1(exit.t, centre, rate);
+  const double sign = of.forward ? 1 : -1;
+  BallPlace ball{faces, {}, vec(centre.XYZ()), sign * unit(vec(rate.XYZ()))};
+  for (const std::size_t side : {0U, 1U}) {
+    const gp_Pnt2d uv = of.strip.contacts[contact_at(of, side)].chart->Value(exit.t);
+    ball.charts[side] = {uv.X(), uv.Y()};
+    const auto& over = exit.over[side];
+    if (!over) continue;
+    const EdgeUseInFace& use = body_.use(over->use->edge, !over->use->forward);
+    const Vec2 chart = point_at(use.coedge->curve, over->edge_parameter);
+    const Vec2 scale = body_.trims(use.face).scale;
+    ball.charts[side] = {chart[0] / scale[0], chart[1] / scale[1]};
+  }
+  return {traced_strip(body_, ball, run_.edges[place].edge, run_.concave, options_.radius), true, 0,
+          false};
+}
+
+// Whether a strip has a ball at a centre, perhaps further on.
+bool Walker::reaches(WalkedStrip& next, const Vec3& centre, double reach, double& t) const {
+  const auto off = [&] {
+    t = nearest_on(next.strip.spine, next.strip.range, centre);
+    return distance(vec(next.strip.spine->Value(t).XYZ()), centre);
+  };
+  while (off() > reach)
+    if (!grow(next, t < at(next.strip.range, 0.5))) return false;
+  return true;
+}
+
+// A walk that stops before the end of its run has left the edges.
+void Walker::check_end(const WalkedStrip& of, std::size_t place, int step, double t) const {
+  if (!next_place(place, step)) return;
+  const Vec3 centre = vec(of.strip.spine->Value(t).XYZ());
+  double least = 0;
+  std::optional<std::size_t> nearest;
+  for (std::size_t i = 0; i < run_.edges.size(); ++i) {
+    Interval range;
+    const Handle(Geom_Curve) curve =
+        BRep_Tool::Curve(body_.edge(run_.edges[i].edge), range.from, range.to);
+    const double away = distance(vec(curve->Value(nearest_on(curve, range, centre)).XYZ()), centre);
+    if (nearest && away >= least) continue;
+    nearest = i;
+    least = away;
+  }
+  if (!run_.closed && !next_place(*nearest, step)) return;
+  throw FilletRefused({FilletFault::LeavesFace,
+                       run_.edges[*nearest].edge,
+                       "the ball stops at a border of face " +
+                           std::to_string(of.strip.contacts[0].face) + " or face " +
+                           std::to_string(of.strip.contacts[1].face) +
+                           " before it comes to the end of the edges",
+                       std::nullopt,
+                       centre,
+                       {}});
+}
+
+// The strip that follows and where it begins.
+std::pair<WalkedStrip, double> Walker::following(const WalkedStrip& of, const Exit& exit,
+                                                 std::size_t& place, int step) {
+  const std::array<int, 2> faces = faces_behind(of, exit);
+  const Vec3 centre = vec(of.strip.spine->Value(exit.t).XYZ());
+  const double reach = reach_at(exit);
+  double t = 0;
+  if (const auto there = place_with(faces, place, step)) {
+    WalkedStrip known = strip_at(*there);
+    if (!known.strip.closed && reaches(known, centre, reach, t)) {
+      place = *there;
+      return {std::move(known), t};
+    }
+  }
+  WalkedStrip made = pair_strip(of, exit, faces, place);
+  if (!made.strip.closed && reaches(made, centre, reach, t)) return {std::move(made), t};
+  throw FilletRefused({FilletFault::Corner,
+                       run_.edges[place].edge,
+                       "the ball does not go on over a smooth edge beside it",
+                       std::nullopt,
+                       centre,
+                       {}});
+}
+
+// All strips that follow, and how they are joined; a closed run ends with the strip it started
+// from.
+Walker::Part Walker::way(WalkedStrip& from, std::size_t place, int step) {
+  Part part;
+  WalkedStrip* of = &from;
+  const std::size_t first = place;
+  double t = from.inside;
+  std::array<int, 2> entered{};
+  for (std::size_t count = 0; count < kMostStrips * (run_.edges.size() + 1); ++count) {
+    const Exit found = exit(*of, place, step, t, entered);
+    if (found.ends) {
+      check_end(*of, place, step, found.t);
+      return part;
+    }
+    auto [next, begin] = following(*of, found, place, step);
+    for (const std::size_t side : {0U, 1U})
+      entered[side] = found.over[side] ? found.over[side]->use->edge : 0;
+    t = next.inside = begin;
+    part.emplace_back(WalkJoint{found.t, begin, found.over}, std::move(next));
+    of = &part.back().second;
+    if (run_.closed && of->of_edge && place == first) return part;
+  }
+  throw FilletRefused({FilletFault::LeavesFace,
+                       run_.edges[place].edge,
+                       "the ball does not come to the end of the edges",
+                       std::nullopt,
+                       vec(of->strip.spine->Value(t).XYZ()),
+                       {}});
+}
+
+// A strip that comes back to where it began; only as long as the ball rolls round in it.
+BallWalk Walker::round(WalkedStrip strip) const {
+  const auto beside = [&](std::size_t place) {
+    auto faces = faces_of(place);
+    std::ranges::sort(faces);
+    std::array own{strip.strip.contacts[0].face, strip.strip.contacts[1].face};
+    std::ranges::sort(own);
+    return faces == own;
+  };
+  for (std::size_t i = 0; i < run_.edges.size(); ++i)
+    if (!run_.closed || !beside(i))
+      throw FilletRefused({FilletFault::End,
+                           run_.edges[i].edge,
+                           "the ball rolls round both faces, not only along the edge",
+                           std::nullopt,
+                           vec(strip.strip.spine->Value(strip.inside).XYZ()),
+                           {}});
+  const Interval range =
+      strip.forward ? strip.strip.range : Interval{strip.strip.range.to, strip.strip.range.from};
+  BallWalk walk{run_, {}, {{range.to, range.from, {}}}};
+  walk.strips.push_back(std::move(strip));
+  return walk;
+}
+
+BallWalk Walker::walk() {
+  const std::size_t place = start();
+  WalkedStrip first = strip_at(place);
+  if (first.strip.closed) return round(std::move(first));
+  BallWalk walk{run_, {}, {}};
+  Part ahead = way(first, place, 1);
+  Part back;
+  if (run_.closed) {
+    // The last of them is the first strip again.
+    const Interval a = first.strip.range, b = ahead.back().second.strip.range;
+    if (first.strip.over)
+      first.strip = first.strip.over({std::min(a.from, b.from), std::max(a.to, b.to)});
+  } else {
+    back = way(first, place, -1);
+  }
+  for (auto it = back.rbegin(); it != back.rend(); ++it) {
+    walk.strips.push_back(std::move(it->second));
+    walk.joints.push_back({it->first.after, it->first.before, it->first.over});
+  }
+  walk.strips.push_back(std::move(first));
+  for (auto& [joint, strip] : ahead) {
+    walk.joints.push_back(joint);
+    walk.strips.push_back(std::move(strip));
+  }
+  if (run_.closed) walk.strips.pop_back();
+  return walk;
+}
+
+}  // namespace
+
+BallWalk ball_walk(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options) {
+  return Walker(body, run, options).walk();
+}
+
+}  // namespace blossom::occt

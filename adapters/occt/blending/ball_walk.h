@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The way of a ball along a run of edges: strips one after the other, each on two faces.
+//
+// The ball starts beside an edge and rolls on. Where a contact goes over an edge at which the faces
+// go on smoothly, the ball goes on over the neighbour and the next strip begins, wherever the
+// filleted edges have their vertices. So a strip need not belong to an edge.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "adapters/occt/blending/body_edges.h"
+#include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/blending/end_curves.h"
+#include "adapters/occt/blending/rolled_strip.h"
+
+namespace blossom::occt {
+
+/// A strip and how the ball walks along it.
+struct WalkedStrip {
+  RolledStrip strip;
+  bool forward = true;  ///< as t grows
+  double inside = 0;    ///< a t that the ball passes
+  bool of_edge = true;  ///< whether it is on the faces of the edge that it is named after
+};
+
+/// Where one strip ends and the next begins.
+struct WalkJoint {
+  double before = 0, after = 0;  ///< t of both strips
+  /// The edges that the contacts go over there, to the left and right of the way.
+  std::array<std::optional<ContactCrossing>, 2> over;
+};
+
+struct BallWalk {
+  EdgeRun run;
+  std::vector<WalkedStrip> strips;
+  /// Between each strip and the next; of a closed walk between the last and the first, too.
+  std::vector<WalkJoint> joints;
+};
+
+/// What a walk has to know.
+struct WalkOptions {
+  double radius = 1;  ///< model units
+  double tolerance = 1e-7;
+  std::set<int> filleted;              ///< all edges that have fillets
+  std::function<void()> tick = [] {};  ///< called for each strip; may throw to stop
+};
+
+/// throws   FilletRefused if there is no ball beside the edges, or it leaves them on the way
+BallWalk ball_walk(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options);
+
+}  // namespace blossom::occt

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Strips that end in faces of the body: each contact goes over a border of its face, and the strip
+// crosses the faces behind, one after the other, from the one border to the other.
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/blend_sheet.h"
+#include "adapters/occt/faces/surface_projector.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kSamePlace = 10;  // in tolerances
+constexpr int kMostFaces = 16;     // that a strip may cross at its end
+constexpr double kSameW = 1e-9;    // of the way across the strip
+
+}  // namespace
+
+// Where a contact leaves its face at an end of its strip, and the face behind.
+BlendSheet::Cut BlendSheet::end_cut(const HalfEdge& half, std::size_t side, int& beyond,
+                                    int& edge) {
+  const PlacedStrip& of = strip_of(half);
+  const RolledContact& contact = of.strip.contacts[side];
+  const double outwards = is_low_end(half) ? -1 : 1;
+  std::optional<ContactCrossing> best;
+  for (const ContactCrossing& each : contact_crossings(body_, of.strip, side, filleted_)) {
+    const double far = outwards * (each.t - of.inside);
+    const double speed = contact.curve->DN(each.t, 1).Magnitude();
+    const double room = kSamePlace * std::max(tolerance_, each.use->coedge->tolerance);
+    if (far * speed < room || is_seam_crossing(each)) continue;
+    if (!best || far < outwards * (best->t - of.inside)) best = each;
+  }
+  if (!best)
+    refuse(half, FilletFault::End,
+           "the ball's contact on face " + std::to_string(contact.face) +
+               " comes to no border of it at this end");
+  edge = best->use->edge;
+  beyond = body_.use(edge, !best->use->forward).face;
+  return {best->t, cut_edge(*best, body_.face(contact.face))};
+}
+
+// Across one of the faces at the end of a strip, from its left to its right.
+void BlendSheet::cap_face(const HalfEdge& half, const Interval& part, int face,
+                          const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
+  const RolledStrip& strip = strip_of(half).strip;
+  const double reach =
+      kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(from), BRep_Tool::Tolerance(to)});
+  const auto curve =
+      curve_between(strip, part, body_.face(face), point_of(from), point_of(to), reach);
+  if (!curve)
+    refuse(
+        half, FilletFault::End,
+        "the strip does not cross face " + std::to_string(face) + " at its end from side to side");
+  const TopoDS_Edge edge =
+      edge_on(curve->curve, curve->range, curve->forward ? from : to, curve->forward ? to : from);
+  add_chart(edge, curve->on_strip, strip.bare_face());
+  add_chart(edge, chart_near_face(curve->on_face, at(curve->range, 0.5), body_.trims(face)),
+            body_.face(face));
+  // Seen from the vertex the face lies beyond the strip's end: it walks from right to left.
+  added_[face].push_back(
+      TopoDS::Edge(edge.Oriented(curve->forward ? TopAbs_REVERSED : TopAbs_FORWARD)));
+  end_of(half).path.push_back({edge, curve->forward});
+}
+
+// On which side of a strip's end an edge stays that goes through it: the face lies to the left of
+// the way back from the strip's right to its left.
+bool BlendSheet::keeps_after(const HalfEdge& half, int face, int edge, const EdgeThrough& through) {
+  const RolledStrip& strip = strip_of(half).strip;
+  const Vec2 uv = strip.chart(through.t, through.w);
+  const SurfaceFrame frame = frame_at(strip.surface, uv);
+  const Vec3 across = strip.along_u ? frame.dv : frame.du;
+  const double sign =
+      strip.contacts[right_side(half)].w > strip.contacts[left_side(half)].w ? 1 : -1;
+  const bool in_face_forward = body_.use(edge, true).face == face;
+  const BodyEdges::Corner corner =
+      body_.corner(body_.use(edge, in_face_forward), through.edge_parameter);
+  Vec3 way = cross(cross(frame.du, frame.dv), corner.normal);
+  if (sign * dot(way, across) < 0) way = -way;
+  return dot(corner.along, cross(way, corner.normal)) > 0;
+}
+
+// To the edge over which the strip leaves a face; returns the face behind it.
+int BlendSheet::cross_face(const HalfEdge& half, const Interval& part, int face, int& entered,
+                           double& w, TopoDS_Vertex& from) {
+  const RolledStrip& strip = strip_of(half).strip;
+  const double w_left = strip.contacts[left_side(half)].w;
+  const double span = strip.contacts[right_side(half)].w - w_left;
+  const auto share = [&](double at) { return (at - w_left) / span; };
+  std::optional<EdgeThrough> best;
+  const EdgeUseInFace* over = nullptr;
+  for (const EdgeUseInFace& use : body_.uses(face)) {
+    if (use.coedge->degenerated || use.edge == entered || is_filleted(use.edge)) continue;
+    for (const EdgeThrough& each : edge_through(strip, part, body_, use.edge)) {
+      if (share(each.w) <= share(w) + kSameW) continue;
+      if (best && share(each.w) >= share(best->w)) continue;
+      best = each;
+      over = &use;
+    }
+  }
+  if (!best)
+    refuse(half, FilletFault::End,
+           "no edge of face " + std::to_string(face) +
+               " goes through the strip at its end, over which it would come to its other side");
+  const TopoDS_Edge edge = body_.edge(over->edge);
+  const int split = splits_.add(edge, best->edge_parameter, body_.face(face));
+  border_.cuts.push_back({over->edge, split, keeps_after(half, face, over->edge, *best)});
+  const TopoDS_Vertex to = splits_.vertex(edge, split);
+  cap_face(half, part, face, from, to);
+  from = to;
+  w = best->w;
+  entered = over->edge;
+  return body_.use(over->edge, !over->forward).face;
+}
+
+// One strip ends among faces that have no other.
+void BlendSheet::cap(const Ring& ring) {
+  const HalfEdge half = ring.front().half;
+  StripEnd& end = end_of(half);
+  int face = 0, last = 0, entered = 0, left_at = 0;
+  const Cut left = end_cut(half, left_side(half), face, entered);
+  const Cut right = end_cut(half, right_side(half), last, left_at);
+  end.t[left_side(half)] = left.t;
+  end.t[right_side(half)] = right.t;
+  end.vertices[left_side(half)] = left.vertex;
+  end.vertices[right_side(half)] = right.vertex;
+  const Interval part = part_near(half, end.t);
+  TopoDS_Vertex from = left.vertex;
+  double w = strip_of(half).strip.contacts[left_side(half)].w;
+  for (int count = 0; face != last; ++count) {
+    if (count == kMostFaces) refuse(half, FilletFault::End, "too many faces are at its end");
+    face = cross_face(half, part, face, entered, w, from);
+  }
+  cap_face(half, part, face, from, right.vertex);
+  if (left_side(half) == 1) {
+    std::reverse(end.path.begin(), end.path.end());
+    for (PathEdge& each : end.path) each.forward = !each.forward;
+  }
+}
+
+}  // namespace blossom::occt
