@@ -5,37 +5,32 @@
 #include <cmath>
 #include <exception>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
-#include <BRepCheck_Analyzer.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/blending/ball_walk.h"
+#include "adapters/occt/blending/blend_check.h"
 #include "adapters/occt/blending/blend_sheet.h"
 #include "adapters/occt/blending/edge_chain.h"
 #include "adapters/occt/blending/fillet_limit.h"
+#include "adapters/occt/blending/fillet_order.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/rolled_strip.h"
 #include "adapters/occt/blending/sheet_trim.h"
 #include "adapters/occt/faces/area.h"
-#include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/solid_shells.h"
-#include "adapters/occt/solids/solid_validity.h"
-#include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
 #include "core/base/work_limit.h"
 
@@ -51,13 +46,23 @@ struct SolidPart {
   double volume = 0;
 };
 
+// A solid with fillets, and what is left in it of the edges that it had, by number; others are
+// whole.
+struct Grouped {
+  FilletedSolid made;
+  std::map<int, std::vector<TopoDS_Edge>> edges;
+};
+
 // A shape with what is needed to fillet it again and again.
 class Filleting {
  public:
-  Filleting(const TopoDS_Shape& shape, const FilletOptions& options)
+  /// limit   of work that this is a part of; null: its time begins to run
+  Filleting(const TopoDS_Shape& shape, const FilletOptions& options,
+            std::shared_ptr<const WorkLimit> limit = nullptr)
       : body_(BRepBuilderAPI_Copy(shape, Standard_False).Shape()),
         options_(options),
-        limit_(options_.intersection) {
+        limit_(limit ? std::move(limit)
+                     : std::make_shared<const WorkLimit>(options_.intersection)) {
     find_parts(shape);
   }
 
@@ -74,13 +79,22 @@ class Filleting {
   const SolidPart& part_of(int edge) const;
   FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                        const FilletEdges& edges) const;
-  void check(const SolidPart& part, const FilletedSolid& made, const FilletEdges& edges) const;
-  void check_apart(const FilletedSolid& made) const;
+  Grouped with_group(const SolidPart& part, const FilletEdges& edges);
+  struct Renamed {
+    FilletEdges edges;      // with those in which they go on
+    std::map<int, int> of;  // numbers before, by numbers now
+  };
+  Renamed renamed(const Filleting& next, const Grouped& done, const FilletEdges& group) const;
+  FilletedSolid with_next(const Grouped& done, const FilletEdges& group);
+  const TopoDS_Face& face_given(int number) const {
+    return faces_given_[static_cast<std::size_t>(number) - 1];
+  }
 
   BodyEdges body_;
   FilletOptions options_;
-  WorkLimit limit_;
+  std::shared_ptr<const WorkLimit> limit_;
   std::vector<SolidPart> parts_;
+  std::vector<TopoDS_Face> faces_given_;  // by number
   std::vector<std::string> notes_;
   Vec3 apex_;
 };
@@ -89,6 +103,7 @@ void Filleting::find_parts(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape faces, solids;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   TopExp::MapShapes(shape, TopAbs_SOLID, solids);
+  for (int i = 1; i <= faces.Extent(); ++i) faces_given_.push_back(TopoDS::Face(faces(i)));
   if (body_.edge_count() > 0) {
     const gp_Pnt p = BRep_Tool::Pnt(body_.vertex({1, true}));
     apex_ = {p.X(), p.Y(), p.Z()};
@@ -116,107 +131,6 @@ const SolidPart& Filleting::part_of(int edge) const {
   return *found;
 }
 
-// The first fault of a face that is new or was cut, if the face that it is left of had none.
-std::optional<Problem> new_fault(const BodyEdges& body, const FilletedSolid& made,
-                                 const TopTools_MapOfShape& known) {
-  TopTools_IndexedMapOfShape numbers;
-  TopExp::MapShapes(made.solid, TopAbs_FACE, numbers);
-  std::vector<int> wanted;
-  std::map<int, int> from;  // of each of them: the face that it is left of, or 0
-  for (const FilletFace& face : made.faces) {
-    if (known.Contains(face.face)) continue;
-    wanted.push_back(numbers.FindIndex(face.face));
-    from[wanted.back()] = face.from;
-  }
-  for (const FaceSoundness& face : soundness(made.solid, wanted).faces) {
-    if (face.problems.empty()) continue;
-    const int before = from[face.number];
-    if (before > 0 && !soundness(body.face(before)).faces.front().problems.empty()) continue;
-    return face.problems.front();
-  }
-  return std::nullopt;
-}
-
-// What is wrong with a solid that was put together; nothing is given out then.
-void Filleting::check(const SolidPart& part, const FilletedSolid& made,
-                      const FilletEdges& edges) const {
-  const int first = edges.begin()->first;
-  TopTools_MapOfShape known;
-  for (const FilletFace& face : made.faces)
-    if (face.from > 0 && face.face.IsSame(body_.face(face.from))) known.Add(face.face);
-  const bool valid = is_valid(made.solid, known) && (BRepCheck_Analyzer(made.solid).IsValid() ||
-                                                     !BRepCheck_Analyzer(part.solid).IsValid());
-  if (!valid)
-    throw FilletRefused({FilletFault::Result,
-                         first,
-                         "the solid that comes out is not valid by BRepCheck",
-                         {},
-                         {},
-                         {}});
-  if (const auto fault = new_fault(body_, made, known))
-    throw FilletRefused({FilletFault::Result,
-                         first,
-                         "a face that comes out is not sound: " + fault->what,
-                         {},
-                         fault->place,
-                         {}});
-  const bool any_concave = std::ranges::any_of(edges, [](const auto& e) { return e.second; });
-  const bool any_convex = std::ranges::any_of(edges, [](const auto& e) { return !e.second; });
-  const double change = made.volume - part.volume;
-  if ((!any_concave && change >= 0) || (!any_convex && change <= 0))
-    throw FilletRefused({FilletFault::Result,
-                         first,
-                         std::string("the volume does not get ") +
-                             (any_convex ? "smaller" : "larger") + " as it should",
-                         {},
-                         {},
-                         {}});
-}
-
-// The faces that a face has no vertex in common with although their boxes meet.
-std::vector<TopoDS_Face> strangers(const FilletedSolid& made, const TopoDS_Face& face) {
-  const auto box_of = [](const TopoDS_Face& of) {
-    Bnd_Box box;
-    BRepBndLib::Add(of, box, Standard_False);
-    return box;
-  };
-  TopTools_IndexedMapOfShape own;
-  TopExp::MapShapes(face, TopAbs_VERTEX, own);
-  const Bnd_Box box = box_of(face);
-  std::vector<TopoDS_Face> found;
-  for (const FilletFace& other : made.faces) {
-    bool known = false;
-    for (TopExp_Explorer it(other.face, TopAbs_VERTEX); it.More() && !known; it.Next())
-      known = own.Contains(it.Current());
-    if (!known && !box.IsOut(box_of(other.face))) found.push_back(other.face);
-  }
-  return found;
-}
-
-// The ball must not have run into faces that it was not known to roll on or end in.
-void Filleting::check_apart(const FilletedSolid& made) const {
-  for (const FilletFace& blend : made.faces) {
-    if (blend.from > 0) continue;
-    check_limit(&limit_, kFilleting);
-    const std::vector<TopoDS_Face> others = strangers(made, blend.face);
-    if (others.empty()) continue;
-    const ShapeIntersection found = intersect({blend.face}, others, options_.intersection);
-    for (const FaceIntersection& pair : found.pairs) {
-      if (pair.found.curves.empty()) continue;
-      const TopoDS_Face& met = others[static_cast<std::size_t>(pair.face_b)];
-      const auto of = std::ranges::find_if(
-          made.faces, [&](const FilletFace& face) { return face.face.IsSame(met); });
-      throw FilletRefused({FilletFault::Interference,
-                           blend.edge,
-                           of->from > 0 ? "its strip runs into face " + std::to_string(of->from)
-                                        : "its strip runs into another one",
-                           {},
-                           pair.found.curves.front().samples.front().point,
-                           {}});
-    }
-  }
-}
-
 FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                                 const FilletEdges& edges) const {
   FilletedSolid made;
@@ -240,6 +154,83 @@ FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<Trimmed
   return made;
 }
 
+// Edges of one group, into a solid of the shape.
+Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
+  const auto tick = [this] { check_limit(limit_.get(), kFilleting); };
+  const double tolerance = options_.intersection.tolerances.point;
+  WalkOptions walking{options_.radius, tolerance, {}, tick};
+  for (const auto& [edge, concave] : edges) walking.filleted.insert(edge);
+  BlendSheet sheet(body_, tolerance);
+  for (const EdgeRun& run : edge_runs(body_, edges)) sheet.add(ball_walk(body_, run, walking));
+  tick();
+  sheet.build();
+  tick();
+  TrimmedBody trimmed = trimmed_by_sheet(body_, sheet, tolerance);
+  notes_.insert(notes_.end(), sheet.notes().begin(), sheet.notes().end());
+  Grouped grouped{closed(part, trimmed.faces, edges), std::move(trimmed.edges)};
+  check_blended(body_, part.solid, part.volume, grouped.made, edges);
+  check_apart(grouped.made, options_.intersection, tick);
+  return grouped;
+}
+
+// The edges of a group in a solid that other fillets were put into, and the numbers that they had.
+Filleting::Renamed Filleting::renamed(const Filleting& next, const Grouped& done,
+                                      const FilletEdges& group) const {
+  Renamed renamed;
+  TopTools_IndexedMapOfShape numbers;
+  TopExp::MapShapes(done.made.solid, TopAbs_EDGE, numbers);
+  for (const auto& [edge, concave] : group) {
+    std::vector<TopoDS_Edge> left{body_.edge(edge)};
+    if (const auto known = done.edges.find(edge); known != done.edges.end()) left = known->second;
+    for (const TopoDS_Edge& each : left) {
+      const int number = numbers.FindIndex(each);
+      if (number == 0)
+        throw FilletRefused({FilletFault::EdgeConsumed,
+                             edge,
+                             "fillets of other edges take it away",
+                             std::nullopt,
+                             std::nullopt,
+                             {}});
+      renamed.of.emplace(number, edge);
+    }
+  }
+  for (const auto& [number, edge] : renamed.of)
+    renamed.edges.merge(smooth_chain(next.body(), number));
+  return renamed;
+}
+
+// A group into a solid that other groups were put into.
+FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group) {
+  Filleting next(done.made.solid, options_, limit_);
+  Renamed in_next = renamed(next, done, group);
+  const auto old_number = [&](int number) {
+    const auto known = in_next.of.find(number);
+    return known == in_next.of.end() ? 0 : known->second;
+  };
+  FilletedSolid made;
+  try {
+    made = next.made(in_next.edges).front();
+  } catch (const FilletRefused& refusal) {
+    FilletRefusal why = refusal.why();
+    why.edge = old_number(why.edge);
+    if (why.edge == 0) why.edge = group.begin()->first;
+    throw FilletRefused(why);
+  }
+  notes_.insert(notes_.end(), next.notes_.begin(), next.notes_.end());
+  for (FilletFace& face : made.faces) {
+    if (face.from == 0) {
+      face.edge = old_number(face.edge);
+      continue;
+    }
+    const TopoDS_Face& before = next.face_given(face.from);
+    const auto origin = std::ranges::find_if(
+        done.made.faces, [&](const FilletFace& each) { return each.face.IsSame(before); });
+    face.from = origin->from;
+    face.edge = origin->edge;
+  }
+  return made;
+}
+
 std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
   std::vector<FilletedSolid> all;
   notes_.clear();
@@ -256,21 +247,15 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
       all.push_back(std::move(kept));
       continue;
     }
-    WalkOptions walking{options_.radius, options_.intersection.tolerances.point, {}, [this] {
-                          check_limit(&limit_, kFilleting);
-                        }};
-    for (const auto& [edge, concave] : own) walking.filleted.insert(edge);
-    BlendSheet sheet(body_, options_.intersection.tolerances.point);
-    for (const EdgeRun& run : edge_runs(body_, own)) sheet.add(ball_walk(body_, run, walking));
-    check_limit(&limit_, kFilleting);
-    sheet.build();
-    check_limit(&limit_, kFilleting);
-    std::vector<TrimmedFace> faces =
-        trimmed_by_sheet(body_, sheet, options_.intersection.tolerances.point);
-    notes_.insert(notes_.end(), sheet.notes().begin(), sheet.notes().end());
-    all.push_back(closed(part, faces, own));
-    check(part, all.back(), own);
-    check_apart(all.back());
+    const std::vector<FilletEdges> groups = fillet_order(body_, own);
+    Grouped done = with_group(part, groups.front());
+    if (groups.size() > 1) {
+      FilletEdges others;
+      for (std::size_t i = 1; i < groups.size(); ++i)
+        others.insert(groups[i].begin(), groups[i].end());
+      done.made = with_next(done, others);
+    }
+    all.push_back(std::move(done.made));
   }
   return all;
 }

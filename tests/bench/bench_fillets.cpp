@@ -80,11 +80,13 @@ bool is_free_form(const TopoDS_Face& face) {
   return type == GeomAbs_BezierSurface || type == GeomAbs_BSplineSurface;
 }
 
-// By our own integration: changes are a millionth of some models, below the noise of BRepGProp.
+// Of all solids, by our own integration: changes are a millionth of some models, below the noise of
+// BRepGProp.
 double volume_of(const TopoDS_Shape& shape) {
   double volume = 0;
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-    volume += occt::cone_volume(TopoDS::Face(it.Current()), {});
+  for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+    for (TopExp_Explorer it(solid.Current(), TopAbs_FACE); it.More(); it.Next())
+      volume += occt::cone_volume(TopoDS::Face(it.Current()), {});
   return volume;
 }
 

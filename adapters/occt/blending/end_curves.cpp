@@ -23,6 +23,7 @@
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "core/plane/planar_crossings.h"
+#include "core/subdivision/extended_surface.h"
 #include "core/surface_intersection.h"
 
 namespace blossom::occt {
@@ -30,7 +31,9 @@ namespace {
 
 constexpr int kFootSamples = 5;   // a side, of the strip's part whose feet bound what is searched
 constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are those
-constexpr double kRoom = 0.25;    // of the feet's box: how far beyond it is searched
+// Of a span, or of the way across a strip: how far surfaces go on past their borders.
+constexpr double kBeyondBorder = 0.125;
+constexpr double kRoom = 0.25;  // of the feet's box: how far beyond it is searched
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
@@ -55,13 +58,6 @@ std::vector<PlanarCrossing> meetings(const BodyEdges& body, const RolledStrip& s
     });
   }
   return all;
-}
-
-BezierSurface strip_surface(const RolledStrip& strip, const Interval& part) {
-  Interval across{strip.contacts[0].w, strip.contacts[1].w};
-  if (across.from > across.to) std::swap(across.from, across.to);
-  return bezier_surface(strip.surface,
-                        strip.along_u ? ParameterBox{part, across} : ParameterBox{across, part});
 }
 
 Interval widened(const Interval& of, double room) { return {of.from - room, of.to + room}; }
@@ -98,6 +94,32 @@ ParameterBox box_near(const std::vector<Vec3>& points, const TopoDS_Face& face) 
     }
   }
   return {box[0], box[1]};
+}
+
+// A part of a strip, from contact to contact and a little beyond, so that no curve on it ends at a
+// contact by a hair.
+BezierSurface strip_surface(const RolledStrip& strip, const Interval& part) {
+  Interval across{strip.contacts[0].w, strip.contacts[1].w};
+  if (across.from > across.to) std::swap(across.from, across.to);
+  std::array<Interval, 2> bounds;
+  strip.surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
+  const Interval most = bounds[strip.along_u ? 1 : 0];
+  const double room = kBeyondBorder * length(across);
+  const bool goes_on = across.from - room < most.from || across.to + room > most.to;
+  const bool turns = strip.along_u ? strip.surface->IsVPeriodic() : strip.surface->IsUPeriodic();
+  if (turns || !goes_on) across = {across.from - room, across.to + room};
+  const BezierSurface surface = bezier_surface(
+      strip.surface, strip.along_u ? ParameterBox{part, across} : ParameterBox{across, part});
+  if (turns || !goes_on) return surface;
+  const std::array parts{kBeyondBorder, kBeyondBorder}, none{0.0, 0.0};
+  return strip.along_u ? extended(surface, none, parts) : extended(surface, parts, none);
+}
+
+// A face's surface near points, and a little beyond its natural borders.
+BezierSurface face_surface(const std::vector<Vec3>& points, const TopoDS_Face& face) {
+  const BezierSurface surface = bezier_surface(BRep_Tool::Surface(face), box_near(points, face));
+  const std::array parts{kBeyondBorder, kBeyondBorder};
+  return extended(surface, parts, parts);
 }
 
 // Where a curve is nearest to a point.
@@ -220,7 +242,7 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
       const Vec2 uv = strip.chart(t, w);
       points.push_back(vec(strip.surface->Value(uv[0], uv[1]).XYZ()));
     }
-  const BezierSurface on_face = bezier_surface(BRep_Tool::Surface(face), box_near(points, face));
+  const BezierSurface on_face = face_surface(points, face);
   return best_curve(on_face, face, strip_surface(strip, part), strip.bare_face(), from, to, reach);
 }
 
@@ -236,7 +258,7 @@ std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const Topo
     points.push_back(middle + sign * half);
     points.push_back(middle + sign * aside);
   }
-  const BezierSurface on_face = bezier_surface(BRep_Tool::Surface(face), box_near(points, face));
+  const BezierSurface on_face = face_surface(points, face);
   const BezierSurface on_plane = bezier_surface(BRep_Tool::Surface(plane), box_near(points, plane));
   return best_curve(on_face, face, on_plane, plane, from, to, reach);
 }

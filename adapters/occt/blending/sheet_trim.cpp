@@ -173,6 +173,7 @@ class Trimming {
         kept_(kept_pieces(body, sheet.splits(), sheet.border())) {}
 
   std::vector<TrimmedFace> faces();
+  std::map<int, std::vector<TopoDS_Edge>> edges() const;
 
  private:
   bool is_touched(int face) const;
@@ -293,11 +294,20 @@ std::vector<TrimmedFace> Trimming::faces() {
   return all;
 }
 
+std::map<int, std::vector<TopoDS_Edge>> Trimming::edges() const {
+  std::map<int, std::vector<TopoDS_Edge>> left;
+  for (const auto& [edge, pieces] : kept_) {
+    std::vector<TopoDS_Edge>& of = left[edge];
+    for (const EdgePiece& piece : pieces) of.push_back(piece.edge);
+  }
+  return left;
+}
+
 }  // namespace
 
-std::vector<TrimmedFace> trimmed_by_sheet(const BodyEdges& body, BlendSheet& sheet,
-                                          double tolerance) {
-  return Trimming(body, sheet, tolerance).faces();
+TrimmedBody trimmed_by_sheet(const BodyEdges& body, BlendSheet& sheet, double tolerance) {
+  Trimming trimming(body, sheet, tolerance);
+  return {trimming.faces(), trimming.edges()};
 }
 
 }  // namespace blossom::occt

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/blend_check.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <BRepBndLib.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
+
+#include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/intersection.h"
+#include "adapters/occt/solids/solid_validity.h"
+#include "adapters/occt/soundness.h"
+
+namespace blossom::occt {
+namespace {
+
+// The first fault of a face that is new or was cut, if the face that it is left of had none.
+std::optional<Problem> new_fault(const BodyEdges& body, const FilletedSolid& made,
+                                 const TopTools_MapOfShape& known) {
+  TopTools_IndexedMapOfShape numbers;
+  TopExp::MapShapes(made.solid, TopAbs_FACE, numbers);
+  std::vector<int> wanted;
+  std::map<int, int> from;  // of each of them: the face that it is left of, or 0
+  for (const FilletFace& face : made.faces) {
+    if (known.Contains(face.face)) continue;
+    wanted.push_back(numbers.FindIndex(face.face));
+    from[wanted.back()] = face.from;
+  }
+  for (const FaceSoundness& face : soundness(made.solid, wanted).faces) {
+    if (face.problems.empty()) continue;
+    const int before = from[face.number];
+    if (before > 0 && !soundness(body.face(before)).faces.front().problems.empty()) continue;
+    return face.problems.front();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void check_blended(const BodyEdges& body, const TopoDS_Solid& before, double volume,
+                   const FilletedSolid& made, const FilletEdges& edges) {
+  const int first = edges.begin()->first;
+  TopTools_MapOfShape known;
+  for (const FilletFace& face : made.faces)
+    if (face.from > 0 && face.face.IsSame(body.face(face.from))) known.Add(face.face);
+  const bool valid = is_valid(made.solid, known) && (BRepCheck_Analyzer(made.solid).IsValid() ||
+                                                     !BRepCheck_Analyzer(before).IsValid());
+  if (!valid)
+    throw FilletRefused({FilletFault::Result,
+                         first,
+                         "the solid that comes out is not valid by BRepCheck",
+                         {},
+                         {},
+                         {}});
+  if (const auto fault = new_fault(body, made, known))
+    throw FilletRefused({FilletFault::Result,
+                         first,
+                         "a face that comes out is not sound: " + fault->what,
+                         {},
+                         fault->place,
+                         {}});
+  const bool any_concave = std::ranges::any_of(edges, [](const auto& e) { return e.second; });
+  const bool any_convex = std::ranges::any_of(edges, [](const auto& e) { return !e.second; });
+  const double change = made.volume - volume;
+  if ((!any_concave && change >= 0) || (!any_convex && change <= 0))
+    throw FilletRefused({FilletFault::Result,
+                         first,
+                         std::string("the volume does not get ") +
+                             (any_convex ? "smaller" : "larger") + " as it should",
+                         {},
+                         {},
+                         {}});
+}
+
+namespace {
+
+// The faces that a face has no vertex in common with although their boxes meet.
+std::vector<TopoDS_Face> strangers(const FilletedSolid& made, const TopoDS_Face& face) {
+  const auto box_of = [](const TopoDS_Face& of) {
+    Bnd_Box box;
+    BRepBndLib::Add(of, box, Standard_False);
+    return box;
+  };
+  TopTools_IndexedMapOfShape own;
+  TopExp::MapShapes(face, TopAbs_VERTEX, own);
+  const Bnd_Box box = box_of(face);
+  std::vector<TopoDS_Face> found;
+  for (const FilletFace& other : made.faces) {
+    bool known = false;
+    for (TopExp_Explorer it(other.face, TopAbs_VERTEX); it.More() && !known; it.Next())
+      known = own.Contains(it.Current());
+    if (!known && !box.IsOut(box_of(other.face))) found.push_back(other.face);
+  }
+  return found;
+}
+
+}  // namespace
+
+void check_apart(const FilletedSolid& made, const IntersectionOptions& options,
+                 const std::function<void()>& tick) {
+  for (const FilletFace& blend : made.faces) {
+    if (blend.from > 0) continue;
+    tick();
+    const std::vector<TopoDS_Face> others = strangers(made, blend.face);
+    if (others.empty()) continue;
+    const ShapeIntersection found = intersect({blend.face}, others, options);
+    for (const FaceIntersection& pair : found.pairs) {
+      if (pair.found.curves.empty()) continue;
+      const TopoDS_Face& met = others[static_cast<std::size_t>(pair.face_b)];
+      const auto of = std::ranges::find_if(
+          made.faces, [&](const FilletFace& face) { return face.face.IsSame(met); });
+      throw FilletRefused({FilletFault::Interference,
+                           blend.edge,
+                           of->from > 0 ? "its strip runs into face " + std::to_string(of->from)
+                                        : "its strip runs into another one",
+                           {},
+                           pair.found.curves.front().samples.front().point,
+                           {}});
+    }
+  }
+}
+
+}  // namespace blossom::occt

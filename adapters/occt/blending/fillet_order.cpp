@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/fillet_order.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace blossom::occt {
+namespace {
+
+// Groups of edges as the classes of a partition, and which come before which.
+class Order {
+ public:
+  Order(const BodyEdges& body, const FilletEdges& edges);
+  std::vector<FilletEdges> groups(const FilletEdges& edges) const;
+
+ private:
+  std::size_t class_of(int edge) const {
+    return classes_[static_cast<std::size_t>(places_.at(edge))];
+  }
+  void unite(int a, int b);
+
+  std::map<int, int> places_;         // of edges
+  std::vector<std::size_t> classes_;  // by place
+  std::vector<std::pair<int, int>> before_;
+};
+
+Order::Order(const BodyEdges& body, const FilletEdges& edges) {
+  for (const auto& [edge, concave] : edges) places_.emplace(edge, static_cast<int>(places_.size()));
+  classes_.resize(places_.size());
+  std::iota(classes_.begin(), classes_.end(), std::size_t{0});
+  for (const auto& [edge, concave] : edges)
+    for (const bool at_start : {true, false}) {
+      std::vector<int> alike, others;
+      for (const VertexSector& each : body.round({edge, at_start})) {
+        const auto known = edges.find(each.half.edge);
+        if (known == edges.end()) continue;
+        (known->second == concave ? alike : others).push_back(known->first);
+      }
+      for (const int each : alike) unite(edge, each);
+      const bool first =
+          alike.size() == 1 && (others.size() > 1 || (others.size() == 1 && concave));
+      if (!first) continue;
+      for (const int each : others) before_.emplace_back(edge, each);
+    }
+}
+
+void Order::unite(int a, int b) {
+  const std::size_t kept = class_of(a), lost = class_of(b);
+  std::ranges::replace(classes_, lost, kept);
+}
+
+// Each as late as the longest way of rules to it asks for.
+std::vector<FilletEdges> Order::groups(const FilletEdges& edges) const {
+  std::map<std::size_t, std::size_t> level;
+  for (const std::size_t each : classes_) level[each] = 0;
+  bool changed = true;
+  for (std::size_t round = 0; changed; ++round) {
+    if (round > level.size()) return {edges};
+    changed = false;
+    for (const auto& [a, b] : before_) {
+      std::size_t& later = level[class_of(b)];
+      if (class_of(a) == class_of(b)) return {edges};
+      if (later > level[class_of(a)]) continue;
+      later = level[class_of(a)] + 1;
+      changed = true;
+    }
+  }
+  std::map<std::size_t, FilletEdges> sorted;
+  for (const auto& [edge, concave] : edges) sorted[level[class_of(edge)]].emplace(edge, concave);
+  std::vector<FilletEdges> groups;
+  for (auto& [of, group] : sorted) groups.push_back(std::move(group));
+  return groups;
+}
+
+}  // namespace
+
+std::vector<FilletEdges> fillet_order(const BodyEdges& body, const FilletEdges& edges) {
+  return Order(body, edges).groups(edges);
+}
+
+}  // namespace blossom::occt
