@@ -6,6 +6,7 @@
 #include <exception>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
@@ -158,9 +159,9 @@ FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<Trimmed
 Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   const auto tick = [this] { check_limit(limit_.get(), kFilleting); };
   const double tolerance = options_.intersection.tolerances.point;
-  WalkOptions walking{options_.radius, tolerance, {}, tick};
+  WalkOptions walking{options_, tolerance, {}, tick};
   for (const auto& [edge, concave] : edges) walking.filleted.insert(edge);
-  BlendSheet sheet(body_, tolerance);
+  BlendSheet sheet(body_, tolerance, options_.chamfer.has_value());
   for (const EdgeRun& run : edge_runs(body_, edges)) sheet.add(ball_walk(body_, run, walking));
   tick();
   sheet.build();
@@ -262,8 +263,21 @@ std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
 
 void check_request(const BodyEdges& body, const std::vector<int>& edges,
                    const FilletOptions& options) {
-  if (!(options.radius > 0) || !std::isfinite(options.radius))
-    throw InvalidInput("fillet: the radius has to be positive and finite");
+  const auto check_length = [](double length, const char* what) {
+    if (!(length > 0) || !std::isfinite(length))
+      throw InvalidInput(std::string("fillet: the ") + what + " has to be positive and finite");
+  };
+  check_length(options.radius, "radius");
+  check_length(options.last_radius.value_or(1), "last radius");
+  if (options.rho && !(*options.rho > 0 && *options.rho < 1))
+    throw InvalidInput("fillet: rho has to be between 0 and 1");
+  if (options.chamfer) {
+    check_length(options.chamfer->first, "distance");
+    check_length(options.chamfer->second.value_or(1), "second distance");
+    const double angle = options.chamfer->angle.value_or(1);
+    if (!(angle > 0 && angle < std::numbers::pi))
+      throw InvalidInput("fillet: the angle has to be between 0 and pi");
+  }
   if (edges.empty()) throw InvalidInput("fillet: no edge is named");
   for (const int edge : edges)
     if (edge < 1 || edge > body.edge_count())
@@ -325,7 +339,8 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
   std::vector<FilletEdges> chains = chains_of(work.body(), edges, result.refused);
   const auto refuse = [&](const FilletRefusal& why) {
     result.refused.push_back(why);
-    add_limit(work.body(), chains, options.radius, result.refused.back());
+    if (!options.chamfer && !options.last_radius && !options.rho)
+      add_limit(work.body(), chains, options.radius, result.refused.back());
     const auto at_fault =
         std::ranges::find_if(chains, [&](const auto& chain) { return chain.count(why.edge) > 0; });
     chains.erase(at_fault == chains.end() ? chains.end() - 1 : at_fault);

@@ -46,8 +46,26 @@ struct FilletRefusal {
   std::string text() const;
 };
 
+/// How far a chamfer reaches from its edge.
+struct ChamferSize {
+  double first = 1;  ///< distance of its one border from the edge, model units
+  /// Of the other one, where it is another; or the angle between the chamfer and the first face.
+  std::optional<double> second{};
+  std::optional<double> angle{};  ///< radians, in (0, pi)
+};
+
 struct FilletOptions {
-  double radius = 1;     ///< model units
+  double radius = 1;  ///< model units
+  /// At the end of each run of edges, if it is another than at its start: linear along each edge's
+  /// parameter, by length over the edges of a run. Runs start where their edge of the least number
+  /// does.
+  std::optional<double> last_radius{};
+  /// A conic in place of the circle, in (0, 1): how far its shoulder is on the way from the chord to
+  /// where its end tangents meet; 0.5 is a parabola.
+  std::optional<double> rho{};
+  /// Chamfers in place of fillets. The first distance is on the face of the smaller number at the
+  /// edge of the least number of a run, and on that side all along the run.
+  std::optional<ChamferSize> chamfer{};
   bool partial = false;  ///< make those that can be made, instead of all or none
   IntersectionOptions intersection{};
 };
@@ -85,7 +103,8 @@ struct FilletResult {
 /// shape    solids, faces turned outwards
 /// edges    numbers as in `edge_facts`
 /// throws   InvalidInput if there is no edge of such a number, none is given, or the radius is not
-///          positive and finite; BadModel if a face cannot be used
+///          positive and finite, rho or an angle outside of its range; BadModel if a face cannot be
+///          used
 FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
                     const FilletOptions& options = {});
 

@@ -41,16 +41,16 @@ Answer fillet(const SharedModel& part, const EdgeWish& wish, double radius, bool
     const LoadedModel::Turn turn = part->turn(watch);
     const reports::Input& input = part->repaired_input(watch);
     const double start = watch.seconds();
-    reports::FilletAnswer answer{.radius = radius, .asked = edges_asked(wish, input)};
-    answer.made =
-        occt::fillet(input.model.shape(), answer.asked,
-                     {.radius = radius, .partial = partial, .intersection = watch.engine()});
+    reports::FilletAnswer answer{
+        .of = {.radius = radius, .partial = partial, .intersection = watch.engine()},
+        .asked = edges_asked(wish, input)};
+    answer.made = occt::fillet(input.model.shape(), answer.asked, answer.of);
     answer.seconds = watch.seconds() - start;
     watch.stop();
     SharedModel made;
     if (!answer.made.solids.empty()) {
       occt::Model copy = input.model.copy();
-      reports::put_fillets(copy, answer.made);
+      reports::put_fillets(copy, answer);
       made = std::make_shared<LoadedModel>("fillet", std::move(copy), Repair::Never);
     }
     return made_answer(with_reading(reports::fillet_report(input, answer), {part}),

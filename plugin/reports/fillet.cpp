@@ -14,12 +14,26 @@ bool can_be_rounded(const occt::EdgeFacts& edge) {
   return edge.kind == occt::EdgeKind::Convex || edge.kind == occt::EdgeKind::Concave;
 }
 
-std::string blend_name(const occt::FilletFace& face) {
-  return face.edge > 0 ? "fillet of edge " + std::to_string(face.edge) : "fillet of a corner";
+std::string kind_of(const FilletAnswer& answer) { return answer.of.chamfer ? "chamfer" : "fillet"; }
+
+std::string blend_name(const FilletAnswer& answer, const occt::FilletFace& face) {
+  return kind_of(answer) +
+         (face.edge > 0 ? " of edge " + std::to_string(face.edge) : " of a corner");
 }
 
 Json number_or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
+}
+
+// What was asked for across the edges.
+Json size_json(const occt::FilletOptions& of) {
+  if (const auto& chamfer = of.chamfer)
+    return {{"distance", chamfer->first},
+            {"second_distance", number_or_null(chamfer->second)},
+            {"angle", number_or_null(chamfer->angle)}};
+  return {{"radius", of.radius},
+          {"last_radius", number_or_null(of.last_radius)},
+          {"rho", number_or_null(of.rho)}};
 }
 
 Json refusal_json(const occt::FilletRefusal& refusal) {
@@ -59,19 +73,19 @@ double volume_of(const occt::FilletResult& made) {
   return volume;
 }
 
-occt::Model blends_of(const occt::FilletResult& made) {
+occt::Model blends_of(const FilletAnswer& answer) {
   occt::Model blends;
-  for (const occt::FilletedSolid& solid : made.solids)
+  for (const occt::FilletedSolid& solid : answer.made.solids)
     for (const occt::FilletFace& face : solid.faces)
-      if (face.from == 0) blends.add(face.face, blend_name(face));
+      if (face.from == 0) blends.add(face.face, blend_name(answer, face));
   return blends;
 }
 
-void put_fillets(occt::Model& part, const occt::FilletResult& made) {
-  const occt::Model blends = blends_of(made);
+void put_fillets(occt::Model& part, const FilletAnswer& answer) {
+  const occt::Model blends = blends_of(answer);
   std::vector<occt::CombinedSolid> solids;
   int next = 0;
-  for (const occt::FilletedSolid& each : made.solids) {
+  for (const occt::FilletedSolid& each : answer.made.solids) {
     solids.push_back({each.solid, {}});
     for (const occt::FilletFace& face : each.faces)
       solids.back().faces.push_back(face.from > 0 ? occt::FaceOrigin{face.face, &part, face.from}
@@ -84,21 +98,20 @@ Json fillet_report(const Input& part, const FilletAnswer& answer) {
   Json refused = Json::array();
   for (const occt::FilletRefusal& each : answer.made.refused) refused.push_back(refusal_json(each));
   const bool any = !answer.made.solids.empty();
-  return {{"schema", "blossom.blend/1"},
-          {"kind", "fillet"},
-          {"part", part.name},
-          {"radius", answer.radius},
-          {"status", to_string(answer.made.status)},
-          {"asked", answer.asked},
-          {"edges", answer.made.edges},
-          {"refused", std::move(refused)},
-          {"notes", answer.made.notes},
-          {"written", answer.written},
-          {"volume",
-           {{"before", answer.made.volume_before},
-            {"after", any ? Json(volume_of(answer.made)) : Json(nullptr)}}},
-          {"seconds", answer.seconds},
-          {"repairs", Json::array({repairs_json(part)})}};
+  Json report = {{"schema", "blossom.blend/1"}, {"kind", kind_of(answer)}, {"part", part.name}};
+  report.update(size_json(answer.of));
+  report.update({{"status", to_string(answer.made.status)},
+                 {"asked", answer.asked},
+                 {"edges", answer.made.edges},
+                 {"refused", std::move(refused)},
+                 {"notes", answer.made.notes},
+                 {"written", answer.written},
+                 {"volume",
+                  {{"before", answer.made.volume_before},
+                   {"after", any ? Json(volume_of(answer.made)) : Json(nullptr)}}},
+                 {"seconds", answer.seconds},
+                 {"repairs", Json::array({repairs_json(part)})}});
+  return report;
 }
 
 }  // namespace blossom::reports

@@ -22,7 +22,7 @@ std::vector<int> edges_to_round(const std::vector<occt::EdgeFacts>& facts, const
 std::vector<int> edges_between(const std::vector<occt::EdgeFacts>& facts, int face, int other);
 
 struct FilletAnswer {
-  double radius = 0;  ///< model units
+  occt::FilletOptions of{};  ///< what was asked for across the edges
   std::vector<int> asked{};
   occt::FilletResult made{};
   bool written = false;
@@ -33,11 +33,11 @@ struct FilletAnswer {
 double volume_of(const occt::FilletResult& made);
 
 /// The blends, each as a part that gives its face a name.
-occt::Model blends_of(const occt::FilletResult& made);
+occt::Model blends_of(const FilletAnswer& answer);
 
 /// Puts what was made in the place of the part's solids; the part has the faces by which the fillet
 /// was made, under the same numbers.
-void put_fillets(occt::Model& part, const occt::FilletResult& made);
+void put_fillets(occt::Model& part, const FilletAnswer& answer);
 
 /// The whole object, schema "blossom.blend/1".
 Json fillet_report(const Input& part, const FilletAnswer& answer);

@@ -11,6 +11,7 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/run_profiles.h"
 
 namespace blossom::occt {
 namespace {
@@ -39,7 +40,11 @@ struct Exit {
 class Walker {
  public:
   Walker(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options)
-      : body_(body), run_(run), options_(options), made_(run.edges.size()) {}
+      : body_(body),
+        run_(run),
+        options_(options),
+        profiles_(body, run, options.fillet),
+        made_(run.edges.size()) {}
 
   BallWalk walk();
 
@@ -76,6 +81,7 @@ class Walker {
   const BodyEdges& body_;
   const EdgeRun& run_;
   const WalkOptions& options_;
+  RunProfiles profiles_;
   std::vector<std::optional<WalkedStrip>> made_;  // by place in the run
 };
 
@@ -89,10 +95,9 @@ const WalkedStrip& Walker::strip_at(std::size_t place) {
   if (made_[place]) return *made_[place];
   options_.tick();
   const RunEdge& edge = run_.edges[place];
-  auto strip = swept_strip(body_, edge.edge, run_.concave, options_.radius);
-  if (!strip) strip = traced_strip(body_, edge.edge, run_.concave, options_.radius);
-  const double middle = at(strip->edge_range, 0.5);
-  made_[place] = WalkedStrip{*std::move(strip), edge.forward, middle};
+  RolledStrip strip = profiles_.strip(body_, place);
+  const double middle = at(strip.edge_range, 0.5);
+  made_[place] = WalkedStrip{std::move(strip), edge.forward, middle};
   return *made_[place];
 }
 
@@ -266,7 +271,16 @@ WalkedStrip Walker::pair_strip(const WalkedStrip& of, const Exit& exit,
     const Vec2 scale = body_.trims(use.face).scale;
     ball.charts[side] = {chart[0] / scale[0], chart[1] / scale[1]};
   }
-  return {traced_strip(body_, ball, run_.edges[place].edge, run_.concave, options_.radius), true, 0,
+  const auto profile = profiles_.everywhere();
+  if (!profile)
+    throw FilletRefused(
+        {FilletFault::End,
+         run_.edges[place].edge,
+         "it goes over smooth edges beside it, which only fillets of one radius can",
+         std::nullopt,
+         ball.centre,
+         {}});
+  return {traced_strip(body_, ball, run_.edges[place].edge, run_.concave, *profile), true, 0,
           false};
 }
 

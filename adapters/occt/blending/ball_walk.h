@@ -18,6 +18,7 @@
 #include "adapters/occt/blending/edge_chain.h"
 #include "adapters/occt/blending/end_curves.h"
 #include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/fillet.h"
 
 namespace blossom::occt {
 
@@ -45,8 +46,8 @@ struct BallWalk {
 
 /// What a walk has to know.
 struct WalkOptions {
-  double radius = 1;  ///< model units
-  double tolerance = 1e-7;
+  FilletOptions fillet;     ///< radii, section, chamfer
+  double tolerance = 1e-7;  ///< model units
   std::set<int> filleted;              ///< all edges that have fillets
   std::function<void()> tick = [] {};  ///< called for each strip; may throw to stop
 };

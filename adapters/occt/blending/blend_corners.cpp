@@ -7,6 +7,7 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Precision.hxx>
@@ -14,6 +15,7 @@
 #include <gp_Ax3.hxx>
 #include <gp_Pln.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/blend_sheet.h"
 #include "adapters/occt/convert/pcurves.h"
@@ -90,8 +92,42 @@ TopoDS_Face plane_face(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
+// The edge in which two strips run into each other, between two vertices: in the plane in which one
+// ball touches all their faces, or wherever they meet.
+PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const TopoDS_Vertex& from,
+                                const TopoDS_Vertex& to, double reach) {
+  const RolledStrip &strip = strip_of(a).strip, &other = strip_of(b).strip;
+  const Interval part = part_near(a, end_of(a).t), other_part = part_near(b, end_of(b).t);
+  const Vec3 place = point_of(from), target = point_of(to);
+  const auto made = [&](const EndCurve& curve, const Handle(Geom2d_Curve) & on_other) {
+    const TopoDS_Edge edge =
+        edge_on(curve.curve, curve.range, curve.forward ? from : to, curve.forward ? to : from);
+    add_chart(edge, curve.on_strip, strip.bare_face());
+    add_chart(edge, on_other, other.bare_face());
+    return PathEdge{edge, curve.forward};
+  };
+  if (strip.is_ball && other.is_ball) {
+    const Vec3 centre = vec(strip.spine->Value(end_of(a).t[left_side(a)]).XYZ());
+    const auto curve =
+        curve_between(strip, part, plane_face(place, target, centre), place, target, reach);
+    const SurfaceProjector feet(other.bare_face(), Precision::Confusion());
+    const Vec2 near =
+        other.chart(end_of(b).t[0], 0.5 * (other.contacts[0].w + other.contacts[1].w));
+    if (curve) try {
+        return made(*curve, image_of(curve->curve, curve->range, feet, near, reach).chart);
+      } catch (const Failure&) {  // it is no plane curve
+      }
+  }
+  const auto curve = curve_between(strip, part, other, other_part, place, target, reach);
+  if (!curve)
+    refuse(a, FilletFault::Corner,
+           "its strip and that of edge " + std::to_string(b.edge) + " do not run into each other");
+  return made(*curve, curve->on_face);
+}
+
 // Two strips run into each other in a curve, from where their contacts cross on the face that they
-// share to the third edge, where their other contacts meet.
+// share to the third edge. The wider one comes further along that edge: it goes over the face
+// beside the other one as well, up to the other's contact.
 void BlendSheet::mitre(const Ring& ring) {
   const HalfEdge a = ring[0].half, b = ring[1].half, g = ring[2].half;
   const RolledStrip &strip = strip_of(a).strip, &other = strip_of(b).strip;
@@ -100,48 +136,131 @@ void BlendSheet::mitre(const Ring& ring) {
     refuse(a, FilletFault::Corner,
            "it is " + std::string(strip.concave ? "concave" : "convex") + " and meets edge " +
                std::to_string(b.edge) + ", which is not, at a sharp corner");
-  const auto crossing =
-      contacts_cross(body_, strip, left_side(a), end_t(a), other, right_side(b), end_t(b));
+  const std::size_t left = left_side(a), right = right_side(a);
+  const std::size_t other_left = left_side(b), other_right = right_side(b);
+  const auto crossing = contacts_cross(body_, strip, left, end_t(a), other, other_right, end_t(b));
   if (!crossing)
     refuse(a, FilletFault::Corner,
            "its contact does not cross that of edge " + std::to_string(b.edge) + " on face " +
                std::to_string(ring[0].face));
-  const Vec3 place = vec(strip.contacts[left_side(a)].curve->Value((*crossing)[0]).XYZ());
-  const TopoDS_Vertex start = new_vertex(place);
-  const Cut of_other = cut_by_contact(b, left_side(b), arriving(ring, 1), g);
-  const Cut own = cut_by_contact(
-      a, right_side(a), body_.uses(ring[2].face)[static_cast<std::size_t>(ring[2].use)], g);
-  if (!own.vertex.IsSame(of_other.vertex))
-    refuse(a, FilletFault::Corner,
-           "its contact and that of edge " + std::to_string(b.edge) + " do not meet on edge " +
-               std::to_string(g.edge) + ": a corner of different widths cannot be built yet");
-  end.t[left_side(a)] = (*crossing)[0];
-  end.t[right_side(a)] = own.t;
-  end.vertices[left_side(a)] = start;
-  end.vertices[right_side(a)] = own.vertex;
-  other_end.t[right_side(b)] = (*crossing)[1];
-  other_end.t[left_side(b)] = of_other.t;
-  other_end.vertices[right_side(b)] = start;
-  other_end.vertices[left_side(b)] = own.vertex;
-  const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(own.vertex));
-  const Vec3 target = point_of(own.vertex), centre = vec(strip.spine->Value((*crossing)[0]).XYZ());
-  const auto curve = curve_between(strip, part_near(a, end.t), plane_face(place, target, centre),
-                                   place, target, reach);
-  if (!curve) refuse(a, FilletFault::Corner, "it has no mitre with edge " + std::to_string(b.edge));
-  const TopoDS_Edge edge = edge_on(curve->curve, curve->range, curve->forward ? start : own.vertex,
-                                   curve->forward ? own.vertex : start);
-  add_chart(edge, curve->on_strip, strip.bare_face());
-  const SurfaceProjector feet(other.bare_face(), Precision::Confusion());
-  const Vec2 near = other.chart(other_end.t[0], 0.5 * (other.contacts[0].w + other.contacts[1].w));
-  try {
-    add_chart(edge, image_of(curve->curve, curve->range, feet, near, kSamePlace * tolerance_).chart,
-              other.bare_face());
-  } catch (const std::exception&) {
-    refuse(a, FilletFault::Corner,
-           "its mitre with edge " + std::to_string(b.edge) + " is no plane curve");
+  const TopoDS_Vertex start =
+      new_vertex(vec(strip.contacts[left].curve->Value((*crossing)[0]).XYZ()));
+  const EdgeUseInFace& a_use = body_.uses(ring[2].face)[static_cast<std::size_t>(ring[2].use)];
+  const EdgeUseInFace& b_use = arriving(ring, 1);
+  const auto a_meets = meeting_with(body_, strip, right, a_use, end_t(a));
+  const auto b_meets = meeting_with(body_, other, other_left, b_use, end_t(b));
+  if (!a_meets && !b_meets) refuse_miss(a, right, a_use, g);
+  // Further away from the vertex along the third edge.
+  const auto away = [&](const ContactMeeting& at) {
+    return g.at_start ? at.edge_parameter : -at.edge_parameter;
+  };
+  const bool a_wider = !b_meets || (a_meets && away(*a_meets) >= away(*b_meets));
+  const ContactMeeting& wide = a_wider ? *a_meets : *b_meets;
+  const TopoDS_Vertex foot =
+      cut_edge(g, wide.edge_parameter, body_.face(a_wider ? a_use.face : b_use.face));
+  const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(foot));
+  end.t[left] = (*crossing)[0];
+  other_end.t[other_right] = (*crossing)[1];
+  end.t[right] = a_wider ? wide.t : (*crossing)[0];
+  other_end.t[other_left] = a_wider ? (*crossing)[1] : wide.t;
+  end.vertices[left] = other_end.vertices[other_right] = start;
+  // Where the narrower one's contact beside the third edge ends.
+  const HalfEdge narrow = a_wider ? b : a, wider = a_wider ? a : b;
+  const std::size_t side = a_wider ? other_left : right;
+  const std::optional<ContactMeeting>& meets = a_wider ? b_meets : a_meets;
+  TopoDS_Vertex joined = foot;
+  const RolledStrip& thin = strip_of(narrow).strip;
+  double t = meets ? meets->t : end_t(narrow);
+  const auto gap = [&] {
+    return distance(vec(thin.contacts[side].curve->Value(t).XYZ()), point_of(foot));
+  };
+  if (!meets || gap() > reach) {
+    const auto through =
+        contact_through(thin, side, t, strip_of(wider).strip, part_near(wider, end_of(wider).t));
+    if (!through)
+      refuse(narrow, FilletFault::Corner,
+             "its contact does not come to the strip of edge " + std::to_string(wider.edge));
+    t = *through;
+    joined = new_vertex(vec(thin.contacts[side].curve->Value(t).XYZ()));
   }
-  end.path = {{edge, curve->forward == (left_side(a) == 0)}};
-  other_end.path = {{edge, curve->forward == (right_side(b) == 0)}};
+  end_of(narrow).t[side] = t;
+  end.vertices[right] = a_wider ? foot : joined;
+  other_end.vertices[other_left] = a_wider ? joined : foot;
+  const PathEdge seam = mitre_edge(a, b, start, joined, reach);
+  // From left to right of who walks away from the vertex.
+  end.path = {seam};
+  other_end.path = {{seam.edge, !seam.forward}};
+  if (!joined.IsSame(foot)) {
+    const int face = a_wider ? b_use.face : a_use.face;
+    const Interval part = part_near(wider, end_of(wider).t);
+    if (a_wider) {
+      cap_face(a, part, face, joined, foot);
+    } else {
+      const std::vector<PathEdge> after = std::move(other_end.path);
+      other_end.path.clear();
+      cap_face(b, part, face, foot, joined);
+      other_end.path.insert(other_end.path.end(), after.begin(), after.end());
+    }
+  }
+  turn_path(a);
+  turn_path(b);
+}
+
+// A path from left to right, as it was made, from the first contact to the second.
+void BlendSheet::turn_path(const HalfEdge& half) {
+  if (left_side(half) == 0) return;
+  std::vector<PathEdge>& path = end_of(half).path;
+  std::reverse(path.begin(), path.end());
+  for (PathEdge& each : path) each.forward = !each.forward;
+}
+
+// Chamfers that are planes leave a plane corner between the places where their borders cross.
+void BlendSheet::flat_corner(const Ring& ring) {
+  const std::size_t count = ring.size();
+  std::vector<TopoDS_Vertex> places(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const HalfEdge half = ring[i].half, next = ring[(i + 1) % count].half;
+    const RolledStrip &of = strip_of(half).strip, &after = strip_of(next).strip;
+    if (Handle(Geom_Plane)::DownCast(of.surface).IsNull() || of.concave != after.concave)
+      refuse(half, FilletFault::Corner,
+             "only plane chamfers of one kind can be joined in a corner of several");
+    const auto crossing = contacts_cross(body_, of, left_side(half), end_t(half), after,
+                                         right_side(next), end_t(next));
+    if (!crossing)
+      refuse(half, FilletFault::Corner,
+             "its border does not cross that of edge " + std::to_string(next.edge));
+    end_of(half).t[left_side(half)] = (*crossing)[0];
+    end_of(next).t[right_side(next)] = (*crossing)[1];
+    places[i] = new_vertex(vec(of.contacts[left_side(half)].curve->Value((*crossing)[0]).XYZ()));
+    end_of(half).vertices[left_side(half)] = places[i];
+    end_of(next).vertices[right_side(next)] = places[i];
+  }
+  const HalfEdge first = ring.front().half;
+  BlendPatch patch;
+  // Seen from outside the edges are met against the clock.
+  patch.face = plane_face(point_of(places[0]), point_of(places[1]), point_of(places[count - 1]));
+  const SurfaceProjector feet(patch.face, Precision::Confusion());
+  for (const TopoDS_Vertex& each : places)
+    if (std::abs(feet.height(point_of(each))) > tolerance_)
+      refuse(first, FilletFault::Corner, "the chamfers of its corner leave no plane between them");
+  for (std::size_t i = 0; i < count; ++i) {
+    const HalfEdge half = ring[i].half;
+    const RolledStrip& of = strip_of(half).strip;
+    const TopoDS_Vertex &from = places[i], &to = places[(i + count - 1) % count];
+    const Vec3 way = point_of(to) - point_of(from);
+    const TopoDS_Edge edge =
+        edge_on(new Geom_Line(pnt(point_of(from)), dir(unit(way))), {0, norm(way)}, from, to);
+    for (const TopoDS_Face& face : {of.bare_face(), patch.face}) {
+      const SurfaceProjector on(face, Precision::Confusion());
+      Interval range;
+      const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+      add_chart(edge, image_of(curve, range, on, std::nullopt, tolerance_).chart, face);
+    }
+    end_of(half).path = {{edge, true}};
+    turn_path(half);
+    patch.edges.push_back(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)));
+  }
+  patches_.push_back(std::move(patch));
 }
 
 // All edges at a vertex have strips, and one ball touches all faces there: the strips end in great
@@ -150,8 +269,9 @@ void BlendSheet::corner(const Ring& ring) {
   const std::size_t count = ring.size();
   const HalfEdge first = ring.front().half;
   const RolledStrip& strip = strip_of(first).strip;
+  if (is_chamfer_) return flat_corner(ring);
   for (const VertexSector& each : ring)
-    if (strip_of(each.half).strip.concave != strip.concave ||
+    if (strip_of(each.half).strip.concave != strip.concave || !strip_of(each.half).strip.is_ball ||
         strip_of(each.half).strip.radius != strip.radius)
       refuse(first, FilletFault::Corner,
              "edges of its corner differ in kind or radius: such a corner cannot be built yet");

@@ -7,6 +7,7 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2d_Line.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 
@@ -21,6 +22,8 @@ namespace {
 constexpr double kPartRoom = 2;
 // In tolerances: what meets at one place may be so far apart.
 constexpr double kSamePlace = 10;
+constexpr double kSameAngle = 1e-9;  // of sections that are counted alike, radians or shares
+constexpr int kSectionSamples = 8;   // of an arc, to compare it with a section
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
@@ -28,10 +31,37 @@ Vec3 contact_point(const RolledStrip& strip, std::size_t side, double t) {
   return vec(strip.contacts[side].curve->Value(t).XYZ());
 }
 
+// The chart of an arc that is a strip's section at t, by its own parameter: the section itself
+// where both count the angle alike, else a fit.
+Handle(Geom2d_Curve)
+    section_chart(const TopoDS_Edge& arc, const RolledStrip& strip, double t, double reach) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(arc, range.from, range.to);
+  for (const bool turned : {false, true}) {
+    const double first = strip.contacts[turned ? 1 : 0].w, last = strip.contacts[turned ? 0 : 1].w;
+    const double sign = first < last ? 1 : -1;
+    if (std::abs(sign * (last - first) - length(range)) > kSameAngle) continue;
+    const Vec2 start = strip.chart(t, first - sign * range.from), way = strip.chart(0, sign);
+    const Handle(Geom2d_Curve) line =
+        new Geom2d_Line(gp_Pnt2d(start[0], start[1]), gp_Dir2d(way[0], way[1]));
+    bool is_section = true;
+    for (int i = 0; i <= kSectionSamples; ++i) {
+      const double x = at(range, static_cast<double>(i) / kSectionSamples);
+      const gp_Pnt2d uv = line->Value(x);
+      is_section =
+          is_section && curve->Value(x).Distance(strip.surface->Value(uv.X(), uv.Y())) <= reach;
+    }
+    if (is_section) return line;
+  }
+  const SurfaceProjector feet(strip.bare_face(), Precision::Confusion());
+  const Vec2 near = strip.chart(t, 0.5 * (strip.contacts[0].w + strip.contacts[1].w));
+  return image_of(curve, range, feet, near, reach).chart;
+}
+
 }  // namespace
 
-BlendSheet::BlendSheet(const BodyEdges& body, double tolerance)
-    : body_(body), tolerance_(tolerance), splits_(tolerance) {}
+BlendSheet::BlendSheet(const BodyEdges& body, double tolerance, bool is_chamfer)
+    : body_(body), tolerance_(tolerance), is_chamfer_(is_chamfer), splits_(tolerance) {}
 
 void BlendSheet::add(const BallWalk& walk) {
   const std::size_t first = strips_.size(), count = walk.strips.size();
@@ -161,14 +191,6 @@ void BlendSheet::refuse_miss(const HalfEdge& half, std::size_t side, const EdgeU
          miss + ", which bounds it at this end: the radius is too large");
 }
 
-BlendSheet::Cut BlendSheet::cut_by_contact(const HalfEdge& half, std::size_t side,
-                                           const EdgeUseInFace& use, const HalfEdge& cut) {
-  const RolledStrip& strip = strip_of(half).strip;
-  const auto meeting = meeting_with(body_, strip, side, use, end_t(half));
-  if (!meeting) refuse_miss(half, side, use, cut);
-  return {meeting->t, cut_edge(cut, meeting->edge_parameter, body_.face(use.face))};
-}
-
 Interval BlendSheet::part_near(const HalfEdge& half, const std::array<double, 2>& t) {
   const RolledStrip& strip = strip_of(half).strip;
   gp_Pnt point;
@@ -259,13 +281,9 @@ void BlendSheet::join_section(const EndPlace& before, const EndPlace& after) {
     return;
   }
   add_chart(arc, strip.section_line(end.t[0]), strip.bare_face());
-  const SurfaceProjector feet(next.bare_face(), Precision::Confusion());
-  Interval range;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(arc, range.from, range.to);
-  const Vec2 near = next.chart(begin.t[0], 0.5 * (next.contacts[0].w + next.contacts[1].w));
-  const double apart = std::max(
-      {tolerance_, BRep_Tool::Tolerance(end.vertices[0]), BRep_Tool::Tolerance(end.vertices[1])});
-  add_chart(arc, image_of(curve, range, feet, near, kSamePlace * apart).chart, next.bare_face());
+  const double apart = kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(end.vertices[0]),
+                                              BRep_Tool::Tolerance(end.vertices[1])});
+  add_chart(arc, section_chart(arc, next, begin.t[0], apart), next.bare_face());
 }
 
 // The places between the ends of a strip where its contact goes over the seam of a face. Other

@@ -66,9 +66,10 @@ struct BlendPatch {
 
 class BlendSheet {
  public:
-  /// body        kept by reference
-  /// tolerance   model units
-  BlendSheet(const BodyEdges& body, double tolerance);
+  /// body         kept by reference
+  /// tolerance    model units
+  /// is_chamfer   corners of several strips are planes, else balls
+  BlendSheet(const BodyEdges& body, double tolerance, bool is_chamfer);
 
   /// All strips, before the ends are made.
   void add(const BallWalk& walk);
@@ -121,10 +122,12 @@ class BlendSheet {
   TopoDS_Vertex joint_vertex(const PlacedStrip& of, std::size_t side, double t,
                              const std::optional<ContactCrossing>& over);
   void mitre(const Ring& ring);
+  PathEdge mitre_edge(const HalfEdge& a, const HalfEdge& b, const TopoDS_Vertex& from,
+                      const TopoDS_Vertex& to, double reach);
+  void turn_path(const HalfEdge& half);
+  void flat_corner(const Ring& ring);
   void corner(const Ring& ring);
 
-  Cut cut_by_contact(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
-                     const HalfEdge& cut);
   [[noreturn]] void refuse_miss(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
                                 const HalfEdge& cut) const;
   TopoDS_Vertex cut_edge(const HalfEdge& cut, double parameter, const TopoDS_Face& asking);
@@ -144,6 +147,7 @@ class BlendSheet {
 
   const BodyEdges& body_;
   double tolerance_;
+  bool is_chamfer_;
   EdgeSplits splits_;
   std::vector<PlacedStrip> strips_;
   std::vector<Joint> joints_;

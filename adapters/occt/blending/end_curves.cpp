@@ -246,6 +246,26 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
   return best_curve(on_face, face, strip_surface(strip, part), strip.bare_face(), from, to, reach);
 }
 
+std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& part,
+                                      const RolledStrip& other, const Interval& other_part,
+                                      const Vec3& from, const Vec3& to, double reach) {
+  return best_curve(strip_surface(other, other_part), other.bare_face(), strip_surface(strip, part),
+                    strip.bare_face(), from, to, reach);
+}
+
+std::optional<double> contact_through(const RolledStrip& of, std::size_t side, double near,
+                                      const RolledStrip& other, const Interval& other_part) {
+  TopoDS_Edge edge;
+  BRep_Builder builder;
+  builder.MakeEdge(edge, of.contacts[side].curve, Precision::Confusion());
+  builder.Range(edge, of.range.from, of.range.to);
+  std::optional<double> best;
+  for (const CurveSurfacePoint& each :
+       intersect(bezier_spans(edge), strip_surface(other, other_part)).points)
+    if (!best || std::abs(each.t - near) < std::abs(*best - near)) best = each.t;
+  return best;
+}
+
 std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const TopoDS_Face& face,
                                             const Vec3& from, const Vec3& to, double reach) {
   std::vector<Vec3> points;

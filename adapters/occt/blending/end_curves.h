@@ -71,6 +71,15 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
                                       const TopoDS_Face& face, const Vec3& from, const Vec3& to,
                                       double reach);
 
+/// The same of two strips; `on_face` is on the other one.
+std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& part,
+                                      const RolledStrip& other, const Interval& other_part,
+                                      const Vec3& from, const Vec3& to, double reach);
+
+/// Where a contact goes through another strip: its t nearest to `near`.
+std::optional<double> contact_through(const RolledStrip& of, std::size_t side, double near,
+                                      const RolledStrip& other, const Interval& other_part);
+
 /// The piece of the curve in which a plane and the surface of a face meet; `on_strip` is in the
 /// parameters of the plane.
 std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const TopoDS_Face& face,

@@ -19,6 +19,22 @@
 
 namespace blossom::occt {
 
+/// What a strip is like across its edge.
+struct StripProfile {
+  double first = 1, last = 1;   ///< radii of the ball at the start and the end of the forward edge
+  std::optional<double> rho{};  ///< a conic in place of the circle
+
+  bool is_ball() const { return first == last && !rho; }
+};
+
+/// The distances of a chamfer's borders from the edge, on the face to the left of the forward edge
+/// and on the right, or the angle at one of them.
+struct ChamferProfile {
+  std::array<double, 2> distance{1, 1};
+  std::optional<double> angle{};  ///< between the chamfer and the face of side `given`
+  std::size_t given = 0;          ///< the other distance follows from the angle
+};
+
 /// Where the strip touches one of the two faces. Curves have the strip's parameter t.
 struct RolledContact {
   int face = 0;
@@ -31,7 +47,8 @@ struct RolledContact {
 struct RolledStrip {
   int edge = 0;
   bool concave = false;
-  double radius = 0;  ///< model units
+  double radius = 0;    ///< model units; the largest, or a chamfer's larger distance
+  bool is_ball = true;  ///< its sections are circles of that radius
   Handle(Geom_Surface) surface;
   bool along_u = true;                    ///< whether t is the surface's u
   bool outward = true;                    ///< whether du x dv points out of the material
@@ -69,7 +86,8 @@ std::optional<RolledStrip> swept_strip(const BodyEdges& body, int edge, bool con
 /// trims, and past natural borders as their outer spans do.
 ///
 /// throws    FilletRefused if there is no such ball, or it is too large for a face's curvature
-RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double radius);
+RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
+                         const StripProfile& profile);
 
 /// The strip of a ball that is known to touch two faces, both ways from there; t grows the way it
 /// goes.
@@ -77,6 +95,13 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double r
 /// edge      in whose place it is, for refusals and names
 /// throws    as `traced_strip`
 RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge, bool concave,
-                         double radius);
+                         const StripProfile& profile);
+
+/// The strip of a chamfer: in each plane across the edge the chord between the points of both faces
+/// that have the given distances from the edge. Planes, cylinders and cones are written as such.
+///
+/// throws    FilletRefused where a face has no such points
+RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
+                          const ChamferProfile& profile);
 
 }  // namespace blossom::occt

@@ -137,10 +137,7 @@ void BlendSheet::cap(const Ring& ring) {
     face = cross_face(half, part, face, entered, w, from);
   }
   cap_face(half, part, face, from, right.vertex);
-  if (left_side(half) == 1) {
-    std::reverse(end.path.begin(), end.path.end());
-    for (PathEdge& each : end.path) each.forward = !each.forward;
-  }
+  turn_path(half);
 }
 
 }  // namespace blossom::occt

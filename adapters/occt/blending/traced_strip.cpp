@@ -35,6 +35,8 @@ namespace {
 
 // Strips go on past the edge by so many times their width, as far as the ball rolls.
 constexpr double kBeyond = 2;
+// Of the least radius: what a law may take off it past the edge's ends.
+constexpr double kLeastShare = 0.5;
 constexpr int kSpineSamples = 4;  // between two knots of the strip
 
 Handle(Geom_BSplineSurface) surface_of(const BallStrip& strip) {
@@ -129,13 +131,18 @@ void negate(RolledStrip& strip) {
 
 // A ball on its way along two faces, of which any part becomes a strip.
 struct Tracing : std::enable_shared_from_this<Tracing> {
-  Tracing(const BodyEdges& of, int edge_number, bool is_concave, double ball_radius)
-      : body(of), edge(edge_number), concave(is_concave), radius(ball_radius) {}
+  Tracing(const BodyEdges& of, int edge_number, bool is_concave, const StripProfile& across)
+      : body(of),
+        edge(edge_number),
+        concave(is_concave),
+        profile(across),
+        radius(std::max(across.first, across.last)) {}
 
   const BodyEdges& body;
   int edge;
   bool concave;
-  double radius;
+  StripProfile profile;
+  double radius;  // the largest
   std::array<int, 2> faces{};
   std::array<Vec2, 2> near;  // where the contacts' charts are to be
   double near_at = 0;        // the track's parameter there
@@ -150,6 +157,7 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
         {fault, edge, cause, std::nullopt, point ? point : std::optional(supports.middle), {}});
   }
   void start(const std::array<Vec2, 2>& at);
+  void start_by_law(const Interval& domain);
   void find_valid(double parameter);
   void check_reach(double end, const Vec3& vertex, double room) const;
   RolledStrip strip(const Interval& range) const;
@@ -157,6 +165,34 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
 
 void Tracing::start(const std::array<Vec2, 2>& at) {
   track = track_through(supports.of[0].whole(), supports.of[1].whole(), radius, at);
+  if (!track)
+    refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
+}
+
+// Radii that are linear in the edge's parameter; the edge is the guide, and goes on past its ends
+// as long as the radius stays above a part of the least one.
+void Tracing::start_by_law(const Interval& domain) {
+  Interval own;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(body.edge(edge), own.from, own.to);
+  const double speed = curve->DN(at(domain, 0.5), 1).Magnitude();
+  const double slope = (profile.last - profile.first) / length(domain);
+  const double least = std::min(profile.first, profile.last);
+  const double beyond = std::min(kBeyond * std::max(supports.width, radius) / speed,
+                                 kLeastShare * least / std::abs(slope));
+  BallGuide guide;
+  guide.range = {domain.from - beyond, domain.to + beyond};
+  guide.curve = [curve](double x) {
+    gp_Pnt p;
+    gp_Vec first, second;
+    curve->D2(x, p, first, second);
+    return CurveJet{{p.X(), p.Y(), p.Z()},
+                    {first.X(), first.Y(), first.Z()},
+                    {second.X(), second.Y(), second.Z()}};
+  };
+  const RadiusLaw law =
+      RadiusLaw::linear(guide.range, profile.first - slope * beyond, profile.last + slope * beyond);
+  track = track_through(supports.of[0].whole(), supports.of[1].whole(), law, guide, at(domain, 0.5),
+                        {supports.of[0].start, supports.of[1].start});
   if (!track)
     refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
 }
@@ -191,11 +227,17 @@ void Tracing::check_reach(double end, const Vec3& vertex, double room) const {
 
 RolledStrip Tracing::strip(const Interval& wanted) const {
   const Interval range = turned ? Interval{-wanted.to, -wanted.from} : wanted;
-  const BallStrip made = ball_strip(*track, range);
+  BallStripOptions options;
+  if (profile.rho) {
+    options.section = SectionKind::Conic;
+    options.rho = *profile.rho;
+  }
+  const BallStrip made = ball_strip(*track, range, options);
   RolledStrip strip;
   strip.edge = edge;
   strip.concave = concave;
   strip.radius = radius;
+  strip.is_ball = profile.is_ball();
   strip.surface = surface_of(made);
   strip.outward = false;  // du runs along the edge, dv from left to right as seen from outside
   strip.closed = made.closed;
@@ -221,17 +263,28 @@ Interval common(const Interval& a, const Interval& b) {
 
 }  // namespace
 
-RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double radius) {
-  const auto of = std::make_shared<Tracing>(body, edge, concave, radius);
+RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
+                         const StripProfile& profile) {
+  const auto of = std::make_shared<Tracing>(body, edge, concave, profile);
   Interval domain;
   BRep_Tool::Range(body.edge(edge), domain.from, domain.to);
-  of->supports = rolled_supports(body, edge, concave, radius);
+  of->supports = rolled_supports(body, edge, concave, 0.5 * (profile.first + profile.last));
   for (const std::size_t k : {0U, 1U}) {
     const EdgeUseInFace& use = body.use(edge, k == 0);
     const Vec2 scale = body.trims(use.face).scale;
     const Vec2 at_middle = point_at(use.coedge->curve, at(use.coedge->curve.domain(), 0.5));
     of->faces[k] = use.face;
     of->near[k] = {at_middle[0] / scale[0], at_middle[1] / scale[1]};
+  }
+  const double beyond = kBeyond * std::max(of->supports.width, of->radius);
+  if (profile.first != profile.last) {
+    of->start_by_law(domain);
+    of->near_at = at(domain, 0.5);
+    of->find_valid(of->near_at);
+    of->edge_range = common(domain, of->valid);
+    if (of->edge_range.from > domain.from || of->edge_range.to < domain.to)
+      of->refuse(FilletFault::LeavesFace, "the ball rolls only along a part of the edge", {});
+    return of->strip(of->valid);
   }
   of->start({of->supports.of[0].start, of->supports.of[1].start});
   const BallTrack& track = *of->track;
@@ -251,7 +304,6 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double r
   const double end = track.nearest(point_of(body.vertex({edge, false})));
   of->turned = end < start;
   const Interval edge_range{std::min(start, end), std::max(start, end)};
-  const double beyond = kBeyond * std::max(of->supports.width, radius);
   of->near_at = at(edge_range, 0.5);
   of->find_valid(of->near_at);
   of->edge_range = common(edge_range, of->valid);
@@ -266,8 +318,9 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave, double r
 }
 
 RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge, bool concave,
-                         double radius) {
-  const auto of = std::make_shared<Tracing>(body, edge, concave, radius);
+                         const StripProfile& profile) {
+  const auto of = std::make_shared<Tracing>(body, edge, concave, profile);
+  const double radius = of->radius;
   of->supports = supports_at(body, place, concave, radius);
   of->faces = place.faces;
   of->near = place.charts;

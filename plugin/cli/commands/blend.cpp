@@ -149,6 +149,7 @@ void add_blend(CLI::App& app, int& exit_code) {
   add_strip(*blend, exit_code);
   add_blend_fill(*blend, exit_code);
   add_blend_fillet(*blend, exit_code);
+  add_blend_chamfer(*blend, exit_code);
 }
 
 }  // namespace blossom::cli

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// `blossom blend fillet PART`: edges of solids rounded by a rolling ball.
+// `blossom blend fillet PART` and `blossom blend chamfer PART`: edges of solids rounded by a
+// rolling ball, or cut off.
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -40,8 +44,12 @@ struct FilletCommand {
   std::vector<int> edges;
   std::string all;  ///< --edges: "all", "convex" or "concave"
   std::vector<int> between;
-  double radius = 0;
+  std::string size;              ///< --radius or --distance
+  std::string section;           ///< --section
+  occt::FilletOptions fillet{};  ///< both of them, read
   bool partial = false;
+
+  bool is_chamfer() const { return fillet.chamfer.has_value(); }
   CommonOptions common;
   EngineOptions engine;
 };
@@ -72,20 +80,20 @@ std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& s
 
 Timed timed_fillet(const FilletCommand& command, const Input& part) {
   Progress progress("filleting");
-  Timed timed{.radius = command.radius};
+  Timed timed{.of = command.fillet};
   timed.asked = edges_asked(command, part.model.shape());
   const auto start = std::chrono::steady_clock::now();
-  timed.made = occt::fillet(part.model.shape(), timed.asked,
-                            {.radius = command.radius,
-                             .partial = command.partial,
-                             .intersection = intersection_options(command.engine, progress)});
+  occt::FilletOptions options = command.fillet;
+  options.partial = command.partial;
+  options.intersection = intersection_options(command.engine, progress);
+  timed.made = occt::fillet(part.model.shape(), timed.asked, options);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   timed.seconds = took.count();
   return timed;
 }
 
-void write_part(const Input& part, const occt::FilletResult& made, const std::string& file) {
-  reports::put_fillets(part.model, made);
+void write_part(const Input& part, const Timed& timed, const std::string& file) {
+  reports::put_fillets(part.model, timed);
   write_model(part.model, file);
 }
 
@@ -98,11 +106,12 @@ std::string numbers_text(const std::vector<int>& numbers) {
 std::string summary(const FilletCommand& command, const Input& part, const Timed& timed) {
   std::ostringstream text;
   const occt::FilletResult& made = timed.made;
-  text << part.name << ": fillet of radius " << number_text(command.radius) << ", ";
+  text << part.name << ": " << (command.is_chamfer() ? "chamfer of distance " : "fillet of radius ")
+       << command.size << ", ";
   if (made.solids.empty())
     text << "refused";
   else
-    text << counted(made.edges.size(), "edge") << " rounded";
+    text << counted(made.edges.size(), "edge") << (command.is_chamfer() ? " cut off" : " rounded");
   text << ", " << timed.seconds << " s\n";
   if (!made.solids.empty()) {
     const double more = reports::volume_of(made) - made.volume_before;
@@ -127,10 +136,64 @@ std::string picture_of(const occt::FilletResult& made) {
 void check_options(const FilletCommand& command) {
   if (command.edges.empty() && command.all.empty() && command.between.empty())
     throw UsageError(
-        "blend fillet needs edges: --edge N, --edges all or --between A,B; "
+        "blend needs edges: --edge N, --edges all or --between A,B; "
         "info --edges lists them");
   if (!command.between.empty() && command.between.size() != 2)
     throw UsageError("--between takes two face numbers, as in --between 2,5");
+}
+
+double number_of(const FilletCommand& command, const std::string& text) {
+  std::size_t used = 0;
+  double value = 0;
+  try {
+    value = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used == 0 || used != text.size() || !(value > 0) || !std::isfinite(value))
+    throw UsageError("\"" + command.size + command.section + "\": " + "\"" + text +
+                     "\" is no positive number");
+  return value;
+}
+
+// The text before and after a mark; nothing unless it has one.
+std::optional<std::array<std::string, 2>> parted(const std::string& text, const std::string& mark) {
+  const std::size_t at = text.find(mark);
+  if (at == std::string::npos) return std::nullopt;
+  return std::array{text.substr(0, at), text.substr(at + mark.size())};
+}
+
+// R, or R..S.
+void read_radius(FilletCommand& command) {
+  if (const auto both = parted(command.size, "..")) {
+    command.fillet.radius = number_of(command, (*both)[0]);
+    command.fillet.last_radius = number_of(command, (*both)[1]);
+  } else {
+    command.fillet.radius = number_of(command, command.size);
+  }
+  if (command.section.empty() || command.section == "circle") return;
+  const auto conic = parted(command.section, "conic:");
+  if (!conic || !(*conic)[0].empty())
+    throw UsageError("--section takes circle or conic:RHO, as in --section conic:0.4");
+  command.fillet.rho = number_of(command, (*conic)[1]);
+  if (*command.fillet.rho >= 1) throw UsageError("--section: rho has to be below 1");
+}
+
+// D, or D1,D2, or D:angle in degrees.
+void read_distance(FilletCommand& command) {
+  occt::ChamferSize size;
+  if (const auto both = parted(command.size, ",")) {
+    size.first = number_of(command, (*both)[0]);
+    size.second = number_of(command, (*both)[1]);
+  } else if (const auto angled = parted(command.size, ":")) {
+    size.first = number_of(command, (*angled)[0]);
+    const double degrees = number_of(command, (*angled)[1]);
+    if (degrees >= 180) throw UsageError("--distance: the angle has to be below 180 degrees");
+    size.angle = degrees * std::numbers::pi / 180;
+  } else {
+    size.first = number_of(command, command.size);
+  }
+  command.fillet.chamfer = size;
 }
 
 int run(const FilletCommand& command) {
@@ -145,15 +208,16 @@ int run(const FilletCommand& command) {
   const CommonOptions& outputs = command.common;
   const bool any = !timed.made.solids.empty(), write = any && !outputs.output.empty();
   if (any && !outputs.picture.empty()) occt::write_text(picture_of(timed.made), outputs.picture);
-  if (write) write_part(part, timed.made, outputs.output);
+  if (write) write_part(part, timed, outputs.output);
   timed.written = write;
   if (!any) {
     const std::string reason =
-        timed.made.refused.empty() ? "nothing was rounded" : timed.made.refused.front().text();
+        timed.made.refused.empty() ? "no edge was changed" : timed.made.refused.front().text();
     for (const std::string& file : {outputs.output, outputs.picture})
       if (!file.empty()) tell_unwritten(file, reason);
     if (outputs.output.empty() && outputs.picture.empty())
-      std::cerr << "blossom: there is no fillet: " << reason << '\n';
+      std::cerr << "blossom: there is no " << (command.is_chamfer() ? "chamfer: " : "fillet: ")
+                << reason << '\n';
   }
   if (!outputs.json.empty()) write_json(reports::fillet_report(part, timed), outputs.json);
   print_summary(summary(command, part, timed), outputs.json);
@@ -161,12 +225,10 @@ int run(const FilletCommand& command) {
   return stated_exit_code(timed.made.refused.empty() ? kExitComplete : kExitTolerance);
 }
 
-}  // namespace
-
-void add_blend_fillet(CLI::App& blend, int& exit_code) {
-  CLI::App* const command =
-      blend.add_subcommand("fillet", "edges of solids rounded by a ball that rolls along them");
-  const auto options = std::make_shared<FilletCommand>();
+// What both commands have in common.
+CLI::App* add_edges_command(CLI::App& blend, const char* name, const char* about,
+                            const std::shared_ptr<FilletCommand>& options) {
+  CLI::App* const command = blend.add_subcommand(name, about);
   command->add_option("part", options->part, "model of solids")->required()->type_name("PART");
   command->add_option("--edge", options->edges, "numbers as info --edges prints them: 12 or 3,5,7")
       ->delimiter(',')
@@ -177,15 +239,48 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
   command->add_option("--between", options->between, "the edges that two faces have in common")
       ->delimiter(',')
       ->type_name("A,B");
-  command->add_option("--radius", options->radius, "of the ball, mm")
-      ->required()
-      ->check(positive_number())
-      ->type_name("R");
   command->add_flag("--partial", options->partial,
-                    "round the edges that can be, and name the others, instead of all or none");
-  add_common_options(*command, options->common, "write the rounded model (.step, .brep, .iges)");
+                    "do the edges that can be done, and name the others, instead of all or none");
+  add_common_options(*command, options->common, "write the new model (.step, .brep, .iges)");
   add_engine_options(*command, options->engine);
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  return command;
+}
+
+}  // namespace
+
+void add_blend_fillet(CLI::App& blend, int& exit_code) {
+  const auto options = std::make_shared<FilletCommand>();
+  CLI::App* const command = add_edges_command(
+      blend, "fillet", "edges of solids rounded by a ball that rolls along them", options);
+  command
+      ->add_option("--radius", options->size,
+                   "of the ball, mm; 2..5: from 2 at the start of the edges to 5 at their end")
+      ->required()
+      ->type_name("R");
+  command
+      ->add_option("--section", options->section,
+                   "circle, or conic:RHO with RHO between 0 (flat) and 1 (sharp); circle when "
+                   "not given")
+      ->type_name("KIND");
+  command->callback([options, &exit_code] {
+    read_radius(*options);
+    exit_code = run(*options);
+  });
+}
+
+void add_blend_chamfer(CLI::App& blend, int& exit_code) {
+  const auto options = std::make_shared<FilletCommand>();
+  CLI::App* const command = add_edges_command(blend, "chamfer", "edges of solids cut off", options);
+  command
+      ->add_option("--distance", options->size,
+                   "of the borders from the edge, mm; 1,2: on the face of the smaller number, on "
+                   "the other; 1:30: on the first, and degrees between it and the chamfer")
+      ->required()
+      ->type_name("D");
+  command->callback([options, &exit_code] {
+    read_distance(*options);
+    exit_code = run(*options);
+  });
 }
 
 }  // namespace blossom::cli

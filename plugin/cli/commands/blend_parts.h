@@ -8,5 +8,6 @@
 namespace blossom::cli {
 
 void add_blend_fillet(CLI::App& blend, int& exit_code);
+void add_blend_chamfer(CLI::App& blend, int& exit_code);
 
 }  // namespace blossom::cli

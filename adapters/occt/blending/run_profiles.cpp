@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/run_profiles.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <BRepAdaptor_Curve.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+
+#include "adapters/occt/blending/fillet_refusal.h"
+
+namespace blossom::occt {
+namespace {
+
+// The place of the edge with the least number.
+std::size_t leading(const EdgeRun& run) {
+  const auto least = std::ranges::min_element(run.edges, {}, &RunEdge::edge);
+  return static_cast<std::size_t>(least - run.edges.begin());
+}
+
+}  // namespace
+
+RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const FilletOptions& options)
+    : run_(run), options_(options) {
+  const std::size_t lead = leading(run);
+  const RunEdge& first = run.edges[lead];
+  if (options.chamfer) {
+    const ChamferSize& size = *options.chamfer;
+    const int left = body.use(first.edge, first.forward).face;
+    const int right = body.use(first.edge, !first.forward).face;
+    chamfer_.given = left < right ? 0 : 1;
+    chamfer_.distance = {size.first, size.first};
+    chamfer_.distance[1 - chamfer_.given] = size.second.value_or(size.first);
+    chamfer_.angle = size.angle;
+  }
+  const double start = options.radius, end = options.last_radius.value_or(start);
+  if (start != end && run.closed)
+    throw FilletRefused({FilletFault::Edge,
+                         first.edge,
+                         "it closes a run of edges, along which the radius cannot change",
+                         std::nullopt,
+                         std::nullopt,
+                         {}});
+  std::vector<double> lengths{0};
+  for (const RunEdge& each : run.edges)
+    lengths.push_back(lengths.back() +
+                      GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body.edge(each.edge))));
+  const auto radius_at = [&](double length) {
+    const double share = length / lengths.back();
+    return start + (first.forward ? share : 1 - share) * (end - start);
+  };
+  for (std::size_t i = 0; i < run.edges.size(); ++i) {
+    StripProfile profile{radius_at(lengths[i]), radius_at(lengths[i + 1]), options.rho};
+    if (!run.edges[i].forward) std::swap(profile.first, profile.last);
+    of_.push_back(profile);
+  }
+}
+
+RolledStrip RunProfiles::strip(const BodyEdges& body, std::size_t place) const {
+  const RunEdge& edge = run_.edges[place];
+  if (options_.chamfer) {
+    ChamferProfile profile = chamfer_;
+    if (!edge.forward) {
+      std::swap(profile.distance[0], profile.distance[1]);
+      profile.given = 1 - profile.given;
+    }
+    return chamfer_strip(body, edge.edge, run_.concave, profile);
+  }
+  const StripProfile& profile = of_[place];
+  if (profile.is_ball())
+    if (auto strip = swept_strip(body, edge.edge, run_.concave, profile.first))
+      return *std::move(strip);
+  return traced_strip(body, edge.edge, run_.concave, profile);
+}
+
+std::optional<StripProfile> RunProfiles::everywhere() const {
+  if (options_.chamfer || options_.last_radius) return std::nullopt;
+  return of_.front();
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the strips of a run of edges are like: radii, sections, distances.
+
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/fillet.h"
+
+namespace blossom::occt {
+
+class RunProfiles {
+ public:
+  /// throws   FilletRefused if a closed run should have two radii
+  RunProfiles(const BodyEdges& body, const EdgeRun& run, const FilletOptions& options);
+
+  /// The strip of an edge of the run.
+  /// throws   FilletRefused
+  RolledStrip strip(const BodyEdges& body, std::size_t place) const;
+
+  /// The profile of strips beside all edges, if it is one.
+  std::optional<StripProfile> everywhere() const;
+
+ private:
+  const EdgeRun& run_;
+  const FilletOptions& options_;
+  std::vector<StripProfile> of_;  // by place
+  ChamferProfile chamfer_;        // to the left and right of the run
+};
+
+}  // namespace blossom::occt
