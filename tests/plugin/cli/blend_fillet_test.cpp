@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// `blossom blend fillet` and `blossom info --edges`: what is written, reported and refused.
+// `blossom blend fillet`, `blossom blend chamfer` and `blossom info --edges`: what is written,
+// reported and refused.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -113,6 +118,13 @@ TEST_F(BlendFillet, RefusesBadUsage) {
       {box, "--edge", "1", "--radius", "nan"},
       {box, "--edge", "1", "--radius", "inf"},
       {box, "--edge", "1", "--radius", "wide"},
+      {box, "--edge", "1", "--radius", "2.."},
+      {box, "--edge", "1", "--radius", "..2"},
+      {box, "--edge", "1", "--radius", "2..0"},
+      {box, "--edge", "1", "--radius", "2..3..4"},
+      {box, "--edge", "1", "--radius", "1", "--section", "conic"},
+      {box, "--edge", "1", "--radius", "1", "--section", "conic:1"},
+      {box, "--edge", "1", "--radius", "1", "--section", "square"},
       {box, "--edge", "0", "--radius", "1"},
       {box, "--edge", "13", "--radius", "1"},
       {box, "--edge", "-4", "--radius", "1"},
@@ -131,6 +143,57 @@ TEST_F(BlendFillet, RefusesBadUsage) {
     const Finished ran = fillet(row);
     EXPECT_EQ(ran.code, 2) << row.at(1) << ' ' << row.back() << '\n' << ran.err;
     EXPECT_NE(ran.err.find("blossom: "), std::string::npos);
+  }
+}
+
+TEST_F(BlendFillet, ChangesItsRadiusAlongAnEdge) {
+  const Finished ran = fillet(
+      {path("box.step"), "--edge", "3", "--radius", "1..2", "-o", path("out.step"), "--json", "-"});
+
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Json report = Json::parse(ran.out);
+  EXPECT_EQ(report["radius"], 1);
+  EXPECT_EQ(report["last_radius"], 2);
+  // More than the lesser radius takes all along, less than the greater one.
+  const double less = 1000 - report["volume"]["after"].get<double>();
+  EXPECT_GT(less, 10 * kCut);
+  EXPECT_LT(less, 40 * kCut);
+  EXPECT_TRUE(BRepCheck_Analyzer(occt::read_model(path("out.step")).shape()).IsValid());
+}
+
+TEST_F(BlendFillet, TakesConicsForSections) {
+  const Finished ran = fillet({path("box.step"), "--edge", "3", "--radius", "2", "--section",
+                               "conic:0.5", "-o", path("out.step"), "--json", "-"});
+
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Json report = Json::parse(ran.out);
+  EXPECT_EQ(report["rho"], 0.5);
+  // A parabola leaves a third of the triangle of its end tangents.
+  EXPECT_NEAR(report["volume"]["after"], 1000 - 10 * 2.0 / 3, 1e-6);
+}
+
+TEST_F(BlendFillet, ChamferCutsAnEdgeOff) {
+  const double angle = std::numbers::pi / 6;
+  const std::vector<std::pair<std::string, double>> rows{
+      {"2", 2}, {"2,1", 1}, {"2:30", 2 * std::tan(angle)}};
+  for (const auto& [distance, area] : rows) {
+    const Finished ran = blossom({"blend", "chamfer", path("box.step"), "--edge", "3", "--distance",
+                                  distance, "-o", path("out.step"), "--json", "-"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const Json report = Json::parse(ran.out);
+    EXPECT_EQ(report["kind"], "chamfer");
+    EXPECT_EQ(report["distance"], 2);
+    EXPECT_NEAR(report["volume"]["after"], 1000 - 10 * area, 1e-9) << distance;
+    const occt::Model model = occt::read_model(path("out.step"));
+    EXPECT_EQ(std::ranges::count(model.face_names(), "chamfer of edge 3"), 1);
+  }
+}
+
+TEST_F(BlendFillet, ChamferRefusesBadDistances) {
+  for (const std::string distance : {"0", "-1", "x", "1,", ",1", "1,2,3", "1:180", "1:0", "1:"}) {
+    const Finished ran =
+        blossom({"blend", "chamfer", path("box.step"), "--edge", "1", "--distance", distance});
+    EXPECT_EQ(ran.code, 2) << distance << '\n' << ran.err;
   }
 }
 

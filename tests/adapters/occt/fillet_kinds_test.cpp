@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Fillets and chamfers where edges close, meet others of another kind, or go on over smooth faces.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_ConicalSurface.hxx>
+#include <Geom_Plane.hxx>
+#include <TopoDS.hxx>
+#include <gp_Elips.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+#include "adapters/occt/soundness.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kCut = 1 - kPi / 4;  // what a ball of radius 1 leaves of its square's corner
+
+std::vector<int> sharp_edges(const TopoDS_Shape& shape) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == EdgeKind::Convex || each.kind == EdgeKind::Concave)
+      found.push_back(each.number);
+  return found;
+}
+
+std::vector<int> edges_of_kind(const TopoDS_Shape& shape, EdgeKind kind) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == kind) found.push_back(each.number);
+  return found;
+}
+
+// The edges whose middles fit.
+template <class Fits>
+std::vector<int> edges_where(const TopoDS_Shape& shape, const Fits& fits) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == EdgeKind::Convex && fits(each.middle)) found.push_back(each.number);
+  return found;
+}
+
+TopoDS_Face polygon(const std::vector<gp_Pnt>& points) {
+  BRepBuilderAPI_MakePolygon wire;
+  for (const gp_Pnt& p : points) wire.Add(p);
+  wire.Close();
+  return BRepBuilderAPI_MakeFace(wire.Wire());
+}
+
+TopoDS_Shape prism(const std::vector<gp_Pnt>& points, double height) {
+  return BRepPrimAPI_MakePrism(polygon(points), gp_Vec(0, 0, height)).Shape();
+}
+
+// One sound solid.
+void expect_sound(const FilletResult& made) {
+  std::string told;
+  for (const FilletRefusal& each : made.refused) told += each.text() + "\n";
+  ASSERT_EQ(made.solids.size(), 1U) << told;
+  EXPECT_TRUE(made.refused.empty()) << told;
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
+  for (const FaceSoundness& face : soundness(made.solids.front().solid).faces)
+    for (const Problem& problem : face.problems) ADD_FAILURE() << problem.text();
+}
+
+void expect_volume(const FilletResult& made, double volume, double relative) {
+  expect_sound(made);
+  if (made.solids.empty()) return;
+  EXPECT_NEAR(made.solids.front().volume, volume, relative * volume);
+}
+
+// A prism of a smooth outline with both rims rounded: at a distance d from its outline the section
+// has the area A - L d + pi d^2, whatever the outline is (Steiner).
+double rounded_prism(double area, double outline, double height, double r) {
+  const double first = r * r - kPi * r * r / 4;                           // of d over the rim
+  const double second = r * r * r * (2 - 1.0 / 3) - kPi * r * r * r / 2;  // of d^2
+  return (height - 2 * r) * area + 2 * (r * area - outline * first + kPi * second);
+}
+
+TEST(FilletOfClosedEdges, RimsOfAnEllipticPrismAreRoundedAllTheWay) {
+  const double a = 10, b = 6, height = 8, r = 1;
+  const gp_Elips ellipse(gp_Ax2(gp_Pnt(0, 0, 0), gp::DZ()), a, b);
+  const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(ellipse).Edge());
+  const TopoDS_Shape shape =
+      BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire).Face(), gp_Vec(0, 0, height)).Shape();
+  const double outline = 4 * a * std::comp_ellint_2(std::sqrt(1 - b * b / (a * a)));
+
+  const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = r});
+
+  expect_volume(made, rounded_prism(kPi * a * b, outline, height, r), 1e-7);
+}
+
+TEST(FilletOfClosedEdges, WhereAPipeLeavesAnotherTheCornerIsFilled) {
+  const TopoDS_Shape main = BRepPrimAPI_MakeCylinder(8, 40).Shape();
+  const TopoDS_Shape branch =
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 20), gp::DX()), 5, 20).Shape();
+  const TopoDS_Shape shape = BRepAlgoAPI_Fuse(main, branch).Shape();
+
+  const FilletResult made = fillet(shape, edges_of_kind(shape, EdgeKind::Concave), {.radius = 1});
+
+  expect_sound(made);
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_GT(made.solids.front().volume, made.volume_before);
+}
+
+TEST(FilletOfMixedCorners, AllEdgesOfAnAngleAreRounded) {
+  const double height = 20, r = 1;
+  const TopoDS_Shape shape =
+      prism({{0, 0, 0}, {30, 0, 0}, {30, 5, 0}, {5, 5, 0}, {5, 25, 0}, {0, 25, 0}}, height);
+  const double area = 30 * 5 + 5 * 20 - 5 * kCut * r * r + kCut * r * r;
+  const double outline = 110 - 6 * (2 - kPi / 2) * r;
+
+  const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = r});
+
+  expect_volume(made, rounded_prism(area, outline, height, r), 1e-9);
+  EXPECT_EQ(made.edges.size(), 18U);
+}
+
+TEST(FilletOfMixedCorners, BlendsAreNamedAfterTheEdgesThatWereGiven) {
+  const TopoDS_Shape shape =
+      prism({{0, 0, 0}, {30, 0, 0}, {30, 5, 0}, {5, 5, 0}, {5, 25, 0}, {0, 25, 0}}, 20);
+  const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = 1});
+  expect_sound(made);
+  ASSERT_EQ(made.solids.size(), 1U);
+  int kept = 0, blends = 0;
+  for (const FilletFace& face : made.solids.front().faces) {
+    (face.from > 0 ? kept : blends) += 1;
+    EXPECT_LE(face.from, 8);
+    EXPECT_LE(face.edge, 18);
+  }
+  EXPECT_EQ(kept, 8);
+  EXPECT_GE(blends, 18);
+}
+
+// The top and the side of a bar, cut by planes at different slants: what lies beside the edge goes
+// on smoothly, over borders that the contacts meet at different places.
+TEST(FilletOverSmoothNeighbours, GoesOnWhereContactsMeetBordersApart) {
+  for (const double slant : {0.0, 3.0, -3.0, 8.0}) {
+    const double middle = 10;
+    const TopoDS_Shape left =
+        prism({{0, 0, 0}, {middle, 0, 0}, {middle + slant, 5, 0}, {0, 5, 0}}, 5);
+    const TopoDS_Shape right =
+        prism({{middle, 0, 0}, {20, 0, 0}, {20, 5, 0}, {middle + slant, 5, 0}}, 5);
+    const TopoDS_Shape shape = BRepAlgoAPI_Fuse(left, right).Shape();
+    const std::vector<int> edges = edges_where(
+        shape, [](const Vec3& at) { return std::abs(at[1]) < 1e-9 && std::abs(at[2] - 5) < 1e-9; });
+    ASSERT_EQ(edges.size(), 2U);
+
+    const FilletResult made = fillet(shape, {edges.front()}, {.radius = 1});
+
+    expect_volume(made, 20 * 25 - 20 * kCut, 1e-9);
+  }
+}
+
+TEST(FilletEnds, SlantedFacesOfAFrustumCloseTheStrip) {
+  BRepOffsetAPI_ThruSections loft(true, true);
+  for (const auto& [half, z] : {std::pair{10.0, 0.0}, {7.0, 12.0}}) {
+    BRepBuilderAPI_MakePolygon wire(gp_Pnt(-half, -half, z), gp_Pnt(half, -half, z),
+                                    gp_Pnt(half, half, z), gp_Pnt(-half, half, z), true);
+    loft.AddWire(wire.Wire());
+  }
+  const TopoDS_Shape shape = loft.Shape();
+  for (const int edge : sharp_edges(shape)) {
+    const FilletResult made = fillet(shape, {edge}, {.radius = 1});
+    expect_sound(made);
+    EXPECT_TRUE(made.notes.empty()) << edge << ": " << made.notes.front();
+  }
+}
+
+TEST(ChamferOfABox, ThreeMeetInAPlaneTriangle) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
+  FilletOptions options;
+  options.chamfer = ChamferSize{1};
+
+  const FilletResult made = fillet(shape, sharp_edges(shape), options);
+
+  expect_volume(made, 1000 - 12 * 8 * 0.5 - 8 * 5.0 / 6, 1e-12);
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_EQ(made.solids.front().faces.size(), 26U);
+}
+
+TEST(ChamferOfACylinder, IsACone) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeCylinder(5, 10).Shape();
+  FilletOptions options;
+  options.chamfer = ChamferSize{1, 2};
+  const std::vector<int> top =
+      edges_where(shape, [](const Vec3& at) { return std::abs(at[2] - 10) < 1e-9; });
+  ASSERT_EQ(top.size(), 1U);
+
+  const FilletResult made = fillet(shape, top, options);
+
+  expect_sound(made);
+  ASSERT_EQ(made.solids.size(), 1U);
+  int cones = 0;
+  for (const FilletFace& face : made.solids.front().faces)
+    if (!Handle(Geom_ConicalSurface)::DownCast(BRep_Tool::Surface(face.face)).IsNull()) ++cones;
+  EXPECT_EQ(cones, 1);
+  // The first distance is on the face of the smaller number: the side or the top.
+  const auto ring = [](double down, double in) {
+    return kPi * down * (25 - (25 + 5 * (5 - in) + (5 - in) * (5 - in)) / 3);
+  };
+  const double less = made.volume_before - made.solids.front().volume;
+  EXPECT_LT(std::min(std::abs(less - ring(1, 2)), std::abs(less - ring(2, 1))), 1e-9);
+}
+
+TEST(ChamferRefuses, BadSizes) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
+  for (const ChamferSize& size : {ChamferSize{0}, ChamferSize{-1}, ChamferSize{1, 0},
+                                  ChamferSize{1, {}, 0}, ChamferSize{1, {}, kPi}}) {
+    FilletOptions options;
+    options.chamfer = size;
+    EXPECT_ANY_THROW(fillet(shape, {1}, options));
+  }
+  FilletOptions wide;
+  wide.chamfer = ChamferSize{11};
+  EXPECT_TRUE(fillet(shape, {1}, wide).solids.empty());
+}
+
+TEST(FilletOfChangingRadius, TakesTheSameFromBothSidesOfAnEdge) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
+  const FilletResult up = fillet(shape, {1}, {.radius = 1, .last_radius = 2});
+  const FilletResult down = fillet(shape, {1}, {.radius = 2, .last_radius = 1});
+  expect_sound(up);
+  expect_sound(down);
+  ASSERT_EQ(up.solids.size(), 1U);
+  EXPECT_NEAR(up.solids.front().volume, down.solids.front().volume, 1e-6);
+  // Sections of the cone are similar: what goes is in proportion to the integral of r^2.
+  const FilletResult twice = fillet(shape, {1}, {.radius = 2, .last_radius = 3});
+  expect_sound(twice);
+  const double slope_free = 10 * kCut * 7.0 / 3;
+  EXPECT_NEAR(1000 - up.solids.front().volume, slope_free, 0.02 * slope_free);
+}
+
+TEST(FilletOfChangingRadius, IsRefusedRoundClosedEdges) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeCylinder(5, 10).Shape();
+  const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = 1, .last_radius = 2});
+  EXPECT_TRUE(made.solids.empty());
+  ASSERT_FALSE(made.refused.empty());
+  EXPECT_EQ(made.refused.front().fault, FilletFault::Edge);
+}
+
+}  // namespace
+}  // namespace blossom::occt
