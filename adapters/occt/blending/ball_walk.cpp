@@ -104,14 +104,7 @@ const WalkedStrip& Walker::strip_at(std::size_t place) {
 // Whether the ball touches both faces where they are, beside the middle of the strip's edge.
 bool Walker::goes_beside(const WalkedStrip& of) const {
   return std::ranges::all_of(of.strip.contacts, [&](const RolledContact& contact) {
-    const FaceTrims& trims = body_.trims(contact.face);
-    const gp_Pnt2d uv = contact.chart->Value(of.inside);
-    const PlanarCurve there =
-        planar_line({uv.X() * trims.scale[0], uv.Y() * trims.scale[1]},
-                    {uv.X() * trims.scale[0], uv.Y() * trims.scale[1]}, {0, 1});
-    return std::ranges::any_of(period_shifts(trims, there), [&](const Vec2& shift) {
-      return is_inside(trims, point_at(there, 0) + shift);
-    });
+    return lies_inside(body_, contact, of.inside);
   });
 }
 

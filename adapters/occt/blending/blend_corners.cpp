@@ -114,7 +114,9 @@ PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const Topo
     const Vec2 near =
         other.chart(end_of(b).t[0], 0.5 * (other.contacts[0].w + other.contacts[1].w));
     if (curve) try {
-        return made(*curve, image_of(curve->curve, curve->range, feet, near, reach).chart);
+        return made(
+            *curve,
+            image_of(curve->curve, curve->range, feet, near, kSamePlace * tolerance_).chart);
       } catch (const Failure&) {  // it is no plane curve
       }
   }

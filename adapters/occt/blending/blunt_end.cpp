@@ -25,13 +25,6 @@ constexpr int kSecantSteps = 40;
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
-// Whether a contact at a parameter lies inside of its face.
-bool lies_inside(const BodyEdges& body, const RolledContact& contact, double t) {
-  const FaceTrims& trims = body.trims(contact.face);
-  const gp_Pnt2d uv = contact.chart->Value(t);
-  return is_inside(trims, {uv.X() * trims.scale[0], uv.Y() * trims.scale[1]});
-}
-
 TopoDS_Face plane_across(const Handle(Geom_Curve) & spine, double t) {
   gp_Pnt centre;
   gp_Vec along;

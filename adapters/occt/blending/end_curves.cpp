@@ -177,6 +177,14 @@ bool keeps_after(const BodyEdges& body, const RolledStrip& strip, std::size_t si
 
 }  // namespace
 
+bool lies_inside(const BodyEdges& body, const RolledContact& contact, double t) {
+  const FaceTrims& trims = body.trims(contact.face);
+  const gp_Pnt2d uv = contact.chart->Value(t);
+  const Vec2 point{uv.X() * trims.scale[0], uv.Y() * trims.scale[1]};
+  return std::ranges::any_of(period_shifts(trims, planar_line(point, point, {0, 1})),
+                             [&](const Vec2& shift) { return is_inside(trims, point + shift); });
+}
+
 std::vector<ContactCrossing> contact_crossings(const BodyEdges& body, const RolledStrip& strip,
                                                std::size_t side, const std::set<int>& left_out) {
   std::vector<ContactCrossing> all;

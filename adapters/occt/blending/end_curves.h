@@ -30,6 +30,9 @@ struct ContactMeeting {
 std::optional<ContactMeeting> meeting_with(const BodyEdges& body, const RolledStrip& strip,
                                            std::size_t side, const EdgeUseInFace& use, double near);
 
+/// Whether a contact at a parameter lies inside of its face.
+bool lies_inside(const BodyEdges& body, const RolledContact& contact, double t);
+
 /// Where a contact goes over an edge of its face.
 struct ContactCrossing {
   double t = 0;  ///< of the strip

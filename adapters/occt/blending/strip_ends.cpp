@@ -36,6 +36,10 @@ BlendSheet::Cut BlendSheet::end_cut(const HalfEdge& half, std::size_t side, int&
     if (far * speed < room || is_seam_crossing(each)) continue;
     if (!best || far < outwards * (best->t - of.inside)) best = each;
   }
+  if (!best && !lies_inside(body_, contact, of.inside))
+    refuse(half, FilletFault::LeavesFace,
+           "the ball's contact is beyond face " + std::to_string(contact.face) +
+               ": the radius is too large");
   if (!best)
     refuse(half, FilletFault::End,
            "the ball's contact on face " + std::to_string(contact.face) +
