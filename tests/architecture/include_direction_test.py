@@ -19,8 +19,8 @@ CORE_ROOMS = """base math math/series forms forms/algebra blossom subdivision su
     surfaces/branches surfaces/search tracing surfaces/assembly surfaces/retry curves plane
     distance rays regions tessellation watertight blending blending/fills blending/continuity
     blending/balls""".split()
-OCCT_ROOMS = """base convert faces tessellation neighbours queries splitting coincidence solids repair exchange
-    blending""".split()
+OCCT_ROOMS = """base convert faces tessellation neighbours queries splitting coincidence solids
+    repair exchange blending blending/strips blending/sheet""".split()
 
 STANDARD = r"<[a-z_0-9]+>"
 CORE_LIBRARIES = r"<(Eigen|tbb|oneapi/tbb|boost/multiprecision)/.*>|<immintrin\.h>"

@@ -87,16 +87,34 @@ FilletEdges smooth_chain(const BodyEdges& body, int edge) {
 
 namespace {
 
-// The half of a filleted edge in which another one goes on at its end, if any.
+// Whether edges between two halves of a ring are creases of the faces beside them.
+bool is_creased(const BodyEdges& body, const std::vector<VertexSector>& ring, std::size_t from,
+                std::size_t to) {
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const EdgeKind kind = kind_of(body, ring[i].half.edge);
+    if (kind == EdgeKind::Convex || kind == EdgeKind::Concave) return true;
+  }
+  return false;
+}
+
+// The half of a filleted edge in which another one goes on at its end, if any. Where the faces on
+// both sides are creased there, two strips meet instead.
 std::optional<HalfEdge> next_half(const BodyEdges& body, const HalfEdge& half,
                                   const FilletEdges& edges) {
   std::vector<HalfEdge> others;
-  for (const VertexSector& each : body.round(half))
-    if (!(each.half == half) && edges.count(each.half.edge) > 0) others.push_back(each.half);
+  const std::vector<VertexSector> ring = body.round(half);
+  std::size_t place = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    if (edges.count(ring[i].half.edge) == 0) continue;
+    others.push_back(ring[i].half);
+    place = i;
+  }
   if (others.size() != 1 || edges.at(others.front().edge) != edges.at(half.edge))
     return std::nullopt;
   const Vec3 a = direction_at(body, half), b = -direction_at(body, others.front());
   if (std::atan2(norm(cross(a, b)), dot(a, b)) >= kSmoothJoint) return std::nullopt;
+  if (is_creased(body, ring, 0, place) && is_creased(body, ring, place, ring.size()))
+    return std::nullopt;
   return others.front();
 }
 

@@ -183,6 +183,21 @@ TEST(FilletEnds, SlantedFacesOfAFrustumCloseTheStrip) {
   }
 }
 
+// Two of three fillets do not go together; neither of them is the third's fault.
+TEST(FilletInPart, KeepsWhatHasNoPartInAConflict) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 30.).Shape();
+  const std::vector<int> upright =
+      edges_where(shape, [](const Vec3& at) { return std::abs(at[2] - 15) < 1e-9; });
+  ASSERT_EQ(upright.size(), 4U);
+
+  const FilletResult made = fillet(shape, upright, {.radius = 6, .partial = true});
+
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_EQ(made.edges.size(), 2U);  // opposite ones
+  EXPECT_EQ(made.refused.size(), 2U);
+  EXPECT_NEAR(made.solids.front().volume, 3000 - 2 * 30 * kCut * 36, 1e-6);
+}
+
 TEST(ChamferOfABox, ThreeMeetInAPlaneTriangle) {
   const TopoDS_Shape shape = BRepPrimAPI_MakeBox(10., 10., 10.).Shape();
   FilletOptions options;

@@ -21,12 +21,12 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
-#include "adapters/occt/blending/ball_walk.h"
 #include "adapters/occt/blending/body_edges.h"
-#include "adapters/occt/blending/end_curves.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/kept_edges.h"
-#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/blending/sheet/kept_edges.h"
+#include "adapters/occt/blending/strips/ball_walk.h"
+#include "adapters/occt/blending/strips/end_curves.h"
+#include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/splitting/edge_splits.h"
 
 namespace blossom::occt {
@@ -121,7 +121,21 @@ class BlendSheet {
   void join(const Joint& joint);
   TopoDS_Vertex joint_vertex(const PlacedStrip& of, std::size_t side, double t,
                              const std::optional<ContactCrossing>& over);
-  void mitre(const Ring& ring);
+  /// A contact at a mitre, and its face's use of the edge between the strips, if there is one.
+  struct MitreContact {
+    HalfEdge half;
+    std::size_t side = 0;
+    const EdgeUseInFace* use = nullptr;
+  };
+  /// One side of a mitre: where the strips meet, and the place on the edge that the wider one cuts,
+  /// from which it goes over the other's face.
+  struct MitreSide {
+    TopoDS_Vertex joined, foot;
+    bool a_wider = false;
+    int face = 0;
+  };
+  MitreSide mitre_side(const MitreContact& a, const MitreContact& b, const HalfEdge* between);
+  void mitre(const Ring& ring, std::size_t other);
   PathEdge mitre_edge(const HalfEdge& a, const HalfEdge& b, const TopoDS_Vertex& from,
                       const TopoDS_Vertex& to, double reach);
   void turn_path(const HalfEdge& half);

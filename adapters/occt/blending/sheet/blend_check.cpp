@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/blend_check.h"
+#include "adapters/occt/blending/sheet/blend_check.h"
 
 #include <algorithm>
 #include <map>

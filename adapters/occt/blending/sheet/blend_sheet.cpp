@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/blend_sheet.h"
+#include "adapters/occt/blending/sheet/blend_sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,14 +143,10 @@ void BlendSheet::end_at(const HalfEdge& half) {
     return;
   }
   if (filleted.size() == 2) {
-    const HalfEdge& other = ring[filleted[1]].half;
-    if (ring.size() != 3)
-      refuse(half, FilletFault::Corner,
-             "it meets edge " + std::to_string(other.edge) + " at a vertex of " +
-                 std::to_string(ring.size()) +
-                 " edges, where two fillets and the faces beside them cannot be joined yet");
-    if (filleted[1] == 2) std::rotate(ring.begin(), ring.begin() + 2, ring.end());
-    return mitre(ring);
+    // So that a face which both have in common is to the left of the first.
+    const bool turn = filleted[1] + 1 == ring.size() && ring.size() > 2;
+    if (turn) std::rotate(ring.begin(), ring.end() - 1, ring.end());
+    return mitre(ring, turn ? 1 : filleted[1]);
   }
   if (filleted.size() != ring.size())
     refuse(half, FilletFault::Corner,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/fillet_order.h"
+#include "adapters/occt/blending/sheet/fillet_order.h"
 
 #include <algorithm>
 #include <cstddef>

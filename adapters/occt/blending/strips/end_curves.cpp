@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/end_curves.h"
+#include "adapters/occt/blending/strips/end_curves.h"
 
 #include <algorithm>
 #include <array>

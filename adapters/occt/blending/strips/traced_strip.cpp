@@ -21,10 +21,10 @@
 #include <gp.hxx>
 #include <gp_Vec2d.hxx>
 
-#include "adapters/occt/blending/ball_supports.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/blending/strips/ball_supports.h"
+#include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/convert/curves.h"
 #include "core/blending/balls/ball_spine.h"
 #include "core/blending/balls/ball_strip.h"

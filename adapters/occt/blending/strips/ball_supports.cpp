@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/ball_supports.h"
+#include "adapters/occt/blending/strips/ball_supports.h"
 
 #include <algorithm>
 #include <cmath>

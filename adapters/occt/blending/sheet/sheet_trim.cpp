@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/sheet_trim.h"
+#include "adapters/occt/blending/sheet/sheet_trim.h"
 
 #include <algorithm>
 #include <map>

@@ -10,7 +10,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/blending/blend_edges.h"
-#include "adapters/occt/blending/blend_sheet.h"
+#include "adapters/occt/blending/sheet/blend_sheet.h"
 #include "adapters/occt/faces/surface_projector.h"
 
 namespace blossom::occt {

@@ -11,7 +11,7 @@
 #include <Geom_Curve.hxx>
 
 #include "adapters/occt/blending/body_edges.h"
-#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/blending/strips/rolled_strip.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
 

@@ -12,8 +12,8 @@
 #include <Geom_Surface.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "adapters/occt/blending/ball_supports.h"
 #include "adapters/occt/blending/body_edges.h"
+#include "adapters/occt/blending/strips/ball_supports.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
 

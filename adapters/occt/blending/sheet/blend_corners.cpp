@@ -17,7 +17,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/blend_edges.h"
-#include "adapters/occt/blending/blend_sheet.h"
+#include "adapters/occt/blending/sheet/blend_sheet.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
@@ -28,6 +28,7 @@ namespace {
 
 constexpr double kSamePlace = 10;  // in tolerances
 constexpr int kSecantSteps = 60;
+constexpr int kMitreSamples = 8;
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 gp_Pnt pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
@@ -83,6 +84,18 @@ std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const
   return best;
 }
 
+// Points of a strip are as far from its spine as the ball's radius.
+bool lies_on_ball_strip(const EndCurve& curve, const RolledStrip& strip, double reach) {
+  for (int i = 0; i <= kMitreSamples; ++i) {
+    const double x = at(curve.range, static_cast<double>(i) / kMitreSamples);
+    const Vec3 point = vec(curve.curve->Value(x).XYZ());
+    const double t = nearest_on(strip.spine, strip.range, point);
+    const double height = distance(vec(strip.spine->Value(t).XYZ()), point);
+    if (std::abs(height - strip.radius) > reach) return false;
+  }
+  return true;
+}
+
 TopoDS_Face plane_face(const Vec3& a, const Vec3& b, const Vec3& c) {
   TopoDS_Face face;
   const Vec3 normal = cross(b - a, c - a);
@@ -110,15 +123,13 @@ PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const Topo
     const Vec3 centre = vec(strip.spine->Value(end_of(a).t[left_side(a)]).XYZ());
     const auto curve =
         curve_between(strip, part, plane_face(place, target, centre), place, target, reach);
-    const SurfaceProjector feet(other.bare_face(), Precision::Confusion());
-    const Vec2 near =
-        other.chart(end_of(b).t[0], 0.5 * (other.contacts[0].w + other.contacts[1].w));
-    if (curve) try {
-        return made(
-            *curve,
-            image_of(curve->curve, curve->range, feet, near, kSamePlace * tolerance_).chart);
-      } catch (const Failure&) {  // it is no plane curve
-      }
+    if (curve && lies_on_ball_strip(*curve, other, kSamePlace * tolerance_)) {
+      const SurfaceProjector feet(other.bare_face(), Precision::Confusion());
+      const double w = 0.5 * (other.contacts[0].w + other.contacts[1].w);
+      const Vec2 near = other.chart(end_of(b).t[0], w);
+      return made(*curve,
+                  image_of(curve->curve, curve->range, feet, near, kSamePlace * tolerance_).chart);
+    }
   }
   const auto curve = curve_between(strip, part, other, other_part, place, target, reach);
   if (!curve)
@@ -127,83 +138,97 @@ PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const Topo
   return made(*curve, curve->on_face);
 }
 
-// Two strips run into each other in a curve, from where their contacts cross on the face that they
-// share to the third edge. The wider one comes further along that edge: it goes over the face
-// beside the other one as well, up to the other's contact.
-void BlendSheet::mitre(const Ring& ring) {
-  const HalfEdge a = ring[0].half, b = ring[1].half, g = ring[2].half;
-  const RolledStrip &strip = strip_of(a).strip, &other = strip_of(b).strip;
-  StripEnd &end = end_of(a), &other_end = end_of(b);
-  if (strip.concave != other.concave || is_filleted(g.edge))
-    refuse(a, FilletFault::Corner,
-           "it is " + std::string(strip.concave ? "concave" : "convex") + " and meets edge " +
-               std::to_string(b.edge) + ", which is not, at a sharp corner");
-  const std::size_t left = left_side(a), right = right_side(a);
-  const std::size_t other_left = left_side(b), other_right = right_side(b);
-  const auto crossing = contacts_cross(body_, strip, left, end_t(a), other, other_right, end_t(b));
-  if (!crossing)
-    refuse(a, FilletFault::Corner,
-           "its contact does not cross that of edge " + std::to_string(b.edge) + " on face " +
-               std::to_string(ring[0].face));
-  const TopoDS_Vertex start =
-      new_vertex(vec(strip.contacts[left].curve->Value((*crossing)[0]).XYZ()));
-  const EdgeUseInFace& a_use = body_.uses(ring[2].face)[static_cast<std::size_t>(ring[2].use)];
-  const EdgeUseInFace& b_use = arriving(ring, 1);
-  const auto a_meets = meeting_with(body_, strip, right, a_use, end_t(a));
-  const auto b_meets = meeting_with(body_, other, other_left, b_use, end_t(b));
-  if (!a_meets && !b_meets) refuse_miss(a, right, a_use, g);
-  // Further away from the vertex along the third edge.
+// Where two strips that run into each other leave the edge, or the face, between them.
+BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreContact& b,
+                                             const HalfEdge* between) {
+  const RolledStrip &strip = strip_of(a.half).strip, &other = strip_of(b.half).strip;
+  StripEnd &end = end_of(a.half), &other_end = end_of(b.half);
+  if (between == nullptr) {
+    const auto crossing =
+        contacts_cross(body_, strip, a.side, end_t(a.half), other, b.side, end_t(b.half));
+    if (!crossing)
+      refuse(a.half, FilletFault::Corner,
+             "its contact does not cross that of edge " + std::to_string(b.half.edge) +
+                 " on face " + std::to_string(strip.contacts[a.side].face));
+    end.t[a.side] = (*crossing)[0];
+    other_end.t[b.side] = (*crossing)[1];
+    const TopoDS_Vertex start =
+        new_vertex(vec(strip.contacts[a.side].curve->Value((*crossing)[0]).XYZ()));
+    end.vertices[a.side] = other_end.vertices[b.side] = start;
+    return {start, start, false, 0};
+  }
+  const auto a_meets = meeting_with(body_, strip, a.side, *a.use, end_t(a.half));
+  const auto b_meets = meeting_with(body_, other, b.side, *b.use, end_t(b.half));
+  if (!a_meets && !b_meets) refuse_miss(a.half, a.side, *a.use, *between);
+  // The wider one comes further along the edge.
   const auto away = [&](const ContactMeeting& at) {
-    return g.at_start ? at.edge_parameter : -at.edge_parameter;
+    return between->at_start ? at.edge_parameter : -at.edge_parameter;
   };
   const bool a_wider = !b_meets || (a_meets && away(*a_meets) >= away(*b_meets));
-  const ContactMeeting& wide = a_wider ? *a_meets : *b_meets;
-  const TopoDS_Vertex foot =
-      cut_edge(g, wide.edge_parameter, body_.face(a_wider ? a_use.face : b_use.face));
+  const ContactMeeting wide = a_wider ? *a_meets : *b_meets;
+  const MitreContact &wider = a_wider ? a : b, &narrow = a_wider ? b : a;
+  const TopoDS_Vertex foot = cut_edge(*between, wide.edge_parameter, body_.face(wider.use->face));
+  end_of(wider.half).t[wider.side] = wide.t;
   const double reach = kSamePlace * std::max(tolerance_, BRep_Tool::Tolerance(foot));
-  end.t[left] = (*crossing)[0];
-  other_end.t[other_right] = (*crossing)[1];
-  end.t[right] = a_wider ? wide.t : (*crossing)[0];
-  other_end.t[other_left] = a_wider ? (*crossing)[1] : wide.t;
-  end.vertices[left] = other_end.vertices[other_right] = start;
-  // Where the narrower one's contact beside the third edge ends.
-  const HalfEdge narrow = a_wider ? b : a, wider = a_wider ? a : b;
-  const std::size_t side = a_wider ? other_left : right;
-  const std::optional<ContactMeeting>& meets = a_wider ? b_meets : a_meets;
+  const RolledStrip& thin = strip_of(narrow.half).strip;
+  const auto& meets = a_wider ? b_meets : a_meets;
+  double t = meets ? meets->t : end_t(narrow.half);
+  const auto place = [&] { return vec(thin.contacts[narrow.side].curve->Value(t).XYZ()); };
   TopoDS_Vertex joined = foot;
-  const RolledStrip& thin = strip_of(narrow).strip;
-  double t = meets ? meets->t : end_t(narrow);
-  const auto gap = [&] {
-    return distance(vec(thin.contacts[side].curve->Value(t).XYZ()), point_of(foot));
-  };
-  if (!meets || gap() > reach) {
-    const auto through =
-        contact_through(thin, side, t, strip_of(wider).strip, part_near(wider, end_of(wider).t));
+  if (!meets || distance(place(), point_of(foot)) > reach) {
+    const auto through = contact_through(thin, narrow.side, t, strip_of(wider.half).strip,
+                                         part_near(wider.half, end_of(wider.half).t));
     if (!through)
-      refuse(narrow, FilletFault::Corner,
-             "its contact does not come to the strip of edge " + std::to_string(wider.edge));
+      refuse(narrow.half, FilletFault::Corner,
+             "its contact does not come to the strip of edge " + std::to_string(wider.half.edge));
     t = *through;
-    joined = new_vertex(vec(thin.contacts[side].curve->Value(t).XYZ()));
+    joined = new_vertex(place());
   }
-  end_of(narrow).t[side] = t;
-  end.vertices[right] = a_wider ? foot : joined;
-  other_end.vertices[other_left] = a_wider ? joined : foot;
-  const PathEdge seam = mitre_edge(a, b, start, joined, reach);
+  end_of(narrow.half).t[narrow.side] = t;
+  end_of(wider.half).vertices[wider.side] = foot;
+  end_of(narrow.half).vertices[narrow.side] = joined;
+  return {joined, foot, a_wider, narrow.use->face};
+}
+
+// Two strips run into each other in a curve, from one of their sides to the other. Where an edge is
+// between them, the wider one comes further along it, and goes over the face beside the other one
+// up to the other's contact.
+void BlendSheet::mitre(const Ring& ring, std::size_t other) {
+  const HalfEdge a = ring[0].half, b = ring[other].half;
+  const std::size_t last = ring.size() - 1;
+  if (strip_of(a).strip.concave != strip_of(b).strip.concave || other > 2 || last - other > 1)
+    refuse(a, FilletFault::Corner,
+           "it meets edge " + std::to_string(b.edge) + " at a vertex of " +
+               std::to_string(ring.size()) +
+               " edges, where two fillets and the faces beside them cannot be joined yet");
+  end_of(a).t = {end_t(a), end_t(a)};
+  end_of(b).t = {end_t(b), end_t(b)};
+  const auto leaving = [&](std::size_t sector) {
+    return &body_.uses(ring[sector].face)[static_cast<std::size_t>(ring[sector].use)];
+  };
+  const MitreSide left =
+      other == 1 ? mitre_side({a, left_side(a), nullptr}, {b, right_side(b), nullptr}, nullptr)
+                 : mitre_side({a, left_side(a), &arriving(ring, 0)}, {b, right_side(b), leaving(1)},
+                              &ring[1].half);
+  const MitreSide right =
+      other == last ? mitre_side({a, right_side(a), nullptr}, {b, left_side(b), nullptr}, nullptr)
+                    : mitre_side({a, right_side(a), leaving(last)},
+                                 {b, left_side(b), &arriving(ring, other)}, &ring[last].half);
+  const double reach = kSamePlace * std::max({tolerance_, BRep_Tool::Tolerance(left.joined),
+                                              BRep_Tool::Tolerance(right.joined)});
+  const PathEdge seam = mitre_edge(a, b, left.joined, right.joined, reach);
+  const auto over = [&](const HalfEdge& half, const MitreSide& side, bool inwards) {
+    if (side.joined.IsSame(side.foot) || side.a_wider != (half == a)) return;
+    cap_face(half, part_near(half, end_of(half).t), side.face, inwards ? side.foot : side.joined,
+             inwards ? side.joined : side.foot);
+  };
   // From left to right of who walks away from the vertex.
-  end.path = {seam};
-  other_end.path = {{seam.edge, !seam.forward}};
-  if (!joined.IsSame(foot)) {
-    const int face = a_wider ? b_use.face : a_use.face;
-    const Interval part = part_near(wider, end_of(wider).t);
-    if (a_wider) {
-      cap_face(a, part, face, joined, foot);
-    } else {
-      const std::vector<PathEdge> after = std::move(other_end.path);
-      other_end.path.clear();
-      cap_face(b, part, face, foot, joined);
-      other_end.path.insert(other_end.path.end(), after.begin(), after.end());
-    }
-  }
+  over(a, left, true);
+  end_of(a).path.push_back(seam);
+  over(a, right, false);
+  over(b, right, true);
+  end_of(b).path.push_back({seam.edge, !seam.forward});
+  over(b, left, false);
   turn_path(a);
   turn_path(b);
 }

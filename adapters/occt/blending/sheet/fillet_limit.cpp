@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/fillet_limit.h"
+#include "adapters/occt/blending/sheet/fillet_limit.h"
 
 #include <cmath>
 #include <exception>
 #include <limits>
 #include <vector>
 
-#include "adapters/occt/blending/ball_supports.h"
-#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/blending/strips/ball_supports.h"
+#include "adapters/occt/blending/strips/rolled_strip.h"
 #include "core/blending/balls/largest_radius.h"
 #include "core/plane/planar_curves.h"
 

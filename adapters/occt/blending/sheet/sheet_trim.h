@@ -10,8 +10,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 
-#include "adapters/occt/blending/blend_sheet.h"
 #include "adapters/occt/blending/body_edges.h"
+#include "adapters/occt/blending/sheet/blend_sheet.h"
 
 namespace blossom::occt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/run_profiles.h"
+#include "adapters/occt/blending/strips/run_profiles.h"
 
 #include <algorithm>
 #include <utility>

@@ -24,7 +24,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/faces/elementary_faces.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"

@@ -16,8 +16,8 @@
 
 #include "adapters/occt/blending/body_edges.h"
 #include "adapters/occt/blending/edge_chain.h"
-#include "adapters/occt/blending/end_curves.h"
-#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/blending/strips/end_curves.h"
+#include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/fillet.h"
 
 namespace blossom::occt {
@@ -46,8 +46,8 @@ struct BallWalk {
 
 /// What a walk has to know.
 struct WalkOptions {
-  FilletOptions fillet;     ///< radii, section, chamfer
-  double tolerance = 1e-7;  ///< model units
+  FilletOptions fillet;                ///< radii, section, chamfer
+  double tolerance = 1e-7;             ///< model units
   std::set<int> filleted;              ///< all edges that have fillets
   std::function<void()> tick = [] {};  ///< called for each strip; may throw to stop
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/ball_walk.h"
+#include "adapters/occt/blending/strips/ball_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/run_profiles.h"
+#include "adapters/occt/blending/strips/run_profiles.h"
 
 namespace blossom::occt {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "adapters/occt/blending/edge_chain.h"
-#include "adapters/occt/blending/rolled_strip.h"
+#include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/fillet.h"
 
 namespace blossom::occt {

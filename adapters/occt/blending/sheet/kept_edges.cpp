@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/blending/kept_edges.h"
+#include "adapters/occt/blending/sheet/kept_edges.h"
 
 #include <utility>
 

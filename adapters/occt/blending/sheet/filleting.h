@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A shape with what is needed to fillet it again and again.
+
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include "adapters/occt/blending/body_edges.h"
+#include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/blending/sheet/sheet_trim.h"
+#include "adapters/occt/fillet.h"
+#include "core/base/work_limit.h"
+#include "core/math/vec.h"
+
+namespace blossom::occt {
+
+inline constexpr const char* kFilleting = "rounding edges";
+
+/// The faces of one solid of a shape.
+struct SolidPart {
+  TopoDS_Solid solid;  // of the shape that was given
+  std::set<int> faces;
+  double volume = 0;
+};
+
+/// A solid with fillets, and what is left in it of the edges that it had, by number; others are
+/// whole.
+struct Grouped {
+  FilletedSolid made;
+  std::map<int, std::vector<TopoDS_Edge>> edges;
+};
+
+/// The shape, its edges and its solids.
+class Filleting {
+ public:
+  /// limit   of work that this is a part of; null: its time begins to run
+  Filleting(const TopoDS_Shape& shape, const FilletOptions& options,
+            std::shared_ptr<const WorkLimit> limit = nullptr)
+      : body_(BRepBuilderAPI_Copy(shape, Standard_False).Shape()),
+        options_(options),
+        limit_(limit ? std::move(limit)
+                     : std::make_shared<const WorkLimit>(options_.intersection)) {
+    find_parts(shape);
+  }
+
+  const BodyEdges& body() const { return body_; }
+  const std::vector<SolidPart>& parts() const { return parts_; }
+
+  /// All these edges, or a refusal.
+  std::vector<FilletedSolid> made(const FilletEdges& edges);
+  /// Of what was made last.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  void find_parts(const TopoDS_Shape& shape);
+  const SolidPart& part_of(int edge) const;
+  FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
+                       const FilletEdges& edges) const;
+  Grouped with_group(const SolidPart& part, const FilletEdges& edges);
+  struct Renamed {
+    FilletEdges edges;      // with those in which they go on
+    std::map<int, int> of;  // numbers before, by numbers now
+  };
+  Renamed renamed(const Filleting& next, const Grouped& done, const FilletEdges& group) const;
+  FilletedSolid with_next(const Grouped& done, const FilletEdges& group);
+  const TopoDS_Face& face_given(int number) const {
+    return faces_given_[static_cast<std::size_t>(number) - 1];
+  }
+
+  BodyEdges body_;
+  FilletOptions options_;
+  std::shared_ptr<const WorkLimit> limit_;
+  std::vector<SolidPart> parts_;
+  std::vector<TopoDS_Face> faces_given_;  // by number
+  std::vector<std::string> notes_;
+  Vec3 apex_;
+};
+
+}  // namespace blossom::occt
