@@ -10,8 +10,12 @@
 #include <string>
 #include <utility>
 
+#include <BRep_Tool.hxx>
+#include <Geom_Curve.hxx>
+
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/edge_chain.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/sheet/fillet_limit.h"
@@ -59,6 +63,14 @@ std::vector<FilletEdges> chains_of(const BodyEdges& body, const std::vector<int>
     }
   }
   return chains;
+}
+
+// The parameter of the edge at fault that is nearest to the place.
+void add_parameter(const BodyEdges& body, FilletRefusal& why) {
+  if (why.edge < 1 || !why.point || why.parameter) return;
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(body.edge(why.edge), range.from, range.to);
+  if (!curve.IsNull()) why.parameter = nearest_on(curve, range, *why.point);
 }
 
 // The largest radius of the edge at fault, where it is the radius that does not fit.
@@ -163,6 +175,7 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
   std::vector<FilletEdges> chains = chains_of(work.body(), edges, result.refused);
   const auto refuse = [&](const FilletRefusal& why) {
     result.refused.push_back(why);
+    add_parameter(work.body(), result.refused.back());
     if (!options.chamfer && !options.last_radius && !options.rho)
       add_limit(work.body(), chains, options.radius, result.refused.back());
   };

@@ -297,11 +297,15 @@ void BlendSheet::corner(const Ring& ring) {
   const HalfEdge first = ring.front().half;
   const RolledStrip& strip = strip_of(first).strip;
   if (is_chamfer_) return flat_corner(ring);
-  for (const VertexSector& each : ring)
-    if (strip_of(each.half).strip.concave != strip.concave || !strip_of(each.half).strip.is_ball ||
-        strip_of(each.half).strip.radius != strip.radius)
+  for (const VertexSector& each : ring) {
+    const RolledStrip& of = strip_of(each.half).strip;
+    if (!of.is_ball)
+      refuse(each.half, FilletFault::Corner,
+             "several strips meet in its corner, which only balls of one radius fill yet");
+    if (of.concave != strip.concave || of.radius != strip.radius)
       refuse(first, FilletFault::Corner,
              "edges of its corner differ in kind or radius: such a corner cannot be built yet");
+  }
   const double inwards = is_low_end(first) ? 1 : -1;
   const auto t = touches(strip, body_.face(ring[1].face), end_t(first), inwards);
   if (!t) refuse(first, FilletFault::Corner, "no ball touches all faces of its corner");
