@@ -7,13 +7,19 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom2dAPI_Interpolate.hxx>
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
 #include <Precision.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_HArray1OfReal.hxx>
+#include <TColgp_Array1OfPnt2d.hxx>
+#include <TColgp_HArray1OfPnt2d.hxx>
 #include <TopoDS.hxx>
+#include <gp.hxx>
 
 #include "adapters/occt/blending/blend_edges.h"
-#include "adapters/occt/faces/surface_projector.h"
-#include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
@@ -23,12 +29,56 @@ constexpr double kPartRoom = 2;
 // In tolerances: what meets at one place may be so far apart.
 constexpr double kSamePlace = 10;
 constexpr double kSameAngle = 1e-9;  // of sections that are counted alike, radians or shares
+constexpr int kFollowed = 32;        // points of half an arc that are followed along a section
 constexpr int kSectionSamples = 8;   // of an arc, to compare it with a section
 
 Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 Vec3 contact_point(const RolledStrip& strip, std::size_t side, double t) {
   return vec(strip.contacts[side].curve->Value(t).XYZ());
+}
+
+// Two splines of one degree, one after the other.
+Handle(Geom2d_BSplineCurve) joined(const Geom2d_BSplineCurve& a, const Geom2d_BSplineCurve& b) {
+  const int knot_count = a.NbKnots() + b.NbKnots() - 1, pole_count = a.NbPoles() + b.NbPoles() - 1;
+  TColgp_Array1OfPnt2d poles(1, pole_count);
+  TColStd_Array1OfReal knots(1, knot_count);
+  TColStd_Array1OfInteger multiplicities(1, knot_count);
+  for (int i = 1; i <= pole_count; ++i)
+    poles(i) = i <= a.NbPoles() ? a.Pole(i) : b.Pole(i - a.NbPoles() + 1);
+  for (int i = 1; i <= knot_count; ++i) {
+    const bool of_a = i <= a.NbKnots();
+    knots(i) = of_a ? a.Knot(i) : b.Knot(i - a.NbKnots() + 1);
+    multiplicities(i) = of_a ? a.Multiplicity(i) : b.Multiplicity(i - a.NbKnots() + 1);
+  }
+  multiplicities(a.NbKnots()) = a.Degree();
+  return new Geom2d_BSplineCurve(poles, knots, multiplicities, a.Degree());
+}
+
+// The chart of a curve along a strip's section at t: both halves apart, as wide sections have a
+// knot in the middle.
+Handle(Geom2d_Curve) followed_section(const Handle(Geom_Curve) & curve, const Interval& range,
+                                      const RolledStrip& strip, double t) {
+  const Handle(Geom_Curve) section =
+      strip.along_u ? strip.surface->UIso(t) : strip.surface->VIso(t);
+  const Interval across{std::min(strip.contacts[0].w, strip.contacts[1].w),
+                        std::max(strip.contacts[0].w, strip.contacts[1].w)};
+  std::vector<Handle(Geom2d_BSplineCurve)> halves;
+  for (const Interval& half :
+       {Interval{range.from, at(range, 0.5)}, Interval{at(range, 0.5), range.to}}) {
+    const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, kFollowed + 1);
+    const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, kFollowed + 1);
+    for (int i = 0; i <= kFollowed; ++i) {
+      const double x = at(half, static_cast<double>(i) / kFollowed);
+      const Vec2 uv = strip.chart(t, nearest_on(section, across, vec(curve->Value(x).XYZ())));
+      points->SetValue(i + 1, {uv[0], uv[1]});
+      places->SetValue(i + 1, x);
+    }
+    Geom2dAPI_Interpolate maker(points, places, Standard_False, gp::Resolution());
+    maker.Perform();
+    halves.push_back(maker.Curve());
+  }
+  return joined(*halves[0], *halves[1]);
 }
 
 // The chart of an arc that is a strip's section at t, by its own parameter: the section itself
@@ -53,9 +103,7 @@ Handle(Geom2d_Curve)
     }
     if (is_section) return line;
   }
-  const SurfaceProjector feet(strip.bare_face(), Precision::Confusion());
-  const Vec2 near = strip.chart(t, 0.5 * (strip.contacts[0].w + strip.contacts[1].w));
-  return image_of(curve, range, feet, near, reach).chart;
+  return followed_section(curve, range, strip, t);
 }
 
 }  // namespace
