@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/trim_tool.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include <BRepCheck_Shell.hxx>
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Shell.hxx>
@@ -54,12 +56,17 @@ void check_orientation(const TopoDS_Solid& solid) {
 
 bool is_closed_solid(const TopoDS_Shape& solid) {
   if (!TopExp_Explorer(solid, TopAbs_FACE).More()) return false;
-  TopTools_IndexedDataMapOfShapeListOfShape users;
-  TopExp::MapShapesAndAncestors(solid, TopAbs_EDGE, TopAbs_FACE, users);
-  for (int i = 1; i <= users.Extent(); ++i)
-    if (users(i).Extent() < 2 && !BRep_Tool::Degenerated(TopoDS::Edge(users.FindKey(i))))
-      return false;
-  return true;
+  TopTools_IndexedMapOfShape edges;
+  std::vector<int> uses;
+  for (TopExp_Explorer it(solid, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopAbs_Orientation turned = it.Current().Orientation();
+    const bool bounds = turned == TopAbs_FORWARD || turned == TopAbs_REVERSED;
+    if (!bounds || BRep_Tool::Degenerated(TopoDS::Edge(it.Current()))) continue;
+    const auto number = static_cast<std::size_t>(edges.Add(it.Current())) - 1;
+    uses.resize(std::max(uses.size(), number + 1));
+    ++uses[number];
+  }
+  return std::ranges::all_of(uses, [](int count) { return count > 1; });
 }
 
 TrimTool trim_tool(const TopoDS_Shape& shape) {

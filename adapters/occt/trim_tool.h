@@ -22,6 +22,7 @@ struct TrimTool {
 };
 
 /// Whether a solid has faces, and each of their edges bounds two of them, or one twice.
+/// Internal edges bound nothing.
 bool is_closed_solid(const TopoDS_Shape& solid);
 
 /// A tool of all the shape's faces; solid if all belong to closed solids. Empty ones are left out.
