@@ -13,6 +13,7 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/coincidence/known_crossings.h"
 #include "adapters/occt/coincidence/one_surface.h"
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
 #include "adapters/occt/faces/edge_contacts.h"
@@ -192,15 +193,13 @@ class PairIntersector {
     const double within = one_within(options_.tolerances, largest_coordinate(a, b));
     if (is_settled_by_neighbours(a, b, edges, result)) return;
     std::vector<Touch> touches;
-    if (const auto gap = gap_of_one_surface(a, b); gap && *gap <= within) {
+    if (const auto gap = gap_of_one_surface(a, b); gap && *gap <= options_.tolerances.point) {
       result.found = on_surface_of_both({result.face_a, result.face_b}, *gap, within);
       drop_along_edges(result.found, touches, edges, options_.tolerances.point);
     } else {
-      result.found = between(i, j, edges);
-      const std::vector<Overlap> whole = result.found.overlaps;
-      touches = clip(result.found, a.trims, &b.trims);
-      if (result.found.overlaps.size() < whole.size())
-        add_overlaps(shape_a, shape_b, whole, result.found);
+      touches = find_known(i, j, edges, within, result.found)
+                    ? clip_known(a, b, result.found)
+                    : find_between(i, j, edges, result.found);
       drop_along_edges(result.found, touches, edges, options_.tolerances.point);
       weaken_along_trims(a.trims, b.trims, within, result.found);
     }
@@ -272,6 +271,37 @@ class PairIntersector {
     if (found.status == Status::Stopped)
       found.places.push_back(open_place(faces_a_.data(i), faces_b_.data(j)));
     return found;
+  }
+
+  // Quadrics in special positions cross in conics, or touch.
+  bool find_known(std::size_t i, std::size_t j, const std::vector<SharedEdge>& edges, double within,
+                  SurfaceIntersection& found) const {
+    const FaceData &a = faces_a_.data(i), &b = faces_b_.data(j);
+    if (&a == &b || !edges.empty()) return false;
+    auto known = known_crossings(faces_a_.face(i), a, faces_b_.face(j), b, common_box(a, b), within,
+                                 options_.tolerances.point);
+    if (known) found = *std::move(known);
+    return known.has_value();
+  }
+
+  static std::vector<Touch> clip_known(const FaceData& a, const FaceData& b,
+                                       SurfaceIntersection& found) {
+    if (found.curves.empty()) return clip(found, a.trims, &b.trims);
+    const FaceTrims trims_a = cutting_trims(a.trims), trims_b = cutting_trims(b.trims);
+    std::vector<Touch> touches = clip(found, trims_a, &trims_b);
+    prove_deviations(a, b, found);
+    return touches;
+  }
+
+  std::vector<Touch> find_between(std::size_t i, std::size_t j,
+                                  const std::vector<SharedEdge>& edges,
+                                  SurfaceIntersection& found) const {
+    found = between(i, j, edges);
+    const std::vector<Overlap> whole = found.overlaps;
+    const std::vector<Touch> touches = clip(found, faces_a_.data(i).trims, &faces_b_.data(j).trims);
+    if (found.overlaps.size() < whole.size())
+      add_overlaps(faces_a_.face(i), faces_b_.face(j), whole, found);
+    return touches;
   }
 
   // Planes that cross do so in a line; all else is searched.

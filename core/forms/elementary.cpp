@@ -58,9 +58,23 @@ double bound_of_moves(const Elementary& a, const Elementary& b, const Ball& ball
   return torus_bound(a, b);
 }
 
+// The plane through the apex of a cone across its axis.
+Elementary flattened(const Elementary& cone) {
+  return {ElementaryKind::Plane, cone.centre, cone.axis, 0, 0, 0};
+}
+
+double flat_cone_bound(const Elementary& plane, const Elementary& cone, const Ball& ball) {
+  const double rise = (ball.radius + distance(ball.centre, cone.centre)) / std::tan(cone.angle);
+  return plane_bound(plane, flattened(cone), ball) + rise;
+}
+
 }  // namespace
 
 double distance_bound(const Elementary& a, const Elementary& b, const Ball& ball) {
+  if (a.kind == ElementaryKind::Plane && b.kind == ElementaryKind::Cone)
+    return flat_cone_bound(a, b, ball);
+  if (a.kind == ElementaryKind::Cone && b.kind == ElementaryKind::Plane)
+    return flat_cone_bound(b, a, ball);
   if (a.kind != b.kind) return std::numeric_limits<double>::infinity();
   const double coordinate = std::max({max_norm(a.centre), max_norm(b.centre), max_norm(ball.centre),
                                       ball.radius, a.radius, a.minor});

@@ -46,9 +46,11 @@ struct Ball {
 ///   sphere     |difference of centres| + |difference of radii|
 ///   torus      |difference of centres| + t radius + |differences of both radii|
 ///
-/// where t <= pi s / 2 is the angle between the axes, turned to less than a right one.
+/// where t <= pi s / 2 is the angle between the axes, turned to less than a right one. A cone is
+/// off the plane through its apex by no more than (r + |c - apex|) / tan angle, which makes one
+/// that is nearly flat a plane.
 ///
-/// returns   infinite for surfaces of two kinds; roundings are added
+/// returns   infinite for surfaces of two other kinds; roundings are added
 double distance_bound(const Elementary& a, const Elementary& b, const Ball& ball);
 
 }  // namespace blossom

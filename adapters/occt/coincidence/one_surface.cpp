@@ -83,7 +83,10 @@ class OneSurface {
         contacts_(outline_contacts(a_, b_, tolerance)) {}
 
   SurfaceIntersection run(const WorkLimit& limit) {
-    identify(found_.certificate, gap_);
+    if (gap_ <= within_)
+      identify(found_.certificate, gap_);
+    else
+      weaken(Status::Tolerance, "the surfaces coincide in the listed contacts");
     judge_contacts();
     add_regions(limit);
     for (const OutlineRun& run : contacts_.runs)

@@ -15,10 +15,10 @@ namespace blossom::occt {
 /// Their edges are intersected in space, which tells whether they cross, run along each other or
 /// end on each other. Common regions are overlaps; edges along which the faces lie side by side are
 /// tangential curves; corners and other points in which nothing else meets are points. The status
-/// is Complete if every contact of two edges is a proven crossing or within `within`; these
-/// contacts are identified. It is Tolerance if some are farther apart.
+/// is Complete if the surfaces and every contact of two edges, but for proven crossings, are within
+/// `within`; these contacts are identified. It is Tolerance if some are farther apart.
 ///
-/// gap         bound on the distance of the two surfaces, model units, within `within`
+/// gap         bound on the distance of the two surfaces, model units, within the tolerance
 /// within      what is as near as this is one (core/base/tolerances.h)
 /// tolerance   model units
 /// throws      Failure or BadModel if the outlines cannot be laid over each other

@@ -201,13 +201,25 @@ Handle(Geom_Curve) space_curve(const IntersectionCurve& curve) {
   });
 }
 
-// Parts too short for an edge become points.
-void move_short_parts(const IntersectionCurve& whole, std::vector<Interval>& parts,
-                      std::vector<SurfacePoint>& touches) {
-  const double least = 2 * edge_tolerance(whole.deviation);
+// Whether a part of a curve keeps to a wire, and is no longer than what touches it may be.
+bool only_touches(const FaceTrims& trims, double length, const Vec2& middle, double tolerance) {
+  return length <= tangency_length(trims, tolerance) && !border_at(trims, middle).IsNull();
+}
+
+// Parts too short for an edge become points, and parts that only touch the trims.
+//
+// b   null if everything of the second surface counts
+void move_short_parts(const IntersectionCurve& whole, const FaceTrims& a, const FaceTrims* b,
+                      std::vector<Interval>& parts, std::vector<SurfacePoint>& touches) {
+  const double tolerance = edge_tolerance(whole.deviation);
   std::erase_if(parts, [&](const Interval& part) {
-    if (length_of(whole, part) > least) return false;
-    touches.push_back(point_of(whole, at(part, 0.5)));
+    const double length = length_of(whole, part);
+    const SurfacePoint middle = point_of(whole, at(part, 0.5));
+    const bool touch = part != whole.curve.domain() &&
+                       (only_touches(a, length, middle.uv_a, tolerance) ||
+                        (b != nullptr && only_touches(*b, length, middle.uv_b, tolerance)));
+    if (length > 2 * tolerance && !touch) return false;
+    touches.push_back(middle);
     return true;
   });
 }
@@ -305,7 +317,7 @@ std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const Fa
   for (const IntersectionCurve& curve : found.curves) {
     std::vector<Interval> parts = clip_to_trims(a, curve.chart_a);
     if (b != nullptr) parts = common(curve, parts, clip_to_trims(*b, curve.chart_b));
-    move_short_parts(curve, parts, touches);
+    move_short_parts(curve, a, b, parts, touches);
     clip(curve, parts, curves);
   }
   found.curves = std::move(curves);

@@ -2,6 +2,7 @@
 #include "core/surfaces/branches/seam_chains.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -29,9 +30,18 @@ Vec3 direction_of(std::span<const IntersectionCurve> curves, std::size_t end) {
   return size > 0 ? (1 / size) * along : along;
 }
 
-enum class Meeting { Apart, Same, AcrossSeam };
+enum class Meeting { Apart, Same, AcrossSeam, InPole };
 
-Meeting meeting(const BezierSurface& surface, const Vec2& p, const Vec2& q) {
+// Whether the surface maps all between two places to one point.
+bool are_in_pole(const BezierSurface& surface, const Vec2& p, const Vec2& q, double tolerance) {
+  const Vec3 point = point_at(surface, p);
+  return std::ranges::all_of(std::array{0.25, 0.5, 0.75, 1.0}, [&](double part) {
+    return distance(point_at(surface, (1 - part) * p + part * q), point) <= tolerance;
+  });
+}
+
+Meeting meeting(const BezierSurface& surface, const Vec2& p, const Vec2& q, double tolerance) {
+  if (!(p == q) && are_in_pole(surface, p, q, tolerance)) return Meeting::InPole;
   Meeting result = Meeting::Same;
   for (int k = 0; k < 2; ++k) {
     const auto& knots = k == 0 ? surface.u_knots : surface.v_knots;
@@ -63,7 +73,8 @@ std::vector<Joint> joints(std::span<const IntersectionCurve> curves, const Bezie
       if (!is_free(q)) continue;
       const SurfacePoint &x = end_of(curves, p), &y = end_of(curves, q);
       if (distance(x.point, y.point) > tolerance) continue;
-      const Meeting in_a = meeting(a, x.uv_a, y.uv_a), in_b = meeting(b, x.uv_b, y.uv_b);
+      const Meeting in_a = meeting(a, x.uv_a, y.uv_a, tolerance),
+                    in_b = meeting(b, x.uv_b, y.uv_b, tolerance);
       if (in_a == Meeting::Apart || in_b == Meeting::Apart) continue;
       if (in_a == Meeting::Same && in_b == Meeting::Same) continue;
       const double cosine = dot(direction_of(curves, p), direction_of(curves, q));

@@ -27,8 +27,8 @@ struct CurveChain {
 /// Every curve in one chain, chains in the order of their first curves.
 ///
 /// Two ends continue each other if they are one point of space and, in both charts, one place or
-/// two that differ by a whole turn of a closed direction, in one of them at least. Of several such
-/// ends those go together that leave in the most opposite directions.
+/// two that differ by a whole turn of a closed direction, or lie in one pole, in one of them at
+/// least. Of several such ends those go together that leave in the most opposite directions.
 ///
 /// a, b        the surfaces of the curves
 /// tolerance   model units; ends as near as this are one point

@@ -77,7 +77,7 @@ TEST(StatedSolids, CylinderAndPrismOnOnePlane) {
   for (const bool turned : {false, true}) {
     const ShapeIntersection found =
         turned ? intersect(prism, cylinder) : intersect(cylinder, prism);
-    EXPECT_EQ(found.status, Status::Tolerance);
+    EXPECT_EQ(found.status, Status::Complete);
     EXPECT_EQ(overlaps_in(found), 1);
     // Half circles at z = 0 and 2, lines of 2 at (0, -1), (0, 1), (1, 0), and one at the bottom.
     EXPECT_NEAR(union_length(found), 2 * kPi + 8, 1e-3);

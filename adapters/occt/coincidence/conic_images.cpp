@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/coincidence/conic_images.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <Geom_Surface.hxx>
+
+#include "adapters/occt/convert/curves.h"
+#include "adapters/occt/faces/hermite_curves.h"
+#include "adapters/occt/splitting/edge_images.h"
+#include "core/tracing/spline_fit.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr int kSamples = 64;      // of a conic, to see where it passes seams
+constexpr double kAside = 0.3;    // of a step: keeps samples off symmetric places, where seams are
+constexpr int kHalvings = 60;     // of the interval between two samples
+constexpr double kBeside = 1e-7;  // of a part: how far from its ends charts are looked at
+constexpr double kSame = 1e-9;    // of a part: cuts so near are one
+constexpr double kRounding = 1e-12;  // of a parameter: so near a seam it is on it
+constexpr double kFit = 2e-2;        // of the slack: what a spline may be off
+constexpr int kMinPieces = 4, kMaxPieces = 512;
+
+// Which period of each chart's parameters a point lies in.
+using Windows = std::array<int, 4>;
+
+std::vector<Interval> parts_of(const Interval& range, const std::vector<double>& cuts) {
+  std::vector<Interval> parts;
+  double from = range.from;
+  for (const double cut : cuts) {
+    parts.push_back({from, cut});
+    from = cut;
+  }
+  parts.push_back({from, range.to});
+  return parts;
+}
+
+class Conics {
+ public:
+  Conics(const Conic& conic, const std::array<const ChartSheet*, 2>& sheets, double slack)
+      : conic_(conic), sheets_(sheets), slack_(slack) {}
+
+  std::vector<double> cuts(const Interval& range) const;
+  std::optional<IntersectionCurve> curve_on(const Interval& part) const;
+
+ private:
+  struct Chart {
+    bool straight = false;
+    Vec2 start, step;  // of a straight one: uv at the part's start, and over all of it
+    Vec2 shift;        // by whole periods
+  };
+  using Places = std::array<Vec2, 2>;  // in both charts
+
+  Vec2 uv(std::size_t k, double t, const std::optional<Vec2>& near) const {
+    return sheets_[k]->feet.foot(point_at(conic_, t), near);
+  }
+  Places both(double t, const Places& near) const { return {uv(0, t, near[0]), uv(1, t, near[1])}; }
+  Windows windows(const Places& at, const Windows& before, double slack = kSame) const;
+  void add_changes(const Interval& run, std::vector<double>& found) const;
+  std::vector<double> lookouts(const Interval& run) const;
+  double change(Interval around, Places near, const Windows& before) const;
+  Chart chart_of(std::size_t k, const Interval& part) const;
+  std::array<Vec2, 3> chart_jet(std::size_t k, const Chart& chart, const Interval& part, double t,
+                                std::optional<Vec2>& near) const;
+  IntersectionCurve fitted(const std::array<Chart, 2>& charts, const Interval& part,
+                           int pieces) const;
+  Deviation sampled(const IntersectionCurve& curve) const;
+
+  Conic conic_;
+  std::array<const ChartSheet*, 2> sheets_;
+  double slack_;
+};
+
+// A point on a seam, to rounding, stays in the window it was in: a curve may run along the seam.
+Windows Conics::windows(const Places& at, const Windows& before, double slack) const {
+  Windows found{};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const ChartSheet& sheet = *sheets_[i / 2];
+    const int d = static_cast<int>(i % 2);
+    if (sheet.period[d] == 0) continue;
+    const double turns = (at[i / 2][d] - sheet.middle[d]) / sheet.period[d] + 0.5;
+    const bool stays = turns >= before[i] - slack && turns <= before[i] + 1 + slack;
+    found[i] = stays ? before[i] : static_cast<int>(std::floor(turns));
+  }
+  return found;
+}
+
+// Where windows change between two parameters: on the seam itself, but for a curve along it.
+double Conics::change(Interval around, Places near, const Windows& before) const {
+  const double slack = windows(near, before, -kSame) == before ? 0 : kSame;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = at(around, 0.5);
+    const Places there = both(middle, near);
+    if (windows(there, before, slack) == before) {
+      around.from = middle;
+      near = there;
+    } else {
+      around.to = middle;
+    }
+  }
+  return at(around, 0.5);
+}
+
+// Even steps of a run, and where a parameter of a chart turns back between them: it may pass a seam
+// there and come back.
+std::vector<double> Conics::lookouts(const Interval& run) const {
+  std::vector<double> all;
+  std::vector<Places> places;
+  for (int i = 0; i <= kSamples + 1; ++i) {
+    const double part = (i - kAside) / kSamples;
+    all.push_back(at(run, std::clamp(part, kBeside, 1 - kBeside)));
+    places.push_back(i == 0 ? Places{uv(0, all[0], {}), uv(1, all[0], {})}
+                            : both(all.back(), places.back()));
+  }
+  for (std::size_t i = 1; i + 1 < places.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int d = static_cast<int>(k % 2);
+      const auto value = [&](const Places& of) { return of[k / 2][d]; };
+      const double here = value(places[i]), sign = here >= value(places[i - 1]) ? 1 : -1;
+      if (sheets_[k / 2]->period[d] == 0 || sign * (here - value(places[i + 1])) <= 0) continue;
+      Interval around{all[i - 1], all[i + 1]};
+      for (int step = 0; step < kHalvings / 2; ++step) {
+        const double low = at(around, 0.4), high = at(around, 0.6);
+        const bool up = sign * value(both(low, places[i])) < sign * value(both(high, places[i]));
+        (up ? around.from : around.to) = up ? low : high;
+      }
+      all.push_back(at(around, 0.5));
+    }
+  std::ranges::sort(all);
+  return all;
+}
+
+// The changes of windows on a run without poles. Between two lookouts there may be several.
+void Conics::add_changes(const Interval& run, std::vector<double>& found) const {
+  const std::vector<double> all = lookouts(run);
+  Places here{uv(0, all[0], {}), uv(1, all[0], {})};
+  Windows known = windows(here, {});
+  double t = all[0];
+  for (std::size_t i = 1; i < all.size();) {
+    const Places there = both(all[i], here);
+    if (windows(there, known) == known) {
+      t = all[i++];
+      here = there;
+      continue;
+    }
+    const double at_change = change({t, all[i]}, here, known);
+    found.push_back(at_change);
+    t = std::min(all[i], at_change + 2 * kSame * length(run));
+    here = both(t, here);
+    const Windows past = windows(here, known);
+    known = past == known ? windows(there, known) : past;
+  }
+}
+
+// Poles and seams, in increasing order; without the ends.
+std::vector<double> Conics::cuts(const Interval& range) const {
+  std::vector<double> found;
+  const Handle(Geom_Curve) curve = to_occt(conic_);
+  for (const ChartSheet* sheet : sheets_)
+    for (const Interval& part : CurveBeside(curve, range, sheet->feet).between_poles(range))
+      if (part.from > range.from) found.push_back(part.from);
+  std::ranges::sort(found);
+  for (const Interval& run : parts_of(range, found)) add_changes(run, found);
+  std::ranges::sort(found);
+  const double least = 4 * kSame * length(range);
+  const auto repeated =
+      std::unique(found.begin(), found.end(), [&](double x, double y) { return y - x <= least; });
+  found.erase(repeated, found.end());
+  std::erase_if(found, [&](double t) { return t - range.from <= least || range.to - t <= least; });
+  return found;
+}
+
+// Rounding does not take a point over a seam.
+Vec2 on_seam(const ChartSheet& sheet, Vec2 uv) {
+  for (int d = 0; d < 2; ++d)
+    for (const double side : {-0.5, 0.5}) {
+      const double seam = sheet.middle[d] + side * sheet.period[d];
+      if (sheet.period[d] > 0 && std::abs(uv[d] - seam) <= kRounding * sheet.period[d])
+        uv[d] = seam;
+    }
+  return uv;
+}
+
+// Whether the image is straight is told by points inside, so that poles at the ends do not matter.
+Conics::Chart Conics::chart_of(std::size_t k, const Interval& part) const {
+  const ChartSheet& sheet = *sheets_[k];
+  const Vec2 middle = uv(k, at(part, 0.5), std::nullopt);
+  Chart chart{false, {}, {}, in_sheet(sheet, middle) - middle};
+  const Vec2 low = uv(k, at(part, 0.25), middle), high = uv(k, at(part, 0.75), middle);
+  chart.step = 2 * (high - low);
+  chart.start = middle - 0.5 * chart.step + chart.shift;
+  // What passes a pole within the slack goes through it.
+  const auto is_pole = [&](double t) { return sheet.feet.pole_at(point_at(conic_, t)) != nullptr; };
+  const double allowed = (is_pole(part.from) || is_pole(part.to) ? 1 : kFit) * slack_;
+  chart.straight = true;
+  for (const double t : {kBeside, 0.1, 0.25, 0.4, 0.65, 0.9, 1 - kBeside}) {
+    const Vec2 on_line = chart.start + t * chart.step;
+    const Vec3 point = point_at(conic_, at(part, t));
+    chart.straight =
+        chart.straight && sheet.feet.gap(point, on_line) <=
+                              sheet.feet.gap(point, uv(k, at(part, t), on_line)) + allowed;
+  }
+  return chart;
+}
+
+std::array<Vec2, 3> Conics::chart_jet(std::size_t k, const Chart& chart, const Interval& part,
+                                      double t, std::optional<Vec2>& near) const {
+  if (chart.straight) {
+    const double share = (t - part.from) / length(part);
+    return {on_seam(*sheets_[k], chart.start + share * chart.step), (1 / length(part)) * chart.step,
+            Vec2{}};
+  }
+  const Vec2 at = uv(k, t, near);
+  near = at;
+  const Handle(Geom_Surface)& surface = sheets_[k]->feet.surface();
+  const SurfaceFrame frame = frame_at(surface, at);
+  const SurfaceBend bend = bend_at(surface, at);
+  const Vec2 first = chart_step(frame, derivative_at(conic_, t));
+  const Vec3 left = second_derivative_at(conic_, t) - first[0] * first[0] * bend.uu -
+                    2 * first[0] * first[1] * bend.uv - first[1] * first[1] * bend.vv;
+  return {on_seam(*sheets_[k], at + chart.shift), first, chart_step(frame, left)};
+}
+
+// Hermite pieces of degree 5.
+IntersectionCurve Conics::fitted(const std::array<Chart, 2>& charts, const Interval& part,
+                                 int pieces) const {
+  IntersectionCurve curve;
+  curve.conic = conic_;
+  std::array<std::optional<Vec2>, 2> near;
+  for (std::size_t k = 0; k < 2; ++k) near[k] = uv(k, at(part, 0.5), std::nullopt);
+  // From the middle, where periods are known, back to the start.
+  for (int i = 1; i <= pieces; ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      if (!charts[k].straight) near[k] = uv(k, at(part, 0.5 - 0.5 * i / pieces), near[k]);
+  std::array<Vec3, 3> space{};
+  std::array<std::array<Vec2, 3>, 2> chart{};
+  const double width = length(part) / pieces;
+  for (int i = 0; i <= pieces; ++i) {
+    const double t = at(part, static_cast<double>(i) / pieces);
+    const std::array<Vec3, 3> now{point_at(conic_, t), derivative_at(conic_, t),
+                                  second_derivative_at(conic_, t)};
+    const std::array<std::array<Vec2, 3>, 2> charts_now{chart_jet(0, charts[0], part, t, near[0]),
+                                                        chart_jet(1, charts[1], part, t, near[1])};
+    if (i > 0) {
+      const int first = i == 1 ? 0 : 1;
+      const auto add = [&](const auto& from, const auto& to, auto& points) {
+        const auto bezier = hermite_points(from, to, width);
+        points.insert(points.end(), bezier.begin() + first, bezier.end());
+      };
+      add(space, now, curve.curve.points);
+      add(chart[0], charts_now[0], curve.chart_a.points);
+      add(chart[1], charts_now[1], curve.chart_b.points);
+    }
+    space = now;
+    chart = charts_now;
+    curve.curve.knots.push_back(t);
+    curve.curve.multiplicities.push_back(i == 0 || i == pieces ? kFitDegree + 1 : kFitDegree);
+    curve.samples.push_back({now[0], charts_now[0][0], charts_now[1][0]});
+    curve.sample_parameters.push_back(t);
+  }
+  curve.curve.degree = curve.chart_a.degree = curve.chart_b.degree = kFitDegree;
+  curve.chart_a.knots = curve.chart_b.knots = curve.curve.knots;
+  curve.chart_a.multiplicities = curve.chart_b.multiplicities = curve.curve.multiplicities;
+  return curve;
+}
+
+Deviation Conics::sampled(const IntersectionCurve& curve) const {
+  Deviation most{0, 0, 0, false, 0};
+  const std::vector<double>& knots = curve.curve.knots;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double t = 0.5 * (knots[i] + knots[i + 1]);
+    const Vec3 point = point_at(conic_, t);
+    const Vec2 uv_a = point_at(curve.chart_a, t), uv_b = point_at(curve.chart_b, t);
+    raise(most, {sheets_[0]->feet.gap(point, uv_a), sheets_[1]->feet.gap(point, uv_b),
+                 distance(frame_at(sheets_[0]->feet.surface(), uv_a).point,
+                          frame_at(sheets_[1]->feet.surface(), uv_b).point),
+                 false, 0});
+    most.conic = std::max(most.conic, distance(point, point_at(curve.curve, t)));
+  }
+  return most;
+}
+
+std::optional<IntersectionCurve> Conics::curve_on(const Interval& part) const {
+  const std::array charts{chart_of(0, part), chart_of(1, part)};
+  const bool straight = charts[0].straight && charts[1].straight && conic_.kind == ConicKind::Line;
+  const double sixth = sixth_derivative_bound(conic_, part);
+  const double width = sixth > 0 ? std::pow(46080 * kFit * slack_ / sixth, 1.0 / 6) : length(part);
+  int pieces = straight ? 1 : std::max(kMinPieces, static_cast<int>(length(part) / width) + 1);
+  IntersectionCurve curve;
+  double off = 0, before = std::numeric_limits<double>::infinity();
+  for (; pieces <= kMaxPieces; pieces *= 2) {
+    curve = fitted(charts, part, pieces);
+    curve.deviation = sampled(curve);
+    off = std::max({curve.deviation.a, curve.deviation.b, curve.deviation.conic});
+    if (straight || off <= kFit * slack_ || off > 0.5 * before) break;
+    before = off;
+  }
+  if (!(off <= 2 * slack_)) return {};
+  curve.length = arc_length(conic_, part);
+  return curve;
+}
+
+// Turned about its axis to begin where it is cut.
+Conic turned_to(const Conic& circle, double t) {
+  Conic made = circle;
+  made.x = std::cos(t) * circle.x + std::sin(t) * circle.y;
+  made.y = std::cos(t) * circle.y - std::sin(t) * circle.x;
+  return made;
+}
+
+}  // namespace
+
+ChartSheet sheet_of(const SurfaceProjector& feet, const BezierSurface& surface) {
+  ChartSheet sheet{feet,
+                   {0.5 * (surface.u_knots.front() + surface.u_knots.back()),
+                    0.5 * (surface.v_knots.front() + surface.v_knots.back())},
+                   {}};
+  if (feet.surface()->IsUPeriodic()) sheet.period[0] = feet.surface()->UPeriod();
+  if (feet.surface()->IsVPeriodic()) sheet.period[1] = feet.surface()->VPeriod();
+  return sheet;
+}
+
+Vec2 in_sheet(const ChartSheet& sheet, Vec2 uv) {
+  for (int d = 0; d < 2; ++d)
+    if (sheet.period[d] > 0)
+      uv[d] -= sheet.period[d] * std::round((uv[d] - sheet.middle[d]) / sheet.period[d]);
+  return uv;
+}
+
+std::optional<std::vector<IntersectionCurve>> conic_on_sheets(
+    const Conic& conic, const Interval& range, const std::array<const ChartSheet*, 2>& sheets,
+    double slack) {
+  Interval whole = range;
+  Conics all(conic, sheets, slack);
+  std::vector<double> cuts = all.cuts(whole);
+  if (conic.is_closed() && !cuts.empty()) {
+    // Begun there, it may turn out to be cut where it began before.
+    // Rounded so that the whole is as long as a turn to the last digit.
+    const double start = (cuts.front() + length(range)) - length(range);
+    if (conic.kind == ConicKind::Circle)
+      all = Conics(turned_to(conic, start), sheets, slack);
+    else
+      whole = {start, start + length(range)};
+    cuts = all.cuts(whole);
+  }
+  std::vector<IntersectionCurve> curves;
+  for (Interval part : parts_of(whole, cuts)) {
+    if (conic.is_closed() && part.from >= range.to)
+      part = {part.from - length(range), part.to - length(range)};
+    auto curve = all.curve_on(part);
+    if (!curve) return {};
+    const bool closed = conic.is_closed() && cuts.empty();
+    curve->closed = closed;
+    curve->ends.fill(closed ? CurveEnd::Closed : CurveEnd::BorderA);
+    if (closed) curve->samples.back().point = curve->samples.front().point;
+    curves.push_back(*std::move(curve));
+  }
+  return curves;
+}
+
+}  // namespace blossom::occt

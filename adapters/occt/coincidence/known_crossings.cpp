@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/coincidence/known_crossings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "adapters/occt/coincidence/conic_images.h"
+#include "core/tracing/deviation.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kBeyondBox = 1e-2;               // of the box: what a line goes on past it
+constexpr double kWidest = 2 * std::numbers::pi;  // of a range of parameters
+constexpr const char* kContact = "the surfaces touch, or nearly, in the listed contacts";
+
+// The parameters of a line at which it is in a ball that holds the box; empty if it misses it.
+Interval inside(const Box& box, const Conic& line) {
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  const double radius = (0.5 + kBeyondBox) * diagonal(box);
+  const double nearest = dot(middle - line.centre, line.x);
+  const double off = distance(middle, line.centre + nearest * line.x);
+  if (off >= radius) return {1, 0};
+  const double half = std::sqrt((radius - off) * (radius + off));
+  return {nearest - half, nearest + half};
+}
+
+Interval range_of(const Conic& conic, const Box& box) {
+  return conic.is_closed() ? Interval{0, 2 * std::numbers::pi} : inside(box, conic);
+}
+
+double angle_between(const SurfaceFrame& a, const SurfaceFrame& b) {
+  const Vec3 x = cross(a.du, a.dv), y = cross(b.du, b.dv);
+  return std::atan2(norm(cross(x, y)), std::abs(dot(x, y)));
+}
+
+// Ranges of both parameters that hold all within a reach in space; in a pole that is all.
+void widen_charts(const Handle(Geom_Surface) & surface, const Vec2& uv, double reach,
+                  Interval* ranges) {
+  const SurfaceFrame frame = frame_at(surface, uv);
+  for (int d = 0; d < 2; ++d) {
+    const double size = norm(d == 0 ? frame.du : frame.dv);
+    const double beside = std::min(reach / std::max(size, 1e-300), kWidest);
+    ranges[d] = {uv[d] - beside, uv[d] + beside};
+  }
+}
+
+class KnownCrossings {
+ public:
+  KnownCrossings(const std::array<const ChartSheet*, 2>& sheets,
+                 const std::array<const FaceTrims*, 2>& trims, const Box& common, double within,
+                 double tolerance)
+      : sheets_(sheets), trims_(trims), common_(common), within_(within), tolerance_(tolerance) {}
+
+  bool add(const MeetingCurve& known) {
+    const Interval range = range_of(known.conic, common_);
+    if (!(range.from < range.to)) return true;
+    auto parts = conic_on_sheets(known.conic, range, sheets_, std::max(known.gap, tolerance_));
+    if (!parts) return false;
+    for (IntersectionCurve& curve : *parts) {
+      curve.tangential = known.tangential;
+      curve.least_angle = least_angle(curve);
+      if (known.tangential && lies_in_both(curve)) {
+        judge(known.gap);
+        found_.places.push_back(place_of(curve.samples, PlaceKind::Tangential, known.gap));
+      }
+      found_.curves.push_back(std::move(curve));
+    }
+    return true;
+  }
+
+  void add(const MeetingPoint& known) {
+    const double slack = known.gap + tolerance_;
+    const Vec2 uv_a = in_sheet(*sheets_[0], sheets_[0]->feet.foot(known.point, {}));
+    const Vec2 uv_b = in_sheet(*sheets_[1], sheets_[1]->feet.foot(known.point, {}));
+    Place place = place_of({{known.point, uv_a, uv_b}}, PlaceKind::Touch, known.gap);
+    for (std::size_t k = 0; k < 2; ++k)
+      widen_charts(sheets_[k]->feet.surface(), k == 0 ? uv_a : uv_b, slack,
+                   &place.parameters[2 * k]);
+    for (std::size_t k = 0; k < 2; ++k)
+      if (part_side(*trims_[k], place.parameters[2 * k], place.parameters[2 * k + 1]) ==
+          PartSide::Outside)
+        return;
+    judge(known.gap);
+    found_.points.push_back({known.point, uv_a, uv_b});
+    found_.places.push_back(place);
+  }
+
+  SurfaceIntersection result() && {
+    Certificate& certificate = found_.certificate;
+    certificate.certified = static_cast<long>(found_.curves.size() + found_.points.size());
+    certificate.excluded = certificate.certified == 0 ? 1 : 0;
+    for (const IntersectionCurve& curve : found_.curves)
+      certificate.least_angle = certificate.least_angle > 0
+                                    ? std::min(certificate.least_angle, curve.least_angle)
+                                    : curve.least_angle;
+    return std::move(found_);
+  }
+
+ private:
+  void judge(double gap) {
+    if (gap <= within_) return identify(found_.certificate, gap);
+    found_.status = weaker(found_.status, Status::Tolerance);
+    if (found_.certificate.reasons.empty()) found_.certificate.reasons.emplace_back(kContact);
+  }
+
+  double least_angle(const IntersectionCurve& curve) const {
+    double least = 0.5 * std::numbers::pi;
+    for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
+      const double t = 0.5 * (curve.sample_parameters[i] + curve.sample_parameters[i + 1]);
+      least = std::min(
+          least, angle_between(frame_at(sheets_[0]->feet.surface(), point_at(curve.chart_a, t)),
+                               frame_at(sheets_[1]->feet.surface(), point_at(curve.chart_b, t))));
+    }
+    return least;
+  }
+
+  Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double gap) const {
+    Place place{kind, {}, {}, 0, gap, {}};
+    place.parameters.fill({1e300, -1e300});
+    Box box;
+    for (const SurfacePoint& x : points) {
+      box = joined(box, {x.point, x.point});
+      widen(place, x, gap);
+    }
+    box = widened(box, tolerance_);
+    place.gap_low = 0;
+    place.box_low = box.low;
+    place.box_high = box.high;
+    return place;
+  }
+
+  bool lies_in_both(const IntersectionCurve& curve) const {
+    return !clip_to_trims(*trims_[0], curve.chart_a).empty() &&
+           !clip_to_trims(*trims_[1], curve.chart_b).empty();
+  }
+
+  const std::array<const ChartSheet*, 2>& sheets_;
+  const std::array<const FaceTrims*, 2>& trims_;
+  const Box common_;
+  const double within_, tolerance_;
+  SurfaceIntersection found_;
+};
+
+}  // namespace
+
+std::optional<SurfaceIntersection> known_crossings(const TopoDS_Face& face_a, const FaceData& a,
+                                                   const TopoDS_Face& face_b, const FaceData& b,
+                                                   const Box& common, double within,
+                                                   double tolerance) {
+  if (!a.elementary || !b.elementary) return {};
+  const Ball ball{0.5 * (common.low + common.high), 0.5 * diagonal(common)};
+  const auto known = elementary_meeting(*a.elementary, *b.elementary, ball, {within, tolerance});
+  if (!known) return {};
+  const SurfaceProjector feet_a(face_a, tolerance), feet_b(face_b, tolerance);
+  const ChartSheet sheet_a = sheet_of(feet_a, a.surface), sheet_b = sheet_of(feet_b, b.surface);
+  const std::array sheets{&sheet_a, &sheet_b};
+  const std::array trims{&a.trims, &b.trims};
+  KnownCrossings crossings(sheets, trims, common, within, tolerance);
+  for (const MeetingCurve& curve : known->curves)
+    if (!crossings.add(curve)) return {};
+  for (const MeetingPoint& point : known->points) crossings.add(point);
+  return std::move(crossings).result();
+}
+
+FaceTrims cutting_trims(FaceTrims trims) {
+  trims.natural = false;
+  return trims;
+}
+
+void prove_deviations(const FaceData& a, const FaceData& b, SurfaceIntersection& found) {
+  for (IntersectionCurve& curve : found.curves)
+    if (curve.conic && !curve.deviation.proven)
+      curve.deviation = proven_deviation(curve, a.surface, b.surface);
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/forms/elementary_meeting.h"
+
+namespace blossom {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr MeetingLimits kLimits{1e-10, 1e-7};
+constexpr Ball kHere{{0, 0, 0}, 100};
+
+Elementary plane_at(double z, const Vec3& normal = {0, 0, 1}) {
+  return {ElementaryKind::Plane, {0, 0, z}, normal, 0, 0, 0};
+}
+Elementary cylinder_of(double radius, const Vec3& centre = {}, const Vec3& axis = {0, 0, 1}) {
+  return {ElementaryKind::Cylinder, centre, axis, radius, 0, 0};
+}
+Elementary sphere_of(double radius, const Vec3& centre = {}) {
+  return {ElementaryKind::Sphere, centre, {0, 0, 1}, radius, 0, 0};
+}
+Elementary torus_of(double radius, double minor) {
+  return {ElementaryKind::Torus, {}, {0, 0, 1}, radius, minor, 0};
+}
+Elementary cone_of(double angle, const Vec3& apex = {}) {
+  return {ElementaryKind::Cone, apex, {0, 0, 1}, 0, 0, angle};
+}
+
+// Both ways round; the points of each curve lie on both surfaces.
+void expect_meeting(const Elementary& a, const Elementary& b, std::size_t curves,
+                    std::size_t points, bool tangential = false) {
+  for (const auto& [x, y] : {std::pair{a, b}, std::pair{b, a}}) {
+    const auto found = elementary_meeting(x, y, kHere, kLimits);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->curves.size(), curves);
+    EXPECT_EQ(found->points.size(), points);
+    for (const MeetingCurve& curve : found->curves) EXPECT_EQ(curve.tangential, tangential);
+  }
+}
+
+TEST(ElementaryMeeting, PlanesCutRoundSurfacesInConics) {
+  expect_meeting(plane_at(1), sphere_of(2), 1, 0);
+  expect_meeting(plane_at(3), sphere_of(2), 0, 0);
+  expect_meeting(plane_at(1), cylinder_of(2), 1, 0);
+  expect_meeting(plane_at(0, {1, 0, 0}), cylinder_of(2), 2, 0);
+  expect_meeting(plane_at(0, unit(Vec3{1, 0, 1})), cylinder_of(2), 1, 0);
+  expect_meeting(plane_at(1), cone_of(0.5), 1, 0);
+  expect_meeting(plane_at(0, {1, 0, 0}), cone_of(0.5), 2, 0);
+  expect_meeting(plane_at(0.5), torus_of(5, 1), 2, 0);
+  expect_meeting(plane_at(0, {1, 0, 0}), torus_of(5, 1), 2, 0);
+}
+
+TEST(ElementaryMeeting, WhatTouchesWithinTheLimitDoesSoInOnePlace) {
+  for (const double gap : {-5e-8, 0.0, 5e-8}) {
+    expect_meeting(plane_at(2 + gap), sphere_of(2), 0, 1);
+    expect_meeting(plane_at(1 + gap), torus_of(5, 1), 1, 0, true);
+    expect_meeting(sphere_of(2), sphere_of(1, {3 + gap, 0, 0}), 0, 1);
+    expect_meeting(sphere_of(2), sphere_of(1, {1 + gap, 0, 0}), 0, 1);
+    expect_meeting(sphere_of(2 + gap), cylinder_of(2), 1, 0, true);
+    expect_meeting(cylinder_of(2), cylinder_of(1, {3 + gap, 0, 0}), 1, 0, true);
+    expect_meeting(cylinder_of(2), cylinder_of(1, {1 + gap, 0, 0}), 1, 0, true);
+    expect_meeting(sphere_of(1, {3 + gap, 0, 4}), cylinder_of(2), 0, 1);
+    expect_meeting(cylinder_of(6 + gap), torus_of(5, 1), 1, 0, true);
+  }
+  expect_meeting(plane_at(0, {1, 0, 0}), cylinder_of(2, {2 + 5e-8, 0, 0}), 1, 0, true);
+}
+
+TEST(ElementaryMeeting, CirclesRoundOneAxisLieOnBothSurfaces) {
+  const auto found = elementary_meeting(sphere_of(5), cone_of(kPi / 6, {0, 0, -1}), kHere, kLimits);
+  ASSERT_TRUE(found.has_value());
+  ASSERT_EQ(found->curves.size(), 2u);
+  for (const MeetingCurve& curve : found->curves) {
+    const double radius = curve.conic.major, height = curve.conic.centre[2];
+    EXPECT_NEAR(std::hypot(radius, height), 5, 1e-14);
+    EXPECT_NEAR(radius, std::abs(height + 1) * std::tan(kPi / 6), 1e-14);
+  }
+}
+
+TEST(ElementaryMeeting, CylindersSideBySideCrossInLinesOnBoth) {
+  const auto found = elementary_meeting(cylinder_of(2), cylinder_of(3, {4, 0, 7}), kHere, kLimits);
+  ASSERT_TRUE(found.has_value());
+  ASSERT_EQ(found->curves.size(), 2u);
+  for (const MeetingCurve& curve : found->curves) {
+    const Vec3 p = curve.conic.centre;
+    EXPECT_NEAR(std::hypot(p[0], p[1]), 2, 1e-14);
+    EXPECT_NEAR(std::hypot(p[0] - 4, p[1]), 3, 1e-14);
+  }
+}
+
+TEST(ElementaryMeeting, SaysNothingOfOtherPositions) {
+  EXPECT_FALSE(elementary_meeting(cylinder_of(2), cylinder_of(2, {}, {1, 0, 0}), kHere, kLimits));
+  EXPECT_FALSE(elementary_meeting(sphere_of(2), cylinder_of(2, {1, 0, 0}), kHere, kLimits));
+  EXPECT_FALSE(elementary_meeting(sphere_of(2), sphere_of(2 + 5e-8), kHere, kLimits));
+  EXPECT_FALSE(elementary_meeting(plane_at(1, unit(Vec3{1, 0, 2})), cone_of(0.5), kHere, kLimits));
+}
+
+TEST(ElementaryMeeting, AConeThatIsNearlyFlatIsAsFarFromAPlaneAsItsSlopeTakesIt) {
+  const double slope = 1e-6;
+  const double bound = distance_bound(plane_at(0), cone_of(kPi / 2 - slope), {{0, 0, 0}, 5});
+  EXPECT_GE(bound, 5 * slope);
+  EXPECT_LE(bound, 5.001 * slope);
+}
+
+}  // namespace
+}  // namespace blossom
