@@ -55,7 +55,8 @@ bool join_along(const CurveEdges& a, const CurveEdges& b, const CommonEdges& com
     if (!have_same_ends(made, *there)) return false;
     const TopoDS_Edge first = joined.first(there->edge);
     const bool reversed = first.Orientation() == TopAbs_REVERSED;
-    const TopoDS_Edge image = common.image(TopoDS::Edge(first.Oriented(TopAbs_FORWARD)), made.edge);
+    const TopoDS_Edge image =
+        common.image(TopoDS::Edge(first.Oriented(TopAbs_FORWARD)), made.edge, reversed);
     return joined.join(first, made.edge, image, reversed);
   });
 }

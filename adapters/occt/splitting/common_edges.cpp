@@ -403,7 +403,8 @@ void CommonEdges::match(EdgeSplits& splits) const {
   }
 }
 
-TopoDS_Edge CommonEdges::image(const TopoDS_Edge& first, const TopoDS_Edge& second) const {
+TopoDS_Edge CommonEdges::image(const TopoDS_Edge& first, const TopoDS_Edge& second,
+                               bool reversed) const {
   const EdgeCurve of = curve_of(first), other = curve_of(second);
   const Foot middle = foot_on(other, of.curve->Value(at(of.range, 0.5)));
   const double tolerance =
@@ -427,10 +428,13 @@ TopoDS_Edge CommonEdges::image(const TopoDS_Edge& first, const TopoDS_Edge& seco
       return found.chart;
     };
     const Handle(Geom2d_Curve) chart = chart_of(on->PCurve());
-    if (on->IsCurveOnClosedSurface())
-      builder.UpdateEdge(made, chart, chart_of(on->PCurve2()), on->Surface(), location, widest);
-    else
+    if (!on->IsCurveOnClosedSurface()) {
       builder.UpdateEdge(made, chart, on->Surface(), location, widest);
+      continue;
+    }
+    const Handle(Geom2d_Curve) other_side = chart_of(on->PCurve2());
+    builder.UpdateEdge(made, reversed ? other_side : chart, reversed ? chart : other_side,
+                       on->Surface(), location, widest);
   }
   builder.UpdateEdge(made, widest);
   return made;
@@ -450,8 +454,8 @@ std::string CommonEdges::join(EdgeSplits& splits, EdgeUnion& joined) const {
       });
       if (other == others.end() || !have_same_ends(splits, piece.edge, other->edge))
         return "edges that run along each other are not divided alike";
-      if (!joined.join(piece.edge, other->edge, image(piece.edge, other->edge),
-                       of.at_b.to < of.at_b.from))
+      const bool reversed = of.at_b.to < of.at_b.from;
+      if (!joined.join(piece.edge, other->edge, image(piece.edge, other->edge, reversed), reversed))
         return "more than two edges run along each other";
     }
   }

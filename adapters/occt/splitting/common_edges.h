@@ -103,8 +103,10 @@ class CommonEdges {
   std::string join(EdgeSplits& splits, EdgeUnion& joined) const;
 
   /// The chart curves of the second edge's faces for the first one, which runs along it.
-  /// throws   Failure if it does not within the tolerances of both
-  TopoDS_Edge image(const TopoDS_Edge& first, const TopoDS_Edge& second) const;
+  /// reversed   whether it runs against it: then what is walked forwards along a seam is its other
+  ///            side
+  /// throws     Failure if it does not within the tolerances of both
+  TopoDS_Edge image(const TopoDS_Edge& first, const TopoDS_Edge& second, bool reversed) const;
 
  private:
   enum class Of { A, B };
