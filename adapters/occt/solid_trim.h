@@ -86,7 +86,12 @@ std::string describe_open_shell(const TrimTool& tool);
 /// one, and so do cuts of a face that keep within tolerance of each other from end to end; what is
 /// between them is in no result; they are told, with the status Tolerance.
 ///
-/// Tolerances that are not true are not used: see with_true_tolerances.
+/// Points within the options' tolerance are one, and whatever lies nearer to each other than the
+/// faces of both solids state to be uncertain (solids/stated_tolerance.h): no walls or voids thinner
+/// than that are made, and the status is Tolerance. Where the two cannot be divided so, the options'
+/// tolerance holds alone.
+///
+/// Tolerances of edges and vertices that are not true are not used: see with_true_tolerances.
 ///
 /// options       its time limit is that of the whole work; when it is reached, volumes and solids
 ///               too are left with the obstacle and the status Stopped

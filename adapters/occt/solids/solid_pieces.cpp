@@ -18,6 +18,7 @@
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/curve_edges.h"
 #include "adapters/occt/solids/solid_loose_ends.h"
+#include "adapters/occt/solids/stated_tolerance.h"
 #include "adapters/occt/splitting/common_edges.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edge_union.h"
@@ -29,8 +30,10 @@ namespace {
 
 // In tolerances of the faces' edges: how long a piece of an intersection may be left out.
 constexpr double kMaxRest = 10;
-// Of a contact's length: how far beside it the surfaces are looked at.
+// How far beside a contact the surfaces are looked at: of its length, and of the root of that times
+// the tolerance, within which surfaces with a radius of that length do not leave each other.
 constexpr double kBeside = 1e-2;
+constexpr double kLeave = 4;
 
 // One solid on its way through the work; one entry for each face.
 struct Side {
@@ -60,7 +63,8 @@ struct Beside {
 
 void look_beside(const IntersectionCurve& curve, const SurfaceProjector& on_a,
                  const SurfaceProjector& on_b, double tolerance, Beside& beside) {
-  const double step = kBeside * curve.length;
+  const double step =
+      std::max(kBeside * curve.length, kLeave * std::sqrt(tolerance * curve.length));
   for (const double part : {0.2, 0.5, 0.8}) {
     const double s = at(curve.curve.domain(), part);
     const SurfaceFrame frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
@@ -416,9 +420,8 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
   return result;
 }
 
-}  // namespace
-
-SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+// At the options' tolerance.
+SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
   const SharedLimit limit(options);
   const auto left = [&] {
     IntersectionOptions rest = limit.remaining();
@@ -455,6 +458,24 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
   if (limit.is_reached()) untold.curves.clear();
   tell(untold, a, b, found);
   return found;
+}
+
+}  // namespace
+
+SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+  const SharedLimit limit(options);
+  IntersectionOptions stated = options;
+  stated.tolerances.point = stated_tolerance(a, b, options.tolerances.point);
+  SolidPieces found = pieces_at(a, b, stated);
+  if (found.obstacles.empty() || limit.is_reached() ||
+      stated.tolerances.point == options.tolerances.point)
+    return found;
+  // What one face states may be more than others are large: that is no reason to refuse what is
+  // clear without it.
+  IntersectionOptions left = limit.remaining();
+  left.threads = options.threads;
+  SolidPieces finer = pieces_at(a, b, left);
+  return finer.obstacles.empty() ? finer : found;
 }
 
 }  // namespace blossom::occt

@@ -149,8 +149,7 @@ int EdgeSplits::add(const TopoDS_Edge& edge, double parameter, const TopoDS_Face
   if (nearest >= 0) return nearest;
   TopoDS_Vertex vertex = of.splits[kFirst].vertex;
   if (!pole)
-    BRep_Builder().MakeVertex(vertex = TopoDS_Vertex(), point,
-                              std::max(tolerance_, BRep_Tool::Tolerance(of.edge)));
+    BRep_Builder().MakeVertex(vertex = TopoDS_Vertex(), point, BRep_Tool::Tolerance(of.edge));
   of.splits.push_back({parameter, vertex, face});
   return static_cast<int>(of.splits.size()) - 1;
 }

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Solids that touch along seams, rims and poles, and solids that state how uncertain they are.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <gp_Ax2.hxx>
+
+#include "adapters/occt/intersection_edges.h"
+#include "adapters/occt/solid_trim.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+SolidTrimResult combined_solids(const TopoDS_Shape& a, const TopoDS_Shape& b,
+                                SolidOperation operation) {
+  return trim_solids(trim_tool(a), {trim_tool(b)}, operation);
+}
+
+std::string first_obstacle(const SolidTrimResult& made) {
+  return made.obstacles.empty() ? std::string() : made.obstacles.front();
+}
+
+void expect_volume(const TopoDS_Shape& a, const TopoDS_Shape& b, SolidOperation operation,
+                   double volume) {
+  const SolidTrimResult made = combined_solids(a, b, operation);
+  ASSERT_EQ(first_obstacle(made), "");
+  EXPECT_EQ(made.solids.empty(), volume == 0);
+  EXPECT_NEAR(made.total.result, volume, 1e-7 * (1 + volume));
+  for (const TopoDS_Solid& solid : made.solids) EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
+}
+
+// With the volume of both: each of the operations, in both orders.
+void expect_volumes(const TopoDS_Shape& a, double of_a, const TopoDS_Shape& b, double of_b,
+                    double common) {
+  expect_volume(a, b, SolidOperation::Common, common);
+  expect_volume(b, a, SolidOperation::Common, common);
+  expect_volume(a, b, SolidOperation::Cut, of_a - common);
+  expect_volume(b, a, SolidOperation::Cut, of_b - common);
+  expect_volume(a, b, SolidOperation::Fuse, of_a + of_b - common);
+}
+
+TopoDS_Shape stating(const TopoDS_Shape& shape, double tolerance) {
+  ShapeFix_ShapeTolerance().SetTolerance(shape, tolerance);
+  return shape;
+}
+
+// The rim lies on the ball's equator, on a meridian through its poles, or on its seam.
+TEST(SolidKinds, ABallRoundTheCentreOfACylindersEndIsHalfInIt) {
+  const double ball = 4.0 / 3 * kPi * 64, cylinder = kPi * 16 * 8;
+  for (const gp_Dir& axis : {gp_Dir(0, 0, 1), gp_Dir(0, 0, -1), gp_Dir(1, 0, 0), gp_Dir(-1, 0, 0),
+                             gp_Dir(0, 1, 0), gp_Dir(0, -1, 0), gp_Dir(1, 2, 3)})
+    expect_volumes(BRepPrimAPI_MakeCylinder(4, 8).Shape(), cylinder,
+                   BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 8}, axis), 4).Shape(), ball, ball / 2);
+}
+
+// Their seams lie along each other, in either direction.
+TEST(SolidKinds, CylindersSideBySideHaveNothingInCommon) {
+  const double thick = kPi * 625 * 50, thin = kPi * 225 * 50;
+  const TopoDS_Shape first =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -25}, {0, 0, 1}, {1, 0, 0}), 25, 50).Shape();
+  for (const gp_Dir& seam : {gp_Dir(-1, 0, 0), gp_Dir(0, 1, 0)}) {
+    expect_volumes(first, thick,
+                   BRepPrimAPI_MakeCylinder(gp_Ax2({40, 0, 25}, {0, 0, -1}, seam), 15, 50).Shape(),
+                   thin, 0);
+    expect_volumes(first, thick,
+                   BRepPrimAPI_MakeCylinder(gp_Ax2({40, 0, -25}, {0, 0, 1}, seam), 15, 50).Shape(),
+                   thin, 0);
+  }
+}
+
+TEST(SolidKinds, ContactsOfBoxesAndRoundSolidsAreComplete) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-5, -5, -5), gp_Pnt(5, 5, 5)).Shape();
+  for (const TopoDS_Shape& other :
+       {TopoDS_Shape(BRepPrimAPI_MakeSphere(gp_Pnt(8, 1, 2), 3).Shape()),
+        TopoDS_Shape(BRepPrimAPI_MakeCylinder(gp_Ax2({8, 0, -2}, {0, 0, 1}), 3, 4).Shape()),
+        TopoDS_Shape(BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -5}, {0, 0, 1}), 2, 10).Shape())}) {
+    const SolidTrimResult made = combined_solids(box, other, SolidOperation::Fuse);
+    EXPECT_EQ(first_obstacle(made), "");
+    EXPECT_EQ(made.status, Status::Complete);
+  }
+}
+
+// All that is known of the cylinder's caps is known to 1e-5, so the walls of half a micrometre
+// between them and the faces of the box are none.
+TEST(SolidKinds, AHoleThatEndsWithinWhatItsFacesStateGoesThrough) {
+  constexpr double kWall = 5e-7, kSide = 500;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(kSide, kSide, kSide).Shape();
+  const TopoDS_Shape cylinder =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({250, 250, kWall}, {0, 0, 1}), 76, kSide - 2 * kWall).Shape();
+  const SolidTrimResult made = combined_solids(box, stating(cylinder, 1e-5), SolidOperation::Cut);
+  ASSERT_EQ(first_obstacle(made), "");
+  ASSERT_EQ(made.solids.size(), 1u);
+  EXPECT_EQ(made.faces.size(), 7u);
+  EXPECT_EQ(made.status, Status::Tolerance);
+  int shells = 0;
+  for (TopoDS_Iterator it(made.solids.front()); it.More(); it.Next()) ++shells;
+  EXPECT_EQ(shells, 1);
+}
+
+// The upper one states more than the gap between the two.
+TEST(SolidKinds, SolidsOnEachOtherWithinWhatTheyStateAreFusedToOne) {
+  const TopoDS_Shape low = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(4, 4, 2)).Shape();
+  const TopoDS_Shape high =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({2, 2, 2 + 2e-6}, {0, 0, 1}), 1, 3).Shape();
+  const SolidTrimResult made = combined_solids(low, stating(high, 1e-5), SolidOperation::Fuse);
+  ASSERT_EQ(first_obstacle(made), "");
+  EXPECT_EQ(made.solids.size(), 1u);
+  EXPECT_NEAR(made.total.result, 32 + 3 * kPi, 1e-4);
+}
+
+TEST(SolidKinds, BallsThatReachIntoEachOtherWithinWhatTheyStateTouch) {
+  const TopoDS_Shape a = stating(BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 0), 40).Shape(), 3e-3);
+  const TopoDS_Shape b = stating(BRepPrimAPI_MakeSphere(gp_Pnt(80 - 1e-5, 0, 0), 40).Shape(), 3e-3);
+  const SolidTrimResult made = combined_solids(a, b, SolidOperation::Common);
+  EXPECT_EQ(first_obstacle(made), "");
+  EXPECT_TRUE(made.solids.empty());
+}
+
+// An eighth of a ball, and one that is turned by 20 degrees about two axes, so that they have the
+// ball in common and a meridian of one goes past the pole of the other. The volume is that of Open
+// CASCADE's result.
+TEST(SolidKinds, OctantsOfOneBallWithOtherAxesAreDivided) {
+  constexpr double kTurn = kPi / 9, kCommon = 388.059654;
+  const double c = std::cos(kTurn), s = std::sin(kTurn);
+  const auto octant = [](const gp_Dir& axis, const gp_Dir& first) {
+    return BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 0}, axis, first), 10, 0, kPi / 2, kPi / 2).Shape();
+  };
+  const TopoDS_Shape straight = octant({0, 0, 1}, {1, 1, 0});
+  const TopoDS_Shape turned = octant({-s * c, -s * s, c}, {c * c, c * s, s});
+  const SolidTrimResult common = combined_solids(straight, turned, SolidOperation::Common);
+  ASSERT_EQ(first_obstacle(common), "");
+  EXPECT_NEAR(common.total.result, kCommon, 1e-4);
+}
+
+TEST(SolidKinds, InternalEdgesInFacesBoundNothing) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(2, 2, 2).Shape();
+  const BRep_Builder builder;
+  TopoDS_Face face = faces_of(box).front();  // x = 0
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0.5, 0.5), gp_Pnt(0, 1.5, 1.5))
+                        .Edge()
+                        .Oriented(TopAbs_INTERNAL));
+  face.Free(true);
+  builder.Add(face, wire.Oriented(TopAbs_INTERNAL));
+  EXPECT_TRUE(is_closed_solid(TopExp_Explorer(box, TopAbs_SOLID).Current()));
+}
+
+}  // namespace
+}  // namespace blossom::occt
