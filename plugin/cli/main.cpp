@@ -1,83 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The program `blossom`: chooses the command and turns errors into messages and exit codes.
+// The program `blossom`.
 
-#include <exception>
-#include <iostream>
-#include <new>
-#include <stdexcept>
-#include <string>
-
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
-#include "adapters/occt/base/errors.h"
 #include "adapters/occt/shapes.h"
-#include "core/base/errors.h"
-#include "plugin/cli/commands/commands.h"
-#include "plugin/cli/exit_code.h"
-#include "plugin/cli/reading.h"
+#include "plugin/cli/program.h"
 #include "plugin/cli/supervision.h"
-#include "plugin/cli/usage.h"
-
-namespace blossom::cli {
-namespace {
-
-int failed(const std::exception& error, int code) {
-  std::cerr << "blossom: " << error.what() << '\n';
-  return code;
-}
-
-int misused(const CLI::App& app, const std::string& message) {
-  std::cerr << "blossom: " << message << '\n' << help_line(app) << '\n';
-  return kExitBadInput;
-}
-
-int run(int argc, char** argv) {
-  CLI::App app;
-  int code = kExitComplete;
-  add_commands(app, code);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& asked) {  // --help and --version
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    return misused(app, usage_message(app, error));
-  } catch (const UsageError& error) {
-    return misused(app, error.what());
-  }
-  return stated_exit_code(code);
-}
-
-int run_guarded(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const Interrupted& error) {
-    return failed(error, kExitInterrupted);
-  } catch (const InvalidInput& error) {
-    return failed(error, kExitBadInput);
-  } catch (const occt::BadModel& error) {
-    return failed(error, kExitBadInput);
-  } catch (const std::bad_alloc&) {
-    std::cerr << "blossom: there is not enough memory for " << doing() << '\n';
-    return kExitFailure;
-  } catch (const std::logic_error& error) {
-    std::cerr << "blossom: internal error while " << doing() << ": " << error.what()
-              << "; please report it with the command and its inputs\n";
-    return kExitFailure;
-  } catch (const std::exception& error) {
-    return failed(error, kExitFailure);
-  } catch (...) {  // Open CASCADE's exceptions are no std::exception
-    std::cerr << "blossom: broke off while " << doing() << ": " << occt::current_failure_text()
-              << '\n';
-    return kExitFailure;
-  }
-}
-
-}  // namespace
-}  // namespace blossom::cli
 
 int main(int argc, char** argv) {
   blossom::occt::quiet_messages();
-  return blossom::cli::supervised([&] { return blossom::cli::run_guarded(argc, argv); });
+  return blossom::cli::supervised([&] { return blossom::cli::run_program(argc, argv); });
 }

@@ -36,11 +36,15 @@ constexpr timespec kTick{0, 20 * 1000 * 1000};  // between two looks at the work
 
 constexpr std::size_t kMaxLines = 256;  // that are known when the work begins again
 
+double greatest_time_limit = 0;  // seconds; 0 for none
+bool work_crashed = false;
+
 /// What the work tells its parent, in memory of both, and of those that begin again.
 struct Board {
   std::atomic<double> time_limit{0};       // seconds from the start; 0 for none
   std::atomic<double> processor_limit{0};  // processor seconds of the child; 0 for none
   std::atomic<Phase> phase{Phase::Starting};
+  std::atomic<bool> lacks_memory{false};
   // Read after the end of the child only.
   char subject[4096] = "";
   char step[4096] = "";
@@ -49,7 +53,8 @@ struct Board {
   std::size_t lines = 0;
 
   void begin() {
-    time_limit = 0;
+    time_limit = greatest_time_limit;
+    lacks_memory = false;
     processor_limit = 0;
     phase = Phase::Starting;
     subject[0] = step[0] = '\0';
@@ -204,6 +209,7 @@ std::optional<int> Watch::crashed(int signal) const {
     std::signal(SIGPIPE, SIG_DFL);
     raise(SIGPIPE);
   }
+  work_crashed = true;
   const Phase phase = board->phase;
   if (phase == Phase::Reading) {
     say(board->subject + (": cannot be read: Open CASCADE crashes while " + doing() + " (" +
@@ -238,6 +244,7 @@ int supervised(const std::function<int()>& work) {
   const WatchedSignals signals;
   const pid_t parent = getpid();
   board = new_board();
+  work_crashed = false;
   while (true) {
     if (board != nullptr) board->begin();
     const pid_t child = board == nullptr ? -1 : fork();
@@ -273,8 +280,17 @@ std::string doing() {
   return subject;
 }
 
+Ending last_ending() { return {work_crashed, board != nullptr && board->lacks_memory}; }
+
+void tell_lack_of_memory() {
+  if (board != nullptr) board->lacks_memory = true;
+}
+
+void set_greatest_time_limit(double seconds) { greatest_time_limit = seconds; }
+
 void set_time_limit(double seconds) {
-  if (board != nullptr) board->time_limit = seconds;
+  if (board == nullptr) return;
+  board->time_limit = greatest_time_limit > 0 ? std::min(seconds, greatest_time_limit) : seconds;
 }
 
 double seconds_left() {

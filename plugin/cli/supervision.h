@@ -34,6 +34,22 @@ enum class Phase {
 /// returns  the exit code
 int supervised(const std::function<int()>& work);
 
+/// How supervised work came to its end, where the exit code alone does not say it.
+struct Ending {
+  bool crashed = false;        ///< a signal ended it that nobody had sent
+  bool lacked_memory = false;  ///< it could not have the memory that it asked for
+};
+
+/// Of the last work that was supervised in this process.
+Ending last_ending();
+
+/// Tells the parent that memory was refused.
+void tell_lack_of_memory();
+
+/// A time limit for work that is supervised from now on, in seconds; what the user says to the work
+/// itself can only be less.
+void set_greatest_time_limit(double seconds);
+
 /// Tells the parent what is being done.
 /// subject   the file that is read or written, or what is being done: "intersecting"
 /// step      what is being done to the file, if that is known: "transferring the shapes of a.step"

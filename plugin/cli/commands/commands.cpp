@@ -28,6 +28,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_convert(app, exit_code);
   add_clash(app, exit_code);
   add_query(app, exit_code);
+  add_batch(app, exit_code);
   add_help(app, exit_code);
 }
 

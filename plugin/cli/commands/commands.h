@@ -23,6 +23,7 @@ void add_subdivide(CLI::App& app, int& exit_code);
 void add_convert(CLI::App& app, int& exit_code);
 void add_clash(CLI::App& app, int& exit_code);
 void add_query(CLI::App& app, int& exit_code);
+void add_batch(CLI::App& app, int& exit_code);
 void add_help(CLI::App& app, int& exit_code);
 
 }  // namespace blossom::cli

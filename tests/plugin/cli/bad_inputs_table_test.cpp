@@ -62,7 +62,13 @@ std::vector<std::vector<Line>> table() {
   return sections;
 }
 
-constexpr int kSections = 8;  // the first is the file's comment
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+constexpr int kSections = 9;  // the first is the file's comment
 
 class BadInputsTable : public ::testing::TestWithParam<int> {
  protected:
@@ -104,6 +110,25 @@ class BadInputsTable : public ::testing::TestWithParam<int> {
         {"letter.step", letter},
         {"letter.brep", letter},
         {"letter.igs", letter},
+        {"jobs.jsonl", R"({"id": "a", "arguments": ["info", "bowl.brep"]})"},
+        {"nojson.jsonl", "info bowl.brep\n"},
+        {"list.jsonl", "[1]\n"},
+        {"noid.jsonl", R"({"arguments": ["info"]})"},
+        {"number.jsonl", R"({"id": 1, "arguments": ["info"]})"},
+        {"longid.jsonl", R"({"id": ")" + std::string(1001, 'x') + R"(", "arguments": ["info"]})"},
+        {"noarguments.jsonl", R"({"id": "a", "arguments": []})"},
+        {"command.jsonl", R"({"id": "a", "arguments": "info bowl.brep"})"},
+        {"nulls.jsonl", R"({"id": "a", "arguments": ["info", null]})"},
+        {"zero.jsonl", R"({"id": "a", "arguments": ["info", "a\u0000b"]})"},
+        {"member.jsonl", R"({"id": "a", "arguments": ["info"], "shell": true})"},
+        {"twice.jsonl",
+         "\n{\"id\": \"a\", \"arguments\": [\"info\"]}\n"
+         "{\"id\": \"a\", \"arguments\": [\"check\"]}\n"},
+        {"nested.jsonl", R"({"id": "a", "arguments": ["batch", "jobs.jsonl"]})"},
+        {"deep.jsonl", std::string(100'000, '[')},
+        {"long.jsonl", R"({"id": "a", "arguments": [")" + std::string(1 << 20, 'x') + R"("]})"},
+        {"many.jsonl", R"({"id": "a", "arguments": ["info")" + repeated(R"(,"x")", 10'000) + "]}"},
+        {"noresult.jsonl", "{\"id\": \"a\"}\n"},
         {"cut.step", step.substr(0, step.size() * 2 / 3)},
         {"cut.brep", brep.substr(0, brep.size() / 2)},
         {"letter.doc", letter},

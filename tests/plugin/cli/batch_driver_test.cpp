@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Jobs of a batch that crash, hang, eat memory or ask for the impossible, by a program that does so
+// on demand.
+
+#include "plugin/cli/batch/driver.h"
+
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <fcntl.h>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/supervision.h"
+#include "tests/plugin/cli/program.h"
+
+namespace blossom::cli {
+namespace {
+
+// Its argument says what it does.
+int on_demand(int argc, char** argv) try {
+  const std::string wish = argc > 1 ? argv[1] : "";
+  enter(Phase::Working, "doing what it is told");
+  if (wish == "crash") return raise(SIGSEGV);
+  if (wish == "crash once" && !std::filesystem::exists(argv[2])) {
+    testing::write_text(argv[2], "tried");
+    return raise(SIGABRT);
+  }
+  if (wish == "kill all") return kill(getppid(), SIGKILL) + pause();
+  if (wish == "sleep") std::this_thread::sleep_for(std::chrono::hours(1));
+  if (wish == "eat")
+    for (std::vector<std::string> all;;) all.emplace_back(1 << 20, 'x');
+  if (wish == "say") std::cout << argv[2] << std::flush;
+  if (wish == "complain") std::cerr << "blossom: no\n";
+  return wish == "code" ? std::atoi(argv[2]) : 0;
+} catch (const std::bad_alloc&) {
+  tell_lack_of_memory();
+  return kExitFailure;
+}
+
+class BatchDriver : public ::testing::Test {
+ protected:
+  BatchDriver() { policy.setup.program = on_demand; }
+
+  // The results of jobs with these arguments, named "1", "2", ...
+  std::vector<Json> results_of(const std::vector<std::vector<std::string>>& jobs) {
+    std::string lines;
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+      lines += Json{{"id", std::to_string(i + 1)}, {"arguments", jobs[i]}}.dump() + "\n";
+    testing::write_text(folder / "jobs.jsonl", lines);
+    JobList list = JobList::of_file(folder / "jobs.jsonl", {});
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < list.size(); ++i) open.push_back(i);
+    {
+      ResultFile file(folder / "results.jsonl", [](const Result&) {});
+      EXPECT_TRUE(run_jobs(list, open, policy, file, tally));
+    }
+    std::vector<Json> results(jobs.size());
+    std::istringstream in(testing::text_of(folder / "results.jsonl"));
+    for (std::string line; std::getline(in, line);) {
+      Json result = Json::parse(line);
+      const std::size_t number = std::stoul(result["id"].get<std::string>());
+      results.at(number - 1) = std::move(result);
+    }
+    return results;
+  }
+
+  testing::TestFolder folder;
+  BatchPolicy policy;
+  Tally tally;
+};
+
+TEST_F(BatchDriver, GivesEveryJobTheExitCodeAndOutputThatItHasAlone) {
+  policy.in_flight = 3;
+  const std::vector<Json> results = results_of({{"code", "0"},
+                                                {"code", "1"},
+                                                {"code", "2"},
+                                                {"code", "3"},
+                                                {"code", "4"},
+                                                {"code", "5"},
+                                                {"say", R"({"schema": "x/1", "value": 7})"},
+                                                {"say", "no JSON"},
+                                                {"complain"}});
+  const std::vector<std::string> statuses{"done", "failed", "failed", "done", "stopped",
+                                          "done", "done",   "done",   "done"};
+  for (std::size_t i = 0; i < results.size(); ++i) EXPECT_EQ(results[i]["status"], statuses[i]);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(results[i]["code"], i);
+  EXPECT_EQ(results[6]["report"]["value"], 7);
+  EXPECT_EQ(results[7]["output"], "no JSON");
+  EXPECT_EQ(results[8]["messages"], Json::array({"blossom: no"}));
+  EXPECT_EQ(tally.count(), results.size());
+  EXPECT_EQ(tally.count(JobStatus::Failed), 2u);
+  EXPECT_EQ(tally.exit_code(), kExitFailure);
+}
+
+TEST_F(BatchDriver, BeginsAJobThatCrashedAgain) {
+  policy.retries = 2;
+  const std::vector<Json> results =
+      results_of({{"crash"}, {"crash once", folder / "mark"}, {"code", "1"}, {"kill all"}});
+  EXPECT_EQ(results[0]["run"]["attempts"], 3);
+  EXPECT_EQ(results[0]["status"], "failed");
+  EXPECT_EQ(results[1]["run"]["attempts"], 2);
+  EXPECT_EQ(results[1]["status"], "done");
+  EXPECT_EQ(results[1]["messages"], Json::array());
+  EXPECT_EQ(results[2]["run"]["attempts"], 1);
+  EXPECT_EQ(results[3]["run"]["attempts"], 3);
+  EXPECT_EQ(results[3]["messages"], Json::array({"blossom: the job was ended by the signal 9"}));
+}
+
+TEST_F(BatchDriver, StopsWhatIsBeyondALimitAndDoesTheRest) {
+  policy.in_flight = 2;
+  policy.setup.seconds = 0.3;
+  policy.setup.megabytes = 500;
+  const std::vector<Json> results = results_of({{"sleep"}, {"eat"}, {"say", "still here"}});
+  EXPECT_EQ(results[0]["status"], "stopped");
+  EXPECT_EQ(results[0]["code"], kExitStopped);
+  EXPECT_EQ(results[0]["messages"][0],
+            "blossom: the time limit of 0.3 s was reached while doing what it is told, nothing was "
+            "written");
+#if !defined(__SANITIZE_ADDRESS__)
+  EXPECT_EQ(results[1]["status"], "stopped");
+  EXPECT_LT(results[1]["run"]["memory_mb"], 600);
+#endif
+  EXPECT_EQ(results[2]["output"], "still here");
+}
+
+TEST_F(BatchDriver, AJobDoesNotGetTheFilesOfTheBatch) {
+  results_of({{"code", "0"}});
+  // The lock is the last batch's, and would be held by a job that had it.
+  const int descriptor = open((folder / "results.jsonl").c_str(), O_RDWR | O_CLOEXEC);
+  EXPECT_EQ(flock(descriptor, LOCK_EX | LOCK_NB), 0);
+  EXPECT_THROW(ResultFile(folder / "results.jsonl", [](const Result&) {}), UsageError);
+  close(descriptor);
+}
+
+TEST(BatchProgress, TellsRateAndWhatIsLeft) {
+  EXPECT_EQ(progress_text(0, 10, 0, 0, 0), "0 of 10 jobs");
+  EXPECT_EQ(progress_text(60, 300, 1, 40, 10), "60 of 300 jobs, 1 failed; 4 a second, 60 s left");
+  EXPECT_EQ(progress_text(1, 40001, 0, 1, 0.5), "1 of 40001 jobs; 2 a second, 5 h 33 min left");
+  EXPECT_EQ(progress_text(1, 1201, 0, 1, 0.5), "1 of 1201 jobs; 2 a second, 10 min left");
+}
+
+}  // namespace
+}  // namespace blossom::cli
