@@ -31,7 +31,7 @@ if(TARGET blossom_python)
                                          ${CMAKE_CURRENT_LIST_DIR}/prerm)
 endif()
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-    "freecad, occt-draw, libocct-draw-dev, libtbb-dev, libocct-data-exchange-dev")
+    "freecad, occt-draw, python3-distributed, libocct-draw-dev, libtbb-dev, libocct-data-exchange-dev")
 
 install(FILES plugin/package/copyright CHANGELOG.md
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom)

@@ -46,7 +46,7 @@ class Driver {
   bool run(const std::vector<std::size_t>& open) {
     const EndsOfProcesses ends;
     for (std::size_t next = 0; next < open.size() || !running_.empty();) {
-      if (interrupted()) return false;
+      if (interrupted() || !results_.is_wanted()) return false;
       for (; running_.size() < policy_.in_flight && next < open.size(); ++next)
         begin(list_.at(open[next]), 1);
       if (!collect()) ends.wait();

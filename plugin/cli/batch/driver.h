@@ -23,7 +23,8 @@ struct BatchPolicy {
 };
 
 /// Runs the jobs `open` of the list, adds their lines to the results and to the tally.
-/// returns  whether all were done; not if the user has asked to stop: then what is under way has
+/// returns  whether all were done; not if the user has asked to stop or nobody reads the results:
+/// then what is under way has
 ///          no result
 /// throws   occt::Failure if a result cannot be written
 bool run_jobs(JobList& list, const std::vector<std::size_t>& open, const BatchPolicy& policy,

@@ -2,6 +2,7 @@
 #include "plugin/cli/batch/results.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -74,6 +75,11 @@ void ResultFile::add(const std::string& line) {
   }
   dirty_ = true;
   keep();
+}
+
+bool ResultFile::is_wanted() const {
+  pollfd pipe{descriptor_, 0, 0};
+  return is_file_ || poll(&pipe, 1, 0) <= 0 || (pipe.revents & POLLERR) == 0;
 }
 
 void ResultFile::keep(bool now) {

@@ -33,6 +33,9 @@ class ResultFile {
   /// Writes a line. throws   occt::Failure if it cannot be written; no part of it is left then
   void add(const std::string& line);
 
+  /// False if the results go into a pipe that nobody reads any more.
+  bool is_wanted() const;
+
   /// Brings what is written to the disk, at most once a second unless it has to be now.
   void keep(bool now = false);
 

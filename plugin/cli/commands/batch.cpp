@@ -33,7 +33,9 @@ struct Options {
   std::string json;
   std::string folder;
   std::string shard = "1/1";
+  bool list = false;
   int in_flight = 0;
+  int threads = 0;
   BatchPolicy policy;
 };
 
@@ -49,7 +51,7 @@ BatchPolicy policy_of(const Options& options) {
   BatchPolicy policy = options.policy;
   const int jobs = options.in_flight > 0 ? options.in_flight : processors();
   policy.in_flight = static_cast<std::size_t>(jobs);
-  policy.setup.threads = std::max(1, processors() / jobs);
+  policy.setup.threads = options.threads > 0 ? options.threads : std::max(1, processors() / jobs);
   policy.setup.folder = options.folder;
   if (options.folder.empty() && options.each.empty() && options.words.front() != "-")
     policy.setup.folder = std::filesystem::path(options.words.front()).parent_path();
@@ -122,6 +124,15 @@ std::string summary(const Tally& tally, std::size_t before, std::size_t jobs, do
   return text + "; " + seconds_text(seconds) + "\n" + tally.text(verbosity() == Verbosity::Verbose);
 }
 
+void print_open(JobList& list, const std::vector<std::size_t>& open) {
+  for (const std::size_t number : open) {
+    const Job job = list.at(number);
+    print(Json{{"id", job.id}, {"arguments", job.arguments}}.dump(-1, ' ', false,
+                                                                  Json::error_handler_t::replace) +
+          "\n");
+  }
+}
+
 int run(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
   enter(Phase::Working, "looking at the jobs");
@@ -132,6 +143,10 @@ int run(const Options& options) {
   ResultFile results(options.output, [&](const Result& result) { known.push_back(result); });
   Tally tally;
   const std::vector<std::size_t> open = open_jobs(list, known, tally, options.output);
+  if (options.list) {
+    print_open(list, open);
+    return kExitComplete;
+  }
   const std::size_t before = tally.count();
   enter(Phase::Working, "running the jobs");
   const bool all = run_jobs(list, open, policy, results, tally);
@@ -188,6 +203,10 @@ void add_batch(CLI::App& app, int& exit_code) {
       ->check(whole_number(0, kMaxInFlight))
       ->type_name("N")
       ->capture_default_str();
+  command->add_option("--threads", options->threads, "of a job; 0 is its share of the processors")
+      ->check(whole_number(0, kMaxInFlight))
+      ->type_name("N")
+      ->capture_default_str();
   add_limits(*command, options->policy.setup);
   command
       ->add_option("--retries", options->policy.retries,
@@ -199,6 +218,7 @@ void add_batch(CLI::App& app, int& exit_code) {
       ->type_name("I/N");
   command->add_option("--folder", options->folder, "where the jobs work; else where the list is")
       ->type_name("DIR");
+  command->add_flag("--list", options->list, "only print the jobs that have no result");
   command->add_option("--json", options->json, "write a report; - is stdout")->type_name("FILE");
   add_saying(*command);
   command->callback([options, &exit_code] { exit_code = run(*options); });

@@ -138,6 +138,27 @@ TEST_F(Batch, ReadsStdinAndWritesStdout) {
   EXPECT_EQ(Json::parse(run.out)["id"], "cut 1");
 }
 
+TEST_F(Batch, ListsWhatHasNoResult) {
+  write_jobs(1);
+  blossom({"batch", jobs, "-o", results, "-q"});
+  write_jobs(3);
+  const std::string before = testing::text_of(results);
+  const Finished run = blossom({"batch", jobs, "-o", results, "--list"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(Json::parse(run.out.substr(0, run.out.find('\n')))["id"], "cut 2");
+  EXPECT_EQ(std::ranges::count(run.out, '\n'), 2);
+  EXPECT_EQ(testing::text_of(results), before);
+}
+
+TEST_F(Batch, EndsWhenNobodyReadsItsResults) {
+  write_jobs(2000);
+  const std::string piped =
+      "cd '" + (folder / "").string() + "' && timeout 60 sh -c '\"$@\" | head -n 1' sh";
+  const Finished run = blossom({"batch", "jobs.jsonl", "-o", "-"}, piped);
+  EXPECT_EQ(run.code, 0);  // of head; timeout would have ended it with 124
+  EXPECT_EQ(std::ranges::count(run.out, '\n'), 1);
+}
+
 TEST_F(Batch, NamesOfFilesAreTextAndNothingElse) {
   const std::string evil = "a'b\"; touch spoilt $(touch spoilt) `touch spoilt`\n.brep";
   std::filesystem::copy(folder / "bowl.brep", folder / "elsewhere" / evil);
