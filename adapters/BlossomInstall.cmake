@@ -32,6 +32,17 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/BlossomConfigVersion.cmak
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/BlossomConfig.cmake
               ${PROJECT_BINARY_DIR}/BlossomConfigVersion.cmake DESTINATION ${package_folder})
+
+# For who builds without CMake: pkg-config --cflags --libs blossom
+if(TARGET blossom_occt)
+  get_target_property(occt_libraries blossom_occt LINK_LIBRARIES)
+  list(FILTER occt_libraries INCLUDE REGEX "^TK")
+  list(TRANSFORM occt_libraries PREPEND "-l")
+  list(JOIN occt_libraries " " BLOSSOM_PC_OCCT)
+  file(RELATIVE_PATH BLOSSOM_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  configure_file(adapters/blossom.pc.in ${PROJECT_BINARY_DIR}/blossom.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/blossom.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/LICENSES/
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom/LICENSES)
 

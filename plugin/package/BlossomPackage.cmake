@@ -36,4 +36,11 @@ set(CPACK_DEBIAN_PACKAGE_SUGGESTS
 install(FILES plugin/package/copyright CHANGELOG.md
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom)
 install(DIRECTORY plugin/cli/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/blossom)
+
+# The sources as they are, without what is built: cpack --config build/release/CPackSourceConfig.cmake
+set(CPACK_SOURCE_GENERATOR TXZ)
+set(CPACK_SOURCE_PACKAGE_FILE_NAME blossom-${PROJECT_VERSION})
+string(REGEX REPLACE "([.+*?()|$])" "[\\1]" source_pattern "${PROJECT_SOURCE_DIR}")
+set(CPACK_SOURCE_IGNORE_FILES "^${source_pattern}/(build[^/]*|results|[.]git)/" "/__pycache__/"
+                              "/CMakeUserPresets[.]json$")
 include(CPack)

@@ -47,6 +47,17 @@ for prefix in /usr /usr/local /opt/somewhere; do
   claim "and what it was built with" grep -q 'OCCT = "7' "$addon/freecad/blossom/built_with.py"
 done
 
+# A program in C++ without CMake.
+builds_by_pkg_config() {
+  local flags
+  flags=$(PKG_CONFIG_PATH=$1/lib/pkgconfig pkg-config --cflags --libs blossom) &&
+    c++ -std=c++20 -w -o "$folder/lid_on_a_bowl" "$source/samples/installed_package/lid_on_a_bowl.cpp" \
+      $flags && bare "$folder/lid_on_a_bowl" >/dev/null
+}
+if command -v pkg-config >/dev/null; then
+  claim "pkg-config has all that a program needs" builds_by_pkg_config "$folder/opt/somewhere"
+fi
+
 # DRAW always exits with 0, so what it prints decides.
 loads_in_draw() {
   bare CSF_BlossomPluginDefaults="$1/share/opencascade/resources/DrawResources" \

@@ -13,7 +13,7 @@ build_packages=(
   libcgal-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev pybind11-dev python3-dev swig
   libgtest-dev libbenchmark-dev
 )
-test_packages=(freecad freecad-python3 occt-draw python3-distributed python3-numpy python3-mypy python3-scipy xvfb xauth)
+test_packages=(freecad freecad-python3 occt-draw python3-distributed python3-numpy python3-mypy python3-scipy pkg-config xvfb xauth)
 
 current_step=start
 step() {
