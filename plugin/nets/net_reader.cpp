@@ -11,7 +11,13 @@
 #include <system_error>
 
 #include "adapters/occt/base/errors.h"
+<<<<<<< HEAD:plugin/nets/net_reader.cpp
 #include "plugin/nets/net_json.h"
+#include "plugin/reports/nesting.h"
+=======
+#include "plugin/cli/nesting.h"
+#include "plugin/cli/nets/net_json.h"
+>>>>>>> c9647fa (cli: bound what a hostile file can blow up, and list all limits in one page):plugin/cli/nets/net_reader.cpp
 
 namespace blossom::nets {
 namespace {
@@ -245,6 +251,9 @@ Json parsed(const std::filesystem::path& file) {
   if (!stream) refuse(file.string() + ": there is no such file, or it cannot be read");
   const std::string all{std::istreambuf_iterator<char>(stream), {}};
   if (all.empty()) refuse(file.string() + ": the file is empty");
+  if (!reports::is_nested_soundly(all))
+    refuse(file.string() + ": lists in it are nested more than " + std::to_string(reports::kMaxNesting) +
+           " deep");
   try {
     return Json::parse(all);
   } catch (const Json::exception& error) {

@@ -21,10 +21,15 @@ namespace {
 /// Windows of zlib: with a gzip header, or raw deflate.
 enum class Wrapping { Gzip = 16 + MAX_WBITS, Raw = -MAX_WBITS };
 
+/// Model files are packed to a tenth or so; deflate can pack what is empty to a thousandth.
+constexpr std::size_t kMostGrowth = 100;
+constexpr std::size_t kAlways = 1 << 20;  // bytes that are unpacked, whatever they are packed to
+
 /// zlib's state, ended with it.
 class Inflater {
  public:
-  Inflater(std::string_view bytes, Wrapping wrapping) {
+  Inflater(std::string_view bytes, Wrapping wrapping)
+      : most_(kAlways + kMostGrowth * bytes.size()) {
     stream_.next_in = reinterpret_cast<const Bytef*>(bytes.data());
     stream_.avail_in = static_cast<uInt>(bytes.size());
     if (inflateInit2(&stream_, static_cast<int>(wrapping)) != Z_OK)
@@ -44,6 +49,7 @@ class Inflater {
       stream_.avail_out = sizeof(piece);
       answer = inflate(&stream_, Z_NO_FLUSH);
       result.text.append(piece, sizeof(piece) - stream_.avail_out);
+      if (result.text.size() > most_) throw BadModel("unpacks to more than 100 times its size");
     }
     result.cut = answer != Z_STREAM_END;
     return result;
@@ -52,6 +58,7 @@ class Inflater {
 
  private:
   z_stream stream_{};
+  std::size_t most_;
 };
 
 /// zlib counts in 32 bits.

@@ -7,6 +7,7 @@
 
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/output.h"
+#include "plugin/reports/nesting.h"
 
 namespace blossom::cli {
 namespace {
@@ -21,6 +22,8 @@ constexpr const char* kBatch = "batch";
 Json parsed(const std::string& line, const std::string& place) {
   if (line.size() > kMaxJobLine)
     refuse(place, "the line has more than " + std::to_string(kMaxJobLine) + " bytes");
+  if (!reports::is_nested_soundly(line))
+    refuse(place, "lists in it are nested more than " + std::to_string(reports::kMaxNesting) + " deep");
   Json json = Json::parse(line, nullptr, false);
   if (json.is_discarded()) refuse(place, "is no JSON");
   if (!json.is_object())

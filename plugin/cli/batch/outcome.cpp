@@ -5,6 +5,7 @@
 
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/values.h"
+#include "plugin/reports/nesting.h"
 
 namespace blossom::cli {
 namespace {
@@ -40,7 +41,8 @@ std::string result_line(const Job& job, const Outcome& outcome) {
               {"seconds", rounded(outcome.seconds)},
               {"memory_mb", rounded(outcome.memory)}}},
             {"messages", lines_of(outcome.err)}};
-  Json report = Json::parse(outcome.out, nullptr, false);
+  Json report;
+  if (reports::is_nested_soundly(outcome.out)) report = Json::parse(outcome.out, nullptr, false);
   if (report.is_object())
     line["report"] = std::move(report);
   else if (!outcome.out.empty())
@@ -49,6 +51,7 @@ std::string result_line(const Job& job, const Outcome& outcome) {
 }
 
 Result parse_result(const std::string& line, const std::string& place) try {
+  if (!reports::is_nested_soundly(line)) throw UsageError("");
   const Json json = Json::parse(line);
   Result result;
   result.id = json.at("id");

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <zlib.h>
 
 #include <fstream>
 #include <sstream>
@@ -68,7 +69,13 @@ std::string repeated(const std::string& text, int count) {
   return all;
 }
 
-constexpr int kSections = 9;  // the first is the file's comment
+// The table of a BREP text said to have 2147483647 entries.
+std::string with_count(std::string text, const std::string& table) {
+  const std::size_t start = text.find("\n" + table + " ") + table.size() + 2;
+  return text.replace(start, text.find('\n', start) - start, "2147483647");
+}
+
+constexpr int kSections = 10;  // the first is the file's comment
 
 class BadInputsTable : public ::testing::TestWithParam<int> {
  protected:
@@ -128,6 +135,20 @@ class BadInputsTable : public ::testing::TestWithParam<int> {
         {"deep.jsonl", std::string(100'000, '[')},
         {"long.jsonl", R"({"id": "a", "arguments": [")" + std::string(1 << 20, 'x') + R"("]})"},
         {"many.jsonl", R"({"id": "a", "arguments": ["info")" + repeated(R"(,"x")", 10'000) + "]}"},
+        {"nest.jsonl", R"({"id": "a", "arguments": [)" + std::string(100'000, '[') +
+                           std::string(100'000, ']') + "]}"},
+        {"nest.json", R"({"schema": "blossom.net/1", "nets": )" + std::string(100'000, '[') +
+                          std::string(100'000, ']') + "}"},
+        {"degree.json", net + R"("degree": [26, 1], "points": []}]})"},
+        {"huge.json", net + R"("degree": [1e300, 1], "points": []}]})"},
+        {"deep.step", step.substr(0, step.find("DATA;") + 6) + "#1=POINT(" +
+                          std::string(200'000, '(') + std::string(200'000, ')') +
+                          ");\nENDSEC;\nEND-ISO-10303-21;\n"},
+        {"loop.step", step.substr(0, step.find("DATA;") + 6) +
+                          "#1=SHAPE_REPRESENTATION('',(#2),#1);\n#2=MAPPED_ITEM('',#3,#2);\n"
+                          "#3=REPRESENTATION_MAP(#2,#1);\nENDSEC;\nEND-ISO-10303-21;\n"},
+        {"many.brep", with_count(brep, "Surfaces")},
+        {"shapes.brep", with_count(brep, "TShapes")},
         {"noresult.jsonl", "{\"id\": \"a\"}\n"},
         {"cut.step", step.substr(0, step.size() * 2 / 3)},
         {"cut.brep", brep.substr(0, brep.size() / 2)},
@@ -138,7 +159,16 @@ class BadInputsTable : public ::testing::TestWithParam<int> {
         {"nan.json", net + R"("degree": [1, 1], "points": [[[0, 0, 0], [0, 1, NaN]]]}]})"},
         {"short.json", net + R"("degree": [1, 1], "points": [[[0, 0, 0], [0, 1, 0]]]}]})"}};
     for (const auto& [name, text] : files) testing::write_text(folder / name, text);
+    write_bomb();
     ASSERT_EQ(blossom({"convert", folder / "bowl.brep", "-o", folder / "nets.json", "-q"}).code, 0);
+  }
+
+  // A thousandth of what it unpacks to.
+  void write_bomb() {
+    const gzFile out = gzopen((folder / "bomb.step.gz").c_str(), "wb9");
+    const std::string blank(1 << 20, ' ');
+    for (int i = 0; i < 64; ++i) gzwrite(out, blank.data(), static_cast<unsigned>(blank.size()));
+    gzclose(out);
   }
 
   void write(const TopoDS_Shape& shape, const std::string& file) {
