@@ -2,10 +2,9 @@
 // The program `blossom`.
 
 #include "adapters/occt/shapes.h"
-#include "plugin/cli/program.h"
-#include "plugin/cli/supervision.h"
+#include "plugin/cli/reproduction.h"
 
 int main(int argc, char** argv) {
   blossom::occt::quiet_messages();
-  return blossom::cli::supervised([&] { return blossom::cli::run_program(argc, argv); });
+  return blossom::cli::run_reproducibly(argc, argv);
 }

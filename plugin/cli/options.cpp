@@ -21,6 +21,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/stages.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
 #include "plugin/cli/verbosity.h"
@@ -130,6 +131,15 @@ void add_report_options(CLI::App& command, CommonOptions& options) {
   command.add_option_function<double>("--time-limit", take, "stop after so many seconds in all")
       ->check(positive_number())
       ->type_name("S");
+  command
+      .add_option_function<std::string>("--log", log_stages,
+                                        "add what is done, and how long, to a file")
+      ->type_name("FILE");
+  command.add_flag_callback("--profile", profile_stages, "say in the end where the time went");
+  command
+      .add_option("--reproduce", options.reproduce,
+                  "write what repeats the command to a folder, if it fails or is stopped")
+      ->type_name("DIR");
   const auto flag = [&](const char* name, const char* what, Verbosity level) {
     return command.add_flag_callback(
         name, [level] { set_verbosity(level); }, what);

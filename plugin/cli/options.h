@@ -17,7 +17,8 @@ struct CommonOptions {
   std::string output;   ///< -o: a model file; empty for none
   std::string json;     ///< --json: a file, or "-" for stdout; empty for none
   std::string picture;  ///< --picture: a PNG file; empty for none
-  std::string table{};  ///< --table: a CSV file; empty for none
+  std::string table{};      ///< --table: a CSV file; empty for none
+  std::string reproduce{};  ///< --reproduce: a folder, see reproduction.h
   std::string fail_on;  ///< --fail-on: "findings"; empty for nothing
 };
 

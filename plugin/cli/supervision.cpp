@@ -24,6 +24,7 @@
 
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/stages.h"
 
 namespace blossom::cli {
 namespace {
@@ -147,6 +148,7 @@ class Watch {
       if (signal > 0 && signal != SIGCHLD) ask(told);
       if (!killed_for_ && (killed_for_ = overdue())) kill(child_, SIGKILL);
     }
+    end_stages(told(status));
     if (WIFEXITED(status)) return WEXITSTATUS(status);
     const bool wanted = killed_for_ && *killed_for_ != Reason::ProcessorLimit;
     if (board->phase == Phase::Optional && !wanted && failed.insert(doing()).second)
@@ -156,6 +158,11 @@ class Watch {
 
  private:
   enum class Reason { Asked, TimeLimit, ProcessorLimit };
+
+  std::string told(int status) const {
+    if (WIFEXITED(status)) return "exit code " + std::to_string(WEXITSTATUS(status));
+    return killed_for_ ? "ended at a limit" : name_of_signal(WTERMSIG(status));
+  }
 
   /// A terminal sends its signals to the child, too; others reach only the parent.
   void ask(const siginfo_t& told) {
@@ -245,6 +252,7 @@ int supervised(const std::function<int()>& work) {
   const pid_t parent = getpid();
   board = new_board();
   work_crashed = false;
+  share_stages();
   while (true) {
     if (board != nullptr) board->begin();
     const pid_t child = board == nullptr ? -1 : fork();
@@ -263,6 +271,7 @@ void enter(Phase phase, const std::string& subject, const std::string& step) {
   put(subject, board->subject);
   put(step, board->step);
   board->phase = phase;
+  begin_stage(doing());
 }
 
 std::string doing() {

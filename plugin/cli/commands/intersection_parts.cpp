@@ -15,6 +15,7 @@
 #include "plugin/cli/picture/picture.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
+#include "plugin/cli/stages.h"
 #include "plugin/cli/values.h"
 #include "plugin/cli/verbosity.h"
 
@@ -193,6 +194,25 @@ void add_intersect_options(CLI::App& command, IntersectOptions& options) {
       ->capture_default_str();
 }
 
+namespace {
+
+// What each pair of faces cost that has something to tell, and all of them together.
+void log_pairs(const occt::ShapeIntersection& found) {
+  const auto cells = [](const Certificate& certificate) {
+    return certificate.cells_bezier + certificate.cells_monomial;
+  };
+  for (const occt::FaceIntersection& pair : found.pairs)
+    log_line({{"pair", {pair.face_a + 1, pair.face_b + 1}},
+              {"status", to_string(pair.found.status)},
+              {"cells", cells(pair.found.certificate)},
+              {"curves", pair.found.curves.size()}});
+  log_line({{"pairs", found.face_pairs},
+            {"status", to_string(found.status)},
+            {"cells", cells(found.certificate)}});
+}
+
+}  // namespace
+
 TimedIntersection timed_intersection(
     const IntersectOptions& options,
     const std::function<occt::ShapeIntersection(const IntersectionOptions&)>& intersect) {
@@ -207,6 +227,7 @@ TimedIntersection timed_intersection(
     stop_if_interrupted();
     seconds.push_back(took.count());
   }
+  log_pairs(result.found);
   result.times = {median(seconds), seconds.front()};
   return result;
 }
