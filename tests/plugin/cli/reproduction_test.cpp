@@ -27,8 +27,8 @@ class Reproduction : public ::testing::Test {
 };
 
 TEST_F(Reproduction, OfAStoppedCommandHasTheFacesThatItTakes) {
-  const Finished run = blossom({"intersect", a, b, "--budget", "1", "-q", "-o", folder / "out.step",
-                                "--reproduce", case_folder});
+  const Finished run = blossom({"intersect", a, b, "--budget", "1", "-q", "--json",
+                                folder / "out.json", "--reproduce", case_folder});
   EXPECT_EQ(run.code, 4);
   EXPECT_EQ(run.err, "blossom: " + (case_folder / "repeat").string() + " does it again\n");
   for (const char* name : {"input1.brep", "input2.brep"}) {
