@@ -44,6 +44,7 @@ Grid<BezierPatchOf<Point>> subdivide(const BezierPatchOf<Point>& patch,
                                           const Interval&);                             \
   template Grid<BezierPatchOf<Point>> subdivide(const BezierPatchOf<Point>&,            \
                                                 std::span<const double>, std::span<const double>);
+BLOSSOM_INSTANTIATE(double)
 BLOSSOM_INSTANTIATE(Vec2)
 BLOSSOM_INSTANTIATE(Vec3)
 BLOSSOM_INSTANTIATE(Vec4)

@@ -101,7 +101,9 @@ class Proof {
         meet_at_vertex(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size()) ||
         a_.is_outside(patch_a, cell_a) || b_.is_outside(patch_b, cell_b) ||
         std::ranges::any_of(edges_, [&](const NeighbourEdge& edge) {
-          return meet_beside(edge, patch_a, cell_a, patch_b, cell_b);
+          return meet_beside(edge, patch_a, cell_a, patch_b, cell_b) ||
+                 touch_from_one_side(b_data_, a_, edge.on_a, patch_a, cell_a) ||
+                 touch_from_one_side(a_data_, b_, edge.on_b, patch_b, cell_b);
         })) {
       count_excluded(a, b, certificate_);
       return true;
@@ -141,6 +143,16 @@ class Proof {
     const double jumps = edge.gap() + to->shortfall + from->shortfall + a_data_.surface.error +
                          b_data_.surface.error + rounding_;
     return path_reach(across, edge.directions(range)) * jumps <= reach;
+  }
+
+  // Whether a cell stays on one side of all of the other face's surface, which it touches at the
+  // edge.
+  bool touch_from_one_side(const FaceData& other, FaceCells& cells, const Coedge& edge, int patch,
+                           int cell) const {
+    return other.elementary &&
+           cells.depth_behind(*other.elementary, edge, tolerance_, patch, cell) +
+                   other.surface.error <=
+               tolerance_;
   }
 
   bool is_in_tube(const NeighbourEdge& edge, double reach, int patch_a, const Cell& a,

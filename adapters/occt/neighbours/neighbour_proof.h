@@ -7,7 +7,9 @@
 //   outside of the trims, or apart by a box or a plane, or
 //   within the tolerance of a common vertex, or
 //   beside a common edge, where paths prove it (`core/surfaces/contacts/path_reach.h`): in the
-//   chart of each face a parameter line leads from every point of the cell to the edge.
+//   chart of each face a parameter line leads from every point of the cell to the edge, or
+//   beside a common edge along which one of them touches the other one's plane, cylinder or sphere
+//   and stays on one side of all of it (`core/surfaces/contacts/elementary_side.h`).
 // That holds for smooth neighbours, too, as fillets and what they round, whose surfaces come as
 // near to each other as one likes and nearly parallel, and for parts of one surface. Faces that
 // share nothing are apart or not.
@@ -30,7 +32,8 @@ struct NeighbourProof {
 
 /// edges       that both faces share; nothing is proven where a face has one of them twice
 /// tolerance   of points, model units. What the faces have in common lies no farther from a common
-///             edge or vertex than four times the larger one of this and its own tolerance
+///             edge or vertex than four times the larger one of this and its own tolerance; where
+///             they are tangent, it lies beside the edge where the gap is less than this
 /// limit       nothing is proven once it is reached
 /// cost        no more than some 30,000 pairs of cells for each pair of patches whose boxes meet;
 ///             the first place where nothing is proven ends it

@@ -2,7 +2,9 @@
 #include "adapters/occt/neighbours/ways_to_edge.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <limits>
 
 #include "adapters/occt/faces/face_trims_detail.h"
 #include "adapters/occt/neighbours/coedge_stretch.h"
@@ -10,8 +12,9 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kCut = 0.4865;   // cells are halved off their middle, as in every search
-constexpr int kMaxHalvings = 40;  // of a span of a wire, to see whether it meets a cell
+constexpr double kCut = 0.4865;        // cells are halved off their middle, as in every search
+constexpr int kMaxHalvings = 40;       // of a span of a wire, to see whether it meets a cell
+constexpr double kRounding = 0x1p-44;  // of a span, by which an edge on its end may miss it
 constexpr Axes kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
 bool apart(const PlanarBox& a, const PlanarBox& b) {
@@ -42,7 +45,10 @@ const std::optional<WaysToEdge>& FaceCells::ways(const Coedge& edge, int patch, 
 
 bool FaceCells::finds_outside(int patch, const Cell& cell) const {
   if (cell.part != PartSide::Mixed) return cell.part == PartSide::Outside;
-  const PlanarBox box = chart_box(patch, cell);
+  return is_empty(chart_box(patch, cell));
+}
+
+bool FaceCells::is_empty(const PlanarBox& box) const {
   return !meets_gap(box) &&
          coedge_near(data_.trims, box, 0, kMaxHalvings, Wires::AsTheyAre) == nullptr &&
          !is_inside(data_.trims, 0.5 * (box.low + box.high));
@@ -62,6 +68,57 @@ std::optional<WaysToEdge> FaceCells::found_ways(const Coedge& edge, int patch, c
   swept.low[across] = std::min(box.low[across], stretch->box.low[across]);
   swept.high[across] = std::max(box.high[across], stretch->box.high[across]);
   return WaysToEdge{stretch->range, directions(swept, across, -stretch->inner), stretch->shortfall};
+}
+
+double FaceCells::depth_behind(const Elementary& surface, const Coedge& edge, double tolerance,
+                               int patch, int cell) {
+  for (const auto& [of, depth] : facts(patch, cell).depths)
+    if (of == &edge) return depth;
+  const double depth = found_depth(surface, edge, tolerance, patch, cell);
+  facts(patch, cell).depths.emplace_back(&edge, depth);
+  return depth;
+}
+
+// All has to be on the cell's own patch: what is farther from the edge is apart otherwise.
+double FaceCells::found_depth(const Elementary& surface, const Coedge& edge, double tolerance,
+                              int patch, int cell) {
+  constexpr double nothing = std::numeric_limits<double>::infinity();
+  const BezierSurface& s = data_.surface;
+  const std::array<ParameterLaw, 2> laws{s.u_law, s.v_law};
+  const std::array<Interval, 2> spans{cells_.knots_u(patch), cells_.knots_v(patch)};
+  const PlanarBox box = chart_box(patch, cells_.tree(patch)[cell]);
+  const std::optional<CoedgeStretch> stretch = stretch_past(edge, box);
+  if (!stretch) return nothing;
+  const int along = stretch->along, across = 1 - along;
+  const PlanarBox swept = united(box, stretch->box);
+  const auto k = static_cast<std::size_t>(across), l = static_cast<std::size_t>(along);
+  const double scale = data_.trims.scale[across], slack = kRounding * length(spans[k]);
+  if (swept.low[across] < (spans[k].from - slack) * scale ||
+      swept.high[across] > (spans[k].to + slack) * scale)
+    return nothing;
+  // What is beyond the ends of the edge: a part of the cell as wide as the tolerance is the end.
+  const double extent = cells_.tree(patch)[cell].extent;
+  const double end = (box.high[along] - box.low[along]) * std::min(1.0, tolerance / extent);
+  PlanarBox before = box, after = box;
+  before.high[along] = stretch->box.low[along] - end;
+  after.low[along] = stretch->box.high[along] + end;
+  for (const PlanarBox& beyond : {before, after})
+    if (beyond.low[along] < beyond.high[along] && !is_empty(beyond)) return nothing;
+  const auto lengthwise = local(laws[l], spans[l], box, along);
+  const auto line = local(laws[k], spans[k], stretch->box, across);
+  const auto whole = local(laws[k], spans[k], swept, across);
+  if (!lengthwise || !line || !whole || !side(surface, patch)) return nothing;
+  return side(surface, patch)->depth(across, *lengthwise, *line, *whole) + s.error;
+}
+
+const std::optional<ElementarySide>& FaceCells::side(const Elementary& surface, int patch) {
+  const auto [known, is_new] = sides_.try_emplace(patch);
+  if (is_new) {
+    Elementary seen = surface;
+    seen.centre = surface.centre - cells_.origin();
+    known->second = ElementarySide::of(seen, cells_.tree(patch).patch());
+  }
+  return known->second;
 }
 
 // Whether a box meets what closes a gap between the ends of coedges.

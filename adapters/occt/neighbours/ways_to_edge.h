@@ -12,8 +12,10 @@
 #include "adapters/occt/faces/face_data.h"
 #include "core/cells/direction_cones.h"
 #include "core/cells/surface_cells.h"
+#include "core/forms/elementary.h"
 #include "core/math/interval.h"
 #include "core/plane/planar_curves.h"
+#include "core/surfaces/contacts/elementary_side.h"
 
 namespace blossom::occt {
 
@@ -41,17 +43,28 @@ class FaceCells {
   /// Stays where it is until another edge is asked about.
   const std::optional<WaysToEdge>& ways(const Coedge& edge, int patch, int cell);
 
+  /// How deep a cell gets behind an elementary surface that the face touches along an edge, model
+  /// units. Infinity if it is not seen to bend to one side, or if what counts of it goes on beside
+  /// the edge farther than the edge and a tolerance. To be asked about one surface and tolerance.
+  double depth_behind(const Elementary& surface, const Coedge& edge, double tolerance, int patch,
+                      int cell);
+
  private:
   // What was found out about a cell, which takes part in many pairs.
   struct Facts {
     std::optional<bool> outside;
     std::vector<std::pair<const Coedge*, std::optional<WaysToEdge>>> ways;
+    std::vector<std::pair<const Coedge*, double>> depths;
   };
   Facts& facts(int patch, int cell) {
     return facts_[static_cast<std::uint64_t>(patch) << 32 | static_cast<std::uint32_t>(cell)];
   }
   bool finds_outside(int patch, const Cell& cell) const;
+  double found_depth(const Elementary& surface, const Coedge& edge, double tolerance, int patch,
+                     int cell);
+  const std::optional<ElementarySide>& side(const Elementary& surface, int patch);
   std::optional<WaysToEdge> found_ways(const Coedge& edge, int patch, const Cell& cell);
+  bool is_empty(const PlanarBox& box) const;
   bool meets_gap(const PlanarBox& box) const;
   PlanarBox chart_box(int patch, const Cell& cell) const;
   std::vector<VectorBounds> directions(const PlanarBox& box, int across, double sign);
@@ -62,6 +75,7 @@ class FaceCells {
   const FaceData& data_;
   SurfaceCells cells_;
   std::vector<std::optional<SlopeNets>> slopes_;
+  std::unordered_map<int, std::optional<ElementarySide>> sides_;  // of patches
   std::unordered_map<std::uint64_t, Facts> facts_;
 };
 

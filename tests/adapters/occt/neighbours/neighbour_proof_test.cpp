@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -23,6 +24,7 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Line.hxx>
@@ -39,6 +41,7 @@
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
@@ -217,6 +220,63 @@ TEST(NeighbourProof, LeavesNothingOfALargeRoundedBlock) {
   const auto found = self_intersect(faces_of(fillet.Shape()), SelfScope::AllFaces);
   EXPECT_EQ(found.status, Status::Complete);
   EXPECT_TRUE(found.pairs.empty());
+}
+
+TopoDS_Shape prism(const TopoDS_Wire& profile, const gp_Vec& along) {
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(profile).Face(), along).Shape();
+}
+
+// Both leave the edge in one direction: the angle between them is 0.
+TEST(NeighbourProof, LeavesNothingOfAPlaneAndACylinderThatMeetInACusp) {
+  const gp_Circ circle(gp_Ax2(gp_Pnt(-7.75, 0, 0.35), gp_Dir(0, -1, 0), gp_Dir(0, 0, -1)), 0.35);
+  const gp_Pnt tip(-7.75, 0, 0), top(-7.4, 0, 0.35), corner(-7.4, 0, 0);
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(corner, tip).Edge(),
+                               BRepBuilderAPI_MakeEdge(circle, tip, top).Edge(),
+                               BRepBuilderAPI_MakeEdge(top, corner).Edge());
+  const auto found =
+      self_intersect(faces_of(prism(wire.Wire(), gp_Vec(0, 2.2, 0))), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+}
+
+// The plane's border turns by a right angle where the rounding ends, and goes on along it: a line
+// and an arc that are tangent at the vertex.
+TEST(NeighbourProof, LeavesNothingWhereAPlaneGoesOnBesideTheEndOfARounding) {
+  const TopoDS_Shape short_block = BRepPrimAPI_MakeBox(1, 2, 1).Shape();
+  BRepFilletAPI_MakeFillet fillet(short_block);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(short_block, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    gp_Pnt p, q;
+    const TopoDS_Edge edge = TopoDS::Edge(edges(i));
+    p = BRep_Tool::Pnt(TopExp::FirstVertex(edge));
+    q = BRep_Tool::Pnt(TopExp::LastVertex(edge));
+    if (p.Y() > 1 && q.Y() > 1 && p.Z() > 0.5 && q.Z() > 0.5) fillet.Add(0.5, edge);
+  }
+  BRepAlgoAPI_Fuse fuse(fillet.Shape(), BRepPrimAPI_MakeBox(gp_Pnt(1, 0, 0), 2, 3, 1).Shape());
+  fuse.SimplifyResult();
+  const auto found = self_intersect(faces_of(fuse.Shape()), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+}
+
+// As above, but what is tangent to the plane bends back through it farther on.
+TEST(NeighbourProof, FindsTheLineInWhichACuspOpensThroughThePlane) {
+  const Handle(Geom_BezierCurve) curve = [] {
+    TColgp_Array1OfPnt poles(1, 4);
+    poles(1) = gp_Pnt(0, 0, 0);
+    poles(2) = gp_Pnt(1, 0, 0);
+    poles(3) = gp_Pnt(2, 0, 0.5);
+    poles(4) = gp_Pnt(3, 0, -0.5);
+    return new Geom_BezierCurve(poles);
+  }();
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(gp_Pnt(4, 0, 0), gp_Pnt(0, 0, 0)).Edge(),
+                               BRepBuilderAPI_MakeEdge(curve).Edge());
+  const auto found = self_intersect(
+      faces_of(BRepPrimAPI_MakePrism(wire.Wire(), gp_Vec(0, 2, 0)).Shape()), SelfScope::AllFaces);
+  ASSERT_EQ(found.pairs.size(), 1u);
+  ASSERT_EQ(found.pairs[0].found.curves.size(), 1u);
+  EXPECT_NEAR(found.pairs[0].found.curves[0].length, 2, 1e-6);
 }
 
 // As at the tip of a drilled hole, a pole of both faces. Without a plane through it the halves take
