@@ -2,20 +2,25 @@
 #include "adapters/occt/neighbours/neighbour_proof.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
 
 #include "adapters/occt/neighbours/neighbour_edge.h"
 #include "adapters/occt/neighbours/ways_to_edge.h"
 #include "core/bounds/patch_boxes.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/known_curves.h"
+#include "core/cells/net_ranges.h"
 #include "core/surfaces/contacts/cell_descent.h"
 #include "core/surfaces/contacts/corner_separation.h"
 #include "core/surfaces/contacts/path_reach.h"
@@ -40,20 +45,58 @@ const Coedge* only_use(const FaceTrims& trims, const TopoDS_Edge& edge) {
   return use;
 }
 
-std::vector<KnownCurve> common_vertices(const FaceData& a, const FaceData& b, double tolerance) {
+// A vertex of both faces.
+struct CommonVertex {
+  KnownCurve ball;               // what is so near that it is the vertex
+  std::vector<Vec2> on_a, on_b;  // in the charts; on a seam twice
+};
+
+std::vector<Vec2> images_of(const TopoDS_Vertex& vertex, const FaceTrims& trims) {
+  std::vector<Vec2> images;
+  for (const auto& loop : trims.loops)
+    for (const Coedge& coedge : loop) {
+      const Interval domain = coedge.curve.domain();
+      if (TopExp::FirstVertex(coedge.edge).IsSame(vertex))
+        images.push_back(point_at(coedge.curve, domain.from));
+      if (TopExp::LastVertex(coedge.edge).IsSame(vertex))
+        images.push_back(point_at(coedge.curve, domain.to));
+    }
+  return images;
+}
+
+std::vector<CommonVertex> common_vertices(const FaceData& a, const FaceData& b, double tolerance) {
   TopTools_IndexedMapOfShape of_a, of_b;
   TopExp::MapShapes(a.trims.face, TopAbs_VERTEX, of_a);
   TopExp::MapShapes(b.trims.face, TopAbs_VERTEX, of_b);
-  std::vector<KnownCurve> balls;
+  std::vector<CommonVertex> common;
   for (int i = 1; i <= of_a.Extent(); ++i) {
     if (!of_b.Contains(of_a(i))) continue;
     const TopoDS_Vertex vertex = TopoDS::Vertex(of_a(i));
     const gp_Pnt p = BRep_Tool::Pnt(vertex);
     const Vec3 point{p.X(), p.Y(), p.Z()};
-    const double radius = kReach * std::max(tolerance, BRep_Tool::Tolerance(vertex));
-    balls.push_back({{point, point}, radius, 0});
+    CommonVertex& added = common.emplace_back();
+    added.ball.points.assign(2, point);
+    added.ball.radius = kReach * std::max(tolerance, BRep_Tool::Tolerance(vertex));
+    added.on_a = images_of(vertex, a.trims);
+    added.on_b = images_of(vertex, b.trims);
   }
+  return common;
+}
+
+std::vector<KnownCurve> balls_of(const std::vector<CommonVertex>& vertices) {
+  std::vector<KnownCurve> balls;
+  for (const CommonVertex& vertex : vertices) balls.push_back(vertex.ball);
   return balls;
+}
+
+// Along the line of the chart on which a coordinate is constant.
+Vec3 line_direction(const FaceTrims& trims, const Vec2& at, int across) {
+  gp_Pnt point;
+  gp_Vec u, v;
+  BRepAdaptor_Surface(trims.face, false)
+      .D1(at[0] / trims.scale[0], at[1] / trims.scale[1], point, u, v);
+  const gp_Vec& along = across == 0 ? v : u;
+  return unit(Vec3{along.X(), along.Y(), along.Z()});
 }
 
 class Proof {
@@ -66,7 +109,7 @@ class Proof {
         origin_(0.5 * (a.box.low + a.box.high)),
         rounding_(kRounding * (max_norm(origin_) + diagonal(a.box))),
         vertices_(common_vertices(a, b, tolerance)),
-        balls_(vertices_, origin_),
+        balls_(balls_of(vertices_), origin_),
         a_(a, origin_),
         b_(b, origin_) {}
 
@@ -99,7 +142,8 @@ class Proof {
     if (are_apart(tree_a, a, tree_b, b) ||
         separated_across(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size()) ||
         meet_at_vertex(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size()) ||
-        a_.is_outside(patch_a, cell_a) || b_.is_outside(patch_b, cell_b) ||
+        touch_at_vertex(patch_a, cell_a, patch_b, cell_b) || a_.is_outside(patch_a, cell_a) ||
+        b_.is_outside(patch_b, cell_b) ||
         std::ranges::any_of(edges_, [&](const NeighbourEdge& edge) {
           return meet_beside(edge, patch_a, cell_a, patch_b, cell_b) ||
                  touch_from_one_side(b_data_, a_, edge.on_a, patch_a, cell_a) ||
@@ -121,10 +165,63 @@ class Proof {
   // Within the ball round a common vertex, or on either side of a plane through it.
   bool meet_at_vertex(const Cell& a, const Cell& b, int points_a, int points_b) const {
     return balls_.hold_common({a.low, a.high}, {b.low, b.high}) ||
-           std::ranges::any_of(vertices_, [&](const KnownCurve& vertex) {
-             return separated_at(vertex.points.front() - origin_, a, b, points_a, points_b,
-                                 vertex.radius);
+           std::ranges::any_of(vertices_, [&](const CommonVertex& vertex) {
+             return separated_at(vertex.ball.points.front() - origin_, a, b, points_a, points_b,
+                                 vertex.ball.radius);
            });
+  }
+
+  // Whether one of them touches all of the other one's surface along a parameter line through a
+  // common vertex, from one side, and the vertex is where they end.
+  bool touch_at_vertex(int patch_a, int cell_a, int patch_b, int cell_b) {
+    return std::ranges::any_of(vertices_, [&](const CommonVertex& vertex) {
+      return (b_data_.elementary &&
+              touch_beyond(vertex, vertex.on_a, *b_data_.elementary, a_data_, a_, patch_a, cell_a,
+                           b_.cells().tree(patch_b), cell_b, b_data_.surface.error)) ||
+             (a_data_.elementary &&
+              touch_beyond(vertex, vertex.on_b, *a_data_.elementary, b_data_, b_, patch_b, cell_b,
+                           a_.cells().tree(patch_a), cell_a, a_data_.surface.error));
+    });
+  }
+
+  bool touch_beyond(const CommonVertex& vertex, const std::vector<Vec2>& images,
+                    const Elementary& surface, const FaceData& data, FaceCells& cells, int patch,
+                    int cell, const CellTree& others, int other, double error) const {
+    const CellTree& tree = cells.cells().tree(patch);
+    const Cell &own = tree[cell], &opposite = others[other];
+    const Vec3 point = vertex.ball.points.front() - origin_;
+    if (!holds(own, point) || !holds(opposite, point)) return false;
+    for (const Vec2& image : images)
+      for (int across = 0; across < 2; ++across) {
+        const Vec3 along = line_direction(data.trims, image, across);
+        if (!goes_on(across == 0 ? own.dv : own.du, along)) continue;
+        const Range here = heights(own, tree.shape().plane_size(), along, point),
+                    there = heights(opposite, others.shape().plane_size(), along, point);
+        if (std::max(here.low, there.low) < -vertex.ball.radius ||
+            std::min(here.high, there.high) > vertex.ball.radius)
+          continue;
+        if (cells.depth_beside(surface, image, across, patch, cell) + error <= tolerance_)
+          return true;
+      }
+    return false;
+  }
+
+  static bool holds(const Cell& cell, const Vec3& point) {
+    for (int k = 0; k < 3; ++k)
+      if (point[k] < cell.low[k] || point[k] > cell.high[k]) return false;
+    return true;
+  }
+
+  // Whether derivatives lead on along a direction or against it, all over the cell.
+  static bool goes_on(const VectorBounds& derivative, const Vec3& along) {
+    return std::abs(dot(derivative.middle, along)) > norm(derivative.radius);
+  }
+
+  // Over a point along a direction.
+  static Range heights(const Cell& cell, int points, const Vec3& along, const Vec3& point) {
+    const Range range = height_range(cell.hull, points, along);
+    const double from = dot(along, point);
+    return {range.low - from - 2 * cell.margin, range.high - from + 2 * cell.margin};
   }
 
   // In the tube round the edge, or such that paths lead from one to the other.
@@ -173,8 +270,8 @@ class Proof {
   const WorkLimit& limit_;
   const Vec3 origin_;
   const double rounding_;
-  const std::vector<KnownCurve> vertices_;  // with what is so near that it is the vertex
-  const KnownCurves balls_;                 // round them
+  const std::vector<CommonVertex> vertices_;
+  const KnownCurves balls_;  // round them
   FaceCells a_, b_;
   std::vector<NeighbourEdge> edges_;
   long pairs_ = 0;  // of the patches at hand

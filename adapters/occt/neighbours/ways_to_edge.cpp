@@ -79,24 +79,14 @@ double FaceCells::depth_behind(const Elementary& surface, const Coedge& edge, do
   return depth;
 }
 
-// All has to be on the cell's own patch: what is farther from the edge is apart otherwise.
 double FaceCells::found_depth(const Elementary& surface, const Coedge& edge, double tolerance,
                               int patch, int cell) {
   constexpr double nothing = std::numeric_limits<double>::infinity();
-  const BezierSurface& s = data_.surface;
-  const std::array<ParameterLaw, 2> laws{s.u_law, s.v_law};
-  const std::array<Interval, 2> spans{cells_.knots_u(patch), cells_.knots_v(patch)};
   const PlanarBox box = chart_box(patch, cells_.tree(patch)[cell]);
   const std::optional<CoedgeStretch> stretch = stretch_past(edge, box);
   if (!stretch) return nothing;
-  const int along = stretch->along, across = 1 - along;
-  const PlanarBox swept = united(box, stretch->box);
-  const auto k = static_cast<std::size_t>(across), l = static_cast<std::size_t>(along);
-  const double scale = data_.trims.scale[across], slack = kRounding * length(spans[k]);
-  if (swept.low[across] < (spans[k].from - slack) * scale ||
-      swept.high[across] > (spans[k].to + slack) * scale)
-    return nothing;
   // What is beyond the ends of the edge: a part of the cell as wide as the tolerance is the end.
+  const int along = stretch->along;
   const double extent = cells_.tree(patch)[cell].extent;
   const double end = (box.high[along] - box.low[along]) * std::min(1.0, tolerance / extent);
   PlanarBox before = box, after = box;
@@ -104,11 +94,32 @@ double FaceCells::found_depth(const Elementary& surface, const Coedge& edge, dou
   after.low[along] = stretch->box.high[along] + end;
   for (const PlanarBox& beyond : {before, after})
     if (beyond.low[along] < beyond.high[along] && !is_empty(beyond)) return nothing;
-  const auto lengthwise = local(laws[l], spans[l], box, along);
-  const auto line = local(laws[k], spans[k], stretch->box, across);
+  return depth_beside(surface, stretch->box, 1 - along, patch, cell);
+}
+
+double FaceCells::depth_beside(const Elementary& surface, const Vec2& through, int across,
+                               int patch, int cell) {
+  return depth_beside(surface, PlanarBox{through, through}, across, patch, cell);
+}
+
+// The line has to be on the cell's own patch: what is farther from it is apart otherwise.
+double FaceCells::depth_beside(const Elementary& surface, const PlanarBox& line, int across,
+                               int patch, int cell) {
+  constexpr double nothing = std::numeric_limits<double>::infinity();
+  const BezierSurface& s = data_.surface;
+  const std::array<ParameterLaw, 2> laws{s.u_law, s.v_law};
+  const std::array<Interval, 2> spans{cells_.knots_u(patch), cells_.knots_v(patch)};
+  const PlanarBox box = chart_box(patch, cells_.tree(patch)[cell]), swept = united(box, line);
+  const auto k = static_cast<std::size_t>(across);
+  const double scale = data_.trims.scale[across], slack = kRounding * length(spans[k]);
+  if (swept.low[across] < (spans[k].from - slack) * scale ||
+      swept.high[across] > (spans[k].to + slack) * scale)
+    return nothing;
+  const auto lengthwise = local(laws[1 - k], spans[1 - k], box, 1 - across);
+  const auto on_line = local(laws[k], spans[k], line, across);
   const auto whole = local(laws[k], spans[k], swept, across);
-  if (!lengthwise || !line || !whole || !side(surface, patch)) return nothing;
-  return side(surface, patch)->depth(across, *lengthwise, *line, *whole) + s.error;
+  if (!lengthwise || !on_line || !whole || !side(surface, patch)) return nothing;
+  return side(surface, patch)->depth(across, *lengthwise, *on_line, *whole) + s.error;
 }
 
 const std::optional<ElementarySide>& FaceCells::side(const Elementary& surface, int patch) {

@@ -49,6 +49,13 @@ class FaceCells {
   double depth_behind(const Elementary& surface, const Coedge& edge, double tolerance, int patch,
                       int cell);
 
+  /// The same where the line along which they touch is a parameter line of the face through a point
+  /// of its chart; all of the cell counts.
+  ///
+  /// across    the chart coordinate that is constant on the line
+  double depth_beside(const Elementary& surface, const Vec2& through, int across, int patch,
+                      int cell);
+
  private:
   // What was found out about a cell, which takes part in many pairs.
   struct Facts {
@@ -62,6 +69,8 @@ class FaceCells {
   bool finds_outside(int patch, const Cell& cell) const;
   double found_depth(const Elementary& surface, const Coedge& edge, double tolerance, int patch,
                      int cell);
+  double depth_beside(const Elementary& surface, const PlanarBox& line, int across, int patch,
+                      int cell);
   const std::optional<ElementarySide>& side(const Elementary& surface, int patch);
   std::optional<WaysToEdge> found_ways(const Coedge& edge, int patch, const Cell& cell);
   bool is_empty(const PlanarBox& box) const;

@@ -260,6 +260,24 @@ TEST(NeighbourProof, LeavesNothingWhereAPlaneGoesOnBesideTheEndOfARounding) {
   EXPECT_TRUE(found.pairs.empty());
 }
 
+// A cylinder ends where a plane begins that is tangent to it: they share a vertex alone, and what
+// ends there, an arc and a line, is tangent, too.
+TEST(NeighbourProof, LeavesNothingWhereACylinderEndsOnATangentPlane) {
+  const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, 1), gp_Dir(0, 1, 0), gp_Dir(0, 0, -1)), 1);
+  const gp_Pnt low(0, 0, 0), side(1, 0, 1), end(2, 0, 1), foot(2, 0, -1), corner(0, 0, -1);
+  const TopoDS_Edge arc = BRepBuilderAPI_MakeEdge(circle, side, low).Edge();
+  BRepBuilderAPI_MakeWire wire(
+      BRepBuilderAPI_MakeEdge(low, corner).Edge(), BRepBuilderAPI_MakeEdge(corner, foot).Edge(),
+      BRepBuilderAPI_MakeEdge(foot, end).Edge(), BRepBuilderAPI_MakeEdge(end, side).Edge());
+  wire.Add(arc);
+  BRepAlgoAPI_Fuse fuse(prism(wire.Wire(), gp_Vec(0, -2, 0)),
+                        BRepPrimAPI_MakeBox(gp_Pnt(-1, 0, -1), gp_Pnt(3, 2, 0)).Shape());
+  ASSERT_TRUE(fuse.IsDone());
+  const auto found = self_intersect(faces_of(fuse.Shape()), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+}
+
 // As above, but what is tangent to the plane bends back through it farther on.
 TEST(NeighbourProof, FindsTheLineInWhichACuspOpensThroughThePlane) {
   const Handle(Geom_BezierCurve) curve = [] {
