@@ -11,13 +11,8 @@
 #include <system_error>
 
 #include "adapters/occt/base/errors.h"
-<<<<<<< HEAD:plugin/nets/net_reader.cpp
 #include "plugin/nets/net_json.h"
 #include "plugin/reports/nesting.h"
-=======
-#include "plugin/cli/nesting.h"
-#include "plugin/cli/nets/net_json.h"
->>>>>>> c9647fa (cli: bound what a hostile file can blow up, and list all limits in one page):plugin/cli/nets/net_reader.cpp
 
 namespace blossom::nets {
 namespace {

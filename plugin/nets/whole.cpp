@@ -285,7 +285,7 @@ reports::Json spline_json(const Geom_BSplineSurface& surface) {
   const bool rational = surface.IsURational() || surface.IsVRational();
   if (rational) json["weights"] = reports::Json::array();
   for (int i = 1; i <= surface.NbUPoles(); ++i) {
-    Json row = reports::Json::array(), weights = reports::Json::array();
+    reports::Json row = reports::Json::array(), weights = reports::Json::array();
     for (int j = 1; j <= surface.NbVPoles(); ++j) {
       row.push_back(point_json(surface.Pole(i, j)));
       weights.push_back(surface.Weight(i, j));

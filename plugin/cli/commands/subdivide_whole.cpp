@@ -28,7 +28,7 @@ namespace blossom::cli {
 namespace {
 
 struct WholePart {
-  NetSource source;
+  nets::NetSource source;
   TopoDS_Shape shape;  // an untrimmed face, or an edge
   Json json;
 };
@@ -43,7 +43,7 @@ WholePart whole_face(const Input& input, std::size_t i, const std::vector<std::s
   if (!r.empty()) rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
   const auto surface = nets::whole_surface(input.faces[i], part.source, rectangle);
   BRepBuilderAPI_MakeFace maker(surface, Tolerances{}.point);
-  if (!maker.IsDone()) throw occt::BadModel(text_of(part.source) + ": gives no face");
+  if (!maker.IsDone()) throw occt::BadModel(nets::text_of(part.source) + ": gives no face");
   part.shape = maker.Shape().Oriented(input.faces[i].Orientation());
   part.json = nets::spline_json(*surface);
   part.json["face"] = part.source.face;
@@ -68,7 +68,7 @@ std::vector<WholePart> whole_edges(const Input& input, const std::vector<double>
     if (curve.IsNull()) continue;
     BRepBuilderAPI_MakeEdge maker(curve);
     if (!maker.IsDone())
-      throw occt::BadModel(text_of(part.source) + ": gives no edge: is it a point?");
+      throw occt::BadModel(nets::text_of(part.source) + ": gives no edge: is it a point?");
     part.shape = maker.Shape();
     part.json = nets::spline_json(*curve);
     part.json["edge"] = number;
@@ -94,7 +94,7 @@ std::vector<WholePart> whole_parts(const Input& input, const WholeQuestion& ques
 void write_parts(const Input& input, const std::vector<WholePart>& parts, const std::string& file) {
   if (parts.front().source.face == 0) {
     occt::Model model;
-    for (const WholePart& part : parts) model.add(part.shape, name_of(part.source));
+    for (const WholePart& part : parts) model.add(part.shape, nets::name_of(part.source));
     return write_model(model, file);
   }
   std::map<int, std::vector<TopoDS_Face>> faces;
