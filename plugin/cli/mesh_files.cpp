@@ -37,7 +37,7 @@ bool is_glb_file(const std::filesystem::path& file) { return ending_of(file.stri
 #ifdef BLOSSOM_WITH_OPENMESH
 WrittenMesh write_mesh_file(const FileMesh& mesh, const std::string& file, bool text) {
   const openmesh::MeshBytes made =
-      openmesh::mesh_bytes({mesh.points, mesh.triangles}, ending_of(file.string()),
+      openmesh::mesh_bytes({mesh.points, mesh.triangles}, ending_of(file),
                            text ? openmesh::Encoding::Text : openmesh::Encoding::Binary);
   occt::write_text(made.bytes, file, stop_if_interrupted);
   return {made.rounding, made.apart};
