@@ -151,7 +151,7 @@ void add_report_options(CLI::App& command, CommonOptions& options) {
 
 void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output) {
   if (!output.empty()) command.add_option("-o,--output", options.output, output)->type_name("FILE");
-  command.add_option("--picture", options.picture, "write a picture (PNG)")->type_name("FILE");
+  add_picture_options(command, options.picture, options.look);
   add_report_options(command, options);
 }
 

@@ -9,6 +9,7 @@
 #include <CLI/App.hpp>
 
 #include "core/surface_intersection.h"
+#include "plugin/cli/picture/look.h"
 #include "plugin/cli/progress.h"
 
 namespace blossom::cli {
@@ -18,6 +19,7 @@ struct CommonOptions {
   std::string json;     ///< --json: a file, or "-" for stdout; empty for none
   std::string picture;  ///< --picture: a PNG file; empty for none
   std::string table{};      ///< --table: a CSV file; empty for none
+  PictureLook look{};       ///< of the picture, and what else shows the result
   std::string reproduce{};  ///< --reproduce: a folder, see reproduction.h
   std::string fail_on;  ///< --fail-on: "findings"; empty for nothing
 };
@@ -34,7 +36,7 @@ struct EngineOptions {
 /// known to reading.h, the third to supervision.h, the last two to verbosity.h.
 void add_report_options(CLI::App& command, CommonOptions& options);
 
-/// The same, and -o and --picture.
+/// The same, -o, and what add_picture_options adds.
 /// output    what -o gets, for the help text; empty if the command writes no model
 void add_common_options(CLI::App& command, CommonOptions& options, const std::string& output);
 

@@ -20,7 +20,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/values.h"
 #include "plugin/reports/strip.h"
 
@@ -94,12 +94,14 @@ void write_outputs(const Input& a, const Input& b, const StripCommand& command,
     model.add(timed.made.face, "strip");
     write_model(model, command.common.output);
   }
-  if (!command.common.picture.empty()) {
+  write_pictures(picture_files(command.common, [&] {
     Picture picture;
-    picture.groups = {
-        {a.faces, kFirstColour}, {b.faces, kFirstColour}, {{timed.made.face}, kSecondColour}};
-    occt::write_text(picture_png(picture), command.common.picture);
-  }
+    picture.title = "strip from " + a.name + " to " + b.name;
+    picture.groups = {{a.faces, kFirstColour, 1, a.name},
+                      {b.faces, kFirstColour, 1, b.name},
+                      {{timed.made.face}, kSecondColour, 1, "strip"}};
+    return picture;
+  }));
   if (!command.common.json.empty())
     write_json(
         reports::strip_report(a, b, {.weight_a = command.weight_a, .weight_b = command.weight_b},

@@ -16,7 +16,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/values.h"
 #include "plugin/reports/fill.h"
 
@@ -112,13 +112,15 @@ std::string summary(const Input& input, const reports::FillAnswer& holes) {
   return text.str();
 }
 
-std::string picture_of(const Input& input, const reports::FillAnswer& holes) {
+Picture picture_of(const Input& input, const reports::FillAnswer& holes) {
   std::vector<TopoDS_Face> faces;
   for (const reports::Hole& hole : holes.all)
     faces.insert(faces.end(), hole.filled.faces.begin(), hole.filled.faces.end());
   Picture picture;
-  picture.groups = {{input.faces, kFirstColour}, {faces, kSecondColour}};
-  return picture_png(picture);
+  picture.title = "fill of " + input.name;
+  picture.groups = {{input.faces, kFirstColour, 1, input.name},
+                    {faces, kSecondColour, 1, "patches"}};
+  return picture;
 }
 
 void write_outputs(const Input& input, const FillCommand& command,
@@ -129,8 +131,7 @@ void write_outputs(const Input& input, const FillCommand& command,
               command.sew ? "filled" : "fill");
     write_model(model, command.common.output);
   }
-  if (!command.common.picture.empty())
-    occt::write_text(picture_of(input, holes), command.common.picture);
+  write_pictures(picture_files(command.common, [&] { return picture_of(input, holes); }));
   if (!command.common.json.empty())
     write_json(reports::fill_report(input, holes), command.common.json);
   print_summary(summary(input, holes), command.common.json);

@@ -30,7 +30,7 @@
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/values.h"
@@ -124,13 +124,20 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
   return text.str();
 }
 
-std::string picture_of(const occt::FilletResult& made) {
+Picture picture_of(const Input& part, const occt::FilletResult& made) {
   Picture picture;
-  picture.groups = {{{}, kFirstColour}, {{}, kSecondColour}};
+  picture.title = "fillets of " + part.name;
+  picture.groups = {{{}, kFirstColour, 1, "faces"}, {{}, kSecondColour, 1, "fillets"}};
+  const FaceLabels labels(part);
   for (const occt::FilletedSolid& solid : made.solids)
-    for (const occt::FilletFace& face : solid.faces)
-      picture.groups[face.from > 0 ? 0 : 1].faces.push_back(face.face);
-  return picture_png(picture);
+    for (const occt::FilletFace& face : solid.faces) {
+      PictureFaces& group = picture.groups[face.from > 0 ? 0 : 1];
+      group.faces.push_back(face.face);
+      group.labels.push_back(face.from > 0   ? labels.of(face.from)
+                             : face.edge > 0 ? "fillet of edge " + std::to_string(face.edge)
+                                             : "fillet of a corner");
+    }
+  return picture;
 }
 
 void check_options(const FilletCommand& command) {
@@ -207,15 +214,16 @@ int run(const FilletCommand& command) {
   stop_if_interrupted();
   const CommonOptions& outputs = command.common;
   const bool any = !timed.made.solids.empty(), write = any && !outputs.output.empty();
-  if (any && !outputs.picture.empty()) occt::write_text(picture_of(timed.made), outputs.picture);
+  if (any) write_pictures(picture_files(outputs, [&] { return picture_of(part, timed.made); }));
   if (write) write_part(part, timed, outputs.output);
   timed.written = write;
   if (!any) {
     const std::string reason =
         timed.made.refused.empty() ? "no edge was changed" : timed.made.refused.front().text();
-    for (const std::string& file : {outputs.output, outputs.picture})
-      if (!file.empty()) tell_unwritten(file, reason);
-    if (outputs.output.empty() && outputs.picture.empty())
+    std::vector<std::string> files = picture_names(outputs);
+    if (!outputs.output.empty()) files.insert(files.begin(), outputs.output);
+    for (const std::string& file : files) tell_unwritten(file, reason);
+    if (files.empty())
       std::cerr << "blossom: there is no " << (command.is_chamfer() ? "chamfer: " : "fillet: ")
                 << reason << '\n';
   }

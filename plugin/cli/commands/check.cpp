@@ -11,6 +11,7 @@
 
 #include "adapters/occt/soundness.h"
 #include "plugin/cli/commands/check_continuity.h"
+#include "plugin/cli/commands/check_picture.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/mesh_commands.h"
 #include "plugin/cli/exit_code.h"
@@ -19,6 +20,7 @@
 #include "plugin/cli/many_files.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/reading.h"
 #include "plugin/reports/soundness.h"
 
@@ -165,6 +167,10 @@ int run(const Options& options) {
                                       : occt::soundness(input.model.shape(), input.numbers, checks);
   const DeepCheck deep = options.deep ? deep_check(input) : DeepCheck{};
   stop_if_interrupted();
+  const std::vector<PictureFile> pictures =
+      picture_files(options.common, [&] { return soundness_picture(input, found); });
+  stop_if_interrupted();
+  write_pictures(pictures);
   const std::string& json = options.common.json;
   Json report = reports::soundness_report(input, found);
   if (options.deep) report["triangles"] = deep.report;
@@ -187,12 +193,12 @@ void add_check(CLI::App& app, int& exit_code) {
                    "of them")
       ->required()
       ->type_name("FILE");
-  add_report_options(*command, options->common);
+  add_common_options(*command, options->common, "");
   add_table(*command, options->common, "each model");
   add_fail_on(*command, options->common);
   command->add_flag("--deep", options->deep,
                     "also mesh the whole model and look for triangles that cross");
-  add_continuity_options(*command, options->common, options->continuity);
+  add_continuity_options(*command, options->continuity);
   command->callback([options, command, &exit_code] {
     exit_code = are_many(options->inputs, options->common) ? run_on_many(*command, *options)
                                                            : run(*options);

@@ -5,22 +5,18 @@
 #include <utility>
 #include <vector>
 
-#include <BRep_Tool.hxx>
-#include <Geom_Curve.hxx>
-#include <Geom_Line.hxx>
-
 #include "plugin/cli/commands/continuity_text.h"
+#include "plugin/cli/commands/intersection_picture.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/files.h"
+#include "plugin/cli/picture/mesh.h"
 #include "plugin/cli/values.h"
 
 namespace blossom::cli {
 namespace {
-
-constexpr int kPictureSamples = 65;  // points of an edge in the picture
 
 constexpr Vec3 kApartColour = {0.85, 0.10, 0.60};
 constexpr Vec3 kSharpColour = {0.10, 0.11, 0.13};
@@ -28,36 +24,35 @@ constexpr Vec3 kTangentColour = {0.90, 0.49, 0.08};
 constexpr Vec3 kSmoothColour = {0.13, 0.58, 0.25};
 constexpr Vec3 kOpenColour = {0.82, 0.12, 0.12};
 
-std::vector<Vec3> line_of(const TopoDS_Edge& edge) {
-  Interval range;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
-  std::vector<Vec3> points;
-  if (curve.IsNull()) return points;
-  const int count = Handle(Geom_Line)::DownCast(curve).IsNull() ? kPictureSamples : 2;
-  for (int i = 0; i < count; ++i) {
-    const gp_Pnt p = curve->Value(at(range, i / (count - 1.0)));
-    points.push_back({p.X(), p.Y(), p.Z()});
-  }
-  return points;
-}
+// The layers of the picture; what is less smooth is drawn over what is smoother.
+struct EdgeLayers {
+  PictureLayer smooth{"G2", kSmoothColour};
+  PictureLayer tangent{"G1", kTangentColour};
+  PictureLayer sharp{"sharp (G0)", kSharpColour};
+  PictureLayer apart{"apart", kApartColour};
+  PictureLayer open{"not compared", kOpenColour};
 
-Vec3 colour_of(const occt::EdgeContinuity& edge) {
-  if (!edge.found) return kOpenColour;
-  switch (edge.smoothness) {
-    case Smoothness::None: return kApartColour;
-    case Smoothness::G0: return kSharpColour;
-    case Smoothness::G1: return kTangentColour;
-    case Smoothness::G2: break;
+  PictureLayer& of(const occt::EdgeContinuity& edge) {
+    if (!edge.found) return open;
+    switch (edge.smoothness) {
+      case Smoothness::None: return apart;
+      case Smoothness::G0: return sharp;
+      case Smoothness::G1: return tangent;
+      case Smoothness::G2: break;
+    }
+    return smooth;
   }
-  return kSmoothColour;
-}
+};
 
 Picture picture_of(const Input& input, const ContinuityReport& report) {
   Picture picture;
-  picture.groups = {{input.faces, kFirstColour, kFirstOpacity}};
+  picture.title = "continuity of " + input.name;
+  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, input.name, face_labels(input)}};
+  EdgeLayers layers;
   for (const occt::EdgeContinuity& edge : report.edges)
-    if (std::vector<Vec3> points = line_of(edge.edge); !points.empty())
-      picture.coloured.push_back({std::move(points), colour_of(edge)});
+    if (std::vector<Vec3> points = edge_points(edge.edge); !points.empty())
+      layers.of(edge).items.push_back({std::move(points), edge_line(edge)});
+  picture.layers = {layers.smooth, layers.tangent, layers.sharp, layers.apart, layers.open};
   return picture;
 }
 
@@ -65,7 +60,7 @@ CLI::Option* needing(CLI::Option* option, CLI::Option* other) { return option->n
 
 }  // namespace
 
-void add_continuity_options(CLI::App& command, CommonOptions& common, ContinuityCommand& options) {
+void add_continuity_options(CLI::App& command, ContinuityCommand& options) {
   CLI::Option* const wanted = command.add_flag(
       "--continuity", options.wanted,
       "how smoothly faces meet instead: gap, angle of normals and curvature along every edge");
@@ -83,10 +78,6 @@ void add_continuity_options(CLI::App& command, CommonOptions& common, Continuity
                                                   "edges less smooth are findings; G0 without");
   limit_to(*needing(require, wanted), {"G0", "G1", "G2"});
   needing(command.add_flag("--edges", options.table, "print a line for every edge, as -v"), wanted);
-  needing(command.add_option("--picture", common.picture,
-                             "write a picture (PNG) with edges coloured by their class"),
-          wanted)
-      ->type_name("FILE");
 }
 
 int run_continuity(const std::string& name, const CommonOptions& common,
@@ -99,8 +90,9 @@ int run_continuity(const std::string& name, const CommonOptions& common,
                                        stop_if_interrupted)},
       command.table};
   stop_if_interrupted();
-  if (!common.picture.empty())
-    occt::write_text(picture_png(picture_of(input, report)), common.picture);
+  const std::vector<PictureFile> pictures =
+      picture_files(common, [&] { return picture_of(input, report); });
+  write_pictures(pictures);
   if (!common.json.empty()) write_json(reports::continuity_report(input, report), common.json);
   print_summary(continuity_text(input.name, report, !common.picture.empty()), common.json);
   return exit_code(kExitComplete, findings_of(!report.failing().empty()), common);

@@ -19,8 +19,8 @@ struct ContinuityCommand {
   bool table = false;
 };
 
-/// --continuity, --gap, --angle, --curvature, --require, --table, --picture.
-void add_continuity_options(CLI::App& command, CommonOptions& common, ContinuityCommand& options);
+/// --continuity, --gap, --angle, --curvature, --require, --edges.
+void add_continuity_options(CLI::App& command, ContinuityCommand& options);
 
 /// Reads, measures, reports; returns the exit code.
 int run_continuity(const std::string& input, const CommonOptions& common,

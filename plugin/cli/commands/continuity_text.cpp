@@ -241,6 +241,11 @@ std::string head_text(const std::string& name, const ContinuityReport& report) {
 
 }  // namespace
 
+std::string edge_line(const EdgeContinuity& edge) {
+  const std::string line = table_line(edge);
+  return line.substr(2, line.size() - 3);  // without indent and end of line
+}
+
 std::string continuity_text(const std::string& name, const ContinuityReport& report,
                             bool has_picture) {
   std::ostringstream text;

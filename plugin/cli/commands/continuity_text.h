@@ -21,4 +21,7 @@ struct ContinuityReport : reports::ContinuityAnswer {
 std::string continuity_text(const std::string& name, const ContinuityReport& report,
                             bool has_picture);
 
+/// All that is known of an edge, in one line.
+std::string edge_line(const occt::EdgeContinuity& edge);
+
 }  // namespace blossom::cli

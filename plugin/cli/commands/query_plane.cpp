@@ -13,7 +13,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
 #include "plugin/reports/section.h"
@@ -68,7 +68,8 @@ std::string text_of(const Input& input, const Answer& answer) {
 
 Picture picture_of(const Input& input, const occt::PlaneSection& section) {
   Picture picture;
-  picture.groups = {{input.faces, kFirstColour, kFirstOpacity}};
+  picture.title = "section of " + input.name;
+  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, input.name}};
   for (const occt::SectionCurve& curve : section.curves) picture.curves.push_back(curve.samples);
   for (const std::size_t node : section.points) picture.points.push_back(section.nodes[node].point);
   return picture;
@@ -84,8 +85,8 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
   const bool unwritten = !common.output.empty() && !report && !any;
   const bool as_model = !common.output.empty() && !drawing && !report;
   if (as_model && any) model.add(occt::compound_of(section), "section", {});
-  std::string png;
-  if (!common.picture.empty()) png = picture_png(picture_of(input, section));
+  const std::vector<PictureFile> pictures =
+      picture_files(common, [&] { return picture_of(input, section); });
   stop_if_interrupted();
   if (as_model && any) write_model(model, common.output);
   if (drawing && any)
@@ -94,7 +95,7 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
                                             answer.seconds);
   if (report) write_json(json, common.output);
   if (unwritten) tell_unwritten(common.output, "no wire and no point was found");
-  if (!common.picture.empty()) occt::write_text(png, common.picture);
+  write_pictures(pictures);
   if (!common.json.empty()) write_json(json, common.json);
   print_summary(text_of(input, answer), common.json);
 }

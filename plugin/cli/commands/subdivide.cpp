@@ -18,7 +18,7 @@
 #include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/values.h"
 #include "plugin/nets/net_shapes.h"
 #include "plugin/nets/subdivision.h"
@@ -65,25 +65,30 @@ std::string summary(const NetInput& input, const nets::Subdivision& made) {
 }
 
 // Pieces in two colours by turns, with their control nets when these are few.
-std::string picture_of(const std::vector<Net>& made) {
+Picture picture_of(const std::string& name, const std::vector<Net>& made) {
   constexpr std::size_t kFew = 64;
   Picture picture;
+  picture.title = "pieces of " + name;
   picture.groups = {{{}, kFirstColour}, {{}, kSecondColour}};
+  PictureLayer control{"control net", kNetColour, LayerStyle::Net}, curves{"curve", kCurveColour};
   for (std::size_t i = 0; i < made.size(); ++i) {
     stop_if_interrupted();
     if (!is_curve(made[i]))
       picture.groups[i % 2].faces.push_back(TopoDS::Face(nets::net_shape(made[i])));
     if (made.size() > kFew && !is_curve(made[i])) continue;
-    for (auto& line : nets::net_lines(made[i])) picture.curves.push_back(std::move(line));
+    PictureLayer& layer = is_curve(made[i]) ? curves : control;
+    for (auto& line : nets::net_lines(made[i]))
+      layer.items.push_back({std::move(line), "piece " + std::to_string(i + 1)});
   }
-  return picture_png(picture);
+  picture.layers = {std::move(control), std::move(curves)};
+  return picture;
 }
 
 void write_outputs(NetInput& input, const Options& options, const nets::Subdivision& made) {
-  std::string png;
-  if (!options.common.picture.empty()) png = picture_of(made.pieces);
+  const std::vector<PictureFile> pictures =
+      picture_files(options.common, [&] { return picture_of(options.input, made.pieces); });
   if (!options.common.output.empty()) write_nets(input, made.pieces, options.common.output);
-  if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);
+  write_pictures(pictures);
   if (!options.common.json.empty()) write_json(report_of(input, made), options.common.json);
   print_summary(summary(input, made), options.common.json);
 }

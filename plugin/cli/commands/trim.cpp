@@ -15,13 +15,14 @@
 #include "adapters/occt/trim.h"
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
+#include "plugin/cli/commands/trim_picture.h"
 #include "plugin/cli/commands/trim_solids.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
@@ -96,11 +97,6 @@ Timed timed_trim(const Inputs& inputs, const Options& options) {
   return result;
 }
 
-std::string words_of(occt::PieceSide side) {
-  const std::string word = to_string(side);
-  return word == "unknown" ? "side undecided" : word;
-}
-
 std::size_t kept_count(const occt::TrimResult& made) {
   std::size_t count = 0;
   for (const occt::TrimPiece& piece : made.pieces) count += piece.kept ? 1 : 0;
@@ -116,21 +112,10 @@ std::string summary(const Inputs& inputs, const FaceLabels& labels, const Timed&
        << timed.seconds << " s\n";
   for (const occt::TrimPiece& piece : timed.made.pieces)
     text << "  piece " << piece.number << " of " << labels.of(piece.face) << ": "
-         << words_of(piece.side) << ", area " << number_text(rounded(piece.area)) << " mm²"
+         << side_text(piece.side) << ", area " << number_text(rounded(piece.area)) << " mm²"
          << (piece.kept ? "" : ", left out") << "\n";
   for (const std::string& note : timed.made.notes) text << "  " << note << "\n";
   return text.str();
-}
-
-Picture picture_of(const Inputs& inputs, const occt::TrimResult& made) {
-  Picture picture;
-  picture.groups = {{{}, kFirstColour, kFirstOpacity}, {{}, kSecondColour, kSecondOpacity}};
-  for (const occt::TrimPiece& piece : made.pieces)
-    if (piece.kept) picture.groups.front().faces.push_back(piece.shape);
-  for (const Input& tool : inputs.tools)
-    picture.groups.back().faces.insert(picture.groups.back().faces.end(), tool.faces.begin(),
-                                       tool.faces.end());
-  return picture;
 }
 
 // Why no model is written though one was asked for; empty if nothing speaks against it.
@@ -157,8 +142,10 @@ WatertightPieces make_watertight(occt::Model& model, const EngineOptions& engine
 // Returns the exit code.
 int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   std::string reason = obstacle(inputs, timed, options);
-  std::string png;
-  if (!options.common.picture.empty()) png = picture_png(picture_of(inputs, timed.made));
+  std::vector<const Input*> tools;
+  for (const Input& tool : inputs.tools) tools.push_back(&tool);
+  const std::vector<PictureFile> pictures =
+      picture_files(options.common, [&] { return trim_picture(inputs.part, tools, timed.made); });
   const FaceLabels labels(inputs.part);
   if (reason.empty()) inputs.part.model.replace_faces(timed.made.replacements);
   std::optional<WatertightPieces>& watertight = timed.watertight;
@@ -171,9 +158,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   const bool unwritten = !options.common.output.empty() && !write;
   std::string text = summary(inputs, labels, timed);
   timed.written = write;
-  std::vector<const Input*> others;
-  for (const Input& tool : inputs.tools) others.push_back(&tool);
-  const Json report = reports::trim_report(inputs.part, others, timed);
+  const Json report = reports::trim_report(inputs.part, tools, timed);
   if (watertight) text += summary_of(*watertight);
   stop_if_interrupted();
 
@@ -183,7 +168,7 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   else if (write)
     write_model(inputs.part.model, options.common.output);
   if (unwritten) tell_unwritten(options.common.output, reason);
-  if (!options.common.picture.empty()) occt::write_text(png, options.common.picture);
+  write_pictures(pictures);
   if (!options.common.json.empty()) write_json(report, options.common.json);
   print_summary(text, options.common.json);
   return unwritten ? exit_code_unwritten(timed.made.status) : exit_code(timed.made.status);

@@ -18,12 +18,13 @@
 #include "adapters/occt/half_space.h"
 #include "adapters/occt/solid_trim.h"
 #include "core/base/parallel.h"
+#include "plugin/cli/commands/trim_picture.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
@@ -194,17 +195,15 @@ void replace_solids(occt::Model& part, const occt::SolidTrimResult& made, const 
       solids, occt::keeps_names(output) ? occt::CommonFaces::Copy : occt::CommonFaces::Keep);
 }
 
-std::string picture_of(const std::vector<TopoDS_Solid>& solids) {
-  Picture picture;
-  picture.groups = {{{}, kFirstColour, kFirstOpacity}};
-  for (const TopoDS_Solid& solid : solids)
-    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
-      picture.groups.front().faces.push_back(TopoDS::Face(it.Current()));
-  return picture_png(picture);
+std::string title_of(const SolidTrim& options) {
+  std::string title = options.operation + " of " + options.part;
+  for (const std::string& tool : options.tools) title += ", " + tool;
+  for (std::size_t i = 0; i < options.planes.size(); ++i) title += ", " + reports::plane_name(i);
+  return title;
 }
 
 bool wants_shape(const CommonOptions& outputs) {
-  return !outputs.output.empty() || !outputs.picture.empty();
+  return !outputs.output.empty() || !picture_names(outputs).empty();
 }
 
 // Why nothing is written though it was asked for; empty if nothing speaks against it.
@@ -214,8 +213,8 @@ std::string reason_of(const occt::SolidTrimResult& made) {
 }
 
 void tell_no_solid(const CommonOptions& outputs, const std::string& reason) {
-  for (const std::string& file : {outputs.output, outputs.picture})
-    if (!file.empty()) tell_unwritten(file, reason);
+  if (!outputs.output.empty()) tell_unwritten(outputs.output, reason);
+  for (const std::string& file : picture_names(outputs)) tell_unwritten(file, reason);
   if (!wants_shape(outputs)) std::cerr << "blossom: there is no solid: " << reason << '\n';
 }
 
@@ -251,15 +250,17 @@ int trim_solids(const SolidTrim& options) {
   const bool write = reason.empty() && !outputs.output.empty();
   timed.written = write;
   timed.repairs = repairs;
-  const std::string png =
-      reason.empty() && !outputs.picture.empty() ? picture_of(timed.made.solids) : std::string();
+  std::vector<PictureFile> pictures;
+  if (reason.empty())
+    pictures =
+        picture_files(outputs, [&] { return solids_picture(title_of(options), timed.made); });
   if (write && nets::is_net_file(outputs.output)) {
     write_plain_json(nets::nets_json(nets_of(*timed.watertight, options.part)), outputs.output);
   } else if (write) {
     replace_solids(part, timed.made, tools, outputs.output);
     write_model(part, outputs.output);
   }
-  if (!png.empty()) occt::write_text(png, outputs.picture);
+  write_pictures(pictures);
   if (!reason.empty()) tell_no_solid(outputs, reason);
   if (!outputs.json.empty()) write_json(reports::solid_report(timed), outputs.json);
   print_summary(summary(options, timed), outputs.json);

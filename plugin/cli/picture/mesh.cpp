@@ -9,6 +9,8 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_Curve.hxx>
+#include <Geom_Line.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp_Explorer.hxx>
@@ -20,6 +22,7 @@ namespace blossom::cli {
 namespace {
 
 constexpr double kAngle = 0.2;  // radians between neighbouring triangles: looks smooth when shaded
+constexpr int kEdgeSteps = 64;  // of an edge that is not straight
 constexpr double kOwnDeflection = 1e-4;  // of a face's own size
 
 Vec3 to_vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
@@ -86,6 +89,17 @@ PictureMesh mesh_of(const TopoDS_Face& face, double deflection) {
 
 PictureMesh picture_mesh(const TopoDS_Face& face, double deflection) {
   return occt::guarded("triangulating a face", [&] { return mesh_of(face, deflection); });
+}
+
+std::vector<Vec3> edge_points(const TopoDS_Edge& edge) {
+  double from = 0, to = 0;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, from, to);
+  std::vector<Vec3> points;
+  if (curve.IsNull()) return points;
+  const int steps = Handle(Geom_Line)::DownCast(curve).IsNull() ? kEdgeSteps : 1;
+  for (int i = 0; i <= steps; ++i)
+    points.push_back(to_vec(curve->Value(from + (to - from) * i / steps).XYZ()));
+  return points;
 }
 
 double size_of(const std::vector<TopoDS_Face>& faces) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
 #include "core/math/vec.h"
@@ -23,6 +24,9 @@ struct PictureMesh {
 /// deflection   distance of the triangles to the surface, model units, > 0
 /// throws       occt::Failure if the face cannot be triangulated
 PictureMesh picture_mesh(const TopoDS_Face& face, double deflection);
+
+/// Points of an edge, two if it is straight; none if it has no curve in space.
+std::vector<Vec3> edge_points(const TopoDS_Edge& edge);
 
 /// Diagonal of the box of the faces, model units.
 double size_of(const std::vector<TopoDS_Face>& faces);

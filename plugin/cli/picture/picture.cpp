@@ -2,8 +2,11 @@
 #include "plugin/cli/picture/picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
+#include "plugin/cli/picture/annotations.h"
 #include "plugin/cli/picture/canvas.h"
 #include "plugin/cli/picture/mesh.h"
 #include "plugin/cli/picture/png.h"
@@ -14,9 +17,11 @@ namespace {
 
 constexpr double kDeflection = 5e-4;   // of the scene's size: below a pixel
 constexpr double kLift = 4e-3;         // of the frame's width: lines on a face are before it
+constexpr double kBehind = 1.5e-3;     // of the frame's width: more than triangles leave surfaces
 constexpr double kCurveWidth = 4.5;    // pixels
 constexpr double kOutlineWidth = 1.2;  // pixels
-constexpr double kPointWidth = 11;     // pixels
+constexpr double kNetWidth = 1.2;      // pixels
+constexpr double kHatchWidth = 1.6;    // pixels
 constexpr Vec3 kOutlineColour = {0.22, 0.26, 0.32};
 
 struct ColouredMesh {
@@ -35,15 +40,25 @@ std::vector<ColouredMesh> meshes_of(const Picture& picture) {
   return meshes;
 }
 
-View view_of(const Picture& picture, const std::vector<ColouredMesh>& meshes) {
+// Corners of all triangles, three after three.
+std::vector<Vec3> corners_of(const std::vector<ColouredMesh>& meshes) {
   std::vector<Vec3> corners;
   for (const ColouredMesh& item : meshes)
     for (const auto& triangle : item.mesh.triangles)
       for (const int i : triangle) corners.push_back(item.mesh.points[static_cast<std::size_t>(i)]);
-  auto lines = picture.curves;
-  for (const PictureCurve& curve : picture.coloured) lines.push_back(curve.points);
-  for (const Vec3& point : picture.points) lines.push_back({point});
-  return chosen_view(corners, lines, picture.width * kSamples, picture.height * kSamples);
+  return corners;
+}
+
+View view_of(const Picture& picture, const std::vector<ColouredMesh>& meshes) {
+  std::vector<Vec3> points = corners_of(meshes);
+  const Vec3 to_eye =
+      picture.view.empty() ? default_direction(points) : view_direction(picture.view);
+  for (const PictureLayer& layer : all_layers(picture))
+    for (const PictureItem& item : layer.items)
+      points.insert(points.end(), item.points.begin(), item.points.end());
+  Frame frame = free_frame(picture);
+  for (double* length : {&frame.left, &frame.top, &frame.width, &frame.height}) *length *= kSamples;
+  return view_from(to_eye, points, frame);
 }
 
 // A lamp above the left shoulder, a little light from everywhere, a soft highlight.
@@ -56,7 +71,12 @@ Vec3 shaded(const Vec3& colour, Vec3 normal, const View& view) {
   return (0.5 + 0.55 * lit) * colour + 0.16 * shine * Vec3{1, 1, 1};
 }
 
-void add_mesh(Canvas& canvas, const ColouredMesh& item, const View& view) {
+// Translucent faces that coincide with opaque ones lie behind them, whatever their triangles.
+double depth_behind(const Picture& picture, double opacity) {
+  return opacity < kFirstOpacity ? kBehind * picture.width * kSamples : 0;
+}
+
+void add_mesh(Canvas& canvas, const ColouredMesh& item, const View& view, double behind) {
   const PictureMesh& mesh = item.mesh;
   for (const auto& triangle : mesh.triangles) {
     CanvasTriangle out;
@@ -69,6 +89,7 @@ void add_mesh(Canvas& canvas, const ColouredMesh& item, const View& view) {
       const std::size_t i = static_cast<std::size_t>(triangle[k]);
       const bool has_normal = max_norm(mesh.normals[i]) > 0;
       out.corners[k] = view(mesh.points[i]);
+      out.corners[k][2] += behind;
       out.colours[k] = shaded(item.colour, has_normal ? mesh.normals[i] : flat, view);
     }
     canvas.triangles.push_back(out);
@@ -83,34 +104,78 @@ CanvasLine line_of(const std::vector<Vec3>& points, const View& view, double lif
   return line;
 }
 
+// What of a style's lines is seen behind opaque faces, and how thick they are in pixels.
+struct LineLook {
+  double width = kCurveWidth;
+  double hidden = 0.45;
+};
+
+LineLook look_of(LayerStyle style) {
+  if (style == LayerStyle::Net) return {kNetWidth, 0.25};
+  if (style == LayerStyle::Hatch) return {kHatchWidth, 0.3};
+  return {};
+}
+
+void add_outlines(Canvas& canvas, const std::vector<ColouredMesh>& meshes, const View& view,
+                  double lift) {
+  for (const ColouredMesh& item : meshes)
+    for (const auto& outline : item.mesh.outlines) {
+      canvas.lines.push_back(line_of(outline, view, lift));
+      canvas.lines.back().colour = kOutlineColour;
+      canvas.lines.back().width = kOutlineWidth * kSamples;
+      canvas.lines.back().hidden = 0.12;
+    }
+}
+
+// Marks are none of the canvas: they are drawn over everything.
+void add_layer(Canvas& canvas, const PictureLayer& layer, const View& view, double lift) {
+  if (layer.style > LayerStyle::Hatch) return;
+  const LineLook look = look_of(layer.style);
+  for (const PictureItem& item : layer.items) {
+    canvas.lines.push_back(line_of(item.points, view, lift));
+    canvas.lines.back().colour = layer.colour;
+    canvas.lines.back().width = look.width * kSamples;
+    canvas.lines.back().hidden = look.hidden;
+  }
+}
+
+PictureLayer plain_layer(LayerStyle style) { return {{}, kCurveColour, style}; }
+
 }  // namespace
+
+const Vec3& palette(std::size_t index) {
+  static constexpr std::array<Vec3, 8> kColours = {kFirstColour,           kSecondColour,
+                                                   Vec3{0.47, 0.72, 0.45}, Vec3{0.85, 0.52, 0.55},
+                                                   Vec3{0.63, 0.54, 0.79}, Vec3{0.45, 0.75, 0.77},
+                                                   Vec3{0.78, 0.76, 0.42}, Vec3{0.68, 0.58, 0.50}};
+  return kColours[index % kColours.size()];
+}
+
+std::vector<PictureLayer> all_layers(const Picture& picture) {
+  PictureLayer curves = plain_layer(LayerStyle::Curve), dots = plain_layer(LayerStyle::Dot);
+  for (const std::vector<Vec3>& curve : picture.curves) curves.items.push_back({curve});
+  for (const Vec3& point : picture.points) dots.items.push_back({{point}});
+  std::vector<PictureLayer> layers = {std::move(curves)};
+  layers.insert(layers.end(), picture.layers.begin(), picture.layers.end());
+  layers.push_back(std::move(dots));
+  for (PictureLayer& layer : layers)
+    std::erase_if(layer.items, [](const PictureItem& item) { return item.points.empty(); });
+  std::erase_if(layers, [](const PictureLayer& layer) { return layer.items.empty(); });
+  return layers;
+}
 
 Image picture_image(const Picture& picture) {
   const std::vector<ColouredMesh> meshes = meshes_of(picture);
   const View view = view_of(picture, meshes);
   const double lift = kLift * picture.width * kSamples;
-
   Canvas canvas{picture.width, picture.height, {}, {}};
-  for (const ColouredMesh& item : meshes) add_mesh(canvas, item, view);
   for (const ColouredMesh& item : meshes)
-    for (const auto& outline : item.mesh.outlines) {
-      canvas.lines.push_back(line_of(outline, view, lift / 2));
-      canvas.lines.back().colour = kOutlineColour;
-      canvas.lines.back().width = kOutlineWidth * kSamples;
-      canvas.lines.back().hidden = 0.12;
-    }
-  const auto add_thick = [&](const std::vector<Vec3>& points, double width, const Vec3& colour) {
-    if (points.empty()) return;
-    canvas.lines.push_back(line_of(points, view, lift));
-    canvas.lines.back().colour = colour;
-    canvas.lines.back().width = width * kSamples;
-    canvas.lines.back().hidden = 0.45;
-  };
-  for (const auto& curve : picture.curves) add_thick(curve, kCurveWidth, kCurveColour);
-  for (const PictureCurve& curve : picture.coloured)
-    add_thick(curve.points, kCurveWidth, curve.colour);
-  for (const Vec3& point : picture.points) add_thick({point}, kPointWidth, kCurveColour);
-  return drawn(canvas);
+    add_mesh(canvas, item, view, depth_behind(picture, item.opacity));
+  add_outlines(canvas, meshes, view, lift / 2);
+  for (const PictureLayer& layer : all_layers(picture)) add_layer(canvas, layer, view, lift);
+  Image image = drawn(canvas);
+  annotate(picture, view, image);
+  return image;
 }
 
 std::string picture_png(const Picture& picture) { return png_bytes(picture_image(picture)); }

@@ -4,87 +4,97 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <utility>
+
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/values.h"
+#include "plugin/cli/vectors.h"
 
 namespace blossom::cli {
 namespace {
 
-constexpr double kMargin = 0.05;      // of the frame, on each side
-constexpr double kLineShare = 0.6;    // what lines count beside the covered area
+constexpr double kMargin = 0.04;      // of the frame, on each side
 constexpr double kTinyExtent = 1e-9;  // keeps the scale finite for a scene that is one point
+// Of what the best direction sees of the triangles: faces that iso sees less of are almost edge-on.
+constexpr double kEdgeOn = 0.2;
+constexpr double kAlongZ = 1e-6;  // sine of the angle to z below which y is upwards
 
-View direction(double azimuth_degrees, double elevation_degrees) {
-  const double a = azimuth_degrees * std::numbers::pi / 180;
-  const double e = elevation_degrees * std::numbers::pi / 180;
-  View view;
-  view.right = {-std::sin(a), std::cos(a), 0};
-  view.forward = {-std::cos(a) * std::cos(e), -std::sin(a) * std::cos(e), -std::sin(e)};
-  view.up = cross(view.right, view.forward);
-  return view;
+const std::vector<std::pair<std::string, Vec3>>& named_directions() {
+  static const std::vector<std::pair<std::string, Vec3>> all = {
+      {"iso", {1, -1, 1}},  {"front", {0, -1, 0}}, {"back", {0, 1, 0}},   {"left", {-1, 0, 0}},
+      {"right", {1, 0, 0}}, {"top", {0, 0, 1}},    {"bottom", {0, 0, -1}}};
+  return all;
 }
 
-// Scale and place of the frame's middle over the middle of the points.
-void fit(View& view, const std::vector<Vec3>& points, int width, int height) {
+// Area of the triangles as seen from a direction, those behind others counted, too.
+double seen_area(const std::vector<Vec3>& corners, const Vec3& direction) {
+  double area = 0;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+    area += std::abs(
+        dot(cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]), unit(direction)));
+  return area / 2;
+}
+
+}  // namespace
+
+const std::vector<std::string>& view_words() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> all;
+    for (const auto& [word, direction] : named_directions()) all.push_back(word);
+    return all;
+  }();
+  return words;
+}
+
+Vec3 view_direction(const std::string& text) {
+  for (const auto& [word, direction] : named_directions())
+    if (word == text) return direction;
+  if (text.find(',') == std::string::npos)
+    throw UsageError("--view takes " + listed(view_words(), "or") + ", or X,Y,Z, not '" + text +
+                     "'");
+  const Vec3 direction = parse_vector(text, "--view");
+  if (max_norm(direction) == 0) throw UsageError("--view: the zero vector has no direction");
+  return direction * (1 / max_norm(direction));
+}
+
+Vec3 default_direction(const std::vector<Vec3>& corners) {
+  const Vec3 iso = named_directions().front().second;
+  const double from_iso = seen_area(corners, iso);
+  Vec3 best = iso;
+  double most = from_iso;
+  for (const Vec3& other : {Vec3{-1, -1, 1}, Vec3{1, 1, 1}, Vec3{-1, 1, 1}, Vec3{0, 0, 1}}) {
+    const double area = seen_area(corners, other);
+    if (area <= most * (1 + 1e-9)) continue;  // the first of equals, whatever the rounding
+    most = area;
+    best = other;
+  }
+  return from_iso < kEdgeOn * most ? best : iso;
+}
+
+View view_from(const Vec3& to_eye, const std::vector<Vec3>& points, const Frame& frame) {
+  View view;
+  view.forward = -unit(to_eye);
+  const Vec3 z = {0, 0, 1};
+  const Vec3 sideways = cross(view.forward, z);
+  view.right = norm(sideways) > kAlongZ ? unit(sideways) : Vec3{1, 0, 0};
+  view.up = unit(cross(view.right, view.forward));
+
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  double low[2] = {kFar, kFar}, high[2] = {-kFar, -kFar};
+  Vec2 low = {kFar, kFar}, high = {-kFar, -kFar};
   for (const Vec3& point : points) {
-    const double at[2] = {dot(point, view.right), dot(point, view.up)};
+    const Vec2 at = {dot(point, view.right), dot(point, view.up)};
     for (int k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], at[k]);
       high[k] = std::max(high[k], at[k]);
     }
   }
+  if (points.empty()) low = high = {0, 0};
   const double room = 1 - 2 * kMargin;
-  view.scale = std::min(room * width / std::max(high[0] - low[0], kTinyExtent),
-                        room * height / std::max(high[1] - low[1], kTinyExtent));
-  view.x = width / 2.0 - view.scale * (low[0] + high[0]) / 2;
-  view.y = height / 2.0 + view.scale * (low[1] + high[1]) / 2;
-}
-
-// Share of the frame that the triangles cover, overlaps counted once at most.
-double covered(const View& view, const std::vector<Vec3>& corners, double frame) {
-  double area = 0;
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-    area += std::abs(dot(cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]),
-                         view.forward)) /
-            2;
-  return std::min(1.0, area * view.scale * view.scale / frame);
-}
-
-// Seen length of the lines over their true length.
-double seen(const View& view, const std::vector<std::vector<Vec3>>& lines) {
-  double length = 0, flat = 0;
-  for (const auto& line : lines)
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const Vec3 step = line[i] - line[i - 1];
-      length += norm(step);
-      flat += std::hypot(dot(step, view.right), dot(step, view.up));
-    }
-  return length > 0 ? flat / length : 0;
-}
-
-}  // namespace
-
-View chosen_view(const std::vector<Vec3>& corners, const std::vector<std::vector<Vec3>>& lines,
-                 int width, int height) {
-  std::vector<Vec3> points = corners;
-  for (const auto& line : lines) points.insert(points.end(), line.begin(), line.end());
-
-  View best;
-  double best_score = -1;
-  for (const double elevation : {20.0, 30.0, 45.0})
-    for (int azimuth = -165; azimuth < 180; azimuth += 15) {
-      if (azimuth % 90 == 0) continue;  // along an axis, things hide each other
-      View view = direction(azimuth, elevation);
-      fit(view, points, width, height);
-      const double score =
-          covered(view, corners, double(width) * height) + kLineShare * seen(view, lines);
-      if (score > best_score + 1e-9) {  // the first of equals, whatever the rounding
-        best_score = score;
-        best = view;
-      }
-    }
-  return best;
+  view.scale = std::min(room * frame.width / std::max(high[0] - low[0], kTinyExtent),
+                        room * frame.height / std::max(high[1] - low[1], kTinyExtent));
+  view.x = frame.left + frame.width / 2 - view.scale * (low[0] + high[0]) / 2;
+  view.y = frame.top + frame.height / 2 + view.scale * (low[1] + high[1]) / 2;
+  return view;
 }
 
 }  // namespace blossom::cli

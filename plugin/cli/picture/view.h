@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A parallel view of a scene, chosen so that the scene fills the frame.
+// A parallel view of a scene from a direction, in which the scene fills the frame.
 
 #pragma once
 
-#include <array>
+#include <string>
 #include <vector>
 
 #include "core/math/vec.h"
@@ -24,13 +24,27 @@ struct View {
   }
 };
 
-/// The best of a fixed set of directions: the more of the frame the triangles cover and the less
-/// the lines are foreshortened, the better.
+/// The part of an image that the scene may fill, samples.
+struct Frame {
+  double left = 0, top = 0;
+  double width = 1, height = 1;
+};
+
+/// The words that name directions: iso, front, back, left, right, top, bottom.
+const std::vector<std::string>& view_words();
+
+/// The direction from the scene to the eye, by its word or as "x,y,z".
+/// throws   UsageError if it is neither, or the zero vector
+Vec3 view_direction(const std::string& text);
+
+/// Where a scene is seen from when nobody says: iso, whatever there is; only if its triangles are
+/// seen almost edge-on from there, the one of a few fixed directions that sees most of them.
 ///
-/// corners        of all triangles, three after three
-/// lines          the polylines that matter
-/// width, height  of the frame, samples
-View chosen_view(const std::vector<Vec3>& corners, const std::vector<std::vector<Vec3>>& lines,
-                 int width, int height);
+/// corners   of all triangles, three after three
+Vec3 default_direction(const std::vector<Vec3>& corners);
+
+/// The scene from a direction, z upwards (or y, if the direction is z's).
+/// to_eye    any length but zero
+View view_from(const Vec3& to_eye, const std::vector<Vec3>& points, const Frame& frame);
 
 }  // namespace blossom::cli

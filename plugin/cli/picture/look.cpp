@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/picture/look.h"
+
+#include <charconv>
+
+#include "plugin/cli/exit_code.h"
+#include "plugin/cli/picture/view.h"
+#include "plugin/cli/values.h"
+
+namespace blossom::cli {
+namespace {
+
+constexpr int kLeastSide = 100, kLargestSide = 8000;  // pixels
+
+// One side of a picture and what follows it; 0 if it is none.
+int side_of(const char*& at, const char* end) {
+  int pixels = 0;
+  const auto read = std::from_chars(at, end, pixels);
+  at = read.ptr;
+  return read.ec == std::errc{} && pixels >= kLeastSide && pixels <= kLargestSide ? pixels : 0;
+}
+
+void take_size(const std::string& text, PictureLook& look) {
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  look.width = side_of(at, end);
+  const bool separated = at != end && *at == 'x';
+  if (separated) look.height = side_of(++at, end);
+  if (!separated || look.width == 0 || look.height == 0 || at != end)
+    throw UsageError("--size takes WIDTHxHEIGHT in pixels, each from " +
+                     std::to_string(kLeastSide) + " to " + std::to_string(kLargestSide) +
+                     ", not '" + text + "'");
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& command, std::string& picture, PictureLook& look,
+                         const std::string& shows) {
+  command.add_option("--picture", picture, shows)->type_name("FILE");
+  command
+      .add_option_function<std::string>(
+          "--view",
+          [&look](const std::string& text) {
+            view_direction(text);  // a wrong one is told before the work
+            look.view = text;
+          },
+          "where the picture is seen from: " + listed(view_words()) + ", or a direction to the eye")
+      ->type_name("VIEW");
+  command
+      .add_option_function<std::string>(
+          "--size", [&look](const std::string& text) { take_size(text, look); },
+          "of the picture in pixels; 1200x900 without")
+      ->type_name("WxH");
+}
+
+}  // namespace blossom::cli
