@@ -11,7 +11,12 @@ class BlossomDraw {
     static bool added = false;
     if (added) return;
     added = true;
-    blossom::draw::add_blintersect(interpreter);
+    for (const auto add :
+         {blossom::draw::add_blinfo, blossom::draw::add_blintersect, blossom::draw::add_bltrim,
+          blossom::draw::add_blsolid, blossom::draw::add_blsection, blossom::draw::add_bldistance,
+          blossom::draw::add_blcheck, blossom::draw::add_blsubdivide, blossom::draw::add_blfillet,
+          blossom::draw::add_blfill})
+      add(interpreter);
   }
 };
 

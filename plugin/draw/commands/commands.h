@@ -9,6 +9,15 @@ namespace blossom::draw {
 
 inline constexpr const char* kGroup = "Blossom commands";
 
+void add_blinfo(Draw_Interpretor& interpreter);
 void add_blintersect(Draw_Interpretor& interpreter);
+void add_bltrim(Draw_Interpretor& interpreter);
+void add_blsolid(Draw_Interpretor& interpreter);
+void add_blsection(Draw_Interpretor& interpreter);
+void add_bldistance(Draw_Interpretor& interpreter);
+void add_blcheck(Draw_Interpretor& interpreter);
+void add_blsubdivide(Draw_Interpretor& interpreter);
+void add_blfillet(Draw_Interpretor& interpreter);
+void add_blfill(Draw_Interpretor& interpreter);
 
 }  // namespace blossom::draw

@@ -1,26 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # blintersect: results, the Tcl answer, and errors in words.
 
-proc claim {what holds} {
-  if {!$holds} { error "does not hold: $what" }
-  puts "holds: $what"
-}
+source [file join [file dirname [info script]] claims.tcl]
 
-# A command that has to fail; gives back its message.
-proc message_of {args} {
-  if {![catch {uplevel #0 $args} message]} { error "no error from: $args" }
-  return $message
-}
-
-# DRAW's shapes are variables, so a procedure sees them only from the top level.
-proc count_of {shape kind} {
-  regexp "$kind *: *(\\d+)" [uplevel #0 [list nbshapes $shape]] whole count
-  return $count
-}
-
-if {[catch {
-  pload MODELING
-  pload -BlossomPlugin BLOSSOM
+test {
   # A second time changes nothing.
   pload -BlossomPlugin BLOSSOM
 
@@ -72,9 +55,4 @@ if {[catch {
       [string match "*'-1' is no positive number*" [message_of blintersect r a b -1]]
   claim "too few words show the usage" \
       [string match "*usage: blintersect result*" [message_of blintersect r a]]
-} problem]} {
-  puts "FAILED: $problem"
-  exit 1
 }
-puts "\nALL CLAIMS HOLD"
-exit 0

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// blinfo shape
+
+#include <map>
+#include <string>
+
+#include <BRepAdaptor_Surface.hxx>
+#include <GeomAbs_SurfaceType.hxx>
+#include <TopAbs_ShapeEnum.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/intersection_edges.h"
+#include "plugin/draw/commands/commands.h"
+#include "plugin/draw/commands/words.h"
+
+namespace blossom::draw {
+namespace {
+
+struct Counted {
+  TopAbs_ShapeEnum kind;
+  const char* word;
+};
+constexpr Counted kCounted[] = {{TopAbs_SOLID, "solids"},
+                                {TopAbs_SHELL, "shells"},
+                                {TopAbs_FACE, "faces"},
+                                {TopAbs_EDGE, "edges"},
+                                {TopAbs_VERTEX, "vertices"}};
+
+const char* word_of(GeomAbs_SurfaceType type) {
+  switch (type) {
+    case GeomAbs_Plane: return "plane";
+    case GeomAbs_Cylinder: return "cylinder";
+    case GeomAbs_Cone: return "cone";
+    case GeomAbs_Sphere: return "sphere";
+    case GeomAbs_Torus: return "torus";
+    case GeomAbs_BezierSurface: return "bezier";
+    case GeomAbs_BSplineSurface: return "bspline";
+    case GeomAbs_SurfaceOfRevolution: return "revolution";
+    case GeomAbs_SurfaceOfExtrusion: return "extrusion";
+    case GeomAbs_OffsetSurface: return "offset";
+    default: return "other";
+  }
+}
+
+std::string counts_list(const std::map<std::string, int>& counts) {
+  std::string list;
+  for (const auto& [word, count] : counts)
+    list += (list.empty() ? "" : " ") + word + " " + std::to_string(count);
+  return "{" + list + "}";
+}
+
+// How many of each kind, what the surfaces are, and how faces meet in edges.
+std::string answer(const Words& words) {
+  require(words.size() == 1);
+  const TopoDS_Shape shape = shape_named(words[0]);
+  std::string list;
+  for (const auto& [kind, word] : kCounted) {
+    TopTools_IndexedMapOfShape all;
+    TopExp::MapShapes(shape, kind, all);
+    list += std::string(word) + " " + std::to_string(all.Extent()) + " ";
+  }
+  std::map<std::string, int> surfaces, edges;
+  for (const TopoDS_Face& face : occt::faces_of(shape))
+    ++surfaces[word_of(BRepAdaptor_Surface(face, Standard_False).GetType())];
+  for (const occt::EdgeFacts& edge : occt::edge_facts(shape)) ++edges[to_string(edge.kind)];
+  return list + "surfaces " + counts_list(surfaces) + " meetings " + counts_list(edges);
+}
+
+int blinfo(Draw_Interpretor& interpreter, int count, const char** words) {
+  return answered(interpreter, count, words, "shape", answer);
+}
+
+}  // namespace
+
+void add_blinfo(Draw_Interpretor& interpreter) {
+  interpreter.Add(
+      "blinfo",
+      "blinfo shape"
+      "\n\t\t: what a shape is made of, as a Tcl dictionary: numbers of solids, shells, faces,"
+      "\n\t\t: edges and vertices; surfaces by their type; meetings of faces in edges (convex,"
+      "\n\t\t: concave, smooth, open, ...).",
+      "plugin/draw/commands/blinfo.cpp", blinfo, kGroup);
+}
+
+}  // namespace blossom::draw

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// blsection result shape x y z nx ny nz
+
+#include <string>
+
+#include <DBRep.hxx>
+
+#include "adapters/occt/plane_section.h"
+#include "plugin/draw/commands/commands.h"
+#include "plugin/draw/commands/words.h"
+
+namespace blossom::draw {
+namespace {
+
+std::string answer(const Words& words) {
+  require(words.size() == 8);
+  const occt::Plane plane{vector_from(words, 2), vector_from(words, 5)};
+  const TopoDS_Shape shape = shape_named(words[1]);
+  const occt::PlaneSection section = occt::plane_section(faces_in(shape, words[1]), plane);
+  DBRep::Set(words[0].c_str(), occt::compound_of(section));
+  std::string list = std::to_string(section.wires.size()) + " " + to_string(section.status);
+  for (const occt::SectionWire& wire : section.wires)
+    list +=
+        " {" + std::string(wire.closed ? "closed" : "open") + " " + tcl_number(wire.length) + "}";
+  for (const std::size_t node : section.points)
+    list += " {point " + tcl_list(section.nodes[node].point) + "}";
+  return list;
+}
+
+int blsection(Draw_Interpretor& interpreter, int count, const char** words) {
+  return answered(interpreter, count, words, "result shape x y z nx ny nz", answer);
+}
+
+}  // namespace
+
+void add_blsection(Draw_Interpretor& interpreter) {
+  interpreter.Add(
+      "blsection",
+      "blsection result shape x y z nx ny nz"
+      "\n\t\t: the section of faces with the plane through x y z, as a compound of wires and"
+      "\n\t\t: vertices. The answer is the number of wires and complete, tolerance or stopped; then"
+      "\n\t\t: {closed length} or {open length} for each wire and {point {x y z}} for each "
+      "contact.",
+      "plugin/draw/commands/blsection.cpp", blsection, kGroup);
+}
+
+}  // namespace blossom::draw

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// blsolid result cut|common|fuse|split part tool [tool ...]
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <BRep_Builder.hxx>
+#include <DBRep.hxx>
+#include <TopoDS_Compound.hxx>
+
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/solid_trim.h"
+#include "plugin/draw/commands/commands.h"
+#include "plugin/draw/commands/words.h"
+
+namespace blossom::draw {
+namespace {
+
+occt::SolidOperation operation_of(const std::string& word) {
+  static const std::map<std::string, occt::SolidOperation> kWords = {
+      {"cut", occt::SolidOperation::Cut},
+      {"common", occt::SolidOperation::Common},
+      {"fuse", occt::SolidOperation::Fuse},
+      {"split", occt::SolidOperation::Split}};
+  const auto found = kWords.find(word);
+  if (found == kWords.end())
+    throw occt::BadModel("'" + word + "' is none of cut, common, fuse and split");
+  return found->second;
+}
+
+// Who takes a sheet for a tool is told what it is.
+occt::TrimTool solid_named(const std::string& name) {
+  occt::TrimTool tool = tool_named(name);
+  if (!tool.is_solid())
+    throw occt::BadModel(name + " is no closed solid: " + occt::describe_open_shell(tool));
+  return tool;
+}
+
+std::string answer(const Words& words) {
+  require(words.size() >= 4);
+  const occt::SolidOperation operation = operation_of(words[1]);
+  const occt::TrimTool part = solid_named(words[2]);
+  std::vector<occt::TrimTool> tools;
+  for (std::size_t i = 3; i < words.size(); ++i) tools.push_back(solid_named(words[i]));
+
+  const occt::SolidTrimResult made = occt::trim_solids(part, tools, operation);
+
+  if (!made.obstacles.empty()) throw occt::Failure(made.obstacles.front());
+  DBRep::Set(words[0].c_str(), occt::compound_of(made.solids));
+  return std::to_string(made.solids.size()) + " " + to_string(made.status) + " " +
+         tcl_number(made.total.result);
+}
+
+int blsolid(Draw_Interpretor& interpreter, int count, const char** words) {
+  return answered(interpreter, count, words, "result cut|common|fuse|split part tool [tool ...]",
+                  answer);
+}
+
+}  // namespace
+
+void add_blsolid(Draw_Interpretor& interpreter) {
+  interpreter.Add(
+      "blsolid",
+      "blsolid result cut|common|fuse|split part tool [tool ...]"
+      "\n\t\t: closed solids combined. The answer is the number of solids, complete or tolerance,"
+      "\n\t\t: and their volume.",
+      "plugin/draw/commands/blsolid.cpp", blsolid, kGroup);
+}
+
+}  // namespace blossom::draw
