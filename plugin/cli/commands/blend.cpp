@@ -96,9 +96,9 @@ void write_outputs(const Input& a, const Input& b, const StripCommand& command,
   }
   write_pictures(picture_files(command.common, [&] {
     Picture picture;
-    picture.title = "strip from " + a.name + " to " + b.name;
-    picture.groups = {{a.faces, kFirstColour, 1, a.name},
-                      {b.faces, kFirstColour, 1, b.name},
+    picture.title = "strip from " + short_name(a.name) + " to " + short_name(b.name);
+    picture.groups = {{a.faces, kFirstColour, 1, short_name(a.name)},
+                      {b.faces, kFirstColour, 1, short_name(b.name)},
                       {{timed.made.face}, kSecondColour, 1, "strip"}};
     return picture;
   }));

@@ -117,8 +117,8 @@ Picture picture_of(const Input& input, const reports::FillAnswer& holes) {
   for (const reports::Hole& hole : holes.all)
     faces.insert(faces.end(), hole.filled.faces.begin(), hole.filled.faces.end());
   Picture picture;
-  picture.title = "fill of " + input.name;
-  picture.groups = {{input.faces, kFirstColour, 1, input.name},
+  picture.title = "fill of " + short_name(input.name);
+  picture.groups = {{input.faces, kFirstColour, 1, short_name(input.name)},
                     {faces, kSecondColour, 1, "patches"}};
   return picture;
 }

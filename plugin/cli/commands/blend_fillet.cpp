@@ -126,7 +126,7 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
 
 Picture picture_of(const Input& part, const occt::FilletResult& made) {
   Picture picture;
-  picture.title = "fillets of " + part.name;
+  picture.title = "fillets of " + short_name(part.name);
   picture.groups = {{{}, kFirstColour, 1, "faces"}, {{}, kSecondColour, 1, "fillets"}};
   const FaceLabels labels(part);
   for (const occt::FilletedSolid& solid : made.solids)

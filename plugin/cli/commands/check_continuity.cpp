@@ -46,8 +46,9 @@ struct EdgeLayers {
 
 Picture picture_of(const Input& input, const ContinuityReport& report) {
   Picture picture;
-  picture.title = "continuity of " + input.name;
-  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, input.name, face_labels(input)}};
+  picture.title = "continuity of " + short_name(input.name);
+  picture.groups = {
+      {input.faces, kFirstColour, kFirstOpacity, short_name(input.name), face_labels(input)}};
   EdgeLayers layers;
   for (const occt::EdgeContinuity& edge : report.edges)
     if (std::vector<Vec3> points = edge_points(edge.edge); !points.empty())

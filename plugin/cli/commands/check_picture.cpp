@@ -56,7 +56,7 @@ void add_edge(const occt::EdgeSoundness& edge, Layers& layers) {
 
 Picture soundness_picture(const Input& input, const occt::Soundness& found) {
   Picture picture;
-  picture.title = input.name;
+  picture.title = short_name(input.name);
   const std::size_t problems = reports::problem_count(found);
   picture.subtitle = std::string(reports::verdict_of(found)) +
                      (problems == 0 ? "" : ": " + counted(problems, "problem"));

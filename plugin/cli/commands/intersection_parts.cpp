@@ -85,7 +85,7 @@ int write_outputs(const Input& a, const Input& b, const std::string& title,
   const bool unwritten = !options.output.empty() && !counts.has_shape();
   if (!options.output.empty() && !unwritten) model = intersection_model(a, b, result.found);
   const std::vector<PictureFile> pictures =
-      picture_files(options, [&] { return intersection_picture(a, b, title, result.found); });
+      picture_files(options, [&] { return intersection_picture(a, b, result.found); });
   stop_if_interrupted();
 
   if (model) write_model(*model, options.output);

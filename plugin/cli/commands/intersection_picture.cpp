@@ -43,6 +43,19 @@ std::vector<Vec3> points_of(const std::vector<SurfacePoint>& samples) {
   return points;
 }
 
+// The loops of a boundary without the steps from one to the other, see joined_loops.
+std::vector<std::vector<Vec3>> loops_of(const std::vector<SurfacePoint>& boundary) {
+  const std::vector<Vec3> points = points_of(boundary);
+  std::vector<std::vector<Vec3>> loops;
+  for (auto first = points.begin(); first != points.end();) {
+    const auto last = std::find(first + 1, points.end(), *first);
+    if (last == points.end()) break;  // only the way back is left
+    loops.emplace_back(first, last + 1);
+    first = last + 1;
+  }
+  return loops;
+}
+
 void add_curves(const occt::FaceIntersection& pair, const std::string& name, Layers& layers) {
   for (const CurveChain& chain : pair.chains) {
     const reports::ChainFacts facts = reports::facts_of(pair.found.curves, chain);
@@ -70,8 +83,8 @@ void add_overlap(const Input& a, const occt::FaceIntersection& pair, const Overl
   }
   for (std::vector<Vec3>& line : hatch_lines(face, polygons, spacing))
     layers.overlaps.items.push_back({std::move(line), label});
-  if (!overlap.boundary.empty())
-    layers.borders.items.push_back({points_of(overlap.boundary), label});
+  for (std::vector<Vec3>& loop : loops_of(overlap.boundary))
+    layers.borders.items.push_back({std::move(loop), label});
 }
 
 void add_places(const occt::FaceIntersection& pair, const std::string& name, Layers& layers) {
@@ -114,17 +127,17 @@ std::vector<std::string> certificate_facts(const Certificate& certificate) {
   return facts;
 }
 
-Picture intersection_picture(const Input& a, const Input& b, const std::string& title,
-                             const occt::ShapeIntersection& found) {
+Picture intersection_picture(const Input& a, const Input& b, const occt::ShapeIntersection& found) {
   const bool itself = &a == &b;
   Picture picture;
-  picture.title = title;
+  picture.title = short_name(a.name) + (itself ? " with itself" : " x " + short_name(b.name));
   picture.subtitle =
       std::string(to_string(stated(found.status))) + ": " + counts_text(counts_of(a, found));
-  picture.groups = {
-      {a.faces, kFirstColour, itself ? kSecondOpacity : kFirstOpacity, a.name, face_labels(a)}};
+  picture.groups = {{a.faces, kFirstColour, itself ? kSecondOpacity : kFirstOpacity,
+                     short_name(a.name), face_labels(a)}};
   if (!itself)
-    picture.groups.push_back({b.faces, kSecondColour, kSecondOpacity, b.name, face_labels(b)});
+    picture.groups.push_back(
+        {b.faces, kSecondColour, kSecondOpacity, short_name(b.name), face_labels(b)});
   const double spacing = kHatchSpacing * std::max(size_of(a.faces), size_of(b.faces));
   const PairNames names(a, b);
   Layers layers;

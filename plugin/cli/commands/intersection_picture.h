@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "adapters/occt/intersection.h"
 #include "plugin/cli/inputs.h"
@@ -13,9 +14,7 @@
 namespace blossom::cli {
 
 /// a, b      one object for an input with itself
-/// title     of the picture
-Picture intersection_picture(const Input& a, const Input& b, const std::string& title,
-                             const occt::ShapeIntersection& found);
+Picture intersection_picture(const Input& a, const Input& b, const occt::ShapeIntersection& found);
 
 /// What a page tells of faces: "face 12 (Bolt), cylinder".
 std::vector<std::string> face_labels(const Input& input);

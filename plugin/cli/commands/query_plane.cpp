@@ -68,8 +68,8 @@ std::string text_of(const Input& input, const Answer& answer) {
 
 Picture picture_of(const Input& input, const occt::PlaneSection& section) {
   Picture picture;
-  picture.title = "section of " + input.name;
-  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, input.name}};
+  picture.title = "section of " + short_name(input.name);
+  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, short_name(input.name)}};
   for (const occt::SectionCurve& curve : section.curves) picture.curves.push_back(curve.samples);
   for (const std::size_t node : section.points) picture.points.push_back(section.nodes[node].point);
   return picture;

@@ -68,7 +68,7 @@ std::string summary(const NetInput& input, const nets::Subdivision& made) {
 Picture picture_of(const std::string& name, const std::vector<Net>& made) {
   constexpr std::size_t kFew = 64;
   Picture picture;
-  picture.title = "pieces of " + name;
+  picture.title = "pieces of " + short_name(name);
   picture.groups = {{{}, kFirstColour}, {{}, kSecondColour}};
   PictureLayer control{"control net", kNetColour, LayerStyle::Net}, curves{"curve", kCurveColour};
   for (std::size_t i = 0; i < made.size(); ++i) {

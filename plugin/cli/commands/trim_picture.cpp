@@ -62,9 +62,9 @@ std::string side_text(occt::PieceSide side) {
 Picture trim_picture(const Input& part, const std::vector<const Input*>& tools,
                      const occt::TrimResult& made) {
   Picture picture;
-  picture.title = part.name;
+  picture.title = short_name(part.name);
   for (std::size_t i = 0; i < tools.size(); ++i)
-    picture.title += (i == 0 ? " trimmed by " : ", ") + tools[i]->name;
+    picture.title += (i == 0 ? " trimmed by " : ", ") + short_name(tools[i]->name);
   const FaceLabels labels(part);
   std::size_t kept = 0;
   for (const occt::TrimPiece& piece : made.pieces) {
@@ -82,7 +82,7 @@ Picture trim_picture(const Input& part, const std::vector<const Input*>& tools,
                      counted(made.pieces.size(), "piece") + ", " + std::to_string(kept) + " kept";
   for (const Input* tool : tools)
     picture.groups.push_back(
-        {tool->faces, kToolColour, kToolOpacity, tool->name, face_labels(*tool)});
+        {tool->faces, kToolColour, kToolOpacity, short_name(tool->name), face_labels(*tool)});
   picture.layers = {{"cut", kCurveColour}};
   add_cuts(made, picture.layers.front());
   picture.facts = certificate_facts(made.certificate);

@@ -196,8 +196,8 @@ void replace_solids(occt::Model& part, const occt::SolidTrimResult& made, const 
 }
 
 std::string title_of(const SolidTrim& options) {
-  std::string title = options.operation + " of " + options.part;
-  for (const std::string& tool : options.tools) title += ", " + tool;
+  std::string title = options.operation + " of " + short_name(options.part);
+  for (const std::string& tool : options.tools) title += ", " + short_name(tool);
   for (std::size_t i = 0; i < options.planes.size(); ++i) title += ", " + reports::plane_name(i);
   return title;
 }

@@ -2,6 +2,8 @@
 #include "plugin/cli/picture/files.h"
 
 #include "adapters/occt/shapes.h"
+#include "plugin/cli/page/glb.h"
+#include "plugin/cli/page/page.h"
 
 namespace blossom::cli {
 
@@ -20,6 +22,8 @@ std::vector<PictureFile> picture_files(const CommonOptions& options,
   picture.width = options.look.width;
   picture.height = options.look.height;
   if (!options.picture.empty()) files.push_back({options.picture, picture_png(picture)});
+  if (!options.look.html.empty()) files.push_back({options.look.html, page_html(picture)});
+  if (!options.look.glb.empty()) files.push_back({options.look.glb, glb_bytes(picture)});
   return files;
 }
 

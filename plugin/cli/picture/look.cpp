@@ -37,6 +37,10 @@ void take_size(const std::string& text, PictureLook& look) {
 void add_picture_options(CLI::App& command, std::string& picture, PictureLook& look,
                          const std::string& shows) {
   command.add_option("--picture", picture, shows)->type_name("FILE");
+  command.add_option("--html", look.html, "write a page to turn and to click into")
+      ->type_name("FILE");
+  command.add_option("--glb", look.glb, "write what is shown as a model of triangles (glTF)")
+      ->type_name("FILE");
   command
       .add_option_function<std::string>(
           "--view",

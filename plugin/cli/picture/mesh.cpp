@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/picture/mesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <BRepAdaptor_Surface.hxx>
@@ -22,7 +23,8 @@ namespace blossom::cli {
 namespace {
 
 constexpr double kAngle = 0.2;  // radians between neighbouring triangles: looks smooth when shaded
-constexpr int kEdgeSteps = 64;  // of an edge that is not straight
+constexpr double kLargestAngle = 1;      // radians; a full turn keeps six sides
+constexpr int kEdgeSteps = 64;           // of an edge that is not straight
 constexpr double kOwnDeflection = 1e-4;  // of a face's own size
 
 Vec3 to_vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
@@ -54,20 +56,20 @@ std::vector<std::vector<Vec3>> outlines_of(const TopoDS_Face& face,
 
 // Faces far smaller than the deflection get no triangles: they are tried with a share of their own
 // size.
-Handle(Poly_Triangulation)
-    triangulation_of(const TopoDS_Face& face, double deflection, TopLoc_Location& place) {
+Handle(Poly_Triangulation) triangulation_of(const TopoDS_Face& face, double deflection,
+                                            double angle, TopLoc_Location& place) {
   for (const double within : {deflection, kOwnDeflection * size_of({face})}) {
-    BRepMesh_IncrementalMesh(face, within, Standard_False, kAngle, Standard_False);
+    BRepMesh_IncrementalMesh(face, within, Standard_False, angle, Standard_False);
     const Handle(Poly_Triangulation) found = BRep_Tool::Triangulation(face, place);
     if (!found.IsNull()) return found;
   }
   return {};
 }
 
-PictureMesh mesh_of(const TopoDS_Face& face, double deflection) {
+PictureMesh mesh_of(const TopoDS_Face& face, double deflection, double angle) {
   const TopoDS_Face copy = TopoDS::Face(BRepBuilderAPI_Copy(face, Standard_False).Shape());
   TopLoc_Location place;
-  const Handle(Poly_Triangulation) found = triangulation_of(copy, deflection, place);
+  const Handle(Poly_Triangulation) found = triangulation_of(copy, deflection, angle, place);
   if (found.IsNull()) throw occt::Failure("a face cannot be triangulated for the picture");
 
   PictureMesh mesh;
@@ -87,8 +89,9 @@ PictureMesh mesh_of(const TopoDS_Face& face, double deflection) {
 
 }  // namespace
 
-PictureMesh picture_mesh(const TopoDS_Face& face, double deflection) {
-  return occt::guarded("triangulating a face", [&] { return mesh_of(face, deflection); });
+PictureMesh picture_mesh(const TopoDS_Face& face, double deflection, double coarseness) {
+  const double angle = std::min(kAngle * coarseness, kLargestAngle);
+  return occt::guarded("triangulating a face", [&] { return mesh_of(face, deflection, angle); });
 }
 
 std::vector<Vec3> edge_points(const TopoDS_Edge& edge) {

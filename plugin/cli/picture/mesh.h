@@ -22,8 +22,9 @@ struct PictureMesh {
 
 /// Triangulates a copy of the face; the face itself keeps what triangles it had.
 /// deflection   distance of the triangles to the surface, model units, > 0
+/// coarseness   of the angle between neighbouring triangles; 1 looks smooth
 /// throws       occt::Failure if the face cannot be triangulated
-PictureMesh picture_mesh(const TopoDS_Face& face, double deflection);
+PictureMesh picture_mesh(const TopoDS_Face& face, double deflection, double coarseness = 1);
 
 /// Points of an edge, two if it is straight; none if it has no curve in space.
 std::vector<Vec3> edge_points(const TopoDS_Edge& edge);

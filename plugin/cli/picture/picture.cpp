@@ -8,14 +8,13 @@
 
 #include "plugin/cli/picture/annotations.h"
 #include "plugin/cli/picture/canvas.h"
-#include "plugin/cli/picture/mesh.h"
 #include "plugin/cli/picture/png.h"
+#include "plugin/cli/picture/scene.h"
 #include "plugin/cli/picture/view.h"
 
 namespace blossom::cli {
 namespace {
 
-constexpr double kDeflection = 5e-4;   // of the scene's size: below a pixel
 constexpr double kLift = 4e-3;         // of the frame's width: lines on a face are before it
 constexpr double kBehind = 1.5e-3;     // of the frame's width: more than triangles leave surfaces
 constexpr double kCurveWidth = 4.5;    // pixels
@@ -24,35 +23,9 @@ constexpr double kNetWidth = 1.2;      // pixels
 constexpr double kHatchWidth = 1.6;    // pixels
 constexpr Vec3 kOutlineColour = {0.22, 0.26, 0.32};
 
-struct ColouredMesh {
-  PictureMesh mesh;
-  Vec3 colour;
-  double opacity = 1;
-};
-
-std::vector<ColouredMesh> meshes_of(const Picture& picture) {
-  double size = 0;
-  for (const PictureFaces& group : picture.groups) size = std::max(size, size_of(group.faces));
-  std::vector<ColouredMesh> meshes;
-  for (const PictureFaces& group : picture.groups)
-    for (const TopoDS_Face& face : group.faces)
-      meshes.push_back({picture_mesh(face, kDeflection * size), group.colour, group.opacity});
-  return meshes;
-}
-
-// Corners of all triangles, three after three.
-std::vector<Vec3> corners_of(const std::vector<ColouredMesh>& meshes) {
-  std::vector<Vec3> corners;
-  for (const ColouredMesh& item : meshes)
-    for (const auto& triangle : item.mesh.triangles)
-      for (const int i : triangle) corners.push_back(item.mesh.points[static_cast<std::size_t>(i)]);
-  return corners;
-}
-
-View view_of(const Picture& picture, const std::vector<ColouredMesh>& meshes) {
-  std::vector<Vec3> points = corners_of(meshes);
-  const Vec3 to_eye =
-      picture.view.empty() ? default_direction(points) : view_direction(picture.view);
+View view_of(const Picture& picture, const std::vector<SceneMesh>& meshes) {
+  std::vector<Vec3> points = scene_corners(meshes);
+  const Vec3 to_eye = scene_direction(picture, points);
   for (const PictureLayer& layer : all_layers(picture))
     for (const PictureItem& item : layer.items)
       points.insert(points.end(), item.points.begin(), item.points.end());
@@ -76,11 +49,11 @@ double depth_behind(const Picture& picture, double opacity) {
   return opacity < kFirstOpacity ? kBehind * picture.width * kSamples : 0;
 }
 
-void add_mesh(Canvas& canvas, const ColouredMesh& item, const View& view, double behind) {
-  const PictureMesh& mesh = item.mesh;
+void add_mesh(Canvas& canvas, const PictureMesh& mesh, const PictureFaces& look, const View& view,
+              double behind) {
   for (const auto& triangle : mesh.triangles) {
     CanvasTriangle out;
-    out.opacity = item.opacity;
+    out.opacity = look.opacity;
     const auto point = [&](int k) {
       return mesh.points[static_cast<std::size_t>(triangle[static_cast<std::size_t>(k)])];
     };
@@ -90,7 +63,7 @@ void add_mesh(Canvas& canvas, const ColouredMesh& item, const View& view, double
       const bool has_normal = max_norm(mesh.normals[i]) > 0;
       out.corners[k] = view(mesh.points[i]);
       out.corners[k][2] += behind;
-      out.colours[k] = shaded(item.colour, has_normal ? mesh.normals[i] : flat, view);
+      out.colours[k] = shaded(look.colour, has_normal ? mesh.normals[i] : flat, view);
     }
     canvas.triangles.push_back(out);
   }
@@ -116,9 +89,9 @@ LineLook look_of(LayerStyle style) {
   return {};
 }
 
-void add_outlines(Canvas& canvas, const std::vector<ColouredMesh>& meshes, const View& view,
+void add_outlines(Canvas& canvas, const std::vector<SceneMesh>& meshes, const View& view,
                   double lift) {
-  for (const ColouredMesh& item : meshes)
+  for (const SceneMesh& item : meshes)
     for (const auto& outline : item.mesh.outlines) {
       canvas.lines.push_back(line_of(outline, view, lift));
       canvas.lines.back().colour = kOutlineColour;
@@ -151,6 +124,12 @@ const Vec3& palette(std::size_t index) {
   return kColours[index % kColours.size()];
 }
 
+std::string short_name(const std::string& input) {
+  const std::size_t end = std::min(input.rfind('#'), input.size());  // what follows may have "/"
+  const std::size_t slash = input.rfind('/', end);
+  return slash == std::string::npos ? input : input.substr(slash + 1);
+}
+
 std::vector<PictureLayer> all_layers(const Picture& picture) {
   PictureLayer curves = plain_layer(LayerStyle::Curve), dots = plain_layer(LayerStyle::Dot);
   for (const std::vector<Vec3>& curve : picture.curves) curves.items.push_back({curve});
@@ -165,12 +144,14 @@ std::vector<PictureLayer> all_layers(const Picture& picture) {
 }
 
 Image picture_image(const Picture& picture) {
-  const std::vector<ColouredMesh> meshes = meshes_of(picture);
+  const std::vector<SceneMesh> meshes = scene_meshes(picture);
   const View view = view_of(picture, meshes);
   const double lift = kLift * picture.width * kSamples;
   Canvas canvas{picture.width, picture.height, {}, {}};
-  for (const ColouredMesh& item : meshes)
-    add_mesh(canvas, item, view, depth_behind(picture, item.opacity));
+  for (const SceneMesh& item : meshes) {
+    const PictureFaces& look = picture.groups[item.group];
+    add_mesh(canvas, item.mesh, look, view, depth_behind(picture, look.opacity));
+  }
   add_outlines(canvas, meshes, view, lift / 2);
   for (const PictureLayer& layer : all_layers(picture)) add_layer(canvas, layer, view, lift);
   Image image = drawn(canvas);

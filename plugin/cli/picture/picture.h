@@ -76,6 +76,9 @@ struct Picture {
   int height = 900;
 };
 
+/// An input as legends name it: without the folder that its file lies in.
+std::string short_name(const std::string& input);
+
 /// The layers that `curves` and `points` stand for, and `layers`; those without items left out.
 std::vector<PictureLayer> all_layers(const Picture& picture);
 

@@ -50,8 +50,7 @@ Vec3 view_direction(const std::string& text) {
   for (const auto& [word, direction] : named_directions())
     if (word == text) return direction;
   if (text.find(',') == std::string::npos)
-    throw UsageError("--view takes " + listed(view_words(), "or") + ", or X,Y,Z, not '" + text +
-                     "'");
+    throw UsageError("--view takes " + listed(view_words()) + ", or X,Y,Z, not '" + text + "'");
   const Vec3 direction = parse_vector(text, "--view");
   if (max_norm(direction) == 0) throw UsageError("--view: the zero vector has no direction");
   return direction * (1 / max_norm(direction));

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Pictures as glTF 2.0 in one binary file (.glb): triangles, and curves as lines, which Open
+// CASCADE's writer leaves out.
+
+#pragma once
+
+#include <string>
+
+#include "plugin/cli/picture/picture.h"
+
+namespace blossom::cli {
+
+/// The bytes of a .glb file, in metres with y upwards as glTF has it. A node for every group and
+/// layer, with its name and colour; marks are points.
+/// throws   as picture_image
+std::string glb_bytes(const Picture& picture);
+
+}  // namespace blossom::cli

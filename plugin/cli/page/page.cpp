@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/cli/page/page.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "adapters/occt/base/errors.h"
+#include "plugin/cli/output.h"
+#include "plugin/cli/page/base64.h"
+#include "plugin/cli/page/viewer_files.h"
+#include "plugin/cli/picture/scene.h"
+
+namespace blossom::cli {
+namespace {
+
+constexpr double kCoarser = 1.6;  // from one try to the next, see page_html
+constexpr int kTries = 8;
+constexpr double kLeastExtent = 1e-9;  // keeps the scale of a scene without extent finite
+
+template <typename T>
+std::string packed(const std::vector<T>& values) {
+  return base64(std::as_bytes(std::span(values)));
+}
+
+// What a scene fills.
+struct SceneBox {
+  Vec3 low = Vec3{1, 1, 1} * std::numeric_limits<double>::infinity();
+  Vec3 high = Vec3{1, 1, 1} * -std::numeric_limits<double>::infinity();
+
+  void add(const Vec3& p) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  Vec3 centre() const { return 0.5 * (low + high); }
+  Vec3 extent() const {
+    Vec3 size = high - low;
+    for (int k = 0; k < 3; ++k) size[k] = std::max(size[k], kLeastExtent);
+    return size;
+  }
+};
+
+SceneBox box_of(const std::vector<SceneMesh>& meshes, const std::vector<PictureLayer>& layers) {
+  SceneBox box;
+  for (const SceneMesh& item : meshes)
+    for (const Vec3& p : item.mesh.points) box.add(p);
+  for (const PictureLayer& layer : layers)
+    for (const PictureItem& item : layer.items)
+      for (const Vec3& p : item.points) box.add(p);
+  if (box.low[0] > box.high[0]) box.low = box.high = {0, 0, 0};
+  return box;
+}
+
+Json json_of(const Vec3& v) { return Json::array({v[0], v[1], v[2]}); }
+
+// Numbers below 65536 take two bytes.
+std::string packed_indices(const std::vector<std::uint32_t>& indices, bool wide) {
+  if (wide) return packed(indices);
+  return packed(std::vector<std::uint16_t>(indices.begin(), indices.end()));
+}
+
+std::vector<std::uint32_t> outline_indices(const PictureMesh& mesh,
+                                           const std::vector<Vec3>& outline) {
+  std::vector<std::uint32_t> indices;
+  for (const Vec3& p : outline) {
+    const auto found = std::ranges::find(mesh.points, p);
+    if (found != mesh.points.end())
+      indices.push_back(static_cast<std::uint32_t>(found - mesh.points.begin()));
+  }
+  return indices;
+}
+
+Json face_json(const PictureMesh& mesh, const SceneBox& box) {
+  const bool wide = mesh.points.size() > std::numeric_limits<std::uint16_t>::max();
+  const Vec3 extent = box.extent();
+  std::vector<std::uint16_t> points;
+  std::vector<std::int8_t> normals;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const double share = (mesh.points[i][k] - box.low[k]) / extent[k];
+      points.push_back(
+          static_cast<std::uint16_t>(std::lround(65535 * std::clamp(share, 0.0, 1.0))));
+      normals.push_back(static_cast<std::int8_t>(std::lround(127 * mesh.normals[i][k])));
+    }
+  std::vector<std::uint32_t> triangles;
+  for (const auto& triangle : mesh.triangles)
+    for (const int i : triangle) triangles.push_back(static_cast<std::uint32_t>(i));
+  Json outlines = Json::array();
+  for (const std::vector<Vec3>& outline : mesh.outlines)
+    outlines.push_back(packed_indices(outline_indices(mesh, outline), wide));
+  return {{"wide", wide},
+          {"points", packed(points)},
+          {"normals", packed(normals)},
+          {"triangles", packed_indices(triangles, wide)},
+          {"outlines", std::move(outlines)}};
+}
+
+Json groups_json(const Picture& picture, const std::vector<SceneMesh>& meshes,
+                 const SceneBox& box) {
+  Json groups = Json::array();
+  for (const PictureFaces& group : picture.groups)
+    groups.push_back({{"name", group.name},
+                      {"colour", json_of(group.colour)},
+                      {"opacity", group.opacity},
+                      {"faces", Json::array()}});
+  for (const SceneMesh& item : meshes) {
+    Json face = face_json(item.mesh, box);
+    const std::vector<std::string>& labels = picture.groups[item.group].labels;
+    face["label"] = item.face < labels.size() ? labels[item.face] : "";
+    groups[item.group]["faces"].push_back(std::move(face));
+  }
+  return groups;
+}
+
+const char* word_of(LayerStyle style) {
+  switch (style) {
+    case LayerStyle::Curve: return "curve";
+    case LayerStyle::Net: return "net";
+    case LayerStyle::Hatch: return "hatch";
+    case LayerStyle::Dot: return "dot";
+    case LayerStyle::Ring: return "ring";
+    case LayerStyle::Square: break;
+  }
+  return "square";
+}
+
+// Points are lengths from the middle of the scene: single precision keeps their details.
+Json layers_json(const std::vector<PictureLayer>& layers, const Vec3& centre) {
+  Json all = Json::array();
+  for (const PictureLayer& layer : layers) {
+    Json items = Json::array();
+    for (const PictureItem& item : layer.items) {
+      std::vector<float> points;
+      for (const Vec3& p : item.points)
+        for (int k = 0; k < 3; ++k) points.push_back(static_cast<float>(p[k] - centre[k]));
+      items.push_back({{"points", packed(points)}, {"label", item.label}});
+    }
+    all.push_back({{"name", layer.name},
+                   {"colour", json_of(layer.colour)},
+                   {"style", word_of(layer.style)},
+                   {"items", std::move(items)}});
+  }
+  return all;
+}
+
+Json scene_json(const Picture& picture, const std::vector<SceneMesh>& meshes) {
+  const std::vector<PictureLayer> layers = all_layers(picture);
+  const SceneBox box = box_of(meshes, layers);
+  return {{"title", picture.title},
+          {"subtitle", picture.subtitle},
+          {"facts", picture.facts},
+          {"low", json_of(box.low - box.centre())},
+          {"extent", json_of(box.extent())},
+          {"size", norm(box.extent())},
+          {"eye", json_of(scene_direction(picture, scene_corners(meshes)))},
+          {"groups", groups_json(picture, meshes, box)},
+          {"layers", layers_json(layers, box.centre())}};
+}
+
+// 'sha256-...' of a policy, from hexadecimal digits.
+std::string policy_hash(std::string_view digits) {
+  std::vector<std::uint8_t> bytes(digits.size() / 2);
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    std::from_chars(digits.data() + 2 * i, digits.data() + 2 * i + 2, bytes[i], 16);
+  return "'sha256-" + packed(bytes) + "'";
+}
+
+// JSON that no HTML ends: "<" is only in strings, where it may be written otherwise.
+std::string embedded(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  }
+  return text;
+}
+
+std::string html_of(const Json& scene) {
+  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  html += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src " +
+          policy_hash(kViewerScriptSha256) + "; style-src " + policy_hash(kViewerStyleSha256) +
+          "; base-uri 'none'; form-action 'none'\">\n";
+  html +=
+      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>Blossom</title>\n<style>";
+  html += kViewerStyle;
+  html += R"(</style>
+</head>
+<body>
+<div id="stage"><canvas id="view"></canvas><div id="views"></div></div>
+<div id="panel">
+<h1 id="title"></h1>
+<p id="subtitle"></p>
+<h2>Shown</h2>
+<div id="switches"></div>
+<label><input type="checkbox" id="outlines" checked>edges of faces</label>
+<h2>Clicked</h2>
+<div id="picked">Click a face, a curve or a mark.</div>
+<div id="certificate"><h2>Certificate</h2><ul id="facts"></ul></div>
+<h2>Mouse</h2>
+<p class="hint">Drag turns, the wheel zooms, Shift or the right button slides, a double click shows all.</p>
+</div>
+<script type="application/json" id="data">)";
+  html += embedded(scene);
+  html += "</script>\n<script>";
+  html += kViewerScript;
+  html += "</script>\n</body>\n</html>\n";
+  return html;
+}
+
+}  // namespace
+
+std::string page_html(const Picture& picture) {
+  double coarseness = 1;
+  std::size_t size = 0;
+  for (int i = 0; i < kTries; ++i, coarseness *= kCoarser) {
+    std::string html = html_of(scene_json(picture, scene_meshes(picture, coarseness)));
+    if (html.size() < kPageLimit) return html;
+    size = html.size();
+  }
+  throw occt::Failure("the page would have " + std::to_string(size / 1'000'000) +
+                      " MB, more than " + std::to_string(kPageLimit / 1'000'000) +
+                      "; name the faces to show, as in FILE#1-500");
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Pictures as pages to turn and to click into: one file, which needs no network and no other file.
+
+#pragma once
+
+#include <string>
+
+#include "plugin/cli/picture/picture.h"
+
+namespace blossom::cli {
+
+/// Pages are below this, bytes; faces get coarser triangles for it where they have to.
+inline constexpr std::size_t kPageLimit = 5'000'000;
+
+/// The bytes of an HTML file. Its content security policy allows the one script and the one style
+/// sheet in it, by their hashes, and nothing to be fetched or sent.
+/// throws   as picture_image; occt::Failure if it would exceed the limit with the coarsest
+/// triangles
+std::string page_html(const Picture& picture);
+
+}  // namespace blossom::cli

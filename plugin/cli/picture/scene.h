@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The faces of a picture as triangles.
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/math/vec.h"
+#include "plugin/cli/picture/mesh.h"
+#include "plugin/cli/picture/picture.h"
+
+namespace blossom::cli {
+
+struct SceneMesh {
+  PictureMesh mesh;
+  std::size_t group = 0;  ///< of the picture
+  std::size_t face = 0;   ///< of the group
+};
+
+/// coarseness   1: what a picture shows as smooth; triangles are about so many times as long
+/// throws       occt::Failure if a face cannot be triangulated
+std::vector<SceneMesh> scene_meshes(const Picture& picture, double coarseness = 1);
+
+/// Corners of all triangles, three after three.
+std::vector<Vec3> scene_corners(const std::vector<SceneMesh>& meshes);
+
+/// The direction to the eye: the picture's own, or the default one of what there is to see.
+Vec3 scene_direction(const Picture& picture, const std::vector<Vec3>& corners);
+
+}  // namespace blossom::cli

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A page in a browser: it draws, tells what is clicked, and complains of nothing.
+
+Speaks the browser's debugging protocol through pipes, without any package. BLOSSOM_PROGRAM is the
+program, BLOSSOM_BROWSER the browser; BLOSSOM_SHOT, if it is there, gets a picture of the page.
+"""
+
+import base64
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM, BROWSER = os.environ["BLOSSOM_PROGRAM"], os.environ["BLOSSOM_BROWSER"]
+FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+         "--disable-background-networking", "--disable-component-update", "--disable-sync",
+         "--enable-unsafe-swiftshader", "--window-size=1200,900", "--remote-debugging-pipe"]
+
+
+class Browser:
+    """One tab of a browser without a window."""
+
+    def __init__(self, profile):
+        to_read, self.to = os.pipe()
+        self.at, to_write = os.pipe()
+
+        def pipes():  # the browser reads from 3 and writes to 4
+            low, high = os.dup(to_read), os.dup(to_write)
+            os.dup2(low, 3)
+            os.dup2(high, 4)
+
+        self.process = subprocess.Popen(
+            [BROWSER, *FLAGS, f"--user-data-dir={profile}"], preexec_fn=pipes, close_fds=False,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(to_read)
+        os.close(to_write)
+        self.rest, self.number, self.events, self.session = b"", 0, [], None
+        target = self.call("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.call(domain + ".enable")
+
+    def message(self):
+        while b"\0" not in self.rest:
+            more = os.read(self.at, 1 << 20)
+            if not more:
+                raise RuntimeError("the browser has ended")
+            self.rest += more
+        text, self.rest = self.rest.split(b"\0", 1)
+        return json.loads(text)
+
+    def call(self, method, **parameters):
+        self.number += 1
+        request = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            request["sessionId"] = self.session
+        os.write(self.to, json.dumps(request).encode() + b"\0")
+        while True:
+            answer = self.message()
+            if answer.get("id") == self.number:
+                if "error" in answer:
+                    raise RuntimeError(f"{method}: {answer['error']}")
+                return answer["result"]
+            self.events.append(answer)
+
+    def open(self, file):
+        self.events.clear()
+        self.call("Page.navigate", url=pathlib.Path(file).as_uri())
+        while not any(event.get("method") == "Page.loadEventFired" for event in self.events):
+            self.events.append(self.message())
+        self.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+    def value(self, expression):
+        result = self.call("Runtime.evaluate", expression=expression, returnByValue=True,
+                           awaitPromise=True)
+        if "exceptionDetails" in result:
+            raise RuntimeError(f"{expression}: {result['exceptionDetails']}")
+        return result["result"].get("value")
+
+    def click(self, x, y):
+        for kind in ("mousePressed", "mouseReleased"):
+            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
+
+    def drag(self, x, y, to_x, to_y):
+        self.call("Input.dispatchMouseEvent", type="mousePressed", x=x, y=y, button="left",
+                  clickCount=1)
+        self.call("Input.dispatchMouseEvent", type="mouseMoved", x=to_x, y=to_y, button="left")
+        self.call("Input.dispatchMouseEvent", type="mouseReleased", x=to_x, y=to_y, button="left",
+                  clickCount=1)
+
+    def complaints(self):
+        """What the console shows, but for how fast the machine's graphics are."""
+        methods = ("Runtime.exceptionThrown", "Runtime.consoleAPICalled", "Log.entryAdded")
+        return [event for event in self.events
+                if event.get("method") in methods and "GL Driver Message (OpenGL, Performance" not in
+                event["params"].get("entry", {}).get("text", "")]
+
+    def requests(self):
+        return [event["params"]["request"]["url"] for event in self.events
+                if event.get("method") == "Network.requestWillBeSent"]
+
+    def picture(self):
+        return base64.b64decode(self.call("Page.captureScreenshot")["data"])
+
+    def close(self):
+        try:
+            self.call("Browser.close")
+        except (RuntimeError, OSError):
+            pass
+        self.process.wait(timeout=30)
+        os.close(self.to)
+        os.close(self.at)
+
+
+class PageInBrowser(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        cls.page = os.path.join(cls.folder.name, "page.html")
+        subprocess.run([os.environ["BLOSSOM_MAKE_PARTS"], cls.folder.name], check=True)
+        parts = [os.path.join(cls.folder.name, name) for name in ("hull.step", "cutters.step")]
+        subprocess.run([PROGRAM, "intersect", *parts, "--html", cls.page, "--quiet"], check=True)
+        cls.browser = Browser(os.path.join(cls.folder.name, "profile"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def setUp(self):
+        self.browser.open(self.page)
+
+    def tearDown(self):
+        self.assertEqual(self.browser.complaints(), [])
+
+    def place_on_curve(self):
+        return self.browser.value("blossomPage.placeOf(blossomPage.layers.indexOf('crossing'), 0, 0.5)")
+
+    def picked(self):
+        return self.browser.value("document.getElementById('picked').textContent")
+
+    def test_is_drawn(self):
+        self.assertGreater(int(self.browser.value("document.body.dataset.triangles")), 100)
+        shot = self.browser.picture()
+        if "BLOSSOM_SHOT" in os.environ:
+            pathlib.Path(os.environ["BLOSSOM_SHOT"]).write_bytes(shot)
+        hidden = self.browser.value("document.querySelectorAll('#switches input').forEach("
+                                    "box => box.click()), 0")
+        self.browser.value("new Promise(done => requestAnimationFrame(() => setTimeout(done, 50)))")
+        self.assertEqual(hidden, 0)
+        self.assertGreater(len(shot), 1.2 * len(self.browser.picture()))
+
+    def test_click_on_a_curve_tells_its_numbers_and_parts(self):
+        x, y, _ = self.place_on_curve()
+        self.browser.click(x, y)
+        text = self.picked()
+        for words in ("Hull x Deck", "face 1 x face 1", "length 12572", "degree", "poles",
+                      "deviation", "proven"):
+            self.assertIn(words, text)
+
+    def test_click_on_a_face_tells_its_part(self):
+        x, y, _ = self.place_on_curve()
+        self.browser.click(x, y + 30)
+        self.assertRegex(self.picked(), r"^face 1 \((Hull|Deck)\)$")
+
+    def test_click_beside_everything_says_so(self):
+        self.browser.click(4, 4)
+        self.assertEqual(self.picked(), "Nothing there.")
+
+    def test_shows_the_certificate(self):
+        self.assertIn("proven", self.browser.value("document.getElementById('facts').textContent"))
+
+    def test_turns_and_zooms(self):
+        before = self.place_on_curve()
+        self.browser.drag(200, 200, 300, 240)
+        turned = self.place_on_curve()
+        self.assertGreater(abs(turned[0] - before[0]) + abs(turned[1] - before[1]), 5)
+        self.browser.call("Input.dispatchMouseEvent", type="mouseWheel", x=100, y=100, deltaX=0,
+                          deltaY=-400)
+        zoomed = self.place_on_curve()
+        self.assertGreater(abs(zoomed[0] - turned[0]) + abs(zoomed[1] - turned[1]), 5)
+
+    def test_asks_for_nothing_but_itself(self):
+        self.assertEqual(self.browser.requests(), [pathlib.Path(self.page).as_uri()])
+
+    def test_policy_stops_foreign_scripts(self):
+        self.browser.value("(() => { const s = document.createElement('script');"
+                           "s.textContent = 'window.foreign = 1'; document.body.append(s); })()")
+        self.assertIsNone(self.browser.value("window.foreign"))
+        self.browser.events.clear()  # the policy's own complaint
+
+
+if __name__ == "__main__":
+    unittest.main()
