@@ -129,7 +129,7 @@ TEST(Annotations, AreDrawnBesideTheScene) {
   picture.title = "A title";
   const Image titled = picture_image(picture);
   constexpr Vec3 kInk = {0.13, 0.16, 0.20};
-  EXPECT_GT(pixels_like(titled, kInk), pixels_like(bare, kInk) + 300);
+  EXPECT_GT(pixels_like(titled, kInk), pixels_like(bare, kInk) + 150);
 }
 
 TEST(Annotations, ManyGroupsDoNotHideWhatCurvesMean) {

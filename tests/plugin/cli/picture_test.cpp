@@ -176,7 +176,8 @@ TEST(Picture, ShowsFacesAndCurvesInTheWholeFrame) {
 
   EXPECT_EQ(image.width, 1200);
   EXPECT_EQ(image.height, 900);
-  EXPECT_GT(std::ranges::count_if(image.pixels, is_red), 2000);
+  // The near half of the circle is behind the bowl's wall, where it shines through.
+  EXPECT_GT(std::ranges::count_if(image.pixels, is_red), 500);
   int left = image.width, right = 0, top = image.height, bottom = 0;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
