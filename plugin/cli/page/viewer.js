@@ -276,7 +276,8 @@ function drawLayers(opacity) {
   const { layer, item } = picked ?? {};
   if (layer && !layer.isMark && layer.shown)
     for (const other of layer.items.filter((i) => i.label === item.label))
-      drawLines(layer.lines, other.first, other.count, kPickedColour, opacity, kLineWidth.curve + 2);
+      drawLines(layer.lines, other.first, other.count, kPickedColour, opacity,
+                1.4 * kLineWidth[layer.style]);
 }
 
 function draw() {
@@ -293,14 +294,19 @@ function draw() {
   const shown = groups.filter((group) => group.shown);
   for (const group of shown.filter((g) => g.opacity >= 0.9))
     drawFaces(group, group.colour, 1, 0, group.corners.length);
-  if (picked?.face && picked.group.shown)
-    drawFaces(picked.group, kPickedColour, 1, picked.face.first, picked.face.count);
+  const drawPicked = (solid) => {
+    const { group, face } = picked ?? {};
+    if (face && group.shown && group.opacity >= 0.9 === solid)
+      drawFaces(group, kPickedColour, solid ? 1 : 0.6, face.first, face.count);
+  };
+  drawPicked(true);
   if (element("outlines").checked)
     for (const { outline } of shown) drawLines(outline, 0, outline.count, kOutlineColour, 1, 1);
   drawLayers(1);
   gl.depthMask(false);
   for (const group of shown.filter((g) => g.opacity < 0.9))
     drawFaces(group, group.colour, group.opacity, 0, group.corners.length);
+  drawPicked(false);
   gl.depthFunc(gl.GREATER);  // what is hidden shines through
   drawLayers(0.3);
   gl.depthMask(true);
