@@ -61,7 +61,7 @@ def run_shell(block):
         else:
             lines.append(line)
     run(["bash", "-c", SHELL + "\n".join(lines)], "\n".join(lines))
-    for file in re.findall(r"(?:-o|--json|--picture) ([^ \n-]\S*)", "\n".join(lines)):
+    for file in re.findall(r"(?:-o|--json|--picture|--html|--glb) ([^ \n-]\S*)", "\n".join(lines)):
         claim(f"{file} was written", (folder / file).stat().st_size > 0)
 
 
