@@ -20,6 +20,7 @@
 #include "adapters/occt/shapes.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
 #include "plugin/cli/verbosity.h"
@@ -200,8 +201,8 @@ bool are_many(const std::vector<std::string>& inputs, const CommonOptions& commo
 
 int run_many(const ManyFiles& files) {
   const CommonOptions& common = files.common;
-  if (files.inputs.size() > 1 && !(common.output.empty() && common.picture.empty()))
-    throw UsageError("--output and --picture are for one file, not for " +
+  if (files.inputs.size() > 1 && !(common.output.empty() && picture_names(common).empty()))
+    throw UsageError("--output, --picture, --html and --glb are for one file, not for " +
                      std::to_string(files.inputs.size()));
   check_files(common, files.inputs);
   const std::vector<std::string> options = given_options(*files.command);

@@ -93,11 +93,11 @@ std::vector<Output> wanted_outputs(const CommonOptions& options, Outputs outputs
   if (outputs == Outputs::ModelsAndDrawings)
     for (const char* ending : {".dxf", ".svg", ".json"}) model.endings.emplace_back(ending);
   std::vector<Output> wanted;
-  for (const Output& output : {model, Output{"--json", options.json, {".json"}, {""}},
-                               Output{"--picture", options.picture, {".png"}},
-                               Output{"--html", options.look.html, {".html"}, {".htm"}},
-                               Output{"--glb", options.look.glb, {".glb"}},
-                               Output{"--table", options.table, {".csv"}}})
+  for (const Output& output :
+       {model, Output{"--json", options.json, {".json"}, {""}},
+        Output{"--picture", options.picture, {".png"}},
+        Output{"--html", options.look.html, {".html"}, {".htm"}},
+        Output{"--glb", options.look.glb, {".glb"}}, Output{"--table", options.table, {".csv"}}})
     if (!output.file.empty() && !(output.option == "--json" && is_stream(output.file)))
       wanted.push_back(output);
   return wanted;

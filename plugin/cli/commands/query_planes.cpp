@@ -18,7 +18,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/output.h"
-#include "plugin/cli/picture/picture.h"
+#include "plugin/cli/picture/files.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/values.h"
@@ -151,17 +151,24 @@ std::string text_of(const Input& input, const SectionsAnswer& answer) {
   return text.str();
 }
 
-std::string picture_of(const Input& input, const SectionsAnswer& answer) {
+// A page tells of each curve and point in which plane and of which part it is.
+Picture picture_of(const Input& input, const SectionsAnswer& answer) {
   Picture picture;
-  picture.groups = {{input.faces, kFirstColour, kFirstOpacity}};
+  picture.title = "sections of " + short_name(input.name);
+  picture.subtitle = counted(answer.planes.size(), "plane");
+  picture.groups = {{input.faces, kFirstColour, kFirstOpacity, short_name(input.name)}};
+  PictureLayer curves{"section", kCurveColour};
+  PictureLayer points{"isolated point", kCurveColour, LayerStyle::Dot};
   for (const SectionsOfPlane& plane : answer.planes)
     for (const PartSection& part : plane.parts) {
+      const std::string label = plane.plane.name + "\n" + part.name;
       for (const occt::SectionCurve& curve : part.section.curves)
-        picture.curves.push_back(curve.samples);
+        curves.items.push_back({curve.samples, label});
       for (const std::size_t node : part.section.points)
-        picture.points.push_back(part.section.nodes[node].point);
+        points.items.push_back({{part.section.nodes[node].point}, label});
     }
-  return picture_png(picture);
+  picture.layers = {std::move(curves), std::move(points)};
+  return picture;
 }
 
 SectionsAnswer sections_of(const Input& input, const std::vector<NamedPlane>& planes,
@@ -259,8 +266,11 @@ int run_planes(const std::string& name, std::vector<NamedPlane> planes, const Co
   stop_if_interrupted();
   const SectionsAnswer answer = sections_of(input, planes, engine);
   stop_if_interrupted();
+  const std::vector<PictureFile> pictures =
+      picture_files(common, [&] { return picture_of(input, answer); });
+  stop_if_interrupted();
   if (!common.output.empty()) write_result(input, answer, common.output);
-  if (!common.picture.empty()) occt::write_text(picture_of(input, answer), common.picture);
+  write_pictures(pictures);
   if (!common.json.empty()) write_json(reports::sections_report(input, answer), common.json);
   print_summary(text_of(input, answer), common.json);
   return exit_code(answer.status);

@@ -19,9 +19,10 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
+#include "plugin/cli/picture/files.h"
+#include "plugin/cli/picture/mesh.h"
 #include "plugin/nets/net_json.h"
 #include "plugin/nets/whole.h"
-#include "plugin/cli/picture/picture.h"
 #include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
@@ -64,7 +65,7 @@ std::vector<WholePart> whole_edges(const Input& input, const std::vector<double>
     part.source.file = input.model.file().string();
     part.source.edge = number;
     const auto curve = nets::whole_curve(TopoDS::Edge(numbered(number)), part.source,
-                                   Interval{interval[0], interval[1]});
+                                         Interval{interval[0], interval[1]});
     if (curve.IsNull()) continue;
     BRepBuilderAPI_MakeEdge maker(curve);
     if (!maker.IsDone())
@@ -104,12 +105,21 @@ void write_parts(const Input& input, const std::vector<WholePart>& parts, const 
   write_model(input.model, file);
 }
 
-std::string picture_of(const std::vector<WholePart>& parts) {
+Picture picture_of(const std::string& name, const std::vector<WholePart>& parts) {
   Picture picture;
+  picture.title = "B-splines of " + short_name(name);
   picture.groups = {{{}, kFirstColour}};
+  PictureLayer curves{"curve", kCurveColour};
+  PictureFaces& surfaces = picture.groups.front();
   for (const WholePart& part : parts)
-    if (part.source.face > 0) picture.groups.front().faces.push_back(TopoDS::Face(part.shape));
-  return picture_png(picture);
+    if (part.source.face > 0) {
+      surfaces.faces.push_back(TopoDS::Face(part.shape));
+      surfaces.labels.push_back(name_of(part.source));
+    } else if (auto points = edge_points(TopoDS::Edge(part.shape)); !points.empty()) {
+      curves.items.push_back({std::move(points), name_of(part.source)});
+    }
+  picture.layers = {std::move(curves)};
+  return picture;
 }
 
 std::string summary_of(const std::string& name, const std::vector<WholePart>& parts,
@@ -151,11 +161,11 @@ int run_whole(const WholeQuestion& question) {
   const std::vector<WholePart> parts = whole_parts(input, question);
   const double seconds = watch.seconds();
   const Json report = report_of(input, question, parts, seconds);
-  std::string png;
-  if (!question.common.picture.empty()) png = picture_of(parts);
+  const std::vector<PictureFile> pictures =
+      picture_files(question.common, [&] { return picture_of(question.input, parts); });
   stop_if_interrupted();
   if (!question.common.output.empty()) write_parts(input, parts, question.common.output);
-  if (!png.empty()) occt::write_text(png, question.common.picture);
+  write_pictures(pictures);
   if (!question.common.json.empty()) write_json(report, question.common.json);
   print_summary(summary_of(question.input, parts, seconds), question.common.json);
   return kExitComplete;
