@@ -106,9 +106,15 @@ TEST_F(ManyFiles, FailOnFindings) {
 }
 
 TEST_F(ManyFiles, HaveNoOutputsOfSingleFiles) {
-  const Finished run = blossom({"self-intersect", box_, bowl_, "-o", folder_ / "out.step"});
-  EXPECT_EQ(run.code, 2);
-  EXPECT_NE(run.err.find("are for one file"), std::string::npos) << run.err;
+  const std::vector<std::vector<std::string>> outputs{{"-o", folder_ / "out.step"},
+                                                      {"--picture", folder_ / "out.png"},
+                                                      {"--html", folder_ / "out.html"},
+                                                      {"--glb", folder_ / "out.glb"}};
+  for (const auto& output : outputs) {
+    const Finished run = blossom({"self-intersect", box_, bowl_, output[0], output[1]});
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find("are for one file"), std::string::npos) << run.err;
+  }
 }
 
 }  // namespace

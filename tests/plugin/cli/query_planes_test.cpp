@@ -236,6 +236,15 @@ TEST_F(QueryPlanes, TakesPlanesOfAFile) {
   EXPECT_NE(bad.err.find("line 2"), std::string::npos) << bad.err;
 }
 
+TEST_F(QueryPlanes, ShowOfWhichPlaneAndPartACurveIs) {
+  const std::string page = folder_ / "page.html", picture = folder_ / "picture.png";
+  ASSERT_EQ(run({"--offsets", "1:3:2", "--html", page, "--picture", picture}).code, 0);
+  const std::string html = testing::text_of(page);
+  EXPECT_NE(html.find("sections of set.step"), std::string::npos);
+  EXPECT_NE(html.find("plane 2, offset 3\\nBall"), std::string::npos);
+  EXPECT_TRUE(testing::text_of(picture).starts_with("\x89PNG"));
+}
+
 TEST_F(QueryPlanes, TellsWhereNothingIsMet) {
   const std::string out = folder_ / "none.step";
   const Finished made = run({"--offsets", "50:60:3", "-o", out});

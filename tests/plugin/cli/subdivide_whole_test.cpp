@@ -110,6 +110,15 @@ TEST_F(SubdivideWhole, IsTheWholeSurfaceWithoutARectangle) {
     }
 }
 
+TEST_F(SubdivideWhole, IsShownWithCurvesToo) {
+  const std::string page = folder_ / "page.html";
+  ASSERT_EQ(blossom({"subdivide", file_, "--whole", "--html", page}).code, 0);
+  EXPECT_NE(testing::text_of(page).find("B-splines of waves.brep"), std::string::npos);
+  ASSERT_EQ(blossom({"subdivide", file_, "--whole", "--interval", "1", "2", "--html", page}).code,
+            0);
+  EXPECT_NE(testing::text_of(page).find("\"name\":\"curve\""), std::string::npos);
+}
+
 TEST_F(SubdivideWhole, RefusesParametersOutOfRange) {
   const Finished run =
       blossom({"subdivide", file_, "--whole", "--rectangle", "0.5", "4.5", "1", "2"});
