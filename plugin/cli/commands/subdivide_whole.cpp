@@ -114,9 +114,9 @@ Picture picture_of(const std::string& name, const std::vector<WholePart>& parts)
   for (const WholePart& part : parts)
     if (part.source.face > 0) {
       surfaces.faces.push_back(TopoDS::Face(part.shape));
-      surfaces.labels.push_back(name_of(part.source));
+      surfaces.labels.push_back(nets::name_of(part.source));
     } else if (auto points = edge_points(TopoDS::Edge(part.shape)); !points.empty()) {
-      curves.items.push_back({std::move(points), name_of(part.source)});
+      curves.items.push_back({std::move(points), nets::name_of(part.source)});
     }
   picture.layers = {std::move(curves)};
   return picture;
