@@ -9,7 +9,7 @@
 //   beside a common edge, where paths prove it (`core/surfaces/contacts/path_reach.h`): in the
 //   chart of each face a parameter line leads from every point of the cell to the edge, or
 //   beside a common edge along which one of them touches the other one's plane, cylinder or sphere
-//   and stays on one side of all of it (`core/surfaces/contacts/elementary_side.h`), or
+//   and stays on one side of all of it (`core/surfaces/pairs/elementary_side.h`), or
 //   such that one touches the other one's surface in that way along a line that ends in a common
 //   vertex, where the other one begins.
 // That holds for smooth neighbours, too, as fillets and what they round, whose surfaces come as

@@ -15,7 +15,7 @@
 #include "core/forms/elementary.h"
 #include "core/math/interval.h"
 #include "core/plane/planar_curves.h"
-#include "core/surfaces/contacts/elementary_side.h"
+#include "core/surfaces/pairs/elementary_side.h"
 
 namespace blossom::occt {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/contacts/elementary_side.h"
+#include "core/surfaces/pairs/elementary_side.h"
 
 #include <algorithm>
 #include <cmath>
