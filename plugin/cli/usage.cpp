@@ -48,6 +48,8 @@ Options options_where(const CLI::App& command, bool (*wanted)(const CLI::Option&
   return found;
 }
 
+bool is_input(const CLI::Option& option) { return option.get_positional(); }
+
 bool is_needed_input(const CLI::Option& option) {
   return option.get_positional() && option.get_required();
 }
@@ -124,7 +126,7 @@ std::string needs_option(const CLI::App& command, const CLI::Option& missing) {
 
 std::string too_many_inputs(const CLI::App& command, const std::string& extra) {
   std::string takes;
-  for (const CLI::Option* input : options_where(command, is_needed_input))
+  for (const CLI::Option* input : options_where(command, is_input))
     takes += " " + input->get_type_name();
   if (takes.empty()) return command_name(command) + " takes no '" + extra + "'";
   return "'" + extra + "' is one too many; " + command_name(command) + " takes no more than" +
