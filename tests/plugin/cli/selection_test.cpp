@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -75,9 +76,13 @@ TEST_F(Selectors, NameSolidsWithAnInside) {
 TEST_F(Selectors, NameEdges) {
   const json whole = report({"info", file_, "--edges"});
   const json middle = whole["edges"][0]["middle"];
-  const std::string at = middle[0].dump() + "," + middle[1].dump() + ",50";
+  // The first edge stands upright.
+  const auto beside = [&](int k, double by) {
+    return std::to_string(middle[static_cast<std::size_t>(k)].get<double>() + by);
+  };
+  const std::string at = beside(0, -3) + "," + beside(1, -4) + "," + beside(2, 0);
   const json found = report({"query", "point", file_ + "#edge:1", "--at", at});
-  EXPECT_NEAR(found["distance"][1], 50 - middle[2].get<double>(), 1e-9);
+  EXPECT_NEAR(found["distance"][1], 5, 1e-6);
   EXPECT_EQ(found["nearest"]["on"]["kind"], "edge");
   const Finished faces = blossom({"check", file_ + "#edge:1"});
   EXPECT_EQ(faces.code, 2);

@@ -100,7 +100,8 @@ TEST_F(SubdivideWhole, HasTheSamePointsAtTheSameParameters) {
 }
 
 TEST_F(SubdivideWhole, IsTheWholeSurfaceWithoutARectangle) {
-  const json& spline = report({"subdivide", file_, "--whole"})["splines"][0];
+  const json found = report({"subdivide", file_, "--whole"});
+  const json& spline = found["splines"][0];
   ASSERT_EQ(spline["poles"].size(), 8u);
   for (int i = 1; i <= 8; ++i)
     for (int j = 1; j <= 6; ++j) {
