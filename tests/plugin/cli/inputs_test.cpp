@@ -55,8 +55,8 @@ TEST_P(BadInputName, IsRefusedWithItsOwnWords) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Faces, BadInputName,
-                         ::testing::Values("", "0", "-1", "1,", ",1", "1-", "9-5", "1.5",
-                                           "1 2", "99999999999"));
+                         ::testing::Values("", "0", "-1", "1,", ",1", "1-", "9-5", "1.5", "1 2",
+                                           "99999999999"));
 
 TEST(Input, HasTheChosenFacesOnceAndInOrder) {
   const testing::TestFolder folder;
