@@ -74,7 +74,8 @@ class Silence {
 };
 
 bool is_output(const std::string& word) {
-  for (const char* option : {"-o", "--output", "--json", "--picture", "--log", "--reproduce"})
+  for (const char* option : {"-o", "--output", "--json", "--picture", "--html", "--glb", "--table",
+                             "--log", "--reproduce"})
     if (word == option) return true;
   return false;
 }

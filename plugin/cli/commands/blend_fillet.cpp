@@ -124,18 +124,20 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
   return text.str();
 }
 
-Picture picture_of(const Input& part, const occt::FilletResult& made) {
+Picture picture_of(const FilletCommand& command, const Input& part,
+                   const occt::FilletResult& made) {
+  const std::string kind = command.is_chamfer() ? "chamfer" : "fillet";
   Picture picture;
-  picture.title = "fillets of " + short_name(part.name);
-  picture.groups = {{{}, kFirstColour, 1, "faces"}, {{}, kSecondColour, 1, "fillets"}};
+  picture.title = kind + "s of " + short_name(part.name);
+  picture.groups = {{{}, kFirstColour, 1, "faces"}, {{}, kSecondColour, 1, kind + "s"}};
   const FaceLabels labels(part);
   for (const occt::FilletedSolid& solid : made.solids)
     for (const occt::FilletFace& face : solid.faces) {
       PictureFaces& group = picture.groups[face.from > 0 ? 0 : 1];
       group.faces.push_back(face.face);
       group.labels.push_back(face.from > 0   ? labels.of(face.from)
-                             : face.edge > 0 ? "fillet of edge " + std::to_string(face.edge)
-                                             : "fillet of a corner");
+                             : face.edge > 0 ? kind + " of edge " + std::to_string(face.edge)
+                                             : kind + " of a corner");
     }
   return picture;
 }
@@ -214,7 +216,8 @@ int run(const FilletCommand& command) {
   stop_if_interrupted();
   const CommonOptions& outputs = command.common;
   const bool any = !timed.made.solids.empty(), write = any && !outputs.output.empty();
-  if (any) write_pictures(picture_files(outputs, [&] { return picture_of(part, timed.made); }));
+  if (any)
+    write_pictures(picture_files(outputs, [&] { return picture_of(command, part, timed.made); }));
   if (write) write_part(part, timed, outputs.output);
   timed.written = write;
   if (!any) {

@@ -156,6 +156,8 @@ int run_on_many(const CLI::App& command, const Options& options) {
 int run(const Options& options) {
   if (options.continuity.wanted)
     return run_continuity(options.inputs.front(), options.common, options.continuity);
+  if (is_mesh_input(options.inputs.front()) && !picture_names(options.common).empty())
+    throw UsageError("--picture, --html and --glb show models, not files of triangles");
   if (is_mesh_input(options.inputs.front()))
     return run_mesh_check(options.inputs.front(), options.common);
   check_files(options.common, options.inputs);
@@ -188,9 +190,10 @@ void add_check(CLI::App& app, int& exit_code) {
       "what is wrong with a model: validity, gaps beside stated tolerances, wires, open edges");
   const auto options = std::make_shared<Options>();
   command
-      ->add_option("input", options->inputs,
-                   "model, or some of its faces; or triangles, as .stl, .ply, .obj or .off; or many "
-                   "of them")
+      ->add_option(
+          "input", options->inputs,
+          "model, or some of its faces; or triangles, as .stl, .ply, .obj or .off; or many "
+          "of them")
       ->required()
       ->type_name("FILE");
   add_common_options(*command, options->common, "");

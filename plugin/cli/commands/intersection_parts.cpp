@@ -14,7 +14,6 @@
 #include "plugin/cli/output.h"
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/progress.h"
-#include "plugin/cli/reading.h"
 #include "plugin/cli/stages.h"
 #include "plugin/cli/values.h"
 

@@ -92,9 +92,11 @@ TEST_F(MeshInputs, OfAnotherPartAreFarFromIt) {
   write(BRepPrimAPI_MakeBox(1, 1, 3), "b.brep");
   EXPECT_EQ(blossom({"convert", path("b.brep"), "-o", path("b.ply")}).code, 0);
   const Json found = report({"query", "distance", path("a.brep"), path("b.ply")});
-  EXPECT_NEAR(found["a_to_b"]["upper"].get<double>(), 0, 1e-6);
+  // The middle of the lower lid is nearest to the walls.
+  EXPECT_NEAR(found["a_to_b"]["upper"].get<double>(), 0.5, 1e-3);
   EXPECT_NEAR(found["b_to_a"]["lower"].get<double>(), 2, 1e-6);
-  EXPECT_NEAR(found["upper"].get<double>(), 2, 1e-6);
+  EXPECT_NEAR(found["upper"].get<double>(), 2, 1e-3);
+  EXPECT_GE(found["upper"].get<double>(), 2);
 }
 
 TEST_F(MeshInputs, DeepChecksOfModelsCountCrossings) {

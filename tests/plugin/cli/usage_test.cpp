@@ -72,7 +72,7 @@ TEST(Summary, NamesPartsAndCountsOverlaps) {
                                 "--fail-on", "findings"});
   EXPECT_EQ(run.code, 5) << run.err;
   EXPECT_NE(run.out.find(", 1 overlap of about 9 mm², "), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("  face 1 (part 1) x face 2 (part 2): coinciding over an area near "
+  EXPECT_NE(run.out.find("  part 1 x part 2, face 1 x face 2: coinciding over an area near "
                          "(0, 0, 0.25), 4.24264 across, gap 0 to "),
             std::string::npos)
       << run.out;
