@@ -13,6 +13,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/surface_words.h"
 
 namespace blossom::reports {
 namespace {
@@ -27,23 +28,6 @@ constexpr std::array kCounted = {
     Counted{TopAbs_SOLID, "solid", "solids"}, Counted{TopAbs_SHELL, "shell", "shells"},
     Counted{TopAbs_FACE, "face", "faces"}, Counted{TopAbs_EDGE, "edge", "edges"},
     Counted{TopAbs_VERTEX, "vertex", "vertices"}};
-
-const char* surface_word(GeomAbs_SurfaceType type) {
-  switch (type) {
-    case GeomAbs_Plane: return "plane";
-    case GeomAbs_Cylinder: return "cylinder";
-    case GeomAbs_Cone: return "cone";
-    case GeomAbs_Sphere: return "sphere";
-    case GeomAbs_Torus: return "torus";
-    case GeomAbs_BezierSurface: return "bezier";
-    case GeomAbs_BSplineSurface: return "bspline";
-    case GeomAbs_SurfaceOfRevolution: return "revolution";
-    case GeomAbs_SurfaceOfExtrusion: return "extrusion";
-    case GeomAbs_OffsetSurface: return "offset";
-    case GeomAbs_OtherSurface: break;
-  }
-  return "other";
-}
 
 int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   TopTools_IndexedMapOfShape map;
@@ -64,7 +48,7 @@ FaceFacts face_facts(const TopoDS_Face& face, int number, std::vector<std::strin
   }
   BRepTools::UVBounds(face, facts.u.from, facts.u.to, facts.v.from, facts.v.to);
   const BRepAdaptor_Surface surface(face, Standard_False);
-  facts.surface = surface_word(surface.GetType());
+  facts.surface = occt::surface_word(surface.GetType());
   if (surface.GetType() == GeomAbs_BezierSurface || surface.GetType() == GeomAbs_BSplineSurface) {
     const bool bezier = surface.GetType() == GeomAbs_BezierSurface;
     facts.degree_u = surface.UDegree();

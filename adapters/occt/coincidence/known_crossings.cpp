@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "adapters/occt/coincidence/conic_images.h"
+#include "adapters/occt/coincidence/places.h"
 #include "core/tracing/deviation.h"
 
 namespace blossom::occt {
@@ -65,7 +66,8 @@ class KnownCrossings {
       curve.least_angle = least_angle(curve);
       if (known.tangential && lies_in_both(curve)) {
         judge(known.gap);
-        found_.places.push_back(place_of(curve.samples, PlaceKind::Tangential, known.gap));
+        found_.places.push_back(
+            place_of(curve.samples, PlaceKind::Tangential, known.gap, tolerance_));
       }
       found_.curves.push_back(std::move(curve));
     }
@@ -76,7 +78,7 @@ class KnownCrossings {
     const double slack = known.gap + tolerance_;
     const Vec2 uv_a = in_sheet(*sheets_[0], sheets_[0]->feet.foot(known.point, {}));
     const Vec2 uv_b = in_sheet(*sheets_[1], sheets_[1]->feet.foot(known.point, {}));
-    Place place = place_of({{known.point, uv_a, uv_b}}, PlaceKind::Touch, known.gap);
+    Place place = place_of({{known.point, uv_a, uv_b}}, PlaceKind::Touch, known.gap, tolerance_);
     for (std::size_t k = 0; k < 2; ++k)
       widen_charts(sheets_[k]->feet.surface(), k == 0 ? uv_a : uv_b, slack,
                    &place.parameters[2 * k]);
@@ -116,21 +118,6 @@ class KnownCrossings {
                                frame_at(sheets_[1]->feet.surface(), point_at(curve.chart_b, t))));
     }
     return least;
-  }
-
-  Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double gap) const {
-    Place place{kind, {}, {}, 0, gap, {}};
-    place.parameters.fill({1e300, -1e300});
-    Box box;
-    for (const SurfacePoint& x : points) {
-      box = joined(box, {x.point, x.point});
-      widen(place, x, gap);
-    }
-    box = widened(box, tolerance_);
-    place.gap_low = 0;
-    place.box_low = box.low;
-    place.box_high = box.high;
-    return place;
   }
 
   bool lies_in_both(const IntersectionCurve& curve) const {

@@ -11,6 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/coincidence/places.h"
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
 #include "adapters/occt/faces/edge_contacts.h"
 #include "adapters/occt/faces/face_trims.h"
@@ -43,21 +44,6 @@ double distance_to(const std::vector<SurfacePoint>& polygon, const Vec3& p) {
     least = std::min(least, distance(p, from + t * step));
   }
   return least;
-}
-
-Place place_of(const std::vector<SurfacePoint>& points, PlaceKind kind, double gap, double margin) {
-  Place place{kind, {}, {}, 0, gap, {}};
-  place.parameters.fill({1e300, -1e300});
-  Box box;
-  for (const SurfacePoint& x : points) {
-    box = joined(box, {x.point, x.point});
-    widen(place, x, gap);
-  }
-  box = widened(box, margin);
-  place.gap_low = 0;
-  place.box_low = box.low;
-  place.box_high = box.high;
-  return place;
 }
 
 double loosest_edge(const TopoDS_Face& face) {

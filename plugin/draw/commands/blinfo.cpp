@@ -10,6 +10,7 @@
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include "adapters/occt/base/surface_words.h"
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/intersection_edges.h"
 #include "plugin/draw/commands/commands.h"
@@ -27,22 +28,6 @@ constexpr Counted kCounted[] = {{TopAbs_SOLID, "solids"},
                                 {TopAbs_FACE, "faces"},
                                 {TopAbs_EDGE, "edges"},
                                 {TopAbs_VERTEX, "vertices"}};
-
-const char* word_of(GeomAbs_SurfaceType type) {
-  switch (type) {
-    case GeomAbs_Plane: return "plane";
-    case GeomAbs_Cylinder: return "cylinder";
-    case GeomAbs_Cone: return "cone";
-    case GeomAbs_Sphere: return "sphere";
-    case GeomAbs_Torus: return "torus";
-    case GeomAbs_BezierSurface: return "bezier";
-    case GeomAbs_BSplineSurface: return "bspline";
-    case GeomAbs_SurfaceOfRevolution: return "revolution";
-    case GeomAbs_SurfaceOfExtrusion: return "extrusion";
-    case GeomAbs_OffsetSurface: return "offset";
-    default: return "other";
-  }
-}
 
 std::string counts_list(const std::map<std::string, int>& counts) {
   std::string list;
@@ -63,7 +48,7 @@ std::string answer(const Words& words) {
   }
   std::map<std::string, int> surfaces, edges;
   for (const TopoDS_Face& face : occt::faces_of(shape))
-    ++surfaces[word_of(BRepAdaptor_Surface(face, Standard_False).GetType())];
+    ++surfaces[occt::surface_word(BRepAdaptor_Surface(face, Standard_False).GetType())];
   for (const occt::EdgeFacts& edge : occt::edge_facts(shape)) ++edges[to_string(edge.kind)];
   return list + "surfaces " + counts_list(surfaces) + " meetings " + counts_list(edges);
 }
