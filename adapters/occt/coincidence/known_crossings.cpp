@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include <gp_Pnt.hxx>
+
 #include "adapters/occt/coincidence/conic_images.h"
 #include "adapters/occt/coincidence/places.h"
 #include "core/tracing/deviation.h"
@@ -120,9 +122,25 @@ class KnownCrossings {
     return least;
   }
 
+  // Whether both faces have a part of the curve: where one ends and the other begins they have only
+  // the point, which is a touch of the trims.
   bool lies_in_both(const IntersectionCurve& curve) const {
-    return !clip_to_trims(*trims_[0], curve.chart_a).empty() &&
-           !clip_to_trims(*trims_[1], curve.chart_b).empty();
+    const auto in_a = clip_to_trims(*trims_[0], curve.chart_a);
+    const auto in_b = clip_to_trims(*trims_[1], curve.chart_b);
+    const auto place = [&](double t) {
+      return sheets_[0]->feet.surface()->Value(point_at(curve.chart_a, t)[0],
+                                               point_at(curve.chart_a, t)[1]);
+    };
+    for (const Interval& a : in_a)
+      for (const Interval& b : in_b) {
+        const Interval common{std::max(a.from, b.from), std::min(a.to, b.to)};
+        if (!(common.from < common.to)) continue;
+        const gp_Pnt middle = place(at(common, 0.5));
+        if (middle.Distance(place(common.from)) > tolerance_ ||
+            middle.Distance(place(common.to)) > tolerance_)
+          return true;
+      }
+    return false;
   }
 
   const std::array<const ChartSheet*, 2>& sheets_;
