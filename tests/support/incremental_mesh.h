@@ -45,7 +45,7 @@ class IncrementalMesh {
       add_edge(TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD)), own, location, names);
     const auto node = [&](int i) {
       const auto [found, is_new] = names.try_emplace(i, 0);
-      if (is_new) found->second = point(own->Node(i));
+      if (is_new) found->second = point(own->Node(i).Transformed(location));
       return found->second;
     };
     for (int k = 1; k <= own->NbTriangles(); ++k) {
@@ -68,7 +68,7 @@ class IncrementalMesh {
       const std::pair<int, int> key =
           at_vertex ? std::pair(0, vertices_.Add(vertex)) : std::pair(number, k);
       const auto [found, is_new] = shared_.try_emplace(key, 0);
-      if (is_new) found->second = point(own->Node(line->Node(k)));
+      if (is_new) found->second = point(own->Node(line->Node(k)).Transformed(location));
       names[line->Node(k)] = found->second;
     }
   }
