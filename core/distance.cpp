@@ -14,11 +14,11 @@
 
 #include "core/base/errors.h"
 #include "core/base/work_limit.h"
-#include "core/cells/cell_tree.h"
 #include "core/distance/convex_pair.h"
 #include "core/distance/curvature_centre.h"
 #include "core/distance/distance_parts.h"
 #include "core/distance/nearest_pair.h"
+#include "core/distance/operand_trees.h"
 #include "core/distance/square_form.h"
 
 namespace blossom {
@@ -27,20 +27,10 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Distances of points below this, relative to the largest coordinate, are roundings.
 constexpr double kRounding = 64 * 0x1p-53;
-// Off the middle, so that cells of symmetric shapes have no stationary points on their borders.
-constexpr double kCut = 0.5 - 1.0 / 64;
 constexpr int kHalvingsPerStart = 12;   // of a pair, for Newton's method even without a promise
-constexpr int kHalvingsPerTrim = 6;     // which take as long to be asked
 constexpr long kPairsPerQuestion = 64;  // looked at before it is asked whether to go on
 // Balls, cylinders and tori between the sets are tried at every so many halvings of a pair.
 constexpr int kHalvingsPerCentre = 4;
-
-// A cell of an item of a part; while there is no item, a node of the part's tree of boxes.
-struct Place {
-  int part = 0;
-  int item = -1;
-  int cell = 0;
-};
 
 constexpr int kHalvingsPerTurn = 4;
 constexpr int kWholeParts = -2;  // depths: their boxes are all that has been looked at
@@ -48,7 +38,7 @@ constexpr int kBoxes = -1;       // and those of their items
 
 struct Pair {
   double lower = 0;
-  Place a, b;
+  OperandPlace a, b;
   int depth = kWholeParts;  // halvings of cells
 
   // The nearest on top. Pairs that meet are halved a few times each in turn, one after the other,
@@ -58,82 +48,6 @@ struct Pair {
     const int turn = depth / kHalvingsPerTurn, turn_of_other = other.depth / kHalvingsPerTurn;
     return turn != turn_of_other ? turn > turn_of_other : depth < other.depth;
   }
-};
-
-// The cells of an item, and how those that were asked about lie to the trims.
-struct ItemTree {
-  CellTree cells;
-  std::vector<std::optional<TrimSide>> sides{std::nullopt};
-
-  explicit ItemTree(const DistanceItem& item)
-      : cells(item.patch, item.rational, Vec3{}, CellForm::Bezier, kCut) {}
-
-  int split(int cell) {
-    const int low = cells.split(cell);
-    const auto size = static_cast<std::size_t>(cells.size());
-    if (sides.size() < size) {
-      // Halves of a cell inside are inside.
-      const auto known = sides[static_cast<std::size_t>(cell)];
-      sides.resize(size, known == TrimSide::Inside ? known : std::nullopt);
-    }
-    return low;
-  }
-};
-
-// One of the sets, with the trees of its items: made when a pair needs them.
-class Side {
- public:
-  explicit Side(const DistanceParts& of) : parts(of), trees_(static_cast<std::size_t>(of.size())) {}
-
-  const DistanceParts& parts;
-
-  const DistanceItem& item(const Place& place) const {
-    return parts.items(place.part)[static_cast<std::size_t>(place.item)];
-  }
-
-  const BoxTree::Node& node(const Place& place) const {
-    return parts.item_tree(place.part).node(place.cell);
-  }
-
-  // The item of a node that has one alone.
-  void resolve(Place& place) const {
-    if (place.item < 0 && node(place).item >= 0) place = {place.part, node(place).item, 0};
-  }
-
-  const Box& box(const Place& place) const {
-    return place.item < 0 ? node(place).box : item(place).box;
-  }
-
-  ItemTree& tree(const Place& place) {
-    auto& of_part = trees_[static_cast<std::size_t>(place.part)];
-    if (of_part.empty()) of_part.resize(parts.items(place.part).size());
-    auto& made = of_part[static_cast<std::size_t>(place.item)];
-    if (!made) made = std::make_unique<ItemTree>(item(place));
-    return *made;
-  }
-
-  // Outside of the trims; asked now and then.
-  bool is_outside(const Place& place) {
-    ItemTree& of = tree(place);
-    auto& side = of.sides[static_cast<std::size_t>(place.cell)];
-    const Cell& cell = of.cells[place.cell];
-    if (cell.depth % kHalvingsPerTrim != 0) return false;
-    if (!side)
-      side =
-          parts.side(place.part, item(place), {cell.u.from, cell.v.from}, {cell.u.to, cell.v.to});
-    return side == TrimSide::Outside;
-  }
-
-  bool is_outside(const Place& place, const Vec2& at) const {
-    return parts.side(place.part, item(place), at, at) == TrimSide::Outside;
-  }
-
-  DistanceEnd end(const Place& place, const Vec2& at, const Vec3& point) const {
-    return parts.end(place.part, item(place), at, point);
-  }
-
- private:
-  std::vector<std::vector<std::unique_ptr<ItemTree>>> trees_;
 };
 
 double farthest(const Box& a, const Box& b) {
@@ -378,14 +292,15 @@ class Search {
   }
 
   // The direction in which halving makes the bounds of a form better, if it still does.
-  void prefer(const Place& place, Side& side, const SquareForm& form) {
+  void prefer(const OperandPlace& place, OperandTrees& side, const SquareForm& form) {
     const double bend = std::max(form.bend_u, form.bend_v);
     if (bend > 2 * result_.upper * gap())
       side.tree(place).cells.prefer(place.cell, form.bend_u == bend);
   }
 
   // Of a point of one side from a cell of the other one.
-  double bound_of(const Place& at_point, Side& of_point, const Place& place, Side& side) {
+  double bound_of(const OperandPlace& at_point, OperandTrees& of_point, const OperandPlace& place,
+                  OperandTrees& side) {
     const DistanceItem& item = side.item(place);
     ItemTree& tree = side.tree(place);
     const Cell& cell = tree.cells[place.cell];
@@ -461,7 +376,7 @@ class Search {
 
   const DistanceOptions& options_;
   const WorkLimit limit_{options_.time_limit, options_.cancelled};
-  Side a_, b_;
+  OperandTrees a_, b_;
   double rounding_;  // of the distance of two points, model units
   double floor_;     // what differences of distances below this are worth, model units
   DistanceResult result_;

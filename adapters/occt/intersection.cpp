@@ -22,10 +22,10 @@
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_list.h"
 #include "adapters/occt/faces/shared_edges.h"
+#include "adapters/occt/neighbours/along_shared_edges.h"
 #include "adapters/occt/neighbours/border_strips.h"
 #include "adapters/occt/neighbours/neighbour_proof.h"
 #include "core/base/parallel.h"
-#include "core/bounds/box_tree.h"
 #include "core/surfaces/retry/exchanged_order.h"
 
 namespace blossom::occt {
@@ -33,60 +33,8 @@ namespace {
 
 constexpr double kSmoothAngle = 0.05;  // radians: so flat an edge is taken for smooth
 constexpr double kExact = 1e-9;        // of the size: borders as near as this agree
-constexpr double kEdgeReach = 4;       // of a shared edge's tolerance: what is so near is the edge
-constexpr double kEdgeStrip = 2e-3;    // of the faces' size: so near, smooth faces are one
-constexpr int kNewtonSteps = 8;        // to the nearest point of a shared edge
 constexpr double kBeyondBox = 1e-2;    // of the faces' size: what a line goes on past their box
 constexpr const char* kNoTime = "the limit was reached before these faces were searched";
-
-// --- edges that two faces share
-
-// From the nearest chord between its samples on by Newton's method.
-double distance_to(const IntersectionCurve& edge, const Vec3& p) {
-  double least = 1e300, nearest = 0;
-  for (std::size_t i = 0; i + 1 < edge.samples.size(); ++i) {
-    const Vec3 from = edge.samples[i].point, step = edge.samples[i + 1].point - from;
-    const double square = dot(step, step);
-    const double t = square > 0 ? std::clamp(dot(p - from, step) / square, 0.0, 1.0) : 0.0;
-    const double gap = distance(p, from + step * t);
-    if (gap >= least) continue;
-    least = gap;
-    nearest = at(Interval{edge.sample_parameters[i], edge.sample_parameters[i + 1]}, t);
-  }
-  for (int i = 0; i < kNewtonSteps; ++i) {
-    const Vec3 along = derivative_at(edge.curve, nearest);
-    const double square = dot(along, along);
-    if (square > 0)
-      nearest = std::clamp(nearest + dot(p - point_at(edge.curve, nearest), along) / square,
-                           edge.curve.knots.front(), edge.curve.knots.back());
-  }
-  return distance(p, point_at(edge.curve, nearest));
-}
-
-// Where the faces go on smoothly, or their borders agree only roughly, nothing beside the edge can
-// be told apart.
-KnownCurve known_curve(const SharedEdge& edge, double size) {
-  KnownCurve known{{}, std::max(kEdgeReach * edge.tolerance, kEdgeStrip * size), 0};
-  for (const SurfacePoint& x : edge.curve.samples) known.points.push_back(x.point);
-  known.gap = edge.gap;
-  return known;
-}
-
-// What was found along a shared edge is the edge.
-void drop_along_edges(SurfaceIntersection& found, std::vector<Touch>& touches,
-                      const std::vector<SharedEdge>& edges, double tolerance) {
-  const auto along_edge = [&](const Vec3& p) {
-    return std::any_of(edges.begin(), edges.end(), [&](const SharedEdge& edge) {
-      return distance_to(edge.curve, p) <= kEdgeReach * std::max(edge.tolerance, tolerance);
-    });
-  };
-  std::erase_if(found.curves, [&](const IntersectionCurve& curve) {
-    return std::all_of(curve.samples.begin(), curve.samples.end(),
-                       [&](const SurfacePoint& x) { return along_edge(x.point); });
-  });
-  std::erase_if(found.points, [&](const SurfacePoint& x) { return along_edge(x.point); });
-  std::erase_if(touches, [&](const Touch& touch) { return along_edge(touch.at.point); });
-}
 
 // Whether the edges and vertices that two faces share belong to their intersection.
 enum class Shared { Listed, LeftOut };
@@ -415,8 +363,6 @@ class PairIntersector {
   const SharedLimit limit_{options_};
 };
 
-using FacePairs = std::vector<std::pair<int, int>>;
-
 // By pair: the place of the one that is the same in the other order, if it comes first; else its
 // own.
 std::vector<std::size_t> exchanged_places(const FaceCopies& copies, const FacePairs& pairs) {
@@ -465,42 +411,6 @@ ShapeIntersection intersected(const PairIntersector& intersector, const FaceCopi
   return result;
 }
 
-// Stable, by counting.
-//
-// key   of a pair: less than `count`
-template <class Key>
-FacePairs sorted_by(const FacePairs& pairs, std::size_t count, Key key) {
-  std::vector<std::size_t> places(count + 1);
-  for (const auto& pair : pairs) ++places[static_cast<std::size_t>(key(pair)) + 1];
-  std::partial_sum(places.begin(), places.end(), places.begin());
-  FacePairs sorted(pairs.size());
-  for (const auto& pair : pairs) sorted[places[static_cast<std::size_t>(key(pair))]++] = pair;
-  return sorted;
-}
-
-// Pairs of faces whose hulls have boxes that meet, in increasing order.
-FacePairs meeting_pairs(const FaceList& a, const FaceList& b) {
-  FacePairs pairs;
-  BoxTree(a.boxes()).for_each_meeting(BoxTree(b.boxes()),
-                                      [&](int i, int j) { pairs.emplace_back(i, j); });
-  pairs = sorted_by(pairs, b.size(), [](const auto& pair) { return pair.second; });
-  return sorted_by(pairs, a.size(), [](const auto& pair) { return pair.first; });
-}
-
-// Converts the faces of the pairs, and leaves those whose surfaces have boxes that meet. The lists
-// may be one.
-void convert(FaceList& a, FaceList& b, FacePairs& pairs) {
-  std::vector<char> in_a(a.size()), in_b(b.size());
-  for (const auto& [i, j] : pairs)
-    in_a[static_cast<std::size_t>(i)] = in_b[static_cast<std::size_t>(j)] = 1;
-  a.convert(in_a);
-  b.convert(in_b);
-  std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
-    return !meet(a.data(static_cast<std::size_t>(pair.first)).box,
-                 b.data(static_cast<std::size_t>(pair.second)).box);
-  });
-}
-
 }  // namespace
 
 ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector<TopoDS_Face>& b,
@@ -511,7 +421,7 @@ ShapeIntersection intersect(const std::vector<TopoDS_Face>& a, const std::vector
     FaceList faces_a(a, "the first shape", tolerance, extent, cuts);
     FaceList faces_b(b, "the second shape", tolerance, extent, cuts);
     FacePairs pairs = meeting_pairs(faces_a, faces_b);
-    convert(faces_a, faces_b, pairs);
+    convert_meeting(faces_a, faces_b, pairs);
     const FaceCopies copies(faces_a, faces_b, pairs, tolerance);
     result = intersected({faces_a, faces_b, copies, Shared::Listed, options}, copies, pairs);
   });
@@ -527,7 +437,7 @@ ShapeIntersection self_intersect(const std::vector<TopoDS_Face>& faces, SelfScop
     std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
       return scope == SelfScope::EachFace ? pair.first != pair.second : pair.first > pair.second;
     });
-    convert(list, list, pairs);
+    convert_meeting(list, list, pairs);
     const FaceCopies none(list, list, {}, options.tolerances.point);
     result = intersected({list, list, none, Shared::LeftOut, options}, none, pairs);
   });

@@ -2,10 +2,8 @@
 #include "adapters/occt/solid_trim.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,160 +21,14 @@
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/repair/edge_tolerances.h"
+#include "adapters/occt/solids/combined_pair.h"
 #include "adapters/occt/solids/labelled_solids.h"
-#include "adapters/occt/solids/solid_pieces.h"
-#include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/solids/solid_validity.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 
 namespace blossom::occt {
 namespace {
-
-constexpr const char* kMeasuring = "measuring volumes";
-
-// One piece of a solid and what its cone adds.
-struct Measured {
-  SolidPiece piece;
-  double volume = 0;
-};
-
-// The faces of a result, with what is told about each.
-struct Chosen {
-  std::vector<BoundingFace> faces;
-  std::vector<SolidFace> origins;
-
-  double volume() const {
-    return std::accumulate(
-        faces.begin(), faces.end(), 0.0,
-        [](double so_far, const BoundingFace& face) { return so_far + face.volume; });
-  }
-};
-
-// The cones under a solid's faces.
-std::vector<double> cones_of(const TrimTool& solid, const Vec3& apex, const WorkLimit& limit) {
-  std::vector<double> cones;
-  for (const TopoDS_Face& face : solid.faces) {
-    check_limit(&limit, kMeasuring);
-    cones.push_back(cone_volume(face, apex));
-  }
-  return cones;
-}
-
-double sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
-
-// What cannot be measured was not divided well: its wires may be open.
-double volume_of(const SolidPiece& piece, const Vec3& apex) try {
-  return cone_volume(piece.face, apex);
-} catch (const BadModel& error) {
-  throw Failure("a piece of face " + std::to_string(piece.from + 1) + ": " + error.what());
-}
-
-std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const TrimTool& solid,
-                               const std::vector<double>& cones, const Vec3& apex,
-                               const WorkLimit& limit) {
-  std::vector<Measured> all;
-  for (const SolidPiece& piece : pieces) {
-    check_limit(&limit, kMeasuring);
-    const auto from = static_cast<std::size_t>(piece.from);
-    // Turned round, the face has a cone of the other sign.
-    const bool whole = piece.face.IsEqual(solid.faces[from]);
-    all.push_back({piece, whole ? cones[from] : volume_of(piece, apex)});
-  }
-  return all;
-}
-
-enum class Turn { AsItIs, Round };
-
-void choose(const std::vector<Measured>& pieces, int tool, SolidSide side, Turn turn,
-            Chosen& chosen) {
-  for (const auto& [piece, volume] : pieces) {
-    if (piece.side != side) continue;
-    const bool round = turn == Turn::Round;
-    const TopoDS_Face face = round ? TopoDS::Face(piece.face.Reversed()) : piece.face;
-    chosen.faces.push_back({face, round ? -volume : volume});
-    chosen.origins.push_back({face, tool, piece.from});
-  }
-}
-
-// What bounds the part without the tool, what they have in common, and both together. Where they
-// coincide with material on the same side, the part's faces stand for both.
-struct Results {
-  Chosen cut, common, fuse;
-};
-
-Results results_of(const std::vector<Measured>& part, const std::vector<Measured>& tool) {
-  Results made;
-  choose(part, -1, SolidSide::Outside, Turn::AsItIs, made.cut);
-  choose(part, -1, SolidSide::Opposite, Turn::AsItIs, made.cut);
-  choose(tool, 0, SolidSide::Inside, Turn::Round, made.cut);
-  choose(part, -1, SolidSide::Inside, Turn::AsItIs, made.common);
-  choose(part, -1, SolidSide::Same, Turn::AsItIs, made.common);
-  choose(tool, 0, SolidSide::Inside, Turn::AsItIs, made.common);
-  choose(part, -1, SolidSide::Outside, Turn::AsItIs, made.fuse);
-  choose(part, -1, SolidSide::Same, Turn::AsItIs, made.fuse);
-  choose(tool, 0, SolidSide::Outside, Turn::AsItIs, made.fuse);
-  return made;
-}
-
-void add_solids(const Chosen& chosen, const WorkLimit& limit, SolidTrimResult& result) {
-  std::string obstacle;
-  const std::vector<TopoDS_Solid> solids =
-      guarded("making solids", [&] { return solids_of(chosen.faces, obstacle, &limit); });
-  if (!obstacle.empty()) result.obstacles.push_back(obstacle);
-  result.solids.insert(result.solids.end(), solids.begin(), solids.end());
-  result.faces.insert(result.faces.end(), chosen.origins.begin(), chosen.origins.end());
-}
-
-// All cones have their apex at a vertex of the part, so that volumes keep their digits.
-Vec3 apex_of(const TrimTool& part) {
-  const TopExp_Explorer vertex(part.faces.front(), TopAbs_VERTEX);
-  if (!vertex.More()) throw BadModel("a face has no vertex");
-  const gp_Pnt point = BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current()));
-  return {point.X(), point.Y(), point.Z()};
-}
-
-// Measures the results of pieces and makes the solids that are asked for.
-void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimTool& tool,
-                  SolidOperation operation, const WorkLimit& limit, SolidTrimResult& result) {
-  const Vec3 apex = apex_of(part);
-  const std::vector<double> of_part = cones_of(part, apex, limit);
-  const std::vector<double> of_tool = cones_of(tool, apex, limit);
-  const Results made = results_of(measured(pieces.a, part, of_part, apex, limit),
-                                  measured(pieces.b, tool, of_tool, apex, limit));
-  const SolidVolumes volumes{sum(of_part), sum(of_tool), made.cut.volume(), made.common.volume(),
-                             made.fuse.volume()};
-  result.volumes.push_back(volumes);
-  if (operation == SolidOperation::Cut || operation == SolidOperation::Split)
-    add_solids(made.cut, limit, result);
-  if (operation == SolidOperation::Common || operation == SolidOperation::Split)
-    add_solids(made.common, limit, result);
-  if (operation == SolidOperation::Fuse) add_solids(made.fuse, limit, result);
-  if (!(std::max(volumes.cut_error(), volumes.fuse_error()) <= kVolumeError))
-    result.obstacles.emplace_back("the volumes do not add up");
-}
-
-// Two solids.
-SolidTrimResult combined(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                         const IntersectionOptions& options) {
-  const WorkLimit limit(options);
-  const SolidPieces pieces = solid_pieces(part, tool, options);
-  SolidTrimResult result;
-  result.status = pieces.status;
-  result.certificate = pieces.certificate;
-  result.obstacles = pieces.obstacles;
-  result.thin = pieces.thin;
-  if (!result.obstacles.empty()) return result;
-  try {
-    put_together(pieces, part, tool, operation, limit, result);
-  } catch (const Failure& error) {
-    result.obstacles.emplace_back(error.what());
-    if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
-  }
-  return result;
-}
 
 // What is told of a step on the way.
 void note(const SolidTrimResult& step, SolidTrimResult& result) {
@@ -219,7 +71,7 @@ struct LayerWork {
 
 SolidTrimResult LayerWork::step(const LabelledSolid& first, const LabelledSolid& second,
                                 SolidOperation operation) {
-  SolidTrimResult made = combined(first.solid, second.solid, operation, limit.remaining());
+  SolidTrimResult made = combined_pair(first.solid, second.solid, operation, limit.remaining());
   for (SolidFace& face : made.faces) {
     const LabelledSolid& of = face.tool < 0 ? first : second;
     const SolidFace& origin = of.faces[static_cast<std::size_t>(face.from)];
@@ -454,7 +306,7 @@ double volume_of(const TopoDS_Solid& solid, const Vec3& apex) {
 // Steps measure what they combine, which is not always all of an input.
 TotalVolumes total_of(const TrimTool& part, const std::vector<TrimTool>& tools,
                       const std::vector<TopoDS_Solid>& solids) {
-  const Vec3 apex = apex_of(part);
+  const Vec3 apex = cone_apex(part);
   TotalVolumes total{volume_of(part.faces, apex), 0, 0};
   for (const TrimTool& tool : tools) total.tools += volume_of(tool.faces, apex);
   for (const TopoDS_Solid& solid : solids) total.result += volume_of(solid, apex);
@@ -486,12 +338,6 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
 }
 
 }  // namespace
-
-double SolidVolumes::cut_error() const { return std::abs(cut + common - part) / part; }
-
-double SolidVolumes::fuse_error() const {
-  return std::abs(fuse + common - part - tool) / (part + tool);
-}
 
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options,

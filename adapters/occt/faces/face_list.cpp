@@ -2,6 +2,7 @@
 #include "adapters/occt/faces/face_list.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/hulls.h"
 #include "core/base/parallel.h"
+#include "core/bounds/box_tree.h"
 
 namespace blossom::occt {
 namespace {
@@ -20,7 +22,7 @@ namespace {
 // Forms are within the tolerance of faces and searched within it; wires count as far as the
 // tolerance of their edges, in charts whose lengths are right to a factor.
 constexpr double kReach = 2;
-constexpr std::size_t kGrain = 32;  // faces that one thread bounds in a row
+constexpr std::size_t kFaceGrain = 32;  // faces that one thread bounds in a row
 
 double largest_edge_tolerance(const TopoDS_Face& face) {
   double largest = 0;
@@ -65,6 +67,19 @@ std::vector<Vec3> corners(const Box& box) {
   return points;
 }
 
+// Stable, by counting.
+//
+// key   of a pair: less than `count`
+template <class Key>
+FacePairs sorted_by(const FacePairs& pairs, std::size_t count, Key key) {
+  std::vector<std::size_t> places(count + 1);
+  for (const auto& pair : pairs) ++places[static_cast<std::size_t>(key(pair)) + 1];
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  FacePairs sorted(pairs.size());
+  for (const auto& pair : pairs) sorted[places[static_cast<std::size_t>(key(pair))]++] = pair;
+  return sorted;
+}
+
 }  // namespace
 
 FaceList::FaceList(const std::vector<TopoDS_Face>& faces, std::string name, double tolerance,
@@ -79,19 +94,19 @@ FaceList::FaceList(const std::vector<TopoDS_Face>& faces, std::string name, doub
       data_(faces.size()),
       converted_(faces.size()) {
   std::vector<char> wanted(size());
-  parallel_for(size(), kGrain, [&](std::size_t i) {
+  parallel_for(size(), kFaceGrain, [&](std::size_t i) {
     hulls_[i] = hull_of(faces_[i], tolerance);
     wanted[i] = hulls_[i].points.empty();
   });
   convert(wanted);
-  parallel_for(size(), kGrain, [&](std::size_t i) {
+  parallel_for(size(), kFaceGrain, [&](std::size_t i) {
     if (wanted[i]) hulls_[i].points = corners(data_[i].box);
     boxes_[i] = box_of(hulls_[i]);
   });
 }
 
 FaceList::~FaceList() {
-  parallel_for(size(), kGrain, [&](std::size_t i) { data_[i] = {}; });
+  parallel_for(size(), kFaceGrain, [&](std::size_t i) { data_[i] = {}; });
 }
 
 BezierSurface FaceList::unevenly_cut(std::size_t i) const {
@@ -114,6 +129,26 @@ void FaceList::convert(const std::vector<char>& wanted) {
     const std::string place = "face " + std::to_string(i + 1);
     throw BadModel(place + (name_.empty() ? "" : " of " + name_) + ": " + failures[i]);
   }
+}
+
+FacePairs meeting_pairs(const FaceList& a, const FaceList& b) {
+  FacePairs pairs;
+  BoxTree(a.boxes()).for_each_meeting(BoxTree(b.boxes()),
+                                      [&](int i, int j) { pairs.emplace_back(i, j); });
+  pairs = sorted_by(pairs, b.size(), [](const auto& pair) { return pair.second; });
+  return sorted_by(pairs, a.size(), [](const auto& pair) { return pair.first; });
+}
+
+void convert_meeting(FaceList& a, FaceList& b, FacePairs& pairs) {
+  std::vector<char> in_a(a.size()), in_b(b.size());
+  for (const auto& [i, j] : pairs)
+    in_a[static_cast<std::size_t>(i)] = in_b[static_cast<std::size_t>(j)] = 1;
+  a.convert(in_a);
+  b.convert(in_b);
+  std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
+    return !meet(a.data(static_cast<std::size_t>(pair.first)).box,
+                 b.data(static_cast<std::size_t>(pair.second)).box);
+  });
 }
 
 }  // namespace blossom::occt

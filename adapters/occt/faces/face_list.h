@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The faces of a shape, converted where a question comes near them.
+// The faces of a shape, converted where a question comes near them, and pairs of them.
 
 #pragma once
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <TopoDS_Face.hxx>
@@ -58,5 +59,15 @@ class FaceList {
   std::vector<FaceData> data_;
   std::vector<char> converted_;
 };
+
+/// Indices into two lists, which may be one.
+using FacePairs = std::vector<std::pair<int, int>>;
+
+/// Pairs of faces whose hulls have boxes that meet, in increasing order.
+FacePairs meeting_pairs(const FaceList& a, const FaceList& b);
+
+/// Converts the faces of the pairs, and leaves the pairs whose surfaces have boxes that meet.
+/// throws   BadModel as FaceList::convert does
+void convert_meeting(FaceList& a, FaceList& b, FacePairs& pairs);
 
 }  // namespace blossom::occt

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <string>
 
-#include "core/base/parallel.h"
 #include "core/base/work_limit.h"
 #include "core/forms/evaluation.h"
+#include "core/surfaces/assembly/chain_fits.h"
 #include "core/surfaces/assembly/result_places.h"
 #include "core/surfaces/branches/arc_chains.h"
 #include "core/surfaces/branches/arcs_along_borders.h"
@@ -26,7 +25,6 @@
 #include "core/surfaces/contacts/smooth_neighbours.h"
 #include "core/surfaces/search/pair_search.h"
 #include "core/surfaces/search/self_search.h"
-#include "core/tracing/fit.h"
 #include "core/tracing/trace.h"
 
 namespace blossom {
@@ -36,12 +34,7 @@ namespace {
 constexpr double kCut = 0.4865;
 
 constexpr double kOnCurve = 1e-4;       // of the surfaces' size
-constexpr double kPoint = 1e-12;        // likewise: so long is what stays in the apex of a cone
 constexpr double kRoundings = 0x1p-46;  // of the coordinates: so far rounding moves a border
-
-// A curve that leaves the surfaces by so many tolerances and so much of their size is none.
-constexpr double kWorst = 100;
-constexpr double kWorstOfSize = 1e-4;
 
 // Tolerances: two cells no larger than one, whose boxes meet, hold no points farther apart.
 constexpr double kThinGap = 2;
@@ -50,7 +43,6 @@ constexpr double kThinGap = 2;
 constexpr double kRegionWidth = 3;
 
 constexpr const char* kSharedBorder = "the surfaces touch along a common border";
-constexpr std::size_t kFitsAtOnce = 32;  // chains, until it is asked whether to go on
 
 class Assembly {
  public:
@@ -243,47 +235,25 @@ class Assembly {
     weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
   }
 
-  // The curves of chains. What is not done in time gets the length that an untraced one has.
+  // What has not been fitted in time is listed as not traced.
   std::vector<std::optional<IntersectionCurve>> fits_of(SurfaceCells& cells_a,
                                                         SurfaceCells& cells_b,
                                                         const std::vector<Chain>& chains) {
-    IntersectionCurve untraced;
-    untraced.length = std::numeric_limits<double>::quiet_NaN();
-    std::vector<std::optional<IntersectionCurve>> fits(chains.size(), untraced);
-    for (std::size_t first = 0; first < chains.size(); first += kFitsAtOnce) {
-      if (const char* reason = limit_.reached_after_search()) {
-        stop_at_limit(reason);
-        break;
-      }
-      parallel_for(std::min(kFitsAtOnce, chains.size() - first), 1, [&](std::size_t i) {
-        fits[first + i] = fit(cells_a, cells_b, chains[first + i]);
-      });
-    }
+    const FitContext context{.found = found_,
+                             .cells_a = cells_a,
+                             .cells_b = cells_b,
+                             .a = a_,
+                             .b = b_,
+                             .origin = origin_,
+                             .size = size_,
+                             .tolerance = options_.tolerances.point,
+                             .contact_length = contact_length(),
+                             .gap = largest_gap(),
+                             .limit = limit_};
+    ChainFits fits = fitted_chains(context, chains);
+    if (fits.stopped != nullptr) stop_at_limit(fits.stopped);
     if (limit_.late_after_search()) stop_at_limit("the time limit is reached");
-    return fits;
-  }
-
-  // The curve of a chain; nothing if that is no longer than a contact.
-  std::optional<IntersectionCurve> fit(SurfaceCells& cells_a, SurfaceCells& cells_b,
-                                       const Chain& chain) const {
-    const ChainTracer tracer(found_, cells_a, cells_b, origin_, chain);
-    const double length = tracer.stations().back();
-    const bool is_short = length <= kShortestBranch * options_.tolerances.point;
-    const bool is_point = length <= kPoint * size_;
-    if (is_short && (belongs_to_contact(chain) || chain.closed || is_point)) return {};
-    if (any_arc(chain, &CellArc::runs_along_border) && length <= contact_length()) return {};
-    const bool tangential = any_arc(chain, &CellArc::tangential);
-    const double gap = tangential ? largest_gap() : 0;
-    const double tolerance = options_.tolerances.point;
-    IntersectionCurve curve = fitted(tracer, a_, b_,
-                                     {.tolerance = tolerance,
-                                      .gap = gap,
-                                      .size = size_,
-                                      .most = std::max(kWorst * tolerance, kWorstOfSize * size_),
-                                      .work = &limit_});
-    curve.tangential = tangential;
-    if (tangential) curve.least_angle = 0;
-    return curve;
+    return std::move(fits.curves);
   }
 
   void add_short(SurfaceCells& cells_a, SurfaceCells& cells_b, const Chain& chain) {
@@ -309,20 +279,6 @@ class Assembly {
     double& least = result_.certificate.least_angle;
     least = result_.curves.empty() ? curve.least_angle : std::min(least, curve.least_angle);
     result_.curves.push_back(std::move(curve));
-  }
-
-  // A branch as short as the tolerance at a listed contact is part of it.
-  static bool belongs_to_contact(const Chain& chain) {
-    return !chain.closed && std::ranges::any_of(chain.ends, [](const ChainEnd& end) {
-      return end.contact >= 0 || end.cluster >= 0;
-    });
-  }
-
-  // True if some arc of the chain is marked so.
-  bool any_arc(const Chain& chain, bool CellArc::*mark) const {
-    return std::ranges::any_of(chain.links, [&](const ChainLink& link) {
-      return found_.arcs[static_cast<std::size_t>(link.arc)].arc.*mark;
-    });
   }
 
   // Of the surfaces along their tangential curves.

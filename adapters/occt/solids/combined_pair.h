@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Two solids combined: their pieces chosen by side, measured, and put together into solids.
+
+#pragma once
+
+#include "adapters/occt/solid_trim.h"
+#include "core/math/vec.h"
+
+namespace blossom::occt {
+
+/// Where the cones under all faces have their apex when volumes are measured: a vertex of the part,
+/// so that the sums keep their digits.
+/// throws   BadModel if the part's first face has no vertex
+Vec3 cone_apex(const TrimTool& part);
+
+/// One step of `trim_solids`: a part and one tool. Every step measures all three results, whichever
+/// is asked for, since only together their volumes can be checked.
+///
+/// part, tool   closed solids
+/// returns      volumes of this step; faces as pieces of the part (`tool` is -1) and of the tool
+/// (0);
+///              what stands against the result in `obstacles`, with Stopped if it is the time limit
+/// throws       BadModel if a face cannot be converted
+SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
+                              const IntersectionOptions& options);
+
+}  // namespace blossom::occt
