@@ -74,10 +74,11 @@ Grid<Box> blocks_of(const Grid<Box>& boxes) {
 }
 
 // Of a few boxes a tree is as quick, and its halves are nearly as thin as the boxes allow.
-BoxTree tree_of(std::span<const Box> patches) {
+BoxTree tree_of(std::span<const Box> patches, double gap) {
   std::vector<Box> boxes;
   for (const Box& box : patches)
-    boxes.push_back(widened(box, kRounding * std::max(max_norm(box.low), max_norm(box.high))));
+    boxes.push_back(
+        widened(box, gap + kRounding * std::max(max_norm(box.low), max_norm(box.high))));
   return BoxTree(boxes);
 }
 
@@ -97,8 +98,8 @@ using Pairs = std::vector<std::array<int, 2>>;
 // Walks down two hierarchies; the longer box is divided first.
 class Meeting {
  public:
-  Meeting(const std::vector<Grid<Box>>& a, const std::vector<Grid<Box>>& b)
-      : a_(a), b_(b), margin_(margin_of(a) + margin_of(b)) {}
+  Meeting(const std::vector<Grid<Box>>& a, const std::vector<Grid<Box>>& b, double gap)
+      : a_(a), b_(b), margin_(margin_of(a) + margin_of(b) + gap) {}
 
   // The order is that of a walk by one thread.
   Pairs run() const {
@@ -198,11 +199,12 @@ void PatchBoxes::add_blocks() {
   while (levels_.back().values().size() > 1) levels_.push_back(blocks_of(levels_.back()));
 }
 
-std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b) {
+std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b,
+                                                double gap) {
   if (std::max(a.patches().size(), b.patches().size()) > kFewPatches)
-    return Meeting(a.levels_, b.levels_).run();
+    return Meeting(a.levels_, b.levels_, gap).run();
   std::vector<std::array<int, 2>> pairs;
-  tree_of(a.patches()).for_each_meeting(tree_of(b.patches()), [&](int i, int j) {
+  tree_of(a.patches(), gap).for_each_meeting(tree_of(b.patches(), 0), [&](int i, int j) {
     pairs.push_back({i, j});
   });
   return pairs;

@@ -29,9 +29,11 @@ class PatchBoxes {
   /// Box of all control points.
   const Box& all() const { return levels_.back()(0, 0); }
 
-  /// Pairs of patches of two surfaces, numbered row after row, whose boxes meet. A surface that
-  /// comes this close to another one is not missed for the rounding of cells (`margin` of a Cell).
-  friend std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b);
+  /// Pairs of patches of two surfaces, numbered row after row, whose boxes meet or are no farther
+  /// apart than `gap`, model units. A surface that comes this close to another one is not missed
+  /// for the rounding of cells (`margin` of a Cell).
+  friend std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b,
+                                                         double gap);
 
  private:
   std::span<const Box> patches() const { return levels_.front().values(); }
@@ -40,6 +42,7 @@ class PatchBoxes {
   std::vector<Grid<Box>> levels_;  // of patches, of blocks of those, and so on up to one box
 };
 
-std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b);
+std::vector<std::array<int, 2>> meeting_patches(const PatchBoxes& a, const PatchBoxes& b,
+                                                double gap = 0);
 
 }  // namespace blossom

@@ -19,9 +19,9 @@ constexpr double kInverseRoundoff = 1e-14;  // relative, of a 3 x 3 inverse time
 constexpr int kPowerSteps = 4;              // towards the Perron vector of the spread
 constexpr double kLittle = 1e-3;            // of the largest entry, which keeps all positive
 
-bool boxes_apart(const Cell& a, const Cell& b) {
+bool boxes_apart(const Cell& a, const Cell& b, double gap) {
   for (int k = 0; k < 3; ++k)
-    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return true;
+    if (a.low[k] > b.high[k] + gap || b.low[k] > a.high[k] + gap) return true;
   return false;
 }
 
@@ -31,9 +31,9 @@ Range heights_over(const FatPlane& plane, const Cell& cell, int points) {
   return {h.low - 2 * cell.margin, h.high + 2 * cell.margin};
 }
 
-bool above_or_below(const FatPlane& plane, const Cell& cell, int points) {
+bool above_or_below(const FatPlane& plane, const Cell& cell, int points, double gap) {
   const Range h = heights_over(plane, cell, points);
-  return h.low > plane.high || h.high < plane.low;
+  return h.low > plane.high + gap || h.high < plane.low - gap;
 }
 
 bool slab_holds(const FatPlane& plane, const Cell& cell, int points, double thickness) {
@@ -136,21 +136,22 @@ int largest_of(const std::array<double, 4>& sizes) {
 
 }  // namespace
 
-bool separated(const Cell& a, const Cell& b, int points_a, int points_b) {
-  return boxes_apart(a, b) || above_or_below(a.plane, b, points_b) ||
-         above_or_below(b.plane, a, points_a);
+bool separated(const Cell& a, const Cell& b, int points_a, int points_b, double gap) {
+  return boxes_apart(a, b, gap) || above_or_below(a.plane, b, points_b, gap) ||
+         above_or_below(b.plane, a, points_a, gap);
 }
 
-bool separated_along(const Vec3& normal, const Cell& a, const Cell& b, int points_a, int points_b) {
+bool separated_along(const Vec3& normal, const Cell& a, const Cell& b, int points_a, int points_b,
+                     double gap) {
   const Vec3 n = unit(normal);
   const Range ha = heights_over({n, 0, 0}, a, points_a), hb = heights_over({n, 0, 0}, b, points_b);
-  return ha.low > hb.high || ha.high < hb.low;
+  return ha.low > hb.high + gap || ha.high < hb.low - gap;
 }
 
-bool separated_across(const Cell& a, const Cell& b, int points_a, int points_b) {
+bool separated_across(const Cell& a, const Cell& b, int points_a, int points_b, double gap) {
   for (const Vec3& p : {a.du.middle, a.dv.middle})
     for (const Vec3& q : {b.du.middle, b.dv.middle})
-      if (separated_along(cross(p, q), a, b, points_a, points_b)) return true;
+      if (separated_along(cross(p, q), a, b, points_a, points_b, gap)) return true;
   return false;
 }
 

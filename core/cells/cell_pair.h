@@ -12,16 +12,18 @@
 
 namespace blossom {
 
-/// True if boxes or fat planes prove that the cells do not meet, rounding included.
-bool separated(const Cell& a, const Cell& b, int points_a, int points_b);
+/// True if boxes or fat planes prove that the cells are farther apart than `gap`, rounding
+/// included.
+bool separated(const Cell& a, const Cell& b, int points_a, int points_b, double gap = 0);
 
-/// True if the cells do not meet because their heights over some plane with this normal do not.
-bool separated_along(const Vec3& normal, const Cell& a, const Cell& b, int points_a, int points_b);
+/// True if the cells are because their heights over some plane with this normal are.
+bool separated_along(const Vec3& normal, const Cell& a, const Cell& b, int points_a, int points_b,
+                     double gap = 0);
 
-/// True if the cells do not meet as two flat parallelograms would not that are apart across the
-/// line of their planes: one of the four directions square to an edge of either proves it.
+/// True if the cells are as two flat parallelograms would be that are apart across the line of
+/// their planes: one of the four directions square to an edge of either proves it.
 /// Source: Gottschalk, Lin, Manocha 1996 (separating axes).
-bool separated_across(const Cell& a, const Cell& b, int points_a, int points_b);
+bool separated_across(const Cell& a, const Cell& b, int points_a, int points_b, double gap = 0);
 
 /// True if all of both cells lies within a slab of the given thickness: the surfaces stay
 /// within that distance of each other, seen along the slab's normal.

@@ -24,7 +24,6 @@
 #include "core/surfaces/contacts/cell_descent.h"
 #include "core/surfaces/contacts/corner_separation.h"
 #include "core/surfaces/contacts/path_reach.h"
-#include "core/surfaces/search/start_pairs.h"
 
 namespace blossom::occt {
 namespace {
@@ -108,12 +107,14 @@ class Proof {
         limit_(limit),
         origin_(0.5 * (a.box.low + a.box.high)),
         rounding_(kRounding * (max_norm(origin_) + diagonal(a.box))),
+        gap_(a.surface.error + b.surface.error),
         vertices_(common_vertices(a, b, tolerance)),
         balls_(balls_of(vertices_), origin_),
         a_(a, origin_),
         b_(b, origin_) {}
 
   bool add_edges(const std::vector<SharedEdge>& edges) {
+    if (edges.empty() && vertices_.empty()) gap_ += tolerance_;
     for (const SharedEdge& edge : edges) {
       const Coedge* on_a = only_use(a_data_.trims, edge.edge);
       const Coedge* on_b = only_use(b_data_.trims, edge.edge);
@@ -125,7 +126,7 @@ class Proof {
 
   bool holds() {
     const PatchBoxes boxes_a(a_data_.surface), boxes_b(b_data_.surface);
-    for (const auto& [i, j] : meeting_patches(boxes_a, boxes_b)) {
+    for (const auto& [i, j] : meeting_patches(boxes_a, boxes_b, gap_)) {
       pairs_ = 0;
       if (!holds(i, 0, j, 0)) return false;
     }
@@ -139,9 +140,10 @@ class Proof {
     if (++pairs_ > kMaxPairs || (pairs_ % 64 == 0 && limit_.reached() != nullptr)) return false;
     CellTree &tree_a = a_.cells().tree(patch_a), &tree_b = b_.cells().tree(patch_b);
     const Cell a = tree_a[cell_a], b = tree_b[cell_b];
-    if (are_apart(tree_a, a, tree_b, b) ||
-        separated_across(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size()) ||
-        meet_at_vertex(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size()) ||
+    const int points_a = tree_a.shape().plane_size(), points_b = tree_b.shape().plane_size();
+    if (separated(a, b, points_a, points_b, gap_) ||
+        separated_across(a, b, points_a, points_b, gap_) ||
+        meet_at_vertex(a, b, points_a, points_b) ||
         touch_at_vertex(patch_a, cell_a, patch_b, cell_b) || a_.is_outside(patch_a, cell_a) ||
         b_.is_outside(patch_b, cell_b) ||
         std::ranges::any_of(edges_, [&](const NeighbourEdge& edge) {
@@ -270,6 +272,7 @@ class Proof {
   const WorkLimit& limit_;
   const Vec3 origin_;
   const double rounding_;
+  double gap_;  // by more than it cells are apart
   const std::vector<CommonVertex> vertices_;
   const KnownCurves balls_;  // round them
   FaceCells a_, b_;

@@ -14,7 +14,7 @@
 //   vertex, where the other one begins.
 // That holds for smooth neighbours, too, as fillets and what they round, whose surfaces come as
 // near to each other as one likes and nearly parallel, and for parts of one surface. Faces that
-// share nothing are apart or not.
+// share nothing are farther apart than the tolerance or not.
 
 #pragma once
 

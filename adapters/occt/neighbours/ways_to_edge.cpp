@@ -85,11 +85,14 @@ double FaceCells::found_depth(const Elementary& surface, const Coedge& edge, dou
   const PlanarBox box = chart_box(patch, cells_.tree(patch)[cell]);
   const std::optional<CoedgeStretch> stretch = stretch_past(edge, box);
   if (!stretch) return nothing;
-  // What is beyond the ends of the edge: a part of the cell as wide as the tolerance is the end.
+  // The line on which they touch may not go on in the face beyond the ends of the edge; a part of
+  // the cell as wide as the tolerance is the end. What lies beside it there is behind nothing.
   const int along = stretch->along;
   const double extent = cells_.tree(patch)[cell].extent;
   const double end = (box.high[along] - box.low[along]) * std::min(1.0, tolerance / extent);
-  PlanarBox before = box, after = box;
+  PlanarBox before = stretch->box, after = stretch->box;
+  before.low[along] = box.low[along];
+  after.high[along] = box.high[along];
   before.high[along] = stretch->box.low[along] - end;
   after.low[along] = stretch->box.high[along] + end;
   for (const PlanarBox& beyond : {before, after})

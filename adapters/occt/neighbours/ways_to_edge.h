@@ -44,8 +44,8 @@ class FaceCells {
   const std::optional<WaysToEdge>& ways(const Coedge& edge, int patch, int cell);
 
   /// How deep a cell gets behind an elementary surface that the face touches along an edge, model
-  /// units. Infinity if it is not seen to bend to one side, or if what counts of it goes on beside
-  /// the edge farther than the edge and a tolerance. To be asked about one surface and tolerance.
+  /// units. Infinity if it is not seen to bend to one side, or if the line of the edge goes on in
+  /// the face farther than the edge and a tolerance. To be asked about one surface and tolerance.
   double depth_behind(const Elementary& surface, const Coedge& edge, double tolerance, int patch,
                       int cell);
 

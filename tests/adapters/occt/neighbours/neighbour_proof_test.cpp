@@ -30,12 +30,14 @@
 #include <Geom2d_Line.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
@@ -278,7 +280,44 @@ TEST(NeighbourProof, LeavesNothingWhereACylinderEndsOnATangentPlane) {
   EXPECT_TRUE(found.pairs.empty());
 }
 
-// As above, but what is tangent to the plane bends back through it farther on.
+// A rounded puck with an arm as high: the plane on top turns back round the end of the rounding,
+// whose end leaves its corner beside an edge of the plane, and tangent to it.
+TEST(NeighbourProof, LeavesNothingWhereARoundingEndsInACornerOfThePlane) {
+  const TopoDS_Shape puck = BRepPrimAPI_MakeCylinder(2, 1).Shape();
+  BRepFilletAPI_MakeFillet fillet(puck);
+  for (TopExp_Explorer it(puck, TopAbs_EDGE); it.More(); it.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
+    if (BRep_Tool::Pnt(TopExp::FirstVertex(edge)).Z() > 0.5 &&
+        BRep_Tool::Pnt(TopExp::LastVertex(edge)).Z() > 0.5)
+      fillet.Add(0.3, edge);
+  }
+  BRepAlgoAPI_Fuse fuse(fillet.Shape(),
+                        BRepPrimAPI_MakeBox(gp_Pnt(-4, -0.8, 0), gp_Pnt(0, 0.8, 1)).Shape());
+  ASSERT_TRUE(fuse.IsDone());
+  ShapeUpgrade_UnifySameDomain unify(fuse.Shape());
+  unify.Build();
+  ASSERT_EQ(faces_of(unify.Shape()).size(), 7u);
+  const auto found = self_intersect(faces_of(unify.Shape()), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Complete);
+  EXPECT_TRUE(found.pairs.empty());
+}
+
+// Two rods side by side in one body, nearer than the tolerance: neither shares anything with the
+// other, and a gap that is there is no answer to a user who asked for the tolerance.
+TEST(NeighbourProof, FindsTheLineAlongWhichRodsAreNearerThanTheTolerance) {
+  std::vector<TopoDS_Face> faces =
+      faces_of(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-1, 0, 0), gp_Dir(0, 0, 1)), 1, 3).Shape());
+  const auto right = faces_of(
+      BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(1 + 2e-9, 0, 0), gp_Dir(0, 0, 1)), 1, 3).Shape());
+  faces.insert(faces.end(), right.begin(), right.end());
+  const auto found = self_intersect(faces, SelfScope::AllFaces);
+  double length = 0;
+  for (const auto& pair : found.pairs)
+    for (const IntersectionCurve& curve : pair.found.curves) length += curve.length;
+  EXPECT_NEAR(length, 3, 1e-6);
+}
+
+// The cusp between a line and a curve that is tangent to it and bends back through it farther on.
 TEST(NeighbourProof, FindsTheLineInWhichACuspOpensThroughThePlane) {
   const Handle(Geom_BezierCurve) curve = [] {
     TColgp_Array1OfPnt poles(1, 4);
