@@ -11,6 +11,7 @@
 
 #include <BRepTools_ReShape.hxx>
 #include <BRep_CurveRepresentation.hxx>
+#include <BRep_GCurve.hxx>
 #include <BRep_ListOfCurveRepresentation.hxx>
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
@@ -82,8 +83,15 @@ void check_planar_numbers(const Geom2d_Curve& curve) {
   }
 }
 
+void check_range(double first, double last) {
+  check_finite({first, last, 0}, "its range");
+  if (first > last) throw BadModel("its range runs backwards");
+}
+
 void check_representation(const BRep_CurveRepresentation& curve, const Source& source,
                           bool has_curve) {
+  if (const auto* ranged = dynamic_cast<const BRep_GCurve*>(&curve))
+    check_range(ranged->First(), ranged->Last());
   // A BREP file names the curve then, and Open CASCADE takes none for it.
   const bool told = source.format == Format::Brep;
   if (curve.IsCurve3D()) {
@@ -116,7 +124,6 @@ void check_edge(const TopoDS_Edge& edge, const Source& source) {
     return;
   }
   check_numbers(*curve);
-  check_finite({first, last, 0}, "its range");
 }
 
 void check_vertex(const TopoDS_Vertex& vertex) {

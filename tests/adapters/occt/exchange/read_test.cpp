@@ -327,6 +327,19 @@ TEST(ReadingBrep, LeavesOutTheFacesOfAnEdgeWhoseNumbersAreNone) {
       << loss(folder / "edge.brep");
 }
 
+TEST(ReadingBrep, LeavesOutTheFacesOfAnEdgeWhoseRangeRunsBackwards) {
+  const Folder folder;
+  Model model;
+  model.add(BRepPrimAPI_MakeBox(1, 1, 1).Shape(), "box");
+  write_model(model, folder / "box.brep");
+  // The line "1  curve location first last" of the first edge.
+  testing::write_content(folder / "edge.brep", replaced(testing::content(folder / "box.brep"),
+                                                        "\n1  1 0 0 1\n", "\n1  1 0 3 1\n"));
+  EXPECT_EQ(faces_of(folder / "edge.brep"), 4);
+  EXPECT_NE(loss(folder / "edge.brep").find("edge 1: its range runs backwards"), std::string::npos)
+      << loss(folder / "edge.brep");
+}
+
 // The sample with another entry for the first line or plane of a table.
 std::string with_entry(const std::string& table, const std::string& entry) {
   const std::string text = sample(".brep");
