@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A document as another one.
 
+#include <TDF_AttributeIterator.hxx>
 #include <TDF_ClosureTool.hxx>
 #include <TDF_CopyTool.hxx>
 #include <TDF_DataSet.hxx>
@@ -10,6 +11,17 @@
 #include "adapters/occt/exchange/detail.h"
 
 namespace blossom::occt {
+namespace {
+
+/// A node at the main label has its father at the root, which is not copied: it gets the one that
+/// the other document has there. Else it would point into a document that may go.
+void relocate_root(const TDF_Label& from, const TDF_Label& to, TDF_RelocationTable& table) {
+  for (TDF_AttributeIterator it(from); it.More(); it.Next())
+    if (Handle(TDF_Attribute) own; to.FindAttribute(it.Value()->ID(), own))
+      table.SetRelocation(it.Value(), own);
+}
+
+}  // namespace
 
 Model Model::copy() const {
   const std::lock_guard guard(exchange_lock());
@@ -21,6 +33,7 @@ Model Model::copy() const {
     TDF_ClosureTool::Closure(all);
     const Handle(TDF_RelocationTable) table = new TDF_RelocationTable(true);
     table->SetRelocation(from, to);
+    relocate_root(from.Root(), to.Root(), *table);
     TDF_CopyTool::Copy(all, table);
     made.impl_->document.unit = impl_->document.unit;
     made.impl_->stated = impl_->stated;
