@@ -12,14 +12,19 @@
 #include <pybind11/pybind11.h>
 #include <TopoDS_Shape.hxx>
 
+#include "adapters/occt/fillet.h"
 #include "adapters/occt/plane_section.h"
 #include "adapters/occt/strip.h"
 #include "core/base/status.h"
 #include "core/blending/continuity/continuity.h"
+#include "core/tessellation/facet_options.h"
+#include "plugin/meshes/mesh_files.h"
 #include "plugin/nets/pieces.h"
+#include "plugin/nets/whole_parts.h"
 #include "plugin/python/control.h"
 #include "plugin/python/loaded_model.h"
 #include "plugin/reports/json.h"
+#include "plugin/reports/section.h"
 
 namespace blossom::python {
 
@@ -45,6 +50,9 @@ Answer self_intersect(const SharedModel& model, bool all_faces, const Control& c
 /// normal   of any length but 0, as is a direction
 Answer section(const SharedModel& model, const Vec3& point, const Vec3& normal,
                const Control& control);
+/// Part by part, planes in their order.
+Answer sections(const SharedModel& model, const std::vector<reports::NamedPlane>& planes,
+                const Control& control);
 Answer cast_ray(const SharedModel& model, const Vec3& from, const Vec3& direction, bool first_only,
                 bool line, const Control& control);
 Answer least_distance(const SharedModel& a, const SharedModel& b, const Control& control);
@@ -73,8 +81,24 @@ struct EdgeWish {
   std::optional<std::pair<int, int>> between{};  ///< the edges that two faces have in common
 };
 
-Answer fillet(const SharedModel& part, const EdgeWish& edges, double radius, bool partial,
-              const Control& control);
+/// of   fillets or chamfers
+Answer blend_edges(const SharedModel& part, const EdgeWish& edges, const occt::FilletOptions& of,
+                   const Control& control);
+
+/// b      null: pairs of parts of `a`
+/// near   list only pairs that were looked at
+Answer clash(const SharedModel& a, const SharedModel& b, std::optional<double> clearance, bool near,
+             const Control& control);
+
+/// options   a deviation of 0 is a thousandth of the model's size, here and below
+Answer mesh(const SharedModel& model, const FacetOptions& options, const Control& control);
+/// file   .stl, .ply, .obj, .off or .glb, which has names and colours
+/// text   .stl, .ply and .off are not binary
+void write_mesh(const SharedModel& model, const FacetOptions& options, const std::string& file,
+                bool text, const Control& control);
+/// Likewise a mesh that there is already; not .glb.
+void write_triangles(const meshes::FileMesh& mesh, const std::string& file, bool text,
+                     const Control& control);
 
 struct FillWish {
   std::vector<int> edges{};               ///< numbers; none: all that are open
@@ -87,6 +111,8 @@ Answer fill(const SharedModel& model, const FillWish& wish, const Control& contr
 
 /// cut   an interval is of the model's edges, anything else of its faces
 Answer subdivide(const SharedModel& model, const nets::Cut& cut, const Control& control);
+/// Each face, or edge, as one B-spline.
+Answer subdivide_whole(const SharedModel& model, const nets::WholeCut& cut, const Control& control);
 /// to   "bezier", "monomial" or "triangles"; the control's tolerance is how far borders may lie
 /// from
 ///      trims

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Rounding edges of solids.
+// Rounding edges of solids, and cutting them off.
 
 #include <set>
 #include <utility>
@@ -33,17 +33,18 @@ std::vector<int> edges_asked(const EdgeWish& wish, const reports::Input& input) 
 
 }  // namespace
 
-Answer fillet(const SharedModel& part, const EdgeWish& wish, double radius, bool partial,
-              const Control& control) {
+Answer blend_edges(const SharedModel& part, const EdgeWish& wish, const occt::FilletOptions& of,
+                   const Control& control) {
+  const std::string kind = of.chamfer ? "chamfer" : "fillet";
   return interruptible(control, [&](const Watch& watch) {
     if (part->is_part())
-      throw occt::BadModel(part->name() + ": fillets are made in whole models, not in some faces");
+      throw occt::BadModel(part->name() + ": " + kind +
+                           "s are made in whole models, not in some faces");
     const LoadedModel::Turn turn = part->turn(watch);
     const reports::Input& input = part->repaired_input(watch);
     const double start = watch.seconds();
-    reports::FilletAnswer answer{
-        .of = {.radius = radius, .partial = partial, .intersection = watch.engine()},
-        .asked = edges_asked(wish, input)};
+    reports::FilletAnswer answer{.of = of, .asked = edges_asked(wish, input)};
+    answer.of.intersection = watch.engine();
     answer.made = occt::fillet(input.model.shape(), answer.asked, answer.of);
     answer.seconds = watch.seconds() - start;
     watch.stop();
@@ -51,7 +52,7 @@ Answer fillet(const SharedModel& part, const EdgeWish& wish, double radius, bool
     if (!answer.made.solids.empty()) {
       occt::Model copy = input.model.copy();
       reports::put_fillets(copy, answer);
-      made = std::make_shared<LoadedModel>("fillet", std::move(copy), Repair::Never);
+      made = std::make_shared<LoadedModel>(kind, std::move(copy), Repair::Never);
     }
     return made_answer(with_reading(reports::fillet_report(input, answer), {part}),
                        std::move(made));

@@ -72,6 +72,26 @@ Answer subdivide(const SharedModel& model, const nets::Cut& wanted, const Contro
   });
 }
 
+Answer subdivide_whole(const SharedModel& model, const nets::WholeCut& wanted,
+                       const Control& control) {
+  return interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    const reports::Input& input = model->repaired_input(watch);
+    nets::WholeCut cut = wanted;
+    cut.all_edges = !model->is_part();
+    cut.stop = stop_of(watch);
+    const double start = watch.seconds();
+    const auto parts = nets::whole_parts(input, cut);
+    const double seconds = watch.seconds() - start;
+    const bool edges = parts.front().source.face == 0;
+    occt::Model made = edges ? nets::model_of_whole_edges(parts) : input.model.copy();
+    if (!edges) nets::put_whole_faces(made, parts);
+    return made_answer(
+        with_reading(nets::whole_report(input, cut, parts, seconds), {model}),
+        std::make_shared<LoadedModel>("subdivision", std::move(made), Repair::Never));
+  });
+}
+
 Answer convert(const SharedModel& model, const std::string& to, const Control& control) {
   const auto form = nets::target_form(to);
   if (!form) throw InvalidInput("to: '" + to + "' is none of bezier, monomial, triangles");

@@ -22,6 +22,7 @@
 #include "plugin/python/json.h"
 #include "plugin/python/loaded_model.h"
 #include "plugin/python/nets.h"
+#include "plugin/python/questions.h"
 #include "plugin/python/swig_bridge.h"
 #include "plugin/reports/info.h"
 #include "plugin/reports/reading.h"
@@ -32,16 +33,6 @@ using py::arg;
 
 namespace blossom::python {
 namespace {
-
-using Triple = std::array<double, 3>;
-
-Vec3 vec(const Triple& triple) { return {triple[0], triple[1], triple[2]}; }
-
-std::vector<occt::Plane> planes_of(const std::vector<std::pair<Triple, Triple>>& list) {
-  std::vector<occt::Plane> planes;
-  for (const auto& [point, normal] : list) planes.push_back(plane_of(vec(point), vec(normal)));
-  return planes;
-}
 
 Control control_of(double tolerance, const std::string& form, double time_limit,
                    std::optional<long> budget, int threads, std::shared_ptr<Cancel> cancel,
@@ -197,147 +188,6 @@ void add_nets(py::module_& module) {
       arg("net"), arg("knots"), arg("name"));
 }
 
-py::object report_of(const Answer& answer) {
-  reports::Json report;
-  {
-    const py::gil_scoped_release released;
-    report = answer.report();
-  }
-  return to_python(report);
-}
-
-SharedModel model_of(const Answer& answer) {
-  const py::gil_scoped_release released;
-  return answer.model ? answer.model() : nullptr;
-}
-
-void add_answers(py::module_& module) {
-  py::class_<Answer>(module, "Answer")
-      .def("report", &report_of)
-      .def("model", &model_of)
-      .def("records", [](const Answer& a) { return a.records ? a.records() : py::dict(); });
-  module.def("intersect", &intersect, arg("a"), arg("b"), arg("control"));
-  module.def("self_intersect", &self_intersect, arg("model"), arg("all_faces"), arg("control"));
-  module.def("distance", &least_distance, arg("a"), arg("b"), arg("control"));
-  module.def("does_intersect", &does_intersect, arg("a"), arg("b"), arg("control"));
-  module.def("check", &check, arg("model"), arg("control"));
-  module.def("info", &info, arg("model"), arg("edges"), arg("control"));
-  module.def(
-      "continuity",
-      [](const SharedModel& model, double gap, double angle, double curvature,
-         const std::string& require, const Control& control) {
-        return continuity(model, {.gap = gap, .angle = angle, .curvature = curvature}, require,
-                          control);
-      },
-      arg("model"), arg("gap"), arg("angle"), arg("curvature"), arg("require"), arg("control"));
-  module.def("watertight", &watertight, arg("model"), arg("control"));
-  module.def(
-      "section",
-      [](const SharedModel& model, const Triple& point, const Triple& normal,
-         const Control& control) { return section(model, vec(point), vec(normal), control); },
-      arg("model"), arg("point"), arg("normal"), arg("control"));
-  module.def(
-      "ray",
-      [](const SharedModel& model, const Triple& from, const Triple& direction, bool first,
-         bool line, const Control& control) {
-        return cast_ray(model, vec(from), vec(direction), first, line, control);
-      },
-      arg("model"), arg("origin"), arg("direction"), arg("first"), arg("line"), arg("control"));
-  module.def(
-      "nearest",
-      [](const SharedModel& model, const Triple& at, bool all, const Control& control) {
-        return nearest_point(model, vec(at), all, control);
-      },
-      arg("model"), arg("at"), arg("all"), arg("control"));
-  using Planes = std::vector<std::pair<Triple, Triple>>;
-  module.def(
-      "trim",
-      [](const SharedModel& part, const std::vector<SharedModel>& tools, const Planes& planes,
-         const std::string& keep,
-         const Control& control) { return trim(part, tools, planes_of(planes), keep, control); },
-      arg("part"), arg("tools"), arg("planes"), arg("keep"), arg("control"));
-  module.def(
-      "solid",
-      [](const std::string& operation, const SharedModel& part,
-         const std::vector<SharedModel>& tools, const Planes& planes, const Control& control) {
-        return combine_solids(operation, part, tools, planes_of(planes), control);
-      },
-      arg("operation"), arg("part"), arg("tools"), arg("planes"), arg("control"));
-}
-
-std::optional<SurfaceSide> side_of(const std::optional<std::string>& word) {
-  static const std::map<std::string, SurfaceSide> sides = {{"umax", SurfaceSide::UMax},
-                                                           {"umin", SurfaceSide::UMin},
-                                                           {"vmax", SurfaceSide::VMax},
-                                                           {"vmin", SurfaceSide::VMin}};
-  if (!word) return std::nullopt;
-  return sides.at(*word);
-}
-
-void add_strip(py::module_& module) {
-  module.def(
-      "strip",
-      [](const SharedModel& a, const SharedModel& b, const std::optional<std::string>& edge_a,
-         const std::optional<std::string>& edge_b, double weight_a, double weight_b,
-         const Control& control) {
-        return strip_between(a, b,
-                             {.side_a = side_of(edge_a),
-                              .side_b = side_of(edge_b),
-                              .strip = {.weight_a = weight_a, .weight_b = weight_b}},
-                             control);
-      },
-      arg("a"), arg("b"), arg("edge_a"), arg("edge_b"), arg("weight_a"), arg("weight_b"),
-      arg("control"));
-}
-
-void add_fillet(py::module_& module) {
-  module.def(
-      "fillet",
-      [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,
-         const std::optional<std::pair<int, int>>& between, double radius, bool partial,
-         const Control& control) {
-        return fillet(part, {.edges = edges, .kind = kind, .between = between}, radius, partial,
-                      control);
-      },
-      arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("partial"),
-      arg("control"));
-}
-
-nets::Cut cut_of(const std::vector<double>& interval, const std::vector<double>& rectangle,
-                 const std::vector<double>& triangle, const std::vector<double>& q, int levels) {
-  nets::Cut cut;
-  cut.levels = levels;
-  if (const auto& i = interval; !i.empty()) cut.interval = Interval{i[0], i[1]};
-  if (const auto& r = rectangle; !r.empty())
-    cut.rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
-  if (const auto& t = triangle; !t.empty())
-    cut.triangle = {Vec2{t[0], t[1]}, Vec2{t[2], t[3]}, Vec2{t[4], t[5]}};
-  if (!q.empty()) cut.q = QParameters{q[0], q[1]};
-  return cut;
-}
-
-void add_forms(py::module_& module) {
-  using Numbers = std::vector<double>;
-  module.def(
-      "subdivide",
-      [](const SharedModel& model, const Numbers& interval, const Numbers& rectangle,
-         const Numbers& triangle, const Numbers& q, int levels, const Control& control) {
-        return subdivide(model, cut_of(interval, rectangle, triangle, q, levels), control);
-      },
-      arg("model"), arg("interval"), arg("rectangle"), arg("triangle"), arg("q"), arg("levels"),
-      arg("control"));
-  module.def("convert", &convert, arg("model"), arg("to"), arg("control"));
-  module.def(
-      "fill",
-      [](const SharedModel& model, const std::vector<int>& edges,
-         const std::vector<std::string>& continuity, const std::string& layout, double angle,
-         bool sew, const Control& control) {
-        return fill(model, {edges, continuity, layout, angle, sew}, control);
-      },
-      arg("model"), arg("edges"), arg("continuity"), arg("layout"), arg("angle"), arg("sew"),
-      arg("control"));
-}
-
 }  // namespace
 }  // namespace blossom::python
 
@@ -352,8 +202,5 @@ PYBIND11_MODULE(_core, module) {
   bp::add_control(module);
   bp::add_model(module);
   bp::add_nets(module);
-  bp::add_answers(module);
-  bp::add_strip(module);
-  bp::add_fillet(module);
-  bp::add_forms(module);
+  bp::add_questions(module);
 }

@@ -6,24 +6,15 @@
 #include <memory>
 #include <utility>
 
-#include <BRep_Tool.hxx>
-#include <GeomConvert.hxx>
-#include <Geom_TrimmedCurve.hxx>
-
 #include "adapters/occt/soundness.h"
 #include "core/base/errors.h"
 #include "plugin/python/answers.h"
-#include "plugin/python/arrays.h"
 #include "plugin/reports/continuity.h"
 #include "plugin/reports/distance.h"
 #include "plugin/reports/edges.h"
 #include "plugin/reports/info.h"
 #include "plugin/reports/rays.h"
-#include "plugin/reports/section.h"
 #include "plugin/reports/soundness.h"
-
-namespace py = pybind11;
-using namespace py::literals;
 
 namespace blossom::python {
 namespace {
@@ -33,22 +24,6 @@ Answer told(reports::Json report) {
   auto shared = std::make_shared<const reports::Json>(std::move(report));
   return {.report = [shared] { return *shared; }, .model = {}, .records = {}};
 }
-
-// The curve as a B-spline, with the parameters that it has.
-Handle(Geom_BSplineCurve) spline_of(const occt::SectionCurve& curve) {
-  Handle(Geom_Curve) whole = curve.curve;
-  Interval range = curve.range;
-  if (!curve.edge.IsNull()) whole = BRep_Tool::Curve(curve.edge, range.from, range.to);
-  return GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(whole, range.from, range.to));
-}
-
-struct Cut {
-  SharedModel model;
-  occt::Plane plane;
-  double tolerance = 0;
-  occt::PlaneSection section;
-  double seconds = 0;
-};
 
 Vec3 unit_of(const Vec3& vector, const char* what) {
   const double largest = max_norm(vector);
@@ -85,38 +60,6 @@ occt::CheckRunner checks_of(const Watch& watch) {
 
 occt::Plane plane_of(const Vec3& point, const Vec3& normal) {
   return {point, unit_of(normal, "normal")};
-}
-
-Answer section(const SharedModel& model, const Vec3& point, const Vec3& normal,
-               const Control& control) {
-  auto cut = std::make_shared<Cut>(
-      Cut{model, plane_of(point, normal), control.engine.tolerances.point, {}, 0});
-  interruptible(control, [&](const Watch& watch) {
-    const LoadedModel::Turn turn = model->turn(watch);
-    const std::vector<TopoDS_Face>& faces = model->faces(watch);
-    const double start = watch.seconds();
-    cut->section = occt::plane_section(faces, cut->plane, watch.engine());
-    cut->seconds = watch.seconds() - start;
-  });
-  return {.report =
-              [cut] {
-                const LoadedModel::Turn turn = cut->model->turn(Watch());
-                return with_reading(
-                    reports::section_report(cut->model->input(), cut->plane, cut->tolerance,
-                                            cut->section, cut->seconds),
-                    {cut->model});
-              },
-          .model =
-              [cut] {
-                return std::make_shared<LoadedModel>("section", occt::compound_of(cut->section));
-              },
-          .records =
-              [cut] {
-                py::list splines;
-                for (const occt::SectionCurve& curve : cut->section.curves)
-                  splines.append(spline_record(spline_of(curve)));
-                return py::dict("splines"_a = splines);
-              }};
 }
 
 Answer cast_ray(const SharedModel& model, const Vec3& from, const Vec3& direction, bool first_only,

@@ -2,11 +2,13 @@
 #include "plugin/reports/clash.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string_view>
 #include <utility>
 
+#include "adapters/occt/base/errors.h"
 #include "plugin/reports/csv.h"
 #include "plugin/reports/measured_input.h"
 #include "plugin/reports/repairs.h"
@@ -133,6 +135,33 @@ std::string csv_line(const ClashRow& row, const ClashAnswer& answer) {
 }
 
 }  // namespace
+
+void add_input(ClashAnswer& answer, const Input& input) {
+  if (!answer.inputs.empty()) answer.first_of_b = answer.parts.size();
+  answer.inputs.push_back(&input);
+  for (NamedPart& part : named_parts(input)) answer.parts.push_back(std::move(part));
+}
+
+void look_for_clashes(ClashAnswer& answer, const IntersectionOptions& engine) {
+  if (answer.parts.size() < 2)
+    throw occt::BadModel(answer.inputs.front()->name +
+                         ": has one part alone; clash compares two or more, or two models");
+  std::vector<TopoDS_Shape> shapes;
+  for (const NamedPart& part : answer.parts) shapes.push_back(part.shape);
+  const auto start = std::chrono::steady_clock::now();
+  answer.found = occt::clashes_of(shapes, {answer.clearance, engine}, answer.first_of_b);
+  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+occt::Model common_bodies(const ClashAnswer& answer) {
+  occt::Model model;
+  for (const ClashRow& row : rows_of(answer, ClashRows::Near)) {
+    if (!row.clash->common) continue;
+    for (const TopoDS_Solid& solid : row.clash->common->solids)
+      model.add(solid, answer.parts[row.a].name + " x " + answer.parts[row.b].name);
+  }
+  return model;
+}
 
 std::size_t pair_count(const ClashAnswer& answer) {
   const std::size_t count = answer.parts.size(), of_a = answer.first_of_b;

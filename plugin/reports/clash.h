@@ -28,6 +28,13 @@ struct ClashAnswer {
   double seconds = 0;
 };
 
+/// Adds the parts of a model; with a second one, pairs have one part of each.
+void add_input(ClashAnswer& answer, const Input& input);
+
+/// Compares the parts, `found`.
+/// throws   BadModel if there are fewer than two, or one cannot be measured
+void look_for_clashes(ClashAnswer& answer, const IntersectionOptions& engine);
+
 /// A pair that is told: one that was looked at, or one of which only the boxes were.
 struct ClashRow {
   std::size_t a = 0, b = 0;
@@ -54,6 +61,9 @@ Status status_of(const ClashAnswer& answer);
 
 /// Whether parts have an inside in common, or are nearer to each other than the clearance.
 bool is_finding(const ClashRow& row, const std::optional<double>& clearance);
+
+/// The common bodies, each with the names of the parts that have it; no shape if there are none.
+occt::Model common_bodies(const ClashAnswer& answer);
 
 /// The whole object, schema "blossom.clash/1".
 Json clash_report(const ClashAnswer& answer);

@@ -126,16 +126,8 @@ std::string clash_text(const ClashAnswer& answer) {
 
 // The common bodies, each named by the parts that have it.
 void write_common(const ClashAnswer& answer, const std::string& file) {
-  occt::Model model;
-  bool any = false;
-  for (const ClashRow& row : reports::rows_of(answer, reports::ClashRows::Near)) {
-    if (!row.clash->common) continue;
-    for (const TopoDS_Solid& solid : row.clash->common->solids) {
-      model.add(solid, answer.parts[row.a].name + " x " + answer.parts[row.b].name, {});
-      any = true;
-    }
-  }
-  if (any)
+  const occt::Model model = reports::common_bodies(answer);
+  if (!model.shape().IsNull())
     write_model(model, file);
   else
     tell_unwritten(file, "no parts have a common body");
@@ -165,25 +157,10 @@ int run(const Options& options) {
   answer.tolerance = options.engine.tolerance;
   answer.lists_far = !options.near;
   if (options.clearance >= 0) answer.clearance = options.clearance;
-  for (const Input& input : inputs) {
-    if (!answer.inputs.empty()) answer.first_of_b = answer.parts.size();
-    answer.inputs.push_back(&input);
-    for (reports::NamedPart& part : reports::named_parts(input))
-      answer.parts.push_back(std::move(part));
-  }
-  if (answer.parts.size() < 2)
-    throw occt::BadModel(options.a +
-                         ": has one part alone; clash compares two or more, or two "
-                         "models");
-  std::vector<TopoDS_Shape> shapes;
-  for (const reports::NamedPart& part : answer.parts) shapes.push_back(part.shape);
+  for (const Input& input : inputs) reports::add_input(answer, input);
   {
     Progress progress("looking for clashes");
-    const Stopwatch watch;
-    answer.found =
-        occt::clashes_of(shapes, {answer.clearance, intersection_options(options.engine, progress)},
-                         answer.first_of_b);
-    answer.seconds = watch.seconds();
+    reports::look_for_clashes(answer, intersection_options(options.engine, progress));
   }
   return write_outputs(answer, options.common);
 }

@@ -2,57 +2,38 @@
 #include "plugin/cli/commands/convert_mesh.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <functional>
 #include <set>
 #include <sstream>
 #include <utility>
 
-#include <BRepBndLib.hxx>
-#include <Bnd_Box.hxx>
-
-#include "adapters/occt/base/errors.h"
-#include "adapters/occt/tessellation.h"
 #include "adapters/occt/tessellation/triangulated_faces.h"
 #include "core/base/work_limit.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/mesh_files.h"
+#include "plugin/cli/mesh_judge.h"
 #include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
+#include "plugin/meshes/shape_mesh.h"
 #include "plugin/reports/mesh.h"
 #include "plugin/reports/repairs.h"
 
 namespace blossom::cli {
 namespace {
 
-constexpr double kSizePart = 1e-3;  // of the diagonal, where no deviation is given
-
 // Looking for crossings takes longer than meshing; of so many triangles some seconds.
 constexpr std::size_t kMostJudged = 2'000'000;
 
-double diagonal_of(const TopoDS_Shape& shape) {
-  Bnd_Box box;
-  BRepBndLib::Add(shape, box, Standard_False);
-  return box.IsVoid() ? 1 : std::sqrt(box.SquareExtent());
-}
-
-FacetOptions facet_options(const TopoDS_Shape& shape, const MeshConversion& options) {
-  FacetOptions result = options.facets;
-  result.deviation = options.deviation > 0 ? options.deviation : kSizePart * diagonal_of(shape);
-  return result;
-}
-
-occt::ShapeTessellation meshed(const TopoDS_Shape& shape, const FacetOptions& options) {
+meshes::ShapeMesh meshed(const Input& input, const std::vector<std::string>& names,
+                         const FacetOptions& options) {
   Progress progress("meshing");
   const std::function<bool()> cancelled = interrupted;
   const WorkLimit limit(seconds_left(), cancelled);
-  return occt::tessellation(shape, options, [&] {
+  return meshes::mesh_of(input.name, input.model.shape(), input.numbers, names, options, [&] {
     progress.tick();
     return limit.reached() == nullptr;
   });
@@ -107,37 +88,34 @@ void add_mesh_options(CLI::App& command, MeshConversion& options) {
   command.add_flag("--text", options.text, "of triangles: .stl, .ply and .off as text");
 }
 
-bool is_of_triangles(const std::string& file) { return is_mesh_file(file) || is_glb_file(file); }
+bool is_of_triangles(const std::string& file) {
+  return meshes::is_mesh_file(file) || meshes::is_glb_file(file);
+}
 
 int run_mesh_conversion(const std::string& name, const CommonOptions& common,
                         const MeshConversion& conversion) {
   Input input = read_input(name);
   const Json repairs = Json::array({reports::repairs_json(input)});
+  const std::vector<std::string> names = meshes::group_names(input);
   drop_other_faces(input);
   stop_if_interrupted();
-  const TopoDS_Shape& shape = input.model.shape();
-  const FacetOptions options = facet_options(shape, conversion);
-  const auto start = std::chrono::steady_clock::now();
-  const occt::ShapeTessellation made = meshed(shape, options);
+  FacetOptions options = conversion.facets;
+  options.deviation = conversion.deviation;
+  meshes::ShapeMesh made = meshed(input, names, options);
   stop_if_interrupted();
-  if (made.facets.stopped) {
+  if (made.made.facets.stopped) {
     tell_unwritten(common.output, "the time limit was reached while it was meshed");
     return exit_code_unwritten(Status::Stopped);
   }
-  std::vector<int> face_of;
-  FileMesh mesh{made.facets.points, occt::triangles_of(made, &face_of)};
-  if (mesh.triangles.empty()) throw occt::BadModel(input.name + ": no face can be meshed");
-  reports::MeshAnswer answer = reports::answer_of(made, shape, input.numbers, options);
-  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  answer.points = mesh.points.size();
-  answer.triangles = mesh.triangles.size();
-  look_for_crossings(mesh, face_of, input.numbers, answer);
+  reports::MeshAnswer& answer = made.answer;
+  look_for_crossings(made.mesh, made.face_of, input.numbers, answer);
   stop_if_interrupted();
-  if (is_glb_file(common.output)) {
-    occt::put_on_faces(made, shape);
+  if (meshes::is_glb_file(common.output)) {
+    occt::put_on_faces(made.made, input.model.shape());
     write_model(input.model, common.output);
   } else {
-    const WrittenMesh written = write_mesh_file(mesh, common.output, conversion.text);
+    const meshes::WrittenMesh written =
+        meshes::write_mesh_file(made.mesh, common.output, conversion.text, stop_if_interrupted);
     answer.rounding = written.rounding;
     answer.distance += written.rounding;
     answer.apart = written.apart;

@@ -18,7 +18,7 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/mesh_files.h"
+#include "plugin/cli/mesh_judge.h"
 #include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/supervision.h"
@@ -111,7 +111,7 @@ class MeshedInput {
  public:
   explicit MeshedInput(const std::string& name) : name_(name) {
     if (is_mesh_input(name)) {
-      mesh_ = read_mesh_file(parse_input(name).file);
+      mesh_ = meshes::read_mesh_file(parse_input(name).file);
       return;
     }
     model_ = std::make_unique<Input>(read_input(name));
@@ -235,11 +235,13 @@ std::string distance_text(const MeshedInput& a, const MeshedInput& b, const Both
 
 }  // namespace
 
-bool is_mesh_input(const std::string& input) { return is_mesh_file(parse_input(input).file); }
+bool is_mesh_input(const std::string& input) {
+  return meshes::is_mesh_file(parse_input(input).file);
+}
 
 int run_mesh_check(const std::string& input, const CommonOptions& common) {
   check_files(common, {input});
-  const FileMesh mesh = read_mesh_file(parse_input(input).file);
+  const FileMesh mesh = meshes::read_mesh_file(parse_input(input).file);
   stop_if_interrupted();
   const auto found = judged_mesh(mesh);
   if (!found) throw UsageError("check of triangles needs CGAL, which this program lacks");

@@ -8,7 +8,6 @@
 #include <sstream>
 #include <utility>
 
-#include "adapters/occt/plane_section.h"
 #include "adapters/occt/shapes.h"
 #include "core/bounds/box_tree.h"
 #include "plugin/cli/commands/query_parts.h"
@@ -23,7 +22,7 @@
 #include "plugin/cli/reading.h"
 #include "plugin/cli/values.h"
 #include "plugin/cli/vectors.h"
-#include "plugin/reports/parts.h"
+#include "plugin/reports/plane_cuts.h"
 
 namespace blossom::cli {
 namespace {
@@ -38,43 +37,6 @@ constexpr long kMostPlanes = 100'000;
 constexpr double kDrawnDeviation = 1e-5;
 
 std::string offset_text(double offset) { return number_text(rounded(offset)); }
-
-// A part of the model, with its faces made ready.
-struct ReadyPart {
-  std::string name;
-  bool solid = false;
-  std::vector<int> numbers{};
-  occt::SectionedFaces faces;
-};
-
-std::vector<ReadyPart> ready_parts(const Input& input, double tolerance) {
-  std::vector<ReadyPart> parts;
-  for (const reports::NamedPart& part : reports::named_parts(input)) {
-    const reports::FacesOfPart own = reports::faces_of(part);
-    parts.push_back(
-        {part.name, part.solid > 0, own.numbers, occt::SectionedFaces(own.faces, tolerance)});
-  }
-  return parts;
-}
-
-bool is_empty(const occt::PlaneSection& section) {
-  return section.wires.empty() && section.points.empty() && section.places.empty();
-}
-
-SectionsOfPlane sections_with(const NamedPlane& plane, std::vector<ReadyPart>& parts,
-                              const EngineOptions& engine, Progress& progress, Status& status) {
-  SectionsOfPlane made{plane, {}};
-  for (ReadyPart& part : parts) {
-    stop_if_interrupted();
-    PartSection section{part.name, part.solid, part.numbers,
-                        part.faces.section(plane.plane, intersection_options(engine, progress))};
-    status = weaker(status, section.section.status);
-    if (is_empty(section.section)) continue;
-    occt::orient_wires(section.section, plane.plane);
-    made.parts.push_back(std::move(section));
-  }
-  return made;
-}
 
 double size_of(const SectionsAnswer& answer) {
   Box box;
@@ -106,19 +68,6 @@ std::string drawing_of(const SectionsAnswer& answer, const std::string& ending) 
 bool is_drawing(const std::string& file) {
   const std::string ending = ending_of(file);
   return ending == ".dxf" || ending == ".svg";
-}
-
-// A product for each plane, with one for each of its parts.
-occt::Model model_of(const SectionsAnswer& answer) {
-  occt::Model model;
-  for (const SectionsOfPlane& plane : answer.planes) {
-    std::vector<std::pair<std::string, TopoDS_Shape>> parts;
-    for (const PartSection& part : plane.parts)
-      if (!part.section.wires.empty() || !part.section.points.empty())
-        parts.emplace_back(part.name, occt::compound_of(part.section));
-    if (!parts.empty()) model.add_assembly(parts, plane.plane.name);
-  }
-  return model;
 }
 
 std::string plane_line(const SectionsOfPlane& plane) {
@@ -171,23 +120,19 @@ Picture picture_of(const Input& input, const SectionsAnswer& answer) {
   return picture;
 }
 
-SectionsAnswer sections_of(const Input& input, const std::vector<NamedPlane>& planes,
-                           const EngineOptions& engine) {
+SectionsAnswer cut(const Input& input, const std::vector<NamedPlane>& planes,
+                   const EngineOptions& engine) {
   Progress progress("cutting");
-  const Stopwatch watch;
-  SectionsAnswer answer;
-  answer.tolerance = engine.tolerance;
-  std::vector<ReadyPart> parts = ready_parts(input, engine.tolerance);
-  for (const NamedPlane& plane : planes)
-    answer.planes.push_back(sections_with(plane, parts, engine, progress, answer.status));
-  answer.seconds = watch.seconds();
-  return answer;
+  return reports::sections_of(
+      input, planes,
+      {engine.tolerance, [&] { return intersection_options(engine, progress); },
+       stop_if_interrupted});
 }
 
 void write_result(const Input& input, const SectionsAnswer& answer, const std::string& file) {
   if (is_drawing(file)) return occt::write_text(drawing_of(answer, ending_of(file)), file);
   if (ending_of(file) == ".json") return write_json(reports::sections_report(input, answer), file);
-  const occt::Model model = model_of(answer);
+  const occt::Model model = reports::model_of(answer);
   if (model.shape().IsNull())
     tell_unwritten(file, "no wire and no point was found");
   else
@@ -257,14 +202,14 @@ std::vector<NamedPlane> planes_in(const std::string& file) {
 
 void write_drawing(const Input& input, const NamedPlane& plane, const EngineOptions& engine,
                    const std::string& file) {
-  occt::write_text(drawing_of(sections_of(input, {plane}, engine), ending_of(file)), file);
+  occt::write_text(drawing_of(cut(input, {plane}, engine), ending_of(file)), file);
 }
 
 int run_planes(const std::string& name, std::vector<NamedPlane> planes, const CommonOptions& common,
                const EngineOptions& engine) {
   const Input input = read_input(name);
   stop_if_interrupted();
-  const SectionsAnswer answer = sections_of(input, planes, engine);
+  const SectionsAnswer answer = cut(input, planes, engine);
   stop_if_interrupted();
   const std::vector<PictureFile> pictures =
       picture_files(common, [&] { return picture_of(input, answer); });

@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/cli/commands/subdivide_whole.h"
 
-#include <array>
-#include <map>
-#include <optional>
 #include <sstream>
 #include <utility>
 
-#include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <TopExp.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/base/errors.h"
-#include "core/base/tolerances.h"
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
@@ -22,86 +13,16 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/picture/mesh.h"
 #include "plugin/nets/net_json.h"
-#include "plugin/nets/whole.h"
-#include "plugin/reports/repairs.h"
+#include "plugin/nets/whole_parts.h"
 
 namespace blossom::cli {
 namespace {
 
-struct WholePart {
-  nets::NetSource source;
-  TopoDS_Shape shape;  // an untrimmed face, or an edge
-  Json json;
-};
+using nets::WholePart;
 
-WholePart whole_face(const Input& input, std::size_t i, const std::vector<std::string>& names,
-                     const std::vector<double>& r) {
-  WholePart part;
-  part.source.file = input.model.file().string();
-  part.source.face = input.numbers[i];
-  part.source.name = names[static_cast<std::size_t>(part.source.face) - 1];
-  std::optional<std::array<Interval, 2>> rectangle;
-  if (!r.empty()) rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
-  const auto surface = nets::whole_surface(input.faces[i], part.source, rectangle);
-  BRepBuilderAPI_MakeFace maker(surface, Tolerances{}.point);
-  if (!maker.IsDone()) throw occt::BadModel(nets::text_of(part.source) + ": gives no face");
-  part.shape = maker.Shape().Oriented(input.faces[i].Orientation());
-  part.json = nets::spline_json(*surface);
-  part.json["face"] = part.source.face;
-  return part;
-}
-
-std::vector<WholePart> whole_edges(const Input& input, const std::vector<double>& interval) {
-  TopTools_IndexedMapOfShape numbered, wanted;
-  TopExp::MapShapes(input.model.shape(), TopAbs_EDGE, numbered);
-  for (const TopoDS_Face& face : input.faces) TopExp::MapShapes(face, TopAbs_EDGE, wanted);
-  for (const int number : input.edges) wanted.Add(numbered(number));
-  const bool all = parse_input(input.name).is_whole();
-  std::vector<WholePart> parts;
-  for (int number = 1; number <= numbered.Extent(); ++number) {
-    if (!all && !wanted.Contains(numbered(number))) continue;
-    stop_if_interrupted();
-    WholePart part;
-    part.source.file = input.model.file().string();
-    part.source.edge = number;
-    const auto curve = nets::whole_curve(TopoDS::Edge(numbered(number)), part.source,
-                                         Interval{interval[0], interval[1]});
-    if (curve.IsNull()) continue;
-    BRepBuilderAPI_MakeEdge maker(curve);
-    if (!maker.IsDone())
-      throw occt::BadModel(nets::text_of(part.source) + ": gives no edge: is it a point?");
-    part.shape = maker.Shape();
-    part.json = nets::spline_json(*curve);
-    part.json["edge"] = number;
-    parts.push_back(std::move(part));
-  }
-  if (parts.empty())
-    throw occt::BadModel(input.model.file().string() + ": there is no edge with a curve in it");
-  return parts;
-}
-
-std::vector<WholePart> whole_parts(const Input& input, const WholeQuestion& question) {
-  if (!question.interval.empty()) return whole_edges(input, question.interval);
-  const std::vector<std::string> names = input.model.face_names();
-  std::vector<WholePart> parts;
-  for (std::size_t i = 0; i < input.faces.size(); ++i) {
-    stop_if_interrupted();
-    parts.push_back(whole_face(input, i, names, question.rectangle));
-  }
-  return parts;
-}
-
-// Faces take the places of theirs, with names and colours; edges are parts of their own.
 void write_parts(const Input& input, const std::vector<WholePart>& parts, const std::string& file) {
-  if (parts.front().source.face == 0) {
-    occt::Model model;
-    for (const WholePart& part : parts) model.add(part.shape, nets::name_of(part.source));
-    return write_model(model, file);
-  }
-  std::map<int, std::vector<TopoDS_Face>> faces;
-  for (int number = 1; number <= input.model.face_count(); ++number) faces[number];
-  for (const WholePart& part : parts) faces[part.source.face] = {TopoDS::Face(part.shape)};
-  input.model.replace_faces(faces);
+  if (parts.front().source.face == 0) return write_model(nets::model_of_whole_edges(parts), file);
+  nets::put_whole_faces(input.model, parts);
   write_model(input.model, file);
 }
 
@@ -131,22 +52,14 @@ std::string summary_of(const std::string& name, const std::vector<WholePart>& pa
   return text.str();
 }
 
-Json report_of(const Input& input, const WholeQuestion& question,
-               const std::vector<WholePart>& parts, double seconds) {
-  const auto list_or_null = [](const std::vector<double>& values) {
-    return values.empty() ? Json(nullptr) : Json(values);
-  };
-  Json json = {{"schema", "blossom.subdivision/1"},
-               {"file", input.name},
-               {"whole", true},
-               {"interval", list_or_null(question.interval)},
-               {"rectangle", list_or_null(question.rectangle)},
-               {"seconds", seconds},
-               {"pieces", parts.size()},
-               {"splines", Json::array()},
-               {"repairs", Json::array({repairs_json(input)})}};
-  for (const WholePart& part : parts) json["splines"].push_back(part.json);
-  return json;
+nets::WholeCut cut_of(const WholeQuestion& question) {
+  nets::WholeCut cut;
+  if (const auto& i = question.interval; !i.empty()) cut.interval = Interval{i[0], i[1]};
+  if (const auto& r = question.rectangle; !r.empty())
+    cut.rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
+  cut.all_edges = parse_input(question.input).is_whole();
+  cut.stop = stop_if_interrupted;
+  return cut;
 }
 
 }  // namespace
@@ -158,9 +71,10 @@ int run_whole(const WholeQuestion& question) {
   const bool edges = !question.interval.empty();
   const Input input = read_input(question.input, edges ? Faces::Optional : Faces::Required);
   const Stopwatch watch;
-  const std::vector<WholePart> parts = whole_parts(input, question);
+  const nets::WholeCut cut = cut_of(question);
+  const std::vector<WholePart> parts = nets::whole_parts(input, cut);
   const double seconds = watch.seconds();
-  const Json report = report_of(input, question, parts, seconds);
+  const Json report = nets::whole_report(input, cut, parts, seconds);
   const std::vector<PictureFile> pictures =
       picture_files(question.common, [&] { return picture_of(question.input, parts); });
   stop_if_interrupted();

@@ -33,12 +33,13 @@ start at 1 as in "Face1". Wrong types are TypeErrors, wrong values and models th
 ValueErrors, failures of Open CASCADE `blossom.Error`. Ctrl-C ends all work.
 """
 
-from typing import Any, Dict, Optional, Union
+from typing import Any, Dict, Literal, Optional, Union, overload
 
 from . import _checks, _core
-from ._bodies import Fill, Fillet, Solid, Strip, Trim, Watertight
+from ._bodies import Chamfer, EdgeBlend, Fill, Fillet, Solid, Strip, Trim, Watertight
+from ._clashes import Clash, ClashPair
 from ._core import Cancel, Cancelled, Error, __version__
-from ._forms import Conversion, Net, Subdivision
+from ._forms import Conversion, Net, Spline, Subdivision, Whole
 from ._intersections import (
     Chain,
     Contact,
@@ -48,7 +49,8 @@ from ._intersections import (
     Place,
     SelfIntersection,
 )
-from ._model import FileName, Model, model_of
+from ._meshes import Mesh
+from ._model import FileName, Model, Radius, model_of
 from ._queries import (
     Check,
     Continuity,
@@ -57,23 +59,25 @@ from ._queries import (
     Hit,
     Meeting,
     RayHits,
-    Section,
-    SectionCurve,
-    Wire,
 )
 from ._results import Result
+from ._sections import PartSection, PlaneSection, Section, SectionCurve, Sections, Wire
 from ._shapes import spline_model
 
 __all__ = [
     "Cancel",
     "Cancelled",
     "Chain",
+    "Chamfer",
     "Check",
+    "Clash",
+    "ClashPair",
+    "Contact",
     "Continuity",
     "Conversion",
-    "Contact",
     "Curve",
     "Distance",
+    "EdgeBlend",
     "Error",
     "Fill",
     "Fillet",
@@ -81,24 +85,32 @@ __all__ = [
     "Hit",
     "Intersection",
     "Meeting",
+    "Mesh",
     "Model",
     "Net",
     "Overlap",
+    "PartSection",
     "Place",
+    "PlaneSection",
     "RayHits",
     "Result",
     "Section",
     "SectionCurve",
+    "Sections",
     "SelfIntersection",
     "Solid",
+    "Spline",
     "Strip",
     "Subdivision",
     "Trim",
     "Watertight",
+    "Whole",
     "Wire",
     "__version__",
     "blend_strip",
+    "chamfer",
     "check",
+    "clash",
     "continuity",
     "convert",
     "curve",
@@ -109,9 +121,11 @@ __all__ = [
     "foot_points",
     "info",
     "intersect",
+    "mesh",
     "ray",
     "read",
     "section",
+    "sections",
     "self_intersect",
     "shape",
     "solid",
@@ -165,7 +179,7 @@ def curve(
 
 
 def write(shape: Any, path: FileName, **options: Any) -> None:
-    """Writes a shape to a file: .step, .iges or .brep."""
+    """Writes a shape to a file: .step, .iges or .brep, or of triangles; see `Model.write`."""
     model_of(shape, "shape").write(path, **options)
 
 
@@ -173,8 +187,8 @@ def convert(source: Any, target: Optional[FileName] = None, *, to: Optional[str]
             **options: Any) -> Optional[Conversion]:
     """A shape in another form, a file in another format, or both.
 
-    target   the file to write: .step, .iges or .brep; names, colours and assembly are kept where
-             both have them
+    target   the file to write: .step, .iges or .brep, or of triangles, see `Model.write`; names,
+             colours and assembly are kept where both have them
     to       "bezier", "monomial" or "triangles"; see `Model.convert`. None keeps the forms
     """  # fmt: skip
     if target is None and to is None:
@@ -186,9 +200,23 @@ def convert(source: Any, target: Optional[FileName] = None, *, to: Optional[str]
     return made
 
 
-def subdivide(shape: Any, rectangle: Any = None, **options: Any) -> Subdivision:
+@overload
+def subdivide(
+    shape: Any, rectangle: Any = None, *, whole: Literal[False] = False, **options: Any
+) -> Subdivision: ...
+@overload
+def subdivide(
+    shape: Any, rectangle: Any = None, *, whole: Literal[True], **options: Any
+) -> Whole: ...
+def subdivide(
+    shape: Any, rectangle: Any = None, *, whole: bool = False, **options: Any
+) -> Union[Subdivision, Whole]:
     """Sub-patches of faces, sub-curves of edges; see `Model.subdivide`."""
-    return model_of(shape, "shape").subdivide(rectangle, **options)
+    model = model_of(shape, "shape")
+    if _checks.flag(whole, "whole"):
+        return model.subdivide(rectangle, whole=True, **options)
+    pieces: Subdivision = model.subdivide(rectangle, **options)
+    return pieces
 
 
 def info(shape: Any, edges: bool = False, **options: Any) -> Dict[str, Any]:
@@ -222,6 +250,21 @@ def self_intersect(shape: Any, faces: bool = False, **options: Any) -> SelfInter
 def section(shape: Any, point: Any, normal: Any, **options: Any) -> Section:
     """The section with the plane through a point."""
     return model_of(shape, "shape").section(point, normal, **options)
+
+
+def sections(shape: Any, planes: Any = None, **options: Any) -> Sections:
+    """The sections with many planes, part by part; see `Model.sections`."""
+    return model_of(shape, "shape").sections(planes, **options)
+
+
+def clash(a: Any, b: Any = None, **options: Any) -> Clash:
+    """How the parts of a model lie to each other, or to those of another; see `Model.clash`."""
+    return model_of(a, "a").clash(None if b is None else model_of(b, "b"), **options)
+
+
+def mesh(shape: Any, deviation: Optional[float] = None, **options: Any) -> Mesh:
+    """Triangles within a proven distance; see `Model.mesh`."""
+    return model_of(shape, "shape").mesh(deviation, **options)
 
 
 def ray(
@@ -259,10 +302,17 @@ def solid(operation: str, part: Any, *tools: Any, planes: Any = (), **options: A
 
 
 def fillet(
-    shape: Any, edges: Any = (), *, radius: float, between: Any = None, **options: Any
+    shape: Any, edges: Any = (), *, radius: Radius, between: Any = None, **options: Any
 ) -> Fillet:
     """Edges of solids rounded by a rolling ball; see `Model.fillet`."""
     return model_of(shape, "shape").fillet(edges, radius=radius, between=between, **options)
+
+
+def chamfer(
+    shape: Any, edges: Any = (), *, distance: Radius, between: Any = None, **options: Any
+) -> Chamfer:
+    """Edges of solids cut off; see `Model.chamfer`."""
+    return model_of(shape, "shape").chamfer(edges, distance=distance, between=between, **options)
 
 
 def fill(shape: Any, edges: Any = (), **options: Any) -> Fill:

@@ -58,8 +58,10 @@ class Solid(Result):
         return f"{told}, {self.obstacles[0]}" if self.obstacles else told
 
 
-class Fillet(Result):
-    """A model with rounded edges; a list of the numbers of those that have fillets."""
+class EdgeBlend(Result):
+    """A model with blends in place of edges; a list of the numbers of those."""
+
+    _done = ""
 
     @property
     def edges(self) -> List[int]:
@@ -91,8 +93,20 @@ class Fillet(Result):
         return self.edges
 
     def _summary(self) -> str:
-        told = f"{self.status}, {counted(len(self.edges), 'edge')} rounded"
+        told = f"{self.status}, {counted(len(self.edges), 'edge')} {self._done}"
         return f"{told}, {len(self.refused)} refused" if self.refused else told
+
+
+class Fillet(EdgeBlend):
+    """A model with rounded edges; a list of the numbers of those that have fillets."""
+
+    _done = "rounded"
+
+
+class Chamfer(EdgeBlend):
+    """A model with edges cut off; a list of the numbers of those that have chamfers."""
+
+    _done = "cut off"
 
 
 class Fill(Result):

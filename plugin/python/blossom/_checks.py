@@ -112,14 +112,16 @@ def vector(value: Any, name: str) -> Triple:
     return (x, y, z)
 
 
+def _rows(value: Any, name: str, wanted: str) -> List[List[Any]]:
+    try:
+        return [list(row) for row in value]
+    except TypeError:
+        raise TypeError(f"{name}: {wanted} wanted, got {kind(value)}") from None
+
+
 def planes(value: Any, name: str) -> List[Tuple[Triple, Triple]]:
     """Pairs of a point and a normal."""
-    try:
-        listed = [list(pair) for pair in value]
-    except TypeError:
-        raise TypeError(
-            f"{name}: a list of pairs (point, normal) is wanted, got {kind(value)}"
-        ) from None
+    listed = _rows(value, name, "a list of pairs (point, normal) is")
     for pair in listed:
         if len(pair) != 2:
             raise ValueError(f"{name}: a plane is a pair (point, normal), got {len(pair)} members")
@@ -163,10 +165,7 @@ def corners(value: Any, name: str) -> List[float]:
     """Three pairs as six numbers; none if there is no value."""
     if value is None:
         return []
-    try:
-        pairs = [list(pair) for pair in value]
-    except TypeError:
-        raise TypeError(f"{name}: three pairs (u, v) are wanted, got {kind(value)}") from None
+    pairs = _rows(value, name, "three pairs (u, v) are")
     if len(pairs) != 3:
         raise ValueError(f"{name}: three pairs (u, v) are wanted, got {len(pairs)}")
     return [part for pair in pairs for part in number_list(pair, name, 2)]
@@ -188,11 +187,125 @@ def face_pair(value: Any, name: str) -> Tuple[int, int]:
     return (listed[0], listed[1])
 
 
+def radii(value: Any, name: str) -> Tuple[float, Optional[float]]:
+    """A positive number, or a pair of them: at the start and the end."""
+    if isinstance(value, numbers.Real) or isinstance(value, (str, bytes)):
+        return positive(value, name), None
+    first, last = (positive(each, name) for each in number_list(value, name, 2))
+    return first, last
+
+
+def conic(value: Any, name: str) -> Optional[float]:
+    """Of "conic:0.4" the 0.4, between 0 and 1; None of "circle"."""
+    told = text(value, name)
+    if told == "circle":
+        return None
+    head, _, tail = told.partition(":")
+    try:
+        rho = float(tail)
+    except ValueError:
+        rho = math.nan
+    if head != "conic" or not 0 < rho < 1:
+        raise ValueError(
+            f"{name}: 'circle', or 'conic:RHO' with RHO between 0 and 1 is wanted, got '{told}'"
+        )
+    return rho
+
+
+def chamfer_size(
+    distance: Any, angle: Any
+) -> Tuple[float, Optional[float], Optional[float]]:
+    """The first distance, and the second one or an angle, if there is one."""
+    first, second = radii(distance, "distance")
+    if angle is None:
+        return first, second, None
+    if second is not None:
+        raise ValueError("angle: a second distance, or an angle is wanted, not both")
+    made = positive(angle, "angle")
+    if made >= math.pi:
+        raise ValueError(f"angle: {made} is not below pi; radians are wanted")
+    return first, None, made
+
+
+NamedPlane = Tuple[Triple, Triple, str, Optional[float]]
+
+
+def named_planes(value: Any, name: str) -> List[NamedPlane]:
+    """Pairs of a point and a normal, or triples with a name behind them."""
+    listed = _rows(value, name, "a list of pairs (point, normal) is")
+    made: List[NamedPlane] = []
+    for place, plane in enumerate(listed, start=1):
+        if len(plane) not in (2, 3):
+            raise ValueError(
+                f"{name}: a plane is (point, normal) or (point, normal, name), "
+                f"got {len(plane)} members"
+            )
+        title = text(plane[2], f"{name}, name") if len(plane) == 3 else f"plane {place}"
+        point, normal = vector(plane[0], f"{name}, point"), vector(plane[1], f"{name}, normal")
+        made.append((point, normal, title, None))
+    return _some(made, name)
+
+
+def planes_at(value: Any, name: str, point: Any, normal: Any) -> List[NamedPlane]:
+    """Parallel planes at offsets from a point along the normal."""
+    try:
+        offsets = [number(each, name) for each in value]
+    except TypeError as error:
+        if str(error).startswith(f"{name}:"):
+            raise
+        raise TypeError(f"{name}: a list of numbers is wanted, got {kind(value)}") from None
+    start, along = vector(point, "point"), vector(normal, "normal")
+    length = math.hypot(*along)
+    if length == 0:
+        raise ValueError("normal: the zero vector has no direction")
+    made: List[NamedPlane] = []
+    for i, offset in enumerate(offsets, start=1):
+        x, y, z = (s + offset * n / length for s, n in zip(start, along))
+        made.append(((x, y, z), along, f"plane {i}, offset {offset:.6g}", offset))
+    return _some(made, name)
+
+
+def _some(listed: List[NamedPlane], name: str) -> List[NamedPlane]:
+    if not listed:
+        raise ValueError(f"{name}: there is no plane in it")
+    return listed
+
+
+_OF_TRIANGLES = (".stl", ".ply", ".obj", ".off", ".glb")
+FACET_ANGLE = 0.5  # radians; FacetOptions in core/tessellation/facet_options.h
+
+
+def is_of_triangles(file: str) -> bool:
+    """Whether a file, by its ending, has triangles and no surfaces."""
+    return file.lower().endswith(_OF_TRIANGLES)
+
+
+def facets(deviation: Any, angle: Any, edge_length: Any) -> Tuple[float, float, float]:
+    """How fine triangles are; 0 is what is not given, and of a deviation a part of the size."""
+    return (
+        0.0 if deviation is None else positive(deviation, "deviation"),
+        FACET_ANGLE if angle is None else positive(angle, "angle"),
+        0.0 if edge_length is None else positive(edge_length, "edge_length"),
+    )
+
+
 def edges(value: Any, name: str) -> Tuple[List[int], str]:
     """Numbers of edges, or a word for them; what is not meant is empty."""
     if isinstance(value, str):
         return [], word(value, name, EDGE_WORDS)
     return numbers_of(value, name, "edge"), ""
+
+
+EdgeWish = Tuple[List[int], str, Optional[Tuple[int, int]]]
+
+
+def edge_wish(question: str, chosen: Any, between: Any) -> EdgeWish:
+    """Numbers of edges, a word for them, and two faces that they are between; one at least."""
+    listed, word_of = edges(chosen, "edges")
+    pair = None if between is None else face_pair(between, "between")
+    if not listed and not word_of and pair is None:
+        raise ValueError(f"{question} needs edges, or two faces that they are between")
+    return listed, word_of, pair
 
 
 _KNOWN_OPTIONS = ("tolerance", "form", "time_limit", "budget", "threads", "cancel", "progress")

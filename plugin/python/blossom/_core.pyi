@@ -89,6 +89,9 @@ def subdivide(
     levels: int,
     control: Control,
 ) -> Answer: ...
+def subdivide_whole(
+    model: Model, interval: List[float], rectangle: List[float], control: Control
+) -> Answer: ...
 def convert(model: Model, to: str, control: Control) -> Answer: ...
 def fill(
     model: Model,
@@ -101,6 +104,32 @@ def fill(
 ) -> Answer: ...
 def watertight(model: Model, control: Control) -> Answer: ...
 def section(model: Model, point: Triple, normal: Triple, control: Control) -> Answer: ...
+def sections(
+    model: Model, planes: List[Tuple[Triple, Triple, str, Optional[float]]], control: Control
+) -> Answer: ...
+def clash(
+    a: Model, b: Optional[Model], clearance: Optional[float], near: bool, control: Control
+) -> Answer: ...
+def mesh(
+    model: Model, deviation: float, angle: float, edge_length: float, control: Control
+) -> Answer: ...
+def write_mesh(
+    model: Model,
+    deviation: float,
+    angle: float,
+    edge_length: float,
+    path: str,
+    text: bool,
+    control: Control,
+) -> None: ...
+def write_triangles(
+    vertices: NDArray[np.float64],
+    triangles: NDArray[np.int32],
+    groups: List[Tuple[str, int]],
+    path: str,
+    text: bool,
+    control: Control,
+) -> None: ...
 def ray(
     model: Model, origin: Triple, direction: Triple, first: bool, line: bool, control: Control
 ) -> Answer: ...
@@ -134,6 +163,19 @@ def fillet(
     kind: str,
     between: Optional[Tuple[int, int]],
     radius: float,
+    last_radius: Optional[float],
+    rho: Optional[float],
+    partial: bool,
+    control: Control,
+) -> Answer: ...
+def chamfer(
+    part: Model,
+    edges: List[int],
+    kind: str,
+    between: Optional[Tuple[int, int]],
+    distance: float,
+    second: Optional[float],
+    angle: Optional[float],
     partial: bool,
     control: Control,
 ) -> Answer: ...

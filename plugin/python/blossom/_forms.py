@@ -6,7 +6,7 @@ from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
-from ._results import Array, Record, Result, counted
+from ._results import Array, Indices, Record, Result, counted
 
 
 @dataclass(eq=False, repr=False)
@@ -86,6 +86,67 @@ class Subdivision(NetResult):
 
     def _summary(self) -> str:
         return counted(len(self), "piece")
+
+
+@dataclass(eq=False, repr=False)
+class Spline(Record):
+    """A B-spline in place of a face or an edge.
+
+    kind            "surface" or "curve"
+    degree          one number; of a surface a pair
+    poles           (n + 1, 3); of a surface (n + 1, m + 1, 3), rows along u
+    weights         likewise without the 3; None where all are 1
+    knots           of a surface a pair of arrays, as multiplicities
+    face, edge      number of what it is a part of; None of the other
+    """
+
+    kind: str
+    degree: Union[int, Tuple[int, int]]
+    poles: Array
+    weights: Optional[Array]
+    knots: Union[Array, Tuple[Array, Array]]
+    multiplicities: Union[Indices, Tuple[Indices, Indices]]
+    face: Optional[int]
+    edge: Optional[int]
+
+    @classmethod
+    def of(cls, told: Dict[str, Any]) -> "Spline":
+        """From a report's words."""
+        surface, degree, weights = told["kind"] == "surface", told["degree"], told.get("weights")
+
+        def listed(word: str, number: Any) -> Any:
+            if not surface:
+                return np.array(told[word], number)
+            return tuple(np.array(told[f"{along}_{word}"], number) for along in "uv")
+
+        return cls(
+            kind=told["kind"],
+            degree=(degree[0], degree[1]) if surface else int(degree),
+            poles=np.array(told["poles"], float),
+            weights=None if weights is None else np.array(weights, float),
+            knots=listed("knots", float),
+            multiplicities=listed("multiplicities", np.int32),
+            face=told.get("face"),
+            edge=told.get("edge"),
+        )
+
+
+class Whole(Result):
+    """Faces or edges as one B-spline each; a list of these."""
+
+    @property
+    def splines(self) -> List[Spline]:
+        return [Spline.of(each) for each in self._told()["splines"]]
+
+    @property
+    def status(self) -> str:
+        return "complete"
+
+    def _items(self) -> List[Any]:
+        return self.splines
+
+    def _summary(self) -> str:
+        return counted(int(self._told()["pieces"]), "B-spline")
 
 
 class Conversion(NetResult):

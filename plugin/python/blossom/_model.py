@@ -2,15 +2,19 @@
 """A model that stays in memory, and the questions it answers."""
 
 import os
-from typing import Any, Dict, Iterator, List, Optional, Union
+from typing import Any, Dict, Iterator, List, Literal, Optional, Tuple, Union, overload
 
 from . import _checks, _core, _results, _shapes
-from ._bodies import Fill, Fillet, Solid, Trim, Watertight
-from ._forms import Conversion, Subdivision
+from ._bodies import Chamfer, Fill, Fillet, Solid, Trim, Watertight
+from ._clashes import Clash
+from ._forms import Conversion, Subdivision, Whole
 from ._intersections import Intersection, SelfIntersection
-from ._queries import Check, Continuity, Distance, FootPoints, Meeting, RayHits, Section
+from ._meshes import Mesh
+from ._queries import Check, Continuity, Distance, FootPoints, Meeting, RayHits
+from ._sections import Section, Sections
 
 FileName = Union[str, "os.PathLike[str]"]
+Radius = Union[float, Tuple[float, float]]
 
 
 class Model(_results.MadeShape):
@@ -161,6 +165,66 @@ class Model(_results.MadeShape):
             )
         )
 
+    def sections(
+        self,
+        planes: Any = None,
+        *,
+        offsets: Any = None,
+        point: Any = (0, 0, 0),
+        normal: Any = (0, 0, 1),
+        **options: Any,
+    ) -> Sections:
+        """The sections with many planes, for which it is made ready once.
+
+        planes          pairs (point, normal), or triples with a name behind them
+        offsets         instead: of parallel planes, from the point along the normal
+        point, normal   of offsets
+        """
+        if (planes is None) == (offsets is None):
+            raise ValueError("sections needs planes, or offsets")
+        listed = (
+            _checks.named_planes(planes, "planes")
+            if offsets is None
+            else _checks.planes_at(offsets, "offsets", point, normal)
+        )
+        return Sections(_core.sections(self._core, listed, _checks.control(options)))
+
+    def clash(
+        self,
+        other: Any = None,
+        *,
+        clearance: Optional[float] = None,
+        near: bool = False,
+        **options: Any,
+    ) -> Clash:
+        """How its parts lie to each other, or to those of another model.
+
+        clearance   distances up to this are measured; None: those of pairs whose boxes meet, and of
+                    a part that meets no other that of the nearest
+        near        list only pairs that were looked at
+        """
+        b = None if other is None else _core_of(other, "other")
+        least = None if clearance is None else _checks.not_negative(clearance, "clearance")
+        listed = _checks.flag(near, "near")
+        return Clash(_core.clash(self._core, b, least, listed, _checks.control(options)))
+
+    def mesh(
+        self,
+        deviation: Optional[float] = None,
+        *,
+        angle: Optional[float] = None,
+        edge_length: Optional[float] = None,
+        **options: Any,
+    ) -> Mesh:
+        """Triangles of its faces, which meet in common points along edges.
+
+        deviation     how far they may be from the faces, model units; a thousandth of the size
+        angle         how far normals may turn along a side, about; 0.5 radians
+        edge_length   how long sides may be, about; any
+        """
+        facets = _checks.facets(deviation, angle, edge_length)
+        return Mesh(_core.mesh(self._core, *facets, _checks.control(options)))
+
     def ray(
         self, origin: Any, direction: Any, first: bool = False, line: bool = False, **options: Any
     ) -> RayHits:
@@ -209,10 +273,7 @@ class Model(_results.MadeShape):
         """
         if isinstance(keep, bool) or not isinstance(keep, (str, int)):
             raise TypeError(f"keep: a word or a number is wanted, got {_checks.kind(keep)}")
-        cutters = _tools(tools)
-        listed = _checks.planes(planes, "planes")
-        if not cutters and not listed:
-            raise ValueError("trim needs a tool, or a plane")
+        cutters, listed = _cutters("trim", tools, planes)
         return Trim(
             _core.trim(self._core, cutters, listed, str(keep), _checks.control(options))
         )
@@ -224,10 +285,7 @@ class Model(_results.MadeShape):
         planes      pairs (point, normal); what is above cuts like a tool
         """
         wanted = _checks.word(operation, "operation", ("cut", "common", "fuse", "split"))
-        cutters = _tools(tools)
-        listed = _checks.planes(planes, "planes")
-        if not cutters and not listed:
-            raise ValueError("solid needs a tool, or a plane")
+        cutters, listed = _cutters("solid", tools, planes)
         return Solid(
             _core.solid(wanted, self._core, cutters, listed, _checks.control(options))
         )
@@ -236,7 +294,8 @@ class Model(_results.MadeShape):
         self,
         edges: Any = (),
         *,
-        radius: float,
+        radius: Radius,
+        section: str = "circle",
         between: Any = None,
         partial: bool = False,
         **options: Any,
@@ -244,24 +303,38 @@ class Model(_results.MadeShape):
         """Edges of solids rounded by a ball that rolls along them.
 
         edges     numbers, as in "Edge1", or "all", "convex" or "concave"
+        radius    a number; or a pair, from the start to the end of each run of edges
+        section   "circle", or "conic:0.4": how far the shoulder is on the way from the chord to
+                  where the end tangents meet, between 0 (flat) and 1 (sharp)
         between   two face numbers: the edges that they have in common
         partial   round the edges that can be, instead of all or none; see `refused`
         """
-        numbers, kind = _checks.edges(edges, "edges")
-        pair = None if between is None else _checks.face_pair(between, "between")
-        if not numbers and not kind and pair is None:
-            raise ValueError("fillet needs edges, or two faces that they are between")
-        return Fillet(
-            _core.fillet(
-                self._core,
-                numbers,
-                kind,
-                pair,
-                _checks.positive(radius, "radius"),
-                _checks.flag(partial, "partial"),
-                _checks.control(options),
-            )
-        )
+        chosen = _checks.edge_wish("fillet", edges, between)
+        size = (*_checks.radii(radius, "radius"), _checks.conic(section, "section"))
+        whole = _checks.flag(partial, "partial")
+        return Fillet(_core.fillet(self._core, *chosen, *size, whole, _checks.control(options)))
+
+    def chamfer(
+        self,
+        edges: Any = (),
+        *,
+        distance: Radius,
+        angle: Optional[float] = None,
+        between: Any = None,
+        partial: bool = False,
+        **options: Any,
+    ) -> Chamfer:
+        """Edges of solids cut off.
+
+        edges      as of `fillet`, with `between` and `partial`
+        distance   of its borders from the edge: one, or a pair, on the face of the smaller number
+                   and on the other
+        angle      instead of the second one: between the chamfer and the first face, radians
+        """
+        chosen = _checks.edge_wish("chamfer", edges, between)
+        size = _checks.chamfer_size(distance, angle)
+        whole = _checks.flag(partial, "partial")
+        return Chamfer(_core.chamfer(self._core, *chosen, *size, whole, _checks.control(options)))
 
     def fill(
         self,
@@ -295,6 +368,7 @@ class Model(_results.MadeShape):
             )
         )
 
+    @overload
     def subdivide(
         self,
         rectangle: Any = None,
@@ -303,8 +377,26 @@ class Model(_results.MadeShape):
         triangle: Any = None,
         levels: int = 0,
         q: Any = None,
+        whole: Literal[False] = False,
         **options: Any,
-    ) -> Subdivision:
+    ) -> Subdivision: ...
+
+    @overload
+    def subdivide(
+        self, rectangle: Any = None, *, interval: Any = None, whole: Literal[True], **options: Any
+    ) -> Whole: ...
+
+    def subdivide(
+        self,
+        rectangle: Any = None,
+        *,
+        interval: Any = None,
+        triangle: Any = None,
+        levels: int = 0,
+        q: Any = None,
+        whole: bool = False,
+        **options: Any,
+    ) -> Union[Subdivision, Whole]:
         """Sub-patches of the faces, or sub-curves of the edges, by blossoms.
 
         rectangle  (u0, u1, v0, v1): this part of faces
@@ -312,23 +404,26 @@ class Model(_results.MadeShape):
         triangle   three pairs (u, v): the triangular patch over them
         levels     halve so often in each direction
         q          (q1, q2): pieces by their (q1, q2)-Bezier points
+        whole      each face, or edge, as one B-spline; takes a rectangle or an interval alone
 
         Without a place all of it: of the faces, or of the edges if there is no face.
         """
         places = [interval, rectangle, triangle]
         if sum(place is not None for place in places) > 1:
             raise ValueError("one of rectangle, interval and triangle is wanted, not several")
-        return Subdivision(
-            _core.subdivide(
-                self._core,
-                _checks.number_list(interval, "interval", 2),
-                _checks.number_list(rectangle, "rectangle", 4),
-                _checks.corners(triangle, "triangle"),
-                _checks.number_list(q, "q", 2),
-                _checks.whole(levels, "levels", 0),
-                _checks.control(options),
+        run = _checks.number_list(interval, "interval", 2)
+        area = _checks.number_list(rectangle, "rectangle", 4)
+        over = _checks.corners(triangle, "triangle")
+        basis = _checks.number_list(q, "q", 2)
+        halvings = _checks.whole(levels, "levels", 0)
+        control = _checks.control(options)
+        if not _checks.flag(whole, "whole"):
+            return Subdivision(
+                _core.subdivide(self._core, run, area, over, basis, halvings, control)
             )
-        )
+        if over or basis or halvings:
+            raise ValueError("whole: it takes a rectangle or an interval alone")
+        return Whole(_core.subdivide_whole(self._core, run, area, control))
 
     def convert(self, to: str, **options: Any) -> Conversion:
         """The faces in another form.
@@ -356,8 +451,15 @@ def _core_of(shape: Any, name: str) -> _core.Model:
     return _shapes.core_model(shape, name)
 
 
-def _tools(shapes: Any) -> List[_core.Model]:
-    return [_core_of(shape, f"tool {i}") for i, shape in enumerate(shapes, start=1)]
+def _cutters(
+    question: str, shapes: Any, planes: Any
+) -> Tuple[List[_core.Model], List[Tuple[_checks.Triple, _checks.Triple]]]:
+    """Tools and planes, of which there is at least one."""
+    tools = [_core_of(shape, f"tool {i}") for i, shape in enumerate(shapes, start=1)]
+    listed = _checks.planes(planes, "planes")
+    if not tools and not listed:
+        raise ValueError(f"{question} needs a tool, or a plane")
+    return tools, listed
 
 
 def model_of(shape: Any, name: str) -> Model:

@@ -1,97 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Answers to questions about planes, rays, points and distances, and about models as they are."""
+"""Answers to questions about rays, points and distances, and about models as they are."""
 
 from dataclasses import dataclass
 from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from ._results import Array, Indices, Record, Result, counted
-
-
-@dataclass(eq=False, repr=False)
-class SectionCurve(Record):
-    """A curve of a section.
-
-    points            samples in order, (n, 3)
-    degree, poles, weights, knots, multiplicities
-                      the curve as a B-spline; weights are None where all are 1
-    on                what it lies on: {"kind": "face", "number": 3}, or an edge in the plane
-    nodes             places in the section's nodes; -1 of a loop
-    """
-
-    points: Array
-    on: Dict[str, Any]
-    nodes: List[int]
-    closed: bool
-    tangential: bool
-    length: float
-    conic: Optional[Dict[str, Any]]
-    deviation: float
-    deviation_proven: bool
-    degree: int
-    poles: Array
-    weights: Optional[Array]
-    knots: Array
-    multiplicities: Indices
-
-
-@dataclass(eq=False, repr=False)
-class Wire(Record):
-    """Curves that follow each other: places in the section's curves, and whether each is walked
-    forward."""
-
-    curves: List[Tuple[int, bool]]
-    closed: bool
-    length: float
-    points: Array
-
-
-class Section(Result):
-    """The section of a model with a plane; a list of wires."""
-
-    @property
-    def curves(self) -> List[SectionCurve]:
-        splines = self._made()["splines"]
-        told = self._told()["curves"]
-        curves = []
-        for curve, spline in zip(told, splines):
-            members: Dict[str, Any] = {**curve, **spline}
-            members["points"] = np.array(curve["points"], float)
-            curves.append(SectionCurve(**members))
-        return curves
-
-    @property
-    def wires(self) -> List[Wire]:
-        told = self._told()
-        points = [np.array(curve["points"], float).reshape(-1, 3) for curve in told["curves"]]
-        wires = []
-        for wire in told["wires"]:
-            uses = [(use["curve"], use["forward"]) for use in wire["curves"]]
-            pieces = [points[i] if forward else points[i][::-1] for i, forward in uses]
-            wires.append(Wire(uses, wire["closed"], wire["length"], np.concatenate(pieces)))
-        return wires
-
-    @property
-    def points(self) -> Array:
-        """Where the model only touches the plane, (n, 3)."""
-        told = self._told()
-        found = [told["nodes"][node]["point"] for node in told["points"]]
-        return np.array(found, float).reshape(-1, 3)
-
-    @property
-    def faces_in_plane(self) -> List[int]:
-        return list(self._told()["faces_in_plane"])
-
-    def _items(self) -> List[Any]:
-        return self.wires
-
-    def _summary(self) -> str:
-        told = self._told()
-        return (
-            f"{self.status}, {counted(len(told['wires']), 'wire')}, "
-            f"{counted(len(told['curves']), 'curve')}, {counted(len(told['points']), 'point')}"
-        )
+from ._results import Array, Record, Result, counted
 
 
 @dataclass(eq=False, repr=False)
@@ -128,13 +43,12 @@ class RayHits(Result):
         return f"{self.status}, {counted(len(self._told()['hits']), 'hit')}"
 
 
-class Distance(Result):
-    """How far two models are apart, and how they lie to each other; a list of pairs of bodies that
-    are not disjoint."""
+class Measured(Result):
+    """An answer that is a distance."""
 
     @property
     def distance(self) -> float:
-        """0 where they have points in common."""
+        """0 where there are points in common."""
         return float(self._told()["distance"][1])
 
     @property
@@ -142,6 +56,14 @@ class Distance(Result):
         """The distance is proven to lie between these."""
         low, high = self._told()["distance"]
         return (low, high)
+
+    def __float__(self) -> float:
+        return self.distance
+
+
+class Distance(Measured):
+    """How far two models are apart, and how they lie to each other; a list of pairs of bodies that
+    are not disjoint."""
 
     @property
     def relation(self) -> str:
@@ -156,9 +78,6 @@ class Distance(Result):
     @property
     def nearest_b(self) -> Array:
         return np.array(self._told()["nearest_b"]["point"], float)
-
-    def __float__(self) -> float:
-        return self.distance
 
     def _items(self) -> List[Any]:
         return list(self._told()["pairs"])
@@ -179,17 +98,8 @@ class Meeting(Distance):
         return f"{self.status}, {self.answer}, {self.relation}"
 
 
-class FootPoints(Result):
+class FootPoints(Measured):
     """What of a model is nearest to a point; a list of feet, where the distance is stationary."""
-
-    @property
-    def distance(self) -> float:
-        return float(self._told()["distance"][1])
-
-    @property
-    def bounds(self) -> Tuple[float, float]:
-        low, high = self._told()["distance"]
-        return (low, high)
 
     @property
     def point(self) -> Array:
@@ -214,9 +124,6 @@ class FootPoints(Result):
             return True
         return None if "unknown" in places or "on the boundary" in places else False
 
-    def __float__(self) -> float:
-        return self.distance
-
     def _items(self) -> List[Any]:
         return self.feet
 
@@ -224,7 +131,15 @@ class FootPoints(Result):
         return f"{self.status}, distance {self.distance:g}, {counted(len(self.feet), 'foot point')}"
 
 
-class Continuity(Result):
+class Untimed(Result):
+    """An answer that tells no time."""
+
+    @property
+    def seconds(self) -> float:
+        raise AttributeError(f"{type(self).__name__} tells no time")
+
+
+class Continuity(Untimed):
     """How smoothly faces meet; a list of edges, each with `number`, `faces`, `kind`, `class`
     ("apart", "G0", "G1", "G2"; None of an open one), and figures with their bounds."""
 
@@ -246,10 +161,6 @@ class Continuity(Result):
     def status(self) -> str:
         return "complete" if self.counts["unmeasured"] == 0 else "stopped"
 
-    @property
-    def seconds(self) -> float:
-        raise AttributeError("continuity tells no time")
-
     def _items(self) -> List[Any]:
         return self.edges
 
@@ -259,7 +170,7 @@ class Continuity(Result):
         return f"{counted(len(self), 'edge')}: {', '.join(classes) or 'none between faces'}"
 
 
-class Check(Result):
+class Check(Untimed):
     """What is wrong with a model; a list of problems."""
 
     @property
@@ -280,10 +191,6 @@ class Check(Result):
     def status(self) -> str:
         """ "sound" or "not sound"."""
         return str(self._told()["verdict"])
-
-    @property
-    def seconds(self) -> float:
-        raise AttributeError("a check tells no time")
 
     def _items(self) -> List[Any]:
         return self.problems

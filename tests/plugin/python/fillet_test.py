@@ -54,6 +54,23 @@ class Fillets(unittest.TestCase):
         with self.assertRaisesRegex(blossom.Error, "Fillet: there is no shape in this answer"):
             made.to_brep()
 
+    def test_radii_may_change_along_an_edge_and_sections_be_conics(self):
+        changed = BLOCK.fillet([1], radius=(2, 5))
+        parabola = BLOCK.fillet([1], radius=2, section="conic:0.5")
+        circle = BLOCK.fillet([1], radius=2, section="circle")
+
+        # Radii run linearly from 2 to 5 along the 20 of the edge: the mean square is 13. The ball
+        # touches a little farther back, so the sections are no circles across the edge.
+        self.assertAlmostEqual(VOLUME - changed.volume, (1 - math.pi / 4) * 13 * 20, delta=0.5)
+        # Between the parabola and its tangents is a third of the triangle with legs of 2.
+        self.assertAlmostEqual(VOLUME - parabola.volume, 20 * 2 / 3, 4)
+        self.assertAlmostEqual(VOLUME - circle.volume, CORNER * 20, 4)
+        told = support.told_by_program(
+            "blend", "fillet", FILES / "block.step", "--edge", 1, "--radius", "2..5", "--section", "conic:0.4"
+        )
+        mine = BLOCK.fillet([1], radius=(2, 5), section="conic:0.4").to_dict()
+        self.assertEqual(support.without_times(mine), support.without_times(told))
+
     def test_errors_are_words(self):
         for error, message, arguments in (
             (ValueError, "^edges: 'sharp' is none of all, convex, concave", {"edges": "sharp"}),
@@ -61,6 +78,9 @@ class Fillets(unittest.TestCase):
             (ValueError, "^edges: 0 is less than 1", {"edges": [0]}),
             (ValueError, "there is no edge 99, only 1 to 12", {"edges": [99]}),
             (ValueError, "^radius: -1.0 is not positive", {"edges": [1], "radius": -1}),
+            (TypeError, "^radius: a number is wanted, got str", {"edges": [1], "radius": "2"}),
+            (ValueError, "^radius: 2 numbers are wanted, got 3", {"edges": [1], "radius": (1, 2, 3)}),
+            (ValueError, "^section: 'circle', or 'conic:RHO'", {"edges": [1], "section": "conic:1"}),
             (TypeError, "^partial: True or False is wanted", {"edges": [1], "partial": 1}),
             (ValueError, "^between: two different face numbers are wanted", {"between": [2]}),
             (ValueError, "faces 1 and 2 have no edge in common", {"between": [2, 1]}),
@@ -70,6 +90,49 @@ class Fillets(unittest.TestCase):
                 BLOCK.fillet(**{"radius": 2, **arguments})
         with self.assertRaisesRegex(ValueError, "fillets are made in whole models"):
             BLOCK.face(1).fillet([1], radius=2)
+
+
+class Chamfers(unittest.TestCase):
+    def test_an_edge_is_cut_off_by_a_distance_two_or_an_angle(self):
+        # Edge 1 is 20 long.
+        for taken, options in (
+            (20 * 2 * 2 / 2, {"distance": 2}),
+            (20 * 2 * 1 / 2, {"distance": (2, 1)}),
+            (20 * 2 * 2 * math.tan(math.radians(30)) / 2,
+             {"distance": 2, "angle": math.radians(30)}),
+        ):  # fmt: skip
+            with self.subTest(options):
+                made = blossom.chamfer(BLOCK, [1], **options)
+                self.assertEqual((made.status, list(made), made.refused), ("complete", [1], []))
+                self.assertAlmostEqual(VOLUME - made.volume, taken, 6)
+
+    def test_all_edges_meet_in_planes(self):
+        made = pickle.loads(pickle.dumps(BLOCK.chamfer("all", distance=2)))
+
+        self.assertEqual(repr(made), "<blossom.Chamfer: complete, 12 edges cut off>")
+        self.assertEqual(len(BLOCK.chamfer(between=(1, 3), distance=1)), 1)
+        self.assertGreater(blossom.shape(made).face_count, 18)
+        self.assertTrue(blossom.check(made).sound)
+
+    def test_the_report_is_that_of_the_command_line(self):
+        options = ("--edge", 1, "--distance", "2,1")
+        told = support.told_by_program("blend", "chamfer", FILES / "block.step", *options)
+        mine = BLOCK.chamfer([1], distance=(2, 1)).to_dict()
+
+        self.assertEqual(support.without_times(mine), support.without_times(told))
+
+    def test_errors_are_words(self):
+        for error, message, arguments in (
+            (ValueError, "^chamfer needs edges, or two faces", {}),
+            (ValueError, "^distance: 0.0 is not positive", {"edges": [1], "distance": 0}),
+            (ValueError, "^angle: a second distance, or an angle",
+             {"edges": [1], "distance": (1, 2), "angle": 1}),
+            (ValueError, "^angle: 4.0 is not below pi", {"edges": [1], "angle": 4}),
+        ):  # fmt: skip
+            with self.subTest(arguments), self.assertRaisesRegex(error, message):
+                BLOCK.chamfer(**{"distance": 2, **arguments})
+        with self.assertRaisesRegex(ValueError, "chamfers are made in whole models"):
+            BLOCK.face(1).chamfer([1], distance=2)
 
 
 if __name__ == "__main__":

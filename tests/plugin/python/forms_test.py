@@ -51,6 +51,29 @@ class Subdivisions(unittest.TestCase):
         self.assertEqual(made[0].u, (0.0, 0.25))
         self.assertEqual(repr(made), "<blossom.Subdivision: 16 pieces>")
 
+    def test_whole_faces_and_edges_are_one_b_spline_each(self):
+        (face,) = blossom.subdivide(CUBIC, (0.25, 0.75, 0.5, 1.0), whole=True)
+        edges = BLOCK.subdivide(interval=(0, 1), whole=True)
+
+        self.assertEqual((face.kind, face.degree, face.face, face.edge), ("surface", (2, 1), 1, None))
+        np.testing.assert_allclose(face.knots[0], (0.25, 0.75))
+        np.testing.assert_array_equal(face.multiplicities[1], (2, 2))
+        np.testing.assert_allclose(face.poles[-1, -1], (0.75, 1, 0.75**2))
+        self.assertEqual(len(edges), 12)
+        self.assertEqual(edges[0].poles.shape, (2, 3))
+        self.assertEqual(repr(pickle.loads(pickle.dumps(edges))), "<blossom.Whole: 12 B-splines>")
+        self.assertEqual(blossom.shape(edges).counts["edges"], 12)
+        with self.assertRaisesRegex(ValueError, "^whole: it takes a rectangle or an interval alone"):
+            blossom.subdivide(CUBIC, whole=True, levels=1)
+
+    def test_the_whole_report_is_that_of_the_command_line(self):
+        options = ("--rectangle", 0, 5, -5, 0, "--whole")
+        told = support.told_by_program("subdivide", f"{FILES / 'block.step'}#1", *options)
+        face = blossom.read(FILES / "block.step").face(1)
+        mine = face.subdivide((0, 5, -5, 0), whole=True).to_dict()
+
+        self.assertEqual(support.without_times(mine), support.without_times(told))
+
     def test_a_triangle_has_rows(self):
         (piece,) = blossom.subdivide(CUBIC, triangle=((0, 0), (1, 0), (0, 1)))
 

@@ -33,6 +33,13 @@ class Reading(unittest.TestCase):
             self.assertEqual(model.reading["grade"], "whole")
             self.assertEqual(repr(model), f"<blossom.Model: {BLOCK}, 6 faces>")
 
+    def test_results_outlive_the_models_that_they_are_of(self):
+        drilled = blossom.read(BLOCK).solid("cut", DRILL)
+        again = blossom.shape(drilled).solid("cut", planes=[((0, 0, 10), (0, 0, 1))])
+
+        self.assertAlmostEqual(again.volume, drilled.volume / 2, 4)
+        self.assertEqual(set(blossom.shape(again).part_paths), {"Block"})
+
     def test_faces_keep_their_numbers(self):
         part = blossom.read(BLOCK, faces=[5, 3, 3])
         self.assertEqual(part.face_numbers, [3, 5])

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/meshes/shape_mesh.h"
+
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
+
+#include "adapters/occt/base/errors.h"
+
+namespace blossom::meshes {
+namespace {
+
+constexpr double kSizePart = 1e-3;  // of the diagonal, where no deviation is given
+
+double diagonal_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, Standard_False);
+  return box.IsVoid() ? 1 : std::sqrt(box.SquareExtent());
+}
+
+std::vector<MeshGroup> groups_of(const std::vector<int>& face_of,
+                                 const std::vector<std::string>& names) {
+  std::vector<MeshGroup> groups;
+  for (std::size_t k = 0; k < face_of.size(); ++k)
+    if (k == 0 || face_of[k] != face_of[k - 1])
+      groups.push_back({names[static_cast<std::size_t>(face_of[k])], k});
+  return groups;
+}
+
+}  // namespace
+
+std::vector<std::string> group_names(const reports::Input& input) {
+  std::vector<std::string> names;
+  std::map<std::string, int> faces;
+  for (const std::string& path : input.model.part_paths()) {
+    const std::string part = reports::given_name(path);
+    names.push_back((part.empty() ? "" : part + "/") + "Face" + std::to_string(++faces[part]));
+  }
+  std::vector<std::string> chosen;
+  for (const int number : input.numbers)
+    chosen.push_back(names[static_cast<std::size_t>(number) - 1]);
+  return chosen;
+}
+
+ShapeMesh mesh_of(const std::string& name, const TopoDS_Shape& shape,
+                  const std::vector<int>& numbers, const std::vector<std::string>& names,
+                  const FacetOptions& options, const std::function<bool()>& ask) {
+  FacetOptions wanted = options;
+  if (!(wanted.deviation > 0)) wanted.deviation = kSizePart * diagonal_of(shape);
+  const auto start = std::chrono::steady_clock::now();
+  ShapeMesh result{occt::tessellation(shape, wanted, ask), {}};
+  if (result.made.facets.stopped) return result;
+  result.mesh.points = result.made.facets.points;
+  result.mesh.triangles = occt::triangles_of(result.made, &result.face_of);
+  if (result.mesh.triangles.empty()) throw occt::BadModel(name + ": no face can be meshed");
+  result.mesh.groups = groups_of(result.face_of, names);
+  result.answer = reports::answer_of(result.made, shape, numbers, wanted);
+  result.answer.points = result.mesh.points.size();
+  result.answer.triangles = result.mesh.triangles.size();
+  result.answer.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace blossom::meshes

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Models as triangles, with what is said of them.
+
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <TopoDS_Shape.hxx>
+
+#include "adapters/occt/tessellation.h"
+#include "core/tessellation/facet_options.h"
+#include "plugin/meshes/mesh_files.h"
+#include "plugin/reports/input.h"
+#include "plugin/reports/mesh.h"
+
+namespace blossom::meshes {
+
+struct ShapeMesh {
+  occt::ShapeTessellation made;
+  FileMesh mesh;                 ///< a group for each face that has triangles
+  std::vector<int> face_of{};    ///< of each triangle: its face's place in the shape, from 0
+  reports::MeshAnswer answer{};  ///< what writing does to it is left open
+};
+
+/// What the chosen faces of an input are called in groups: "Face3", or with the part's instance as
+/// inputs of the command line have it, "machine:1/Shaft/Face3": its third face.
+std::vector<std::string> group_names(const reports::Input& input);
+
+/// numbers   of the shape's faces, for the report
+/// names     of their groups
+/// options   a deviation of 0 is a thousandth of the shape's size
+/// ask       see shape_facets; when it ends the work, `made.facets.stopped` is all that is said
+/// throws    BadModel, with the name, if no face can be meshed
+ShapeMesh mesh_of(const std::string& name, const TopoDS_Shape& shape,
+                  const std::vector<int>& numbers, const std::vector<std::string>& names,
+                  const FacetOptions& options, const std::function<bool()>& ask);
+
+}  // namespace blossom::meshes

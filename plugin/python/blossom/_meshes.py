@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Models as triangles."""
+
+import os
+from typing import Any, Dict, Iterator, List, Tuple, Union
+
+from . import _checks, _core
+from ._results import Array, Indices, Result, counted
+
+
+class Mesh(Result):
+    """Triangles of all faces, which share their points along edges; a list of the numbers of faces
+    that have some."""
+
+    @property
+    def vertices(self) -> Array:
+        """(n, 3)"""
+        vertices: Array = self._made()["vertices"]
+        return vertices
+
+    @property
+    def triangles(self) -> Indices:
+        """Rows of `vertices`, counter-clockwise from outside, (m, 3)."""
+        triangles: Indices = self._made()["triangles"]
+        return triangles
+
+    @property
+    def faces(self) -> Indices:
+        """Of each triangle the number of its face, (m,)."""
+        faces: Indices = self._made()["faces"]
+        return faces
+
+    @property
+    def groups(self) -> Dict[int, slice]:
+        """By the number of a face where its triangles are: `mesh.triangles[mesh.groups[3]]`."""
+        firsts = [first for _, first in self._groups()]
+        ends = firsts[1:] + [len(self.triangles)]
+        return {int(self.faces[first]): slice(first, end) for first, end in zip(firsts, ends)}
+
+    @property
+    def names(self) -> Dict[int, str]:
+        """What faces are called in .obj files: "Face3", or with its part "Shaft/Face3"."""
+        return {int(self.faces[first]): name for name, first in self._groups()}
+
+    @property
+    def deviation(self) -> float:
+        """Proven: no point of a triangle is farther from its face, no point of a face farther from
+        the triangles."""
+        return float(self._told()["distance"])
+
+    @property
+    def closed(self) -> bool:
+        """Whether each edge has two faces, and none is left out."""
+        return bool(self._told()["closed"])
+
+    @property
+    def refused(self) -> List[Dict[str, Any]]:
+        """Faces that are left out: `face` and `why`."""
+        return list(self._told()["refused"])
+
+    @property
+    def status(self) -> str:
+        """ "complete", or "stopped" if a face is left out."""
+        return "stopped" if self.refused else "complete"
+
+    def write(self, path: Union[str, "os.PathLike[str]"], text: bool = False, **options: Any) -> None:
+        """Writes the triangles to a file: .stl, .ply, .obj, .off; .glb is written by models.
+
+        text   .stl, .ply and .off are not binary
+        """
+        file = _checks.path(path, "path")
+        if not _checks.is_of_triangles(file) or file.lower().endswith(".glb"):
+            raise ValueError(f"path: {file} does not end with .stl, .ply, .obj or .off")
+        control = _checks.control(options)
+        _core.write_triangles(
+            self.vertices, self.triangles, self._groups(), file, _checks.flag(text, "text"), control
+        )
+
+    def _groups(self) -> List[Tuple[str, int]]:
+        return list(self._made()["groups"])
+
+    def _items(self) -> List[Any]:
+        return list(self.groups)
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(self.groups)
+
+    def _summary(self) -> str:
+        told = self._told()
+        counts = f"{counted(told['triangles'], 'triangle')} of {counted(len(self), 'face')}"
+        return f"{counts}, within {self.deviation:.3g}{'' if self.closed else ', open'}"

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sections with one plane and with many."""
+
+from dataclasses import dataclass
+from typing import Any, Dict, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from ._results import Array, Indices, Record, Report, Result, counted
+
+
+@dataclass(eq=False, repr=False)
+class SectionCurve(Record):
+    """A curve of a section.
+
+    points            samples in order, (n, 3)
+    degree, poles, weights, knots, multiplicities
+                      the curve as a B-spline; weights are None where all are 1
+    on                what it lies on: {"kind": "face", "number": 3}, or an edge in the plane
+    nodes             places in the section's nodes; -1 of a loop
+    """
+
+    points: Array
+    on: Dict[str, Any]
+    nodes: List[int]
+    closed: bool
+    tangential: bool
+    length: float
+    conic: Optional[Dict[str, Any]]
+    deviation: float
+    deviation_proven: bool
+    degree: int
+    poles: Array
+    weights: Optional[Array]
+    knots: Array
+    multiplicities: Indices
+
+
+@dataclass(eq=False, repr=False)
+class Wire(Record):
+    """Curves that follow each other: places in the section's curves, and whether each is walked
+    forward."""
+
+    curves: List[Tuple[int, bool]]
+    closed: bool
+    length: float
+    points: Array
+
+
+def _curves(told: Report, splines: Sequence[Dict[str, Any]]) -> List[SectionCurve]:
+    """The curves of a section, in a report's words, with their splines."""
+    curves = []
+    for curve, spline in zip(told["curves"], splines):
+        members: Dict[str, Any] = {**curve, **spline}
+        members["points"] = np.array(curve["points"], float)
+        curves.append(SectionCurve(**members))
+    return curves
+
+
+def _wires(told: Report) -> List[Wire]:
+    points = [np.array(curve["points"], float).reshape(-1, 3) for curve in told["curves"]]
+    wires = []
+    for wire in told["wires"]:
+        uses = [(use["curve"], use["forward"]) for use in wire["curves"]]
+        pieces = [points[i] if forward else points[i][::-1] for i, forward in uses]
+        wires.append(Wire(uses, wire["closed"], wire["length"], np.concatenate(pieces)))
+    return wires
+
+
+def _points(told: Report) -> Array:
+    found = [told["nodes"][node]["point"] for node in told["points"]]
+    return np.array(found, float).reshape(-1, 3)
+
+
+class Section(Result):
+    """The section of a model with a plane; a list of wires."""
+
+    @property
+    def curves(self) -> List[SectionCurve]:
+        return _curves(self._told(), self._made()["splines"])
+
+    @property
+    def wires(self) -> List[Wire]:
+        return _wires(self._told())
+
+    @property
+    def points(self) -> Array:
+        """Where the model only touches the plane, (n, 3)."""
+        return _points(self._told())
+
+    @property
+    def faces_in_plane(self) -> List[int]:
+        return list(self._told()["faces_in_plane"])
+
+    def _items(self) -> List[Any]:
+        return self.wires
+
+    def _summary(self) -> str:
+        told = self._told()
+        return (
+            f"{self.status}, {counted(len(told['wires']), 'wire')}, "
+            f"{counted(len(told['curves']), 'curve')}, {counted(len(told['points']), 'point')}"
+        )
+
+
+@dataclass(eq=False, repr=False)
+class PartSection(Record):
+    """What a plane makes of one part of a model.
+
+    part     its name
+    solid    whether it is a closed solid
+    points   where it only touches the plane, (n, 3)
+    """
+
+    part: str
+    solid: bool
+    status: str
+    wires: List[Wire]
+    curves: List[SectionCurve]
+    points: Array
+    faces_in_plane: List[int]
+
+
+@dataclass(eq=False, repr=False)
+class PlaneSection(Record):
+    """What one of many planes makes of a model: the parts that it meets.
+
+    normal   of the length 1
+    offset   along the normal from the point that was given; None of planes that were listed
+    """
+
+    name: str
+    point: Array
+    normal: Array
+    offset: Optional[float]
+    parts: List[PartSection]
+
+    @property
+    def wires(self) -> List[Wire]:
+        """Of all parts. Seen from the tip of the normal closed ones run counter-clockwise, those of
+        holes clockwise."""
+        return [wire for part in self.parts for wire in part.wires]
+
+    @property
+    def length(self) -> float:
+        """Of all wires."""
+        return sum(wire.length for wire in self.wires)
+
+
+class Sections(Result):
+    """The sections of a model with many planes, part by part; a list of planes. Its shape has a
+    compound for each plane, in it one for each part."""
+
+    @property
+    def planes(self) -> List[PlaneSection]:
+        splines = iter(self._made()["splines"])
+        planes = []
+        for plane in self._told()["planes"]:
+            parts = []
+            for part in plane["parts"]:
+                own = [next(splines) for _ in part["curves"]]
+                parts.append(
+                    PartSection(
+                        part=part["part"],
+                        solid=part["solid"],
+                        status=part["status"],
+                        wires=_wires(part),
+                        curves=_curves(part, own),
+                        points=_points(part),
+                        faces_in_plane=list(part["faces_in_plane"]),
+                    )
+                )
+            planes.append(
+                PlaneSection(
+                    name=plane["name"],
+                    point=np.array(plane["point"], float),
+                    normal=np.array(plane["normal"], float),
+                    offset=plane["offset"],
+                    parts=parts,
+                )
+            )
+        return planes
+
+    def _items(self) -> List[Any]:
+        return self.planes
+
+    def _summary(self) -> str:
+        planes = self._told()["planes"]
+        wires = sum(len(part["wires"]) for plane in planes for part in plane["parts"])
+        return f"{self.status}, {counted(len(planes), 'plane')}, {counted(wires, 'wire')}"

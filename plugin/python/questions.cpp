@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "plugin/python/questions.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "plugin/python/answers.h"
+#include "plugin/python/json.h"
+
+namespace py = pybind11;
+using py::arg;
+
+namespace blossom::python {
+namespace {
+
+using Triple = std::array<double, 3>;
+
+Vec3 vec(const Triple& triple) { return {triple[0], triple[1], triple[2]}; }
+
+std::vector<occt::Plane> planes_of(const std::vector<std::pair<Triple, Triple>>& list) {
+  std::vector<occt::Plane> planes;
+  for (const auto& [point, normal] : list) planes.push_back(plane_of(vec(point), vec(normal)));
+  return planes;
+}
+
+// A point, a normal, a name, and perhaps an offset.
+using PlaneWords = std::tuple<Triple, Triple, std::string, std::optional<double>>;
+
+std::vector<reports::NamedPlane> named_planes(const std::vector<PlaneWords>& list) {
+  std::vector<reports::NamedPlane> planes;
+  for (const auto& [point, normal, name, offset] : list)
+    planes.push_back({plane_of(vec(point), vec(normal)), name, offset});
+  return planes;
+}
+
+py::object report_of(const Answer& answer) {
+  reports::Json report;
+  {
+    const py::gil_scoped_release released;
+    report = answer.report();
+  }
+  return to_python(report);
+}
+
+SharedModel model_of(const Answer& answer) {
+  const py::gil_scoped_release released;
+  return answer.model ? answer.model() : nullptr;
+}
+
+void add_answers(py::module_& module) {
+  py::class_<Answer>(module, "Answer")
+      .def("report", &report_of)
+      .def("model", &model_of)
+      .def("records", [](const Answer& a) { return a.records ? a.records() : py::dict(); });
+  module.def("intersect", &intersect, arg("a"), arg("b"), arg("control"));
+  module.def("self_intersect", &self_intersect, arg("model"), arg("all_faces"), arg("control"));
+  module.def("distance", &least_distance, arg("a"), arg("b"), arg("control"));
+  module.def("does_intersect", &does_intersect, arg("a"), arg("b"), arg("control"));
+  module.def("check", &check, arg("model"), arg("control"));
+  module.def("info", &info, arg("model"), arg("edges"), arg("control"));
+  module.def(
+      "continuity",
+      [](const SharedModel& model, double gap, double angle, double curvature,
+         const std::string& require, const Control& control) {
+        return continuity(model, {.gap = gap, .angle = angle, .curvature = curvature}, require,
+                          control);
+      },
+      arg("model"), arg("gap"), arg("angle"), arg("curvature"), arg("require"), arg("control"));
+  module.def("watertight", &watertight, arg("model"), arg("control"));
+  module.def(
+      "section",
+      [](const SharedModel& model, const Triple& point, const Triple& normal,
+         const Control& control) { return section(model, vec(point), vec(normal), control); },
+      arg("model"), arg("point"), arg("normal"), arg("control"));
+  module.def(
+      "sections",
+      [](const SharedModel& model, const std::vector<PlaneWords>& planes, const Control& control) {
+        return sections(model, named_planes(planes), control);
+      },
+      arg("model"), arg("planes"), arg("control"));
+  module.def("clash", &clash, arg("a"), arg("b"), arg("clearance"), arg("near"), arg("control"));
+  module.def(
+      "ray",
+      [](const SharedModel& model, const Triple& from, const Triple& direction, bool first,
+         bool line, const Control& control) {
+        return cast_ray(model, vec(from), vec(direction), first, line, control);
+      },
+      arg("model"), arg("origin"), arg("direction"), arg("first"), arg("line"), arg("control"));
+  module.def(
+      "nearest",
+      [](const SharedModel& model, const Triple& at, bool all, const Control& control) {
+        return nearest_point(model, vec(at), all, control);
+      },
+      arg("model"), arg("at"), arg("all"), arg("control"));
+  using Planes = std::vector<std::pair<Triple, Triple>>;
+  module.def(
+      "trim",
+      [](const SharedModel& part, const std::vector<SharedModel>& tools, const Planes& planes,
+         const std::string& keep,
+         const Control& control) { return trim(part, tools, planes_of(planes), keep, control); },
+      arg("part"), arg("tools"), arg("planes"), arg("keep"), arg("control"));
+  module.def(
+      "solid",
+      [](const std::string& operation, const SharedModel& part,
+         const std::vector<SharedModel>& tools, const Planes& planes, const Control& control) {
+        return combine_solids(operation, part, tools, planes_of(planes), control);
+      },
+      arg("operation"), arg("part"), arg("tools"), arg("planes"), arg("control"));
+}
+
+std::optional<SurfaceSide> side_of(const std::optional<std::string>& word) {
+  static const std::map<std::string, SurfaceSide> sides = {{"umax", SurfaceSide::UMax},
+                                                           {"umin", SurfaceSide::UMin},
+                                                           {"vmax", SurfaceSide::VMax},
+                                                           {"vmin", SurfaceSide::VMin}};
+  if (!word) return std::nullopt;
+  return sides.at(*word);
+}
+
+void add_strip(py::module_& module) {
+  module.def(
+      "strip",
+      [](const SharedModel& a, const SharedModel& b, const std::optional<std::string>& edge_a,
+         const std::optional<std::string>& edge_b, double weight_a, double weight_b,
+         const Control& control) {
+        return strip_between(a, b,
+                             {.side_a = side_of(edge_a),
+                              .side_b = side_of(edge_b),
+                              .strip = {.weight_a = weight_a, .weight_b = weight_b}},
+                             control);
+      },
+      arg("a"), arg("b"), arg("edge_a"), arg("edge_b"), arg("weight_a"), arg("weight_b"),
+      arg("control"));
+}
+
+using FacePair = std::optional<std::pair<int, int>>;
+using MaybeNumber = std::optional<double>;
+
+void add_edge_blends(py::module_& module) {
+  module.def(
+      "fillet",
+      [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,
+         const FacePair& between, double radius, MaybeNumber last_radius, MaybeNumber rho,
+         bool partial, const Control& control) {
+        const occt::FilletOptions of{
+            .radius = radius, .last_radius = last_radius, .rho = rho, .partial = partial};
+        return blend_edges(part, {edges, kind, between}, of, control);
+      },
+      arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("last_radius"),
+      arg("rho"), arg("partial"), arg("control"));
+  module.def(
+      "chamfer",
+      [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,
+         const FacePair& between, double distance, MaybeNumber second, MaybeNumber angle,
+         bool partial, const Control& control) {
+        const occt::FilletOptions of{.chamfer = occt::ChamferSize{distance, second, angle},
+                                     .partial = partial};
+        return blend_edges(part, {edges, kind, between}, of, control);
+      },
+      arg("part"), arg("edges"), arg("kind"), arg("between"), arg("distance"), arg("second"),
+      arg("angle"), arg("partial"), arg("control"));
+}
+
+FacetOptions facets_of(double deviation, double angle, double edge_length) {
+  return {.deviation = deviation, .angle = angle, .edge_length = edge_length};
+}
+
+using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Corners = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
+
+meshes::FileMesh mesh_from(const Rows& points, const Corners& triangles,
+                           const std::vector<std::pair<std::string, std::size_t>>& groups) {
+  meshes::FileMesh mesh;
+  const auto p = points.unchecked<2>();
+  for (py::ssize_t i = 0; i < p.shape(0); ++i) mesh.points.push_back({p(i, 0), p(i, 1), p(i, 2)});
+  const auto t = triangles.unchecked<2>();
+  for (py::ssize_t i = 0; i < t.shape(0); ++i)
+    mesh.triangles.push_back({t(i, 0), t(i, 1), t(i, 2)});
+  for (const auto& [name, first] : groups) mesh.groups.push_back({name, first});
+  return mesh;
+}
+
+void add_meshes(py::module_& module) {
+  module.def(
+      "mesh",
+      [](const SharedModel& model, double deviation, double angle, double edge_length,
+         const Control& control) {
+        return mesh(model, facets_of(deviation, angle, edge_length), control);
+      },
+      arg("model"), arg("deviation"), arg("angle"), arg("edge_length"), arg("control"));
+  module.def(
+      "write_mesh",
+      [](const SharedModel& model, double deviation, double angle, double edge_length,
+         const std::string& path, bool text, const Control& control) {
+        write_mesh(model, facets_of(deviation, angle, edge_length), path, text, control);
+      },
+      arg("model"), arg("deviation"), arg("angle"), arg("edge_length"), arg("path"), arg("text"),
+      arg("control"));
+  module.def(
+      "write_triangles",
+      [](const Rows& points, const Corners& triangles,
+         const std::vector<std::pair<std::string, std::size_t>>& groups, const std::string& path,
+         bool text, const Control& control) {
+        write_triangles(mesh_from(points, triangles, groups), path, text, control);
+      },
+      arg("vertices"), arg("triangles"), arg("groups"), arg("path"), arg("text"), arg("control"));
+}
+
+nets::Cut cut_of(const std::vector<double>& interval, const std::vector<double>& rectangle,
+                 const std::vector<double>& triangle, const std::vector<double>& q, int levels) {
+  nets::Cut cut;
+  cut.levels = levels;
+  if (const auto& i = interval; !i.empty()) cut.interval = Interval{i[0], i[1]};
+  if (const auto& r = rectangle; !r.empty())
+    cut.rectangle = {Interval{r[0], r[1]}, Interval{r[2], r[3]}};
+  if (const auto& t = triangle; !t.empty())
+    cut.triangle = {Vec2{t[0], t[1]}, Vec2{t[2], t[3]}, Vec2{t[4], t[5]}};
+  if (!q.empty()) cut.q = QParameters{q[0], q[1]};
+  return cut;
+}
+
+void add_forms(py::module_& module) {
+  using Numbers = std::vector<double>;
+  module.def(
+      "subdivide",
+      [](const SharedModel& model, const Numbers& interval, const Numbers& rectangle,
+         const Numbers& triangle, const Numbers& q, int levels, const Control& control) {
+        return subdivide(model, cut_of(interval, rectangle, triangle, q, levels), control);
+      },
+      arg("model"), arg("interval"), arg("rectangle"), arg("triangle"), arg("q"), arg("levels"),
+      arg("control"));
+  module.def(
+      "subdivide_whole",
+      [](const SharedModel& model, const Numbers& interval, const Numbers& rectangle,
+         const Control& control) {
+        const nets::Cut place = cut_of(interval, rectangle, {}, {}, 0);
+        return subdivide_whole(model, {.interval = place.interval, .rectangle = place.rectangle},
+                               control);
+      },
+      arg("model"), arg("interval"), arg("rectangle"), arg("control"));
+  module.def("convert", &convert, arg("model"), arg("to"), arg("control"));
+  module.def(
+      "fill",
+      [](const SharedModel& model, const std::vector<int>& edges,
+         const std::vector<std::string>& continuity, const std::string& layout, double angle,
+         bool sew, const Control& control) {
+        return fill(model, {edges, continuity, layout, angle, sew}, control);
+      },
+      arg("model"), arg("edges"), arg("continuity"), arg("layout"), arg("angle"), arg("sew"),
+      arg("control"));
+}
+
+}  // namespace
+
+void add_questions(py::module_& module) {
+  add_answers(module);
+  add_strip(module);
+  add_edge_blends(module);
+  add_meshes(module);
+  add_forms(module);
+}
+
+}  // namespace blossom::python

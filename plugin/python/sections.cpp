@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Sections with one plane and with many.
+
+#include <memory>
+#include <utility>
+
+#include <BRep_Tool.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_TrimmedCurve.hxx>
+
+#include "core/base/errors.h"
+#include "plugin/python/answers.h"
+#include "plugin/python/arrays.h"
+#include "plugin/reports/plane_cuts.h"
+#include "plugin/reports/section.h"
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace blossom::python {
+namespace {
+
+// The curve as a B-spline, with the parameters that it has.
+Handle(Geom_BSplineCurve) spline_of(const occt::SectionCurve& curve) {
+  Handle(Geom_Curve) whole = curve.curve;
+  Interval range = curve.range;
+  if (!curve.edge.IsNull()) whole = BRep_Tool::Curve(curve.edge, range.from, range.to);
+  return GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(whole, range.from, range.to));
+}
+
+void add_splines(const occt::PlaneSection& section, py::list& splines) {
+  for (const occt::SectionCurve& curve : section.curves)
+    splines.append(spline_record(spline_of(curve)));
+}
+
+struct Cut {
+  SharedModel model;
+  occt::Plane plane;
+  double tolerance = 0;
+  occt::PlaneSection section;
+  double seconds = 0;
+};
+
+struct Cuts {
+  SharedModel model;
+  reports::SectionsAnswer answer;
+};
+
+}  // namespace
+
+Answer section(const SharedModel& model, const Vec3& point, const Vec3& normal,
+               const Control& control) {
+  auto cut = std::make_shared<Cut>(
+      Cut{model, plane_of(point, normal), control.engine.tolerances.point, {}, 0});
+  interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    const std::vector<TopoDS_Face>& faces = model->faces(watch);
+    const double start = watch.seconds();
+    cut->section = occt::plane_section(faces, cut->plane, watch.engine());
+    cut->seconds = watch.seconds() - start;
+  });
+  return {.report =
+              [cut] {
+                const LoadedModel::Turn turn = cut->model->turn(Watch());
+                return with_reading(
+                    reports::section_report(cut->model->input(), cut->plane, cut->tolerance,
+                                            cut->section, cut->seconds),
+                    {cut->model});
+              },
+          .model =
+              [cut] {
+                return std::make_shared<LoadedModel>("section", occt::compound_of(cut->section));
+              },
+          .records =
+              [cut] {
+                py::list splines;
+                add_splines(cut->section, splines);
+                return py::dict("splines"_a = splines);
+              }};
+}
+
+Answer sections(const SharedModel& model, const std::vector<reports::NamedPlane>& planes,
+                const Control& control) {
+  auto cuts = std::make_shared<Cuts>(Cuts{model, {}});
+  interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = model->turn(watch);
+    model->faces(watch);
+    const reports::Input& input = model->repaired_input(watch);
+    cuts->answer = reports::sections_of(
+        input, planes,
+        {control.engine.tolerances.point, [&] { return watch.engine(); }, [&] { watch.stop(); }});
+  });
+  return {.report =
+              [cuts] {
+                const LoadedModel::Turn turn = cuts->model->turn(Watch());
+                return with_reading(reports::sections_report(cuts->model->input(), cuts->answer),
+                                    {cuts->model});
+              },
+          .model = [cuts]() -> SharedModel {
+            occt::Model made = reports::model_of(cuts->answer);
+            if (made.shape().IsNull()) return nullptr;
+            return std::make_shared<LoadedModel>("sections", std::move(made), Repair::Never);
+          },
+          .records =
+              [cuts] {
+                py::list splines;
+                for (const reports::SectionsOfPlane& plane : cuts->answer.planes)
+                  for (const reports::PartSection& part : plane.parts)
+                    add_splines(part.section, splines);
+                return py::dict("splines"_a = splines);
+              }};
+}
+
+}  // namespace blossom::python
