@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <cstring>
 #include <numbers>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -95,6 +97,32 @@ TEST_F(ConvertMesh, WritesAllFormatsAndSaysHowNearTheyAre) {
     EXPECT_GT(text_of(path(name)).size(), 1000u) << ending;
   }
   EXPECT_EQ(text_of(path("ball.glb")).substr(0, 4), "glTF");
+}
+
+TEST_F(ConvertMesh, NamesTheGroupsOfAnObjAsInputs) {
+  write(BRepPrimAPI_MakeCylinder(3, 5), "rod.step");
+  const Json made = report("rod.step", "rod.obj", {"--deviation", "0.1"});
+  EXPECT_EQ(made["rounding"], 0);
+  std::istringstream lines(text_of(path("rod.obj")));
+  std::vector<std::string> groups;
+  std::size_t triangles = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("g ")) groups.push_back(line.substr(2));
+    if (line.starts_with("f ")) ++triangles;
+  }
+  EXPECT_EQ(groups, (std::vector<std::string>{"part/Face1", "part/Face2", "part/Face3"}));
+  EXPECT_EQ(triangles, made["triangles"]);
+  const Finished named = blossom({"info", path("rod.step") + "#" + groups[1], "--json", "-"});
+  EXPECT_EQ(Json::parse(named.out)["faces"].size(), 1u) << named.err;
+}
+
+TEST_F(ConvertMesh, ReadsAnObjAsItWasWritten) {
+  write(BRepPrimAPI_MakeSphere(5), "ball.brep");
+  const Json made = report("ball.brep", "ball.obj");
+  const Finished ran = blossom({"check", path("ball.obj"), "--json", "-"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(Json::parse(ran.out)["triangles"], made["triangles"]);
+  EXPECT_EQ(Json::parse(ran.out)["closed"], true);
 }
 
 TEST_F(ConvertMesh, KeepsNamesAndColoursInGlb) {
