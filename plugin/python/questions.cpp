@@ -41,11 +41,23 @@ std::vector<reports::NamedPlane> named_planes(const std::vector<PlaneWords>& lis
   return planes;
 }
 
-py::object report_of(const Answer& answer) {
+// Samples are nearly all that there is of a report: as lists they keep Python's lock for long when
+// they are made, and whenever garbage is looked for.
+void drop_samples(reports::Json& json) {
+  if (json.is_object() && json.contains("curves"))
+    for (reports::Json& curve : json["curves"])
+      for (const char* samples : {"points", "uv_a", "uv_b"})
+        if (curve.is_object()) curve.erase(samples);
+  for (reports::Json& each : json)
+    if (each.is_structured()) drop_samples(each);
+}
+
+py::object report_of(const Answer& answer, bool samples) {
   reports::Json report;
   {
     const py::gil_scoped_release released;
     report = answer.report();
+    if (!samples) drop_samples(report);
   }
   return to_python(report);
 }
@@ -57,7 +69,7 @@ SharedModel model_of(const Answer& answer) {
 
 void add_answers(py::module_& module) {
   py::class_<Answer>(module, "Answer")
-      .def("report", &report_of)
+      .def("report", &report_of, arg("samples"))
       .def("model", &model_of)
       .def("records", [](const Answer& a) { return a.records ? a.records() : py::dict(); });
   module.def("intersect", &intersect, arg("a"), arg("b"), arg("control"));

@@ -109,7 +109,7 @@ class Model(_results.MadeShape):
     def info(self, edges: bool = False, **options: Any) -> Dict[str, Any]:
         """What the model is made of, as `blossom info` reports it; with all its edges, too."""
         listed = _checks.flag(edges, "edges")
-        return _core.info(self._core, listed, _checks.control(options)).report()
+        return _core.info(self._core, listed, _checks.control(options)).report(True)
 
     def continuity(
         self,

@@ -78,7 +78,7 @@ class Result(MadeShape):
     def _told(self) -> Report:
         if self._report is None:
             assert self._answer is not None
-            self._report = self._answer.report()
+            self._report = self._answer.report(True)
         return self._report
 
     def _made(self) -> Dict[str, Any]:
@@ -98,9 +98,18 @@ class Result(MadeShape):
             raise _core.Error(f"{type(self).__name__}: there is no shape in this answer")
         return model
 
-    def to_dict(self) -> Report:
-        """The report, as the command line writes it; yours to change."""
-        return copy.deepcopy(self._told())
+    def to_dict(self, samples: bool = True) -> Report:
+        """The report, as the command line writes it; yours to change.
+
+        samples   with the points of curves, which are most of it
+        """
+        wanted = _checks.flag(samples, "samples")
+        if self._answer is not None:
+            return self._answer.report(wanted)
+        told = copy.deepcopy(self._told())
+        if not wanted:
+            _drop_samples(told)
+        return told
 
     @property
     def status(self) -> str:
@@ -148,6 +157,17 @@ class Result(MadeShape):
 
     def __repr__(self) -> str:
         return f"<blossom.{type(self).__name__}: {self._summary()}>"
+
+
+def _drop_samples(told: Any) -> None:
+    """As the compiled part does it."""
+    if isinstance(told, dict):
+        for curve in told.get("curves", []):
+            for name in ("points", "uv_a", "uv_b"):
+                curve.pop(name, None)
+    for each in told.values() if isinstance(told, dict) else told:
+        if isinstance(each, (dict, list)):
+            _drop_samples(each)
 
 
 def counted(count: int, noun: str) -> str:

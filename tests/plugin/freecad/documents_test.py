@@ -45,13 +45,19 @@ def one_of_each(document):
         "patch": make.sub_patch(document, (sheet, "Face1"), UTo=0.5, Levels=1),
         "filled": make.fill(document, (sheet, ""), Continuity="G0"),
         "rounded": make.fillet(document, (block[0], "Edge1"), Radius="2 mm"),
+        "cut off": make.chamfer(document, (block[0], "Edge2"), Distance="2 mm"),
         "checked": make.check(document, rod),
+        "clashing": make.clash(document, [block, rod]),
+        "meshed": make.mesh(document, rod, Deviation="0.1 mm"),
     }
 
 
 def told(obj):
     """All that an object has found."""
     facts = [getattr(obj, fact.name) for fact in obj.Proxy.FACTS]
+    if not hasattr(obj, "Shape"):
+        mesh, box = obj.Mesh, obj.Mesh.BoundBox
+        return facts, mesh.Area, mesh.Volume, box.ZMin, box.ZMax, mesh.CountFacets
     return facts, obj.Shape.Length, obj.Shape.Area, len(obj.Shape.Faces), len(obj.Shape.Edges)
 
 

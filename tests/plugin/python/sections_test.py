@@ -52,6 +52,20 @@ class Sections(unittest.TestCase):
 
         self.assertEqual(support.without_times(mine), support.without_times(told))
 
+    def test_reports_may_leave_out_samples(self):
+        made = BLOCK.sections(offsets=(5, 10))
+        again = pickle.loads(pickle.dumps(made))
+        full, short = made.to_dict(), made.to_dict(samples=False)
+
+        self.assertEqual(short, again.to_dict(samples=False))
+        curve = full["planes"][0]["parts"][0]["curves"][0]
+        del curve["points"]
+        self.assertEqual(curve, short["planes"][0]["parts"][0]["curves"][0])
+        self.assertEqual(again.to_dict(), made.to_dict())
+        found = BLOCK.intersect(DRILL).to_dict(samples=False)
+        self.assertFalse({"points", "uv_a", "uv_b"} & set(found["curves"][0]))
+        self.assertIn("points", found)
+
     def test_answers_pickle_with_curves_and_shape(self):
         made = pickle.loads(pickle.dumps(BLOCK.sections(offsets=(5, 10))))
 

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Questions to the engine in this process."""
 
+import os
+import tempfile
+
 import blossom
+import Mesh
 
 from .door import Answer
+from .mesh import with_segments
 
 
 class ModuleDoor:
@@ -25,8 +30,9 @@ class ModuleDoor:
     def intersect(self, a, b, **options):
         return self._answer(a.intersect(b, **self._with_cancel(options)))
 
-    def section(self, part, point, normal, **options):
-        return self._answer(part.section(point, normal, **self._with_cancel(options)))
+    def sections(self, part, planes, **options):
+        made = part.sections(planes, **self._with_cancel(options))
+        return self._answer(made, any(plane.wires for plane in made))
 
     def trim(self, part, tools, keep, **options):
         made = part.trim(*tools, keep=keep, **self._with_cancel(options))
@@ -46,9 +52,26 @@ class ModuleDoor:
             )
         )
 
-    def fillet(self, part, edges, radius, partial, **options):
-        made = part.fillet(edges, radius=radius, partial=partial, **self._with_cancel(options))
+    def fillet(self, part, edges, **options):
+        made = part.fillet(edges, **self._with_cancel(options))
         return self._answer(made, len(made) > 0)
+
+    def chamfer(self, part, edges, **options):
+        made = part.chamfer(edges, **self._with_cancel(options))
+        return self._answer(made, len(made) > 0)
+
+    def clash(self, a, b, clearance, **options):
+        found = a.clash(b, clearance=clearance, near=True, **self._with_cancel(options))
+        return self._answer(found, any(pair.volume for pair in found))
+
+    def mesh(self, part, **options):
+        made = part.mesh(**self._with_cancel(options))
+        groups = [(number, rows.start) for number, rows in made.groups.items()]
+        with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
+            file = os.path.join(folder, "mesh.ply")  # which FreeCAD reads the fastest
+            made.write(file, cancel=self._cancel)
+            triangles = Mesh.Mesh(file)
+        return Answer(with_segments(triangles, groups), {**made.to_dict(), "groups": groups})
 
     def subdivide(self, part, rectangle, levels):
         return self._answer(part.subdivide(rectangle, levels=levels, cancel=self._cancel))
@@ -62,4 +85,5 @@ class ModuleDoor:
 
     @staticmethod
     def _answer(result, has_shape=True):
-        return Answer(result.to_part() if has_shape else None, result.to_dict())
+        # Samples as lists would keep the window waiting: Python's lock is held while it makes them.
+        return Answer(result.to_part() if has_shape else None, result.to_dict(samples=False))

@@ -2,14 +2,17 @@
 """The same questions to the program `blossom`, over files in a folder of their own."""
 
 import json
+import math
 import os
 import re
 import subprocess
 import tempfile
 
+import Mesh
 import Part
 
 from .door import Answer
+from .mesh import with_segments
 
 # Exit codes of the program that come with an answer: complete, within tolerance, stopped, findings.
 ANSWERED = (0, 3, 4, 5)
@@ -44,9 +47,11 @@ class ProgramDoor:
     def intersect(self, a, b, **options):
         return self._ask(["intersect", a, b], options)
 
-    def section(self, part, point, normal, **options):
-        plane = ["--point", _numbers(point), "--normal", _numbers(normal)]
-        return self._ask(["query", "plane", part, *plane], options)
+    def sections(self, part, planes, **options):
+        listed = self._new_file("txt")
+        with open(listed, "w", encoding="utf-8") as stream:
+            stream.writelines(f"{_numbers(point)},{_numbers(n)}\n" for point, n in planes)
+        return self._ask(["query", "plane", part, "--planes", listed], options)
 
     def trim(self, part, tools, keep, **options):
         return self._ask(["trim", part, *tools, "--keep", str(keep)], options)
@@ -63,11 +68,32 @@ class ProgramDoor:
             command += [] if value is None else [name, value]
         return self._ask(command + ["--weight-a", repr(weight_a), "--weight-b", repr(weight_b)], {})
 
-    def fillet(self, part, edges, radius, partial, **options):
-        command = ["blend", "fillet", part, "--radius", repr(radius)]
+    def fillet(self, part, edges, radius, section, partial, **options):
+        both = radius if isinstance(radius, tuple) else (radius,)
+        size = ["--radius", "..".join(map(repr, both)), "--section", section]
+        return self._blend("fillet", part, edges, size, partial, options)
+
+    def chamfer(self, part, edges, distance, partial, angle=None, **options):
+        both = distance if isinstance(distance, tuple) else (distance,)
+        size = ",".join(map(repr, both)) + ("" if angle is None else f":{math.degrees(angle)!r}")
+        return self._blend("chamfer", part, edges, ["--distance", size], partial, options)
+
+    def _blend(self, kind, part, edges, size, partial, options):
         chosen = ["--edges", edges] if edges == "all" else ["--edge", ",".join(map(str, edges))]
-        command += chosen + (["--partial"] if partial else [])
-        return self._ask(command, options)
+        more = [*chosen, *size] + (["--partial"] if partial else [])
+        return self._ask(["blend", kind, part, *more], options)
+
+    def clash(self, a, b, clearance, **options):
+        files = [a] if b is None else [a, b]
+        wanted = [] if clearance is None else ["--clearance", repr(clearance)]
+        return self._ask(["clash", *files, "--near", *wanted], options)
+
+    def mesh(self, part, **options):
+        answer = self._ask(["convert", part], options, ending="obj")
+        file = answer.shape
+        groups = list(_groups_of(file))
+        report = {**answer.report, "groups": groups}
+        return Answer(with_segments(Mesh.Mesh(file), groups), report)
 
     def subdivide(self, part, rectangle, levels):
         place = ["--rectangle", *map(repr, rectangle), "--levels", str(levels)]
@@ -82,8 +108,9 @@ class ProgramDoor:
         self._files += 1
         return os.path.join(self._folder.name, f"{self._files}.{ending}")
 
-    def _ask(self, command, options, makes_shape=True):
-        made, report, errors = (self._new_file(end) for end in ("brep", "json", "txt"))
+    def _ask(self, command, options, makes_shape=True, ending="brep"):
+        """The answer; its shape is the name of the file unless that is a BREP."""
+        made, report, errors = (self._new_file(end) for end in (ending, "json", "txt"))
         for name, value in options.items():
             command = [*command, f"--{name.replace('_', '-')}", repr(value)]
         output = ["-o", made] if makes_shape else []
@@ -95,10 +122,12 @@ class ProgramDoor:
         with open(report, encoding="utf-8") as stream:
             told = json.load(stream)
         shape = None
-        if os.path.exists(made):
+        if ending != "brep":
+            shape = made
+        elif os.path.exists(made):
             shape = Part.Shape()
             shape.importBrep(made)
-        elif makes_shape and command[0] in ("intersect", "query"):
+        elif makes_shape and command[0] == "intersect":
             shape = Part.makeCompound([])  # the program writes no empty model
         return Answer(shape, told)
 
@@ -120,6 +149,16 @@ class ProgramDoor:
                         process.terminate()
                         process.wait()
                         raise Cancelled("the work was cancelled") from None
+
+
+def _groups_of(file):
+    """Pairs of a face's number and the place of its first triangle, of an .obj file."""
+    triangles = 0
+    with open(file, encoding="utf-8") as stream:
+        for line in stream:
+            if line.startswith("g "):
+                yield int(line.rsplit("Face", 1)[1]), triangles
+            triangles += line.startswith("f ")
 
 
 def _numbers(vector):

@@ -14,8 +14,8 @@ from . import door, links, work
 
 # A link to other objects. `one`: a single face is wanted.
 Link = collections.namedtuple("Link", "name label tip")
-# A choice of the user's. kind: "length", "distance", "number", "count", "flag", "word", "vector",
-# "points". of: its words, or its least and largest number.
+# A choice of the user's. kind: "length", "distance", "angle", "number", "count", "flag", "word",
+# "vector", "points". of: its words, or its least and largest number.
 Choice = collections.namedtuple("Choice", "name kind default label tip of", defaults=(None,))
 # A fact of the answer. kind: "word", "count", "number", "words", "flag".
 Fact = collections.namedtuple("Fact", "name kind tip")
@@ -27,6 +27,7 @@ TOLERANCE = Choice(
 _TYPES = {
     "length": "App::PropertyLength",
     "distance": "App::PropertyDistance",
+    "angle": "App::PropertyAngle",
     "number": "App::PropertyFloat",
     "count": "App::PropertyInteger",
     "flag": "App::PropertyBool",
@@ -51,6 +52,7 @@ class Feature:
     TITLE = ""  # in menus
     TIP = ""
     DOING = ""  # what is said while it works
+    OBJECT = "Part::FeaturePython"  # FreeCAD's type of it
     LINKS = ()
     CHOICES = ()
     FACTS = ()
@@ -61,20 +63,24 @@ class Feature:
     def __init__(self, obj):
         self.Type = f"Blossom::{self.NAME}"
         self._ready = None
+        self._add_properties(obj)
+        obj.Proxy = self
+
+    def _add_properties(self, obj):
+        """Those that it has not got; a document may be of a time when there were fewer."""
         for link in self.LINKS:
-            obj.addProperty("App::PropertyLinkSubListGlobal", link.name, "Blossom", link.tip)
+            _added(obj, "App::PropertyLinkSubListGlobal", link.name, "Blossom", link.tip)
         for choice in self.CHOICES:
-            obj.addProperty(_TYPES[choice.kind], choice.name, "Blossom", choice.tip)
-            if choice.kind == "word":
-                setattr(obj, choice.name, list(choice.of))
-            setattr(obj, choice.name, choice.default)
+            if _added(obj, _TYPES[choice.kind], choice.name, "Blossom", choice.tip):
+                if choice.kind == "word":
+                    setattr(obj, choice.name, list(choice.of))
+                setattr(obj, choice.name, choice.default)
         for fact in self.FACTS:
-            obj.addProperty(_FACT_TYPES[fact.kind], fact.name, "Result", fact.tip, _READ_ONLY)
-        obj.addProperty(
-            "App::PropertyStringList", "Linked", "Result", "What was linked when it was made",
+            _added(obj, _FACT_TYPES[fact.kind], fact.name, "Result", fact.tip, _READ_ONLY)
+        _added(
+            obj, "App::PropertyStringList", "Linked", "Result", "What was linked when it was made",
             _READ_ONLY | _HIDDEN,
         )  # fmt: skip
-        obj.Proxy = self
 
     # What kinds say.
 
@@ -105,6 +111,10 @@ class Feature:
             raise RuntimeError("there is no result")
         return answer.shape
 
+    def give(self, obj, answer, inputs):
+        """Gives the object what was made. throws RuntimeError as `shape`"""
+        obj.Shape = _placed(self.shape(obj, answer, inputs), obj)
+
     def colours(self, obj):
         """A colour for each face of the shape, or None."""
         return None
@@ -133,6 +143,7 @@ class Feature:
 
     def onDocumentRestored(self, obj):  # noqa: N802 - FreeCAD's name
         self._ready = None
+        self._add_properties(obj)
         if FreeCAD.GuiUp and getattr(obj.ViewObject, "Proxy", None) is None:
             from .view import ViewProvider
 
@@ -160,7 +171,7 @@ class Feature:
         for name, value in self.facts(answer.report).items():
             setattr(obj, name, value)
         obj.Linked = self.linked(obj)
-        obj.Shape = _placed(self.shape(obj, answer, question.inputs), obj)
+        self.give(obj, answer, question.inputs)
 
     def keep_ready(self, question, answer):
         """The next `execute` need not ask again, if nothing has changed by then."""
@@ -186,6 +197,14 @@ class Feature:
         if gone and self.linked(obj) == left:
             prop, member = gone[0].split(": ", 1)
             raise ValueError(f"{prop}: {member.split('.')[0]} was deleted; choose others")
+
+
+def _added(obj, kind, name, *more):
+    """Whether the property is new."""
+    if name in obj.PropertiesList:
+        return False
+    obj.addProperty(kind, name, *more)
+    return True
 
 
 class Question:
@@ -229,10 +248,15 @@ def _object_of(document, linked):
     return document.getObject(linked.split(": ", 1)[1].split(".", 1)[0])
 
 
+def container_of(obj):
+    """Where the containers that an object is in have put what is in them."""
+    return obj.getGlobalPlacement().multiply(obj.Placement.inverse())
+
+
 def _placed(shape, obj):
     """The shape, which is where it is in space, for an object that may be in a container and moved
     by hand itself."""
-    container = obj.getGlobalPlacement().multiply(obj.Placement.inverse())
+    container = container_of(obj)
     if not container.isIdentity():
         shape = shape.copy(False)
         shape.Placement = container.inverse().multiply(shape.Placement)

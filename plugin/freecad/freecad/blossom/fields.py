@@ -6,14 +6,15 @@ import FreeCADGui
 from PySide import QtGui
 
 _NARROW = 60  # pixels; panels are as wide as users have made them
-_LENGTHS = {"length": 0.0, "distance": None}  # the least that may be typed
+_UNITS = {"length": "mm", "distance": "mm", "angle": "deg"}
+_LEAST = {"length": 0.0, "angle": 0.0}  # that may be typed
 
 
 def field(obj, choice, changed):
     """The widget of a choice, set to what the object has; None of one that has no widget."""
     make = {
-        "length": Quantity, "distance": Quantity, "number": Number, "count": Count, "flag": Flag,
-        "word": Word, "vector": Vector,
+        "length": Quantity, "distance": Quantity, "angle": Quantity, "number": Number,
+        "count": Count, "flag": Flag, "word": Word, "vector": Vector,
     }.get(choice.kind)  # fmt: skip
     if make is None:
         return None
@@ -26,13 +27,13 @@ def field(obj, choice, changed):
 
 
 class Quantity:
-    """A length, in the user's units."""
+    """A length or an angle, in the user's units."""
 
     def __init__(self, value, choice, changed):
         self.widget = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        self.widget.setProperty("unit", "mm")
-        if _LENGTHS[choice.kind] is not None:
-            self.widget.setProperty("minimum", _LENGTHS[choice.kind])
+        self.widget.setProperty("unit", _UNITS[choice.kind])
+        if choice.kind in _LEAST:
+            self.widget.setProperty("minimum", _LEAST[choice.kind])
         self.widget.setProperty("value", value)
         self.widget.valueChanged.connect(lambda *_: changed())
 

@@ -55,10 +55,8 @@ def shape_of(target, sub, name):
 
 def shape(link, name, wanted="a shape"):
     """All members of a link as one shape. throws ValueError"""
-    shapes = [shape_of(target, sub, name) for target, sub in members(link)]
-    if not shapes:
-        raise ValueError(f"{name}: {wanted} is wanted, and there is none")
-    return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
+    made = shapes(link, name, wanted)
+    return made[0] if len(made) == 1 else Part.makeCompound(made)
 
 
 def faces(link, name):
@@ -66,6 +64,14 @@ def faces(link, name):
     made = shape(link, name, "a face")
     if not made.Faces:
         raise ValueError(f"{name}: faces are wanted, {shown(*members(link)[0])} has none")
+    return made
+
+
+def shapes(link, name, wanted):
+    """The shapes of all members, of which one at least is wanted. throws ValueError"""
+    made = [shape_of(target, sub, name) for target, sub in members(link)]
+    if not made:
+        raise ValueError(f"{name}: {wanted} is wanted, and there is none")
     return made
 
 

@@ -11,10 +11,13 @@ Objects compute when the document does; choices are properties of the same names
 
 import FreeCAD
 
+from .chamfer import Chamfer
 from .check import Check
+from .clash import Clash
 from .fill import Fill
 from .fillet import Fillet
 from .intersection import Intersection
+from .mesh import Mesh
 from .section import Section
 from .solid import Solid
 from .strip import Strip
@@ -24,7 +27,7 @@ from .trim import Trim
 
 def of_kind(kind, document, *given, **choices):
     """A new object with its links in order, and its choices by name."""
-    obj = document.addObject("Part::FeaturePython", kind.NAME)
+    obj = document.addObject(kind.OBJECT, kind.NAME)
     kind(obj)
     if FreeCAD.GuiUp:
         from .view import ViewProvider
@@ -76,6 +79,11 @@ def fillet(document, edges, **choices):
     return of_kind(Fillet, document, edges, **choices)
 
 
+def chamfer(document, edges, **choices):
+    """Edges of a solid cut off: Distance; with Size SecondDistance or Angle, too."""
+    return of_kind(Chamfer, document, edges, **choices)
+
+
 def fill(document, edges, **choices):
     """Holes closed: those with these edges, or all of an object."""
     return of_kind(Fill, document, edges, **choices)
@@ -89,3 +97,13 @@ def sub_patch(document, face, **choices):
 def check(document, part, **choices):
     """What is wrong with an object."""
     return of_kind(Check, document, part, **choices)
+
+
+def clash(document, a, b=(), **choices):
+    """How solids lie to each other, or to others: Clearance."""
+    return of_kind(Clash, document, a, b, **choices)
+
+
+def mesh(document, part, **choices):
+    """Triangles of faces: Deviation, Angle, EdgeLength."""
+    return of_kind(Mesh, document, part, **choices)

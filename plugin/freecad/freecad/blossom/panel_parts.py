@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from . import check, links, selection, trim
+from . import check, clash, links, selection, trim
 
 _ROW = 18  # pixels of a line in lists
 _TABLE = 150  # pixels, at most
@@ -134,6 +134,8 @@ def extra_of(panel):
         return PieceBox(panel)
     if isinstance(panel.feature, check.Check):
         return ProblemTable(panel)
+    if isinstance(panel.feature, clash.Clash):
+        return PairTable(panel)
     return None
 
 
@@ -192,38 +194,73 @@ def _inside_of(face, point):
     return FreeCAD.Vector(*point)
 
 
-class ProblemTable(QtGui.QTableWidget):
-    """Problems with the faces and edges that have them; a row selects its element."""
+class FoundTable(QtGui.QTableWidget):
+    """What was found with what has it; a row selects that."""
+
+    NAME = ""
+    TITLES = ("", "")
 
     def __init__(self, panel):
         super().__init__(0, 2)
         self._panel = panel
-        self.setObjectName("BlossomProblems")
-        self.setHorizontalHeaderLabels(["Where", "Problem"])
+        self._elements = []
+        self.setObjectName(self.NAME)
+        self.setHorizontalHeaderLabels(list(self.TITLES))
         self.horizontalHeader().setStretchLastSection(True)
         self.verticalHeader().hide()
         self.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.setWordWrap(True)
         self.setMaximumHeight(_TABLE)
-        self.itemSelectionChanged.connect(self._show_element)
+        self.itemSelectionChanged.connect(self._show_elements)
+
+    def rows_of(self, report):
+        """For each row the names of elements, and two texts."""
+        raise NotImplementedError
 
     def update_found(self, answer):
-        found = check.problems(answer.report)
+        found = self.rows_of(answer.report)
+        self._elements = [elements for elements, _ in found]
         self.setRowCount(len(found))
-        for row, (element, problem) in enumerate(found):
-            self.setItem(row, 0, QtGui.QTableWidgetItem(element or "all"))
-            self.setItem(row, 1, QtGui.QTableWidgetItem(problem))
+        for row, (_, texts) in enumerate(found):
+            for column, text in enumerate(texts):
+                self.setItem(row, column, QtGui.QTableWidgetItem(text))
         self.resizeColumnToContents(0)
         self.resizeRowsToContents()
 
-    def _show_element(self):
+    def _show_elements(self):
         obj = self._panel.obj
         FreeCADGui.Selection.clearSelection()
         for index in self.selectionModel().selectedRows():
-            element = self.item(index.row(), 0).text()
-            if element != "all":
+            for element in self._elements[index.row()]:
                 FreeCADGui.Selection.addSelection(obj.Document.Name, obj.Name, element)
 
     def leave(self):
         pass
+
+
+class ProblemTable(FoundTable):
+    """Problems with the faces and edges that have them."""
+
+    NAME = "BlossomProblems"
+    TITLES = ("Where", "Problem")
+
+    def rows_of(self, report):
+        return [
+            ([element] if element else [], (element or "all", problem))
+            for element, problem in check.problems(report)
+        ]
+
+
+class PairTable(FoundTable):
+    """Pairs of solids, and how they lie; a row selects the faces of both."""
+
+    NAME = "BlossomPairs"
+    TITLES = ("Solids", "Relation")
+
+    def rows_of(self, report):
+        faces = clash.faces_of_solids(self._panel.obj)
+        return [
+            ([name for place in pair for name in faces.get(place, [])], texts)
+            for pair, texts in clash.rows(report)
+        ]

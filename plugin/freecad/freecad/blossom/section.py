@@ -5,7 +5,6 @@ import FreeCAD
 import Part
 
 from . import links
-from .door import Answer
 from .feature import TOLERANCE, Choice, Fact, Feature, Link
 
 MOST_PLANES = 10000
@@ -52,14 +51,11 @@ class Section(Feature):
         }
 
     def ask(self, entrance, inputs, options):
-        part, normal, tolerance = inputs["Part"], options["normal"], options["tolerance"]
-        answers = [
-            entrance.section(part, point, normal, tolerance=tolerance)
-            for point in options["points"]
-        ]
-        shapes = [_wires(answer) for answer in answers]
-        reports = [answer.report for answer in answers]
-        return Answer(shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes), reports)
+        planes = [(point, options["normal"]) for point in options["points"]]
+        return entrance.sections(inputs["Part"], planes, tolerance=options["tolerance"])
+
+    def shape(self, obj, answer, inputs):
+        return answer.shape or Part.makeCompound([])  # no plane meets anything: an answer, too
 
     @classmethod
     def deal(cls, members):
@@ -67,18 +63,19 @@ class Section(Feature):
         others = [each for each in members if each not in planes]
         return [others, planes] if others and len(planes) == 1 else [members, []]
 
-    def facts(self, reports):
-        wires = [wire for report in reports for wire in report["wires"]]
+    def facts(self, report):
+        planes = [
+            [wire for part in plane["parts"] for wire in part["wires"]]
+            for plane in report["planes"]
+        ]
+        wires = [wire for plane in planes for wire in plane]
         return {
-            "Status": max((report["status"] for report in reports), key=_STRENGTH.index),
+            "Status": report["status"],
             "Wires": len(wires),
             "Closed": sum(wire["closed"] for wire in wires),
             "Length": sum(wire["length"] for wire in wires),
-            "WiresOfPlanes": [len(report["wires"]) for report in reports],
+            "WiresOfPlanes": [len(plane) for plane in planes],
         }
-
-
-_STRENGTH = ("complete", "tolerance", "stopped")
 
 
 def _plane_of(obj):
@@ -113,17 +110,3 @@ def _plane_of_link(link):
     placement = leaf.getGlobalPlacement()
     return placement.Base, placement.Rotation.multVec(FreeCAD.Vector(0, 0, 1))
 
-
-def _wires(answer):
-    """The edges as wires where they are linked up; those and points that are not stay as they
-    are."""
-    edges = answer.shape.Edges
-    made = [
-        Part.Wire(Part.__sortEdges__([edges[use["curve"]] for use in wire["curves"]]))
-        for wire in answer.report["wires"]
-    ]
-    return Part.makeCompound(made + [v for v in answer.shape.Vertexes if _is_free(v, edges)])
-
-
-def _is_free(vertex, edges):
-    return not any(vertex.isSame(end) for edge in edges for end in edge.Vertexes)

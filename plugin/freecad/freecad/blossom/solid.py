@@ -28,11 +28,7 @@ class Solid(Feature):
     )
 
     def inputs(self, obj):
-        tools = [
-            links.shape_of(target, sub, "Tools") for target, sub in links.members(obj.Tools)
-        ]
-        if not tools:
-            raise ValueError("Tools: a solid is wanted, and there is none")
+        tools = links.shapes(obj.Tools, "Tools", "a solid")
         return {"Part": links.shape(obj.Part, "Part", "a solid"), "Tools": tools}
 
     def options(self, obj):

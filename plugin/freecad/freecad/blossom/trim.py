@@ -41,11 +41,7 @@ class Trim(Feature):
     )
 
     def inputs(self, obj):
-        tools = [
-            links.shape_of(target, sub, "Tools") for target, sub in links.members(obj.Tools)
-        ]
-        if not tools:
-            raise ValueError("Tools: something that cuts is wanted, and there is nothing")
+        tools = links.shapes(obj.Tools, "Tools", "something that cuts")
         return {"Part": links.faces(obj.Part, "Part"), "Tools": tools}
 
     def options(self, obj):

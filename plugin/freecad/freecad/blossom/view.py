@@ -22,6 +22,8 @@ class ViewProvider:
             view.PointSize = 5
         else:
             view.ShapeColor = FACE_COLOUR
+        if _kind_name(view.Object) == "Mesh":
+            view.DisplayMode = "Flat Lines"
 
     def attach(self, view):
         self.Object = view.Object
@@ -77,8 +79,10 @@ def icon_of(name):
 
 def paint(obj):
     """The colours of faces, by what was found; one for all where that says nothing."""
-    colours = obj.Proxy.colours(obj)
     view = obj.ViewObject
+    if not hasattr(obj, "Shape"):  # a mesh has one colour
+        return
+    colours = obj.Proxy.colours(obj)
     if colours and len(colours) == len(obj.Shape.Faces):
         view.DiffuseColor = [(*colour, 0.0) for colour in colours]
     elif len(view.DiffuseColor) > 1:

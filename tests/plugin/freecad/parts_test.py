@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Chamfers, clashes and meshes without a window: figures by hand, containers, and what is refused."""
+
+import math
+import os
+import sys
+
+import FreeCAD
+import Part
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from claims import claim, near, run, says, valid  # noqa: E402
+from freecad.blossom import clash, make  # noqa: E402
+
+V = FreeCAD.Vector
+
+
+def box(document, name="Box", size=(10, 10, 10), at=(0, 0, 0)):
+    obj = document.addObject("Part::Feature", name)
+    obj.Shape = Part.makeBox(*size, V(*at))
+    return obj
+
+
+def chamfer_cuts_edges_off(document):
+    block = box(document)
+    cut = make.chamfer(document, [(block, ("Edge1", "Edge3"))], Distance="2 mm")
+    document.recompute()
+    claim("two edges are cut off", list(cut.CutOff) == [1, 3] and near(cut.Volume, 1000 - 2 * 20))
+    claim("it is a valid solid", cut.Shape.isValid() and near(cut.Shape.Volume, cut.Volume))
+    cut.Edges, cut.Size, cut.SecondDistance = [(block, "Edge1")], "two distances", "1 mm"
+    document.recompute()
+    claim("two distances", near(cut.Volume, 1000 - 10))
+    cut.Size, cut.Angle = "distance and angle", 30
+    document.recompute()
+    claim("an angle", near(cut.Volume, 1000 - 10 * 2 * 2 * math.tan(math.radians(30)) / 2))
+    cut.Angle = 180
+    document.recompute()
+    claim("a flat angle is none", says(cut, "Angle: less than 180 degrees are wanted"))
+    cut.Size, cut.Distance = "equal distances", "0 mm"
+    document.recompute()
+    claim("nor is a distance of 0", says(cut, "Distance: it has to be positive"))
+    cut.Distance, cut.Edges = "20 mm", [(block, "Edge1")]
+    document.recompute()
+    claim("what is too large says where", says(cut, "Edge1: "))
+    cut.Distance, cut.Edges = "1 mm", [(block, "")]
+    document.recompute()
+    claim("an object means all its edges", valid(cut) and len(cut.CutOff) == 12)
+
+
+def fillets_may_change_and_be_conics(document):
+    block = box(document)
+    rounded = make.fillet(document, [(block, "Edge1")], Radius="2 mm", Rho=0.5)
+    document.recompute()
+    claim("a parabola leaves a third", near(rounded.Volume, 1000 - 10 * 2 / 3, 1e-4))
+    rounded.Rho, rounded.LastRadius = 0, "4 mm"
+    document.recompute()
+    mean = (4 + 8 + 16) / 3
+    claim("radii from 2 to 4", abs(1000 - rounded.Volume - (1 - math.pi / 4) * mean * 10) < 0.5)
+    rounded.Rho = 1.5
+    document.recompute()
+    claim("sharper than sharp is none", says(rounded, "Rho: 0, or a number below 1 is wanted"))
+
+
+def clash_tells_how_solids_lie(document):
+    block, post = box(document, "Block"), box(document, "Post", (2, 2, 10), (4, 4, 5))
+    lid = box(document, "Lid", (10, 10, 1), (0, 0, 10))
+    far = box(document, "Far", (1, 1, 1), (12, 0, 0))
+    found = make.clash(document, [block, post, far], Clearance="3 mm")
+    document.recompute()
+    claim("two of three clash", (found.Clashes, found.Touching, found.TooNear) == (1, 0, 1))
+    claim("in a volume", near(found.Volume, 2 * 2 * 5))
+    claim("names are those of the tree", list(found.Solids) == ["Block", "Post", "Far"])
+    claim("the worst comes first", found.Pairs[0].startswith("Block and Post: penetrates, volume 20"))
+    claim("grades are of solids", list(found.Grades) == [3, 3, 1])
+    colours = found.Proxy.colours(found)
+    claim("each face has its colour", len(colours) == len(found.Shape.Faces) == 18)
+    claim("red and yellow", colours[0] == colours[6] == clash.COLOURS[3] != colours[12])
+    claim("the first solid's faces", clash.faces_of_solids(found)[1][0] == "Face7")
+    found.Show = "common bodies"
+    document.recompute()
+    claim("the common body", near(found.Shape.Volume, 20) and len(found.Shape.Solids) == 1)
+    found.A, found.B, found.Show = [(block, ""), (far, "")], [(lid, "")], "parts"
+    document.recompute()
+    claim("pairs have one of each", found.Touching == 1 and list(found.Grades)[0] == 2)
+    claim("that touch in a face", "Block and Lid: touches, in a face" in found.Pairs)
+    found.Show = "common bodies"
+    document.recompute()
+    claim("none is an error that says so", says(found, "Show: no parts have a common body"))
+
+
+def clash_follows_containers_and_refuses_faces(document):
+    block, post = box(document, "Block"), box(document, "Post", (2, 2, 10), (4, 4, 5))
+    holder = document.addObject("App::Part", "Holder")
+    holder.addObject(post)
+    found = make.clash(document, [(block, ""), (holder, "Post.")])
+    document.recompute()
+    claim("they clash", found.Clashes == 1 and near(found.Volume, 20))
+    holder.Placement.Base = V(0, 0, 3)
+    document.recompute()
+    claim("less where the container has put it", near(found.Volume, 8))
+    holder.Placement.Base = V(0, 0, 50)
+    document.recompute()
+    claim("and not at all far away", valid(found) and (found.Clashes, found.Volume) == (0, 0))
+    sheet = document.addObject("Part::Plane", "Sheet")
+    found.A = [(block, ""), (sheet, "")]
+    document.recompute()
+    claim("a face is no solid", says(found, "A: closed solids are wanted, Sheet is none"))
+    found.A = [(block, "")]
+    document.recompute()
+    claim("one alone has no pair", says(found, "has one part alone"))
+    found.A = []
+    document.recompute()
+    claim("nothing is too little", says(found, "A: solids are wanted, and there are none"))
+
+
+def mesh_is_of_freecads_kind(document):
+    rod = document.addObject("Part::Cylinder", "Rod")
+    rod.Radius, rod.Height = 5, 20
+    holder = document.addObject("App::Part", "Holder")
+    holder.addObject(rod)
+    holder.Placement = FreeCAD.Placement(V(0, 0, 7), FreeCAD.Rotation(V(1, 0, 0), 90))
+    mesh = make.mesh(document, (holder, "Rod."), Deviation="0.05 mm")
+    document.recompute()
+    exact = math.pi * 25 * 20
+    claim("it is a mesh", mesh.isDerivedFrom("Mesh::Feature") and mesh.Mesh.isSolid())
+    claim("closed, as is said", (mesh.Closed, mesh.Mesh.CountFacets) == ("yes", mesh.Triangles))
+    claim("as near as is proven", 0 < mesh.Within <= 0.05 and 0.98 * exact < mesh.Mesh.Volume < exact)
+    bounds = mesh.Mesh.BoundBox
+    claim("where the container is", near(bounds.YMin, -20, 1e-4) and near(bounds.ZMin, 2, 0.06))
+    claim("a segment for each face", mesh.Mesh.countSegments() == 3)
+    claim("which begin there", list(mesh.FaceNumbers) == [1, 2, 3] and mesh.FirstTriangles[0] == 0)
+    mesh.Placement.Base = V(100, 0, 0)
+    mesh.touch()
+    document.recompute()
+    claim("a move of its own is kept", near(mesh.Mesh.BoundBox.XMin, bounds.XMin + 100, 1e-4))
+    coarse = mesh.Triangles
+    mesh.Deviation, mesh.EdgeLength = "0.5 mm", "1 mm"
+    document.recompute()
+    claim("short sides are many", mesh.Triangles > coarse)
+    mesh.Part, mesh.EdgeLength = [(rod, "Face1")], "0 mm"
+    document.recompute()
+    claim("a face alone is open", (mesh.Closed, list(mesh.FaceNumbers)) == ("no", [1]))
+    mesh.Part = []
+    document.recompute()
+    claim("nothing is an error", says(mesh, "Part: a face is wanted, and there is none"))
+
+
+run(
+    chamfer_cuts_edges_off,
+    fillets_may_change_and_be_conics,
+    clash_tells_how_solids_lie,
+    clash_follows_containers_and_refuses_faces,
+    mesh_is_of_freecads_kind,
+)
