@@ -268,6 +268,83 @@ def check():
     claim("a check is no error", not FreeCADGui.Control.activeDialog())
 
 
+def chamfer():
+    document = new_document("Chamfer")
+    block = document.addObject("Part::Box", "Block")
+    block.Length, block.Width, block.Height = 30, 20, 12
+    document.recompute()
+    look(document)
+    select(document, ("Block", "Face6"))
+    FreeCADGui.runCommand("Blossom_Chamfer")
+    yield found
+    widget(QtWidgets.QComboBox, "BlossomSize").setCurrentText("distance and angle")
+    widget(QtWidgets.QWidget, "BlossomDistance").setProperty("rawValue", 4)
+    widget(QtWidgets.QWidget, "BlossomAngle").setProperty("rawValue", 30)
+    yield lambda: found() and document.Chamfer.Volume < 30 * 20 * 12 - 400
+    look(document)
+    yield SETTLED
+    picture("chamfer")
+    press("Ok")
+    chamfer = document.Chamfer
+    claim("four edges are cut off", len(chamfer.CutOff) == 4 and chamfer.Shape.isValid())
+    claim("by the angle that was typed", abs(chamfer.Angle.Value - 30) < 1e-9)
+
+
+def clash():
+    document = new_document("Clash")
+    plate = document.addObject("Part::Box", "Plate")
+    plate.Length, plate.Width, plate.Height = 60, 40, 10
+    for name, x, z in (("Pin", 15, 2), ("Stud", 45, 10), ("Spacer", 30, 11)):
+        rod = document.addObject("Part::Cylinder", name)
+        rod.Radius, rod.Height, rod.Placement.Base = 5, 20, V(x, 20, z)
+    document.recompute()
+    look(document)
+    select(document, *((name, "") for name in ("Plate", "Pin", "Stud", "Spacer")))
+    FreeCADGui.runCommand("Blossom_Clash")
+    yield found
+    widget(QtWidgets.QWidget, "BlossomClearance").setProperty("rawValue", 2)
+    yield lambda: found() and document.Clash.TooNear == 1
+    look(document)
+    yield SETTLED
+    found_pairs = document.Clash
+    claim("one pair clashes, one touches", (found_pairs.Clashes, found_pairs.Touching) == (1, 1))
+    claim("parts have colours", len(set(found_pairs.ViewObject.DiffuseColor)) == 3)
+    table = widget(QtWidgets.QTableWidget, "BlossomPairs")
+    claim("the table begins with the worst", table.item(0, 0).text() == "Plate and Pin")
+    table.selectRow(0)
+    chosen = FreeCADGui.Selection.getSelectionEx()
+    claim("a row selects both solids", len(chosen[0].SubElementNames) == 6 + 3)
+    FreeCADGui.Selection.clearSelection()
+    yield SETTLED
+    picture("clash")
+    press("Ok")
+    claim("a clash is no error", not FreeCADGui.Control.activeDialog())
+    document.undo()
+    claim("undo shows the parts again", plate.Visibility and document.getObject("Clash") is None)
+
+
+def mesh():
+    document = new_document("Mesh")
+    block = document.addObject("Part::Box", "Block")
+    rod = document.addObject("Part::Cylinder", "Rod")
+    block.Length, block.Width, block.Height = 40, 30, 15
+    rod.Radius, rod.Height, rod.Placement.Base = 8, 40, V(20, 15, -10)
+    document.addObject("Part::Cut", "Bored").Base, document.Bored.Tool = block, rod
+    document.recompute()
+    look(document)
+    select(document, ("Bored", ""))
+    FreeCADGui.runCommand("Blossom_Mesh")
+    yield found
+    widget(QtWidgets.QWidget, "BlossomEdgeLength").setProperty("rawValue", 5)
+    yield lambda: found() and document.Mesh.Triangles > 500
+    look(document)
+    yield SETTLED
+    picture("mesh")
+    press("Ok")
+    claim("it is closed", document.Mesh.Closed == "yes" and document.Mesh.Mesh.isSolid())
+    claim("what it is of is hidden", not document.Bored.Visibility)
+
+
 class Pulse(QtCore.QTimer):
     """Notes how long the window lets others wait."""
 
@@ -277,6 +354,7 @@ class Pulse(QtCore.QTimer):
         self.timeout.connect(self.beat)
         self.beats, self.longest = 0, 0.0
         self.last = self.began = time.monotonic()
+        self.worked = time.thread_time()
         self.start()
 
     def beat(self):
@@ -287,8 +365,10 @@ class Pulse(QtCore.QTimer):
     def told(self, what):
         self.stop()
         seconds = time.monotonic() - self.began
-        print(f"{what}: {seconds:.1f} s of work, the window answered {self.beats} times, "
-              f"at the latest after {1000 * self.longest:.0f} ms", file=claims)  # fmt: skip
+        share = time.thread_time() - self.worked
+        print(f"{what}: {seconds:.1f} s of work, {share:.1f} s of it the window's own, which "
+              f"answered {self.beats} times, at the latest after {1000 * self.longest:.0f} ms",
+              file=claims)  # fmt: skip
         return self.beats
 
 
@@ -343,6 +423,29 @@ def work():
     FreeCAD.closeDocument(document.Name)
     yield SETTLED
     claim("a document may be closed meanwhile", not FreeCADGui.Control.activeDialog())
+
+
+def many():
+    """Answers with thousands of points, which kept the window waiting when they were lists."""
+    document = new_document("Many")
+    wave(document, "Sea", lambda x, y: 2 * math.sin(0.6 * x) * math.cos(0.5 * y))
+    document.recompute()
+    look(document)
+    select(document, ("Sea", ""))
+    FreeCADGui.runCommand("Blossom_Section")
+    cut = document.Section  # before the preview begins
+    cut.Point, cut.Spacing, cut.Count = V(0, 0, -1.5), "0.02 mm", 150
+    yield lambda: widget(QtWidgets.QPushButton, "BlossomStop")
+    pulse = Pulse()
+    yield found
+    pulse.told("150 sections")
+    claim("all planes cut it", min(cut.WiresOfPlanes) > 0 and cut.Status == "complete")
+    report = cut.Proxy.question(cut).job()
+    report.start()
+    yield lambda: report.done
+    curve = report.answer().report["planes"][0]["parts"][0]["curves"][0]
+    claim("reports come without samples", "points" not in curve and "length" in curve)
+    press("Ok")
 
 
 def deleted():
@@ -405,7 +508,10 @@ def tour():
             dock.hide()
         if dock.objectName() == "Combo View":
             window().resizeDocks([dock], [330], QtCore.Qt.Horizontal)
-    for station in (intersection, trim, fillet, check, work, deleted, reopened):
+    stations = (
+        intersection, trim, fillet, chamfer, check, clash, mesh, work, many, deleted, reopened,
+    )  # fmt: skip
+    for station in stations:
         print(f"-- {station.__name__}", file=claims)
         yield from station()
     print("ALL CLAIMS HOLD", file=claims)

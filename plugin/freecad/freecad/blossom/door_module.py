@@ -32,18 +32,25 @@ class ModuleDoor:
 
     def sections(self, part, planes, **options):
         made = part.sections(planes, **self._with_cancel(options))
-        return self._answer(made, any(plane.wires for plane in made))
+        return self._answer(
+            made,
+            lambda report: any(
+                section["wires"] or section["points"]
+                for plane in report["planes"]
+                for section in plane["parts"]
+            ),
+        )
 
     def trim(self, part, tools, keep, **options):
         made = part.trim(*tools, keep=keep, **self._with_cancel(options))
-        return self._answer(made, any(piece["kept"] for piece in made))
+        return self._answer(made, lambda report: any(each["kept"] for each in report["pieces"]))
 
     def solid(self, operation, part, tools, **options):
         made = part.solid(operation, *tools, **self._with_cancel(options))
-        return self._answer(made, len(made) > 0)
+        return self._answer(made, lambda report: report["solids"])
 
     def check(self, part):
-        return Answer(None, part.check(cancel=self._cancel).to_dict())
+        return Answer(None, part.check(cancel=self._cancel).to_dict(samples=False))
 
     def strip(self, a, b, edge_a, edge_b, weight_a, weight_b):
         return self._answer(
@@ -54,15 +61,15 @@ class ModuleDoor:
 
     def fillet(self, part, edges, **options):
         made = part.fillet(edges, **self._with_cancel(options))
-        return self._answer(made, len(made) > 0)
+        return self._answer(made, lambda report: report["edges"])
 
     def chamfer(self, part, edges, **options):
         made = part.chamfer(edges, **self._with_cancel(options))
-        return self._answer(made, len(made) > 0)
+        return self._answer(made, lambda report: report["edges"])
 
     def clash(self, a, b, clearance, **options):
         found = a.clash(b, clearance=clearance, near=True, **self._with_cancel(options))
-        return self._answer(found, any(pair.volume for pair in found))
+        return self._answer(found, lambda report: any("common" in each for each in report["pairs"]))
 
     def mesh(self, part, **options):
         made = part.mesh(**self._with_cancel(options))
@@ -71,7 +78,7 @@ class ModuleDoor:
             file = os.path.join(folder, "mesh.ply")  # which FreeCAD reads the fastest
             made.write(file, cancel=self._cancel)
             triangles = Mesh.Mesh(file)
-        return Answer(with_segments(triangles, groups), {**made.to_dict(), "groups": groups})
+        return Answer(with_segments(triangles, groups), {**made.to_dict(samples=False), "groups": groups})
 
     def subdivide(self, part, rectangle, levels):
         return self._answer(part.subdivide(rectangle, levels=levels, cancel=self._cancel))
@@ -84,6 +91,8 @@ class ModuleDoor:
         return {**options, "cancel": self._cancel}
 
     @staticmethod
-    def _answer(result, has_shape=True):
-        # Samples as lists would keep the window waiting: Python's lock is held while it makes them.
-        return Answer(result.to_part() if has_shape else None, result.to_dict(samples=False))
+    def _answer(result, has_shape=lambda report: True):
+        """The report is without the samples of curves: as lists of Python these would keep the
+        window waiting, when they are made and whenever garbage is looked for."""
+        report = result.to_dict(samples=False)
+        return Answer(result.to_part() if has_shape(report) else None, report)
