@@ -15,7 +15,8 @@ class BlossomDraw {
          {blossom::draw::add_blinfo, blossom::draw::add_blintersect, blossom::draw::add_bltrim,
           blossom::draw::add_blsolid, blossom::draw::add_blsection, blossom::draw::add_bldistance,
           blossom::draw::add_blcheck, blossom::draw::add_blsubdivide, blossom::draw::add_blfillet,
-          blossom::draw::add_blfill})
+          blossom::draw::add_blchamfer, blossom::draw::add_blblend, blossom::draw::add_blfill,
+          blossom::draw::add_blclash})
       add(interpreter);
   }
 };

@@ -3,13 +3,10 @@
 // rolling ball, or cut off.
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <numbers>
-#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -24,6 +21,7 @@
 
 #include "adapters/occt/edge_facts.h"
 #include "adapters/occt/fillet.h"
+#include "core/base/errors.h"
 #include "plugin/cli/commands/blend_parts.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
@@ -34,6 +32,7 @@
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/values.h"
+#include "plugin/reports/blend_words.h"
 #include "plugin/reports/fillet.h"
 
 namespace blossom::cli {
@@ -151,58 +150,14 @@ void check_options(const FilletCommand& command) {
     throw UsageError("--between takes two face numbers, as in --between 2,5");
 }
 
-double number_of(const FilletCommand& command, const std::string& text) {
-  std::size_t used = 0;
-  double value = 0;
+// What is wrong with a size is wrong with the usage.
+template <class Read>
+void read_size(const char* option, const Read& read) {
   try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
+    read();
+  } catch (const InvalidInput& wrong) {
+    throw UsageError(std::string(option) + ": " + wrong.what());
   }
-  if (used == 0 || used != text.size() || !(value > 0) || !std::isfinite(value))
-    throw UsageError("\"" + command.size + command.section + "\": " + "\"" + text +
-                     "\" is no positive number");
-  return value;
-}
-
-// The text before and after a mark; nothing unless it has one.
-std::optional<std::array<std::string, 2>> parted(const std::string& text, const std::string& mark) {
-  const std::size_t at = text.find(mark);
-  if (at == std::string::npos) return std::nullopt;
-  return std::array{text.substr(0, at), text.substr(at + mark.size())};
-}
-
-// R, or R..S.
-void read_radius(FilletCommand& command) {
-  if (const auto both = parted(command.size, "..")) {
-    command.fillet.radius = number_of(command, (*both)[0]);
-    command.fillet.last_radius = number_of(command, (*both)[1]);
-  } else {
-    command.fillet.radius = number_of(command, command.size);
-  }
-  if (command.section.empty() || command.section == "circle") return;
-  const auto conic = parted(command.section, "conic:");
-  if (!conic || !(*conic)[0].empty())
-    throw UsageError("--section takes circle or conic:RHO, as in --section conic:0.4");
-  command.fillet.rho = number_of(command, (*conic)[1]);
-  if (*command.fillet.rho >= 1) throw UsageError("--section: rho has to be below 1");
-}
-
-// D, or D1,D2, or D:angle in degrees.
-void read_distance(FilletCommand& command) {
-  occt::ChamferSize size;
-  if (const auto both = parted(command.size, ",")) {
-    size.first = number_of(command, (*both)[0]);
-    size.second = number_of(command, (*both)[1]);
-  } else if (const auto angled = parted(command.size, ":")) {
-    size.first = number_of(command, (*angled)[0]);
-    const double degrees = number_of(command, (*angled)[1]);
-    if (degrees >= 180) throw UsageError("--distance: the angle has to be below 180 degrees");
-    size.angle = degrees * std::numbers::pi / 180;
-  } else {
-    size.first = number_of(command, command.size);
-  }
-  command.fillet.chamfer = size;
 }
 
 int run(const FilletCommand& command) {
@@ -274,7 +229,9 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
                    "not given")
       ->type_name("KIND");
   command->callback([options, &exit_code] {
-    read_radius(*options);
+    read_size("--radius", [&] { reports::read_radius(options->size, options->fillet); });
+    if (!options->section.empty())
+      read_size("--section", [&] { reports::read_section(options->section, options->fillet); });
     exit_code = run(*options);
   });
 }
@@ -289,7 +246,8 @@ void add_blend_chamfer(CLI::App& blend, int& exit_code) {
       ->required()
       ->type_name("D");
   command->callback([options, &exit_code] {
-    read_distance(*options);
+    read_size("--distance",
+              [&] { options->fillet.chamfer = reports::chamfer_size(options->size); });
     exit_code = run(*options);
   });
 }

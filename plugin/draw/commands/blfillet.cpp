@@ -1,64 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// blfillet result solid radius all|convex|concave|edge [edge ...]
+// blfillet result solid radius|from..to all|convex|concave|edge [edge ...]
 
 #include <string>
-#include <vector>
 
-#include <DBRep.hxx>
-#include <TopoDS_Solid.hxx>
-
-#include "adapters/occt/base/compounds.h"
-#include "adapters/occt/base/errors.h"
-#include "adapters/occt/edge_facts.h"
-#include "adapters/occt/fillet.h"
 #include "plugin/draw/commands/commands.h"
+#include "plugin/draw/commands/edge_blends.h"
 #include "plugin/draw/commands/words.h"
+#include "plugin/reports/blend_words.h"
 
 namespace blossom::draw {
 namespace {
 
-// Numbers of edges, or a word for all of a kind.
-std::vector<int> edges_of(const TopoDS_Shape& shape, const Words& words, std::size_t first) {
-  std::vector<int> edges;
-  const std::string& word = words[first];
-  const bool all = word == "all";
-  if (!all && word != "convex" && word != "concave") {
-    for (std::size_t i = first; i < words.size(); ++i) edges.push_back(count_from(words[i]));
-    return edges;
-  }
-  require(words.size() == first + 1);
-  for (const occt::EdgeFacts& edge : occt::edge_facts(shape)) {
-    const bool sharp = edge.kind == occt::EdgeKind::Convex || edge.kind == occt::EdgeKind::Concave;
-    if (sharp && (all || word == to_string(edge.kind))) edges.push_back(edge.number);
-  }
-  if (edges.empty()) throw occt::BadModel("there is no such edge");
-  return edges;
-}
-
 std::string answer(const Words& words) {
   require(words.size() >= 4);
-  const TopoDS_Shape shape = shape_named(words[1]);
-  faces_in(shape, words[1]);
   occt::FilletOptions options;
-  options.radius = positive_from(words[2]);
-
-  const occt::FilletResult made = occt::fillet(shape, edges_of(shape, words, 3), options);
-
-  if (!made.refused.empty()) throw occt::Failure(made.refused.front().text());
-  std::vector<TopoDS_Solid> solids;
-  double volume = 0;
-  for (const occt::FilletedSolid& solid : made.solids) {
-    solids.push_back(solid.solid);
-    volume += solid.volume;
-  }
-  DBRep::Set(words[0].c_str(), occt::compound_of(solids));
-  return std::to_string(made.edges.size()) + " " + tcl_number(made.volume_before) + " " +
-         tcl_number(volume);
+  reports::read_radius(words[2], options);
+  return blended_edges(words, options);
 }
 
 int blfillet(Draw_Interpretor& interpreter, int count, const char** words) {
   return answered(interpreter, count, words,
-                  "result solid radius all|convex|concave|edge [edge ...]", answer);
+                  "result solid radius|from..to all|convex|concave|edge [edge ...]", answer);
 }
 
 }  // namespace
@@ -66,11 +28,11 @@ int blfillet(Draw_Interpretor& interpreter, int count, const char** words) {
 void add_blfillet(Draw_Interpretor& interpreter) {
   interpreter.Add(
       "blfillet",
-      "blfillet result solid radius all|convex|concave|edge [edge ...]"
-      "\n\t\t: edges of solids rounded by a ball that rolls along them; edges by their numbers in"
-      "\n\t\t: blinfo, that is in the order of explode. The answer is how many edges were rounded, "
-      "and"
-      "\n\t\t: the volumes before and after. Where one cannot be rounded the error says why.",
+      "blfillet result solid radius|from..to all|convex|concave|edge [edge ...]"
+      "\n\t\t: edges of solids rounded by a ball that rolls along them; 2..5: from 2 at the start"
+      "\n\t\t: of a run of edges to 5 at its end. Edges by their numbers in blinfo, that is in the"
+      "\n\t\t: order of explode. The answer is how many edges were rounded, and the volumes before"
+      "\n\t\t: and after. Where one cannot be rounded the error says why.",
       "plugin/draw/commands/blfillet.cpp", blfillet, kGroup);
 }
 

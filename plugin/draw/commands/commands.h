@@ -15,9 +15,12 @@ void add_bltrim(Draw_Interpretor& interpreter);
 void add_blsolid(Draw_Interpretor& interpreter);
 void add_blsection(Draw_Interpretor& interpreter);
 void add_bldistance(Draw_Interpretor& interpreter);
+void add_blclash(Draw_Interpretor& interpreter);
 void add_blcheck(Draw_Interpretor& interpreter);
 void add_blsubdivide(Draw_Interpretor& interpreter);
 void add_blfillet(Draw_Interpretor& interpreter);
+void add_blchamfer(Draw_Interpretor& interpreter);
+void add_blblend(Draw_Interpretor& interpreter);
 void add_blfill(Draw_Interpretor& interpreter);
 
 }  // namespace blossom::draw

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How large fillets and chamfers are, in the words that the doors of text have in common.
+
+#pragma once
+
+#include <string>
+
+#include "adapters/occt/fillet.h"
+
+namespace blossom::reports {
+
+/// "2", or "2..5" from the start to the end of a run of edges.
+/// throws   InvalidInput if it is none of these, or a number is not positive
+void read_radius(const std::string& word, occt::FilletOptions& of);
+
+/// "circle", or "conic:0.4" with a number below 1.
+/// throws   InvalidInput likewise
+void read_section(const std::string& word, occt::FilletOptions& of);
+
+/// "2", or "2,1" with two distances, or "2:30" with an angle in degrees.
+/// throws   InvalidInput likewise
+occt::ChamferSize chamfer_size(const std::string& word);
+
+}  // namespace blossom::reports
