@@ -133,9 +133,10 @@ def faults(files):
     for door in ("cli", "draw", "python", "freecad"):
         yield from foreign(files, f"plugin/{door}", (".h", ".cpp"),
                            ['"core/', '"adapters/', '"plugin/reports/', '"plugin/nets/',
-                            f'"plugin/{door}/', "<"])
-    yield from foreign(files, "plugin/nets", (".h", ".cpp"),
-                       ['"core/', '"adapters/', '"plugin/reports/', '"plugin/nets/', "<"])
+                            '"plugin/meshes/', f'"plugin/{door}/', "<"])
+    for shared in ("nets", "meshes"):
+        yield from foreign(files, f"plugin/{shared}", (".h", ".cpp"),
+                           ['"core/', '"adapters/', '"plugin/reports/', f'"plugin/{shared}/', "<"])
     yield from foreign(files, "plugin/reports", (".h", ".cpp"),
                        ['"core/', '"adapters/', '"plugin/reports/', "<"])
 

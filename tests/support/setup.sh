@@ -13,7 +13,11 @@ build_packages=(
   libcgal-dev libopenmesh-dev libcli11-dev nlohmann-json3-dev pybind11-dev python3-dev swig
   libgtest-dev libbenchmark-dev
 )
-test_packages=(freecad freecad-python3 occt-draw python3-distributed python3-numpy python3-mypy python3-scipy pkg-config xvfb xauth)
+# Heavy ones, of which CMake leaves out the tests where they are missing: freecad and chromium.
+test_packages=(
+  freecad freecad-python3 occt-draw python3-distributed python3-numpy python3-mypy python3-scipy
+  pkg-config xvfb xauth chromium
+)
 
 current_step=start
 step() {

@@ -87,6 +87,10 @@ def check_objects(lines):
     )
     claim("a bore", 874.3 < bored.Volume < 874.4)
     claim("round edges", list(rounded.Rounded) == [1, 3])
+    pairs, mesh = names["pairs"], names["mesh"]
+    claim("a clash", pairs.Clashes == 1 and pairs.Pairs[0].startswith("Block and Rod: penetrates"))
+    claim("all edges cut off", len(names["bevelled"].CutOff) == 12)
+    claim("a mesh", mesh.Mesh.isSolid() and abs(mesh.Mesh.Volume - bored.Volume) < 10)
     claim("they have icons", all(each.ViewObject.Icon is not None for each in (curves, bored)))
     FreeCAD.closeDocument(names["document"].Name)
 
