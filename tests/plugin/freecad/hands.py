@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The user's hands and eyes in FreeCAD's window, for tour.py, and what is shown there.
+
+The window prints nothing, so claims go to BLOSSOM_CLAIMS; pictures go to the folder BLOSSOM_SHOTS.
+"""
+
+import os
+
+import FreeCAD
+import FreeCADGui
+import Part
+from PySide2 import QtCore, QtGui, QtWidgets
+
+V = FreeCAD.Vector
+claims = open(os.environ["BLOSSOM_CLAIMS"], "w", buffering=1)
+PICTURE_WIDTH = 760  # pixels
+
+
+def claim(what, holds):
+    if not holds:
+        raise AssertionError(what)
+    print("holds:", what, file=claims)
+
+
+# ---- the user's hands and eyes
+
+
+def window():
+    return FreeCADGui.getMainWindow()
+
+
+def select(document, *members):
+    FreeCADGui.Selection.clearSelection()
+    for name, sub in members:
+        FreeCADGui.Selection.addSelection(document.Name, name, sub)
+
+
+def press(word):
+    """OK or Cancel of the task panel."""
+    button = getattr(QtWidgets.QDialogButtonBox, word)
+    for box in window().findChildren(QtWidgets.QDialogButtonBox):
+        if box.isVisible() and box.button(button):
+            box.button(button).click()
+            return
+    raise AssertionError(f"there is no button {word}")
+
+
+def widget(kind, name):
+    found = [each for each in window().findChildren(kind, name) if each.isVisible()]
+    return found[0] if found else None
+
+
+def said():
+    """What the panel says of the preview, without its table."""
+    label = widget(QtWidgets.QLabel, "BlossomText")
+    document = QtGui.QTextDocument()
+    document.setHtml(label.text() if label else "")
+    return document.toPlainText()
+
+
+def found():
+    """Whether a preview is there: its facts end with the time."""
+    return "Time" in said()
+
+
+def look(document, part=1.0):
+    """All of the document in the view, or the middle part."""
+    view = FreeCADGui.getDocument(document.Name).activeView()
+    view.setAnimationEnabled(False)
+    view.viewIsometric()
+    view.fitAll()
+    height = view.getCameraNode().height
+    height.setValue(part * height.getValue())
+
+
+def picture(name):
+    grabbed = window().screen().grabWindow(window().winId())
+    scaled = grabbed.toImage().scaledToWidth(PICTURE_WIDTH, QtCore.Qt.SmoothTransformation)
+    file = os.path.join(os.environ["BLOSSOM_SHOTS"], f"{name}.png")
+    scaled.convertToFormat(QtGui.QImage.Format_RGB888).save(file)
+    claim(f"there is a picture of {name}", os.path.getsize(file) > 10000)
+
+
+# ---- what is shown
+
+
+def new_document(name):
+    document = FreeCAD.newDocument(name)
+    document.UndoMode = 1
+    return document
+
+
+def wave(document, name, height):
+    points = [[V(x, y, height(x, y)) for y in range(11)] for x in range(11)]
+    surface = Part.BSplineSurface()
+    surface.interpolate(points)
+    feature = document.addObject("Part::Feature", name)
+    feature.Shape = surface.toShape()
+    return feature
+
+
+def bumps(document, name, height):
+    """A patch of degree 24 whose like are hard to tell apart."""
+    surface = Part.BezierSurface()
+    surface.increase(24, 24)
+    for i in range(25):
+        for j in range(25):
+            surface.setPole(i + 1, j + 1, V(i / 2.4, j / 2.4, height * (-1) ** (i + j)))
+    feature = document.addObject("Part::Feature", name)
+    feature.Shape = surface.toShape()
+    return feature
