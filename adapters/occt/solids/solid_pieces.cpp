@@ -17,6 +17,7 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/curve_edges.h"
+#include "adapters/occt/solids/kept_tolerances.h"
 #include "adapters/occt/solids/solid_loose_ends.h"
 #include "adapters/occt/solids/stated_tolerance.h"
 #include "adapters/occt/splitting/common_edges.h"
@@ -363,7 +364,7 @@ void tell_loose(const CommonEdges& common, std::vector<std::string>& thin) {
 }
 
 // found   of the faces
-SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
+SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
                       EdgeTouches touches, EdgesLie lying, const IntersectionOptions& options,
                       Pending& untold) {
   SolidPieces result;
@@ -420,6 +421,16 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
   return result;
 }
 
+// An attempt that leads to nothing leaves the solids as they were.
+SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
+                      EdgeTouches touches, EdgesLie lying, const IntersectionOptions& options,
+                      Pending& untold) {
+  KeptTolerances kept(a, b);
+  SolidPieces result = divided_alike(a, b, found, touches, lying, options, untold);
+  if (result.obstacles.empty()) kept.leave();
+  return result;
+}
+
 // At the options' tolerance.
 SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
   const SharedLimit limit(options);
@@ -441,7 +452,8 @@ SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, const IntersectionOp
   for (const EdgesLie lying : {EdgesLie::WithinTolerance, EdgesLie::WithinOwn}) {
     if (limit.is_reached() || (lying == EdgesLie::WithinOwn && !has_loose_edge(a, b, options)))
       break;
-    if (SolidPieces other = again(first, lying); other.obstacles.empty()) return other;
+    SolidPieces other = again(first, lying);
+    if (other.obstacles.empty()) return other;
   }
   // Borders of surfaces that do not go on are easier to tell from those of others where these end
   // in the same place, and curves are easier to follow where they do not go along borders of
