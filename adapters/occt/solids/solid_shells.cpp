@@ -23,6 +23,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/splitting/edge_images.h"
@@ -37,10 +38,13 @@ constexpr double kMinAngle = 1e-6;
 constexpr const char* kMakingSolids = "making solids";
 constexpr int kAgreeing = 3;    // rays that have to agree that a void lies in a shell
 constexpr double kStep = 1e-3;  // of an edge's length: how far into a face is looked
+// Of the cones over a far apex: where so little is left of them, it may be that faces end apart.
+constexpr double kCancelled = 1e-2;
 
 struct Shell {
   TopoDS_Shell shape;
   double volume = 0;
+  double cones = 0;  // the sum of what each face adds, without signs
 };
 
 // One use of an edge by a face.
@@ -171,6 +175,17 @@ Groups connected(std::size_t faces, const std::vector<std::vector<EdgeUse>>& edg
   });
 }
 
+// Cones over a corner of the shell itself, as the common apex may be far from a small one.
+double own_volume(const TopoDS_Shell& shell) {
+  const TopExp_Explorer corner(shell, TopAbs_VERTEX);
+  if (!corner.More()) return 0;
+  const gp_Pnt apex = BRep_Tool::Pnt(TopoDS::Vertex(corner.Current()));
+  double volume = 0;
+  for (TopExp_Explorer it(shell, TopAbs_FACE); it.More(); it.Next())
+    volume += cone_volume(TopoDS::Face(it.Current()), {apex.X(), apex.Y(), apex.Z()});
+  return volume;
+}
+
 std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
                              const WorkLimit* limit) {
   const UsedEdges edges = used_edges(faces, limit);
@@ -186,10 +201,12 @@ std::vector<Shell> shells_of(const std::vector<BoundingFace>& faces, std::string
     if (shell.shape.IsNull()) builder.MakeShell(shell.shape);
     builder.Add(shell.shape, faces[i].face);
     shell.volume += faces[i].volume;
+    shell.cones += std::abs(faces[i].volume);
   }
   std::vector<Shell> all;
   for (auto& [group, shell] : shells) {
     shell.shape.Closed(Standard_True);
+    if (std::abs(shell.volume) <= kCancelled * shell.cones) shell.volume = own_volume(shell.shape);
     all.push_back(std::move(shell));
   }
   return all;

@@ -33,6 +33,8 @@ constexpr int kEvenPoints = 8;  // of a curve that may keep to edges
 // What touches with a radius r keeps within a tolerance t for sqrt(8 r t); the stretch in which it
 // is found is a few times longer.
 constexpr double kLongestTouch = 16;
+constexpr double kStatedShare = 0.1;  // of an edge's length: what its tolerance may be at most
+constexpr double kLeaving = 0.5;  // of the reach: a surface so far off at the end of a run is left
 
 struct EdgeCurve {
   Handle(Geom_Curve) curve;
@@ -71,6 +73,30 @@ bool is_short(const EdgeCurve& of, const Interval& stretch, double tolerance) {
            middle.Distance(of.curve->Value(range.to));
   };
   return chord(stretch) <= kLongestTouch * std::sqrt(tolerance * chord(of.range));
+}
+
+// Two edges are known no better than they state; none counts for more than a part of its length.
+double stated_together(const TopoDS_Edge& a, const TopoDS_Edge& b) {
+  double sum = 0;
+  for (const TopoDS_Edge& edge : {a, b}) {
+    const EdgeCurve of = curve_of(edge);
+    const gp_Pnt middle = of.curve->Value(at(of.range, 0.5));
+    const double size = middle.Distance(of.curve->Value(of.range.from)) +
+                        middle.Distance(of.curve->Value(of.range.to));
+    sum += std::min(BRep_Tool::Tolerance(edge), kStatedShare * size);
+  }
+  return sum;
+}
+
+// Whether an edge only passes a surface in a stretch within reach of it: no longer than a touch may
+// be, and ended by leaving the surface rather than the face or by the end of the edge.
+bool passes(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
+            double reach) {
+  const auto leaves = [&](double t) {
+    const gp_Pnt p = of.curve->Value(t);
+    return std::abs(feet.height({p.X(), p.Y(), p.Z()})) > kLeaving * reach;
+  };
+  return is_short(of, stretch, reach) && (leaves(stretch.from) || leaves(stretch.to));
 }
 
 std::vector<TopoDS_Edge> edges_of(const TopoDS_Face& face) {
@@ -279,7 +305,9 @@ bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet)
     loose_.Add(edge);
     return true;
   }
-  return !beside.runs(reach_, reach_).empty();
+  return std::ranges::any_of(beside.runs(reach_, reach_), [&](const Interval& run) {
+    return !passes(of, run, feet, reach_);
+  });
 }
 
 // Which of the edges lie in a face of the other shape, and where they meet its edges.
@@ -308,7 +336,8 @@ void CommonEdges::meet(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   if (!looked_.emplace(edges_.Add(a), edges_.Add(b)).second) return;
   if (box_of(a, reach(a)).IsOut(box_of(b, reach(b)))) return;
   IntersectionOptions options = options_;
-  options.tolerances.point = std::max(reach(a), reach(b)) / kLiesReach;
+  options.tolerances.point =
+      std::max(std::max(reach(a), reach(b)) / kLiesReach, stated_together(a, b));
   const CurveIntersection found = intersect(a, b, options);
   for (const CurvePoint& point : found.points) meetings_.push_back({a, b, point.a, point.b});
   for (const CurveOverlap& run : found.overlaps) {

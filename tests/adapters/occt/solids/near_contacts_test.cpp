@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Solids that come near each other's edges by little more than the tolerance, or than they state.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <ShapeFix_ShapeTolerance.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <gp_Ax2.hxx>
+
+#include "adapters/occt/solid_trim.h"
+#include "adapters/occt/solids/kept_tolerances.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+void expect_volume(const TopoDS_Shape& a, const TopoDS_Shape& b, SolidOperation operation,
+                   double volume) {
+  const SolidTrimResult made = trim_solids(trim_tool(a), {trim_tool(b)}, operation);
+  ASSERT_EQ(made.obstacles.empty() ? std::string() : made.obstacles.front(), "");
+  EXPECT_NEAR(made.total.result, volume, 1e-6 * volume);
+  for (const TopoDS_Solid& solid : made.solids) EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
+}
+
+// The volume in common of a cube round the origin with sides of 50 and of a cylinder of a radius
+// less than 25 sqrt(1.5) along (1, 1, 0), whose axis is 25 / sqrt(2) from the diagonal, between
+// planes through two edges of the cube. With w the height over the axis in the plane z = 0:
+//   V = 62500 + 4 integral (75 / sqrt(2) - w) sqrt(r^2 - w^2) dw,  w from 25 / sqrt(2) to r.
+double half_a_cube_and_a_segment(double r) {
+  const double from = 25 / std::sqrt(2), rise = std::sqrt(r * r - from * from);
+  const double segment = 0.5 * r * r * (kPi / 2 - std::asin(from / r)) - 0.5 * from * rise;
+  return 62500 + 4 * (75 / std::sqrt(2) * segment - rise * rise * rise / 3);
+}
+
+// The cylinder passes all edges that it meets within a few tolerances of the cube's corners, where
+// it leaves slivers of 1e-18: these edges cross it, and do not lie in it.
+TEST(NearContacts, ACylinderThroughTheCornersOfACubeMayMissThemByALittle) {
+  for (const double gap : {1e-6, 5e-6}) {
+    const double r = 25 * std::sqrt(1.5) - gap, height = 50 * std::sqrt(2);
+    const TopoDS_Shape cube =
+        BRepPrimAPI_MakeBox(gp_Pnt(-25, -25, -25), gp_Pnt(25, 25, 25)).Shape();
+    const TopoDS_Shape cylinder =
+        BRepPrimAPI_MakeCylinder(gp_Ax2({-37.5, -12.5, 0}, {1, 1, 0}, {1, -1, 0}), r, height)
+            .Shape();
+    const double of_cube = 125000, of_cylinder = kPi * r * r * height;
+    const double common = half_a_cube_and_a_segment(r);
+    expect_volume(cube, cylinder, SolidOperation::Common, common);
+    expect_volume(cylinder, cube, SolidOperation::Common, common);
+    expect_volume(cube, cylinder, SolidOperation::Cut, of_cube - common);
+    expect_volume(cylinder, cube, SolidOperation::Cut, of_cylinder - common);
+    expect_volume(cube, cylinder, SolidOperation::Fuse, of_cube + of_cylinder - common);
+  }
+}
+
+// Faces that state no more than usual, between edges that do.
+TEST(NearContacts, EdgesThatRunAlongEachOtherWithinWhatTheyStateAreOne) {
+  constexpr double kStated = 1.5e-7, kShift = 1.4e-7;
+  const TopoDS_Shape low = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  const TopoDS_Shape high =
+      BRepPrimAPI_MakeBox(gp_Pnt(kShift, 0, 1), gp_Pnt(1 + kShift, 1, 2)).Shape();
+  for (const TopoDS_Shape& shape : {low, high})
+    for (const TopAbs_ShapeEnum kind : {TopAbs_EDGE, TopAbs_VERTEX})
+      ShapeFix_ShapeTolerance().SetTolerance(shape, kStated, kind);
+  expect_volume(low, high, SolidOperation::Fuse, 2);
+  expect_volume(high, low, SolidOperation::Fuse, 2);
+}
+
+TEST(NearContacts, AnAttemptThatFailsLeavesTolerancesAsTheyWere) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
+  const TrimTool solid = trim_tool(box);
+  const TopoDS_Vertex vertex = TopoDS::Vertex(TopExp_Explorer(box, TopAbs_VERTEX).Current());
+  const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current());
+  const auto widen = [&](bool leave) {
+    KeptTolerances kept(solid, solid);
+    BRep_Builder().UpdateVertex(vertex, 1e-3);
+    BRep_Builder().UpdateEdge(edge, 1e-4);
+    if (leave) kept.leave();
+  };
+  widen(false);
+  EXPECT_EQ(BRep_Tool::Tolerance(vertex), 1e-7);
+  EXPECT_EQ(BRep_Tool::Tolerance(edge), 1e-7);
+  widen(true);
+  EXPECT_EQ(BRep_Tool::Tolerance(vertex), 1e-3);
+  EXPECT_EQ(BRep_Tool::Tolerance(edge), 1e-4);
+}
+
+}  // namespace
+}  // namespace blossom::occt
