@@ -365,8 +365,8 @@ void tell_loose(const CommonEdges& common, std::vector<std::string>& thin) {
 
 // found   of the faces
 SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeIntersection& found,
-                      EdgeTouches touches, EdgesLie lying, const IntersectionOptions& options,
-                      Pending& untold) {
+                          EdgeTouches touches, EdgesLie lying, const IntersectionOptions& options,
+                          Pending& untold) {
   SolidPieces result;
   const WorkLimit limit(options);
   Side side_a("part", a), side_b("tool", b);

@@ -12,7 +12,6 @@
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Geom_Plane.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -22,6 +21,7 @@
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/splitting/edge_images.h"
+#include "adapters/occt/splitting/edge_stretches.h"
 #include "core/bounds/box_tree.h"
 #include "core/forms/curve_spans.h"
 
@@ -30,74 +30,6 @@ namespace {
 
 constexpr double kMargin = 1.1;
 constexpr int kEvenPoints = 8;  // of a curve that may keep to edges
-// What touches with a radius r keeps within a tolerance t for sqrt(8 r t); the stretch in which it
-// is found is a few times longer.
-constexpr double kLongestTouch = 16;
-constexpr double kStatedShare = 0.1;  // of an edge's length: what its tolerance may be at most
-constexpr double kLeaving = 0.5;  // of the reach: a surface so far off at the end of a run is left
-
-struct EdgeCurve {
-  Handle(Geom_Curve) curve;
-  Interval range;
-};
-
-EdgeCurve curve_of(const TopoDS_Edge& edge) {
-  EdgeCurve of;
-  of.curve = BRep_Tool::Curve(edge, of.range.from, of.range.to);
-  return of;
-}
-
-struct Foot {
-  double parameter = 0;
-  double distance = 0;
-};
-
-// The nearest point of an edge's curve within its range, ends among them.
-Foot foot_on(const EdgeCurve& of, const gp_Pnt& point) {
-  Foot best{of.range.from, point.Distance(of.curve->Value(of.range.from))};
-  const auto consider = [&](double parameter, double distance) {
-    if (distance < best.distance) best = {parameter, distance};
-  };
-  consider(of.range.to, point.Distance(of.curve->Value(of.range.to)));
-  const GeomAPI_ProjectPointOnCurve found(point, of.curve, of.range.from, of.range.to);
-  if (found.NbPoints() > 0) consider(found.LowerDistanceParameter(), found.LowerDistance());
-  return best;
-}
-
-// Whether a stretch is no longer than that of a touch may be, with a radius as long as the curve:
-// what stays near for longer touches in no place of its own.
-bool is_short(const EdgeCurve& of, const Interval& stretch, double tolerance) {
-  const auto chord = [&](const Interval& range) {
-    const gp_Pnt middle = of.curve->Value(at(range, 0.5));
-    return middle.Distance(of.curve->Value(range.from)) +
-           middle.Distance(of.curve->Value(range.to));
-  };
-  return chord(stretch) <= kLongestTouch * std::sqrt(tolerance * chord(of.range));
-}
-
-// Two edges are known no better than they state; none counts for more than a part of its length.
-double stated_together(const TopoDS_Edge& a, const TopoDS_Edge& b) {
-  double sum = 0;
-  for (const TopoDS_Edge& edge : {a, b}) {
-    const EdgeCurve of = curve_of(edge);
-    const gp_Pnt middle = of.curve->Value(at(of.range, 0.5));
-    const double size = middle.Distance(of.curve->Value(of.range.from)) +
-                        middle.Distance(of.curve->Value(of.range.to));
-    sum += std::min(BRep_Tool::Tolerance(edge), kStatedShare * size);
-  }
-  return sum;
-}
-
-// Whether an edge only passes a surface in a stretch within reach of it: no longer than a touch may
-// be, and ended by leaving the surface rather than the face or by the end of the edge.
-bool passes(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
-            double reach) {
-  const auto leaves = [&](double t) {
-    const gp_Pnt p = of.curve->Value(t);
-    return std::abs(feet.height({p.X(), p.Y(), p.Z()})) > kLeaving * reach;
-  };
-  return is_short(of, stretch, reach) && (leaves(stretch.from) || leaves(stretch.to));
-}
 
 std::vector<TopoDS_Edge> edges_of(const TopoDS_Face& face) {
   TopTools_IndexedMapOfShape found;
@@ -305,9 +237,8 @@ bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet)
     loose_.Add(edge);
     return true;
   }
-  return std::ranges::any_of(beside.runs(reach_, reach_), [&](const Interval& run) {
-    return !passes(of, run, feet, reach_);
-  });
+  return std::ranges::any_of(beside.runs(reach_, reach_),
+                             [&](const Interval& run) { return !passes(of, run, feet, reach_); });
 }
 
 // Which of the edges lie in a face of the other shape, and where they meet its edges.
@@ -374,12 +305,34 @@ void CommonEdges::touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of who
   const EdgeCurve curve = curve_of(edge);
   IntersectionOptions left = limit_.remaining();
   left.threads = options_.threads;
-  for (const CurveSurfacePoint& point : intersect(edge, face, left).points)
+  const std::vector<CurveSurfacePoint> points = intersect(edge, face, left).points;
+  for (const CurveSurfacePoint& point : points)
     if (point.tangential && is_short(curve, point.box_t, options_.tolerances.point))
       touches_.push_back({edge, point.t});
-  if (touches_.size() == known) return;
+  const std::size_t blurred = blurs_.size();
+  blur(edge, face, points);
+  if (touches_.size() == known && blurs_.size() == blurred) return;
   for (const TopoDS_Edge& border : edges_of(face))  // where it may touch as well
     whose == Of::A ? meet(edge, border) : meet(border, edge);
+}
+
+// A touch, and roots between which the edge does not leave the surface, are one place: it touches it
+// there, and crosses it twice by what the two are off.
+void CommonEdges::blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
+                       const std::vector<CurveSurfacePoint>& points) {
+  const EdgeCurve of = curve_of(edge);
+  const double within = options_.tolerances.point + BRep_Tool::Tolerance(edge);
+  std::optional<SurfaceProjector> feet;
+  const auto add = [&](const Interval& between) {
+    if (!is_short(of, between, options_.tolerances.point)) return;
+    if (!feet) feet.emplace(face, options_.tolerances.point);
+    if (keeps_on(of, between, *feet, within))
+      blurs_.push_back({edge, widened_by(of, between, kMargin * within)});
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].tangential) add(points[i].box_t);
+    if (i + 1 < points.size()) add({points[i].t, points[i + 1].t});
+  }
 }
 
 std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair) const {
@@ -397,16 +350,34 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
   take(edges_of(a_[face_a]), in_b_[face_b]);
   const auto near = boxed(edges, [this](const TopoDS_Edge& edge) { return this->reach(edge); });
   std::vector<std::size_t> along;
+  std::optional<SurfaceProjector> on_a, on_b;
+  const auto is_contact_along = [&](const IntersectionCurve& curve) {
+    if (!curve.tangential || edges.empty()) return false;
+    if (!on_a) on_a.emplace(a_[face_a], options_.tolerances.point);
+    if (!on_b) on_b.emplace(b_[face_b], options_.tolerances.point);
+    return stands_for_contact(edges, curve, *on_a, *on_b, options_.tolerances.point);
+  };
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i)
-    if (keeps_to(pair.found.curves[i], near)) along.push_back(i);
+    if (keeps_to(pair.found.curves[i], near) || is_contact_along(pair.found.curves[i]))
+      along.push_back(i);
   return along;
 }
 
+// What is known to be a vertex comes first, so that it stands for all that is in one place with it.
 void CommonEdges::split(EdgeSplits& splits) const {
-  for (const EdgesMeeting& of : meetings_) {
-    const int a = splits.add(of.a, of.at_a, {}), b = splits.add(of.b, of.at_b, {});
-    splits.unite(splits.vertex(of.a, a), splits.vertex(of.b, b));
-  }
+  for (const EdgeBlur& of : blurs_) splits.blur(of.edge, of.at);
+  const auto is_end = [this](const TopoDS_Edge& edge, double t) {
+    const EdgeCurve of = curve_of(edge);
+    const gp_Pnt point = of.curve->Value(t);
+    return point.Distance(of.curve->Value(of.range.from)) <= reach_ ||
+           point.Distance(of.curve->Value(of.range.to)) <= reach_;
+  };
+  for (const bool ends : {true, false})
+    for (const EdgesMeeting& of : meetings_) {
+      if (ends != (is_end(of.a, of.at_a) || is_end(of.b, of.at_b))) continue;
+      const int a = splits.add(of.a, of.at_a, {}), b = splits.add(of.b, of.at_b, {});
+      splits.unite(splits.vertex(of.a, a), splits.vertex(of.b, b));
+    }
   for (const EdgeTouch& of : touches_) splits.add(of.edge, of.at, {});
 }
 
@@ -417,7 +388,7 @@ void CommonEdges::match(EdgeSplits& splits) const {
     for (int i = 0; i < count; ++i) {
       const double t = splits.parameter(from, i);
       if (t < range.from || t > range.to) continue;
-      const Foot foot = foot_on(other, of.curve->Value(t));
+      const EdgeFoot foot = foot_on(other, of.curve->Value(t));
       const int split = splits.add(to, foot.parameter, {});
       splits.unite(splits.vertex(from, i), splits.vertex(to, split));
     }
@@ -435,7 +406,7 @@ void CommonEdges::match(EdgeSplits& splits) const {
 TopoDS_Edge CommonEdges::image(const TopoDS_Edge& first, const TopoDS_Edge& second,
                                bool reversed) const {
   const EdgeCurve of = curve_of(first), other = curve_of(second);
-  const Foot middle = foot_on(other, of.curve->Value(at(of.range, 0.5)));
+  const EdgeFoot middle = foot_on(other, of.curve->Value(at(of.range, 0.5)));
   const double tolerance =
       std::max(reach_, BRep_Tool::Tolerance(first) + BRep_Tool::Tolerance(second));
   const BRep_Builder builder;
@@ -476,7 +447,7 @@ std::string CommonEdges::join(EdgeSplits& splits, EdgeUnion& joined) const {
     for (const EdgePiece& piece : splits.pieces(of.a)) {
       const double middle = at(piece.range, 0.5);
       if (middle < of.at_a.from || middle > of.at_a.to) continue;
-      const Foot foot = foot_on(on_b, curve_of(of.a).curve->Value(middle));
+      const EdgeFoot foot = foot_on(on_b, curve_of(of.a).curve->Value(middle));
       const auto& others = splits.pieces(of.b);
       const auto other = std::find_if(others.begin(), others.end(), [&](const EdgePiece& each) {
         return each.range.from < foot.parameter && foot.parameter < each.range.to;

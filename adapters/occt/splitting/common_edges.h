@@ -25,6 +25,7 @@
 #include "adapters/occt/splitting/edge_splits.h"
 #include "adapters/occt/splitting/edge_union.h"
 #include "adapters/occt/splitting/face_splitter.h"
+#include "core/results/curve_surface_result.h"
 
 namespace blossom::occt {
 
@@ -42,6 +43,12 @@ struct EdgesAlong {
 struct EdgeTouch {
   TopoDS_Edge edge;
   double at = 0;
+};
+
+/// A stretch of an edge that is one place of it: all of it is within tolerance of a face.
+struct EdgeBlur {
+  TopoDS_Edge edge;
+  Interval at;
 };
 
 /// A common point of two edges.
@@ -118,6 +125,8 @@ class CommonEdges {
   void meet(const TopoDS_Edge& a, const TopoDS_Edge& b);
   void touch(const FaceIntersection& pair, Of whose);
   void touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of whose);
+  void blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
+            const std::vector<CurveSurfacePoint>& points);
   const std::vector<TopoDS_Face>& a_;
   const std::vector<TopoDS_Face>& b_;
   IntersectionOptions options_;
@@ -134,6 +143,7 @@ class CommonEdges {
   std::vector<EdgesMeeting> meetings_;
   std::vector<EdgesAlong> along_;
   std::vector<EdgeTouch> touches_;
+  std::vector<EdgeBlur> blurs_;
 };
 
 }  // namespace blossom::occt

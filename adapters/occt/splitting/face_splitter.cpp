@@ -441,12 +441,31 @@ void FaceSplitter::divide(int cut, const CutStop& stop) {
   }
 }
 
+// The vertex on a border that is one with that of another shape, as edges that meet know; -1 if
+// there is none, or one on each of several edges.
+int FaceSplitter::border_vertex(const TopoDS_Vertex& other) {
+  int found = -1;
+  for (std::size_t loop = 0; loop < trims_.loops.size(); ++loop)
+    for (std::size_t i = 0; i < trims_.loops[loop].size(); ++i) {
+      const TopoDS_Edge& edge = trims_.loops[loop][i].edge;
+      for (int split = 0; split < splits_.count(edge); ++split) {
+        if (!splits_.are_one(splits_.vertex(edge, split), other)) continue;
+        const int vertex = vertex_at_split(static_cast<int>(loop), static_cast<int>(i), split);
+        if (found >= 0 && found != vertex) return -1;
+        found = vertex;
+      }
+    }
+  return found;
+}
+
 // Vertices that stand for the same vertex of another face become one.
 void FaceSplitter::tie(int vertex, const TopoDS_Vertex& other) {
   const auto known = std::find_if(aliases_.begin(), aliases_.end(),
                                   [&](const auto& tied) { return tied.first.IsSame(other); });
   if (known == aliases_.end()) {
-    aliases_.emplace_back(other, vertex);
+    const int own = border_vertex(other);
+    aliases_.emplace_back(other, own >= 0 ? own : vertex);
+    if (own >= 0) unite(own, vertex);
     return;
   }
   unite(known->second, vertex);

@@ -167,6 +167,7 @@ class FaceSplitter {
   void tidy_stops(LiftedCut& lifted_cut, double reach) const;
   int stop_near(const LiftedCut& lifted_cut, double parameter, double reach) const;
   void tie(int vertex, const TopoDS_Vertex& other);
+  int border_vertex(const TopoDS_Vertex& other);
   void unite(int kept, int left);
   void unite_blurred();
   int vertex_of(const TrimMeeting& meeting, double uncertainty, double inverse_sine = 1);

@@ -6,15 +6,23 @@
 #include <numbers>
 #include <string>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GC_MakeArcOfCircle.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Vec.hxx>
 
 #include "adapters/occt/solid_trim.h"
 #include "adapters/occt/solids/kept_tolerances.h"
@@ -73,6 +81,46 @@ TEST(NearContacts, EdgesThatRunAlongEachOtherWithinWhatTheyStateAreOne) {
       ShapeFix_ShapeTolerance().SetTolerance(shape, kStated, kind);
   expect_volume(low, high, SolidOperation::Fuse, 2);
   expect_volume(high, low, SolidOperation::Fuse, 2);
+}
+
+// A block of 60 by 75 round one edge with a radius of 12.5, 50 long; the round goes past the line
+// in which it would be tangential to the top by so much that it is `rise` over it in between.
+TopoDS_Face rounded_profile(const gp_Pnt& origin, const gp_Dir& y, double width, double rise) {
+  constexpr double kTop = 75, kRound = 12.5;
+  const auto point = [&](double at, double height) {
+    return gp_Pnt(origin.X() + at * y.X(), origin.Y() + at * y.Y(), height);
+  };
+  const gp_Dir across = y.Crossed(gp_Dir(0, 0, 1));
+  const gp_Circ circle(gp_Ax2(point(width - kRound, kTop - kRound + rise), across), kRound);
+  const gp_Pnt foot = point(width, kTop - kRound + rise),
+               end = point(width - kRound - std::sqrt(rise * (2 * kRound - rise)), kTop);
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(BRepBuilderAPI_MakeEdge(point(0, 0), point(width, 0)));
+  wire.Add(BRepBuilderAPI_MakeEdge(point(width, 0), foot));
+  wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(circle, foot, end, true).Value()));
+  wire.Add(BRepBuilderAPI_MakeEdge(end, point(0, kTop)));
+  wire.Add(BRepBuilderAPI_MakeEdge(point(0, kTop), point(0, 0)));
+  return BRepBuilderAPI_MakeFace(wire.Wire());
+}
+
+// Two such blocks in one place, round along x and along y. The rounds meet in a curve that ends in
+// the corner of both tops, a thousandth away from where it crosses the edge; the widths over the
+// plane z = 62.5 are 37.5 + s and 47.5 + s, with s^2 + (z - 62.5)^2 = 12.5^2.
+TEST(NearContacts, RoundsThatGoALittlePastTheirTangentAreDividedAtTheirEdges) {
+  constexpr double r = 12.5;
+  const double common = 50 * 60 * 62.5 + 37.5 * 47.5 * r + 85 * kPi * r * r / 4 + 2 * r * r * r / 3;
+  const double of_a = 50 * (60 * 75 - r * r * (1 - kPi / 4));
+  const double of_b = 60 * (50 * 75 - r * r * (1 - kPi / 4));
+  for (const double rise : {0.0, 3.7e-8}) {
+    const TopoDS_Shape a =
+        BRepPrimAPI_MakePrism(rounded_profile({0, 0, 0}, {0, 1, 0}, 60, rise), gp_Vec(50, 0, 0));
+    const TopoDS_Shape b =
+        BRepPrimAPI_MakePrism(rounded_profile({0, 0, 0}, {1, 0, 0}, 50, 0), gp_Vec(0, 60, 0));
+    expect_volume(a, b, SolidOperation::Common, common);
+    expect_volume(a, b, SolidOperation::Cut, of_a - common);
+    expect_volume(b, a, SolidOperation::Cut, of_b - common);
+    expect_volume(b, a, SolidOperation::Fuse, of_a + of_b - common);
+  }
 }
 
 TEST(NearContacts, AnAttemptThatFailsLeavesTolerancesAsTheyWere) {

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/splitting/edge_stretches.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <BRep_Tool.hxx>
+#include <GeomAPI_ProjectPointOnCurve.hxx>
+#include <Precision.hxx>
+
+namespace blossom::occt {
+namespace {
+
+// What touches with a radius r keeps within a tolerance t for sqrt(8 r t); the stretch in which it
+// is found is a few times longer.
+constexpr double kLongestTouch = 16;
+constexpr double kStatedShare = 0.1;  // of an edge's length: what its tolerance may be at most
+constexpr double kLeaving = 0.5;   // of the reach: a surface so far off at the end of a run is left
+constexpr int kContactPoints = 8;  // of a contact that an edge may stand for
+
+double chord(const EdgeCurve& of, const Interval& range) {
+  const gp_Pnt middle = of.curve->Value(at(range, 0.5));
+  return middle.Distance(of.curve->Value(range.from)) + middle.Distance(of.curve->Value(range.to));
+}
+
+Vec3 vec_of(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
+
+}  // namespace
+
+EdgeCurve curve_of(const TopoDS_Edge& edge) {
+  EdgeCurve of;
+  of.curve = BRep_Tool::Curve(edge, of.range.from, of.range.to);
+  return of;
+}
+
+EdgeFoot foot_on(const EdgeCurve& of, const gp_Pnt& point) {
+  EdgeFoot best{of.range.from, point.Distance(of.curve->Value(of.range.from))};
+  const auto consider = [&](double parameter, double distance) {
+    if (distance < best.distance) best = {parameter, distance};
+  };
+  consider(of.range.to, point.Distance(of.curve->Value(of.range.to)));
+  const GeomAPI_ProjectPointOnCurve found(point, of.curve, of.range.from, of.range.to);
+  if (found.NbPoints() > 0) consider(found.LowerDistanceParameter(), found.LowerDistance());
+  return best;
+}
+
+bool is_short(const EdgeCurve& of, const Interval& stretch, double tolerance) {
+  return chord(of, stretch) <= kLongestTouch * std::sqrt(tolerance * chord(of, of.range));
+}
+
+bool passes(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
+            double reach) {
+  const auto leaves = [&](double t) {
+    return std::abs(feet.height(vec_of(of.curve->Value(t)))) > kLeaving * reach;
+  };
+  return is_short(of, stretch, reach) && (leaves(stretch.from) || leaves(stretch.to));
+}
+
+bool keeps_on(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
+              double reach) {
+  return std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75, 1.0}, [&](double part) {
+    return std::abs(feet.height(vec_of(of.curve->Value(at(stretch, part))))) <= reach;
+  });
+}
+
+Interval widened_by(const EdgeCurve& of, const Interval& stretch, double length) {
+  gp_Pnt point;
+  gp_Vec rate;
+  of.curve->D1(at(stretch, 0.5), point, rate);
+  const double step = length / std::max(rate.Magnitude(), Precision::Confusion());
+  return {stretch.from - step, stretch.to + step};
+}
+
+double stated_together(const TopoDS_Edge& a, const TopoDS_Edge& b) {
+  double sum = 0;
+  for (const TopoDS_Edge& edge : {a, b}) {
+    const EdgeCurve of = curve_of(edge);
+    sum += std::min(BRep_Tool::Tolerance(edge), kStatedShare * chord(of, of.range));
+  }
+  return sum;
+}
+
+bool stands_for_contact(const std::vector<TopoDS_Edge>& edges, const IntersectionCurve& curve,
+                        const SurfaceProjector& on_a, const SurfaceProjector& on_b,
+                        double tolerance) {
+  return std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) {
+    const EdgeCurve of = curve_of(edge);
+    const double beside = kLongestTouch * std::sqrt(tolerance * chord(of, of.range));
+    const double within = tolerance + BRep_Tool::Tolerance(edge);
+    for (int i = 0; i <= kContactPoints; ++i) {
+      const double part = static_cast<double>(i) / kContactPoints;
+      const Vec3 x = point_at(curve.curve, at(curve.curve.domain(), part));
+      const EdgeFoot foot = foot_on(of, {x[0], x[1], x[2]});
+      if (foot.distance > beside) return false;
+      const Vec3 on_edge = vec_of(of.curve->Value(foot.parameter));
+      if (std::abs(on_a.height(on_edge)) > within || std::abs(on_b.height(on_edge)) > within)
+        return false;
+    }
+    return true;
+  });
+}
+
+}  // namespace blossom::occt
