@@ -232,11 +232,11 @@ class PairIntersector {
     return known.has_value();
   }
 
-  static std::vector<Touch> clip_known(const FaceData& a, const FaceData& b,
-                                       SurfaceIntersection& found) {
+  std::vector<Touch> clip_known(const FaceData& a, const FaceData& b,
+                                SurfaceIntersection& found) const {
     if (found.curves.empty()) return clip(found, a.trims, &b.trims);
     const FaceTrims trims_a = cutting_trims(a.trims), trims_b = cutting_trims(b.trims);
-    std::vector<Touch> touches = clip(found, trims_a, &trims_b);
+    std::vector<Touch> touches = clip(found, trims_a, &trims_b, options_.tolerances.point);
     prove_deviations(a, b, found);
     return touches;
   }

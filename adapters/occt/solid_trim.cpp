@@ -19,16 +19,18 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_data.h"
-#include "adapters/occt/faces/face_groups.h"
-#include "adapters/occt/repair/edge_tolerances.h"
 #include "adapters/occt/solids/combined_pair.h"
 #include "adapters/occt/solids/labelled_solids.h"
 #include "adapters/occt/solids/solid_validity.h"
+#include "adapters/occt/solids/stated_tolerance.h"
+#include "adapters/occt/solids/true_inputs.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 
 namespace blossom::occt {
 namespace {
+
+constexpr double kCornerMargin = 1.1;  // of the gap between edges that are one
 
 // What is told of a step on the way.
 void note(const SolidTrimResult& step, SolidTrimResult& result) {
@@ -195,79 +197,10 @@ SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation,
   return all;
 }
 
-std::string part_name(const TrimTool& part) { return part.name.empty() ? "the part" : part.name; }
-
-std::string tool_name(const std::vector<TrimTool>& tools, std::size_t i) {
-  if (!tools[i].name.empty()) return tools[i].name;
-  return tools.size() == 1 ? "the tool" : "tool " + std::to_string(i + 1);
-}
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
-
-// Edges at which faces that hang together end.
-std::size_t free_edges(const std::vector<TopoDS_Face>& faces, const FaceGroup& group) {
-  TopTools_IndexedMapOfShape edges;
-  std::vector<int> uses;
-  for (const std::size_t face : group)
-    for (TopExp_Explorer it(faces[face], TopAbs_EDGE); it.More(); it.Next()) {
-      const TopoDS_Edge edge = TopoDS::Edge(it.Current());
-      if (BRep_Tool::Degenerated(edge) || edge.Orientation() == TopAbs_INTERNAL) continue;
-      const auto number = static_cast<std::size_t>(edges.Add(edge)) - 1;
-      uses.resize(std::max(uses.size(), number + 1));
-      ++uses[number];
-    }
-  return static_cast<std::size_t>(std::ranges::count(uses, 1));
-}
-
-}  // namespace
-
-std::string describe_open_shell(const TrimTool& tool) {
-  const std::vector<TopoDS_Shape> faces(tool.faces.begin(), tool.faces.end());
-  const std::vector<FaceGroup> shells = groups_over_edges(faces, [](const auto&) { return false; });
-  std::size_t open = 0, edges = 0;
-  for (const FaceGroup& shell : shells) {
-    const std::size_t ends = free_edges(tool.faces, shell);
-    open += ends > 0 ? 1 : 0;
-    edges += ends;
-  }
-  if (open == 0) return "its shells close, but not all of them are in solids";
-  return std::to_string(open) + " of its " + counted(shells.size(), "shell") +
-         (open == 1 ? " is" : " are") + " open, at " + counted(edges, "edge");
-}
-
-namespace {
-
 void check_closed(const TrimTool& input, const std::string& name) {
   if (!input.is_solid())
     throw InvalidInput("trim: " + name + " is no closed solid: " + describe_open_shell(input));
 }
-
-// Inputs with true tolerances; tells what was not true.
-class TrueInputs {
- public:
-  TrueInputs(const TrimTool& part, const std::vector<TrimTool>& tools, const WorkLimit& limit)
-      : part_(sound(part, part_name(part), limit)) {
-    for (std::size_t i = 0; i < tools.size(); ++i)
-      tools_.push_back(sound(tools[i], tool_name(tools, i), limit));
-  }
-
-  const TrimTool& part() const { return part_; }
-  const std::vector<TrimTool>& tools() const { return tools_; }
-  const std::vector<std::string>& told() const { return told_; }
-
- private:
-  TrimTool sound(const TrimTool& input, const std::string& name, const WorkLimit& limit) {
-    TrueSolid made = with_true_tolerances(input, limit);
-    if (!made.told.empty()) told_.push_back(name + ": " + made.told);
-    return std::move(made.solid);
-  }
-
-  std::vector<std::string> told_;
-  TrimTool part_;
-  std::vector<TrimTool> tools_;
-};
 
 TopTools_MapOfShape faces_of(const TrimTool& part, const std::vector<TrimTool>& tools) {
   TopTools_MapOfShape faces;
@@ -337,6 +270,37 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
   return result;
 }
 
+// The largest gap between edges of two inputs that are one by what their corners state.
+double corner_gap(const TrimTool& part, const std::vector<TrimTool>& tools) {
+  double gap = 0;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    gap = std::max(gap, gap_between_corners(part, tools[i]));
+    for (std::size_t k = 0; k < i; ++k)
+      gap = std::max(gap, gap_between_corners(tools[k], tools[i]));
+  }
+  return gap;
+}
+
+// Where corners state that edges are one, points are one within the gap between these.
+SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimTool>& tools,
+                                   SolidOperation operation, const IntersectionOptions& options,
+                                   std::size_t half_spaces) {
+  const SharedLimit limit(options);
+  IntersectionOptions stated = options;
+  stated.tolerances.point =
+      std::max(options.tolerances.point, kCornerMargin * corner_gap(part, tools));
+  SolidTrimResult result = trimmed(part, tools, operation, stated, half_spaces);
+  if (result.obstacles.empty() || stated.tolerances.point == options.tolerances.point ||
+      limit.is_reached())
+    return result;
+  IntersectionOptions left = limit.remaining();
+  left.threads = options.threads;
+  SolidTrimResult finer = trimmed(part, tools, operation, left, half_spaces);
+  if (!finer.obstacles.empty()) return result;
+  finer.status = weaker(finer.status, Status::Tolerance);
+  return finer;
+}
+
 }  // namespace
 
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
@@ -348,7 +312,7 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   for (std::size_t i = 0; i < tools.size(); ++i) check_closed(tools[i], tool_name(tools, i));
   SolidTrimResult result;
   with_threads(options.threads,
-               [&] { result = trimmed(part, tools, operation, options, half_spaces); });
+               [&] { result = trimmed_at_corners(part, tools, operation, options, half_spaces); });
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.
     std::vector<std::string> causes;

@@ -42,7 +42,8 @@ struct TotalVolumes {
   double result = 0;
 };
 
-/// Above this error of volumes a result is not given out.
+/// Above this error of volumes a result is not given out, but for what is between pieces that are
+/// apart and count as one.
 inline constexpr double kVolumeError = 1e-6;
 
 /// A face of a result and where it comes from.
@@ -87,9 +88,9 @@ std::string describe_open_shell(const TrimTool& tool);
 /// between them is in no result; they are told, with the status Tolerance.
 ///
 /// Points within the options' tolerance are one, and whatever lies nearer to each other than the
-/// faces of both solids state to be uncertain (solids/stated_tolerance.h): no walls or voids thinner
-/// than that are made, and the status is Tolerance. Where the two cannot be divided so, the options'
-/// tolerance holds alone.
+/// faces of both solids state to be uncertain (solids/stated_tolerance.h): no walls or voids
+/// thinner than that are made, and the status is Tolerance. Where the two cannot be divided so, the
+/// options' tolerance holds alone.
 ///
 /// Tolerances of edges and vertices that are not true are not used: see with_true_tolerances.
 ///

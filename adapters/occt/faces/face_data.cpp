@@ -311,12 +311,13 @@ PartTest part_test(const FaceTrims& trims) {
   return [&trims](const Interval& u, const Interval& v) { return part_side(trims, u, v); };
 }
 
-std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b) {
+std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b,
+                        double tolerance) {
   std::vector<IntersectionCurve> curves;
   std::vector<SurfacePoint> touches;
   for (const IntersectionCurve& curve : found.curves) {
-    std::vector<Interval> parts = clip_to_trims(a, curve.chart_a);
-    if (b != nullptr) parts = common(curve, parts, clip_to_trims(*b, curve.chart_b));
+    std::vector<Interval> parts = clip_to_trims(a, curve.chart_a, tolerance);
+    if (b != nullptr) parts = common(curve, parts, clip_to_trims(*b, curve.chart_b, tolerance));
     move_short_parts(curve, a, b, parts, touches);
     clip(curve, parts, curves);
   }

@@ -47,7 +47,8 @@ struct Touch {
 /// b         null if everything of the second surface counts
 /// returns   where curves only touch the trims, or have parts too short for an edge in them; but
 ///           for ends of curves and contacts of the result
-std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b);
+std::vector<Touch> clip(SurfaceIntersection& found, const FaceTrims& a, const FaceTrims* b,
+                        double tolerance = 0);
 
 /// Adds touches to the contacts of a result. Those within `within` are identified; what is farther
 /// apart is known within tolerance only, and so is the result.

@@ -118,7 +118,9 @@ struct ChartSample {
 std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& chart);
 
 /// The same for many curves on one face.
-std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart);
+/// tolerance   of touches: what goes past a wire by no more than this stays whole; model units
+std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart,
+                                    double tolerance = 0);
 
 /// Whether a part of a chart curve, longer than a touch may be, keeps within tolerance of a wire,
 /// so that it is not known whether it lies inside: the largest distance of samples on it from the

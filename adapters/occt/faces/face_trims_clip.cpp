@@ -218,6 +218,33 @@ void join_double_touches(const FaceTrims& trims, const PlanarCurve& curve, doubl
   found.meetings = std::move(kept);
 }
 
+// A closed curve may touch an edge where it begins and ends: then it is whole there, too.
+void join_touch_at_ends(const FaceTrims& trims, const PlanarCurve& curve, double tolerance,
+                        ClippedCurve& found) {
+  const Interval domain = curve.domain();
+  if (found.meetings.size() < 2 || !found.runs.empty() ||
+      distance(point_at(curve, domain.from), point_at(curve, domain.to)) > tolerance)
+    return;
+  TrimMeeting &first = found.meetings.front(), &last = found.meetings.back();
+  if (first.at == domain.from || last.at == domain.to) return;
+  const Coedge& of = coedge_of(trims, first);
+  if (&of != &coedge_of(trims, last)) return;
+  double length = 0;
+  for (const Interval& part : {Interval{domain.from, first.at}, {last.at, domain.to}}) {
+    Vec2 before = point_at(curve, part.from);
+    for (const double t : {0.25, 0.5, 0.75, 1.0}) {
+      const Vec2 point = point_at(curve, at(part, t));
+      if (nearest(of.curve, point).distance > tolerance) return;
+      length += distance(before, point);
+      before = point;
+    }
+  }
+  if (length > tangency_length(trims, tolerance)) return;
+  const double place = nearest(of.curve, point_at(curve, domain.from)).parameter;
+  first = {domain.from, first.loop, first.coedge, place, {domain.from, first.at}};
+  last = {domain.to, last.loop, last.coedge, place, {last.at, domain.to}};
+}
+
 PlanarBox box_of_poles(const Spline2& chart, const Vec2& scale) {
   PlanarBox box{{1e300, 1e300}, {-1e300, -1e300}};
   for (const Vec2& p : chart.points)
@@ -304,9 +331,9 @@ bool is_along_wires(const FaceTrims& trims, const PlanarCurve& curve) {
 }
 
 // What of a curve lies inside or touches wires, where it lies.
-std::vector<Interval> parts_in(const FaceTrims& trims, const PlanarCurve& curve) {
+std::vector<Interval> parts_in(const FaceTrims& trims, const PlanarCurve& curve, double tolerance) {
   if (is_along_wires(trims, curve)) return {curve.domain()};
-  const ClippedCurve found = clipped(trims, curve, kOnBorder);
+  const ClippedCurve found = clipped(trims, curve, std::max(tolerance, kOnBorder));
   std::vector<Interval> parts = inside_of(trims, curve, found, true);
   std::vector<double> meetings;
   for (const TrimMeeting& meeting : found.meetings) meetings.push_back(meeting.at);
@@ -352,6 +379,7 @@ ClippedCurve clipped(const FaceTrims& trims, const PlanarCurve& curve, double to
   std::sort(found.meetings.begin(), found.meetings.end(),
             [](const TrimMeeting& a, const TrimMeeting& b) { return a.at < b.at; });
   join_double_touches(trims, curve, tolerance, found);
+  join_touch_at_ends(trims, curve, tolerance, found);
   found.inside = inside_of(trims, curve, found, false);
   return found;
 }
@@ -360,7 +388,8 @@ std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& char
   return clip_to_trims(face_trims(face), chart);
 }
 
-std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart) {
+std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart,
+                                    double tolerance) {
   // Most curves on whole surfaces need not be made: all poles are in the box.
   if (trims.natural && holds(trims.box, box_of_poles(chart, trims.scale)))
     return {{chart.knots.front(), chart.knots.back()}};
@@ -369,7 +398,7 @@ std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart
   std::vector<Interval> inside;
   std::vector<double> touches;
   for (const Vec2& shift : period_shifts(trims, curve))
-    for (const Interval& part : parts_in(trims, transformed(curve, {1, 1}, shift))) {
+    for (const Interval& part : parts_in(trims, transformed(curve, {1, 1}, shift), tolerance)) {
       if (part.from < part.to)
         inside.push_back(part);
       else

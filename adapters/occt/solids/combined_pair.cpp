@@ -136,7 +136,8 @@ void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimToo
   if (operation == SolidOperation::Common || operation == SolidOperation::Split)
     add_solids(made.common, limit, result);
   if (operation == SolidOperation::Fuse) add_solids(made.fuse, limit, result);
-  if (!(std::max(volumes.cut_error(), volumes.fuse_error()) <= kVolumeError))
+  if (!(volumes.cut_error() <= kVolumeError + pieces.between / volumes.part) ||
+      !(volumes.fuse_error() <= kVolumeError + pieces.between / (volumes.part + volumes.tool)))
     result.obstacles.emplace_back("the volumes do not add up");
 }
 

@@ -412,6 +412,7 @@ SolidPieces divided_alike(const TrimTool& a, const TrimTool& b, const ShapeInter
     SidesTold told = find_sides(split_a, split_b, overlaps_of(found), tolerance, &limit);
     result.obstacles.insert(result.obstacles.end(), told.obstacles.begin(), told.obstacles.end());
     result.thin = std::move(told.thin);
+    result.between = told.between;
   });
   for (const Side* side : {&side_a, &side_b}) tell_repeats(*side, result.thin);
   tell_loose(common, result.thin);
@@ -487,7 +488,13 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
   IntersectionOptions left = limit.remaining();
   left.threads = options.threads;
   SolidPieces finer = pieces_at(a, b, left);
-  return finer.obstacles.empty() ? finer : found;
+  if (!finer.obstacles.empty()) return found;
+  finer.status = weaker(finer.status, Status::Tolerance);
+  std::ostringstream text;
+  text << "what the faces state to be uncertain, up to " << stated.tolerances.point
+       << ", may be apart in the result";
+  finer.thin.push_back(text.str());
+  return finer;
 }
 
 }  // namespace blossom::occt

@@ -20,6 +20,7 @@ struct SolidPieces {
   std::vector<SolidPiece> b;
   std::vector<std::string> obstacles;  ///< none if the pieces can be used
   std::vector<std::string> thin;       ///< pieces of both, or cuts, that are apart and count as one
+  double between = 0;                  ///< about the volume between such pieces, cubic model units
 };
 
 /// Splits the faces of two solids along each other.

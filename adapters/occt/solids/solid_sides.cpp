@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/shared_limit.h"
+#include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
@@ -77,6 +78,7 @@ std::optional<Lying> lying_on(const SolidPiece& piece, const gp_Pnt& point, cons
 
 constexpr double kWithin = 2;    // tolerances of points: what is no farther apart is one surface
 constexpr double kApart = 1e-3;  // likewise: what is nearer is one but for rounding
+constexpr double kTilt = 2;      // of the gap in one point: what it may be elsewhere
 
 // What vanishes between two pieces that count as one.
 std::string thin_text(const SplitSolid& a, const SolidPiece& piece, const SplitSolid& b,
@@ -90,7 +92,7 @@ std::string thin_text(const SplitSolid& a, const SolidPiece& piece, const SplitS
 // Where the intersection says nothing of an overlap, only what lies within the tolerance coincides:
 // a thin cap has the border of the disc below it, too.
 void match_pieces(SplitSolid& a, SplitSolid& b, const std::vector<std::vector<std::size_t>>& over_a,
-                  double tolerance, const WorkLimit* limit, std::vector<std::string>& thin) {
+                  double tolerance, const WorkLimit* limit, SidesTold& told) {
   TopTools_IndexedMapOfShape edges;
   std::multimap<Border, std::size_t> of_b;
   for (std::size_t i = 0; i < b.pieces.size(); ++i)
@@ -110,8 +112,9 @@ void match_pieces(SplitSolid& a, SplitSolid& b, const std::vector<std::vector<st
       const std::optional<Lying> lying = lying_on(piece, *point, other, tolerance);
       if (!lying) continue;
       piece.side = other.side = lying->side;
-      if (!overlaps && lying->gap > kApart * tolerance)
-        thin.push_back(thin_text(a, piece, b, other, lying->gap));
+      if (lying->gap <= kApart * tolerance) continue;
+      told.between += kTilt * lying->gap * area(piece.face);
+      if (!overlaps) told.thin.push_back(thin_text(a, piece, b, other, lying->gap));
     }
   }
 }
@@ -241,7 +244,7 @@ SidesTold find_sides(SplitSolid& a, SplitSolid& b,
     over_a[face_a].push_back(face_b);
     over_b[face_b].push_back(face_a);
   }
-  match_pieces(a, b, over_a, tolerance, limit, told.thin);
+  match_pieces(a, b, over_a, tolerance, limit, told);
   check_unmatched(a, over_a, b, tolerance, limit, told.obstacles);
   check_unmatched(b, over_b, a, tolerance, limit, told.obstacles);
   if (!told.obstacles.empty()) return told;

@@ -44,6 +44,7 @@ struct SplitSolid {
 struct SidesTold {
   std::vector<std::string> obstacles;  ///< what is not decided
   std::vector<std::string> thin;       ///< what counts as one although it is apart
+  double between = 0;  ///< about the volume between pieces that do, cubic model units
 };
 
 /// Finds the sides of all pieces.

@@ -11,12 +11,15 @@
 #include <GeomAdaptor_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Precision.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/splitting/edge_stretches.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -62,7 +65,65 @@ std::vector<StatedFace> stated_by(const TrimTool& solid, double point) {
   return all;
 }
 
+constexpr int kGapSamples = 16;  // of an edge along another one
+
+struct CorneredEdge {
+  TopoDS_Edge edge;
+  EdgeCurve curve;
+  double tolerance = 0;  // the lesser of its vertices
+  Bnd_Box box;
+};
+
+std::vector<CorneredEdge> cornered_edges(const TrimTool& solid) {
+  TopTools_IndexedMapOfShape edges;
+  for (const TopoDS_Face& face : solid.faces) TopExp::MapShapes(face, TopAbs_EDGE, edges);
+  std::vector<CorneredEdge> all;
+  for (int i = 1; i <= edges.Extent(); ++i) {
+    const TopoDS_Edge edge = TopoDS::Edge(edges(i).Oriented(TopAbs_FORWARD));
+    if (BRep_Tool::Degenerated(edge)) continue;
+    CorneredEdge made{edge, curve_of(edge), 0, {}};
+    const TopoDS_Vertex from = TopExp::FirstVertex(edge), to = TopExp::LastVertex(edge);
+    if (made.curve.curve.IsNull() || from.IsNull() || to.IsNull()) continue;
+    const double least = std::min(BRep_Tool::Tolerance(from), BRep_Tool::Tolerance(to));
+    made.tolerance = std::min(stated(least), kEdgeShare * length_of(edge));
+    BRepBndLib::Add(edge, made.box, false);
+    all.push_back(std::move(made));
+  }
+  return all;
+}
+
+// The largest distance of an edge from another one if it runs along it; else 0.
+double gap_along(const CorneredEdge& edge, const CorneredEdge& other) {
+  double largest = 0;
+  for (int i = 0; i <= kGapSamples; ++i) {
+    const double t = at(edge.curve.range, static_cast<double>(i) / kGapSamples);
+    const double gap = foot_on(other.curve, edge.curve.curve->Value(t)).distance;
+    if (gap > edge.tolerance) return 0;
+    largest = std::max(largest, gap);
+  }
+  return largest;
+}
+
 }  // namespace
+
+double gap_between_corners(const TrimTool& a, const TrimTool& b) {
+  return guarded("comparing corners", [&] {
+    const std::vector<CorneredEdge> of_a = cornered_edges(a), of_b = cornered_edges(b);
+    double largest = 0;
+    const auto consider = [&](const CorneredEdge& edge, const CorneredEdge& other) {
+      if (edge.tolerance <= largest) return;
+      Bnd_Box reached = edge.box;
+      reached.Enlarge(edge.tolerance);
+      if (!reached.IsOut(other.box)) largest = std::max(largest, gap_along(edge, other));
+    };
+    for (const CorneredEdge& x : of_a)
+      for (const CorneredEdge& y : of_b) {
+        consider(x, y);
+        consider(y, x);
+      }
+    return largest;
+  });
+}
 
 double stated_tolerance(const TrimTool& a, const TrimTool& b, double point) {
   const auto states = [](const TopoDS_Face& face) {

@@ -316,8 +316,8 @@ void CommonEdges::touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of who
     whose == Of::A ? meet(edge, border) : meet(border, edge);
 }
 
-// A touch, and roots between which the edge does not leave the surface, are one place: it touches it
-// there, and crosses it twice by what the two are off.
+// A touch, and roots between which the edge does not leave the surface, are one place: it touches
+// it there, and crosses it twice by what the two are off.
 void CommonEdges::blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
                        const std::vector<CurveSurfacePoint>& points) {
   const EdgeCurve of = curve_of(edge);

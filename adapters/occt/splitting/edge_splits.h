@@ -50,9 +50,9 @@ class EdgeSplits {
   /// is near it until then does not depend on who asked first.
   void widen(const TopoDS_Edge& edge, int split, double tolerance);
 
-  /// Says that all along an interval of its parameters the edge is in one place, as where it touches
-  /// a face: whatever is asked for there after this is the nearest split that is there already, one
-  /// that edges meet in before others. Its vertex is widened to cover it.
+  /// Says that all along an interval of its parameters the edge is in one place, as where it
+  /// touches a face: whatever is asked for there after this is the nearest split that is there
+  /// already, one that edges meet in before others. Its vertex is widened to cover it.
   void blur(const TopoDS_Edge& edge, const Interval& at);
 
   /// Whether anybody asked for a split inside of the edge.

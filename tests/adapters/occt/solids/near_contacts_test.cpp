@@ -123,6 +123,41 @@ TEST(NearContacts, RoundsThatGoALittlePastTheirTangentAreDividedAtTheirEdges) {
   }
 }
 
+// The rims are farther apart than their edges and faces state, but not than their vertices do.
+TEST(NearContacts, SolidsWhoseCornersStateThatTheyAreOneAreFusedToOne) {
+  constexpr double kStated = 5e-5, kGap = 1e-5;
+  const TopoDS_Shape low = BRepPrimAPI_MakeCylinder(2, 1).Shape();
+  const TopoDS_Shape high =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, 1 + kGap}, {0, 0, 1}, {0, 1, 0}), 2, 1).Shape();
+  for (const TopoDS_Shape& shape : {low, high})
+    ShapeFix_ShapeTolerance().SetTolerance(shape, kStated, TopAbs_VERTEX);
+  const SolidTrimResult made = trim_solids(trim_tool(low), {trim_tool(high)}, SolidOperation::Fuse);
+  ASSERT_EQ(made.obstacles.empty() ? std::string() : made.obstacles.front(), "");
+  EXPECT_EQ(made.solids.size(), 1u);
+  EXPECT_EQ(made.status, Status::Tolerance);
+  EXPECT_NEAR(made.total.result, 8 * kPi, 2 * kGap * 4 * kPi);
+}
+
+// A cylinder reaches through two sides of a prism by a millionth less than its faces state, so that
+// it touches them, in a corner of its seam as well: the two halves of the prism are not joined by
+// necks a hundredth wide. The seam is turned to a side, to another one and past both.
+TEST(NearContacts, ACylinderThatReachesThroughSidesWithinWhatTheyStateTouchesThem) {
+  constexpr double kStated = 3e-3, r = 15;
+  for (const double turn : {0.0, 0.5, 1.0, 1.5, 0.3}) {
+    const TopoDS_Shape prism =
+        BRepPrimAPI_MakeBox(gp_Pnt(-15, -30, -15), gp_Pnt(45, 30, 15)).Shape();
+    ShapeFix_ShapeTolerance().SetTolerance(prism, kStated);
+    const gp_Dir seam(std::cos(turn * kPi), 0, std::sin(turn * kPi));
+    const TopoDS_Shape cylinder =
+        BRepPrimAPI_MakeCylinder(gp_Ax2({0, -50, 0}, {0, 1, 0}, seam), r + 1.19e-6, 100).Shape();
+    const SolidTrimResult made =
+        trim_solids(trim_tool(prism), {trim_tool(cylinder)}, SolidOperation::Cut);
+    ASSERT_EQ(made.obstacles.empty() ? std::string() : made.obstacles.front(), "") << turn;
+    EXPECT_EQ(made.solids.size(), 3u) << turn;
+    EXPECT_NEAR(made.total.result, 60 * 60 * 30 - kPi * r * r * 60, 0.1) << turn;
+  }
+}
+
 TEST(NearContacts, AnAttemptThatFailsLeavesTolerancesAsTheyWere) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
   const TrimTool solid = trim_tool(box);
