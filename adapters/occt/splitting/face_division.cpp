@@ -16,10 +16,26 @@ bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
   return false;
 }
 
+// The size of the node that holds a point: curves that touch there end in it, but not all in one
+// point; 0 if none does.
+double node_reach(const std::vector<Place>& places, const Vec3& point) {
+  for (const Place& place : places) {
+    bool holds = place.kind == PlaceKind::Node;
+    for (int k = 0; k < 3; ++k)
+      holds = holds && place.box_low[k] <= point[k] && point[k] <= place.box_high[k];
+    if (holds) return distance(place.box_low, place.box_high);
+  }
+  return 0;
+}
+
 FaceCut cut_of(const FaceIntersection& pair, std::size_t place, const Spline2& chart) {
   const IntersectionCurve& curve = pair.found.curves[place];
-  return {curve.curve, chart, pair.edges[place].tolerance, std::sin(curve.least_angle),
-          curve.conic};
+  const auto reach = [&](double end) {
+    return node_reach(pair.found.places, point_at(curve.curve, end));
+  };
+  const Interval domain = curve.curve.domain();
+  return {curve.curve, chart, pair.edges[place].tolerance,           std::sin(curve.least_angle),
+          curve.conic, false, {reach(domain.from), reach(domain.to)}};
 }
 
 }  // namespace

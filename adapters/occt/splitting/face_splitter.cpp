@@ -183,7 +183,8 @@ double FaceSplitter::inverse_sine(const LiftedCut& lifted_cut, const TrimMeeting
 }
 
 // A cut that keeps to an edge, as far as the two faces can tell, from a vertex that was known on it
-// to a meeting beside that: by what cut and edge are off it meets the edge in the vertex alone.
+// to a meeting beside that: by what cut and edge are off it meets the edge in the vertex alone. From
+// one that a face asked for, as on the other side of a seam, it has to keep within the tolerance.
 bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meeting) {
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
   if (BRep_Tool::Degenerated(of.edge)) return false;
@@ -193,16 +194,17 @@ bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meet
   std::optional<PlanarFoot> best;
   int known = -1;
   for (int split = 0; split < splits_.count(of.edge); ++split) {
-    if (!splits_.is_known(of.edge, split)) continue;
+    const bool is_known = splits_.is_known(of.edge, split);
+    const double most = is_known ? allowed : reach(lifted_cut);
     const Vec2 point = point_at(of.curve, splits_.parameter(of.edge, split));
     const double length = distance(point, met);
     if (length > tangency_length(trims_, reach(lifted_cut))) continue;
     const PlanarFoot foot = nearest(lifted_cut.curve, point);
-    if (foot.distance > std::max(allowed, 8 * reach(lifted_cut))) continue;
+    if (foot.distance > (is_known ? std::max(allowed, 8 * reach(lifted_cut)) : most)) continue;
     const bool keeps = std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75}, [&](double part) {
       const double there =
           on_the_way(lifted_cut.curve, foot.parameter, meeting.at, part, reach(lifted_cut));
-      return nearest(of.curve, point_at(lifted_cut.curve, there)).distance <= allowed;
+      return nearest(of.curve, point_at(lifted_cut.curve, there)).distance <= most;
     });
     if (!keeps || (best && distance(met, point_at(lifted_cut.curve, best->parameter)) <= length))
       continue;
@@ -275,9 +277,9 @@ bool FaceSplitter::has_stop(const LiftedCut& lifted_cut, double at) const {
 
 // The vertex within tolerance of the point, or a new node. Borders come first, so that a node of
 // two cuts that end in one edge is the split of that edge.
-int FaceSplitter::node_near(const Vec2& point) {
+int FaceSplitter::node_near(const Vec2& point, double reach) {
   int nearest = -1;
-  double least = 4 * tolerance_;
+  double least = std::max(4 * tolerance_, reach);
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const double gap = distance(vertices_[i].point, point);
     if (gap <= least) {
@@ -318,9 +320,16 @@ void FaceSplitter::add_crossings() {
 // Adds the ends, sorts, and joins stops at one vertex with next to nothing between them.
 void FaceSplitter::finish_stops(LiftedCut& lifted_cut) {
   const Interval domain = lifted_cut.curve.domain();
-  for (const double end : {domain.from, domain.to})
-    if (!has_stop(lifted_cut, end))
-      lifted_cut.stops.emplace_back(end, node_near(point_at(lifted_cut.curve, end)));
+  for (const bool last : {false, true}) {
+    const double end = last ? domain.to : domain.from;
+    if (has_stop(lifted_cut, end)) continue;
+    const double reach = cuts_[static_cast<std::size_t>(lifted_cut.cut)].node_reach[last];
+    const int node = node_near(point_at(lifted_cut.curve, end), reach);
+    Vertex& at = vertices_[static_cast<std::size_t>(node)];
+    at.uncertainty = std::max(at.uncertainty, reach);
+    if (at.split < 0) at.touch = std::max(at.touch, reach);
+    lifted_cut.stops.emplace_back(end, node);
+  }
   tidy_stops(lifted_cut, 8 * reach(lifted_cut));
 }
 

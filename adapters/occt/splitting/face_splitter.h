@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -32,6 +33,8 @@ struct FaceCut {
   double least_sine = 1;  ///< of the angle between the face and what cuts it
   std::optional<Conic> conic{};  ///< what the edges become in space; null: the spline
   bool may_repeat = false;       ///< where other cuts run as well, which is not noted then
+  /// How far apart cuts may end, at the first and the last end, that end in one node; model units.
+  std::array<double, 2> node_reach{};
 };
 
 /// A piece of a cut on the border of a piece of the face.
@@ -173,7 +176,7 @@ class FaceSplitter {
   int vertex_of(const TrimMeeting& meeting, double uncertainty, double inverse_sine = 1);
   double inverse_sine(const LiftedCut& lifted_cut, const TrimMeeting& meeting) const;
   int vertex_at_split(int loop, int coedge, int split);
-  int node_near(const Vec2& point);
+  int node_near(const Vec2& point, double reach = 0);
   double reach(const LiftedCut& lifted_cut) const;
   const Coedge& coedge(int loop, int index) const;
   void note(int cut, const std::string& what);

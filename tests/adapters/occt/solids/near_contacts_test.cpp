@@ -158,6 +158,20 @@ TEST(NearContacts, ACylinderThatReachesThroughSidesWithinWhatTheyStateTouchesThe
   }
 }
 
+// As high as wide: where the curves in which they cross meet the rims they touch them, and each
+// other's seams, from whichever side they are seen.
+TEST(NearContacts, CrossedEqualCylindersThatTouchEachOthersRimsAreDividedInBothOrders) {
+  constexpr double r = 25, of_each = kPi * r * r * 2 * r, common = 16 * r * r * r / 3;
+  const TopoDS_Shape lying =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({r, 0, 0}, {-1, 0, 0}, {0, 0, 1}), r, 2 * r).Shape();
+  const TopoDS_Shape upright =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -r}, {0, 0, 1}, {1, 0, 0}), r, 2 * r).Shape();
+  expect_volume(lying, upright, SolidOperation::Cut, of_each - common);
+  expect_volume(upright, lying, SolidOperation::Cut, of_each - common);
+  expect_volume(lying, upright, SolidOperation::Common, common);
+  expect_volume(upright, lying, SolidOperation::Fuse, 2 * of_each - common);
+}
+
 TEST(NearContacts, AnAttemptThatFailsLeavesTolerancesAsTheyWere) {
   const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 1, 1).Shape();
   const TrimTool solid = trim_tool(box);
