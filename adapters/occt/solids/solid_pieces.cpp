@@ -134,7 +134,7 @@ void add_curves(const FaceIntersection& pair, const CommonEdges& common, double 
   tell_places(pair, both, result, untold);
   const std::vector<std::size_t> along = common.curves_along(pair);
   for (std::size_t i = 0; i < pair.found.curves.size(); ++i) {
-    if (std::find(along.begin(), along.end(), i) != along.end()) continue;
+    if (is_one_place(pair, i) || std::ranges::find(along, i) != along.end()) continue;
     const IntersectionCurve& curve = pair.found.curves[i];
     add_curve(pair, i, a, b, uses);
     if (curve.tangential &&

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/splitting/face_division.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -16,15 +18,18 @@ bool has_split_edge(const TopoDS_Face& face, const EdgeSplits& splits) {
   return false;
 }
 
+bool holds(const Place& place, const Vec3& point) {
+  for (int k = 0; k < 3; ++k)
+    if (point[k] < place.box_low[k] || place.box_high[k] < point[k]) return false;
+  return true;
+}
+
 // The size of the node that holds a point: curves that touch there end in it, but not all in one
 // point; 0 if none does.
 double node_reach(const std::vector<Place>& places, const Vec3& point) {
-  for (const Place& place : places) {
-    bool holds = place.kind == PlaceKind::Node;
-    for (int k = 0; k < 3; ++k)
-      holds = holds && place.box_low[k] <= point[k] && point[k] <= place.box_high[k];
-    if (holds) return distance(place.box_low, place.box_high);
-  }
+  for (const Place& place : places)
+    if (place.kind == PlaceKind::Node && holds(place, point))
+      return distance(place.box_low, place.box_high);
   return 0;
 }
 
@@ -66,6 +71,15 @@ void FaceDivision::leave_whole() { split_ = {{{face_, {}, {}}}, {}}; }
 
 FaceCut cut_of_a(const FaceIntersection& pair, std::size_t curve) {
   return cut_of(pair, curve, pair.found.curves[curve].chart_a);
+}
+
+bool is_one_place(const FaceIntersection& pair, std::size_t curve) {
+  constexpr std::array kPoints{PlaceKind::Touch, PlaceKind::Node, PlaceKind::Cusp, PlaceKind::Pole};
+  return std::ranges::any_of(pair.found.places, [&](const Place& place) {
+    return std::ranges::find(kPoints, place.kind) != kPoints.end() &&
+           std::ranges::all_of(pair.found.curves[curve].samples,
+                               [&](const SurfacePoint& x) { return holds(place, x.point); });
+  });
 }
 
 FaceCut cut_of_b(const FaceIntersection& pair, std::size_t curve) {

@@ -72,4 +72,8 @@ class FaceDivision {
 FaceCut cut_of_a(const FaceIntersection& pair, std::size_t curve);
 FaceCut cut_of_b(const FaceIntersection& pair, std::size_t curve);
 
+/// Whether one of the pair's curves is in one point: as a whole in a place that is listed as a
+/// point of contact, as round a pole that the other surface touches. It divides nothing.
+bool is_one_place(const FaceIntersection& pair, std::size_t curve);
+
 }  // namespace blossom::occt

@@ -182,9 +182,8 @@ double FaceSplitter::inverse_sine(const LiftedCut& lifted_cut, const TrimMeeting
   return sine * kMaxDisagreement > size ? std::max(1.0, size / sine) : kMaxDisagreement;
 }
 
-// A cut that keeps to an edge, as far as the two faces can tell, from a vertex that was known on it
-// to a meeting beside that: by what cut and edge are off it meets the edge in the vertex alone. From
-// one that a face asked for, as on the other side of a seam, it has to keep within the tolerance.
+// A cut that keeps to an edge, as far as the two faces can tell, from a vertex known on it to a
+// meeting beside that, meets it in the vertex alone; from what a face asked for, within tolerance.
 bool FaceSplitter::add_known_stop(LiftedCut& lifted_cut, const TrimMeeting& meeting) {
   const Coedge& of = coedge(meeting.loop, meeting.coedge);
   if (BRep_Tool::Degenerated(of.edge)) return false;

@@ -11,8 +11,10 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
@@ -170,6 +172,18 @@ TEST(NearContacts, CrossedEqualCylindersThatTouchEachOthersRimsAreDividedInBothO
   expect_volume(upright, lying, SolidOperation::Cut, of_each - common);
   expect_volume(lying, upright, SolidOperation::Common, common);
   expect_volume(upright, lying, SolidOperation::Fuse, 2 * of_each - common);
+}
+
+// The cone's base rim passes the pole of a ball, in which a curve of a millionth closes round it.
+TEST(NearContacts, ACurveThatIsOnePointDividesNothing) {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 0}, {0, -1, 0}), 1).Shape();
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(gp_Ax2({-2, -1, 0}, {0, 1, 0}), 2, 0.5, 1).Shape();
+  const SolidTrimResult fused =
+      trim_solids(trim_tool(ball), {trim_tool(cone)}, SolidOperation::Fuse);
+  const SolidTrimResult common =
+      trim_solids(trim_tool(cone), {trim_tool(ball)}, SolidOperation::Common);
+  ASSERT_EQ(fused.obstacles.size() + common.obstacles.size(), 0u);
+  EXPECT_NEAR(fused.total.result + common.total.result, kPi * (4.0 / 3 + 7.0 / 4), 1e-7);
 }
 
 TEST(NearContacts, AnAttemptThatFailsLeavesTolerancesAsTheyWere) {
