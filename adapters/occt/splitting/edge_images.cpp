@@ -20,6 +20,7 @@
 #include "adapters/occt/convert/curve_breaks.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/splitting/quintic_spline.h"
 
 namespace blossom::occt {
 namespace {
@@ -296,31 +297,31 @@ std::vector<double> CurveBeside::joints(const Interval& run) const {
   return apart;
 }
 
+// The second derivative of the image, none in a pole:
+//   K = S_uu u'^2 + 2 S_uv u' v' + S_vv v'^2 + S_u u'' + S_v v''
+std::optional<Vec2> CurveBeside::uv_bend(const CurveJet& at, double t) const {
+  if (feet_.pole_at(at.point) != nullptr) return std::nullopt;
+  const SurfaceBend of = bend_at(feet_.surface(), at.uv);
+  const double u = at.uv_rate[0], v = at.uv_rate[1];
+  return chart_step(frame_at(feet_.surface(), at.uv),
+                    bend(t) - u * u * of.uu - 2 * u * v * of.uv - v * v * of.vv);
+}
+
 FaceCut CurveBeside::hermite_cut(const std::vector<double>& ends, double tolerance) const {
-  FaceCut cut;
-  cut.tolerance = tolerance;
   // A start on a seam has two places.
   std::optional<Vec2> near = jet(at({ends.front(), ends.back()}, kStart), {}).uv;
+  std::vector<QuinticJet<Vec3>> in_space;
+  std::vector<QuinticJet<Vec2>> in_chart;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const bool first = i == 0, last = i + 1 == ends.size();
     const CurveJet here = first  ? end_jet(ends[i], ends[1], near)
                           : last ? end_jet(ends[i], ends[i - 1], near)
                                  : jet(ends[i], near);
     near = here.uv;
-    const auto add = [&](double step) {
-      cut.curve.points.push_back(here.point + step * here.rate);
-      cut.chart.points.push_back(here.uv + step * here.uv_rate);
-    };
-    if (!first) add((ends[i - 1] - ends[i]) / 3);
-    if (first || last) add(0);
-    if (!last) add((ends[i + 1] - ends[i]) / 3);
-    cut.curve.knots.push_back(ends[i]);
-    cut.curve.multiplicities.push_back(first || last ? 4 : 2);
+    in_space.push_back({here.point, here.rate, bend(ends[i])});
+    in_chart.push_back({here.uv, here.uv_rate, uv_bend(here, ends[i])});
   }
-  cut.curve.degree = cut.chart.degree = 3;
-  cut.chart.knots = cut.curve.knots;
-  cut.chart.multiplicities = cut.curve.multiplicities;
-  return cut;
+  return {quintic_through(ends, in_space), quintic_through(ends, in_chart), tolerance};
 }
 
 FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double tolerance) const {
@@ -334,9 +335,11 @@ FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double toler
     double off = 0;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const double t = 0.5 * (ends[i] + ends[i + 1]);
-      const Vec3 point = jet(t, {}).point;
-      off = std::max(
-          {off, distance(point, point_at(cut.curve, t)), feet_.gap(point, point_at(cut.chart, t))});
+      // The curve may be as far from its image as it is within reach of the surface.
+      const CurveJet here = jet(t, {});
+      const Vec3 foot = frame_at(feet_.surface(), here.uv).point;
+      off = std::max({off, distance(here.point, point_at(cut.curve, t)),
+                      feet_.gap(foot, point_at(cut.chart, t))});
     }
     if (off <= wanted) return cut;
     if (pieces < kMaxPieces) continue;

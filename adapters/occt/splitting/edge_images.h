@@ -50,8 +50,8 @@ class CurveBeside {
   /// than a given length: found from samples, ends by halving.
   std::vector<Interval> runs(double reach, double past) const;
 
-  /// Cubic pieces with the values and first derivatives of the curve, as many as they need to be
-  /// as near to it as wanted, at most 512 between knots.
+  /// Pieces of degree 5 with the values and first two derivatives of the curve and of its image, as
+  /// many as they need to be as near to these as wanted, at most 512 between knots.
   /// throws   Failure if they are farther off than the tolerance
   FaceCut fitted_cut(const Interval& run, double wanted, double tolerance) const;
 
@@ -74,6 +74,7 @@ class CurveBeside {
   double least_clearance(Interval around) const;
   std::vector<double> joints(const Interval& run) const;
   void add_knot_lines(const Interval& run, std::vector<double>& joints) const;
+  std::optional<Vec2> uv_bend(const CurveJet& at, double t) const;
   FaceCut hermite_cut(const std::vector<double>& ends, double tolerance) const;
 
   const SurfaceProjector& feet_;

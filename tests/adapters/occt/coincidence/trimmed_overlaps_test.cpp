@@ -126,6 +126,7 @@ std::vector<Pair> pairs() {
       {"a disc in a square", square(0, 4), disc(2, 2, 1), kPi, kPi, 1},
       {"a disc over a side", square(0, 4), disc(4, 2, 1), kPi / 2, kPi / 2, 1},
       {"two discs", disc(0, 0, 1), disc(1, 0, 1), kLens, kLens, 1},
+      {"two large discs", disc(0, 0, 4e4), disc(4e4, 0, 4e4), 1.6e9 * kLens, 1.6e9 * kLens, 1},
       {"equal discs", disc(0, 0, 1), disc(0, 0, 1), kPi, kPi, 1},
       {"a hole and its disc", with_hole(square(0, 4), 2, 2, 1), disc(2, 2, 1), 0, 0, 0},
       {"a hole in a disc", with_hole(square(0, 4), 2, 2, 1), disc(2, 2, 1.5), 1.25 * kPi,
@@ -208,6 +209,20 @@ TEST(TrimmedOverlaps, ASeamOfTheFirstFaceDividesThem) {
     double area = 0;
     for (const Overlap& region : regions) area += area_of(region, &SurfacePoint::uv_a);
     EXPECT_NEAR(area, kPi / 4, kChords);
+  }
+}
+
+// A disc that a plane holds within 3 tolerances, and one that leaves it there.
+TEST(TrimmedOverlaps, AreDividedWhereEdgesLieWithinReach) {
+  const TopoDS_Face floor = square(-2, 2);
+  for (const double up : {1.5e-7, 3e-7, 6e-7}) {
+    const gp_Dir normal(up, 0, 1);
+    const gp_Circ rim(gp_Ax2(gp_Pnt(0.3, 0.1, 0), normal), 1);
+    const TopoDS_Face tilted =
+        BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.3, 0.1, 0), normal),
+                                BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(rim)));
+    for (const auto& [a, b] : {std::pair{floor, tilted}, std::pair{tilted, floor}})
+      EXPECT_NE(intersect({a}, {b}).status, Status::Stopped) << up;
   }
 }
 
