@@ -92,6 +92,9 @@ std::string describe_open_shell(const TrimTool& tool);
 /// thinner than that are made, and the status is Tolerance. Where the two cannot be divided so, the
 /// options' tolerance holds alone.
 ///
+/// Where gaps between the two contradict the tolerance, the distance at which things are one is put
+/// between them, up to ten tolerances (solids/contact_scale.h), and told.
+///
 /// Tolerances of edges and vertices that are not true are not used: see with_true_tolerances.
 ///
 /// options       its time limit is that of the whole work; when it is reached, volumes and solids

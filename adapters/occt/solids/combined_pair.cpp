@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,8 +17,10 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
+#include "adapters/occt/solids/contact_scale.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
+#include "adapters/occt/splitting/common_edges.h"
 #include "core/base/work_limit.h"
 
 namespace blossom::occt {
@@ -141,6 +144,26 @@ void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimToo
     result.obstacles.emplace_back("the volumes do not add up");
 }
 
+// What is within the options' tolerance is one.
+SolidTrimResult combined_at(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
+                            const IntersectionOptions& options) {
+  const WorkLimit limit(options);
+  const SolidPieces pieces = solid_pieces(part, tool, options);
+  SolidTrimResult result;
+  result.status = pieces.status;
+  result.certificate = pieces.certificate;
+  result.obstacles = pieces.obstacles;
+  result.thin = pieces.thin;
+  if (!result.obstacles.empty()) return result;
+  try {
+    put_together(pieces, part, tool, operation, limit, result);
+  } catch (const Failure& error) {
+    result.obstacles.emplace_back(error.what());
+    if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
+  }
+  return result;
+}
+
 }  // namespace
 
 Vec3 cone_apex(const TrimTool& part) {
@@ -158,21 +181,21 @@ double SolidVolumes::fuse_error() const {
 
 SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
                               const IntersectionOptions& options) {
-  const WorkLimit limit(options);
-  const SolidPieces pieces = solid_pieces(part, tool, options);
-  SolidTrimResult result;
-  result.status = pieces.status;
-  result.certificate = pieces.certificate;
-  result.obstacles = pieces.obstacles;
-  result.thin = pieces.thin;
-  if (!result.obstacles.empty()) return result;
-  try {
-    put_together(pieces, part, tool, operation, limit, result);
-  } catch (const Failure& error) {
-    result.obstacles.emplace_back(error.what());
-    if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
-  }
-  return result;
+  const SharedLimit limit(options);
+  SolidTrimResult result = combined_at(part, tool, operation, options);
+  if (result.obstacles.empty() || limit.is_reached()) return result;
+  const double point = options.tolerances.point;
+  IntersectionOptions scaled = limit.remaining();
+  scaled.tolerances.point =
+      contact_scale(contact_gaps(part, tool, kLiesReach * kLiesReach * point, limit), point);
+  if (scaled.tolerances.point == point) return result;
+  SolidTrimResult other = combined_at(part, tool, operation, scaled);
+  if (!other.obstacles.empty()) return result;
+  std::ostringstream text;
+  text << "what is nearer to each other than " << scaled.tolerances.point << " counts as one";
+  other.thin.push_back(text.str());
+  other.status = weaker(other.status, Status::Tolerance);
+  return other;
 }
 
 }  // namespace blossom::occt

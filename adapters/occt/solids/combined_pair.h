@@ -16,6 +16,9 @@ Vec3 cone_apex(const TrimTool& part);
 /// One step of `trim_solids`: a part and one tool. Every step measures all three results, whichever
 /// is asked for, since only together their volumes can be checked.
 ///
+/// Where the options' tolerance leads to obstacles, the two are combined once more at the scale of
+/// the gaps between them (contact_scale.h), which is told.
+///
 /// part, tool   closed solids
 /// returns      volumes of this step; faces as pieces of the part (`tool` is -1) and of the tool
 /// (0);

@@ -45,37 +45,10 @@ void drop_polygons(const TopoDS_Edge& edge) {
   }
 }
 
-// The largest sampled distance between the edge's curve and its images on its surfaces.
-double deviation(const TopoDS_Edge& edge) {
-  Interval range;
-  TopLoc_Location location;
-  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, range.from, range.to);
-  if (curve.IsNull()) return 0;
-  double largest = 0;
-  const auto add = [&](const Handle(Geom_Surface) & surface, const TopLoc_Location& place,
-                       const Handle(Geom2d_Curve) & pcurve) {
-    const gp_Trsf move = (edge.Location() * place).Transformation();
-    for (int i = 0; i < kDeviationSamples; ++i) {
-      const double t = at(range, static_cast<double>(i) / (kDeviationSamples - 1));
-      const gp_Pnt2d uv = pcurve->Value(t);
-      const gp_Pnt image = surface->Value(uv.X(), uv.Y()).Transformed(move);
-      const gp_Pnt point = curve->Value(t).Transformed(location.Transformation());
-      largest = std::max(largest, point.Distance(image));
-    }
-  };
-  const auto data = Handle(BRep_TEdge)::DownCast(edge.TShape());
-  for (const Handle(BRep_CurveRepresentation) & on : data->Curves()) {
-    if (!on->IsCurveOnSurface()) continue;
-    add(on->Surface(), on->Location(), on->PCurve());
-    if (on->IsCurveOnClosedSurface()) add(on->Surface(), on->Location(), on->PCurve2());
-  }
-  return largest;
-}
-
 // An edge's stated tolerance may rest on few samples of the whole; a piece is sampled anew, and
 // gets a wider one where what lies between these samples may need it.
 void widen(const TopoDS_Edge& piece) {
-  const double found = deviation(piece);
+  const double found = image_deviation(piece, kDeviationSamples);
   if (kMargin * found > BRep_Tool::Tolerance(piece)) {
     const BRep_Builder builder;
     builder.UpdateEdge(piece, kMargin * found);
@@ -98,6 +71,32 @@ TopoDS_Edge piece_of(const TopoDS_Edge& edge, const Interval& range, const TopoD
 }
 
 }  // namespace
+
+double image_deviation(const TopoDS_Edge& edge, int samples) {
+  Interval range;
+  TopLoc_Location location;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, range.from, range.to);
+  if (curve.IsNull()) return 0;
+  double largest = 0;
+  const auto add = [&](const Handle(Geom_Surface) & surface, const TopLoc_Location& place,
+                       const Handle(Geom2d_Curve) & pcurve) {
+    const gp_Trsf move = (edge.Location() * place).Transformation();
+    for (int i = 0; i < samples; ++i) {
+      const double t = at(range, static_cast<double>(i) / (samples - 1));
+      const gp_Pnt2d uv = pcurve->Value(t);
+      const gp_Pnt image = surface->Value(uv.X(), uv.Y()).Transformed(move);
+      const gp_Pnt point = curve->Value(t).Transformed(location.Transformation());
+      largest = std::max(largest, point.Distance(image));
+    }
+  };
+  const auto data = Handle(BRep_TEdge)::DownCast(edge.TShape());
+  for (const Handle(BRep_CurveRepresentation) & on : data->Curves()) {
+    if (!on->IsCurveOnSurface()) continue;
+    add(on->Surface(), on->Location(), on->PCurve());
+    if (on->IsCurveOnClosedSurface()) add(on->Surface(), on->Location(), on->PCurve2());
+  }
+  return largest;
+}
 
 EdgeSplits::Record& EdgeSplits::record(const TopoDS_Edge& edge) {
   const int known = index_.FindIndex(edge);

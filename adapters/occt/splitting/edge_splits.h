@@ -27,6 +27,10 @@ struct EdgePiece {
   int to = 0;
 };
 
+/// The largest sampled distance between an edge's curve and its images on its surfaces, model
+/// units.
+double image_deviation(const TopoDS_Edge& edge, int samples);
+
 class EdgeSplits {
  public:
   /// Numbers of an edge's own vertices among its splits; new ones follow.

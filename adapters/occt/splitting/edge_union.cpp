@@ -8,6 +8,7 @@
 #include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <TopAbs.hxx>
 #include <TopExp.hxx>
@@ -15,10 +16,33 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
 
+#include "adapters/occt/splitting/edge_splits.h"
+#include "core/math/interval.h"
+
 namespace blossom::occt {
 namespace {
 
 TopoDS_Edge forward(const TopoDS_Edge& edge) { return TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)); }
+
+constexpr double kMargin = 1.1;
+constexpr int kDeviationSamples = 17;  // both have been measured alone
+
+// Edges that are joined may be apart: what the first one's curve is off the images of the others,
+// and its vertices off the curve, becomes their tolerance.
+void widen_to_images(const TopoDS_Edge& edge) {
+  const BRep_Builder builder;
+  const double off = kMargin * image_deviation(edge, kDeviationSamples);
+  if (off > BRep_Tool::Tolerance(edge)) builder.UpdateEdge(edge, off);
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  if (curve.IsNull()) return;
+  const auto widen = [&](const TopoDS_Vertex& vertex, double end) {
+    const double gap = BRep_Tool::Pnt(vertex).Distance(curve->Value(end));
+    builder.UpdateVertex(vertex, std::max(BRep_Tool::Tolerance(edge), kMargin * gap));
+  };
+  widen(TopExp::FirstVertex(edge), range.from);
+  widen(TopExp::LastVertex(edge), range.to);
+}
 
 // What `from` has was made without a place of its own, so that its curves' places are in model
 // space.
@@ -111,6 +135,7 @@ TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
     builder.UpdateEdge(made, tolerance);
     for (const TopoDS_Shape& second : curves_for_(first))
       take_pcurves(TopoDS::Edge(second), made, tolerance);
+    widen_to_images(made);
   }
   if (!changed) made = first;
   const bool was_closed = TopExp::FirstVertex(first).IsSame(TopExp::LastVertex(first));

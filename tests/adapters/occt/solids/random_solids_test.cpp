@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Random pairs of simple solids, combined: results are valid, volumes add up and are those of Open
+// CASCADE, whatever the order of arguments. Where Open CASCADE differs, counted points decide.
+//
+// A draw is named by its seed. BLOSSOM_TRIALS sets how many there are, BLOSSOM_SEED the first;
+// BLOSSOM_DUMP names a folder for the solids of draws that fail.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/base/compounds.h"
+#include "adapters/occt/base/errors.h"
+#include "adapters/occt/faces/area.h"
+#include "adapters/occt/solid_trim.h"
+#include "adapters/occt/soundness.h"
+#include "core/base/errors.h"
+#include "tests/adapters/occt/solids/random_solids.h"
+
+namespace blossom::occt {
+namespace {
+
+using testing::Random;
+using testing::SolidJob;
+
+constexpr std::array kOperations{SolidOperation::Cut, SolidOperation::Common, SolidOperation::Fuse,
+                                 SolidOperation::Split};
+constexpr std::array kWords{"cut", "common", "fuse", "split"};
+constexpr double kAreas = 1e-4;  // relative
+constexpr double kPoint = 1e-7;  // the default tolerance, model units
+
+int setting(const char* name, int otherwise) {
+  const char* const text = std::getenv(name);
+  return text == nullptr ? otherwise : std::atoi(text);
+}
+
+// What a shape measures, by integration over its faces.
+struct Measure {
+  double volume = 0, area = 0;
+};
+
+Vec3 middle_of(const SolidJob& job) {
+  const gp_XYZ moved = job.world.TranslationPart();
+  return {moved.X(), moved.Y(), moved.Z()};
+}
+
+Measure measured(const TopoDS_Shape& shape, const Vec3& apex) {
+  Measure sum;
+  for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next())
+    for (TopExp_Explorer it(solid.Current(), TopAbs_FACE); it.More(); it.Next()) {
+      sum.volume += cone_volume(TopoDS::Face(it.Current()), apex);
+      sum.area += area(TopoDS::Face(it.Current()));
+    }
+  return sum;
+}
+
+// Wires may touch where the solids do, and keep within tolerance beside that; whether they cross is
+// seen by BRepCheck.
+bool is_touch(const Problem& problem) {
+  return problem.what.find("wire") != std::string::npos &&
+         problem.what.find("meet") != std::string::npos;
+}
+
+std::string unsound(const TopoDS_Shape& shape) {
+  if (!BRepCheck_Analyzer(shape).IsValid()) return "not valid by BRepCheck";
+  const Soundness all = soundness(shape);
+  if (!all.problems.empty()) return all.problems.front();
+  for (const FaceSoundness& face : all.faces)
+    for (const Problem& problem : face.problems)
+      if (!is_touch(problem)) return problem.text();
+  for (const EdgeSoundness& edge : all.edges)
+    if (!edge.problems.empty()) return edge.problems.front().text();
+  return "";
+}
+
+// What Open CASCADE makes, and how far off its curves may make the volume.
+struct SecondOpinion {
+  Measure all;
+  double error = 0;
+};
+
+TopoDS_Shape by_occt(const TopoDS_Shape& a, const TopoDS_Shape& b, std::size_t operation) {
+  if (operation == 0) return BRepAlgoAPI_Cut(a, b).Shape();
+  return operation == 1 ? BRepAlgoAPI_Common(a, b).Shape() : BRepAlgoAPI_Fuse(a, b).Shape();
+}
+
+SecondOpinion second_opinion(const TopoDS_Shape& a, const TopoDS_Shape& b, std::size_t operation,
+                             const Vec3& apex) {
+  const TopoDS_Shape made = by_occt(a, b, operation);
+  double loosest = 0;
+  for (TopExp_Explorer it(made, TopAbs_EDGE); it.More(); it.Next())
+    loosest = std::max(loosest, BRep_Tool::Tolerance(TopoDS::Edge(it.Current())));
+  const Measure all = measured(made, apex);
+  return {all, loosest * all.area};
+}
+
+// Of what the operation makes, if the two have so much in common.
+double expected_volume(const SolidJob& job, std::size_t operation, double common) {
+  const double cubed = std::pow(job.scale(), 3);
+  const double of_a = job.a.volume() * cubed, of_b = job.b.volume() * cubed;
+  return std::array{of_a - common, common, of_a + of_b - common, of_a}[operation];
+}
+
+// How far off a volume may be: solids may be one with what is within tolerance of them.
+double allowed(const SolidJob& job) {
+  const double squared = std::pow(job.scale(), 2), cubed = squared * job.scale();
+  return 1e-6 * cubed * std::min(job.a.volume(), job.b.volume()) +
+         3 * kPoint * squared * std::min(job.a.area(), job.b.area());
+}
+
+struct Verdict {
+  std::string wrong;    ///< what is wrong with a result
+  std::string refused;  ///< why there is none
+  double milliseconds = 0;
+};
+
+struct Judged {
+  const SolidJob& job;
+  TopoDS_Shape a, b;
+  std::size_t operation;
+
+  std::string fault(const SolidTrimResult& made) const;
+};
+
+std::string Judged::fault(const SolidTrimResult& made) const {
+  const TopoDS_Shape shape = compound_of(made.solids);
+  if (!made.solids.empty())
+    if (const std::string why = unsound(shape); !why.empty()) return why;
+  const Vec3 apex = middle_of(job);
+  const Measure own = measured(shape, apex);
+  // Of a split, what both have in common is compared, since the sum is always the same.
+  const bool split = kOperations[operation] == SolidOperation::Split;
+  const std::size_t as = split ? 1 : operation;
+  const SecondOpinion known = second_opinion(a, b, as, apex);
+  const double off = allowed(job) + known.error, wanted = known.all.volume;
+  const double volume = split ? made.volumes.back().common : own.volume;
+  if (split && std::abs(own.volume - expected_volume(job, operation, volume)) > off)
+    return "pieces of volume " + std::to_string(own.volume);
+  if (std::abs(volume - wanted) <= off) {
+    // Where solids nearly touch, faces may be left out or not.
+    if (split || job.nearly() || std::abs(own.area - known.all.area) <= kAreas * known.all.area)
+      return "";
+    return "area " + std::to_string(own.area) + ", not " + std::to_string(known.all.area) +
+           " as of Open CASCADE";
+  }
+  // One of the two is wrong. What counting cannot tell is left to the sums of volumes, which are
+  // compared for every result.
+  const testing::CountedVolume counted = counted_common(job);
+  const double by_counting = expected_volume(job, as, counted.volume);
+  if (std::abs(volume - by_counting) <= counted.error) return "";
+  return "volume " + std::to_string(volume) + ", not " + std::to_string(wanted) +
+         " as of Open CASCADE, or about " + std::to_string(by_counting);
+}
+
+SolidTrimResult combined(const TopoDS_Shape& a, const TopoDS_Shape& b, std::size_t operation) {
+  IntersectionOptions options;
+  options.threads = 1;
+  options.time_limit = 20;
+  return trim_solids(trim_tool(a), {trim_tool(b)}, kOperations[operation], options);
+}
+
+void dump(const Judged& judged, int seed) {
+  const char* const folder = std::getenv("BLOSSOM_DUMP");
+  if (folder == nullptr) return;
+  const std::string name = std::string(folder) + '/' + std::to_string(seed);
+  BRepTools::Write(judged.a, (name + "a.brep").c_str());
+  BRepTools::Write(judged.b, (name + "b.brep").c_str());
+}
+
+Verdict trial(int seed) {
+  Random random = testing::seeded(seed);
+  const SolidJob job = testing::random_job(random);
+  const auto operation = static_cast<std::size_t>(testing::pick(random, 0, 3));
+  const Judged judged{job, job.first(), job.second(), operation};
+  Verdict verdict;
+  const auto start = std::chrono::steady_clock::now();
+  const SolidTrimResult made = combined(judged.a, judged.b, operation);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  verdict.milliseconds = time.count();
+  if (made.obstacles.empty())
+    verdict.wrong = judged.fault(made);
+  else
+    verdict.refused = made.obstacles.front();
+  if (!verdict.wrong.empty() || !verdict.refused.empty()) {
+    dump(judged, seed);
+    std::cout << (verdict.refused.empty() ? "WRONG " : "REFUSED ") << seed << ' '
+              << kWords[operation] << " of " << job.words() << ": " << verdict.wrong
+              << verdict.refused << std::endl;
+  }
+  return verdict;
+}
+
+TEST(RandomSolids, AreCombinedAsClosedFormsAndOpenCascadeSay) {
+  const int first = setting("BLOSSOM_SEED", 0), trials = setting("BLOSSOM_TRIALS", 100);
+  int wrong = 0, refused = 0;
+  std::vector<double> milliseconds;
+  for (int seed = first; seed < first + trials; ++seed) {
+    const Verdict verdict = trial(seed);
+    wrong += !verdict.wrong.empty();
+    refused += !verdict.refused.empty();
+    milliseconds.push_back(verdict.milliseconds);
+  }
+  std::sort(milliseconds.begin(), milliseconds.end());
+  std::cout << trials << " jobs from seed " << first << ": " << wrong << " wrong, " << refused
+            << " refused; median " << milliseconds[milliseconds.size() / 2] << " ms, longest "
+            << milliseconds.back() << " ms\n";
+  EXPECT_EQ(wrong, 0);
+  EXPECT_LE(refused, 2 + trials / 100);
+}
+
+}  // namespace
+}  // namespace blossom::occt
