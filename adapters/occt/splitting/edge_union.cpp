@@ -2,6 +2,7 @@
 #include "adapters/occt/splitting/edge_union.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <BRep_Builder.hxx>
 #include <BRep_CurveRepresentation.hxx>
@@ -9,6 +10,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
+#include <Geom_Plane.hxx>
 #include <Geom_Surface.hxx>
 #include <TopAbs.hxx>
 #include <TopExp.hxx>
@@ -17,6 +19,7 @@
 #include <TopoDS_Wire.hxx>
 
 #include "adapters/occt/splitting/edge_splits.h"
+#include "adapters/occt/splitting/pole_edges.h"
 #include "core/math/interval.h"
 
 namespace blossom::occt {
@@ -29,19 +32,32 @@ constexpr int kDeviationSamples = 17;  // both have been measured alone
 
 // Edges that are joined may be apart: what the first one's curve is off the images of the others,
 // and its vertices off the curve, becomes their tolerance.
-void widen_to_images(const TopoDS_Edge& edge) {
+void widen(const TopoDS_Edge& edge, double deviation) {
   const BRep_Builder builder;
-  const double off = kMargin * image_deviation(edge, kDeviationSamples);
+  const double off = kMargin * deviation;
   if (off > BRep_Tool::Tolerance(edge)) builder.UpdateEdge(edge, off);
   Interval range;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
   if (curve.IsNull()) return;
-  const auto widen = [&](const TopoDS_Vertex& vertex, double end) {
+  const auto cover = [&](const TopoDS_Vertex& vertex, double end) {
     const double gap = BRep_Tool::Pnt(vertex).Distance(curve->Value(end));
     builder.UpdateVertex(vertex, std::max(BRep_Tool::Tolerance(edge), kMargin * gap));
   };
-  widen(TopExp::FirstVertex(edge), range.from);
-  widen(TopExp::LastVertex(edge), range.to);
+  cover(TopExp::FirstVertex(edge), range.from);
+  cover(TopExp::LastVertex(edge), range.to);
+}
+
+// Edges have no image of their own in planes.
+double distance_from(const Handle(Geom_Plane) & plane, const TopoDS_Edge& edge) {
+  Interval range;
+  const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
+  if (curve.IsNull()) return 0;
+  double largest = 0;
+  for (int i = 0; i < kDeviationSamples; ++i) {
+    const double t = at(range, static_cast<double>(i) / (kDeviationSamples - 1));
+    largest = std::max(largest, plane->Pln().Distance(curve->Value(t)));
+  }
+  return largest;
 }
 
 // What `from` has was made without a place of its own, so that its curves' places are in model
@@ -127,6 +143,10 @@ TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
     const TopoDS_Vertex other = united(vertex);
     changed = changed || !other.IsSame(vertex);
     builder.Add(made, other.Oriented(vertex.Orientation()));
+    // The image of a degenerated edge stays in its pole.
+    if (BRep_Tool::Degenerated(first))
+      builder.UpdateEdge(made, BRep_Tool::Tolerance(first) +
+                                   BRep_Tool::Pnt(vertex).Distance(BRep_Tool::Pnt(other)));
   }
   if (curves_for_.IsBound(first)) {
     double tolerance = BRep_Tool::Tolerance(first);
@@ -135,7 +155,7 @@ TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
     builder.UpdateEdge(made, tolerance);
     for (const TopoDS_Shape& second : curves_for_(first))
       take_pcurves(TopoDS::Edge(second), made, tolerance);
-    widen_to_images(made);
+    widen(made, image_deviation(made, kDeviationSamples));
   }
   if (!changed) made = first;
   const bool was_closed = TopExp::FirstVertex(first).IsSame(TopExp::LastVertex(first));
@@ -148,20 +168,25 @@ TopoDS_Face EdgeUnion::rebuilt(const TopoDS_Face& face) {
   const BRep_Builder builder;
   TopoDS_Face made = TopoDS::Face(face.EmptyCopied());
   made.Orientation(TopAbs_FORWARD);
+  const auto plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
   bool changed = false;
   for (TopoDS_Iterator part(face.Oriented(TopAbs_FORWARD)); part.More(); part.Next()) {
     if (part.Value().ShapeType() != TopAbs_WIRE) {
       builder.Add(made, part.Value());
       continue;
     }
-    TopoDS_Wire wire;
-    builder.MakeWire(wire);
+    std::vector<TopoDS_Edge> edges;
     for (TopoDS_Iterator it(part.Value()); it.More(); it.Next()) {
       const TopoDS_Edge edge = united(TopoDS::Edge(it.Value()));
       const TopAbs_Orientation use = it.Value().Orientation();
       changed = changed || !edge.IsSame(it.Value());
-      builder.Add(wire, edge.Oriented(reversed_.Contains(it.Value()) ? TopAbs::Reverse(use) : use));
+      if (!plane.IsNull() && !edge.IsSame(it.Value())) widen(edge, distance_from(plane, edge));
+      edges.push_back(
+          TopoDS::Edge(edge.Oriented(reversed_.Contains(it.Value()) ? TopAbs::Reverse(use) : use)));
     }
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (const TopoDS_Edge& edge : with_fitted_poles(edges, made)) builder.Add(wire, edge);
     wire.Closed(part.Value().Closed());
     builder.Add(made, wire);
   }

@@ -123,5 +123,24 @@ TEST(SolidApex, PlanesThroughThePolesOfALargeBallHalveIt) {
   for (const TopoDS_Solid& solid : made.solids) EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid());
 }
 
+// A cone lies half in a plate, its tip a little above or below the surface: its ruling that comes
+// nearest to the tip turns there by nearly a half of its chart.
+TEST(SolidApex, ConesWithTheirTipNearlyInAPlateAreCut) {
+  const TrimTool plate =
+      trim_tool(BRepPrimAPI_MakeBox(gp_Pnt(-4, -5, -2), gp_Pnt(4, 3, 0)).Shape());
+  const gp_Dir along(0.6438747318933178, -0.7651228020715961, 0.003525248844770457);
+  for (const double up : {0.0, 1e-9, -1e-9, 3.9e-9, -3.9e-9, 2.1e-8, -2.1e-8}) {
+    const gp_Pnt foot = gp_Pnt(0, 0, up).Translated(-2.79902 * gp_Vec(along));
+    const TrimTool cone =
+        trim_tool(BRepPrimAPI_MakeCone(gp_Ax2(foot, along), 1, 0, 2.79902).Shape());
+    for (const SolidOperation operation : {SolidOperation::Split, SolidOperation::Fuse}) {
+      const SolidTrimResult made = trim_solids(plate, {cone}, operation);
+      ASSERT_TRUE(made.obstacles.empty()) << up << ": " << made.obstacles.front();
+      for (const TopoDS_Solid& solid : made.solids)
+        EXPECT_TRUE(BRepCheck_Analyzer(solid).IsValid()) << up;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace blossom::occt
