@@ -117,7 +117,11 @@ bool ValleyLabels::label_valley() {
     // By signs alone where that is possible, so that shallow loops stay loops.
     exact_ = !in.contact && !out.contact;
     pieces_left_ = kMaxExactPieces;
-    if (!exact_ || !label(*whole, in, out, pieces) || !beyond_tolerance(merged(pieces))) {
+    const auto is_told = [&] {
+      return label(*whole, in, out, pieces) && changes_sign(pieces) &&
+             beyond_tolerance(merged(pieces));
+    };
+    if (!exact_ || !is_told()) {
       exact_ = false;
       pieces.clear();
       pieces_left_ = kMaxPieces;
@@ -128,6 +132,12 @@ bool ValleyLabels::label_valley() {
     valleys_.push_back(merged(pieces));
   }
   return true;
+}
+
+// False if the surfaces do not cross along the valley: signs do not tell how near they come.
+bool ValleyLabels::changes_sign(const std::vector<ValleyPiece>& pieces) {
+  return std::ranges::any_of(
+      pieces, [](const ValleyPiece& piece) { return piece.label == ValleyLabel::Below; });
 }
 
 // True if between two changes of sign the gap always grows to a part of the tolerance: what is
@@ -156,7 +166,7 @@ bool ValleyLabels::label(const ValleyStretch& stretch, const BorderEvent& in,
   const bool fast = bounds.slope_low > slow_slope_ || bounds.slope_high < -slow_slope_;
   const bool monotone = bounds.slope_low > 0 || bounds.slope_high < 0;
   // Where the gap changes fast its sign counts, elsewhere the tolerance does.
-  const double sure = exact_ || fast || touches_other ? 0 : tolerance_;
+  const double sure = exact_ || fast ? 0 : tolerance_;
   if (!touches_contact && bounds.low > sure) {
     pieces.push_back({from, to, ValleyLabel::Above});
     return true;

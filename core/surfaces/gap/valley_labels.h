@@ -54,6 +54,7 @@ class ValleyLabels {
   void add_zone(std::size_t edge, double along, std::vector<double>& cuts) const;
   bool add_roots(std::size_t edge, double from, double to);
   bool label_valley();
+  static bool changes_sign(const std::vector<ValleyPiece>& pieces);
   bool beyond_tolerance(const std::vector<ValleyPiece>& pieces) const;
   bool label(const ValleyStretch& stretch, const BorderEvent& in, const BorderEvent& out,
              std::vector<ValleyPiece>& pieces);
