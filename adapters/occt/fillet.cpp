@@ -171,7 +171,7 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
   FilletResult result;
   Filleting work(shape, options);
   check_request(work.body(), edges, options);
-  for (const SolidPart& part : work.parts()) result.volume_before += part.volume;
+  if (options.volumes) result.volume_before = work.volume_given();
   std::vector<FilletEdges> chains = chains_of(work.body(), edges, result.refused);
   const auto refuse = [&](const FilletRefusal& why) {
     result.refused.push_back(why);

@@ -60,13 +60,16 @@ struct FilletOptions {
   /// parameter, by length over the edges of a run. Runs start where their edge of the least number
   /// does.
   std::optional<double> last_radius{};
-  /// A conic in place of the circle, in (0, 1): how far its shoulder is on the way from the chord to
-  /// where its end tangents meet; 0.5 is a parabola.
+  /// A conic in place of the circle, in (0, 1): how far its shoulder is on the way from the chord
+  /// to where its end tangents meet; 0.5 is a parabola.
   std::optional<double> rho{};
   /// Chamfers in place of fillets. The first distance is on the face of the smaller number at the
   /// edge of the least number of a run, and on that side all along the run.
   std::optional<ChamferSize> chamfer{};
   bool partial = false;  ///< make those that can be made, instead of all or none
+  /// Measure whole solids, before and after. What fillets take and add is measured in any case, on
+  /// the faces that change alone.
+  bool volumes = true;
   IntersectionOptions intersection{};
 };
 
@@ -80,7 +83,7 @@ struct FilletFace {
 struct FilletedSolid {
   TopoDS_Solid solid;
   std::vector<FilletFace> faces;
-  double volume = 0;  ///< cubic model units, by our own integration
+  double volume = 0;  ///< cubic model units, by our own integration; 0 without `volumes`
 };
 
 struct FilletResult {
@@ -90,7 +93,7 @@ struct FilletResult {
   std::vector<FilletedSolid> solids;
   std::vector<int> edges;  ///< that have fillets: those asked for and those that they go on in
   std::vector<FilletRefusal> refused;
-  double volume_before = 0;
+  double volume_before = 0;        ///< of all solids; 0 without `volumes`
   std::vector<std::string> notes;  ///< how strips end, where that is not what one would think
 };
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Fillets of sharp edges of models, beside BRepFilletAPI_MakeFillet.
 //
-//   bench_fillets [--edges N] [--seed N] [--limit SECONDS] [--no-peer] FILE...
+//   bench_fillets [--edges N] [--seed N] [--edge N]... [--part X]... [--limit SECONDS] [--no-peer]
+//                 FILE...
 //
 // Of each file up to N sharp edges (angle between the normals above 10 degrees) with one (ff1) or
-// two (ff2) free-form faces are drawn; each is rounded by the radii 0.01, 0.03, 0.1 and 0.3 times
-// the least of its length and the roots of both areas.
+// two (ff2) free-form faces are drawn, or those that `--edge` names are taken; each is rounded by
+// the radii 0.01, 0.03, 0.1 and 0.3, or those after `--part`, times the least of its length and the
+// roots of both areas. A table of what came out, by kind of fault, stands at the end.
 //
 //   valid     a blend face was made, BRepCheck_Analyzer finds nothing against the solid, and its
 //             volume changed the way the edge says: less at a convex one, more at a concave one
@@ -22,6 +24,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -55,6 +58,8 @@ struct Settings {
   unsigned seed = 1;
   double limit = 20;
   bool peer = true;
+  std::vector<int> chosen;    // numbers of edges; none: they are drawn
+  std::vector<double> parts;  // of an edge's size
   std::vector<std::string> files;
 };
 
@@ -64,7 +69,8 @@ enum class Verdict { Valid, Refused, Wrong, Crashed };
 struct Outcome {
   Verdict verdict = Verdict::Crashed;
   double seconds = 0;
-  char reason[160] = {};
+  char fault[16] = {};  // of what is refused
+  char reason[240] = {};
 };
 
 struct Job {
@@ -106,11 +112,15 @@ Outcome ours(const TopoDS_Shape& shape, const Job& job) {
   const double start = thread_seconds();
   try {
     occt::FilletResult made;
-    with_threads(1, [&] { made = occt::fillet(shape, {job.edge}, {.radius = job.radius}); });
+    with_threads(1, [&] {
+      made = occt::fillet(shape, {job.edge}, {.radius = job.radius, .volumes = false});
+    });
     outcome.seconds = thread_seconds() - start;
     if (!made.refused.empty()) {
       outcome.verdict = Verdict::Refused;
-      std::strncpy(outcome.reason, made.refused.front().text().c_str(), sizeof outcome.reason - 1);
+      const occt::FilletRefusal& why = made.refused.front();
+      std::strncpy(outcome.fault, to_string(why.fault), sizeof outcome.fault - 1);
+      std::strncpy(outcome.reason, why.text().c_str(), sizeof outcome.reason - 1);
       return outcome;
     }
     const TopoDS_Shape before = shape;
@@ -126,6 +136,7 @@ Outcome ours(const TopoDS_Shape& shape, const Job& job) {
         valid && (job.concave ? change > 0 : change < 0) ? Verdict::Valid : Verdict::Wrong;
   } catch (const std::exception& error) {
     outcome.verdict = Verdict::Refused;
+    std::strncpy(outcome.fault, "exception", sizeof outcome.fault - 1);
     std::snprintf(outcome.reason, sizeof outcome.reason, "exception: %s", error.what());
   }
   return outcome;
@@ -154,19 +165,21 @@ std::vector<Job> drawn(const TopoDS_Shape& shape, const Settings& settings) {
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   std::vector<occt::EdgeFacts> fit;
   for (const occt::EdgeFacts& each : occt::edge_facts(shape)) {
+    const bool wanted = std::ranges::count(settings.chosen, each.number) > 0;
+    if (!settings.chosen.empty() && !wanted) continue;
     const bool sharp = each.kind == occt::EdgeKind::Convex || each.kind == occt::EdgeKind::Concave;
     if (!sharp || each.angle < kSharp) continue;
     const bool any = std::ranges::any_of(
         each.faces, [&](int face) { return is_free_form(TopoDS::Face(faces(face))); });
-    if (any) fit.push_back(each);
+    if (any || wanted) fit.push_back(each);
   }
   std::mt19937 random(settings.seed);
   std::ranges::shuffle(fit, random);
-  if (static_cast<int>(fit.size()) > settings.edges)
+  if (settings.chosen.empty() && static_cast<int>(fit.size()) > settings.edges)
     fit.resize(static_cast<std::size_t>(settings.edges));
   std::vector<Job> jobs;
   for (const occt::EdgeFacts& each : fit)
-    for (const double part : kRadii) {
+    for (const double part : settings.parts) {
       Job job{each.number, each.kind == occt::EdgeKind::Concave, true, 0, part};
       double size = each.length;
       for (const int face : each.faces) {
@@ -181,15 +194,18 @@ std::vector<Job> drawn(const TopoDS_Shape& shape, const Settings& settings) {
 
 struct Table {
   std::array<int, 4> count{};
+  std::map<std::string, int> faults;
   double seconds = 0;
 
   void add(const Outcome& outcome) {
     ++count[static_cast<std::size_t>(outcome.verdict)];
+    if (outcome.fault[0] != 0) ++faults[outcome.fault];
     seconds += outcome.seconds;
   }
   void print(const char* who) const {
     std::printf("%-6s valid %4d  refused %4d  wrong %4d  crashed %4d  %8.2f s\n", who, count[0],
                 count[1], count[2], count[3], seconds);
+    for (const auto& [fault, times] : faults) std::printf("  %-14s %4d\n", fault.c_str(), times);
   }
 };
 
@@ -228,11 +244,16 @@ Settings settings_of(int argc, char** argv) {
       settings.seed = static_cast<unsigned>(std::stoul(argv[++i]));
     else if (word == "--limit" && more)
       settings.limit = std::stod(argv[++i]);
+    else if (word == "--edge" && more)
+      settings.chosen.push_back(std::stoi(argv[++i]));
+    else if (word == "--part" && more)
+      settings.parts.push_back(std::stod(argv[++i]));
     else if (word == "--no-peer")
       settings.peer = false;
     else
       settings.files.push_back(word);
   }
+  if (settings.parts.empty()) settings.parts.assign(kRadii.begin(), kRadii.end());
   return settings;
 }
 

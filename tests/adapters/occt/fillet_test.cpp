@@ -18,12 +18,14 @@
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
@@ -294,6 +296,22 @@ TEST(FilletRefuses, FacesOfNoSolid) {
   const FilletResult made = rounded(sheet, {1}, 1);
   EXPECT_TRUE(made.solids.empty());
   EXPECT_EQ(made.refused.front().fault, FilletFault::Edge);
+}
+
+TEST(FilletRefuses, ASolidThatIsTurnedInsideOut) {
+  const FilletResult made = rounded(box(10).Reversed(), {1}, 1);
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_NE(made.refused.front().cause.find("inside out"), std::string::npos) << told(made);
+}
+
+TEST(FilletResultOf, ABoxIsTheSameWithoutVolumesOfWholeSolids) {
+  const FilletResult made = fillet(box(10), {1}, {.radius = 2, .volumes = false});
+  EXPECT_EQ(made.volume_before, 0);
+  ASSERT_EQ(made.solids.size(), 1U) << told(made);
+  EXPECT_EQ(made.solids.front().volume, 0);
+  GProp_GProps properties;
+  BRepGProp::VolumeProperties(made.solids.front().solid, properties);
+  EXPECT_NEAR(properties.Mass(), 1000 - 10 * kCut * 4, 1e-9);
 }
 
 TEST(FilletRefuses, InPartWhatIsAskedForInPart) {

@@ -44,16 +44,37 @@ std::optional<Problem> new_fault(const BodyEdges& body, const FilletedSolid& mad
   return std::nullopt;
 }
 
+// The faces that are as they were.
+TopTools_MapOfShape kept_faces(const BodyEdges& body, const FilletedSolid& made) {
+  TopTools_MapOfShape kept;
+  for (const FilletFace& face : made.faces)
+    if (face.from > 0 && face.face.IsSame(body.face(face.from))) kept.Add(face.face);
+  return kept;
+}
+
+// Those of them that have no vertex of another face, and so nothing that could have changed.
+TopTools_MapOfShape apart_from_changes(const FilletedSolid& made, const TopTools_MapOfShape& kept) {
+  TopTools_IndexedMapOfShape touched;
+  for (const FilletFace& face : made.faces)
+    if (!kept.Contains(face.face)) TopExp::MapShapes(face.face, TopAbs_VERTEX, touched);
+  TopTools_MapOfShape apart;
+  for (const FilletFace& face : made.faces) {
+    bool is_apart = kept.Contains(face.face);
+    for (TopExp_Explorer it(face.face, TopAbs_VERTEX); it.More() && is_apart; it.Next())
+      is_apart = !touched.Contains(it.Current());
+    if (is_apart) apart.Add(face.face);
+  }
+  return apart;
+}
+
 }  // namespace
 
-void check_blended(const BodyEdges& body, const TopoDS_Solid& before, double volume,
-                   const FilletedSolid& made, const FilletEdges& edges) {
+void check_blended(const BodyEdges& body, const TopoDS_Solid& before, const FilletedSolid& made,
+                   const FilletEdges& edges, double change) {
   const int first = edges.begin()->first;
-  TopTools_MapOfShape known;
-  for (const FilletFace& face : made.faces)
-    if (face.from > 0 && face.face.IsSame(body.face(face.from))) known.Add(face.face);
-  const bool valid = is_valid(made.solid, known) && (BRepCheck_Analyzer(made.solid).IsValid() ||
-                                                     !BRepCheck_Analyzer(before).IsValid());
+  const TopTools_MapOfShape known = kept_faces(body, made);
+  const bool valid = is_valid(made.solid, apart_from_changes(made, known)) ||
+                     (is_valid(made.solid, known) && !BRepCheck_Analyzer(before).IsValid());
   if (!valid)
     throw FilletRefused({FilletFault::Result,
                          first,
@@ -70,7 +91,6 @@ void check_blended(const BodyEdges& body, const TopoDS_Solid& before, double vol
                          {}});
   const bool any_concave = std::ranges::any_of(edges, [](const auto& e) { return e.second; });
   const bool any_convex = std::ranges::any_of(edges, [](const auto& e) { return !e.second; });
-  const double change = made.volume - volume;
   if ((!any_concave && change >= 0) || (!any_convex && change <= 0))
     throw FilletRefused({FilletFault::Result,
                          first,

@@ -14,13 +14,16 @@
 
 namespace blossom::occt {
 
-/// Validity by BRepCheck, soundness of all faces that are new or cut, and a volume that changed the
-/// way the edges say.
+/// Validity by BRepCheck of the solid and of all faces that are new or cut or have a vertex of such
+/// a one, soundness of the new and cut ones, and a volume that changed the way the edges say. Other
+/// faces are as they were.
 ///
-/// before, volume   of the solid that the blends were put into, whose faces are those of `body`
-/// throws           FilletRefused
-void check_blended(const BodyEdges& body, const TopoDS_Solid& before, double volume,
-                   const FilletedSolid& made, const FilletEdges& edges);
+/// before   the solid that the blends were put into, whose faces are those of `body`; faces of one
+///          that is not valid itself are only looked at where they change
+/// change   of the volume, cubic model units
+/// throws   FilletRefused
+void check_blended(const BodyEdges& body, const TopoDS_Solid& before, const FilletedSolid& made,
+                   const FilletEdges& edges, double change);
 
 /// The ball must not have run into faces that it was not known to roll on or end in.
 ///

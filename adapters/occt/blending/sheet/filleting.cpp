@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <BRep_Tool.hxx>
+#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -17,6 +18,8 @@
 #include "adapters/occt/blending/sheet/fillet_order.h"
 #include "adapters/occt/blending/strips/ball_walk.h"
 #include "adapters/occt/faces/area.h"
+#include "adapters/occt/faces/point_inside.h"
+#include "adapters/occt/queries/solid_rays.h"
 #include "adapters/occt/solids/solid_shells.h"
 
 namespace blossom::occt {
@@ -33,34 +36,87 @@ void Filleting::find_parts(const TopoDS_Shape& shape) {
   for (int i = 1; i <= solids.Extent(); ++i) {
     SolidPart part;
     part.solid = TopoDS::Solid(solids(i));
-    for (TopExp_Explorer it(part.solid, TopAbs_FACE); it.More(); it.Next()) {
-      const int number = faces.FindIndex(it.Current());
-      part.faces.insert(number);
-      part.volume += cone_volume(TopoDS::Face(it.Current()), apex_);
-    }
+    part.one_shell = part.solid.NbChildren() == 1;
+    for (TopExp_Explorer it(part.solid, TopAbs_FACE); it.More(); it.Next())
+      part.faces.insert(faces.FindIndex(it.Current()));
     parts_.push_back(std::move(part));
   }
 }
 
-const SolidPart& Filleting::part_of(int edge) const {
+// The volume over a face that was given.
+double Filleting::cone_over(int face) {
+  const auto [known, is_new] = cones_.try_emplace(face, 0);
+  if (is_new) known->second = cone_volume(face_given(face), apex_);
+  return known->second;
+}
+
+double Filleting::volume_of(const SolidPart& part) {
+  double volume = 0;
+  for (const int face : part.faces) volume += cone_over(face);
+  return volume;
+}
+
+double Filleting::volume_given() {
+  double volume = 0;
+  for (const SolidPart& part : parts_) volume += volume_of(part);
+  return volume;
+}
+
+// Whether the faces of a solid are turned into it: by lines that leave it, or else by its volume.
+bool Filleting::is_inside_out(const SolidPart& part) {
+  std::vector<TopoDS_Face> faces;
+  for (const int number : part.faces) faces.push_back(face_given(number));
+  const std::optional<gp_Pnt> inside = point_inside(faces.front());
+  SolidRays rays(std::move(faces), Precision::Confusion());
+  if (inside)
+    for (const Vec3& direction : kRayDirections)
+      if (const auto outwards = rays.leaves({inside->X(), inside->Y(), inside->Z()}, direction))
+        return !*outwards;
+  return volume_of(part) <= 0;
+}
+
+SolidPart& Filleting::part_of(int edge) {
   const int face = body_.use(edge, true).face;
   const auto found = std::ranges::find_if(
       parts_, [face](const SolidPart& part) { return part.faces.count(face) > 0; });
   if (found == parts_.end())
     throw FilletRefused({FilletFault::Edge, edge, "it belongs to no solid", {}, {}, {}});
-  if (found->volume <= 0)
+  if (!found->inside_out) found->inside_out = is_inside_out(*found);
+  if (*found->inside_out)
     throw FilletRefused({FilletFault::Edge, edge, "its solid is turned inside out", {}, {}, {}});
   return *found;
 }
 
+bool Filleting::is_kept(const TrimmedFace& face) const {
+  return face.from > 0 && face.face.IsSame(body_.face(face.from));
+}
+
+// How much more the solid has, by the faces that changed.
+double Filleting::change(const SolidPart& part, const std::vector<TrimmedFace>& faces) {
+  double change = 0;
+  std::set<int> lost = part.faces;
+  for (const TrimmedFace& each : faces)
+    if (is_kept(each))
+      lost.erase(each.from);
+    else if (each.from == 0 || part.faces.count(each.from) > 0)
+      change += cone_volume(each.face, apex_);
+  for (const int face : lost) change -= cone_over(face);
+  return change;
+}
+
+// The one shell of a solid stays turned outwards as long as it is one: its volume need not be
+// known.
 FilletedSolid Filleting::closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
-                                const FilletEdges& edges) const {
+                                const FilletEdges& edges) {
+  const bool measured = options_.volumes || !part.one_shell;
   FilletedSolid made;
   std::vector<BoundingFace> bounding;
   for (const TrimmedFace& each : faces) {
     if (each.from > 0 && part.faces.count(each.from) == 0) continue;
-    bounding.push_back({each.face, cone_volume(each.face, apex_)});
-    made.volume += bounding.back().volume;
+    double volume = 1;
+    if (measured) volume = is_kept(each) ? cone_over(each.from) : cone_volume(each.face, apex_);
+    bounding.push_back({each.face, volume});
+    if (options_.volumes) made.volume += volume;
     made.faces.push_back({each.face, each.from, each.edge});
   }
   std::string obstacle;
@@ -90,7 +146,7 @@ Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   TrimmedBody trimmed = trimmed_by_sheet(body_, sheet, tolerance);
   notes_.insert(notes_.end(), sheet.notes().begin(), sheet.notes().end());
   Grouped grouped{closed(part, trimmed.faces, edges), std::move(trimmed.edges)};
-  check_blended(body_, part.solid, part.volume, grouped.made, edges);
+  check_blended(body_, part.solid, grouped.made, edges, change(part, trimmed.faces));
   check_apart(grouped.made, options_.intersection, tick);
   return grouped;
 }
@@ -156,12 +212,12 @@ FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group
 std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
   std::vector<FilletedSolid> all;
   notes_.clear();
-  for (const SolidPart& part : parts_) {
+  for (SolidPart& part : parts_) {
     FilletEdges own;
     for (const auto& [edge, concave] : edges)
       if (&part_of(edge) == &part) own.emplace(edge, concave);
     if (own.empty()) {
-      FilletedSolid kept{part.solid, {}, part.volume};
+      FilletedSolid kept{part.solid, {}, options_.volumes ? volume_of(part) : 0};
       for (TopExp_Explorer it(part.solid, TopAbs_FACE); it.More(); it.Next())
         kept.faces.push_back({TopoDS::Face(it.Current()), 0, 0});
       std::size_t next = 0;

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -31,7 +32,8 @@ inline constexpr const char* kFilleting = "rounding edges";
 struct SolidPart {
   TopoDS_Solid solid;  // of the shape that was given
   std::set<int> faces;
-  double volume = 0;
+  bool one_shell = true;
+  std::optional<bool> inside_out{};  ///< as far as it is known
 };
 
 /// A solid with fillets, and what is left in it of the edges that it had, by number; others are
@@ -55,7 +57,8 @@ class Filleting {
   }
 
   const BodyEdges& body() const { return body_; }
-  const std::vector<SolidPart>& parts() const { return parts_; }
+  /// Of all solids that were given.
+  double volume_given();
 
   /// All these edges, or a refusal.
   std::vector<FilletedSolid> made(const FilletEdges& edges);
@@ -64,9 +67,14 @@ class Filleting {
 
  private:
   void find_parts(const TopoDS_Shape& shape);
-  const SolidPart& part_of(int edge) const;
+  bool is_inside_out(const SolidPart& part);
+  SolidPart& part_of(int edge);
+  double cone_over(int face);
+  double volume_of(const SolidPart& part);
+  bool is_kept(const TrimmedFace& face) const;
+  double change(const SolidPart& part, const std::vector<TrimmedFace>& faces);
   FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
-                       const FilletEdges& edges) const;
+                       const FilletEdges& edges);
   Grouped with_group(const SolidPart& part, const FilletEdges& edges);
   struct Renamed {
     FilletEdges edges;      // with those in which they go on
@@ -83,6 +91,7 @@ class Filleting {
   std::shared_ptr<const WorkLimit> limit_;
   std::vector<SolidPart> parts_;
   std::vector<TopoDS_Face> faces_given_;  // by number
+  std::map<int, double> cones_;           // volumes over given faces, as far as they are known
   std::vector<std::string> notes_;
   Vec3 apex_;
 };

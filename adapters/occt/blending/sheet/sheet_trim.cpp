@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -176,7 +177,7 @@ class Trimming {
   std::map<int, std::vector<TopoDS_Edge>> edges() const;
 
  private:
-  bool is_touched(int face) const;
+  std::set<int> touched_faces() const;
   std::vector<TopoDS_Edge> edges_left(int face);
   void add_border(const std::vector<TopoDS_Edge>& edges, const TopoDS_Face& face, const Vec2& scale,
                   int from, int edge);
@@ -190,11 +191,13 @@ class Trimming {
   std::vector<Border> borders_;
 };
 
-bool Trimming::is_touched(int face) const {
-  if (sheet_.added().count(face) > 0) return true;
-  const auto& uses = body_.uses(face);
-  return std::any_of(uses.begin(), uses.end(),
-                     [&](const EdgeUseInFace& use) { return kept_.count(use.edge) > 0; });
+// The faces that get edges, or of whose edges something goes.
+std::set<int> Trimming::touched_faces() const {
+  std::set<int> touched;
+  for (const auto& [face, edges] : sheet_.added()) touched.insert(face);
+  for (const auto& [edge, pieces] : kept_)
+    for (const bool forward : {true, false}) touched.insert(body_.use(edge, forward).face);
+  return touched;
 }
 
 // As the forward face uses them.
@@ -273,9 +276,9 @@ bool Trimming::collapse_one() {
 
 std::vector<TrimmedFace> Trimming::faces() {
   std::vector<TrimmedFace> all;
-  for (int number = 1; number <= body_.face_count(); ++number)
-    if (is_touched(number))
-      add_border(edges_left(number), body_.face(number), body_.trims(number).scale, number, 0);
+  const std::set<int> touched = touched_faces();
+  for (const int number : touched)
+    add_border(edges_left(number), body_.face(number), body_.trims(number).scale, number, 0);
   for (const BlendPatch& patch : sheet_.patches()) {
     const bool reversed = patch.face.Orientation() == TopAbs_REVERSED;
     std::vector<TopoDS_Edge> edges;
@@ -285,7 +288,7 @@ std::vector<TrimmedFace> Trimming::faces() {
   while (collapse_one()) {
   }
   for (int number = 1; number <= body_.face_count(); ++number)
-    if (!is_touched(number)) all.push_back({body_.face(number), number, 0});
+    if (touched.count(number) == 0) all.push_back({body_.face(number), number, 0});
   for (const Border& border : borders_) {
     if (border.wires.empty()) continue;
     const TopoDS_Face of = TopoDS::Face(border.of.Oriented(border.orientation));
