@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 #include <BRepCheck_Shell.hxx>
@@ -201,6 +202,15 @@ Soundness looked_at(const TopoDS_Shape& shape, const std::vector<int>& wanted,
   return result;
 }
 
+// The first thing that is wrong with a face or its wires.
+std::optional<Problem> first_problem(const TopoDS_Face& face, const std::vector<std::string>& own) {
+  if (!own.empty()) return Problem{own.front()};
+  std::vector<Problem> of_wires;
+  guarded("checking wires", [&] { of_wires = wire_problems(face); });
+  if (of_wires.empty()) return std::nullopt;
+  return of_wires.front();
+}
+
 const CheckRunner& known_or_direct(const CheckRunner& run) {
   static const CheckRunner kDirectly = [](const std::string&, const std::function<void()>& work) {
     work();
@@ -231,6 +241,16 @@ Soundness soundness(const TopoDS_Shape& shape, const CheckRunner& run) {
 Soundness soundness(const TopoDS_Shape& shape, const std::vector<int>& faces,
                     const CheckRunner& run) {
   return looked_at(shape, faces, known_or_direct(run));
+}
+
+std::vector<std::optional<Problem>> face_faults(const std::vector<TopoDS_Face>& faces) {
+  std::vector<int> numbers(faces.size());
+  std::iota(numbers.begin(), numbers.end(), 1);
+  const std::vector<std::vector<std::string>> own =
+      face_problems(faces, numbers, known_or_direct({}));
+  std::vector<std::optional<Problem>> found;
+  for (std::size_t i = 0; i < faces.size(); ++i) found.push_back(first_problem(faces[i], own[i]));
+  return found;
 }
 
 }  // namespace blossom::occt

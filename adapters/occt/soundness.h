@@ -98,4 +98,7 @@ Soundness soundness(const TopoDS_Shape& shape, const CheckRunner& run = {});
 Soundness soundness(const TopoDS_Shape& shape, const std::vector<int>& faces,
                     const CheckRunner& run = {});
 
+/// The first problem of each face and its wires, if there is one; gaps of edges are not measured.
+std::vector<std::optional<Problem>> face_faults(const std::vector<TopoDS_Face>& faces);
+
 }  // namespace blossom::occt

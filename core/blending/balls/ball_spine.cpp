@@ -13,10 +13,13 @@
 namespace blossom {
 namespace {
 
-constexpr int kDegree = 4;              // of the interpolation, between two nodes of a track
-constexpr double kSafety = 2;           // on differences measured at twice as many points
-constexpr double kRough = 1e-2;         // difference relative to the function: the piece is halved
-constexpr int kMaxHalvings = 24;        // of a piece between two nodes
+constexpr int kDegree = 4;        // of the interpolation, between two nodes of a track
+constexpr double kSafety = 2;     // on differences measured at twice as many points
+constexpr double kRough = 1e-2;   // difference relative to the function: the piece is halved
+constexpr int kMaxHalvings = 24;  // of a piece between two nodes
+// Pieces of a track that are looked at, on average between two nodes: where determinants are noise,
+// as beside points without a normal, no piece is ever smooth enough, and halving would not end.
+constexpr std::size_t kMostPieces = 64;
 constexpr double kZero = 1e-12;         // determinants are dimensionless, 1 for a plane
 constexpr double kRootWidth = 0x1p-50;  // of the domain
 constexpr double kExtremum = 1e-9;      // of the piece: where an extremum is
@@ -71,6 +74,7 @@ class CuspSearch {
 
   const BallTrack& track_;
   double width_;
+  std::size_t pieces_left_ = 0;  // that may still be halved
   int support_ = 0;
   std::vector<BallCusp> cusps_;
 };
@@ -137,7 +141,8 @@ void CuspSearch::look(const Interval& range, int depth) {
     }
   }
   const auto is_rough = [&](std::size_t k) { return error[k] > kRough * size[k] + kZero; };
-  if ((is_rough(0) || is_rough(1)) && depth < kMaxHalvings) {
+  if ((is_rough(0) || is_rough(1)) && depth < kMaxHalvings && pieces_left_ > 0) {
+    --pieces_left_;
     look({range.from, at(range, 0.5)}, depth + 1);
     return look({at(range, 0.5), range.to}, depth + 1);
   }
@@ -150,6 +155,7 @@ void CuspSearch::look(const Interval& range, int depth) {
 
 std::vector<BallCusp> CuspSearch::cusps() {
   const auto& nodes = track_.nodes();
+  pieces_left_ = kMostPieces * nodes.size();
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     look({nodes[i].parameter, nodes[i + 1].parameter}, 0);
   std::sort(cusps_.begin(), cusps_.end(),

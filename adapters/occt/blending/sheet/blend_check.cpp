@@ -2,7 +2,6 @@
 #include "adapters/occt/blending/sheet/blend_check.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,20 +25,17 @@ namespace {
 // The first fault of a face that is new or was cut, if the face that it is left of had none.
 std::optional<Problem> new_fault(const BodyEdges& body, const FilletedSolid& made,
                                  const TopTools_MapOfShape& known) {
-  TopTools_IndexedMapOfShape numbers;
-  TopExp::MapShapes(made.solid, TopAbs_FACE, numbers);
-  std::vector<int> wanted;
-  std::map<int, int> from;  // of each of them: the face that it is left of, or 0
+  std::vector<TopoDS_Face> changed;
+  std::vector<int> from;  // of each of them: the face that it is left of, or 0
   for (const FilletFace& face : made.faces) {
     if (known.Contains(face.face)) continue;
-    wanted.push_back(numbers.FindIndex(face.face));
-    from[wanted.back()] = face.from;
+    changed.push_back(face.face);
+    from.push_back(face.from);
   }
-  for (const FaceSoundness& face : soundness(made.solid, wanted).faces) {
-    if (face.problems.empty()) continue;
-    const int before = from[face.number];
-    if (before > 0 && !soundness(body.face(before)).faces.front().problems.empty()) continue;
-    return face.problems.front();
+  const std::vector<std::optional<Problem>> faults = face_faults(changed);
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    if (!faults[i]) continue;
+    if (from[i] == 0 || !face_faults({body.face(from[i])}).front()) return faults[i];
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
@@ -18,6 +19,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
+#include "adapters/occt/blending/strips/mitre_curve.h"
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
@@ -96,6 +98,10 @@ bool lies_on_ball_strip(const EndCurve& curve, const RolledStrip& strip, double 
   return true;
 }
 
+bool is_spline(const RolledStrip& strip) {
+  return !Handle(Geom_BSplineSurface)::DownCast(strip.surface).IsNull();
+}
+
 TopoDS_Face plane_face(const Vec3& a, const Vec3& b, const Vec3& c) {
   TopoDS_Face face;
   const Vec3 normal = cross(b - a, c - a);
@@ -105,8 +111,9 @@ TopoDS_Face plane_face(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-// The edge in which two strips run into each other, between two vertices: in the plane in which one
-// ball touches all their faces, or wherever they meet.
+// The edge in which two strips run into each other, between two vertices: followed from the one to
+// the other where a strip is fitted, else in the plane in which one ball touches all their faces,
+// or wherever they meet.
 PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const TopoDS_Vertex& from,
                                 const TopoDS_Vertex& to, double reach) {
   const RolledStrip &strip = strip_of(a).strip, &other = strip_of(b).strip;
@@ -119,6 +126,10 @@ PathEdge BlendSheet::mitre_edge(const HalfEdge& a, const HalfEdge& b, const Topo
     add_chart(edge, on_other, other.bare_face());
     return PathEdge{edge, curve.forward};
   };
+  const bool of_balls = strip.is_ball && other.is_ball && strip.radius == other.radius;
+  if (of_balls && (is_spline(strip) || is_spline(other)))
+    if (const auto curve = mitre_curve(strip, other, place, target, tolerance_))
+      return made(*curve, curve->on_face);
   if (strip.is_ball && other.is_ball) {
     const Vec3 centre = vec(strip.spine->Value(end_of(a).t[left_side(a)]).XYZ());
     const auto curve =

@@ -139,7 +139,8 @@ Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   WalkOptions walking{options_, tolerance, {}, tick};
   for (const auto& [edge, concave] : edges) walking.filleted.insert(edge);
   BlendSheet sheet(body_, tolerance, options_.chamfer.has_value());
-  for (const EdgeRun& run : edge_runs(body_, edges)) sheet.add(ball_walk(body_, run, walking));
+  for (const EdgeRun& run : edge_runs(body_, edges))
+    for (const BallWalk& walk : ball_walks(body_, run, walking)) sheet.add(walk);
   tick();
   sheet.build();
   tick();

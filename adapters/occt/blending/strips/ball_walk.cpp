@@ -8,6 +8,7 @@
 
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
+#include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
@@ -35,6 +36,7 @@ struct Exit {
   double t = 0;
   std::array<std::optional<ContactCrossing>, 2> over{};  // by walking side
   bool ends = false;                                     // the walk does, and nothing follows
+  int sharp_edge = 0;                                    // at which it ends, if at one
 };
 
 class Walker {
@@ -47,6 +49,9 @@ class Walker {
         made_(run.edges.size()) {}
 
   BallWalk walk();
+  /// The place of the run after whose edge it has to be cut, for a walk that came to no end: there
+  /// a sharp edge begins in its vertex, which the ball cannot go over.
+  const std::optional<std::size_t>& cut() const { return cut_; }
 
  private:
   using Part = std::vector<std::pair<WalkJoint, WalkedStrip>>;
@@ -74,6 +79,7 @@ class Walker {
   std::pair<WalkedStrip, double> following(const WalkedStrip& of, const Exit& exit,
                                            std::size_t& place, int step);
   BallWalk round(WalkedStrip strip) const;
+  std::optional<std::size_t> joint_at(int edge, std::size_t place, int step) const;
   void check_end(const WalkedStrip& of, std::size_t place, int step, double t) const;
   bool is_shared(int step) const;
   std::optional<std::size_t> next_place(std::size_t place, int step) const;
@@ -83,6 +89,7 @@ class Walker {
   const WalkOptions& options_;
   RunProfiles profiles_;
   std::vector<std::optional<WalkedStrip>> made_;  // by place in the run
+  std::optional<std::size_t> cut_;
 };
 
 // To the left and right of the way.
@@ -218,7 +225,8 @@ Exit Walker::exit(WalkedStrip& of, std::size_t place, int step, double from,
     }
     if ((goes_on_alike || ends_shared) && (!side || !is_nearer(first[*side]->t, edge_end)))
       return {edge_end, {}, ends_shared};
-    if (side && !is_smooth(*first[*side])) return {first[*side]->t, {}, true};
+    if (side && !is_smooth(*first[*side]))
+      return {first[*side]->t, {}, true, first[*side]->use->edge};
     if (side) return over_edges(of, *side, *first[*side], first[1 - *side]);
     if (!grow(of, ahead < 0))
       return {ahead > 0 ? of.strip.range.to : of.strip.range.from, {}, true};
@@ -288,6 +296,17 @@ bool Walker::reaches(WalkedStrip& next, const Vec3& centre, double reach, double
   return true;
 }
 
+// The place after which the run goes over a vertex of an edge, ahead of a place.
+std::optional<std::size_t> Walker::joint_at(int edge, std::size_t place, int step) const {
+  const auto next = next_place(place, step);
+  if (edge == 0 || !next || !profiles_.everywhere() || run_.edges.size() < 2) return std::nullopt;
+  const RunEdge& last = run_.edges[place];
+  const TopoDS_Vertex joint = body_.vertex({last.edge, last.forward != (step > 0)});
+  for (const bool at_start : {true, false})
+    if (body_.vertex({edge, at_start}).IsSame(joint)) return step > 0 ? place : *next;
+  return std::nullopt;
+}
+
 // A walk that stops before the end of its run has left the edges.
 void Walker::check_end(const WalkedStrip& of, std::size_t place, int step, double t) const {
   if (!next_place(place, step)) return;
@@ -350,7 +369,8 @@ Walker::Part Walker::way(WalkedStrip& from, std::size_t place, int step) {
   for (std::size_t count = 0; count < kMostStrips * (run_.edges.size() + 1); ++count) {
     const Exit found = exit(*of, place, step, t, entered);
     if (found.ends) {
-      check_end(*of, place, step, found.t);
+      cut_ = joint_at(found.sharp_edge, place, step);
+      if (!cut_) check_end(*of, place, step, found.t);
       return part;
     }
     auto [next, begin] = following(*of, found, place, step);
@@ -399,6 +419,7 @@ BallWalk Walker::walk() {
   if (first.strip.closed) return round(std::move(first));
   BallWalk walk{run_, {}, {}};
   Part ahead = way(first, place, 1);
+  if (cut_) return walk;
   Part back;
   if (run_.closed) {
     // The last of them is the first strip again.
@@ -407,6 +428,7 @@ BallWalk Walker::walk() {
       first.strip = first.strip.over({std::min(a.from, b.from), std::max(a.to, b.to)});
   } else {
     back = way(first, place, -1);
+    if (cut_) return walk;
   }
   for (auto it = back.rbegin(); it != back.rend(); ++it) {
     walk.strips.push_back(std::move(it->second));
@@ -423,8 +445,29 @@ BallWalk Walker::walk() {
 
 }  // namespace
 
-BallWalk ball_walk(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options) {
-  return Walker(body, run, options).walk();
+namespace {
+
+// The parts of a run before and after a cut; of a closed run the one that is left.
+std::vector<EdgeRun> parts_of(const EdgeRun& run, std::size_t cut) {
+  const auto middle = run.edges.begin() + static_cast<std::ptrdiff_t>(cut) + 1;
+  EdgeRun before{{run.edges.begin(), middle}, false, run.concave};
+  EdgeRun after{{middle, run.edges.end()}, false, run.concave};
+  if (!run.closed) return {before, after};
+  after.edges.insert(after.edges.end(), before.edges.begin(), before.edges.end());
+  return {after};
+}
+
+}  // namespace
+
+std::vector<BallWalk> ball_walks(const BodyEdges& body, const EdgeRun& run,
+                                 const WalkOptions& options) {
+  Walker walker(body, run, options);
+  BallWalk whole = walker.walk();
+  if (!walker.cut()) return {std::move(whole)};
+  std::vector<BallWalk> all;
+  for (const EdgeRun& part : parts_of(run, *walker.cut()))
+    for (BallWalk& each : ball_walks(body, part, options)) all.push_back(std::move(each));
+  return all;
 }
 
 }  // namespace blossom::occt

@@ -52,7 +52,11 @@ struct WalkOptions {
   std::function<void()> tick = [] {};  ///< called for each strip; may throw to stop
 };
 
+/// One walk along all edges of the run. Where the ball would come to a sharp edge beside a vertex
+/// of the run, as at faces that go on smoothly in the vertex alone, the run is cut: two walks end
+/// there, and their strips run into each other.
 /// throws   FilletRefused if there is no ball beside the edges, or it leaves them on the way
-BallWalk ball_walk(const BodyEdges& body, const EdgeRun& run, const WalkOptions& options);
+std::vector<BallWalk> ball_walks(const BodyEdges& body, const EdgeRun& run,
+                                 const WalkOptions& options);
 
 }  // namespace blossom::occt

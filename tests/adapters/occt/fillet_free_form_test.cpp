@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Fillets between free-form faces that meet smoothly in some places and sharply in others.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
+#include <GC_MakeArcOfCircle.hxx>
+#include <TopoDS_Shape.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Pnt.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+#include "adapters/occt/shapes.h"
+#include "adapters/occt/soundness.h"
+#include "tests/support/models.h"
+
+namespace blossom::occt {
+namespace {
+
+std::string told(const FilletResult& made) {
+  std::string all;
+  for (const FilletRefusal& each : made.refused) all += each.text() + "\n";
+  return all;
+}
+
+void expect_sound(const FilletResult& made) {
+  ASSERT_EQ(made.solids.size(), 1U) << told(made);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
+  for (const FaceSoundness& face : soundness(made.solids.front().solid).faces)
+    for (const Problem& problem : face.problems) ADD_FAILURE() << problem.text();
+}
+
+// Two arcs from (-10, 0) to (10, 0) and back, as high as `bulge` in the middle: a circle if that is
+// 10, else a lens.
+TopoDS_Wire two_arcs(double bulge, double z) {
+  const gp_Pnt left(-10, 0, z), right(10, 0, z);
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(left, gp_Pnt(0, bulge, z), right).Value()));
+  wire.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(right, gp_Pnt(0, -bulge, z), left).Value()));
+  return wire;
+}
+
+// A circle below, a lens above: the two side faces meet smoothly in the vertices below, and with
+// growing angles from there up.
+TopoDS_Shape lens_over_circle() {
+  BRepOffsetAPI_ThruSections maker(true, true);
+  maker.AddWire(two_arcs(10, 0));
+  maker.AddWire(two_arcs(4, 10));
+  maker.CheckCompatibility(false);
+  maker.Build();
+  return maker.Shape();
+}
+
+std::vector<int> edges_at_height(const TopoDS_Shape& shape, double z) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (std::abs(each.middle[2] - z) < 1e-6) found.push_back(each.number);
+  return found;
+}
+
+// The ball beside the circle comes to an edge of some degrees at both vertices, where the circle
+// itself goes on smoothly.
+TEST(FilletOfFacesThatMeetSmoothlyInAVertex, HasMitresWhereTheBallComesToTheirEdge) {
+  const TopoDS_Shape shape = lens_over_circle();
+  const std::vector<int> rim = edges_at_height(shape, 0);
+  ASSERT_EQ(rim.size(), 2U);
+  for (const double radius : {0.1, 0.5, 1.0}) {
+    const FilletResult made = fillet(shape, {rim.front()}, {.radius = radius});
+    expect_sound(made);
+    EXPECT_EQ(made.edges, rim);
+    if (made.solids.empty()) continue;
+    EXPECT_EQ(made.solids.front().faces.size(), 6U) << "both arcs have a strip of their own";
+    EXPECT_LT(made.solids.front().volume, made.volume_before);
+  }
+}
+
+// Where determinants along a ball's way were noise, cusps were looked for without an end.
+TEST(FilletOfRealFaces, WithAFarTooLargeRadiusIsRefusedInAShortTime) {
+  const char* data = std::getenv("BLOSSOM_TEST_DATA");
+  const std::filesystem::path file =
+      std::filesystem::path(data != nullptr ? data : "") / "models/propeller.brep";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const Model model = testing::repaired_model(file);
+  const FilletResult made = fillet(model.shape(), {64}, {.radius = 54.2168});
+  EXPECT_TRUE(made.solids.empty());
+  EXPECT_EQ(made.refused.size(), 1U);
+}
+
+}  // namespace
+}  // namespace blossom::occt
