@@ -57,6 +57,21 @@ void cover(const TopoDS_Vertex& vertex, const Vec3& point, double tolerance) {
   BRep_Builder().UpdateVertex(vertex, std::max(tolerance, kMargin * gap));
 }
 
+namespace {
+
+// An end that misses its vertex by more than a hair belongs to edges with tolerances. Where it
+// leaves an edge beside it at 20 degrees, both are within that miss of each other up to three times
+// as far from the vertex; BRepCheck wants all of that within the vertex.
+constexpr double kEndMargin = 3;
+
+void cover_end(const TopoDS_Vertex& vertex, const Vec3& end) {
+  const double miss = distance(point_of(vertex), end);
+  cover(vertex, end,
+        std::max(Precision::Confusion(), miss > Precision::Confusion() ? kEndMargin * miss : 0));
+}
+
+}  // namespace
+
 TopoDS_Edge edge_on(const Handle(Geom_Curve) & curve, const Interval& range,
                     const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
   const BRep_Builder builder;
@@ -65,8 +80,8 @@ TopoDS_Edge edge_on(const Handle(Geom_Curve) & curve, const Interval& range,
   builder.Range(edge, range.from, range.to);
   builder.Add(edge, from.Oriented(TopAbs_FORWARD));
   builder.Add(edge, to.Oriented(TopAbs_REVERSED));
-  cover(from, vec(curve->Value(range.from).XYZ()), Precision::Confusion());
-  cover(to, vec(curve->Value(range.to).XYZ()), Precision::Confusion());
+  cover_end(from, vec(curve->Value(range.from).XYZ()));
+  cover_end(to, vec(curve->Value(range.to).XYZ()));
   return edge;
 }
 

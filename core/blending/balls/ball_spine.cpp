@@ -19,7 +19,7 @@ constexpr double kRough = 1e-2;   // difference relative to the function: the pi
 constexpr int kMaxHalvings = 24;  // of a piece between two nodes
 // Pieces of a track that are looked at, on average between two nodes: where determinants are noise,
 // as beside points without a normal, no piece is ever smooth enough, and halving would not end.
-constexpr std::size_t kMostPieces = 64;
+constexpr std::size_t kMostPieces = 16;
 constexpr double kZero = 1e-12;         // determinants are dimensionless, 1 for a plane
 constexpr double kRootWidth = 0x1p-50;  // of the domain
 constexpr double kExtremum = 1e-9;      // of the piece: where an extremum is

@@ -369,7 +369,7 @@ Walker::Part Walker::way(WalkedStrip& from, std::size_t place, int step) {
   for (std::size_t count = 0; count < kMostStrips * (run_.edges.size() + 1); ++count) {
     const Exit found = exit(*of, place, step, t, entered);
     if (found.ends) {
-      cut_ = joint_at(found.sharp_edge, place, step);
+      if (of->of_edge) cut_ = joint_at(found.sharp_edge, place, step);
       if (!cut_) check_end(*of, place, step, found.t);
       return part;
     }
