@@ -2,15 +2,20 @@
 // Fillets between free-form faces that meet smoothly in some places and sharply in others.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <GC_MakeArcOfCircle.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Wire.hxx>
@@ -80,6 +85,37 @@ TEST(FilletOfFacesThatMeetSmoothlyInAVertex, HasMitresWhereTheBallComesToTheirEd
     EXPECT_EQ(made.solids.front().faces.size(), 6U) << "both arcs have a strip of their own";
     EXPECT_LT(made.solids.front().volume, made.volume_before);
   }
+}
+
+TopoDS_Wire wedge(double length, double twist, double z) {
+  const double half = length * std::tan(0.5 * 20 * std::numbers::pi / 180);
+  return BRepBuilderAPI_MakePolygon(gp_Pnt(length, twist, z), gp_Pnt(0, half, z),
+                                    gp_Pnt(0, -half, z), true);
+}
+
+// A plate with a twisted post on it, whose outline is a wedge of 20 degrees.
+TopoDS_Shape wedge_on_a_plate() {
+  BRepOffsetAPI_ThruSections post(true, true);
+  post.AddWire(wedge(10, 0, 1));
+  post.AddWire(wedge(9, 0.5, 7));
+  post.Build();
+  return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(gp_Pnt(-10, -10, 0), gp_Pnt(20, 10, 2)).Shape(),
+                          post.Shape());
+}
+
+// Round the sharp end the two strips come near to each other only far beyond it; at the others they
+// come to the upright edge at two heights.
+TEST(FilletRoundATwistedPost, EndsInPlanesWhereStripsDoNotMeet) {
+  const TopoDS_Shape shape = wedge_on_a_plate();
+  std::vector<int> foot;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == EdgeKind::Concave) foot.push_back(each.number);
+  ASSERT_EQ(foot.size(), 3U);
+  const FilletResult made = fillet(shape, foot, {.radius = 0.5});
+  expect_sound(made);
+  ASSERT_FALSE(made.solids.empty());
+  EXPECT_EQ(made.notes.size(), 6U) << "two at each of three corners";
+  EXPECT_GT(made.solids.front().volume, made.volume_before);
 }
 
 std::filesystem::path propeller() {

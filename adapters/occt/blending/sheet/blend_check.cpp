@@ -8,7 +8,9 @@
 
 #include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_Plane.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -99,7 +101,12 @@ void check_blended(const BodyEdges& body, const TopoDS_Solid& before, const Fill
 
 namespace {
 
-// The faces that a face has no vertex in common with although their boxes meet.
+bool is_plane(const TopoDS_Face& face) {
+  return !Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face)).IsNull();
+}
+
+// The faces that a face has no vertex in common with although their boxes meet. Two planes of the
+// sheet, as walls at the ends of strips are, may meet in a vertex and go through each other.
 std::vector<TopoDS_Face> strangers(const FilletedSolid& made, const TopoDS_Face& face) {
   const auto box_of = [](const TopoDS_Face& of) {
     Bnd_Box box;
@@ -107,13 +114,15 @@ std::vector<TopoDS_Face> strangers(const FilletedSolid& made, const TopoDS_Face&
     return box;
   };
   TopTools_IndexedMapOfShape own;
-  TopExp::MapShapes(face, TopAbs_VERTEX, own);
+  TopExp::MapShapes(face, own);
   const Bnd_Box box = box_of(face);
+  const bool of_plane = is_plane(face);
   std::vector<TopoDS_Face> found;
   for (const FilletFace& other : made.faces) {
-    bool known = false;
-    for (TopExp_Explorer it(other.face, TopAbs_VERTEX); it.More() && !known; it.Next())
-      known = own.Contains(it.Current());
+    bool known = other.face.IsSame(face);
+    const bool both_planes = of_plane && other.from == 0 && is_plane(other.face);
+    TopExp_Explorer it(other.face, both_planes ? TopAbs_EDGE : TopAbs_VERTEX);
+    for (; it.More() && !known; it.Next()) known = own.Contains(it.Current());
     if (!known && !box.IsOut(box_of(other.face))) found.push_back(other.face);
   }
   return found;

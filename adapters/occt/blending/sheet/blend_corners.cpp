@@ -187,6 +187,13 @@ BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreC
   const auto place = [&] { return vec(thin.contacts[narrow.side].curve->Value(t).XYZ()); };
   TopoDS_Vertex joined = foot;
   if (!meets || distance(place(), point_of(foot)) > reach) {
+    double angle = 0;
+    const EdgeKind kind = edge_kind(body_, between->edge, angle);
+    if (kind == (thin.concave ? EdgeKind::Convex : EdgeKind::Concave))
+      refuse(narrow.half, FilletFault::Corner,
+             "its contact and that of edge " + std::to_string(wider.half.edge) + " come to edge " +
+                 std::to_string(between->edge) +
+                 " in two places, beyond which nothing is to go on over");
     const auto through = contact_through(thin, narrow.side, t, strip_of(wider.half).strip,
                                          part_near(wider.half, end_of(wider.half).t));
     if (!through)

@@ -171,30 +171,35 @@ void BlendSheet::build() {
   for (PlacedStrip& of : strips_) finish(of);
 }
 
+// Strips that cannot be ended as they should be end in planes across them, if they can do that.
+void BlendSheet::blunt_unless(const std::vector<HalfEdge>& halves,
+                              const std::function<void()>& ended) {
+  const SheetBorder border = border_;
+  const std::map<int, std::vector<TopoDS_Edge>> added = added_;
+  try {
+    ended();
+  } catch (const FilletRefused&) {
+    border_ = border;
+    added_ = added;
+    for (const HalfEdge& each : halves) end_of(each).path.clear();
+    for (const HalfEdge& each : halves)
+      if (!blunt(body_.round(each))) throw;
+  }
+}
+
 void BlendSheet::end_at(const HalfEdge& half) {
   Ring ring = body_.round(half);
   std::vector<std::size_t> filleted;
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (is_filleted(ring[i].half.edge)) filleted.push_back(i);
   for (const std::size_t i : filleted) done_.push_back(ring[i].half);
-  if (filleted.size() == 1) {
-    const SheetBorder border = border_;
-    const std::map<int, std::vector<TopoDS_Edge>> added = added_;
-    try {
-      return cap(ring);
-    } catch (const FilletRefused&) {
-      border_ = border;
-      added_ = added;
-      end_of(half).path.clear();
-      if (!blunt(ring)) throw;
-    }
-    return;
-  }
+  if (filleted.size() == 1) return blunt_unless({half}, [&] { cap(ring); });
   if (filleted.size() == 2) {
     // So that a face which both have in common is to the left of the first.
     const bool turn = filleted[1] + 1 == ring.size() && ring.size() > 2;
     if (turn) std::rotate(ring.begin(), ring.end() - 1, ring.end());
-    return mitre(ring, turn ? 1 : filleted[1]);
+    const std::size_t other = turn ? 1 : filleted[1];
+    return blunt_unless({ring[0].half, ring[other].half}, [&] { mitre(ring, other); });
   }
   if (filleted.size() != ring.size())
     refuse(half, FilletFault::Corner,

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -108,6 +109,7 @@ class BlendSheet {
   std::size_t right_side(const HalfEdge& half) const { return is_low_end(half) ? 1 : 0; }
 
   void end_at(const HalfEdge& half);
+  void blunt_unless(const std::vector<HalfEdge>& halves, const std::function<void()>& ended);
   void cap(const Ring& ring);
   bool blunt(const Ring& ring);
   double wall_t(const Ring& ring);
