@@ -5,19 +5,22 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <Geom2dConvert.hxx>
 #include <Geom2dConvert_ApproxCurve.hxx>
-#include <Geom2dConvert_BSplineCurveToBezierCurve.hxx>
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Ellipse.hxx>
 #include <Geom2d_Line.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/convert/curves_detail.h"
 
 namespace blossom::occt {
 namespace {
@@ -49,16 +52,6 @@ PlanarCurve conic(const Vec2& centre, const Vec2& x, const Vec2& y, const Interv
   return curve;
 }
 
-PlanarBezier bezier(const Handle(Geom2d_BezierCurve) & curve) {
-  PlanarBezier result;
-  for (int i = 1; i <= curve->NbPoles(); ++i) {
-    const double w = curve->IsRational() ? curve->Weight(i) : 1;
-    const Vec2 p = vec(curve->Pole(i));
-    result.points.push_back({w * p[0], w * p[1], w});
-  }
-  return result;
-}
-
 PlanarCurve spans(const Handle(Geom2d_BSplineCurve) & given, const Interval& range) {
   Interval reach = range;
   if (!given->IsPeriodic()) {  // an edge's range may exceed its curve by rounding
@@ -67,12 +60,27 @@ PlanarCurve spans(const Handle(Geom2d_BSplineCurve) & given, const Interval& ran
     if (!(reach.from < reach.to))
       throw BadModel("the range of an edge lies outside of its parametric curve");
   }
-  Geom2dConvert_BSplineCurveToBezierCurve convert(given, reach.from, reach.to, 1e-12);
-  TColStd_Array1OfReal knots(1, convert.NbArcs() + 1);
-  convert.Knots(knots);
+  std::vector<Vec4> poles;
+  for (int i = 1; i <= given->NbPoles(); ++i) {
+    const gp_Pnt2d p = given->Pole(i);
+    poles.push_back(homogeneous({p.X(), p.Y(), 0}, given->IsRational() ? given->Weight(i) : 1));
+  }
+  TColStd_Array1OfReal knots(1, given->NbKnots());
+  TColStd_Array1OfInteger multiplicities(1, given->NbKnots());
+  given->Knots(knots);
+  given->Multiplicities(multiplicities);
+  const FlatKnots flat(given->Degree(), knots, multiplicities, given->IsPeriodic());
   PlanarCurve curve;
-  for (int i = 1; i <= convert.NbArcs(); ++i)
-    curve.spans.push_back({bezier(convert.Arc(i)), {knots(i), knots(i + 1)}, ParameterLaw::Linear});
+  std::vector<Vec4> local(static_cast<std::size_t>(given->Degree()) + 1), points(local.size());
+  for (const FlatKnots::Span& span : flat.spans(reach)) {
+    for (std::size_t i = 0; i < local.size(); ++i)
+      local[i] = poles[static_cast<std::size_t>(
+          flat.pole(span.index - given->Degree() + static_cast<int>(i)))];
+    SpanForm(flat, span).bezier_points(local.data(), points.data());
+    PlanarBezier bezier;
+    for (const Vec4& p : points) bezier.points.push_back({p[0], p[1], p[3]});
+    curve.spans.push_back({std::move(bezier), span.place, ParameterLaw::Linear});
+  }
   curve.spans.front().place.from = range.from;
   curve.spans.back().place.to = range.to;
   return curve;

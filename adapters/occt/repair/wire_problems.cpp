@@ -9,6 +9,7 @@
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
 #include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/base/errors.h"
@@ -66,11 +67,22 @@ double from_common_corner(const FaceTrims& trims, const Coedge& a, const Coedge&
   return least;
 }
 
+// Of the vertices that join two edges: within it they are one point.
+double common_tolerance(const TopoDS_Edge& a, const TopoDS_Edge& b) {
+  double largest = 0;
+  for (TopoDS_Iterator of_a(a); of_a.More(); of_a.Next())
+    for (TopoDS_Iterator of_b(b); of_b.More(); of_b.Next())
+      if (of_a.Value().IsSame(of_b.Value()))
+        largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Vertex(of_a.Value())));
+  return largest;
+}
+
 // A point where two coedges meet though nothing joins them there.
 std::optional<Vec2> meeting_place(const FaceTrims& trims, const Coedge& a, const Coedge& b) {
   const double tolerance = Precision::Confusion();
-  const double reach =
-      std::max({kCornerReach * tolerance, a.tolerance, b.tolerance}) + trims.largest_gap;
+  const double reach = std::max({kCornerReach * tolerance, a.tolerance, b.tolerance,
+                                 common_tolerance(a.edge, b.edge)}) +
+                       trims.largest_gap;
   const PlanarCrossings common = crossings(a.curve, b.curve, tolerance);
   for (const PlanarCrossing& crossing : common.points)
     if (from_common_corner(trims, a, b, crossing.point) > reach) return crossing.point;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Wires that meet themselves, and those that only do so within a vertex.
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include <BRep_Builder.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
+#include <Precision.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Dir.hxx>
+#include <gp_Pln.hxx>
+
+#include "adapters/occt/soundness.h"
+
+namespace blossom::occt {
+namespace {
+
+TopoDS_Edge line(const gp_Pnt& from, const gp_Pnt& to, const TopoDS_Vertex& first,
+                 const TopoDS_Vertex& last) {
+  const BRep_Builder builder;
+  TopoDS_Edge edge;
+  builder.MakeEdge(edge, new Geom_Line(from, gp_Dir(gp_Vec(from, to))), Precision::Confusion());
+  builder.Range(edge, 0, from.Distance(to));
+  builder.Add(edge, first.Oriented(TopAbs_FORWARD));
+  builder.Add(edge, last.Oriented(TopAbs_REVERSED));
+  return edge;
+}
+
+// The second edge misses the end of the first one by 1e-5 and goes over it 5e-4 before.
+TopoDS_Face with_a_miss(double tolerance) {
+  const BRep_Builder builder;
+  const std::array points{gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0), gp_Pnt(0.5, 0.01, 0),
+                          gp_Pnt(0, 0.5, 0)};
+  std::array<TopoDS_Vertex, 4> vertices;
+  for (std::size_t i = 0; i < 4; ++i)
+    builder.MakeVertex(vertices[i], points[i], i == 1 ? tolerance : Precision::Confusion());
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, line(points[0], points[1], vertices[0], vertices[1]));
+  builder.Add(wire, line(gp_Pnt(1, -1e-5, 0), points[2], vertices[1], vertices[2]));
+  builder.Add(wire, line(points[2], points[3], vertices[2], vertices[3]));
+  builder.Add(wire, line(points[3], points[0], vertices[3], vertices[0]));
+  wire.Closed(Standard_True);
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln()), Precision::Confusion());
+  builder.Add(face, wire);
+  return face;
+}
+
+TEST(WireProblems, AreNoneWhereEdgesCrossWithinTheirVertex) {
+  EXPECT_TRUE(wire_problems(with_a_miss(1e-3)).empty());
+}
+
+TEST(WireProblems, AreToldWhereEdgesCrossOutsideOfTheirVertex) {
+  const auto problems = wire_problems(with_a_miss(1e-4));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems.front().what, "a wire meets itself");
+}
+
+}  // namespace
+}  // namespace blossom::occt
