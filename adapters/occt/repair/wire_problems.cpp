@@ -23,6 +23,7 @@ namespace {
 
 // Two edges that leave their corner at a small angle stay close for a while: common points within
 // so many tolerances of the corner, or runs that start there, are the corner.
+constexpr int kRunSamples = 5;  // of two coedges between a corner and a crossing
 constexpr double kCornerReach = 100;
 
 struct PlacedCoedge {
@@ -77,6 +78,25 @@ double common_tolerance(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   return largest;
 }
 
+// Whether two coedges that touch in a corner, as an arc and its tangent do, run along each other
+// from there to a crossing: where they are so near, it says nothing.
+bool run_from_corner(const Coedge& a, const Coedge& b, double at_crossing, double reach) {
+  const Interval domain = a.curve.domain();
+  for (const bool first : {true, false}) {
+    const int corner = first ? a.from : a.to;
+    if (corner != b.from && corner != b.to) continue;
+    const double end = first != a.reversed() ? domain.from : domain.to;
+    bool is_near = true;
+    for (int i = 1; i < kRunSamples && is_near; ++i) {
+      const Vec2 point =
+          point_at(a.curve, at({at_crossing, end}, static_cast<double>(i) / kRunSamples));
+      is_near = nearest(b.curve, point).distance <= reach;
+    }
+    if (is_near) return true;
+  }
+  return false;
+}
+
 // A point where two coedges meet though nothing joins them there.
 std::optional<Vec2> meeting_place(const FaceTrims& trims, const Coedge& a, const Coedge& b) {
   const double tolerance = Precision::Confusion();
@@ -85,7 +105,9 @@ std::optional<Vec2> meeting_place(const FaceTrims& trims, const Coedge& a, const
                        trims.largest_gap;
   const PlanarCrossings common = crossings(a.curve, b.curve, tolerance);
   for (const PlanarCrossing& crossing : common.points)
-    if (from_common_corner(trims, a, b, crossing.point) > reach) return crossing.point;
+    if (from_common_corner(trims, a, b, crossing.point) > reach &&
+        !run_from_corner(a, b, crossing.a, std::max({tolerance, a.tolerance, b.tolerance})))
+      return crossing.point;
   for (const PlanarOverlap& run : common.overlaps) {
     const Vec2 ends[] = {point_at(a.curve, run.a.from), point_at(a.curve, run.a.to)};
     const double near = std::min(from_common_corner(trims, a, b, ends[0]),

@@ -118,9 +118,21 @@ TEST(FilletRoundATwistedPost, EndsInPlanesWhereStripsDoNotMeet) {
   EXPECT_GT(made.solids.front().volume, made.volume_before);
 }
 
-std::filesystem::path propeller() {
+std::filesystem::path given_model(const char* name) {
   const char* data = std::getenv("BLOSSOM_TEST_DATA");
-  return std::filesystem::path(data != nullptr ? data : "") / "models/propeller.brep";
+  return std::filesystem::path(data != nullptr ? data : "") / "models" / name;
+}
+
+std::filesystem::path propeller() { return given_model("propeller.brep"); }
+
+// At the trailing edge one face bends so strongly that the ball does not come to the other strip.
+TEST(FilletOfRealFaces, EndsInPlanesBeforeStripsThatItDoesNotComeTo) {
+  const std::filesystem::path wing = given_model("d150_wing.brep");
+  if (!std::filesystem::exists(wing)) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const FilletResult made =
+      fillet(testing::repaired_model(wing).shape(), {2}, {.radius = 0.194844});
+  expect_sound(made);
+  EXPECT_EQ(made.notes.size(), 2U);
 }
 
 // Its strip ends in a face that it crosses at a small angle, beside an edge of a tolerance of 1e-4:

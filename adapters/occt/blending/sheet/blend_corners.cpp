@@ -20,10 +20,8 @@
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
 #include "adapters/occt/blending/strips/mitre_curve.h"
-#include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
-#include "core/plane/planar_crossings.h"
 
 namespace blossom::occt {
 namespace {
@@ -63,27 +61,6 @@ std::optional<double> touches(const RolledStrip& strip, const TopoDS_Face& face,
     if (t == last) break;
   }
   return std::abs(f) < Precision::Confusion() ? std::optional(t) : std::nullopt;
-}
-
-// In the chart of a face: where two contacts cross, nearest to the ends of their strips.
-std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const RolledStrip& a,
-                                                    std::size_t side_a, double near_a,
-                                                    const RolledStrip& b, std::size_t side_b,
-                                                    double near_b) {
-  const Vec2 scale = body.trims(a.contacts[side_a].face).scale;
-  const auto chart = [&](const RolledStrip& of, std::size_t side) {
-    return transformed(planar_curve(of.contacts[side].chart, of.range), scale, {});
-  };
-  std::optional<std::array<double, 2>> best;
-  double least = 0;
-  for (const PlanarCrossing& each :
-       crossings(chart(a, side_a), chart(b, side_b), Precision::Confusion()).points) {
-    const double away = std::abs(each.a - near_a) + std::abs(each.b - near_b);
-    if (best && away >= least) continue;
-    best = {each.a, each.b};
-    least = away;
-  }
-  return best;
 }
 
 // Points of a strip are as far from its spine as the ball's radius.

@@ -36,7 +36,8 @@ TopoDS_Face plane_across(const Handle(Geom_Curve) & spine, double t) {
 
 }  // namespace
 
-// Where a strip ends in a wall: at the vertex, or before a contact leaves its face beside it.
+// Where a strip ends in a wall: at the vertex, or before a contact leaves its face beside it, or
+// comes to that of another strip.
 double BlendSheet::wall_t(const Ring& ring) {
   const HalfEdge half = ring.front().half;
   const RolledStrip& strip = strip_of(half).strip;
@@ -48,10 +49,20 @@ double BlendSheet::wall_t(const Ring& ring) {
   double t = end_t(half);
   for (const std::size_t side : {left_side(half), right_side(half)}) {
     if (ring.size() < 2) break;
-    const auto meeting =
-        meeting_with(body_, strip, side, *uses[side == left_side(half) ? 0 : 1], end_t(half));
-    if (!meeting) continue;
-    const double stop = meeting->t + inwards * kClearance * strip.radius / speed;
+    const bool on_left = side == left_side(half);
+    const HalfEdge& beside = on_left ? ring[1].half : last.half;
+    std::optional<double> end;
+    if (is_filleted(beside.edge)) {
+      const std::size_t other = on_left ? right_side(beside) : left_side(beside);
+      if (const auto crossing = contacts_cross(body_, strip, side, end_t(half),
+                                               strip_of(beside).strip, other, end_t(beside)))
+        end = (*crossing)[0];
+    } else if (const auto meeting =
+                   meeting_with(body_, strip, side, *uses[on_left ? 0 : 1], end_t(half))) {
+      end = meeting->t;
+    }
+    if (!end) continue;
+    const double stop = *end + inwards * kClearance * strip.radius / speed;
     if (inwards * (stop - t) > 0) t = stop;
   }
   return t;

@@ -291,4 +291,24 @@ std::optional<EndCurve> plane_curve_between(const TopoDS_Face& plane, const Topo
   return best_curve(on_face, face, on_plane, plane, from, to, reach);
 }
 
+std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const RolledStrip& a,
+                                                    std::size_t side_a, double near_a,
+                                                    const RolledStrip& b, std::size_t side_b,
+                                                    double near_b) {
+  const Vec2 scale = body.trims(a.contacts[side_a].face).scale;
+  const auto chart = [&](const RolledStrip& of, std::size_t side) {
+    return transformed(planar_curve(of.contacts[side].chart, of.range), scale, {});
+  };
+  std::optional<std::array<double, 2>> best;
+  double least = 0;
+  for (const PlanarCrossing& each :
+       crossings(chart(a, side_a), chart(b, side_b), Precision::Confusion()).points) {
+    const double away = std::abs(each.a - near_a) + std::abs(each.b - near_b);
+    if (best && away >= least) continue;
+    best = {each.a, each.b};
+    least = away;
+  }
+  return best;
+}
+
 }  // namespace blossom::occt

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <vector>
@@ -82,6 +84,13 @@ std::optional<EndCurve> curve_between(const RolledStrip& strip, const Interval& 
 /// Where a contact goes through another strip: its t nearest to `near`.
 std::optional<double> contact_through(const RolledStrip& of, std::size_t side, double near,
                                       const RolledStrip& other, const Interval& other_part);
+
+/// Where the contacts of two strips cross on the face that they have in common: t of both, nearest
+/// to given ones.
+std::optional<std::array<double, 2>> contacts_cross(const BodyEdges& body, const RolledStrip& a,
+                                                    std::size_t side_a, double near_a,
+                                                    const RolledStrip& b, std::size_t side_b,
+                                                    double near_b);
 
 /// The piece of the curve in which a plane and the surface of a face meet; `on_strip` is in the
 /// parameters of the plane.

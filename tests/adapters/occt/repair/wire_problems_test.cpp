@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 #include <BRep_Builder.hxx>
+#include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
@@ -12,6 +15,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Dir.hxx>
 #include <gp_Pln.hxx>
 
@@ -60,6 +65,38 @@ TEST(WireProblems, AreToldWhereEdgesCrossOutsideOfTheirVertex) {
   const auto problems = wire_problems(with_a_miss(1e-4));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems.front().what, "a wire meets itself");
+}
+
+// An arc of radius 1 and its tangent, turned by 2e-5: they cross 4e-5 from their corner, between
+// which they are 1e-10 apart; turned by 2e-2 they cross 4e-2 away, 1e-4 apart.
+TopoDS_Face with_a_tangent(double turn) {
+  const BRep_Builder builder;
+  const gp_Pnt corner(0, 0, 0), end(std::cos(turn), std::sin(turn), 0), top(1, 1, 0);
+  std::array<TopoDS_Vertex, 3> vertices;
+  builder.MakeVertex(vertices[0], corner, Precision::Confusion());
+  builder.MakeVertex(vertices[1], end, Precision::Confusion());
+  builder.MakeVertex(vertices[2], top, Precision::Confusion());
+  TopoDS_Edge arc;
+  builder.MakeEdge(arc, new Geom_Circle(gp_Ax2(gp_Pnt(0, 1, 0), gp::DZ(), -gp::DY()), 1),
+                   Precision::Confusion());
+  builder.Range(arc, 0, 0.5 * std::numbers::pi);
+  builder.Add(arc, vertices[0].Oriented(TopAbs_FORWARD));
+  builder.Add(arc, vertices[2].Oriented(TopAbs_REVERSED));
+  TopoDS_Wire wire;
+  builder.MakeWire(wire);
+  builder.Add(wire, line(corner, end, vertices[0], vertices[1]));
+  builder.Add(wire, line(end, top, vertices[1], vertices[2]));
+  builder.Add(wire, arc.Reversed());
+  wire.Closed(Standard_True);
+  TopoDS_Face face;
+  builder.MakeFace(face, new Geom_Plane(gp_Pln()), Precision::Confusion());
+  builder.Add(face, wire);
+  return face;
+}
+
+TEST(WireProblems, AreNoneWhereATangentCrossesItsArcWithinTolerance) {
+  EXPECT_TRUE(wire_problems(with_a_tangent(2e-5)).empty());
+  EXPECT_EQ(wire_problems(with_a_tangent(2e-2)).size(), 1U);
 }
 
 }  // namespace
