@@ -144,6 +144,19 @@ TEST(FilletOfRealFaces, EndsAtVerticesThatCoverTheMissesOfTolerantEdges) {
     expect_sound(fillet(model.shape(), {64}, {.radius = radius}));
 }
 
+// Borders that a contact lies beyond the ends of do not count: they hid the one that it reaches.
+TEST(FilletOfRealFaces, IsRefusedWithTheLargestRadiusThatWorks) {
+  const std::filesystem::path part = given_model("nist_ctc_02.stp");
+  if (!std::filesystem::exists(part)) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";
+  const Model model = testing::repaired_model(part);
+  const FilletResult made = fillet(model.shape(), {1222}, {.radius = 16.9736});
+  ASSERT_EQ(made.refused.size(), 1U);
+  ASSERT_TRUE(made.refused.front().largest) << told(made);
+  const double largest = *made.refused.front().largest;
+  EXPECT_NEAR(largest, 8.938, 1e-3);
+  EXPECT_EQ(fillet(model.shape(), {1222}, {.radius = 0.999 * largest}).solids.size(), 1U);
+}
+
 // Where determinants along a ball's way were noise, cusps were looked for without an end.
 TEST(FilletOfRealFaces, WithAFarTooLargeRadiusIsRefusedInAShortTime) {
   if (!std::filesystem::exists(propeller())) GTEST_SKIP() << "BLOSSOM_TEST_DATA has no such model";

@@ -19,7 +19,8 @@ constexpr double kRadiusError = 1e-12;  // relative
 constexpr int kMaxSteps = 100;
 constexpr int kSamples = 16;  // along a contact
 
-// The distance of a chart point from a border, positive on the face's side.
+// The distance of a chart point from a border, positive on the face's side. Beyond the ends of the
+// border there is none: other borders say on which side a point is.
 ContactBorder border_of(const FaceTrims& trims, const Coedge& coedge, int support) {
   const Vec2 scale = trims.scale;
   const bool reversed = coedge.reversed();
@@ -27,6 +28,8 @@ ContactBorder border_of(const FaceTrims& trims, const Coedge& coedge, int suppor
             const Vec2 point{uv[0] * scale[0], uv[1] * scale[1]};
             const double foot = nearest(coedge.curve, point).parameter;
             const PlanarJet jet = jet_at(coedge.curve, foot);
+            const Interval domain = coedge.curve.domain();
+            if (foot <= domain.from || foot >= domain.to) return distance(point, jet.point);
             const double height = cross(unit(jet.first), point - jet.point);
             return reversed ? -height : height;
           }};
@@ -122,9 +125,9 @@ std::optional<FilletLimit> fillet_limit(const BodyEdges& body, int edge, bool co
   const auto found = largest_radius(supports.of[0].whole(), supports.of[1].whole(),
                                     {supports.of[0].at_edge, supports.of[1].at_edge},
                                     kMinShare * most, most, borders.of);
-  if (!found || found->limit == RadiusLimit::None || found->limit == RadiusLimit::Other)
-    return std::nullopt;
+  if (!found || found->limit == RadiusLimit::None) return std::nullopt;
   std::string cause = "two walls that face each other";
+  if (found->limit == RadiusLimit::Other) cause = "what is at an end of the edge";
   if (found->limit == RadiusLimit::Curvature) cause = "the curvature of a face";
   if (found->limit == RadiusLimit::Border && found->border >= 0)
     cause = "edge " + std::to_string(borders.edges[static_cast<std::size_t>(found->border)]) +
