@@ -5,19 +5,14 @@
 #include <array>
 #include <cmath>
 
+#include "core/bounds/value_arithmetic.h"
 #include "core/cells/curve_cells.h"
 #include "core/cells/net_ranges.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kSlack = 1e-12;  // covers the few roundings of a sum or product of bounds
-
-ValueRange times(const ValueRange& a, const ValueRange& b) {
-  const auto [least, most] =
-      std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-  return {least, most};
-}
+constexpr double kBoundSlack = 1e-12;  // covers the few roundings of a sum or product of bounds
 
 ValueRange sum(const ValueRange& a, const ValueRange& b) {
   return {a.low + b.low, a.high + b.high};
@@ -31,12 +26,8 @@ ValueRange range_of(const VectorBounds& bounds, int k) {
   return {bounds.middle[k] - bounds.radius[k], bounds.middle[k] + bounds.radius[k]};
 }
 
-ValueRange scaled(const Range& range, double factor) {
+ValueRange value_range_times(const Range& range, double factor) {
   return {factor * range.low, factor * range.high};
-}
-
-double magnitude(const ValueRange& range) {
-  return std::max(std::abs(range.low), std::abs(range.high));
 }
 
 struct SecondValues {
@@ -47,7 +38,8 @@ struct SecondValues {
 SecondValues seconds_of(const double* plane, const NetShape& shape) {
   const int n = shape.rows - 1, m = shape.columns - 1;
   const SecondRanges ranges = second_difference_ranges(plane, shape.rows, shape.columns);
-  return {scaled(ranges.uu, n * (n - 1)), scaled(ranges.uv, n * m), scaled(ranges.vv, m * (m - 1))};
+  return {value_range_times(ranges.uu, n * (n - 1)), value_range_times(ranges.uv, n * m),
+          value_range_times(ranges.vv, m * (m - 1))};
 }
 
 // The weights of a rational cell and what of them the quotient rule takes.
@@ -63,9 +55,9 @@ Weights weights_of(const Cell& cell, const NetShape& shape) {
   const double* w = cell.homogeneous + 3 * shape.plane_size();
   const auto [least, most] = std::minmax_element(w, w + shape.plane_size());
   return {w,
-          {(1 - kSlack) / *most, (1 + kSlack) / *least},
-          scaled(difference_range_u(w, shape.rows, shape.columns), shape.rows - 1),
-          scaled(difference_range_v(w, shape.rows, shape.columns), shape.columns - 1),
+          {(1 - kBoundSlack) / *most, (1 + kBoundSlack) / *least},
+          value_range_times(difference_range_u(w, shape.rows, shape.columns), shape.rows - 1),
+          value_range_times(difference_range_v(w, shape.rows, shape.columns), shape.columns - 1),
           seconds_of(w, shape),
           *most / *least};
 }
@@ -96,7 +88,7 @@ SecondDerivatives polynomial_seconds(const Cell& cell, const NetShape& shape) {
   const auto scaled_up = [&](const VectorBounds& difference, double factor) {
     VectorBounds bound{factor * difference.middle, factor * difference.radius};
     for (int k = 0; k < 3; ++k)
-      bound.radius[k] += 4 * factor * cell.margin + kSlack * std::abs(bound.middle[k]);
+      bound.radius[k] += 4 * factor * cell.margin + kBoundSlack * std::abs(bound.middle[k]);
     return bound;
   };
   return {scaled_up(cell.second[0], n * (n - 1)), scaled_up(cell.second[1], n * m),
@@ -115,7 +107,7 @@ SecondDerivatives second_derivatives(const Cell& cell, const NetShape& shape) {
     const SecondValues values = rational_seconds(cell, shape, weights, k);
     const auto set = [&](VectorBounds& bound, const ValueRange& range) {
       bound.middle[k] = 0.5 * (range.low + range.high);
-      bound.radius[k] = 0.5 * (range.high - range.low) + rounding + kSlack * magnitude(range);
+      bound.radius[k] = 0.5 * (range.high - range.low) + rounding + kBoundSlack * magnitude(range);
     };
     set(bounds.uu, values.uu), set(bounds.uv, values.uv), set(bounds.vv, values.vv);
   }

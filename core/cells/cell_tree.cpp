@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "core/cells/net_ranges.h"
+#include "core/math/roundoff.h"
 #include "core/subdivision/bulk/bulk_bounds.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
 namespace {
 
-constexpr int kMaxBlock = 1 << 15;  // doubles per block of the arena
-constexpr double kRoundoff = 0x1p-53;
+constexpr int kMaxBlock = 1 << 15;          // doubles per block of the arena
 constexpr double kDerivativeSlack = 1e-13;  // covers the few roundings of a difference of bounds
 
 // Interval products and quotients, padded for their rounding.
@@ -33,7 +33,7 @@ Range scaled(const Range& a, double s) { return {a.low * s, a.high * s}; }
 CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin,
                    CellForm form, double cut, PartTest part)
     : CellTree(patch, rational, origin, form, cut, std::move(part),
-               4 * kRoundoff * max_norm(origin)) {}
+               4 * kUnitRoundoff * max_norm(origin)) {}
 
 CellTree::CellTree(const RationalBezierPatch& patch, bool rational, const Vec3& origin,
                    CellForm form, double cut, PartTest part, double given_rounding)
@@ -160,7 +160,7 @@ double CellTree::piece_rounding(const RationalBezierPatch& piece, const Interval
                                 const Interval& v) const {
   const int n = shape_.rows - 1, m = shape_.columns - 1;
   const double error = subdivision_error(std::max(n, m));
-  const double given = given_rounding_ + 4 * kRoundoff * hull_scale_;
+  const double given = given_rounding_ + 4 * kUnitRoundoff * hull_scale_;
   const double growth = bezier_growth(n, u) * bezier_growth(m, v);
   if (growth <= 1) return given + 2 * error * hull_scale_;
   double least = 1e300, reach = 0;
@@ -182,13 +182,14 @@ double CellTree::rounding_of(const Cell& cell) const {
   const int n = shape_.rows - 1, m = shape_.columns - 1;
   const int degree = std::max(n, m);
   if (!monomial_)
-    return (2 * halving_error(degree, cell.depth) + 8 * kRoundoff) * hull_scale_ + given_rounding_;
+    return (2 * halving_error(degree, cell.depth) + 8 * kUnitRoundoff) * hull_scale_ +
+           given_rounding_;
   const double error =
       monomial_from_bezier_error(n, m) * net_scale_ +
       (monomial_halving_error(degree, cell.depth) + bezier_from_monomial_error(n, m)) *
           coefficient_scale_;
   const double of_net = rational_ ? (error / least_weight_) * (1 + hull_scale_) : error;
-  return of_net + 8 * kRoundoff * hull_scale_ + given_rounding_;
+  return of_net + 8 * kUnitRoundoff * hull_scale_ + given_rounding_;
 }
 
 // Everything that follows from the net.

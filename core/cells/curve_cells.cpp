@@ -4,22 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bounds/value_arithmetic.h"
+#include "core/math/roundoff.h"
+
 namespace blossom {
 namespace {
 
-constexpr double kRoundoff = 0x1p-53;
 // Off 1/2, since singular points like dyadic parameters; few digits, so that cuts are exact.
 constexpr double kCut = 31.0 / 64;
 constexpr int kFirstCells = 24;  // room for them at once, besides the spans
 constexpr double kNear = 16;  // times the reach: bounds over such cells are near those at a point
 constexpr double kSlack = 1e-13;  // covers the few roundings of a bound
-
-ValueRange times(const ValueRange& a, const ValueRange& b) {
-  const double p[] = {a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high};
-  return {*std::min_element(p, p + 4), *std::max_element(p, p + 4)};
-}
-
-ValueRange padded(const ValueRange& a, double pad) { return {a.low - pad, a.high + pad}; }
 
 // ValueRange of the differences of an order between neighbours, times n! / (n - order)!.
 ValueRange difference_range(const double* values, int count, int order) {
@@ -61,8 +56,6 @@ CurveSpans moved(CurveSpans curve, const Vec3& origin) {
 
 double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-double magnitude(const ValueRange& a) { return std::max(std::abs(a.low), std::abs(a.high)); }
-
 }  // namespace
 
 ValueRange range_along(const CurveCell& cell, int dimension, const Vec3& direction) {
@@ -89,7 +82,7 @@ CurveTree::CurveTree(const CurveSpans& curve, const Vec3& origin, int dimension)
     for (const Vec4& p : span.curve.points)
       hull_scale_ = std::max(hull_scale_, max_norm(Vec3{p[0], p[1], p[2]}) / p[3]);
   }
-  evaluation_margin_ = (evaluation_error(degree) + 4 * kRoundoff) * hull_scale_;
+  evaluation_margin_ = (evaluation_error(degree) + 4 * kUnitRoundoff) * hull_scale_;
   closed_ = end_point({0, 0}) == end_point({spans() - 1, 1});
   cells_.reserve(static_cast<std::size_t>(kFirstCells + spans()));
   for (int i = 0; i < spans(); ++i) add_span(i);
@@ -210,7 +203,7 @@ void CurveTree::finish(CurveCell& cell) {
     cell.hull = hull;
   }
   const double steps = curve_.rational ? 2 : 1;
-  cell.margin = (steps * halving_error(n - 1, cell.depth) + 4 * kRoundoff) * hull_scale_;
+  cell.margin = (steps * halving_error(n - 1, cell.depth) + 4 * kUnitRoundoff) * hull_scale_;
   largest_margin_ = std::max(largest_margin_, cell.margin);
   cell.extent = 0;
   for (int k = 0; k < dimension_; ++k) {
@@ -248,7 +241,7 @@ void CurveTree::bound_directions(CurveCell& cell) const {
     if (!(length > 0)) return;
     cosine = std::min(cosine, (dot(cell.axis, d) - 4 * cell.margin) / length);
   }
-  cell.cosine = std::max(-1.0, cosine - 8 * kRoundoff);
+  cell.cosine = std::max(-1.0, cosine - 8 * kUnitRoundoff);
 }
 
 void CurveTree::bound_in_plane(CurveCell& cell) const {
@@ -275,13 +268,13 @@ void CurveTree::bound_in_plane(CurveCell& cell) const {
     if (cross(right, leg) < 0) right = leg;
   }
   // The ends of a leg are known within sqrt(2) margin each.
-  const double turn = 4 * cell.margin / std::sqrt(least) + kRoundoff;
+  const double turn = 4 * cell.margin / std::sqrt(least) + kUnitRoundoff;
   if (!(turn < 0.5)) return;
   left = unit(left + turn * Vec2{-left[1], left[0]});
   right = unit(right - turn * Vec2{-right[1], right[0]});
   cell.left = {left[0], left[1], 0};
   cell.right = {right[0], right[1], 0};
-  cell.cosine = std::min({dot(axis, left), dot(axis, right), 1.0}) - 8 * kRoundoff;
+  cell.cosine = std::min({dot(axis, left), dot(axis, right), 1.0}) - 8 * kUnitRoundoff;
 }
 
 // With the origin c moved into the cell and X' = X - w c:

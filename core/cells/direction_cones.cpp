@@ -14,7 +14,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kPowerSteps = 30;           // of the search for the main direction
+constexpr int kAxisSteps = 30;            // of the search for the main direction
 constexpr std::size_t kMaxSampled = 128;  // patches, for the axes
 constexpr double kAngleSlack = 1e-12;     // radians, for the roundings of projected directions
 
@@ -122,7 +122,7 @@ bool is_injective(const DirectionCones& cones, bool may_jump) {
 
 // --- cells
 
-struct Range {
+struct ProjectedRange {
   double low = 1e300;
   double high = -1e300;
   void add(double x) {
@@ -134,7 +134,7 @@ struct Range {
 };
 
 struct Range3 {
-  std::array<Range, 3> along;
+  std::array<ProjectedRange, 3> along;
   void add(const Vec3& x) {
     for (std::size_t k = 0; k < 3; ++k) along[k].add(x[static_cast<int>(k)]);
   }
@@ -146,10 +146,10 @@ Vec3 in_axes(const Axes& axes, const Vec3& x) {
 
 // Bounds of numerator - quotient * turn, the derivative of a quotient up to positive factors.
 VectorBounds derivative_direction(const Range3& numerator, const Range3& quotient,
-                                  const Range& turn, double slack) {
+                                  const ProjectedRange& turn, double slack) {
   VectorBounds result;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Range &n = numerator.along[k], &q = quotient.along[k];
+    const ProjectedRange &n = numerator.along[k], &q = quotient.along[k];
     const int axis = static_cast<int>(k);
     result.middle[axis] = n.middle() - q.middle() * turn.middle();
     result.radius[axis] = n.radius() + std::abs(q.middle()) * turn.radius() +
@@ -191,7 +191,7 @@ Offsets offsets_of(const RationalBezierPatch& piece, const Axes& axes) {
 VectorBounds direction(const RationalBezierPatch& slope, const Offsets& offsets,
                        const SlopeNets& nets, const Axes& axes) {
   Range3 steps;
-  Range turn;
+  ProjectedRange turn;
   for (const Vec4& p : slope.points.values()) {
     steps.add(in_axes(axes, Vec3{p[0], p[1], p[2]} - offsets.origin * p[3]));
     turn.add(p[3]);
@@ -250,7 +250,7 @@ class PoleNet {
 // Bounds of w T_u = (w T)_u - T w_u along the pole, without the degree.
 VectorBounds along_pole(const PoleNet& net, const Axes& axes) {
   Range3 steps, quotient;
-  Range weight, turn;
+  ProjectedRange weight, turn;
   for (int r = 0; r <= net.degree(); ++r)
     for (int i = 0; i < net.along(); ++i) {
       const double w = net.weight(r, i);
@@ -277,7 +277,7 @@ void add_square(Grid<double>& sum, const Vec3& x) {
 // The direction of the largest eigenvalue, by powers; any will do if there are several.
 Vec3 main_direction(const Grid<double>& square) {
   Vec3 x = unit(Vec3{1, 0.7320508, 0.4142136});
-  for (int step = 0; step < kPowerSteps; ++step) {
+  for (int step = 0; step < kAxisSteps; ++step) {
     Vec3 y;
     for (int i = 0; i < 3; ++i)
       y[i] = square(i, 0) * x[0] + square(i, 1) * x[1] + square(i, 2) * x[2];

@@ -6,7 +6,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kHalvings = 6;  // of a box; the search halves its cells, too
+constexpr int kBoxHalvings = 6;  // of a box; the search halves its cells, too
 constexpr std::size_t kRun = 8;
 
 Vec3 corner_of(const Box& box, int corner) {
@@ -60,7 +60,7 @@ bool KnownCurves::hold(const Box& box) const {
   const auto any = [](const Capsule&) { return true; };
   for (int corner = 0; corner < 8; ++corner)
     if (!any_round(corner_of(box, corner), any)) return false;
-  return hold(box, kHalvings);
+  return hold(box, kBoxHalvings);
 }
 
 // A capsule is convex: it holds a box that has all its corners in it. A long box beside several of

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bounds/value_arithmetic.h"
+
 namespace blossom {
 namespace {
 
-constexpr double kParallel = 1e-3;  // sine below which chords in space have no common normal
-constexpr double kSlack = 1e-13;    // of a cell; covers the rounding of where a hull ends
+constexpr double kParallel = 1e-3;    // sine below which chords in space have no common normal
+constexpr double kHullSlack = 1e-13;  // of a cell; covers the rounding of where a hull ends
 
 // 1 / k, for slopes between control points.
 constexpr std::array<double, kMaxDegree + 1> kOver = [] {
@@ -88,8 +90,8 @@ class Clip {
 
   bool keep(const double* values, const ValueRange& range, Interval& part) const {
     const double from = reach(values, 0, 1, range), to = 1 - reach(values, last_, -1, range);
-    part.from = std::max(part.from, from - kSlack);
-    part.to = std::min(part.to, to + kSlack);
+    part.from = std::max(part.from, from - kHullSlack);
+    part.to = std::min(part.to, to + kHullSlack);
     return part.from <= part.to;
   }
 
@@ -110,14 +112,6 @@ class Clip {
   int last_;
   const double* weights_;
 };
-
-ValueRange padded(const ValueRange& range, double pad) {
-  return {range.low - pad, range.high + pad};
-}
-
-bool apart(const ValueRange& a, const ValueRange& b, double tolerance) {
-  return a.low > b.high + tolerance || b.low > a.high + tolerance;
-}
 
 }  // namespace
 
@@ -143,7 +137,7 @@ bool FatLines::add(const Vec3& normal, bool with_a, bool with_b) {
   };
   line.a = range(pair_.a, with_a, line.on_a.data());
   line.b = range(pair_.b, with_b, line.on_b.data());
-  return apart(line.a, line.b, tolerance_);
+  return are_apart(line.a, line.b, tolerance_);
 }
 
 bool FatLines::within_strip(double width) const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/blossom/composition.h"
+#include "core/curves/limits.h"
 #include "core/curves/shared_curve.h"
 #include "core/subdivision/curve_subdivision.h"
 
@@ -14,8 +15,7 @@ namespace blossom {
 namespace {
 
 constexpr int kDepth = 6;
-constexpr int kFootSteps = 12;
-constexpr double kSettled = 1e-15;
+constexpr double kFootRounding = 1e-15;
 
 // The cubic through its values at 0, 1/3, 2/3, 1.
 BezierCurve2 cubic_through(const std::array<Vec2, 4>& p) {
@@ -103,7 +103,7 @@ SurfaceFoot foot_on(const SurfaceTrees& surface, int patch, const Vec2& start, c
     for (int i = 0; i < 2; ++i) next[i] = std::clamp(next[i], 0.0, 1.0);
     const double moved = max_norm(next - foot.uv);
     foot = {patch, next, distance(jet_at(net, next[0], next[1], 1).point, point)};
-    if (moved <= kSettled) break;
+    if (moved <= kFootRounding) break;
   }
   return foot;
 }

@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "core/bounds/value_arithmetic.h"
+#include "core/curves/limits.h"
+
 namespace blossom {
 namespace {
 
@@ -12,16 +15,10 @@ constexpr int kNewtonSteps = 24;
 constexpr double kConverging = 1e-6;  // steps below this, in parts of the cells, square
 constexpr double kSettled = 1e-16;    // the next step, in parts of the cells
 constexpr double kMinStep = 1e-17;    // in parameters of the span
-constexpr double kStalled = 1e-12;    // below this, steps that shrink no more are rounding
-constexpr double kReach = 0.5;        // how far outside the cells Newton's steps may lead
 constexpr double kAngleSlack = 1e-14;
 
-bool apart(const ValueRange& a, const ValueRange& b, double tolerance) {
-  return a.low > b.high + tolerance || b.low > a.high + tolerance;
-}
-
 bool inside_reach(double t, const Interval& cell) {
-  const double reach = kReach * length(cell);
+  const double reach = kNewtonReach * length(cell);
   return t > cell.from - reach && t < cell.to + reach;
 }
 
@@ -41,8 +38,8 @@ std::optional<Vec2> newton_step(const CurveFoot& foot) {
 
 double cross_z(const Vec3& a, const Vec3& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-// Sectors of less than half a turn are apart as lines if all turns from one to the other have one
-// sign; then the least sine is that of two of their sides.
+// Sectors of less than half a turn are are_apart as lines if all turns from one to the other have
+// one sign; then the least sine is that of two of their sides.
 std::optional<double> least_sine_in_plane(const CurveCell& a, const CurveCell& b) {
   const double sign = cross_z(a.axis, b.axis) > 0 ? 1 : -1;
   const double low = sign * cross_z(a.left, b.right), high = sign * cross_z(a.right, b.left);
@@ -60,7 +57,7 @@ CurveFoot foot_at(const CurvePair& pair, const SpanPoint& a, const SpanPoint& b)
 
 bool boxes_apart(const CurvePair& pair, double tolerance) {
   for (int k = 0; k < pair.dimension(); ++k)
-    if (apart({pair.a.low[k], pair.a.high[k]}, {pair.b.low[k], pair.b.high[k]}, tolerance))
+    if (are_apart({pair.a.low[k], pair.a.high[k]}, {pair.b.low[k], pair.b.high[k]}, tolerance))
       return true;
   return false;
 }
@@ -91,7 +88,7 @@ std::optional<CurveFoot> nearest_feet(const CurvePair& pair, CurveFoot foot) {
                                  std::abs((*step)[1]) / length(pair.b.local));
     const double shrink = size / last;
     const bool settled = part < kConverging && part * shrink * shrink < kSettled;
-    if (settled || size < kMinStep || (size < kStalled && shrink > 0.25)) return foot;
+    if (settled || size < kMinStep || (size < kNewtonStalled && shrink > 0.25)) return foot;
     last = size;
   }
   return std::nullopt;

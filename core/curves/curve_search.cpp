@@ -5,23 +5,22 @@
 #include <cmath>
 
 #include "core/base/work_limit.h"
+#include "core/curves/limits.h"
 
 namespace blossom {
 namespace {
 
-constexpr int kFirstRoom = 16;   // pairs, or cells, that wait: mostly enough
-constexpr long kAskEvery = 256;  // pairs between two looks at the clock
+constexpr int kFirstRoom = 16;  // pairs, or cells, that wait: mostly enough
 // Contacts longer than this part of the curves are not looked for as valleys.
 constexpr double kLongestValley = 0.03;
-constexpr double kParameterSlack = 1e-14;
 constexpr double kStraight = 1e-3;      // a sine below which a cell's length alone counts
-constexpr double kNarrow = 0.9;         // cosine of a cone in which one place has a given component
+constexpr double kOneComponent = 0.9;   // cosine of a cone in which one place has a given component
 constexpr double kWorthClipping = 0.6;  // of a cell; clipping makes one pair, halving two
 constexpr double kAlike = 16;           // lengths of cells that may be one contact
 constexpr int kAxisSteps = 60;
-constexpr int kFootSteps = 3;
+constexpr int kEndFootSteps = 3;
 constexpr int kAlongSteps = 8;
-constexpr double kSettled = 0x1p-51;  // a step of a parameter that is rounding
+constexpr double kParameterRounding = 0x1p-51;  // a step of a parameter that is rounding
 
 double box_distance(const CurveCell& cell, const Vec3& point, int dimension) {
   double farthest = 0;
@@ -76,10 +75,10 @@ SpanPoint foot_in(const CurveTree& tree, const CurveCell& cell, const Vec3& poin
     (rest > 0 ? bracket.from : bracket.to) = t;
     double next = t + rest / dot(cell.axis, jet.first);
     if (!(next >= bracket.from && next <= bracket.to)) next = at(bracket, 0.5);
-    if (std::abs(next - t) <= kSettled) break;
+    if (std::abs(next - t) <= kParameterRounding) break;
     t = next;
   }
-  for (int k = 0; k < kFootSteps; ++k) {
+  for (int k = 0; k < kEndFootSteps; ++k) {
     const CurveJet jet = tree.jet({cell.span, t});
     const double step = dot(jet.first, point - jet.point) / dot(jet.first, jet.first);
     if (std::isfinite(step)) t = std::clamp(t + step, cell.local.from, cell.local.to);
@@ -332,7 +331,7 @@ std::vector<SpanPoint> feet_near(CurveTree& tree, const Vec3& point, double tole
     const auto [index, part] = cells.back();
     cells.pop_back();
     const CurveCell& cell = tree[index];
-    if (cell.cosine < kNarrow && cell.extent > tolerance + 8 * cell.margin) {
+    if (cell.cosine < kOneComponent && cell.extent > tolerance + 8 * cell.margin) {
       if (length(part) <= kWorthClipping) {
         add(tree.part(index, part));
         continue;
@@ -356,7 +355,7 @@ SpanPoint foot_along(const CurveTree& tree, const Vec3& point, double parameter)
     const double square = dot(jet.first, jet.first);
     if (!(square > 0)) break;
     const double next = at.t + dot(jet.first, point - jet.point) / square;
-    if (std::abs(next - at.t) <= kSettled) break;
+    if (std::abs(next - at.t) <= kParameterRounding) break;
     if (next > 1 && at.t == 1 && at.span + 1 < tree.spans())
       at = {at.span + 1, 0};
     else if (next < 0 && at.t == 0 && at.span > 0)

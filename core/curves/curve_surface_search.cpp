@@ -6,19 +6,16 @@
 #include <cmath>
 
 #include "core/base/work_limit.h"
+#include "core/curves/limits.h"
 #include "core/surfaces/contacts/contact_length.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kCut = 31.0 / 64;  // where cells of surfaces are halved, off the middle
-constexpr long kAskEvery = 256;     // pairs between two looks at the clock
-constexpr int kNewtonSteps = 20;
-constexpr double kSettled = 1e-15;
-constexpr double kStalled = 1e-12;
-constexpr double kReach = 0.5;  // how far outside the cells Newton's steps may lead
+constexpr int kSurfaceNewtonSteps = 20;
+constexpr double kSurfaceSettled = 1e-15;
 constexpr int kKrawczykSteps = 6;
-constexpr double kParameterSlack = 1e-13;
 
 bool apart(const ValueRange& a, double low, double high, double tolerance) {
   return a.low > high + tolerance || low > a.high + tolerance;
@@ -66,10 +63,10 @@ std::optional<CurveSurfaceParameters> curve_surface_point(const CurveTree& curve
                                                           const Interval& u, const Interval& v) {
   CurveSurfaceParameters x{at(t, 0.5), {at(u, 0.5), at(v, 0.5)}};
   const auto inside = [](double value, const Interval& range) {
-    return within(value, range, kReach * length(range));
+    return within(value, range, kNewtonReach * length(range));
   };
   double last = 1;
-  for (int k = 0; k < kNewtonSteps; ++k) {
+  for (int k = 0; k < kSurfaceNewtonSteps; ++k) {
     const CurveJet c = curve.jet({span, x.t});
     const PatchJet s = jet_at(patch, x.uv[0], x.uv[1], 1);
     const auto step = solve(c.first, -s.u, -s.v, s.point - c.point);
@@ -77,7 +74,7 @@ std::optional<CurveSurfaceParameters> curve_surface_point(const CurveTree& curve
     x = {x.t + (*step)[0], {x.uv[0] + (*step)[1], x.uv[1] + (*step)[2]}};
     if (!inside(x.t, t) || !inside(x.uv[0], u) || !inside(x.uv[1], v)) return std::nullopt;
     const double size = max_norm(*step);
-    if (size < kSettled || (size < kStalled && size > 0.25 * last)) return x;
+    if (size < kSurfaceSettled || (size < kNewtonStalled && size > 0.25 * last)) return x;
     last = size;
   }
   return std::nullopt;
@@ -210,9 +207,9 @@ bool CurveSurfaceSearch::settle(const CurveCell& c, const Pair& pair, const Cell
   };
   const double rounding = valley_.rounding;
   const auto inside = [&](double error) {
-    return within(found->t, c.local, reach(0, error) * length(c.local) + kParameterSlack) &&
-           within(found->uv[0], s.u, reach(1, error) * length(s.u) + kParameterSlack) &&
-           within(found->uv[1], s.v, reach(2, error) * length(s.v) + kParameterSlack);
+    return within(found->t, c.local, reach(0, error) * length(c.local) + kSurfaceParameterSlack) &&
+           within(found->uv[0], s.u, reach(1, error) * length(s.u) + kSurfaceParameterSlack) &&
+           within(found->uv[1], s.v, reach(2, error) * length(s.v) + kSurfaceParameterSlack);
   };
   if (!inside(tolerance_)) return krawczyk_empties(c, pair.patch, s, minor);
   const SpanPoint t{c.span, std::clamp(found->t, 0.0, 1.0)};

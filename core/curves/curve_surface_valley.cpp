@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/cells/cell_bend.h"
+#include "core/curves/limits.h"
 #include "core/surfaces/gap/convex_gap.h"
 
 namespace blossom {
@@ -13,7 +14,6 @@ namespace {
 constexpr double kFlat = 0.5;          // how far the cell's derivatives may turn
 constexpr double kBeyond = 0.1;        // of a patch; as far as its formula is used outside
 constexpr double kWider = 0.05;        // of the feet's range, by which the region exceeds it
-constexpr int kFootSteps = 12;         // of Newton's method for the foot
 constexpr double kFootSettled = 1e-9;  // of the region: the rest is taken off to first order
 constexpr double kNoise = 1e-3;        // a gap this part of the bound on its error is 0
 constexpr double kBesideEnd = 0.05;    // of a run: a least value so near beyond an end counts, too
@@ -46,10 +46,11 @@ bool is_within(const Interval& inner, const Interval& outer) {
   return outer.from <= inner.from && inner.to <= outer.to;
 }
 
-class Valley {
+class CurveSurfaceValley {
  public:
-  Valley(const CurveTree& curve, const CurveCell& piece, int patch, const CellTree& tree,
-         const Cell& cell, const CurveSurfaceValleyOptions& options)
+  CurveSurfaceValley(const CurveTree& curve, const CurveCell& piece, int patch,
+                     const CellTree& tree, const Cell& cell,
+                     const CurveSurfaceValleyOptions& options)
       : curve_(curve), piece_(piece), patch_(patch), tree_(tree), cell_(cell), options_(options) {}
 
   std::optional<CurveSurfaceValleyPoints> points() {
@@ -354,7 +355,7 @@ std::optional<CurveSurfaceValleyPoints> pierce_valley(const CurveTree& curve,
                                                       const CurveCell& piece, int patch,
                                                       const CellTree& tree, const Cell& cell,
                                                       const CurveSurfaceValleyOptions& options) {
-  return Valley(curve, piece, patch, tree, cell, options).points();
+  return CurveSurfaceValley(curve, piece, patch, tree, cell, options).points();
 }
 
 }  // namespace blossom

@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/curves/limits.h"
 #include "core/surfaces/gap/convex_gap.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kNarrow = 0.97;     // least cosine of half cones that are worth trying
-constexpr double kNearlyOne = 0.97;  // least cosine between the axes
-constexpr double kMaxOf = 0.5;       // of the tolerance, at the ends of a contact
-constexpr int kSolveSteps = 12;      // of Newton's method for the place with a given x
-constexpr double kNearX = 1e-8;      // of a cell; of what is left third powers do not matter
+constexpr double kNarrowCone = 0.97;  // least cosine of half cones that are worth trying
+constexpr double kNearlyOne = 0.97;   // least cosine between the axes
+constexpr double kMaxOf = 0.5;        // of the tolerance, at the ends of a contact
+constexpr int kSolveSteps = 12;       // of Newton's method for the place with a given x
+constexpr double kNearX = 1e-8;       // of a cell; of what is left third powers do not matter
 // Graphs are steeper than e by an angle of which this is the secant at most, and distances shorter
-// than gaps by that: cones of kNarrow round axes that are kNearlyOne from each other.
+// than gaps by that: cones of kNarrowCone round axes that are kNearlyOne from each other.
 constexpr double kSteep = 1.2;
-constexpr double kParameterSlack = 1e-14;
 
 // One graph's value, slope and curvature over x.
 struct GraphPoint {
@@ -59,7 +59,7 @@ class Valley {
 
   bool make_frame() {
     const CurveCell &a = pair_.a, &b = pair_.b;
-    if (!(a.cosine > kNarrow && b.cosine > kNarrow)) return false;
+    if (!(a.cosine > kNarrowCone && b.cosine > kNarrowCone)) return false;
     const double along = dot(a.axis, b.axis);
     if (!(std::abs(along) > kNearlyOne)) return false;
     reversed_ = along < 0;

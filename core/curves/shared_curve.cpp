@@ -12,10 +12,10 @@
 namespace blossom {
 namespace {
 
-constexpr double kMinPart = 1e-3;   // of a; shorter common parts are contacts
-constexpr double kParallel = 1e-4;  // sine above which directions are not the same
-constexpr double kSameEnd = 1e-12;  // a foot this near an end is the end: rounding
-constexpr int kFootSteps = 8;
+constexpr double kMinPart = 1e-3;        // of a; shorter common parts are contacts
+constexpr double kSameDirection = 1e-4;  // sine above which directions are not the same
+constexpr double kSameEnd = 1e-12;       // a foot this near an end is the end: rounding
+constexpr int kSampleFootSteps = 8;
 
 // t = t0 + p (s - s0) / (1 + q (s - s0)), by value and two derivatives at one point.
 struct LocalMap {
@@ -36,7 +36,7 @@ std::optional<LocalMap> local_map(const RationalBezierCurve& a, const RationalBe
   const CurveJet ja = jet_at(a, s), jb = jet_at(b, t);
   const double square = dot(jb.first, jb.first);
   if (!(square > 0) || !(dot(ja.first, ja.first) > 0)) return std::nullopt;
-  if (norm(cross(unit(ja.first), unit(jb.first))) > kParallel) return std::nullopt;
+  if (norm(cross(unit(ja.first), unit(jb.first))) > kSameDirection) return std::nullopt;
   const double p = dot(ja.first, jb.first) / square;
   const double second = dot(ja.second - jb.second * (p * p), jb.first) / square;
   return LocalMap{s, t, p, -second / (2 * p)};
@@ -60,7 +60,7 @@ std::optional<Interval> common_part(const LocalMap& map) {
 
 // The parameter in [0, 1] whose point is nearest, from a start.
 double foot(const RationalBezierCurve& b, const Vec3& point, double t) {
-  for (int k = 0; k < kFootSteps; ++k) {
+  for (int k = 0; k < kSampleFootSteps; ++k) {
     const CurveJet jet = jet_at(b, t);
     const double square = dot(jet.first, jet.first);
     if (!(square > 0)) break;

@@ -11,8 +11,8 @@ namespace blossom {
 namespace {
 
 // Roundings of the few operations in a bound.
-constexpr double kSlack = 1e-14;
-constexpr int kSteps = 40;
+constexpr double kPairSlack = 1e-14;
+constexpr int kDampedSteps = 40;
 constexpr double kMinDamping = 1e-12, kMaxDamping = 1e8;
 // A step this small changes no digit of a parameter any more.
 constexpr double kLastStep = 1e-16;
@@ -42,7 +42,7 @@ double gap_along(const HullCell& a, const HullCell& b, const Vec3& direction) {
   const double gap = std::max(ha.low - hb.high, hb.low - ha.high);
   const double size = std::max(std::max(std::abs(ha.low), std::abs(ha.high)),
                                std::max(std::abs(hb.low), std::abs(hb.high)));
-  return gap - kSlack * size;
+  return gap - kPairSlack * size;
 }
 
 Vec3 middle(const Cell& cell) { return 0.5 * (cell.low + cell.high); }
@@ -53,9 +53,9 @@ bool may_be_across(const Vec3& mid, const Vec3& rad, const VectorBounds& d) {
   for (int k = 0; k < 3; ++k) {
     value += mid[k] * d.middle[k];
     spread += std::abs(mid[k]) * d.radius[k] + rad[k] * (std::abs(d.middle[k]) + d.radius[k]) +
-              kSlack * std::abs(mid[k] * d.middle[k]);
+              kPairSlack * std::abs(mid[k] * d.middle[k]);
   }
-  return std::abs(value) <= spread * (1 + kSlack);
+  return std::abs(value) <= spread * (1 + kPairSlack);
 }
 
 using Vec4d = std::array<double, 4>;
@@ -93,7 +93,7 @@ bool solve(Matrix4 h, const Vec4d& g, const std::array<bool, 4>& free, Vec4d& st
 double distance_bound(const HullCell& a, const HullCell& b, const Vec3& direction) {
   const double boxes =
       std::sqrt(squared_distance(Box{a.cell->low, a.cell->high}, Box{b.cell->low, b.cell->high}));
-  double bound = boxes * (1 - kSlack);
+  double bound = boxes * (1 - kPairSlack);
   if (!(direction == Vec3{})) bound = std::max(bound, gap_along(a, b, direction));
   const Vec3 between = unit(middle(*a.cell) - middle(*b.cell));
   if (!(between == Vec3{})) bound = std::max(bound, gap_along(a, b, between));
@@ -106,7 +106,7 @@ bool may_be_normal(const Cell& a, const std::array<bool, 2>& across_a, const Cel
   for (int k = 0; k < 3; ++k) {
     const double low = a.low[k] - b.high[k], high = a.high[k] - b.low[k];
     mid[k] = 0.5 * (low + high);
-    rad[k] = 0.5 * (high - low) * (1 + kSlack) + kSlack * std::abs(mid[k]);
+    rad[k] = 0.5 * (high - low) * (1 + kPairSlack) + kPairSlack * std::abs(mid[k]);
   }
   return (!across_a[0] || may_be_across(mid, rad, a.du)) &&
          (!across_a[1] || may_be_across(mid, rad, a.dv)) &&
@@ -141,7 +141,7 @@ NearPair near_pair(const PatchOf& a, const PatchOf& b, const Vec2& start_a, cons
   Vec4d x{start_a[0], start_a[1], start_b[0], start_b[1]};
   SquaredGap gap = squared_gap(a, b, x);
   double damping = 0;
-  for (int k = 0; k < kSteps && damping < kMaxDamping; ++k) {
+  for (int k = 0; k < kDampedSteps && damping < kMaxDamping; ++k) {
     std::array<bool, 4> free = counts;
     for (std::size_t i = 0; i < 4; ++i)  // not those that a side of the piece holds
       free[i] = free[i] && !(x[i] <= sides[i].from && gap.slope[i] > 0) &&

@@ -15,7 +15,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kCut = 0.5;
+constexpr double kMiddle = 0.5;
 constexpr Box4 kPatches{Interval{0, 1}, Interval{0, 1}, Interval{0, 1}, Interval{0, 1}};
 // How far along the curve a place inside of the trims is looked for, as part of a patch.
 constexpr std::array<double, 8> kSteps{1e-6, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.25, 0.5};
@@ -29,8 +29,8 @@ bool is_rational(const RationalBezierPatch& patch) {
 class CrossingProof {
  public:
   CrossingProof(const RationalBezierPatch& a, const RationalBezierPatch& b, const Vec3& origin)
-      : tree_a_(a, is_rational(a), origin, CellForm::Bezier, kCut),
-        tree_b_(b, is_rational(b), origin, CellForm::Bezier, kCut),
+      : tree_a_(a, is_rational(a), origin, CellForm::Bezier, kMiddle),
+        tree_b_(b, is_rational(b), origin, CellForm::Bezier, kMiddle),
         model_(tree_a_, tree_a_[0], tree_b_, tree_b_[0]) {}
 
   // The direction of the curve, its largest entry 1; zeros where the surfaces touch.

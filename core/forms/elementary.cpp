@@ -9,7 +9,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kRounding = 0x1p-48;  // of the coordinates: some ten steps
+constexpr double kPlacingRounding = 0x1p-48;  // of the coordinates: some ten steps
 
 double sine_between(const Elementary& a, const Elementary& b) {
   return norm(cross(a.axis, b.axis));
@@ -18,9 +18,6 @@ double sine_between(const Elementary& a, const Elementary& b) {
 double angle_between(const Elementary& a, const Elementary& b) {
   return 0.5 * std::numbers::pi * std::min(sine_between(a, b), 1.0);
 }
-
-// The part of a vector across a unit vector.
-Vec3 across(const Vec3& vector, const Vec3& axis) { return vector - dot(vector, axis) * axis; }
 
 double plane_bound(const Elementary& a, const Elementary& b, const Ball& ball) {
   const Vec3 foot = ball.centre - dot(ball.centre - a.centre, a.axis) * a.axis;
@@ -78,7 +75,7 @@ double distance_bound(const Elementary& a, const Elementary& b, const Ball& ball
   if (a.kind != b.kind) return std::numeric_limits<double>::infinity();
   const double coordinate = std::max({max_norm(a.centre), max_norm(b.centre), max_norm(ball.centre),
                                       ball.radius, a.radius, a.minor});
-  return bound_of_moves(a, b, ball) + kRounding * coordinate;
+  return bound_of_moves(a, b, ball) + kPlacingRounding * coordinate;
 }
 
 }  // namespace blossom

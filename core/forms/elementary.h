@@ -28,6 +28,11 @@ struct Elementary {
   double angle = 0;    ///< in (0, pi / 2)
 };
 
+/// The part of a vector that is perpendicular to a unit vector.
+inline Vec3 across(const Vec3& vector, const Vec3& axis) {
+  return vector - dot(vector, axis) * axis;
+}
+
 /// A ball in space.
 struct Ball {
   Vec3 centre;

@@ -13,8 +13,6 @@ constexpr double kMinSine = 1e-3;
 
 using Known = std::optional<ElementaryMeeting>;
 
-Vec3 across(const Vec3& vector, const Vec3& axis) { return vector - dot(vector, axis) * axis; }
-
 double turn(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 // A unit vector across another one.

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/math/roundoff.h"
 #include "core/rays/line_search.h"
 #include "core/subdivision/cell_nets.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kRoundoff = 0x1p-53;
 // Off the middle: singular points like dyadic lines.
 constexpr double kCut = 0.5 - 1.0 / 64;
 // A contact this many times longer than sqrt(tolerance * size) is no touch of curved surfaces.
@@ -79,7 +79,7 @@ void LineSearch::load_net() {
   load_heights(across_[1], net + rows_ * columns_);
   const int degree = std::max(rows_, columns_) - 1;
   const double numbers = cells_.scale() + max_norm(ray_.origin) + max_norm(anchor_);
-  margin_ = 24 * kRoundoff * placed().largest_weight * numbers +
+  margin_ = 24 * kUnitRoundoff * placed().largest_weight * numbers +
             halving_error(degree, 4) * largest_of(range_of(net, net_size_));
   restrict_net(net, cell_->u, cell_->v);
   net_scale_ = largest_of(range_of(net, net_size_));

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/math/roundoff.h"
+
 namespace blossom {
 namespace {
 
-constexpr double kRoundoff = 0x1p-53;
 // Roots this little outside of a region belong to it, too; the neighbour finds the same root.
 constexpr double kMinSlack = 1e-9;
 constexpr double kMaxSlack = 0.25;
@@ -64,7 +65,7 @@ LineSearch::Guess LineSearch::guess(const FlatCell& cell) const {
   const double t = dot(cell.normal, r) * per_normal;
   const Vec3 q = r - t * ray_.direction;
   const double error = cells_.evaluation_error() * cells_.scale() +
-                       8 * kRoundoff * (max_norm(ray_.origin) + std::abs(t) * direction_scale_);
+                       8 * kUnitRoundoff * (max_norm(ray_.origin) + std::abs(t) * direction_scale_);
   const double reach = cells_.patches()[static_cast<std::size_t>(cell.patch)].reach;
   Vec2 value;
   bool exact = true;

@@ -7,11 +7,10 @@
 
 #include "core/forms/curve.h"
 #include "core/forms/function.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
-
-constexpr double kRoundoff = 0x1p-53;
 
 // Derivative by u or v: degree times the differences of neighbours.
 ValueRange slope_u(const double* net, int rows, int columns) {
@@ -114,10 +113,10 @@ TwoForms two_forms(const NetShape& shape, const double* net, double margin) {
     for (std::size_t j = 0; j < 2; ++j)
       for (std::size_t l = 0; l < 2; ++l)
         forms.spread[i][j] +=
-            std::abs(c[i][l]) *
-            (radius(forms.slopes[l][j]) + 2 * degree * margin + 8 * kRoundoff * std::abs(m[l][j]));
+            std::abs(c[i][l]) * (radius(forms.slopes[l][j]) + 2 * degree * margin +
+                                 8 * kUnitRoundoff * std::abs(m[l][j]));
     forms.rounding[static_cast<int>(i)] = 2 * (std::abs(c[i][0]) + std::abs(c[i][1])) *
-                                          (margin + (8 * degree + 8) * kRoundoff * size);
+                                          (margin + (8 * degree + 8) * kUnitRoundoff * size);
   }
   return forms;
 }

@@ -13,6 +13,7 @@
 #include "core/forms/algebra/degree.h"
 #include "core/forms/algebra/interpolation.h"
 #include "core/forms/algebra/products.h"
+#include "core/math/index.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/tracing/local_form.h"
 
@@ -21,8 +22,6 @@ namespace {
 
 constexpr double kMinBox = 1e-6;  // of a side of a box: below, differences of points are rounding
 constexpr int kFitDegree = 5;     // of polynomials that take a curve's place, as local_form wants
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool is_polynomial(const PlanarBezier& curve) {
   return std::ranges::all_of(curve.points,

@@ -11,6 +11,7 @@
 
 #include "core/base/errors.h"
 #include "core/forms/evaluation.h"
+#include "core/math/index.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
@@ -24,8 +25,6 @@ constexpr double kLongest = 1.5;        // of an arc, in cells
 constexpr double kCrossing = 1e-4;      // of a border: as near to a line at so far from where it
                                         // crosses it, it runs along it but for rounding
 constexpr double kCornerReach = 8;      // tolerances: as near to a corner on a line is that corner
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 bool is_whole(double x) { return x == std::floor(x); }
 

@@ -12,23 +12,22 @@
 #include "core/blossom/triangle_composition.h"
 #include "core/forms/algebra/degree.h"
 #include "core/forms/evaluation.h"
+#include "core/math/index.h"
 #include "core/regions/plane_predicates.h"
 #include "core/regions/sliver_triangles.h"
 
 namespace blossom {
 namespace {
 
-constexpr int kMaxRounds = 16;         // of halving; chords come nearer to arcs by 4 each time
-constexpr double kFlat = -0.5;         // cosine of an angle beyond which a triangle is flat
-constexpr double kInLine = -0.999;     // likewise, beyond which its corners are in one line
-constexpr double kBetter = 0.01;       // gain of cosines that is worth a flip
-constexpr double kLessFlat = 4;        // likewise, of distances of cosines from -1
-constexpr double kLine = 1e-15;        // as near to -1 are cosines for rounding alone
-constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees
-constexpr double kHigh = 1e3;          // of tolerances of borders: heights that need not be raised
-constexpr int kMaxFlips = 64;          // rounds of flips, each of which may call for another
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
+constexpr int kMaxChordRounds = 16;  // of halving; chords come nearer to arcs by 4 each time
+constexpr double kFlat = -0.5;       // cosine of an angle beyond which a triangle is flat
+constexpr double kInLine = -0.999;   // likewise, beyond which its corners are in one line
+constexpr double kBetter = 0.01;     // gain of cosines that is worth a flip
+constexpr double kLessFlat = 4;      // likewise, of distances of cosines from -1
+constexpr double kLine = 1e-15;      // as near to -1 are cosines for rounding alone
+constexpr double kTriangleLoweringPart = 0.1;  // of the tolerance, for lower degrees
+constexpr double kHigh = 1e3;  // of tolerances of borders: heights that need not be raised
+constexpr int kMaxFlips = 64;  // rounds of flips, each of which may call for another
 
 using Corners = std::array<int, 3>;
 using ArcBetween = std::map<std::pair<int, int>, int>;  // arcs by their ends
@@ -136,7 +135,7 @@ class Region {
   CurvedTriangles triangles() {
     const std::size_t most = arcs_.size() + BorderArcs::kMaxArcs;
     std::string obstacle;
-    for (int round = 0; round < kMaxRounds && arcs_.size() <= most; ++round) {
+    for (int round = 0; round < kMaxChordRounds && arcs_.size() <= most; ++round) {
       CurvedTriangles made;
       std::set<int> to_halve = attempt(made);
       const bool is_covered = to_halve.empty();
@@ -264,7 +263,7 @@ class Region {
     std::set<int> to_halve;
     for (CurvedTriangle& triangle : made.triangles) {
       const bool has_to_be = triangle.map.degree * straight > options.highest_degree;
-      double within = kLoweringPart * options.tolerance;
+      double within = kTriangleLoweringPart * options.tolerance;
       if (!has_to_be) within = std::min(within, left_of_tolerance(triangle));
       if (!has_to_be && (within <= 0 || triangle.map.degree == 1)) continue;
       auto lower = lowering_(over(triangle), straight, options.highest_degree, within);

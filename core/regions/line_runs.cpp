@@ -11,13 +11,13 @@
 namespace blossom {
 namespace {
 
-constexpr int kSamples = 9;         // of a piece, its ends among them
+constexpr int kRunSamples = 9;      // of a piece, its ends among them
 constexpr double kMaxSlope = 1e-3;  // of a run: how far it may leave its line, to its length
 
 constexpr double kMinSlope = 1e-3;  // of a crossing, across the line, that is improved
 constexpr int kNewtonSteps = 3;     // from a crossing within kOnLine to one within rounding
 
-using Samples = std::array<Vec2, kSamples>;  // grid coordinates
+using Samples = std::array<Vec2, kRunSamples>;  // grid coordinates
 
 double improved(const PlanarCurve& curve, int direction, double value, double parameter) {
   const Interval domain = curve.domain();
@@ -79,12 +79,12 @@ LineRun line_run(const BezierSurface& surface, const PlanarCurve& curve, const I
                  double within) {
   Samples samples;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double t = static_cast<double>(i) / (kSamples - 1);
+    const double t = static_cast<double>(i) / (kRunSamples - 1);
     samples[i] = unrounded_grid_point(surface, point_at(curve, at(place, t)));
   }
   for (int k = 0; k < 2; ++k) {
     const int lines = k == 0 ? surface.patches.rows() : surface.patches.columns();
-    const LineRun run{k, std::round(samples[kSamples / 2][k])};
+    const LineRun run{k, std::round(samples[kRunSamples / 2][k])};
     if (run.line < 1 || run.line >= lines) continue;
     if (keeps_to(surface, samples, run, within)) return run;
   }

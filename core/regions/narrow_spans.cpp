@@ -6,14 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/math/index.h"
 #include "core/regions/arc_forms.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kMaxError = 1e-4;  // of the size: no surface loses more with narrow spans
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 BezierSurface transposed(const BezierSurface& surface) {
   BezierSurface result = surface;

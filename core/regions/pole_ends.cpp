@@ -8,16 +8,15 @@
 #include <vector>
 
 #include "core/forms/evaluation.h"
+#include "core/math/index.h"
 
 namespace blossom {
 namespace {
 
-constexpr int kSamples = 8;        // of a span
+constexpr int kPoleSamples = 8;    // of a span
 constexpr double kMinPole = 0.25;  // of a pole's length in the chart: as much of it is left
 // Of the surface's range of a parameter: no harm comes of corners that are swept over less of it.
 constexpr double kMinSweep = 1e-2;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // Where a border and one that is a point meet.
 struct PoleEnd {
@@ -89,8 +88,8 @@ class Straightener {
 
   // Whether a span may have one value of the direction.
   bool may_keep(const PlanarSpan& span, int direction, double value) const {
-    for (int k = 0; k <= kSamples; ++k) {
-      const Vec2 uv = jet_at(span.curve, static_cast<double>(k) / kSamples).point;
+    for (int k = 0; k <= kPoleSamples; ++k) {
+      const Vec2 uv = jet_at(span.curve, static_cast<double>(k) / kPoleSamples).point;
       Vec2 moved = uv;
       moved[direction] = value;
       if (distance(in_space(uv), in_space(moved)) > within_) return false;
@@ -187,8 +186,8 @@ class Straightener {
   // Whether the line of the surface on which a point is, along a direction, is that point in space.
   bool is_on_pole(Vec2 uv, int direction, const Vec3& point) const {
     const Interval range{knots(direction).front(), knots(direction).back()};
-    for (int k = 0; k <= kSamples; ++k) {
-      uv[direction] = at(range, static_cast<double>(k) / kSamples);
+    for (int k = 0; k <= kPoleSamples; ++k) {
+      uv[direction] = at(range, static_cast<double>(k) / kPoleSamples);
       if (distance(in_space(uv), point) > within_) return false;
     }
     return true;

@@ -12,6 +12,7 @@
 #include "core/forms/algebra/degree.h"
 #include "core/forms/algebra/interpolation.h"
 #include "core/forms/algebra/products.h"
+#include "core/math/index.h"
 #include "core/regions/narrow_spans.h"
 #include "core/subdivision/patch_subdivision.h"
 
@@ -21,8 +22,6 @@ namespace {
 constexpr int kAngleFit = 4;     // degree along an angle
 constexpr int kHighestFit = 10;  // as far as kLebesgue holds
 constexpr int kMaxParts = 64;    // of a span
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // Whether weights differ along u of some patch, or along v.
 bool weights_vary(const BezierSurface& surface, bool along_u) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "core/math/index.h"
 #include "core/regions/plane_predicates.h"
 
 namespace blossom {
@@ -19,9 +20,7 @@ constexpr int kMaxRounds = 8;    // over all triangles, as those that are new ma
 constexpr int kMaxHalvings = 4;  // of the way to a new vertex: near ones may be better, or valid
 constexpr double kInside = 0.5;  // of the way to what lies across, where that is near
 constexpr double kSame = 1e-9;   // of a triangle's sides: nearer corners are one point in space
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
+constexpr std::size_t kNoTriangle = static_cast<std::size_t>(-1);
 
 using Corners = std::array<int, 3>;
 
@@ -76,7 +75,7 @@ class Raiser {
   // The triangle on the left of a side, if there is one.
   std::size_t on_left(int a, int b) const {
     const auto found = beside_.find({a, b});
-    return found == beside_.end() ? kNone : found->second;
+    return found == beside_.end() ? kNoTriangle : found->second;
   }
 
   int apex(std::size_t i, int a, int b) const {
@@ -141,7 +140,7 @@ class Raiser {
   bool flip(std::size_t i, std::size_t k) {
     const auto [b, c, a] = turned(triangles_[i], k);
     const std::size_t j = on_left(a, c);
-    if (j == kNone) return false;
+    if (j == kNoTriangle) return false;
     const int d = apex(j, a, c);
     const Corners one{a, b, d}, other{b, c, d};
     const double now = std::min(height(triangles_[i]), height(triangles_[j]));
@@ -157,7 +156,7 @@ class Raiser {
   // The triangle that a point lies in, seen straight on from corner k of triangle i; none if it
   // lies outside of the region, with the part of the way to it that is inside.
   struct Place {
-    std::size_t triangle = kNone;
+    std::size_t triangle = kNoTriangle;
     double inside = 1;
   };
 
@@ -165,7 +164,8 @@ class Raiser {
     auto [b, right, left] = turned(triangles_[i], k);
     while (orientation(point(right), point(left), wanted) < 0) {
       const std::size_t next = on_left(left, right);
-      if (next == kNone) return {kNone, part_before(point(b), wanted, point(right), point(left))};
+      if (next == kNoTriangle)
+        return {kNoTriangle, part_before(point(b), wanted, point(right), point(left))};
       const int far = apex(next, left, right);
       (orientation(point(b), wanted, point(far)) > 0 ? left : right) = far;
       i = next;
@@ -195,18 +195,18 @@ class Raiser {
     if (!(size > 0)) return {0, 0};
     const Vec2 way = (far / size) * left;
     const Place place = place_of(point(b) + way, i, k);
-    return place.triangle == kNone ? kInside * place.inside * way : way;
+    return place.triangle == kNoTriangle ? kInside * place.inside * way : way;
   }
 
   // The best of some vertices on the way from corner k of triangle i, if it raises that.
   bool add_vertex(std::size_t i, std::size_t k) {
     const auto [b, c, a] = turned(triangles_[i], k);
-    if (on_left(a, c) == kNone) return false;
+    if (on_left(a, c) == kNoTriangle) return false;
     Vec2 way = way_inside(i, k), best_way;
     Star best;
     for (int halving = 0; halving <= kMaxHalvings; ++halving, way = 0.5 * way) {
       const Place place = place_of(point(b) + way, i, k);
-      if (place.triangle == kNone) continue;
+      if (place.triangle == kNoTriangle) continue;
       chart_.points.push_back(point(b) + way);
       Star star = star_in(place.triangle);
       chart_.points.pop_back();
@@ -243,7 +243,7 @@ class Raiser {
       const Corners at = open.back();
       open.pop_back();
       const std::size_t behind = on_left(at[1], at[0]);
-      if (behind != kNone) {
+      if (behind != kNoTriangle) {
         const int far = apex(behind, at[1], at[0]);
         const Corners one{at[0], far, vertex}, other{far, at[1], vertex};
         const double was = height(triangles_[behind]);

@@ -11,6 +11,7 @@
 
 #include "core/base/errors.h"
 #include "core/blossom/triangle_composition.h"
+#include "core/math/index.h"
 #include "core/plane/loops.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/subdivision/triangle_subdivision.h"
@@ -23,8 +24,6 @@ constexpr int kTouchHalvings = 5;  // of an arc, to see which cells it meets
 constexpr double kAreaError = 1e-8;
 constexpr double kBesideCell = 1.0 / 16;  // of a cell: no trim is nearer to one that stays whole
 constexpr int kFewSpans = 3;  // up to here spans are cut into cells, or none would lie inside
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 int cells_for(const BezierSurface& surface, int wanted) {
   if (wanted > 0) return wanted;

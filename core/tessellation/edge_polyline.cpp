@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/forms/evaluation.h"
+#include "core/tessellation/segment_gap.h"
 
 namespace blossom {
 namespace {
@@ -15,13 +16,6 @@ constexpr int kDeepest = 14;         // halvings of a span
 constexpr double kKink = 0.02;       // radians between spans: a corner, which gets a point
 constexpr double kRounding = 1e-6;   // of a segment: no more of them for that
 constexpr int kLeastClosed = 3;
-
-double segment_gap(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 d = b - a;
-  const double square = dot(d, d);
-  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  return norm(p - (a + t * d));
-}
 
 struct Piece {
   RationalBezierCurve curve;

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "core/base/errors.h"
+#include "core/math/index.h"
 #include "core/regions/constrained_delaunay.h"
 #include "core/tessellation/inner_points.h"
+#include "core/tessellation/segment_gap.h"
 
 namespace blossom {
 namespace {
@@ -28,16 +30,6 @@ constexpr double kShortFold = 0.5;
 constexpr double kSmallest = 1e-6;
 // Of the distance of a facet: sides that are farther than this are worth dividing.
 constexpr double kLongSide = 0.4;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-template <class Point>
-double segment_gap(const Point& p, const Point& a, const Point& b) {
-  const Point d = b - a;
-  const double square = dot(d, d);
-  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  return distance(p, a + t * d);
-}
 
 class FacetBuilder {
  public:

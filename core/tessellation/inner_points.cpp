@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/index.h"
+
 namespace blossom {
 namespace {
 
 constexpr int kMostRows = 20000;
 constexpr int kMostSparse = 10;  // level of rows
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 int cell_of(const std::vector<double>& ends, double at) {
   const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, at);

@@ -8,14 +8,13 @@
 
 #include "core/base/errors.h"
 #include "core/bounds/box_tree.h"
+#include "core/math/index.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kAskEvery = 1024;  // facets
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 using Corners = std::array<Vec3, 3>;
 

@@ -11,12 +11,11 @@
 
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
+#include "core/math/index.h"
 #include "core/tessellation/edge_polyline.h"
 
 namespace blossom {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 void check(const ShapeModel& model, const FacetOptions& options) {
   if (!(options.deviation > 0) || !std::isfinite(options.deviation))

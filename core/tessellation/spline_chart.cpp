@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/forms/evaluation.h"
+#include "core/math/index.h"
 #include "core/subdivision/patch_subdivision.h"
 #include "core/tessellation/cell_jets.h"
 
@@ -17,8 +18,6 @@ constexpr double kMuchTurn = 0.3;       // likewise of first ones
 constexpr int kMostPatches = 6;         // of which the parts under a facet are asked
 constexpr double kLeastPart = 0x1p-30;  // of a span: facets are not narrower
 constexpr double kNoBend = 0.2;         // of the wanted distance: it need not be known better
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 int span_of(const std::vector<double>& ends, double parameter) {
   const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, parameter);

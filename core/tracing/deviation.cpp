@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kSlack = 1.1;            // of a bound over the largest value seen
 constexpr int kMaxHalvings = 400;         // of error forms, for one of the three bounds
-constexpr int kDeepest = 12;              // halvings of a span before its forms are made
+constexpr int kMaxSpanHalvings = 12;      // halvings of a span before its forms are made
 constexpr int kUnprovenSamples = 33;      // of a piece without a bound
 constexpr double kEndOfPiece = 1e-9;      // cuts so near an end of a span are none
 constexpr std::size_t kSpansOfProof = 8;  // that one thread proves in a row
@@ -240,7 +240,7 @@ class Proof {
   void add_piece(const QuinticPoints& piece, int depth) {
     auto a = a_.on(piece, depth), b = a ? b_.on(piece, depth) : std::optional<ImageGap>{};
     if (a && b) return add_forms(*a, *b);
-    if (depth == kDeepest || unprovable_) return sample(piece);
+    if (depth == kMaxSpanHalvings || unprovable_) return sample(piece);
     add_piece(piece_of(piece, 0, 0.5), depth + 1);
     add_piece(piece_of(piece, 0.5, 1), depth + 1);
   }

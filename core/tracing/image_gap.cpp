@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/math/roundoff.h"
 #include "core/tracing/image_series.h"
 #include "core/tracing/local_form.h"
 #include "core/tracing/sites.h"
@@ -15,7 +16,6 @@
 namespace blossom {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr double kWeightError = 1e-3;    // of the inverse of a piece's weight, relative
 constexpr double kRestShare = 1.0 / 64;  // of a gap, that its series may leave out
 constexpr double kStray = 1e-3;          // a piece's way out of its patch, in local parameters
@@ -24,7 +24,7 @@ constexpr double kFalseStray = 2;        // of a form's values: farther out only
 constexpr int kStrayHalvings = 6;        // then a stray is taken for a true one
 constexpr int kBits = 48;                // of a parameter where the chart curve is cut
 // Making the points of a span, or of its half, rounds 30 times.
-constexpr double kConvexSums = 32 * kUnit;
+constexpr double kConvexSums = 32 * kUnitRoundoff;
 
 // Parameters in (0, 1) where a form passes zero, by halving wherever its coefficients change sign:
 // no more often than they do in all, so this ends soon. Rounding may miss a root at an end.
@@ -85,9 +85,9 @@ LocalForm local(const QuinticPoints& piece, int coordinate, ParameterLaw law, co
   }
   LocalForm result = local_form(c, law, span, kSeriesChartDegree);
   // A local parameter of an angle grows at most twice as fast as that of a line.
-  result.rounding += 2 * (rounding + 4 * kUnit) * largest / length(span);
+  result.rounding += 2 * (rounding + 4 * kUnitRoundoff) * largest / length(span);
   const auto [low, high] = std::ranges::minmax(result.points());
-  result.rounding += power_rounding(result.degree) * (high - low) + 2 * kUnit;
+  result.rounding += power_rounding(result.degree) * (high - low) + 2 * kUnitRoundoff;
   return result;
 }
 
@@ -132,7 +132,8 @@ std::pair<double, double> divide(PowerSeries<Vec3>& gap, const PowerSeries<doubl
   PowerSeries<double> one = product(weight, inverse);
   one.terms[0] -= 1;
   const double size = absolute_sum(inverse);
-  const double rounding = ((2 * kSeriesDegree + 8) * kUnit * absolute_sum(weight) + rounded) * size;
+  const double rounding =
+      ((2 * kSeriesDegree + 8) * kUnitRoundoff * absolute_sum(weight) + rounded) * size;
   const double off = absolute_sum(one) + one.rest + rounding;
   if (off < kWeightError) gap = product(inverse, gap);
   return {size, off};
@@ -215,9 +216,9 @@ std::optional<ImageGap> ImageGaps::composed(const RationalBezierPatch& patch, co
   const double weight = surface_.rational ? series.size[3] : 1;
   const double rounded =
       max_norm(in_space(series.rounding)) + (surface_.rational ? series.rounding[3] * reach : 0) +
-      (rounding + 4 * kUnit) *
+      (rounding + 4 * kUnitRoundoff) *
           (max_norm(in_space(series.size)) + weight * (max_norm(origin) + reach)) +
-      weight * (power_rounding(kFitDegree) * largest_norm(points) + 64 * kUnit * reach);
+      weight * (power_rounding(kFitDegree) * largest_norm(points) + 64 * kUnitRoundoff * reach);
   result.margin = 2 * rounded * inverse + rest + u.rounding * slope_u + v.rounding * slope_v;
   return result;
 }

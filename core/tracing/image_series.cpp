@@ -9,6 +9,7 @@
 
 #include "core/math/binomial.h"
 #include "core/math/four.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
@@ -16,13 +17,12 @@ namespace {
 constexpr int kLong = static_cast<int>(kSeriesDegree);
 constexpr int kShort = static_cast<int>(kShortSeriesDegree);
 constexpr int kChartDegree = kSeriesChartDegree;
-constexpr int kLinearDegree = 5;  // of chart curves where no angle is a parameter
-constexpr double kUnit = 0x1p-53;
+constexpr int kLinearDegree = 5;   // of chart curves where no angle is a parameter
 constexpr double kOutside = 1.06;  // (1 + 2e-3)^25: of the weights of a point 1e-3 off its patch
 
 // x - x(0).
-struct Step {
-  explicit Step(const PowerSeries<double>& series) {
+struct ChartStep {
+  explicit ChartStep(const PowerSeries<double>& series) {
     for (int p = kChartDegree; p > 0; --p) {
       term[p] = series.terms[static_cast<std::size_t>(p)];
       beyond[p] = (p < kChartDegree ? beyond[p + 1] : 0) + std::abs(term[p]);
@@ -176,7 +176,8 @@ struct Powers {
 // D is no less than the step's degree, and no more than K. So here and below: loops of a known
 // length cost far less.
 template <int K, int D>
-[[gnu::always_inline]] inline void make_powers(const Step& step, int highest, Powers<K>& powers) {
+[[gnu::always_inline]] inline void make_powers(const ChartStep& step, int highest,
+                                               Powers<K>& powers) {
   for (int q = 0; q <= K; ++q) powers.term[1][q] = q <= D ? step.term[q] : 0;
   powers.rest[1] = 0;
   for (int j = 1; j < highest; ++j) {
@@ -199,8 +200,9 @@ template <int K, int D, int J>
 
 // Horner's scheme in u, its coefficients the sums over powers of v.
 template <int K, int D>
-[[gnu::always_inline]] inline void compose_to(const Four* a, int rows, int columns, const Step& u,
-                                              const Step& in_v, Four* result, Four& rest) {
+[[gnu::always_inline]] inline void compose_to(const Four* a, int rows, int columns,
+                                              const ChartStep& u, const ChartStep& in_v,
+                                              Four* result, Four& rest) {
   Powers<K> v;
   make_powers<K, D>(in_v, columns, v);
   Four sum[K + 1] = {};
@@ -226,16 +228,16 @@ template <int K, int D>
   std::copy_n(sum, K + 1, result);
 }
 
-BLOSSOM_HOT void compose_short(const Four* a, int rows, int columns, const Step& u, const Step& v,
-                               Four* sum, Four& rest) {
+BLOSSOM_HOT void compose_short(const Four* a, int rows, int columns, const ChartStep& u,
+                               const ChartStep& v, Four* sum, Four& rest) {
   if (std::max(u.degree, v.degree) <= kLinearDegree)
     compose_to<kShort, kLinearDegree>(a, rows, columns, u, v, sum, rest);
   else
     compose_to<kShort, kChartDegree>(a, rows, columns, u, v, sum, rest);
 }
 
-BLOSSOM_HOT void compose_long(const Four* a, int rows, int columns, const Step& u, const Step& v,
-                              Four* sum, Four& rest) {
+BLOSSOM_HOT void compose_long(const Four* a, int rows, int columns, const ChartStep& u,
+                              const ChartStep& v, Four* sum, Four& rest) {
   if (std::max(u.degree, v.degree) <= kLinearDegree)
     compose_to<kLong, kLinearDegree>(a, rows, columns, u, v, sum, rest);
   else
@@ -350,7 +352,7 @@ ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
   Net net;
   make_net(patch, origin, net);
   const double size = std::max(std::max(net.size[0], net.size[1]), net.size[2]);
-  const Step in_u(u), in_v(v);
+  const ChartStep in_u(u), in_v(v);
   const double limit = 0.25 * negligible / std::max(size, 1e-300);
   const double all_u = power(1 + 2 * in_u.reach, net.n);
   const double all_v = power(1 + 2 * in_v.reach, net.m);
@@ -378,7 +380,7 @@ ImageSeries image_series(const RationalBezierPatch& patch, const Vec3& origin,
   make_local_size(net, absolute_u, absolute_v, local);
 
   // Longest chain of roundings: weights 4 (n + m), sums n + m, powers of v and Horner 9 (n + m).
-  const double chain = (16 * (net.n + net.m) + 64) * kUnit;
+  const double chain = (16 * (net.n + net.m) + 64) * kUnitRoundoff;
   const auto plain = [](const Four& f) { return Vec4{f[0], f[1], f[2], f[3]}; };
   ImageSeries result{{}, plain(slope_u), plain(slope_v), plain(chain * local), plain(local)};
   for (std::size_t k = 0; k <= kLong; ++k) result.image.terms[k] = plain(sum[k]);

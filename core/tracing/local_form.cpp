@@ -10,11 +10,11 @@
 
 #include "core/base/errors.h"
 #include "core/math/binomial.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr double kLargestTurn = 1.2;  // tan is bounded on discs of this radius
 constexpr double kFarthest = 64;      // from the middle, in half widths of the piece
 constexpr int kMinDegree = 5;
@@ -125,7 +125,7 @@ LocalForm angle_form(const std::array<double, 6>& parameters, const Interval& sp
     result.coefficients[i] = sum;
   }
   const double size = 1 + std::max(std::abs(ends.from), std::abs(ends.to));
-  result.rounding = (16 * size + 2 * degree * largest) * kUnit * rule.norm;
+  result.rounding = (16 * size + 2 * degree * largest) * kUnitRoundoff * rule.norm;
   result.error =
       std::tan(kLargestTurn) / (2 * k) * std::pow(radius, -(degree + 1)) * std::ldexp(1.0, -degree);
   return result;

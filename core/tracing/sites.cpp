@@ -264,9 +264,9 @@ class Sampler {
 
   // Of a circle it is 0 but for rounding.
   double first_parameter(const TracePoint& first) const {
-    constexpr double kRounding = 1e-14;
+    constexpr double kAngleRounding = 1e-14;
     const double t = conic_ != nullptr ? parameter_at(*conic_, first.point) : 0;
-    return std::abs(t) <= kRounding ? 0 : t;
+    return std::abs(t) <= kAngleRounding ? 0 : t;
   }
 
   void begin_run(const Site& site) { runs_.push_back({{site}, {}, {}, 0}); }

@@ -12,12 +12,12 @@
 namespace blossom {
 namespace {
 
-constexpr std::size_t kLinkGrain = 16;   // whose points one thread finds in a row
+constexpr std::size_t kPointGrain = 16;  // whose points one thread finds in a row
 constexpr double kBeside = 1e-3;         // fraction of a link
 constexpr double kFarthestBeside = 0.1;  // likewise
 constexpr double kBesidePole = 0.02;     // likewise; the rounding of derivatives grows by its cube
 constexpr double kStraight = 0.9;        // cosine: a tangent farther from its chord is none
-constexpr double kMinSine = 1e-6;        // below it derivatives are rounding
+constexpr double kRoundedSine = 1e-6;    // below it derivatives are rounding
 constexpr double kBesideValley = 1e-3;   // likewise: half the step of a difference
 constexpr double kNoValley = 1e-3;       // of what tells its direction beside a point: none
 constexpr double kReach = 0.5;           // fraction of a patch
@@ -105,7 +105,7 @@ ChainTracer::ChainTracer(const PairSearchResult& found, SurfaceCells& a, Surface
     Vec3 from, middle, to;
   };
   std::vector<LinkPoints> points(chain.links.size());
-  parallel_for(points.size(), kLinkGrain, [&](std::size_t i) {
+  parallel_for(points.size(), kPointGrain, [&](std::size_t i) {
     const FoundArc& arc = found.arcs[static_cast<std::size_t>(chain.links[i].arc)];
     const auto& patch = a.tree(arc.patch_a).patch();
     const auto at_point = [&](const Point4& x) { return point_at(patch, x[0], x[1]); };
@@ -138,13 +138,13 @@ TracePoint ChainTracer::at(double station, bool after) const {
   const bool to_pole = arc.to_pole || (arc.arc.tangential && p.sine == 0);  // or to such a node
   const bool is_end = fraction <= 0 || fraction >= 1;
   const bool finite = std::isfinite(norm(p.second) + norm(p.a_second) + norm(p.b_second));
-  if (finite && (!is_end || (p.sine > kMinSine && !to_pole))) return p;
+  if (finite && (!is_end || (p.sine > kRoundedSine && !to_pole))) return p;
   // At a pole a surface has no normal, at a node the two are parallel or a valley has no direction:
   // the derivatives are taken from points beside it, by quadratic extrapolation. Where contact is
   // of higher order, more of the link is too near to the node for that.
   double step = (fraction < 0.5 ? 1 : -1) * (to_pole ? kBesidePole : kBeside);
   TracePoint q1 = on_link(link, fraction + step);
-  while (!to_pole && !(q1.sine > kMinSine) && std::abs(step) < kFarthestBeside) {
+  while (!to_pole && !(q1.sine > kRoundedSine) && std::abs(step) < kFarthestBeside) {
     step *= 2;
     q1 = on_link(link, fraction + step);
   }

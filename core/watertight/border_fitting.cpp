@@ -7,6 +7,7 @@
 #include "core/forms/algebra/de_casteljau.h"
 #include "core/forms/algebra/degree.h"
 #include "core/forms/algebra/interpolation.h"
+#include "core/math/index.h"
 #include "core/watertight/piece_sides.h"
 
 namespace blossom {
@@ -14,8 +15,6 @@ namespace {
 
 constexpr int kGapSamples = 6;  // of a side, for its distance from the surface
 constexpr double kStep = 1e-3;  // of a side's parameter, for its direction
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 across_of(const Vec3& way, const Vec3& along) {
   const double square = dot(along, along);

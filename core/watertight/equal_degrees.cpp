@@ -6,13 +6,10 @@
 #include <vector>
 
 #include "core/forms/algebra/degree.h"
+#include "core/math/index.h"
 
 namespace blossom {
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
+namespace {}  // namespace
 
 void raise_degrees(WatertightPieces& pieces) {
   std::vector<int> degree;

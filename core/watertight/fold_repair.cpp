@@ -10,6 +10,7 @@
 #include "core/blossom/curve_blossom.h"
 #include "core/blossom/triangle_composition.h"
 #include "core/forms/algebra/degree.h"
+#include "core/math/index.h"
 #include "core/watertight/border_fitting.h"
 #include "core/watertight/equal_degrees.h"
 #include "core/watertight/orientation_check.h"
@@ -20,8 +21,6 @@ namespace {
 
 constexpr int kMaxPasses = 4;
 constexpr std::size_t kAskEvery = 64;  // pieces
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 template <class Form>
 int degree_of(const Form& form) {

@@ -6,12 +6,12 @@
 #include <utility>
 #include <variant>
 
+#include "core/math/index.h"
+
 namespace blossom {
 namespace {
 
 constexpr double kExact = 1e-13;  // of curves that are of a lower degree, relative to the largest
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 int straight_degree(const BezierSurface& surface) {
   int most = 0;

@@ -13,6 +13,7 @@
 #include "core/forms/algebra/degree.h"
 #include "core/forms/detail/checks.h"
 #include "core/math/binomial.h"
+#include "core/math/roundoff.h"
 #include "core/subdivision/triangle_subdivision.h"
 
 namespace blossom {
@@ -20,10 +21,10 @@ namespace {
 
 using detail::ScaledForm;
 
-constexpr double kRounding = 0x1p-53;
-constexpr double kPointRounding = 256 * kRounding;  // of given points, of the largest coordinate
-constexpr int kMaxParts = 400;                      // of one triangle
-constexpr int kMaxHalvings = 40;                    // in depth: a part of a million in length
+constexpr double kPointRounding =
+    256 * kUnitRoundoff;          // of given points, of the largest coordinate
+constexpr int kMaxParts = 400;    // of one triangle
+constexpr int kMaxHalvings = 40;  // in depth: a part of a million in length
 
 // Of a patch, on both sides of its diagonal.
 constexpr std::array<TriangleCorners, 2> kHalves{
@@ -201,18 +202,18 @@ class Proof {
     const Tangents from = tangents_of(given), to = tangents_of(moved);
     const double terms = static_cast<double>(BezierTriangle::count(given.degree)) + 32;
     const double of_given = 2 * noise_ * (from.largest_x + from.largest_y) +
-                            2 * terms * kRounding * from.largest_x * from.largest_y;
+                            2 * terms * kUnitRoundoff * from.largest_x * from.largest_y;
     const Components normal = normal_of(from);
     const Directions before = directions_of(normal);
     if (before.least_along(before.mean) > largest_turn(from, to) + of_given) return true;
 
     const Components moved_normal = normal_of(to);
     const Directions after = directions_of(moved_normal);
-    const double of_moved = 2 * terms * kRounding * to.largest_x * to.largest_y;
+    const double of_moved = 2 * terms * kUnitRoundoff * to.largest_x * to.largest_y;
     if (norm(before.mean) > 0 && after.least_along(before.mean) >= -of_moved) return true;
 
     const double rounding = of_given * after.longest + of_moved * before.longest +
-                            4 * terms * kRounding * before.longest * after.longest;
+                            4 * terms * kUnitRoundoff * before.longest * after.longest;
     const ScaledForm product = dot_product(normal, moved_normal);
     const ScaledForm weights = trinomials(product.degree);
     for (std::size_t k = 0; k < product.points.size(); ++k)

@@ -6,13 +6,12 @@
 #include <variant>
 
 #include "core/blossom/triangle_composition.h"
+#include "core/math/index.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kRounding = 1e-15;  // of control points, relative to the largest
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

@@ -12,13 +12,12 @@
 
 #include "core/blossom/triangle_composition.h"
 #include "core/forms/algebra/de_casteljau.h"
+#include "core/math/index.h"
 #include "core/subdivision/curve_subdivision.h"
 #include "core/subdivision/triangle_subdivision.h"
 
 namespace blossom {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // Barycentric coordinates of the corners of a triangle within itself.
 constexpr std::array<Vec2, 3> kCorners{Vec2{1, 0}, Vec2{0, 1}, Vec2{0, 0}};

@@ -15,6 +15,7 @@
 #include "core/forms/algebra/de_casteljau.h"
 #include "core/forms/algebra/degree.h"
 #include "core/forms/algebra/interpolation.h"
+#include "core/math/index.h"
 #include "core/regions/border_arcs.h"
 #include "core/regions/pole_ends.h"
 #include "core/regions/polynomial_surface.h"
@@ -41,8 +42,6 @@ constexpr double kArcPart = 0.3;       // of the tolerance, for arcs in charts
 constexpr double kApartPart = 0.1;     // of how far an edge is from its surfaces, likewise
 // Moves up to so many times the edge's own distance from the surfaces cannot be helped.
 constexpr double kEdgePart = 4;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 Vec3 space(const Vec4& p) { return {p[0], p[1], p[2]}; }
 

@@ -21,30 +21,30 @@
 namespace blossom {
 namespace {
 
-constexpr int kDegree = 7;
-constexpr double kSafety = 2;  // on errors measured at twice as many nodes a direction
-constexpr int kMaxCuts = 64;   // of one span in one direction
+constexpr int kOffsetDegree = 7;
+constexpr double kErrorMargin = 2;  // on errors measured at twice as many nodes a direction
+constexpr int kMaxCuts = 64;        // of one span in one direction
 constexpr double kPole =
     1e-9;  // |S_u x S_v| relative to its factors' sizes: a border that is a point
 constexpr double kTorn = 100;  // tolerances: what two patches may differ by at a knot line
 
 constexpr int kFine =
-    2 * kDegree + 1;  // nodes a direction for measuring; every other one is a node
+    2 * kOffsetDegree + 1;  // nodes a direction for measuring; every other one is a node
 
 // What a fit needs of the nodes: Bezier points from values, and values and derivatives of Bezier
 // points at the finer nodes.
 struct FitTables {
-  Grid<double> solve{kDegree + 1, kDegree + 1};
-  Grid<double> value{kFine, kDegree + 1}, slope{kFine, kDegree + 1};
+  Grid<double> solve{kOffsetDegree + 1, kOffsetDegree + 1};
+  Grid<double> value{kFine, kOffsetDegree + 1}, slope{kFine, kOffsetDegree + 1};
 
   FitTables() {
-    const std::vector<double> fine = extreme_points(2 * kDegree);
-    for (int k = 0; k <= kDegree; ++k) {
-      std::vector<Vec2> one(kDegree + 1);
+    const std::vector<double> fine = extreme_points(2 * kOffsetDegree);
+    for (int k = 0; k <= kOffsetDegree; ++k) {
+      std::vector<Vec2> one(kOffsetDegree + 1);
       one[static_cast<std::size_t>(k)] = {1, 0};
       const std::vector<Vec2> column = bezier_through(one).points;
-      for (int i = 0; i <= kDegree; ++i) solve(i, k) = column[static_cast<std::size_t>(i)][0];
-      RationalBezierCurve basis{std::vector<Vec4>(kDegree + 1, Vec4{0, 0, 0, 1})};
+      for (int i = 0; i <= kOffsetDegree; ++i) solve(i, k) = column[static_cast<std::size_t>(i)][0];
+      RationalBezierCurve basis{std::vector<Vec4>(kOffsetDegree + 1, Vec4{0, 0, 0, 1})};
       basis.points[static_cast<std::size_t>(k)][0] = 1;
       for (int i = 0; i < kFine; ++i) {
         const CurveJet jet = jet_at(basis, fine[static_cast<std::size_t>(i)]);
@@ -120,7 +120,7 @@ OffsetPoint OffsetFit::at_node(const ChartCell& cell, const Vec2& uv, const Vec2
 
 OffsetFit::Piece OffsetFit::piece(const Interval& u, const Interval& v) const {
   const ChartCell cell = cell_at(surface_, {at(u, 0.5), at(v, 0.5)});
-  static const std::vector<double> fine = extreme_points(2 * kDegree);
+  static const std::vector<double> fine = extreme_points(2 * kOffsetDegree);
   std::array<double, kFine> own_u, own_v, rate_u, rate_v;
   for (std::size_t i = 0; i < fine.size(); ++i) {
     own_u[i] = parameter_at(surface_.u_law, u, fine[i]);
@@ -129,12 +129,12 @@ OffsetFit::Piece OffsetFit::piece(const Interval& u, const Interval& v) const {
     rate_v[i] = parameter_derivative(surface_.v_law, v, fine[i]);
   }
   Grid<OffsetPoint> points(kFine, kFine);
-  Grid<Vec3> nodes(kDegree + 1, kDegree + 1);
+  Grid<Vec3> nodes(kOffsetDegree + 1, kOffsetDegree + 1);
   for (int i = 0; i < kFine; ++i)
     for (int j = 0; j < kFine; ++j) {
       const auto iu = static_cast<std::size_t>(i), jv = static_cast<std::size_t>(j);
       points(i, j) = at_node(cell, {own_u[iu], own_v[jv]},
-                             {i < kDegree ? 1.0 : -1.0, j < kDegree ? 1.0 : -1.0});
+                             {i < kOffsetDegree ? 1.0 : -1.0, j < kOffsetDegree ? 1.0 : -1.0});
       if (i % 2 == 0 && j % 2 == 0) nodes(i / 2, j / 2) = points(i, j).point;
     }
   const FitTables& tables = fit_tables();
@@ -169,12 +169,12 @@ void OffsetFit::check_borders(const Grid<RationalBezierPatch>& patches,
   };
   for (int i = 0; i < patches.rows(); ++i)
     for (int j = 0; j < patches.columns(); ++j)
-      for (int k = 0; k <= kDegree; ++k) {
+      for (int k = 0; k <= kOffsetDegree; ++k) {
         const Grid<Vec4>& p = patches(i, j).points;
-        if (i + 1 < patches.rows() && torn(p(kDegree, k), patches(i + 1, j).points(0, k)))
+        if (i + 1 < patches.rows() && torn(p(kOffsetDegree, k), patches(i + 1, j).points(0, k)))
           throw InvalidInput("offset_surface: the normal jumps at u = " +
                              std::to_string(u[static_cast<std::size_t>(i) + 1]));
-        if (j + 1 < patches.columns() && torn(p(k, kDegree), patches(i, j + 1).points(k, 0)))
+        if (j + 1 < patches.columns() && torn(p(k, kOffsetDegree), patches(i, j + 1).points(k, 0)))
           throw InvalidInput("offset_surface: the normal jumps at v = " +
                              std::to_string(v[static_cast<std::size_t>(j) + 1]));
       }
@@ -207,9 +207,9 @@ OffsetSurface OffsetFit::fitted(std::vector<double> u, std::vector<double> v) {
         if (is_new) fit->second = piece({u[iu], u[iu + 1]}, {v[jv], v[jv + 1]});
         patches(i, j) = fit->second.patch;
         const Errors& errors = fit->second.errors;
-        result.error = std::max(result.error, kSafety * errors.both);
-        result.slope_error = std::max(result.slope_error, kSafety * errors.slope);
-        if (kSafety * errors.both <= tolerance_) continue;
+        result.error = std::max(result.error, kErrorMargin * errors.both);
+        result.slope_error = std::max(result.slope_error, kErrorMargin * errors.slope);
+        if (kErrorMargin * errors.both <= tolerance_) continue;
         good = false;
         // The direction that has most of the error, or both.
         if (errors.u >= 0.5 * errors.v) u_parts[iu] = 2;

@@ -48,7 +48,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return 2 * std::atan2(norm(a - b), norm(a + b));
 }
 
-struct Border {
+struct MeasuredBorder {
   const EdgeSides& side_at;
   Interval range;
   double most_normal = 0;
@@ -70,7 +70,7 @@ struct Foot {
   double distance = 0;
 };
 
-Foot foot_of(const Vec3& point, const Border& border, double t, const EdgeSide& start) {
+Foot foot_of(const Vec3& point, const MeasuredBorder& border, double t, const EdgeSide& start) {
   Foot best{start, distance(point, start.jet.point)};
   const double rounding = kOfRounding * max_norm(point);
   for (int step = 0; step < kNewtonSteps && best.distance > rounding; ++step) {
@@ -90,7 +90,7 @@ Foot foot_of(const Vec3& point, const Border& border, double t, const EdgeSide& 
 }
 
 /// The figures at one parameter; NaN but for the gap where a side is singular.
-Figures figures_at(const Border& a, const Border& b, double t, double flat) {
+Figures figures_at(const MeasuredBorder& a, const MeasuredBorder& b, double t, double flat) {
   const EdgeSide side_a = a.side_at(t), side_b = b.side_at(t);
   const Foot on_b = foot_of(side_a.jet.point, b, t, side_b);
   const Foot on_a = foot_of(side_b.jet.point, a, t, side_a);
@@ -134,7 +134,8 @@ std::vector<Sample> places_in(std::span<const double> breaks) {
 /// Raises the largest values by those at t.
 class Largest {
  public:
-  Largest(const Border& a, const Border& b, double flat) : a_(a), b_(b), flat_(flat) {}
+  Largest(const MeasuredBorder& a, const MeasuredBorder& b, double flat)
+      : a_(a), b_(b), flat_(flat) {}
 
   Figures look(double t) {
     const Figures figures = figures_at(a_, b_, t, flat_);
@@ -154,8 +155,8 @@ class Largest {
   }
 
  private:
-  const Border& a_;
-  const Border& b_;
+  const MeasuredBorder& a_;
+  const MeasuredBorder& b_;
   double flat_;
   Figures value_{}, parameter_{};
   std::array<bool, kFigures> seen_{};
@@ -208,7 +209,7 @@ MeasuredContinuity measured_continuity(const EdgeSides& a, const EdgeSides& b,
                                        std::span<const double> breaks, double flat) {
   check(breaks, flat);
   const Interval range{breaks.front(), breaks.back()};
-  Border border_a{a, range}, border_b{b, range};
+  MeasuredBorder border_a{a, range}, border_b{b, range};
   std::vector<Sample> samples = places_in(breaks);
   for (const Sample& sample : samples) {
     border_a.look(a(sample.t));

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 
 namespace blossom {
 namespace {

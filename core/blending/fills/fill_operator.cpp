@@ -8,7 +8,8 @@
 #include <string>
 #include <tuple>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 #include "core/base/errors.h"
 

@@ -11,7 +11,7 @@
 namespace blossom {
 namespace {
 
-constexpr int K = kTaylorDegree;
+constexpr int kOrder = kTaylorDegree;
 constexpr int kDegree = AlongCurve::kDegree;
 constexpr int kPadded = AlongCurve::kPadded;
 constexpr int kFours = kPadded / 4;
@@ -48,15 +48,15 @@ constexpr auto kBernstein = [] {
 
 // p(x(t), y(t)) by Horner's rule in x, from `result` = 0.
 BLOSSOM_HOT void compose(const TaylorPolynomial& p, const std::array<double, 2>& x,
-                         const std::array<Row, K + 1>& y_powers, double* result) {
-  for (int i = K; i >= 0; --i) {
+                         const std::array<Row, kOrder + 1>& y_powers, double* result) {
+  for (int i = kOrder; i >= 0; --i) {
     double last = 0;  // what a step leaves of the coefficient below
-    for (int k = 0; i < K && k <= 3 * (K - i); ++k) {
+    for (int k = 0; i < kOrder && k <= 3 * (kOrder - i); ++k) {
       const double own = result[k];
       result[k] = x[0] * own + x[1] * last;
       last = own;
     }
-    for (int j = 0; i + j <= K; ++j)
+    for (int j = 0; i + j <= kOrder; ++j)
       add_multiple(result, p[taylor_index(i, j)], y_powers[static_cast<std::size_t>(j)].data(),
                    j * 3 / 4 + 1);
   }
@@ -96,7 +96,7 @@ BLOSSOM_HOT void cut(const Row& whole, double t, Row& before, Row& after) {
 
 TaylorCurve::TaylorCurve(const std::array<double, 2>& x, const std::array<double, 4>& y) : x_(x) {
   y_powers_[0][0] = 1;
-  for (std::size_t j = 1; j <= K; ++j)
+  for (std::size_t j = 1; j <= kOrder; ++j)
     for (std::size_t k = 0; k <= 3 * (j - 1); ++k)
       for (std::size_t l = 0; l < y.size(); ++l) y_powers_[j][k + l] += y_powers_[j - 1][k] * y[l];
 }

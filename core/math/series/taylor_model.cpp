@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/math/roundoff.h"
+
 namespace blossom {
 namespace {
 
 constexpr std::size_t kTerms = TaylorModel::kDegree + 1;
-constexpr double kUnit = 0x1p-53;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// A bound is a sum of at most kTerms^2 positive products and a few more: its own roundings are
@@ -28,13 +29,13 @@ double terms_sum(const TaylorModel& f, std::size_t first = 0) {
 
 TaylorModel& TaylorModel::operator+=(const TaylorModel& g) {
   for (std::size_t k = 0; k < kTerms; ++k) terms[k] += g.terms[k];
-  rest = kOfBounds * (rest + g.rest + kUnit * terms_sum(*this));
+  rest = kOfBounds * (rest + g.rest + kUnitRoundoff * terms_sum(*this));
   return *this;
 }
 
 TaylorModel& TaylorModel::operator-=(const TaylorModel& g) {
   for (std::size_t k = 0; k < kTerms; ++k) terms[k] -= g.terms[k];
-  rest = kOfBounds * (rest + g.rest + kUnit * terms_sum(*this));
+  rest = kOfBounds * (rest + g.rest + kUnitRoundoff * terms_sum(*this));
   return *this;
 }
 
@@ -53,7 +54,7 @@ TaylorModel& TaylorModel::operator*=(const TaylorModel& g) {
     of_f += std::abs(factor);
   }
   const double of_g = sums_from[0];
-  double left = cut + (kTerms + 1) * kUnit * of_f * of_g;
+  double left = cut + (kTerms + 1) * kUnitRoundoff * of_f * of_g;
   if (rest != 0) left += rest * (of_g + g.rest);
   if (g.rest != 0) left += of_f * g.rest;
   product.rest = kOfBounds * left;
@@ -99,7 +100,7 @@ TaylorModel sqrt(const TaylorModel& f) {
 double size_bound(const TaylorModel& f) {
   const double c = f.terms[0], b = f.terms[1], a = f.terms[2];
   double most = std::abs(c + a) + std::abs(b);
-  const double roundings = 8 * kUnit * (std::abs(a) + std::abs(b) + std::abs(c));
+  const double roundings = 8 * kUnitRoundoff * (std::abs(a) + std::abs(b) + std::abs(c));
   if (std::abs(b) < 2 * std::abs(a)) most = std::max(most, std::abs(c - b * (b / (4 * a))));
   return finite_or_infinite(kOfBounds * (most + roundings + terms_sum(f, 3) + f.rest));
 }

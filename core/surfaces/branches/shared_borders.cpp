@@ -11,10 +11,10 @@
 namespace blossom {
 namespace {
 
-constexpr double kOnBorder = 2 * kSamePoint;  // of a patch: so near is on it
+constexpr double kOnOtherBorder = 2 * kSamePoint;  // of a patch: so near is on it
 // Likewise, off the chord between two points of the border on the other surface: beyond it lies
 // another sheet.
-constexpr double kBesideChord = 0.05;
+constexpr double kSameSheet = 0.05;
 
 bool is_step(const ContactPoint& p, const ContactPoint& q) {
   return p.patch_a == q.patch_a && p.patch_b == q.patch_b && p.x != q.x;
@@ -26,12 +26,12 @@ bool lies_on(const SharedBorder& border, int patch_a, int patch_b, const Point4&
     const ContactPoint &p = border.path[i], &q = border.path[i + 1];
     if (!is_step(p, q) || p.patch_a != patch_a || p.patch_b != patch_b) continue;
     const double t = (x[along] - p.x[along]) / (q.x[along] - p.x[along]);
-    const double margin = kOnBorder / std::abs(q.x[along] - p.x[along]);
+    const double margin = kOnOtherBorder / std::abs(q.x[along] - p.x[along]);
     if (!(t >= -margin && t <= 1 + margin)) continue;
     bool near = true;
     for (std::size_t k = 0; k < 4; ++k)
       near = near && std::abs(p.x[k] + t * (q.x[k] - p.x[k]) - x[k]) <=
-                         (k == across ? kOnBorder : kBesideChord);
+                         (k == across ? kOnOtherBorder : kSameSheet);
     if (near) return true;
   }
   return false;

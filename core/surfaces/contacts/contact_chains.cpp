@@ -7,6 +7,7 @@
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_extent.h"
 #include "core/surfaces/contacts/contact_reach.h"
+#include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/contacts/near_misses.h"
 #include "core/surfaces/contacts/third_order_nodes.h"
 #include "core/surfaces/gap/contact_points.h"
@@ -19,10 +20,8 @@ constexpr double kOnePoint = 1e-8;          // of the size: ends of pieces this 
 constexpr double kBesides = 1e-5;           // of the size: points of contact this close are one
 constexpr std::size_t kClosestStarts = 24;  // pairs tried for a cluster's closest point
 constexpr double kOnPath = 0.02;     // of the shorter one's length: pieces this close are the same
-constexpr double kOnBorder = 1e-9;   // of a patch
 constexpr double kRounding = 1e-15;  // of the size
-constexpr double kPolishReach = 0.02;  // fraction of a patch
-constexpr double kMinReach = 1e-3;     // of the size: how far off a contact's centre may be
+constexpr double kMinReach = 1e-3;   // of the size: how far off a contact's centre may be
 
 class Joiner {
  public:

@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "core/cells/surface_cells.h"
+#include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/gap/contact_points.h"
 #include "core/surfaces/pairs/pair_search_result.h"
 
 namespace blossom {
 namespace {
-
-constexpr double kOnBorder = 1e-9;  // fraction of a patch
 
 class Cutter {
  public:

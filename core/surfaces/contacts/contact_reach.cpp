@@ -5,13 +5,11 @@
 #include <cmath>
 
 #include "core/forms/evaluation.h"
+#include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/gap/contact_points.h"
 
 namespace blossom {
 namespace {
-
-constexpr double kPolishReach = 0.02;  // fraction of a patch
-constexpr double kOnBorder = 1e-9;     // likewise
 
 // A contact is as wide as the tolerance, and a meridian's parameter turns by less than this many
 // radians over a patch: a patch that moves no farther over its width is at a pole.

@@ -5,13 +5,13 @@
 #include <iterator>
 
 #include "core/forms/evaluation.h"
+#include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/gap/contact_points.h"
 
 namespace blossom {
 namespace {
 
 constexpr double kGrows = 2;         // times, from end to end: no strip of even gap
-constexpr double kOnBorder = 1e-9;   // of a patch
 constexpr double kFootReach = 0.02;  // likewise
 // As far as this beyond its end, times what a gap that falls evenly would need to become zero, is
 // the branch: a gap that falls ever more slowly, as beside a touch, needs 2.4 times as much.

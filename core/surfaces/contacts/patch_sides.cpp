@@ -3,12 +3,10 @@
 
 #include <algorithm>
 
+#include "core/surfaces/contacts/limits.h"
+
 namespace blossom {
-namespace {
-
-constexpr double kPointRounding = 0x1p-49;  // of a distance, of the largest coordinate
-
-}  // namespace
+namespace {}  // namespace
 
 const Vec4& corner_point(const RationalBezierPatch& patch, const Vec2& corner) {
   const Grid<Vec4>& net = patch.points;

@@ -9,7 +9,7 @@ namespace blossom {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
-constexpr double kSlack = 1e-12;  // of cosines, for roundings
+constexpr double kCosineSlack = 1e-12;  // of cosines, for roundings
 
 // Least cosines over the corners: vectors at no larger angle than that make a convex cone.
 struct Cosines {
@@ -28,7 +28,7 @@ Cosines least_cosines(const Vec3& m, const Vec3& mean, std::span<const VectorBou
       least.whole = std::min(least.whole, length > 0 ? height / length : -1);
       least.seen = std::min(least.seen, seen > 0 ? height / seen : -1);
     }
-  return {least.whole - kSlack, least.seen - kSlack};
+  return {least.whole - kCosineSlack, least.seen - kCosineSlack};
 }
 
 }  // namespace
@@ -48,8 +48,8 @@ double path_reach(std::span<const VectorBounds> across, std::span<const Vec3> al
   // Multiples of unit vectors that are this near their mean add up to no less than this part.
   double largest = 0, kept = 1;
   for (const Vec3& x : along) {
-    largest = std::max(largest, std::abs(dot(m, unit(x))) + kSlack);
-    kept = std::min(kept, dot(mean, unit(x)) - kSlack);
+    largest = std::max(largest, std::abs(dot(m, unit(x))) + kCosineSlack);
+    kept = std::min(kept, dot(mean, unit(x)) - kCosineSlack);
   }
   if (!(kept > 0 && c.whole > 0)) return kNothing;
   const double s = largest / kept, t = std::sqrt(std::max(0.0, 1 - kept * kept)) / kept;

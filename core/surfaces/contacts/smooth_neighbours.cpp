@@ -14,6 +14,7 @@
 #include "core/cells/direction_cones.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/cell_descent.h"
+#include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/contacts/patch_sides.h"
 #include "core/surfaces/pairs/exact_borders.h"
 
@@ -22,13 +23,12 @@ namespace {
 
 constexpr double kSmoothSine = 1e-3;            // of the angle between normals all along a border
 constexpr int kNormals = 5;                     // that are compared along it
-constexpr int kDeepest = 12;                    // halvings of a patch in a proof, and
+constexpr int kMaxProofHalvings = 12;           // halvings of a patch in a proof, and
 constexpr int kMaxPairs = 1024;                 // pairs of cells
 constexpr std::size_t kPairGrain = 128;         // pairs that one thread looks at in a row
-constexpr double kSlack = 1e-12;                // of directions of length about 1, for roundings
+constexpr double kDirectionSlack = 1e-12;       // of directions of length about 1, for roundings
 constexpr double kWeightRounding = 0x1p-50;     // of quotients of weights, and
 constexpr double kParameterRounding = 0x1p-50;  // of what a side's parameter is on the other, and
-constexpr double kPointRounding = 0x1p-49;      // of distances, of the largest coordinate
 
 struct CommonSide {
   PatchSide a, b;
@@ -308,8 +308,8 @@ class Neighbours {
       count_excluded(a, b, certificate_);
       return true;
     }
-    if (a.depth >= kDeepest && b.depth >= kDeepest) return false;
-    const bool of_a = halves_first(a, b, kDeepest);
+    if (a.depth >= kMaxProofHalvings && b.depth >= kMaxProofHalvings) return false;
+    const bool of_a = halves_first(a, b, kMaxProofHalvings);
     const int child = of_a ? tree_a_->split(index_a) : tree_b_->split(index_b);
     return of_a ? prove(child, index_b) && prove(child + 1, index_b)
                 : prove(index_a, child) && prove(index_a, child + 1);
@@ -354,7 +354,8 @@ class Neighbours {
       double least = dot(way, step.middle);
       for (int k = 0; k < 3; ++k) least -= std::abs(way[k]) * step.radius[k];
       const double longest = norm(step.middle) + norm(step.radius);
-      return least > (corner.gap + moved_ > 0 ? std::max(kSlack, longest / kJumpReach) : kSlack);
+      return least > (corner.gap + moved_ > 0 ? std::max(kDirectionSlack, longest / kJumpReach)
+                                              : kDirectionSlack);
     });
   }
 

@@ -8,6 +8,7 @@
 
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_reach.h"
+#include "core/surfaces/contacts/limits.h"
 #include "core/surfaces/gap/contact_points.h"
 
 namespace blossom {
@@ -18,7 +19,6 @@ constexpr double kSettled = 1e-8;     // fraction of a patch; the next step is i
 constexpr double kDifference = 1e-4;  // step of a difference quotient, likewise
 constexpr double kReach = 0.05;       // how far a foot may move, likewise
 constexpr double kOutside = 0.2;      // how far a step may lead out of the patch, likewise
-constexpr double kOnBorder = 1e-9;    // likewise
 constexpr double kWidest = 0.2;       // of the size: wider discs are no points
 constexpr double kDiscGap = 8;        // tolerances: what is below one may be read off up to here
 constexpr double kBeside = 2;         // radii: curves that end so near have not been followed

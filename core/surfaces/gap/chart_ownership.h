@@ -19,6 +19,7 @@ namespace blossom {
 using Box2 = std::array<Interval, 2>;
 
 bool overlap(const Interval& a, const Interval& b);
+bool within(const Interval& inner, const Interval& outer);
 bool within(const Box2& inner, const Box2& outer);
 
 class ChartOwnership {

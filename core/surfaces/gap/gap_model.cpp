@@ -6,15 +6,16 @@
 #include <utility>
 
 #include "core/forms/evaluation.h"
+#include "core/math/roundoff.h"
 #include "core/subdivision/patch_subdivision.h"
+#include "core/surfaces/gap/chart_ownership.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kMaxTurn = 0.7;      // bound on the nonlinear part of the foot's map
-constexpr double kBoxReserve = 1.25;  // of the box round the foot over the linear estimate
-constexpr double kMuchWider = 2;      // than the chart: not by the chart's mean Jacobian alone
-constexpr double kRoundoff = 0x1p-53;
+constexpr double kMaxNonlinear = 0.7;  // bound on the nonlinear part of the foot's map
+constexpr double kBoxReserve = 1.25;   // of the box round the foot over the linear estimate
+constexpr double kMuchWider = 2;       // than the chart: not by the chart's mean Jacobian alone
 constexpr int kFootSteps = 12;
 
 using Planes = std::array<double, 4 * (kMaxDegree + 1) * (kMaxDegree + 1)>;
@@ -39,7 +40,7 @@ double conversion_error(const NetShape& shape, const double* coefficients, const
     scale = std::max(scale, std::abs(net[i]));
   }
   return worst + bezier_from_monomial_error(shape.rows - 1, shape.columns - 1) * (sum + scale) +
-         4 * kRoundoff * scale;
+         4 * kUnitRoundoff * scale;
 }
 
 // The net relative to a centre, and what rounding does to its numbers.
@@ -55,7 +56,7 @@ double move(const NetShape& shape, const double* net, const Vec3& centre, double
     }
     if (shape.planes == 4) moved[3 * size + i] = weight;
   }
-  return kRoundoff * (3 * heaviest * max_norm(centre) + largest);
+  return kUnitRoundoff * (3 * heaviest * max_norm(centre) + largest);
 }
 
 // Relative to `centre`: near it the quotient by the weight has small terms, and so small majorants.
@@ -93,7 +94,7 @@ std::optional<SurfaceSeries> series_of(const NetShape& shape, const double* net,
   }
   const double weight_error = conversion_error(shape, plane, net + 3 * size);
   result.rounding =
-      (result.rounding + largest * weight_error) * inverse.total[0] + 64 * kRoundoff * largest;
+      (result.rounding + largest * weight_error) * inverse.total[0] + 64 * kUnitRoundoff * largest;
   return result;
 }
 
@@ -122,10 +123,6 @@ void planes_of(const RationalBezierPatch& patch, const NetShape& shape, double* 
 Interval widened(const Interval& x, double part) {
   const double by = part * length(x);
   return {x.from - by, x.to + by};
-}
-
-bool within(const Interval& inner, const Interval& outer) {
-  return inner.from >= outer.from && inner.to <= outer.to;
 }
 
 // Largest distance of row . S_u (or S_v) from `middle` over a polynomial patch.
@@ -220,7 +217,7 @@ std::array<double, 3> height_errors(const Frame& frame, double turn,
 
 std::optional<GapModel> model_in(const Frame& frame, const Foot& foot, double hs, double ht) {
   const double turn = std::max(frame.q[0].total[1], frame.q[1].total[1]);
-  if (!(turn <= kMaxTurn)) return std::nullopt;
+  if (!(turn <= kMaxNonlinear)) return std::nullopt;
   // sigma = (id + q)^-1 (a)
   const TaylorPowers powers(frame.a[0].terms, frame.a[1].terms, frame.q[0].terms, frame.q[1].terms);
   const std::array<const TaylorSeries*, 2> sigma{&powers.x(), &powers.y()};

@@ -11,8 +11,10 @@ namespace blossom {
 namespace {
 
 constexpr int kNewtonSteps = 12;
-constexpr double kSettled = 1e-14;  // a Newton step below this is rounding; fraction of a patch
-constexpr double kStalled = 1e-10;  // so is one below this that no longer shrinks: ill conditioned
+constexpr double kNewtonSettled =
+    1e-14;  // a Newton step below this is rounding; fraction of a patch
+constexpr double kNewtonStalled =
+    1e-10;  // so is one below this that no longer shrinks: ill conditioned
 
 // Solves M y = r by Cramer's rule; nothing if M is singular.
 std::optional<Vec3> solve(const Vec3& c0, const Vec3& c1, const Vec3& c2, const Vec3& r) {
@@ -48,7 +50,8 @@ std::optional<Point4> newton(const RationalBezierPatch& a, const RationalBezierP
     }
     // Steps shrink quadratically: the next one would be this times the square of the ratio.
     const double ratio = step == 0 ? 1 : largest / last_step;
-    if (largest * ratio * ratio < kSettled || (largest < kStalled && ratio > 0.25)) return x;
+    if (largest * ratio * ratio < kNewtonSettled || (largest < kNewtonStalled && ratio > 0.25))
+      return x;
     last_step = largest;
   }
   return std::nullopt;

@@ -4,18 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/surfaces/gap/limits.h"
 #include "core/surfaces/gap/model_points.h"
 #include "core/surfaces/gap/valley_shape.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kMinTwist = 0.1;     // of the largest third derivative across the line
-constexpr double kErrorShare = 0.25;  // of the tolerance: most error of the gap,
-constexpr double kGapShare = 0.25;    // and most gap along the line
-constexpr double kSlopeShare = 0.5;   // of the mean slope where the gap reaches the tolerance
-constexpr double kBeyond = 1.5;       // how far from the cell's range the line is followed
-constexpr int kContactSteps = 4;
+constexpr double kMinTwist = 0.1;    // of the largest third derivative across the line
+constexpr double kGapShare = 0.25;   // and most gap along the line
+constexpr double kSlopeShare = 0.5;  // of the mean slope where the gap reaches the tolerance
+constexpr double kBeyond = 1.5;      // how far from the cell's range the line is followed
 constexpr int kDirections = 24;
 constexpr int kEdgeSamples = 16;
 

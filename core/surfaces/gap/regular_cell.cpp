@@ -12,9 +12,9 @@
 namespace blossom {
 namespace {
 
-constexpr double kMaxTurn = 1;          // tangent of the angle by which a branch may leave its axis
-constexpr double kStepTurn = 0.25;      // likewise, of an arc: longer branches are cut
-constexpr double kRootWidth = 0x1p-40;  // of the cell
+constexpr double kMaxBranchTurn = 1;  // tangent of the angle by which a branch may leave its axis
+constexpr double kStepTurn = 0.25;    // likewise, of an arc: longer branches are cut
+constexpr double kArcRootWidth = 0x1p-40;  // of the cell
 
 struct BorderRoot {
   double w, z;
@@ -37,7 +37,7 @@ class RegularReader {
     const TaylorRange across = range(derivative_x(gap_), axes_.reach, axes_.reach);
     const double turn =
         (std::max(std::abs(across.low), std::abs(across.high)) + model_.gap_error[1]) / slope_;
-    if (turn > kMaxTurn) return std::nullopt;
+    if (turn > kMaxBranchTurn) return std::nullopt;
     steps_ = static_cast<int>(std::ceil(std::max(turn / kStepTurn, 1.0)));
     if (!find_roots() || roots_.size() % 2 != 0) return std::nullopt;
     ValleyCell cell;
@@ -92,7 +92,7 @@ class RegularReader {
     const double low = axes_.chord_end(w, 0), high = axes_.chord_end(w, 1);
     const double low_gap = gap(low), high_gap = gap(high);
     if (!(low_gap < 0 && high_gap > 0)) return std::nullopt;
-    const double z = narrowed(gap, {low, high}, low_gap, high_gap, kRootWidth).below;
+    const double z = narrowed(gap, {low, high}, low_gap, high_gap, kArcRootWidth).below;
     return curve_point(patch_a_, patch_b_, points_.at(w, z), points_.line(), points_.reach());
   }
 

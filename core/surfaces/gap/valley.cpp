@@ -6,18 +6,19 @@
 
 #include "core/forms/evaluation.h"
 #include "core/math/sign_change.h"
+#include "core/surfaces/gap/limits.h"
 #include "core/surfaces/gap/model_points.h"
 #include "core/surfaces/gap/valley_labels.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kSlowLength = 1.0 / 64;  // of the size: a gap that changes by less than kSlow
-constexpr double kSlow = 4;               // tolerances over this length is a contact, not a fold
+constexpr double kSlowLength =
+    1.0 / 64;                      // of the size: a gap that changes by less than kSlowChange
+constexpr double kSlowChange = 4;  // tolerances over this length is a contact, not a fold
 constexpr int kBranchSteps = 6;
 constexpr double kTurn = 0.5;  // cosine: chords of a branch that turn more are looked at
 constexpr std::size_t kMaxBranchPoints = 24;
-constexpr int kContactSteps = 4;
 // Of a branch's width in w: where the model is farther off its ends, points between them are beside
 // the branch.
 constexpr double kMaxOff = 0.5;
@@ -29,7 +30,7 @@ double slow_slope(const RationalBezierPatch& patch, const Cell& a, const Vec2& w
   const PatchJet jet = jet_at(patch, at(a.u, 0.5), at(a.v, 0.5), 1);
   const double speed =
       norm(jet.u * (0.5 * length(a.u) * w_axis[0]) + jet.v * (0.5 * length(a.v) * w_axis[1]));
-  return kSlow * options.tolerance * speed / (kSlowLength * options.size);
+  return kSlowChange * options.tolerance * speed / (kSlowLength * options.size);
 }
 
 // Sweeps along the valley of a cell and collects its branches and contacts.

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "core/math/sign_change.h"
+#include "core/surfaces/gap/limits.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kErrorShare = 0.25;   // of the tolerance: most error of a gap called a contact
 constexpr double kContactGap = 2;      // tolerances: gaps up to this may be called a contact
 constexpr double kBorderGap = 1.5;     // the same where the valley crosses a border
 constexpr double kEdgeGap = 1.0 / 64;  // tolerances: gap along an edge that counts as contact

@@ -6,6 +6,7 @@
 
 #include "core/cells/pair_model.h"
 #include "core/forms/evaluation.h"
+#include "core/math/index.h"
 #include "core/surfaces/gap/newton.h"
 #include "core/surfaces/pairs/arc_stretches.h"
 
@@ -86,8 +87,6 @@ struct BoxFace {
   int axis;
   bool high;
 };
-
-std::size_t index(int axis) { return static_cast<std::size_t>(axis); }
 
 class PairBorder {
  public:

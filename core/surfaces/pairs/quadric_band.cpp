@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "core/math/binomial.h"
+#include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
 
 constexpr int kMaxPoints = 64;  // of a net: the cost is their square
-constexpr double kRoundoff = 0x1p-53;
 constexpr double kTight = 0.5;  // of the tolerance: with kSteep distances are within it
 constexpr double kSteep = 0.5;
 
@@ -82,7 +82,7 @@ double error_of(const Quadric& q, const Cell& cell, const NetShape& shape, doubl
       if (i < 3) slope += 2 * c;
     }
   const double relative = cell.margin / std::max({most[0], most[1], most[2]});
-  return ((shape.plane_size() + 24) * kRoundoff + 4 * relative) * (sum + other) +
+  return ((shape.plane_size() + 24) * kUnitRoundoff + 4 * relative) * (sum + other) +
          slope * cell.margin;
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kMaxPatches = 64;          // of a surface that is looked at as a whole
 constexpr double kSmallPart = 1.0 / 16;  // of the surfaces' size: cells that coincide
 constexpr double kMinPart = 1.0 / 256;   // likewise: cells at a border
-constexpr double kReach = 0.5;           // of Newton's method for feet, fraction of a patch
+constexpr double kFootReach = 0.5;       // of Newton's method for feet, fraction of a patch
 
 constexpr double kOnePoint = 1e-12;  // relative
 
@@ -47,9 +47,9 @@ bool is_borderless(const BezierSurface& surface) {
 // True if the middle of one cell is a point of the other one.
 bool holds_middle(const CellTree& outer_tree, const Cell& outer, const CellTree& inner_tree,
                   const Cell& inner) {
-  const auto x =
-      foot_point(inner_tree.patch(), outer_tree.patch(),
-                 {at(inner.u, 0.5), at(inner.v, 0.5), at(outer.u, 0.5), at(outer.v, 0.5)}, kReach);
+  const auto x = foot_point(
+      inner_tree.patch(), outer_tree.patch(),
+      {at(inner.u, 0.5), at(inner.v, 0.5), at(outer.u, 0.5), at(outer.v, 0.5)}, kFootReach);
   return x && (*x)[2] >= outer.u.from && (*x)[2] <= outer.u.to && (*x)[3] >= outer.v.from &&
          (*x)[3] <= outer.v.to;
 }

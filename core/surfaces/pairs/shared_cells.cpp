@@ -14,7 +14,7 @@ namespace {
 constexpr double kSlack = 1e-9;     // fraction of a patch, for the rounding of the maps
 constexpr double kWidening = 0.01;  // of a chart
 constexpr double kMaxTurn = 1.0;    // of cells tried; sines of the turns of both derivatives, added
-constexpr int kMaxLooks = 4;
+constexpr int kMaxTries = 4;
 constexpr int kLookEvery = 16;
 
 double turn(const Cell& c) {
@@ -40,7 +40,7 @@ std::optional<Interval> clipped(const Interval& x, const Interval& bounds, doubl
 
 bool SharedCells::look_near(const Cell& a, const Cell& b) {
   if (chart_) return true;
-  if (looks_ == kMaxLooks || asked_++ % kLookEvery != 0) return false;
+  if (looks_ == kMaxTries || asked_++ % kLookEvery != 0) return false;
   ++looks_;
   // Of the patches as given, whose move to the origin was rounded.
   const double tolerance = tolerance_ - 2 * (a_.given_rounding() + b_.given_rounding());

@@ -21,7 +21,7 @@ constexpr double kStepB = 1.0 / 8;  // along b
 constexpr double kMinStep = 1e-6;
 constexpr double kBeyond = 0.5;           // how far b is extended
 constexpr double kStraight = 1e-7;        // an iso-line of a that strays less on b is one of b
-constexpr double kMinWidth = 1e-4;        // of a domain
+constexpr double kMinDomain = 1e-4;       // of a domain
 constexpr double kPowerError = 0x1p-48;   // of products of powers, relative to them
 constexpr double kGrowthError = 0x1p-46;  // of a piece beyond the patch
 
@@ -71,7 +71,7 @@ struct Direction {
 std::optional<Direction> direction_of(const RationalBezierPatch& a, const RationalBezierPatch& b,
                                       const Point4& x, std::size_t k, double tolerance) {
   const auto low = farthest(a, b, x, k, 0, tolerance), high = farthest(a, b, x, k, 1, tolerance);
-  if (!low || !high || (*high)[k] - (*low)[k] < kMinWidth) return std::nullopt;
+  if (!low || !high || (*high)[k] - (*low)[k] < kMinDomain) return std::nullopt;
   const auto middle = between(a, b, *low, k, 0.5 * ((*low)[k] + (*high)[k]), tolerance);
   if (!middle) return std::nullopt;
   const double ds = std::abs((*high)[2] - (*low)[2]), dt = std::abs((*high)[3] - (*low)[3]);

@@ -15,7 +15,7 @@
 namespace blossom {
 namespace {
 
-constexpr int kDeepest = 56;  // halvings of a patch: 2^-28 in each direction
+constexpr int kMaxSelfHalvings = 56;  // halvings of a patch: 2^-28 in each direction
 // Pairs of one generation, and how many more for a patch; singular curves have more.
 constexpr std::size_t kMaxOpen = 32768;
 constexpr std::size_t kMaxOpenPerPatch = 64;
@@ -210,7 +210,9 @@ class SelfPairSearch {
     return {Part{part.block, child}, Part{part.block, child + 1}};
   }
 
-  bool may_halve(const Part& part) const { return !is_cell(part) || cell(part).depth < kDeepest; }
+  bool may_halve(const Part& part) const {
+    return !is_cell(part) || cell(part).depth < kMaxSelfHalvings;
+  }
 
   // Whether it is halved rather than the other one of a pair.
   bool first(const Part& a, const Part& b) const {

@@ -11,7 +11,7 @@
 namespace blossom {
 namespace {
 
-constexpr std::size_t kPairGrain = 128;  // that one thread compares in a row
+constexpr std::size_t kBoxGrain = 128;  // that one thread compares in a row
 
 void make_trees(SurfaceCells& cells, const std::vector<StartPair>& pairs, int StartPair::*patch) {
   std::vector<char> named(static_cast<std::size_t>(cells.patches()), 0);
@@ -33,7 +33,7 @@ NearPairs near_pairs(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPa
   make_trees(a, pairs, &StartPair::patch_a);
   make_trees(b, pairs, &StartPair::patch_b);
   std::vector<char> apart(pairs.size());
-  parallel_for(pairs.size(), kPairGrain, [&](std::size_t i) {
+  parallel_for(pairs.size(), kBoxGrain, [&](std::size_t i) {
     const CellTree &tree_a = a.tree(pairs[i].patch_a), &tree_b = b.tree(pairs[i].patch_b);
     apart[i] = are_apart(tree_a, tree_a[pairs[i].cell_a], tree_b, tree_b[pairs[i].cell_b]);
   });

@@ -12,7 +12,7 @@ namespace {
 // Lengths here are relative: coordinates of x over the extents of the parts.
 constexpr double kStepError = 1e-11;  // of a Runge-Kutta step
 constexpr double kFirstStep = 0.02;
-constexpr double kLongestStep = 0.125;
+constexpr double kLongestWalk = 0.125;
 constexpr double kShortestStep = 1e-9;
 constexpr double kDrift = 1e-5;      // Newton's way from the predicted point, in steps
 constexpr double kNoise = 1e-10;     // and what rounding may add to it
@@ -248,7 +248,7 @@ bool Walker::closes(const Walk& walk, Place& next, double h) const {
 }
 
 double Walker::longest_step() const {
-  double h = kLongestStep / size(rate_);
+  double h = kLongestWalk / size(rate_);
   if (!system_.is_driven()) return h;
   const double p = at_.parameter;
   const auto limit = [&](double stop) {

@@ -118,13 +118,13 @@ std::size_t fix_ends(const RowSamples& samples, RowSpline& spline) {
   return with_rates ? 2 : 1;
 }
 
-struct Place {
+struct BasisPlace {
   std::size_t first;  // pole
   Basis basis;
 };
 
-std::vector<Place> places_of(const RowSpline& spline, const std::vector<double>& parameters) {
-  std::vector<Place> places;
+std::vector<BasisPlace> places_of(const RowSpline& spline, const std::vector<double>& parameters) {
+  std::vector<BasisPlace> places;
   places.reserve(parameters.size());
   std::size_t span = 0, flat = kDegree;
   for (const double t : parameters) {
@@ -145,16 +145,16 @@ RowSpline least_squares_rows(const std::vector<double>& knots,
   const std::size_t m = spline.columns, n = spline.pole_count();
   spline.poles.assign(n * m, 0);
   const std::size_t fixed = fix_ends(samples, spline);
-  const std::vector<Place> places = places_of(spline, samples.parameters);
+  const std::vector<BasisPlace> places = places_of(spline, samples.parameters);
   NormalEquations equations(fixed, n - fixed);
-  for (const Place& place : places) equations.add(place.first, place.basis);
+  for (const BasisPlace& place : places) equations.add(place.first, place.basis);
   if (!equations.factorise())
     throw InvalidInput("least_squares_rows: too few samples for the knots");
   // The second pass takes what rounding left of the first.
   for (int pass = 0; pass < 2; ++pass) {
     std::vector<double> right(equations.size() * m, 0), rest(m);
     for (std::size_t s = 0; s < places.size(); ++s) {
-      const Place& place = places[s];
+      const BasisPlace& place = places[s];
       for (std::size_t c = 0; c < m; ++c) rest[c] = samples.values[s * m + c];
       for (std::size_t i = 0; i < kOrder; ++i)
         for (std::size_t c = 0; c < m; ++c)
