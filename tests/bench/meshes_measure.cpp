@@ -2,9 +2,9 @@
 #include "tests/bench/meshes_measure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <random>
 
@@ -12,92 +12,24 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Vertex.hxx>
 #include <gp_Cone.hxx>
 #include <gp_Sphere.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/tessellation.h"
 #include "core/bounds/box_tree.h"
+#include "core/math/index.h"
+#include "core/tessellation/segment_gap.h"
 #include "tests/bench/apart.h"
+#include "tests/support/incremental_mesh.h"
 
 namespace blossom::bench {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-
-// Nodes on edges and vertices are those of all faces that have them.
-class OcctNodes {
- public:
-  explicit OcctNodes(FacetMesh& mesh) : mesh_(mesh) {}
-
-  void add(const TopoDS_Face& face, int number) {
-    TopLoc_Location location;
-    const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, location);
-    if (own.IsNull()) {
-      ++mesh_.refused;
-      return;
-    }
-    std::map<int, int> names;
-    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next())
-      add_edge(TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD)), own, location, names);
-    for (int k = 1; k <= own->NbTriangles(); ++k) {
-      std::array<int, 3> node{};
-      own->Triangle(k).Get(node[0], node[1], node[2]);
-      if (face.Orientation() == TopAbs_REVERSED) std::swap(node[1], node[2]);
-      std::array<int, 3> triangle{};
-      std::array<Vec2, 3> uv;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto [found, is_new] = names.try_emplace(node[c], 0);
-        if (is_new) found->second = point(own->Node(node[c]).Transformed(location));
-        triangle[c] = found->second;
-        const gp_Pnt2d p = own->UVNode(node[c]);
-        uv[c] = {p.X(), p.Y()};
-      }
-      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
-        continue;
-      mesh_.triangles.push_back(triangle);
-      mesh_.face.push_back(number);
-      mesh_.uv.push_back(uv);
-    }
-  }
-
- private:
-  void add_edge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & own,
-                const TopLoc_Location& location, std::map<int, int>& names) {
-    const Handle(Poly_PolygonOnTriangulation) line =
-        BRep_Tool::PolygonOnTriangulation(edge, own, location);
-    if (line.IsNull()) return;
-    const int number = edges_.Add(edge), count = line->NbNodes();
-    for (int k = 1; k <= count; ++k) {
-      const bool at_vertex = k == 1 || k == count || BRep_Tool::Degenerated(edge);
-      const TopoDS_Shape vertex = k == 1 ? TopExp::FirstVertex(edge) : TopExp::LastVertex(edge);
-      const std::pair<int, int> key =
-          at_vertex ? std::pair(0, vertices_.Add(vertex)) : std::pair(number, k);
-      const auto [found, is_new] = shared_.try_emplace(key, 0);
-      if (is_new) found->second = point(own->Node(line->Node(k)).Transformed(location));
-      names[line->Node(k)] = found->second;
-    }
-  }
-
-  int point(const gp_Pnt& p) {
-    mesh_.points.push_back(vec(p.XYZ()));
-    return static_cast<int>(mesh_.points.size()) - 1;
-  }
-
-  FacetMesh& mesh_;
-  TopTools_IndexedMapOfShape edges_, vertices_;
-  std::map<std::pair<int, int>, int> shared_;
-};
 
 // From a surface that has poles, where Newton's method fails; nothing for others.
 std::optional<double> closed_distance(const BRepAdaptor_Surface& surface, const Vec3& p) {
@@ -135,17 +67,11 @@ double surface_distance(const BRepAdaptor_Surface& surface, const Vec3& p, Vec2 
 }
 
 double triangle_gap(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto on_segment = [&](const Vec3& s, const Vec3& t) {
-    const Vec3 d = t - s;
-    const double square = dot(d, d);
-    const double at = square > 0 ? std::clamp(dot(p - s, d) / square, 0.0, 1.0) : 0;
-    return distance(p, s + at * d);
-  };
   const Vec3 n = cross(b - a, c - a);
   const bool over = dot(n, cross(b - a, p - a)) >= 0 && dot(n, cross(c - b, p - b)) >= 0 &&
                     dot(n, cross(a - c, p - c)) >= 0;
   if (over && norm(n) > 0) return std::abs(dot(n, p - a)) / norm(n);
-  return std::min({on_segment(a, b), on_segment(b, c), on_segment(c, a)});
+  return std::min({segment_gap(p, a, b), segment_gap(p, b, c), segment_gap(p, c, a)});
 }
 
 }  // namespace
@@ -180,8 +106,18 @@ FacetMesh occt_mesh(const TopoDS_Shape& shape, double deflection, double angle) 
   mesh.seconds = processor_seconds() - start;
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  OcctNodes nodes(mesh);
-  for (int k = 1; k <= faces.Extent(); ++k) nodes.add(TopoDS::Face(faces(k)), k - 1);
+  testing::SharedNodes nodes(mesh.points);
+  for (int k = 1; k <= faces.Extent(); ++k) {
+    const auto take = [&](const std::array<int, 3>& corners, const std::array<int, 3>& own,
+                          const Poly_Triangulation& of) {
+      if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
+      mesh.triangles.push_back(corners);
+      mesh.face.push_back(k - 1);
+      std::array<Vec2, 3>& uv = mesh.uv.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) uv[c] = {of.UVNode(own[c]).X(), of.UVNode(own[c]).Y()};
+    };
+    if (!nodes.for_each_triangle(TopoDS::Face(faces(k)), take)) ++mesh.refused;
+  }
   BRepTools::Clean(shape);
   return mesh;
 }
@@ -217,7 +153,7 @@ double measured_distance(const TopoDS_Shape& shape, const FacetMesh& mesh, int s
       const Vec2 uv = mixed(mesh.uv[t][0], mesh.uv[t][1], mesh.uv[t][2]);
       const BRepAdaptor_Surface& surface = surfaces[index(mesh.face[t])];
       most = std::max(most, surface_distance(surface, p, uv));
-      const Vec3 q = vec(surface.Value(uv[0], uv[1]).XYZ());
+      const Vec3 q = occt::vec(surface.Value(uv[0], uv[1]).XYZ());
       double near = std::numeric_limits<double>::infinity();
       tree.for_each_near(q, near, [&](int other) {
         const auto& [x, y, z] = mesh.triangles[index(other)];

@@ -123,8 +123,8 @@ OcctMesh occt_mesh(const TopoDS_Shape& shape, double diagonal, double deflection
   result.deflection = deflection;
   try {
     BRepTools::Clean(shape);
-    const testing::IncrementalMesh made(shape, deflection * diagonal);
-    result.check = cgal::check_mesh(made.mesh().points, made.mesh().triangles);
+    const testing::Mesh made = testing::incremental_mesh(shape, deflection * diagonal);
+    result.check = cgal::check_mesh(made.points, made.triangles);
     result.meshed = true;
   } catch (const std::runtime_error&) {
   } catch (const Standard_Failure&) {

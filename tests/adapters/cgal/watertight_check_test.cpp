@@ -52,8 +52,7 @@ void expect_watertight(const TopoDS_Shape& a, const TopoDS_Shape& b) {
 
   {
     SCOPED_TRACE("meshed by Open CASCADE");
-    expect_closed(testing::IncrementalMesh(made.shape, 1e-2).mesh(), fused.volumes.back().fuse,
-                  0.05);
+    expect_closed(testing::incremental_mesh(made.shape, 1e-2), fused.volumes.back().fuse, 0.05);
   }
   SCOPED_TRACE("meshed by samples");
   expect_closed(sampled(made), fused.volumes.back().fuse, 0.01);
@@ -129,7 +128,7 @@ void expect_closed_model(const std::string& name, double volume, double error, d
   ASSERT_EQ(made.pieces.obstacle, "");
   expect_closed(sampled(made), volume, error);
   SCOPED_TRACE("meshed by Open CASCADE");
-  expect_closed(testing::IncrementalMesh(made.shape, deflection).mesh(), volume, error);
+  expect_closed(testing::incremental_mesh(made.shape, deflection), volume, error);
 }
 
 // Its blends join their neighbours smoothly along edges of many short pieces: a facet of three
@@ -174,7 +173,7 @@ TEST(WatertightMesh, OfAPlaneCutInHalfIsClosed) {
   ASSERT_EQ(made.pieces.obstacle, "");
   expect_closed(sampled(made), cut.volumes.back().cut, 1e-3);
   SCOPED_TRACE("meshed by Open CASCADE");
-  expect_closed(testing::IncrementalMesh(made.shape, 8e-3).mesh(), cut.volumes.back().cut, 5e-3);
+  expect_closed(testing::incremental_mesh(made.shape, 8e-3), cut.volumes.back().cut, 5e-3);
 }
 
 }  // namespace
