@@ -13,14 +13,13 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/errors.h"
 #include "core/bounds/box_tree.h"
+#include "core/math/index.h"
 
 namespace blossom::cgal {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangle = std::array<int, 3>;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 constexpr int kAskEvery = 1 << 14;  // pairs
 

@@ -173,14 +173,14 @@ struct Sides {
   bool open = false;                    // somewhere it is not known
 };
 
-void add(std::optional<bool> inside, Sides& sides) {
+void count_sides(std::optional<bool> inside, Sides& sides) {
   if (!inside)
     sides.open = true;
   else
     (*inside ? sides.inside : sides.outside) = true;
 }
 
-void add(const std::vector<SolidPiece>& pieces, Sides& sides) {
+void count_sides(const std::vector<SolidPiece>& pieces, Sides& sides) {
   for (const SolidPiece& piece : pieces) switch (piece.side) {
       case SolidSide::Inside: sides.inside = true; break;
       case SolidSide::Outside: sides.outside = true; break;
@@ -219,7 +219,7 @@ Sides sides_apart(AskedBody& of, AskedBody& solid, double tolerance) {
     for (std::size_t i = 0; i < piece.size() && !inside; ++i)
       if (const std::optional<gp_Pnt> point = point_of(piece[i]))
         inside = solid.holds(*point, tolerance);
-    add(inside, sides);
+    count_sides(inside, sides);
   }
   return sides;
 }
@@ -230,7 +230,7 @@ Sides sides_of_points(AskedBody& of, AskedBody& solid, double tolerance) {
   for (const Parts& piece : of.connected())
     for (const TopoDS_Shape& part : piece)
       if (const std::optional<gp_Pnt> point = point_of(part))
-        if (const auto inside = solid.clearly_holds(*point, tolerance)) add(inside, sides);
+        if (const auto inside = solid.clearly_holds(*point, tolerance)) count_sides(inside, sides);
   return sides;
 }
 
@@ -327,8 +327,8 @@ class BodyRelations {
       const SolidPieces pieces =
           solid_pieces(trim_tool(body_a.shape), trim_tool(body_b.shape), limit_.remaining());
       if (!pieces.obstacles.empty()) return std::nullopt;
-      add(pieces.a, a);
-      add(pieces.b, b);
+      count_sides(pieces.a, a);
+      count_sides(pieces.b, b);
       return pieces.status;
     });
   } catch (const Failure&) {

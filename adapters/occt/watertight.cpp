@@ -30,14 +30,13 @@
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/splitting/edge_joins.h"
 #include "adapters/occt/watertight_faces.h"
+#include "core/math/index.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr double kSameRange = 1e-9;  // of parameters, relative to their range
 constexpr double kMuchNearer = 0.5;  // as near are borders that are worth parameters of their own
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // ---- to the core
 

@@ -17,11 +17,10 @@
 #include "adapters/occt/convert/surfaces.h"
 #include "core/blossom/triangle_conversion.h"
 #include "core/forms/algebra/conversion.h"
+#include "core/math/index.h"
 
 namespace blossom::occt {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // The triangle with its corners renamed: `first` becomes a, the next one b.
 BezierTriangle turned(const BezierTriangle& triangle, std::size_t first) {

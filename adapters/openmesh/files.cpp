@@ -12,6 +12,7 @@
 #include <system_error>
 #include <vector>
 
+#include "adapters/openmesh/digits.h"
 #include "adapters/openmesh/meshes.h"
 #include "adapters/openmesh/silence.h"
 
@@ -19,7 +20,6 @@ namespace blossom::openmesh {
 namespace {
 
 constexpr std::array<const char*, 4> kEndings{".obj", ".off", ".ply", ".stl"};
-constexpr int kAllDigits = 9;  // enough to give every float back
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& cause) {
   throw WriteFailure("cannot write " + file.string() + ": " + cause);

@@ -7,13 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "adapters/openmesh/digits.h"
 #include "adapters/openmesh/silence.h"
 #include "adapters/openmesh/triangles.h"
 
 namespace blossom::openmesh {
 namespace {
-
-constexpr int kAllDigits = 9;  // enough to give every float back
 
 double rounding_of(const std::vector<Vec3>& points) {
   double most = 0;

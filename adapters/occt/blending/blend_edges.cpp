@@ -12,6 +12,8 @@
 #include <TopExp.hxx>
 #include <gp_Vec2d.hxx>
 
+#include "adapters/occt/base/points.h"
+
 namespace blossom::occt {
 namespace {
 
@@ -19,8 +21,6 @@ constexpr double kMargin = 1.1;  // tolerances cover sampled distances with it
 constexpr int kDeviationSamples = 64;
 constexpr int kNearSamples = 64;
 constexpr int kNewtonSteps = 12;
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 double deviation(const TopoDS_Edge& edge, const Handle(Geom2d_Curve) & chart,
                  const Handle(Geom_Surface) & surface) {

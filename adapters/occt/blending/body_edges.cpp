@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/faces/surface_projector.h"
 
@@ -23,8 +24,6 @@ namespace {
 // Where along an edge its faces' normals are compared; ends may be singular.
 constexpr std::array<double, 5> kSamples{0.03, 0.25, 0.5, 0.75, 0.97};
 constexpr double kStep = 1e-4;  // of the chart's size: how far beside a pole a normal is taken
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 std::string edge_name(int edge) { return "edge " + std::to_string(edge); }
 

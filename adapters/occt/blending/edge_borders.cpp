@@ -18,6 +18,7 @@
 #include <TColStd_Array1OfReal.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curve_breaks.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
@@ -36,9 +37,6 @@ constexpr double kStraight = 1e-12;
 constexpr int kCrossingSamples = 32;
 constexpr int kBisections = 50;
 
-Vec2 to_vec2(const gp_Pnt2d& p) { return {p.X(), p.Y()}; }
-Vec3 to_vec3(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-
 // The curve in the parameters and the surface under it, without trims.
 struct Chart {
   Handle(Geom2d_Curve) curve;
@@ -46,7 +44,7 @@ struct Chart {
   Handle(Geom_Surface) surface;
   bool left = true;  ///< the face lies to the left of the curve
 
-  Vec2 uv(double x) const { return to_vec2(curve->Value(at(place, x))); }
+  Vec2 uv(double x) const { return vec(curve->Value(at(place, x))); }
 };
 
 EdgeSide side_at(const Chart& chart, double x) {
@@ -56,8 +54,7 @@ EdgeSide side_at(const Chart& chart, double x) {
   gp_Pnt point;
   gp_Vec u, v, uu, vv, uv_mixed;
   chart.surface->D2(uv.X(), uv.Y(), point, u, v, uu, vv, uv_mixed);
-  const auto vec = [](const gp_Vec& a) { return to_vec3(a.XYZ()); };
-  return {{to_vec3(point.XYZ()), vec(u), vec(v), vec(uu), vec(uv_mixed), vec(vv)},
+  return {{vec(point.XYZ()), vec(u), vec(v), vec(uu), vec(uv_mixed), vec(vv)},
           Vec2{along.X(), along.Y()} * length(chart.place),
           chart.left};
 }
@@ -139,7 +136,7 @@ std::optional<BorderSpans> plane_spans(const Chart& chart, const Geom_Plane& pla
     reason = "its curve in a plane is none of lines, conics and splines";
     return {};
   }
-  const Vec3 normal = to_vec3(axes.XDirection().Crossed(axes.YDirection()).XYZ());
+  const Vec3 normal = vec(axes.XDirection().Crossed(axes.YDirection()).XYZ());
   return plane_border(spans, chart.left ? normal : -normal, false);
 }
 
@@ -160,7 +157,7 @@ bool is_proportional(const Geom2d_BSplineCurve& spline, const Interval& place,
     double mean = 0;
     for (int k = 1; k <= spline.Degree(); ++k) mean += knots(i + k) / spline.Degree();
     const Vec2 pole = segment.from + whole * ((mean - place.from) / length(place));
-    if (!(max_norm(pole - to_vec2(spline.Pole(i))) <= kStraight * max_norm(whole))) return false;
+    if (!(max_norm(pole - vec(spline.Pole(i))) <= kStraight * max_norm(whole))) return false;
   }
   return true;
 }

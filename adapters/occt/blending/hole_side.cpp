@@ -14,6 +14,7 @@
 #include <gp_Vec2d.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "core/forms/algebra/interpolation.h"
 #include "core/forms/evaluation.h"
@@ -31,9 +32,6 @@ constexpr double kSameParameter = 1e-11;
 
 /// Places between the nodes of a fit at which it is measured, for each node.
 constexpr int kChecks = 4;
-
-Vec3 to_core(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
-Vec3 to_core(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
 
 std::string name_of(const HoleEdge& edge) { return "edge " + std::to_string(edge.number); }
 
@@ -171,15 +169,15 @@ class SideSampler {
   SideSample at(double x) const {
     if (!chart_) {
       const Interval range{curve_.FirstParameter(), curve_.LastParameter()};
-      return {to_core(curve_.Value(blossom::at(range, edge_.backwards ? 1 - x : x))), {}, {}, {}};
+      return {vec(curve_.Value(blossom::at(range, edge_.backwards ? 1 - x : x))), {}, {}, {}};
     }
     const Vec2 uv = chart_->at(x), along = chart_->direction(x);
     gp_Pnt p;
     gp_Vec u, v, uu, vv, uv2;
     surface_->D2(uv[0], uv[1], p, u, v, uu, vv, uv2);
     SideSample sample;
-    sample.point = to_core(p);
-    const Vec3 su = to_core(u), sv = to_core(v);
+    sample.point = vec(p);
+    const Vec3 su = vec(u), sv = vec(v);
     const Vec3 cross_uv = cross(su, sv);
     sample.normal = unit(cross_uv);
     const double side = chart_->away_is_left() ? 1 : -1;
@@ -187,7 +185,7 @@ class SideSampler {
     const double square = dot(cross_uv, cross_uv);
     const double a = dot(cross(sample.across, sv), cross_uv) / square;
     const double b = dot(cross(su, sample.across), cross_uv) / square;
-    sample.bend = a * a * to_core(uu) + 2 * a * b * to_core(uv2) + b * b * to_core(vv);
+    sample.bend = a * a * vec(uu) + 2 * a * b * vec(uv2) + b * b * vec(vv);
     return sample;
   }
 

@@ -11,6 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/coincidence/limits.h"
 #include "adapters/occt/coincidence/places.h"
 #include "adapters/occt/coincidence/trimmed_overlaps.h"
 #include "adapters/occt/faces/edge_contacts.h"
@@ -21,8 +22,6 @@
 
 namespace blossom::occt {
 namespace {
-
-constexpr double kReach = 10;  // tolerances: a point as near to a region or curve belongs to it
 
 // The direction from an edge into its face, at a parameter of the edge.
 Vec3 inwards(const OutlineEdge& of, const Handle(Geom_Surface) & surface, double t) {
@@ -147,7 +146,7 @@ class OneSurface {
 
   bool is_known(const Vec3& point) const {
     // Borders are where they are to the tolerances of their edges.
-    const double reach = kReach * std::max({tolerance_, loosest_edge(a_), loosest_edge(b_)});
+    const double reach = kOnIt * std::max({tolerance_, loosest_edge(a_), loosest_edge(b_)});
     return std::ranges::any_of(found_.overlaps,
                                [&](const Overlap& region) {
                                  return distance_to(region.boundary, point) <= reach;

@@ -11,6 +11,8 @@
 #include <BRep_Tool.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/points.h"
+#include "adapters/occt/coincidence/limits.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/point_inside.h"
@@ -21,12 +23,9 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kReach = 10;        // tolerances: what is so near the other surface lies on it
 constexpr int kBorderSamples = 128;  // of an edge of a region
 constexpr int kStraightSamples = 4;  // of a straight one
 constexpr double kStraight = 1e-12;  // of its length
-
-Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 // --- borders of the common region of the surfaces
 
@@ -131,7 +130,7 @@ TrimmedOverlaps clipped(const TopoDS_Face& a, const TopoDS_Face& b,
   const FaceTrims trims_a = face_trims(cut_face), trims_b = face_trims(b);
   double gap = 0;
   for (const Overlap& region : whole) gap = std::max(gap, region.gap_high);
-  const double reach = std::max(kReach * tolerance, 2 * gap);
+  const double reach = std::max(kOnIt * tolerance, 2 * gap);
   std::vector<FaceCut> cuts = edge_cuts(b, on_a, reach, tolerance);
   for (const Overlap& region : whole)
     for (FaceCut& cut : border_cuts(region, trims_a, trims_b, tolerance))

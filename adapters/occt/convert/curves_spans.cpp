@@ -27,7 +27,7 @@ namespace {
 constexpr int kMaxHalvings = 10;
 
 /// Samples of the error in a span, between the nodes.
-constexpr int kSamples = 4 * kFitDegree + 3;
+constexpr int kSpanSamples = 4 * kFitDegree + 3;
 
 CurveSpans polynomial(const std::vector<Vec3>& points, const Interval& place) {
   RationalBezierCurve curve;
@@ -134,8 +134,8 @@ class Fit {
 
   double error_of(const RationalBezierCurve& fitted, const Interval& place) const {
     double largest = 0;
-    for (int k = 1; k < kSamples; ++k) {
-      const double t = static_cast<double>(k) / kSamples;
+    for (int k = 1; k < kSpanSamples; ++k) {
+      const double t = static_cast<double>(k) / kSpanSamples;
       std::vector<Vec4> points = fitted.points;
       for (std::size_t n = points.size() - 1; n > 0; --n)
         for (std::size_t i = 0; i < n; ++i) points[i] = (1 - t) * points[i] + t * points[i + 1];

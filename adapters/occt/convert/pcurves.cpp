@@ -21,14 +21,13 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/base/points.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr double kRelativeError = 1e-9;
-constexpr int kMaxSpans = 400;
-
-Vec2 vec(const gp_Pnt2d& p) { return {p.X(), p.Y()}; }
+constexpr int kMaxChartSpans = 400;
 
 // C(a) = centre + cos a * x + sin a * y, over the range of the angle, in arcs of at most a
 // quarter; the middle weight of an arc of half angle h is cos h.
@@ -92,7 +91,7 @@ PlanarCurve approximated(const Handle(Geom2d_Curve) & curve, const Interval& ran
   const double size = curve->Value(range.from).Distance(curve->Value(range.to)) +
                       curve->Value(range.from).Distance(curve->Value(at(range, 0.5)));
   Geom2dConvert_ApproxCurve convert(trimmed, kRelativeError * std::max(size, 1e-6), GeomAbs_C1,
-                                    kMaxSpans, 8);
+                                    kMaxChartSpans, 8);
   if (!convert.HasResult())
     throw BadModel(std::string("a parametric curve of type ") + curve->DynamicType()->Name() +
                    " cannot be converted");

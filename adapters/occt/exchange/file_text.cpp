@@ -54,8 +54,6 @@ std::string bytes_of(const fs::path& file) {
   return bytes;
 }
 
-bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0 || c == '\0'; }
-
 bool starts_like(std::string_view text, std::string_view upper) {
   return text.size() >= upper.size() &&
          std::equal(upper.begin(), upper.end(), text.begin(), [](char a, char b) {
@@ -92,6 +90,8 @@ std::string all_of_no_format(const fs::path& file) {
 }
 
 }  // namespace
+
+bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0 || c == '\0'; }
 
 std::string_view after_preface(std::string_view text) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";

@@ -44,4 +44,7 @@ bool is_binary_brep(std::string_view text);
 /// throws   BadModel with the cause
 Unpacked unpacked(std::string bytes);
 
+/// White space by C's locale, or the 0 that files are padded with.
+bool is_blank(char c);
+
 }  // namespace blossom::occt

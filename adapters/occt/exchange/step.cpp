@@ -143,7 +143,7 @@ void want_attributes(STEPCAFControl_Reader& reader) {
 
 /// Names of faces are wanted, but Open CASCADE looks for them in all shells without asking what is
 /// there: beside damaged shapes they are given up, and the names of parts are kept.
-void name_faces(ReadingReport& report) {
+void ask_for_face_names(ReadingReport& report) {
   const bool sound = report.grade() != ReadingGrade::ShapesLost;
   Interface_Static::SetIVal("read.stepcaf.subshapes.name", sound ? 1 : 0);
   if (!sound) report.add({"the names of faces", "they are not read beside damaged shapes"});
@@ -197,7 +197,7 @@ void read_step(Reading& reading) {
   const StepOwners owners(*model, shapes.WS()->Graph());
   const auto left_out = leave_out_damage(owners, reading.report);
 
-  name_faces(reading.report);
+  ask_for_face_names(reading.report);
 
   reading.begin("transferring the shapes");
   transfer_roots(shapes, reading.report);

@@ -15,8 +15,6 @@ constexpr std::string_view kEnd = "END-ISO-10303-21";
 constexpr std::size_t kNone = std::string::npos;
 
 char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
-bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0 || c == '\0'; }
-
 bool equals(std::string_view text, std::size_t place, std::string_view word) {
   return text.size() - place >= word.size() &&
          std::equal(word.begin(), word.end(), text.begin() + static_cast<std::ptrdiff_t>(place),

@@ -19,19 +19,14 @@
 #include <gp_Sphere.hxx>
 #include <gp_Torus.hxx>
 
+#include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/surfaces_detail.h"
+
 namespace blossom::occt {
 namespace {
 
 constexpr double kMinSine = 1e-4;      // of planes that cross: the line is known to 1e4 roundings
 constexpr double kRounding = 0x1p-48;  // of the coordinates
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-
-Handle(Geom_Surface) basis_of(Handle(Geom_Surface) surface) {
-  while (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface))
-    surface = trimmed->BasisSurface();
-  return surface;
-}
 
 std::optional<Elementary> elementary_of(const Adaptor3d_Surface& surface) {
   Elementary of;

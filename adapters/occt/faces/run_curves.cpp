@@ -13,6 +13,7 @@
 #include <TopExp.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/faces/hermite_curves.h"
 #include "adapters/occt/faces/surface_projector.h"
@@ -20,13 +21,10 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kFitShare = 0.1;  // of the tolerance
-constexpr int kMaxPieces = 1024;
-constexpr int kMinPieces = 16;    // of a curve that is not straight
-constexpr double kInside = 1e-3;  // of a run: a place on it near its start
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-Vec2 vec(const gp_Pnt2d& p) { return {p.X(), p.Y()}; }
+constexpr double kRunFitShare = 0.1;  // of the tolerance
+constexpr int kMaxRunPieces = 1024;
+constexpr int kMinRunPieces = 16;  // of a curve that is not straight
+constexpr double kInside = 1e-3;   // of a run: a place on it near its start
 
 Handle(Geom_Curve) curve_of(const TopoDS_Edge& edge) {
   Interval range;
@@ -94,7 +92,7 @@ class RunOnFaces {
 };
 
 // What the curve, and its spline, are off between its samples.
-void measure(const RunOnFaces& on_faces, IntersectionCurve& curve) {
+void measure_run(const RunOnFaces& on_faces, IntersectionCurve& curve) {
   curve.deviation = {0, 0, 0, false};
   curve.length = 0;
   for (std::size_t i = 0; i + 1 < curve.samples.size(); ++i) {
@@ -131,12 +129,12 @@ IntersectionCurve run_curve(const OutlineRun& run, const TopoDS_Face& a, const T
   const std::optional<Conic> conic = conic_of(curve_of(run.a.edge));
   const bool straight = conic && conic->kind == ConicKind::Line;
   IntersectionCurve curve;
-  for (int pieces = straight ? 1 : kMinPieces; pieces <= kMaxPieces; pieces *= 2) {
+  for (int pieces = straight ? 1 : kMinRunPieces; pieces <= kMaxRunPieces; pieces *= 2) {
     curve = hermite_curve(on_faces.jets(pieces), run.at_a);
     curve.conic = conic;
-    measure(on_faces, curve);
+    measure_run(on_faces, curve);
     const Deviation& d = curve.deviation;
-    if (std::max({d.a, d.b, d.between, d.conic}) <= run.gap + kFitShare * tolerance) break;
+    if (std::max({d.a, d.b, d.between, d.conic}) <= run.gap + kRunFitShare * tolerance) break;
   }
   curve.tangential = true;
   curve.ends = {CurveEnd::Trim, CurveEnd::Trim};

@@ -12,14 +12,13 @@
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 
+#include "adapters/occt/base/points.h"
+
 namespace blossom::occt {
 namespace {
 
 constexpr int kNewtonSteps = 4;
 constexpr double kSeam = 1e-9;  // of the parameters' range: so near a seam is on it
-
-Vec3 vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
-Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 // The point that a border of a surface is; none if it has a length, lies at infinity, or has no
 // points at all, as some offsets.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kEdgeReach = 4;     // of a shared edge's tolerance: what is so near is the edge
 constexpr double kEdgeStrip = 2e-3;  // of the faces' size: so near, smooth faces are one
-constexpr int kNewtonSteps = 8;      // to the nearest point of a shared edge
+constexpr int kFootSteps = 8;        // to the nearest point of a shared edge
 
 // From the nearest chord between its samples on by Newton's method.
 double distance_to(const IntersectionCurve& edge, const Vec3& p) {
@@ -23,7 +23,7 @@ double distance_to(const IntersectionCurve& edge, const Vec3& p) {
     least = gap;
     nearest = at(Interval{edge.sample_parameters[i], edge.sample_parameters[i + 1]}, t);
   }
-  for (int i = 0; i < kNewtonSteps; ++i) {
+  for (int i = 0; i < kFootSteps; ++i) {
     const Vec3 along = derivative_at(edge.curve, nearest);
     const double square = dot(along, along);
     if (square > 0)

@@ -6,11 +6,12 @@
 #include <cstddef>
 #include <queue>
 
+#include "adapters/occt/neighbours/limits.h"
+
 namespace blossom::occt {
 namespace {
 
 constexpr double kPast = 0.1;          // of a rectangle: so far past it an edge is followed
-constexpr int kMaxHalvings = 40;       // of a span of a wire, to see whether it meets a rectangle
 constexpr int kSideHalvings = 24;      // of two curves together, to see on which side one keeps
 constexpr double kTooSmall = 0x1p-8;   // of a rectangle: so small pieces beside it may meet it
 constexpr double kFootPiece = 0x1p-8;  // of a wire, in which its point nearest to another is sought
@@ -20,12 +21,6 @@ constexpr double kFar = 4;  // rectangles: what is so far from an edge is not be
 constexpr int kBisections = 60;
 
 double width(const PlanarBox& box, int k) { return box.high[k] - box.low[k]; }
-
-bool apart(const PlanarBox& a, const PlanarBox& b) {
-  for (int k = 0; k < 2; ++k)
-    if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
-  return false;
-}
 
 bool holds(const PlanarBox& box, const Vec2& p) {
   return box.low[0] <= p[0] && p[0] <= box.high[0] && box.low[1] <= p[1] && p[1] <= box.high[1];
@@ -170,6 +165,12 @@ Others others_at(const FaceTrims& trims, const Coedge& edge, const CoedgeStretch
 }
 
 }  // namespace
+
+bool apart(const PlanarBox& a, const PlanarBox& b) {
+  for (int k = 0; k < 2; ++k)
+    if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
+  return false;
+}
 
 // Pieces that may hold a nearer point are halved, nearest boxes first. On a line there is one foot.
 double foot_on(const Coedge& edge, const Vec2& target) {

@@ -13,6 +13,8 @@
 
 namespace blossom::occt {
 
+bool apart(const PlanarBox& a, const PlanarBox& b);
+
 /// A stretch of an edge past a rectangle of the chart.
 struct CoedgeStretch {
   Interval range;                    ///< of the edge's parameter

@@ -8,20 +8,14 @@
 
 #include "adapters/occt/faces/face_trims_detail.h"
 #include "adapters/occt/neighbours/coedge_stretch.h"
+#include "adapters/occt/neighbours/limits.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kCut = 0.4865;        // cells are halved off their middle, as in every search
-constexpr int kMaxHalvings = 40;       // of a span of a wire, to see whether it meets a cell
-constexpr double kRounding = 0x1p-44;  // of a span, by which an edge on its end may miss it
+constexpr double kCut = 0.4865;  // cells are halved off their middle, as in every search
+constexpr double kEdgeEndRounding = 0x1p-44;  // of a span, by which an edge on its end may miss it
 constexpr Axes kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-
-bool apart(const PlanarBox& a, const PlanarBox& b) {
-  for (int k = 0; k < 2; ++k)
-    if (a.low[k] > b.high[k] || a.high[k] < b.low[k]) return true;
-  return false;
-}
 
 }  // namespace
 
@@ -114,7 +108,7 @@ double FaceCells::depth_beside(const Elementary& surface, const PlanarBox& line,
   const std::array<Interval, 2> spans{cells_.knots_u(patch), cells_.knots_v(patch)};
   const PlanarBox box = chart_box(patch, cells_.tree(patch)[cell]), swept = united(box, line);
   const auto k = static_cast<std::size_t>(across);
-  const double scale = data_.trims.scale[across], slack = kRounding * length(spans[k]);
+  const double scale = data_.trims.scale[across], slack = kEdgeEndRounding * length(spans[k]);
   if (swept.low[across] < (spans[k].from - slack) * scale ||
       swept.high[across] > (spans[k].to + slack) * scale)
     return nothing;

@@ -14,7 +14,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kWanted = 1e-9;  // model units
+constexpr double kHyperbolaWithin = 1e-9;  // model units
 constexpr int kMaxSpans = 100;
 constexpr int kMaxSplineDegree = 9;
 
@@ -27,8 +27,9 @@ bool is_hyperbola(Handle(Geom_Curve) curve) {
 // Null if there is none.
 Handle(Geom_Curve) spline_of(const BRep_Curve3D& of) try {
   const Handle(Geom_Curve) part = new Geom_TrimmedCurve(of.Curve3D(), of.First(), of.Last());
-  const GeomConvert_ApproxCurve made(part, kWanted, GeomAbs_C2, kMaxSpans, kMaxSplineDegree);
-  if (!made.HasResult() || made.MaxError() > kWanted) return {};
+  const GeomConvert_ApproxCurve made(part, kHyperbolaWithin, GeomAbs_C2, kMaxSpans,
+                                     kMaxSplineDegree);
+  if (!made.HasResult() || made.MaxError() > kHyperbolaWithin) return {};
   return made.Curve().get();
 } catch (const Standard_Failure&) {
   return {};

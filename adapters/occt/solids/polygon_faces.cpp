@@ -52,34 +52,34 @@ class PlaneFrame {
   gp_Ax3 axes_;
 };
 
-struct Corner {
+struct VertexPlace {
   TopoDS_Vertex vertex;
   Vec3 place;  // of the vertex, in the frame
   double tolerance = 0;
 };
 
 // An edge as it runs in its wire.
-struct Side {
-  Corner first, last;
+struct RingSide {
+  VertexPlace first, last;
   Vec2 from, to;  // by the curve in the plane's parameters
   double tolerance = 0;
 };
 
-using Ring = std::vector<Side>;
+using Ring = std::vector<RingSide>;
 
 bool is_rigid(const TopLoc_Location& place) {
   return place.IsIdentity() || place.Transformation().ScaleFactor() == 1;
 }
 
-std::optional<Corner> corner_of(const TopoDS_Shape& shape, const PlaneFrame& frame) {
+std::optional<VertexPlace> corner_of(const TopoDS_Shape& shape, const PlaneFrame& frame) {
   const TopoDS_Vertex& vertex = TopoDS::Vertex(shape);
   const auto* record = static_cast<const BRep_TVertex*>(vertex.TShape().get());
   if (!record->Points().IsEmpty() || !is_rigid(vertex.Location())) return std::nullopt;
-  return Corner{vertex, frame.at(BRep_Tool::Pnt(vertex)), record->Tolerance()};
+  return VertexPlace{vertex, frame.at(BRep_Tool::Pnt(vertex)), record->Tolerance()};
 }
 
 // Whether a corner holds an end of an edge, in space and by the curve in the plane.
-bool holds(const Corner& corner, const Vec3& end, const Vec2& chart_end) {
+bool holds(const VertexPlace& corner, const Vec3& end, const Vec2& chart_end) {
   const Vec3 off = corner.place - Vec3{chart_end[0], chart_end[1], 0};
   return norm(corner.place - end) <= corner.tolerance && norm(off) <= corner.tolerance;
 }
@@ -124,13 +124,13 @@ class PolygonReader {
     return stored;
   }
 
-  std::optional<Side> side_of(const TopoDS_Edge& edge) const;
+  std::optional<RingSide> side_of(const TopoDS_Edge& edge) const;
 
   // Into the order in which they run; false if they are not one ring.
   static bool in_order(Ring& ring) {
     for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
       const auto rest = ring.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-      const auto next = std::find_if(rest, ring.end(), [&](const Side& side) {
+      const auto next = std::find_if(rest, ring.end(), [&](const RingSide& side) {
         return side.first.vertex.IsSame(ring[i].last.vertex);
       });
       if (next == ring.end()) return false;
@@ -145,7 +145,7 @@ class PolygonReader {
 };
 
 // Nothing where an end is not held or the edge is of another kind.
-std::optional<Side> PolygonReader::side_of(const TopoDS_Edge& edge) const {
+std::optional<RingSide> PolygonReader::side_of(const TopoDS_Edge& edge) const {
   const auto& record = static_cast<const BRep_TEdge&>(*edge.TShape());
   const bool forward = edge.Orientation() == TopAbs_FORWARD;
   if ((!forward && edge.Orientation() != TopAbs_REVERSED) || record.Degenerated() ||
@@ -175,7 +175,7 @@ std::optional<Side> PolygonReader::side_of(const TopoDS_Edge& edge) const {
   for (const bool last : {false, true})
     if (!(norm(ends[last] - Vec3{chart[last][0], chart[last][1], 0}) <= tolerance))
       return std::nullopt;
-  std::array<std::optional<Corner>, 2> corners;
+  std::array<std::optional<VertexPlace>, 2> corners;
   for (TopoDS_Iterator it(edge.Oriented(TopAbs_FORWARD)); it.More(); it.Next()) {
     const TopAbs_Orientation end = it.Value().Orientation();
     if (end != TopAbs_FORWARD && end != TopAbs_REVERSED) return std::nullopt;
@@ -186,26 +186,27 @@ std::optional<Side> PolygonReader::side_of(const TopoDS_Edge& edge) const {
   }
   for (const bool last : {false, true})
     if (!corners[last] || !holds(*corners[last], ends[last], chart[last])) return std::nullopt;
-  return Side{*corners[!forward], *corners[forward], chart[!forward], chart[forward], tolerance};
+  return RingSide{*corners[!forward], *corners[forward], chart[!forward], chart[forward],
+                  tolerance};
 }
 
 // Whether two sides, the second one from where the first one ends, have no point in common that is
 // outside of the corner's tolerance. Both ends there are a gap apart; if the angle between the
 // sides is not acute, what they have in common is no farther than the gap from the second's end,
 // else the gap by the sine of the angle.
-bool meet_in_corner(const Side& before, const Side& after) {
+bool meet_in_corner(const RingSide& before, const RingSide& after) {
   const Vec2 back = before.from - before.to, on = after.to - after.from;
   const double gap = norm(before.to - after.from);
   const double sine = std::abs(across(back, on)) / (norm(back) * norm(on));
   const bool acute = dot(back, on) > 0;
   if (acute && !(sine >= kMinSine)) return false;
-  const Corner& corner = after.first;
+  const VertexPlace& corner = after.first;
   const Vec3 off = corner.place - Vec3{after.from[0], after.from[1], 0};
   return norm(off) + (acute ? gap / sine : gap) <= corner.tolerance;
 }
 
 // Whether a line along a side, or one across it, parts the two by more than the margin.
-bool parts(const Side& along, const Side& other, double margin) {
+bool parts(const RingSide& along, const RingSide& other, double margin) {
   const Vec2 way = along.to - along.from;
   const double length = norm(way);
   const Vec2 unit = (1 / length) * way;
@@ -215,7 +216,7 @@ bool parts(const Side& along, const Side& other, double margin) {
          std::min(y0, y1) > margin || std::max(y0, y1) < -margin;
 }
 
-bool are_apart(const Side& a, const Side& b, double margin) {
+bool are_apart(const RingSide& a, const RingSide& b, double margin) {
   return parts(a, b, margin) || parts(b, a, margin);
 }
 
@@ -231,23 +232,23 @@ bool passes_once(const Ring& ring, double margin) {
 }
 
 bool are_apart(const Ring& a, const Ring& b, double margin) {
-  return std::ranges::all_of(a, [&](const Side& side) {
-    return std::ranges::all_of(b,
-                               [&](const Side& other) { return are_apart(side, other, margin); });
+  return std::ranges::all_of(a, [&](const RingSide& side) {
+    return std::ranges::all_of(
+        b, [&](const RingSide& other) { return are_apart(side, other, margin); });
   });
 }
 
 // Twice the area, positive if the ring runs counter-clockwise.
 double turn_of(const Ring& ring) {
   double sum = 0;
-  for (const Side& side : ring)
+  for (const RingSide& side : ring)
     sum += across(side.from - ring.front().from, side.to - ring.front().from);
   return sum;
 }
 
 bool surrounds(const Ring& ring, const Vec2& point) {
   bool inside = false;
-  for (const Side& side : ring) {
+  for (const RingSide& side : ring) {
     const Vec2 a = side.from - point, b = side.to - point;
     if ((a[1] > 0) != (b[1] > 0)) inside ^= (across(a, b) > 0) == (b[1] > a[1]);
   }
@@ -257,7 +258,7 @@ bool surrounds(const Ring& ring, const Vec2& point) {
 double largest_tolerance(std::span<const Ring> rings) {
   double largest = 0;
   for (const Ring& ring : rings)
-    for (const Side& side : ring)
+    for (const RingSide& side : ring)
       largest = std::max({largest, side.tolerance, side.first.tolerance});
   return largest;
 }
@@ -268,7 +269,7 @@ bool has_one_outside(std::span<const Ring> rings, double margin) {
   for (const Ring& ring : rings) {
     const double turn = turn_of(ring);
     double around = 0;
-    for (const Side& side : ring) around += norm(side.to - side.from);
+    for (const RingSide& side : ring) around += norm(side.to - side.from);
     if (!(std::abs(turn) > margin * around) || (turn > 0 && outer != nullptr)) return false;
     if (turn > 0) outer = &ring;
   }

@@ -26,6 +26,7 @@
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
+#include "adapters/occt/solids/limits.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/trim_sides.h"
 #include "core/base/disjoint_sets.h"
@@ -36,7 +37,6 @@ namespace {
 // Faces that leave an edge in directions closer than this are not told apart. Radians.
 constexpr double kMinAngle = 1e-6;
 constexpr const char* kMakingSolids = "making solids";
-constexpr int kAgreeing = 3;    // rays that have to agree that a void lies in a shell
 constexpr double kStep = 1e-3;  // of an edge's length: how far into a face is looked
 // Of the cones over a far apex: where so little is left of them, it may be that faces end apart.
 constexpr double kCancelled = 1e-2;

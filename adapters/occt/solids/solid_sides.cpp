@@ -13,21 +13,20 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_groups.h"
 #include "adapters/occt/faces/point_inside.h"
 #include "adapters/occt/queries/solid_rays.h"
+#include "adapters/occt/solids/limits.h"
 #include "adapters/occt/splitting/common_edges.h"
 #include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr int kAgreeing = 3;  // rays that have to agree about a region
 constexpr const char* kFindingSides = "finding sides";
-
-Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 std::string piece_name(const SplitSolid& of, const SolidPiece& piece) {
   return "a piece of face " + std::to_string(piece.from + 1) + " of the " + of.name;

@@ -18,17 +18,18 @@
 #include <TopoDS.hxx>
 #include <gp_Pln.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edge_stretches.h"
+#include "adapters/occt/splitting/limits.h"
 #include "core/bounds/box_tree.h"
 #include "core/forms/curve_spans.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kMargin = 1.1;
 constexpr int kEvenPoints = 8;  // of a curve that may keep to edges
 
 std::vector<TopoDS_Edge> edges_of(const TopoDS_Face& face) {
@@ -50,8 +51,6 @@ bool have_same_ends(const EdgeSplits& splits, const TopoDS_Edge& a, const TopoDS
   };
   return is_end(TopExp::FirstVertex(a)) && is_end(TopExp::LastVertex(a));
 }
-
-gp_Pnt pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
 bool has_overlap(const FaceIntersection& pair) {
   return std::any_of(pair.found.places.begin(), pair.found.places.end(),

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "adapters/occt/splitting/limits.h"
+
 namespace blossom::occt {
 namespace {
 
-constexpr double kMargin = 1.1;
 constexpr double kShared = 1e-4;  // of the tolerance: so near each other are cuts that share a run
 
 // From one parameter of a curve to another, over the end of a closed one where that is shorter.

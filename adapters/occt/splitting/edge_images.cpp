@@ -17,6 +17,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curve_breaks.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
@@ -34,9 +35,6 @@ constexpr double kExactShare = 1e-3;  // of the tolerance: a projection so near 
 constexpr int kImageSamples = 33;
 constexpr double kStart = 1e-3;      // of a run: a place on it near its start
 constexpr double kSamePlace = 1e-9;  // of a run: joints so near are one
-
-Vec3 vec(const gp_Vec& v) { return {v.X(), v.Y(), v.Z()}; }
-Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 double deviation(const Handle(Geom_Curve) & curve, const Handle(Geom2d_Curve) & chart,
                  const Interval& range, const SurfaceProjector& feet) {
@@ -77,7 +75,7 @@ CurveBeside::CurveBeside(Handle(Geom_Curve) curve, const Interval& range,
                          const SurfaceProjector& feet)
     : feet_(feet), curve_(std::move(curve)), range_(range) {}
 
-CurveJet CurveBeside::in_space(double t) const {
+CurveOnSurfaceJet CurveBeside::in_space(double t) const {
   if (!curve_.IsNull()) {
     gp_Pnt point;
     gp_Vec rate;
@@ -103,15 +101,16 @@ Vec3 CurveBeside::bend(double t) const {
          d.Y() * d.Y() * of.vv;
 }
 
-CurveJet CurveBeside::jet(double t, const std::optional<Vec2>& near) const {
-  CurveJet jet = in_space(t);
+CurveOnSurfaceJet CurveBeside::jet(double t, const std::optional<Vec2>& near) const {
+  CurveOnSurfaceJet jet = in_space(t);
   jet.uv = feet_.foot(jet.point, near);
   jet.uv_rate = chart_step(frame_at(feet_.surface(), jet.uv), jet.rate);
   return jet;
 }
 
-CurveJet CurveBeside::end_jet(double end, double inner, const std::optional<Vec2>& near) const {
-  const CurveJet found = jet(end, near);
+CurveOnSurfaceJet CurveBeside::end_jet(double end, double inner,
+                                       const std::optional<Vec2>& near) const {
+  const CurveOnSurfaceJet found = jet(end, near);
   const SurfacePole* pole = feet_.pole_at(found.point);
   if (pole == nullptr) return found;
   return pole_jet(*pole, end, jet(at({end, inner}, kStart), near).uv);
@@ -122,9 +121,10 @@ CurveJet CurveBeside::end_jet(double end, double inner, const std::optional<Vec2
 //   T = S_g g'    K = S_gg g'^2 + 2 S_fg f' g' + S_g g''
 // with g the other parameter: f is where S_g is along T, and f' follows from K without its share
 // along S_g.
-CurveJet CurveBeside::pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const {
+CurveOnSurfaceJet CurveBeside::pole_jet(const SurfacePole& pole, double t,
+                                        const Vec2& beside) const {
   const int g = pole.fixed, f = 1 - g;
-  CurveJet jet = in_space(t);
+  CurveOnSurfaceJet jet = in_space(t);
   jet.uv = beside;
   jet.uv[g] = pole.value;
   const auto along = [&] {
@@ -151,7 +151,7 @@ std::vector<Interval> CurveBeside::between_poles(const Interval& run) const {
   std::vector<Interval> parts{run};
   for (const SurfacePole& pole : feet_.poles()) {
     const auto approach = [&](double t) {
-      const CurveJet at = in_space(t);
+      const CurveOnSurfaceJet at = in_space(t);
       return dot(at.point - pole.point, at.rate);
     };
     for (int i = 0; i < kEdgeSamples; ++i) {
@@ -314,9 +314,9 @@ FaceCut CurveBeside::hermite_cut(const std::vector<double>& ends, double toleran
   std::vector<QuinticJet<Vec2>> in_chart;
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const bool first = i == 0, last = i + 1 == ends.size();
-    const CurveJet here = first  ? end_jet(ends[i], ends[1], near)
-                          : last ? end_jet(ends[i], ends[i - 1], near)
-                                 : jet(ends[i], near);
+    const CurveOnSurfaceJet here = first  ? end_jet(ends[i], ends[1], near)
+                                   : last ? end_jet(ends[i], ends[i - 1], near)
+                                          : jet(ends[i], near);
     near = here.uv;
     in_space.push_back({here.point, here.rate, bend(ends[i])});
     in_chart.push_back({here.uv, here.uv_rate, uv_bend(here, ends[i])});

@@ -20,7 +20,7 @@
 namespace blossom::occt {
 
 /// A curve with its images in the chart of a surface.
-struct CurveJet {
+struct CurveOnSurfaceJet {
   Vec3 point, rate;
   Vec2 uv, uv_rate;  ///< of the surface
 };
@@ -36,12 +36,12 @@ class CurveBeside {
   CurveBeside(Handle(Geom_Curve) curve, const Interval& range, const SurfaceProjector& feet);
 
   const Interval& range() const { return range_; }
-  CurveJet jet(double t, const std::optional<Vec2>& near) const;
+  CurveOnSurfaceJet jet(double t, const std::optional<Vec2>& near) const;
 
   /// The same at an end of a run. In a pole of the surface, where one parameter is free, it is that
   /// which the curve has on its way there.
   /// inner   a parameter inside of the run
-  CurveJet end_jet(double end, double inner, const std::optional<Vec2>& near) const;
+  CurveOnSurfaceJet end_jet(double end, double inner, const std::optional<Vec2>& near) const;
 
   /// The parts of a run between the poles of the surface that it goes through.
   std::vector<Interval> between_poles(const Interval& run) const;
@@ -56,9 +56,9 @@ class CurveBeside {
   FaceCut fitted_cut(const Interval& run, double wanted, double tolerance) const;
 
  private:
-  CurveJet in_space(double t) const;  // without its images
-  Vec3 bend(double t) const;          // the second derivative
-  CurveJet pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const;
+  CurveOnSurfaceJet in_space(double t) const;  // without its images
+  Vec3 bend(double t) const;                   // the second derivative
+  CurveOnSurfaceJet pole_jet(const SurfacePole& pole, double t, const Vec2& beside) const;
   struct Standing {
     Vec3 point;
     double gap = 0;        // to the surface

@@ -25,7 +25,7 @@ namespace blossom::occt {
 namespace {
 
 constexpr int kSamples = 16;              // intervals of a relation
-constexpr int kNewtonSteps = 12;          // from a sample's neighbourhood to rounding
+constexpr int kRelationSteps = 12;        // from a sample's neighbourhood to rounding
 constexpr double kMinLength = 50;         // of edges that are joined, in ways they may be apart
 constexpr double kSameParameter = 1e-14;  // relative to the range: the steps have settled
 
@@ -169,7 +169,7 @@ double BorderRelation::first_at(double second) const {
   double s = run == 0 ? low[0] : low[0] + (second - low[1]) / run * (high[0] - low[0]);
   const Vec3 point = second_.at(second);
   const Interval domain = first_.domain();
-  for (int step = 0; step < kNewtonSteps; ++step) {
+  for (int step = 0; step < kRelationSteps; ++step) {
     Vec3 here, along;
     first_.jet_at(s, here, along);
     const double square = dot(along, along);
@@ -193,7 +193,7 @@ double BorderRelation::second_at(double first) const {
   Vec3 point, along;
   first_.jet_at(first, point, along);
   const Interval domain = second_.domain();
-  for (int step = 0; step < kNewtonSteps; ++step) {
+  for (int step = 0; step < kRelationSteps; ++step) {
     Vec3 here, slope;
     second_.jet_at(t, here, slope);
     const double rate = dot(slope, along);

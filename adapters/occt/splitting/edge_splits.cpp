@@ -20,6 +20,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/splitting/limits.h"
 
 namespace blossom::occt {
 namespace {
@@ -27,11 +28,10 @@ namespace {
 // Two splits of a degenerated edge are told apart by parameter alone. Relative to its range.
 constexpr double kSameOnPole = 1e-9;
 
-constexpr double kMargin = 1.1;
 // Two faces that meet in an edge may be apart by twice its tolerance, and a cut that runs through
 // both meets the edge at an angle: so many tolerances apart are its two ends still one split.
 constexpr double kFaceDisagreement = 4;
-constexpr int kDeviationSamples = 187;
+constexpr int kEdgeDeviationSamples = 187;
 
 // The triangulation of the whole edge is none of its pieces.
 void drop_polygons(const TopoDS_Edge& edge) {

@@ -27,7 +27,6 @@ namespace {
 
 TopoDS_Edge forward(const TopoDS_Edge& edge) { return TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)); }
 
-constexpr double kMargin = 1.1;
 constexpr int kDeviationSamples = 17;  // both have been measured alone
 
 // Edges that are joined may be apart: what the first one's curve is off the images of the others,

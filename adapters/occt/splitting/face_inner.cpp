@@ -17,11 +17,11 @@
 #include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/face_splitter.h"
+#include "adapters/occt/splitting/limits.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kMargin = 1.1;
 constexpr double kReach = 10;    // tolerances: what is so near a wire lies on it
 constexpr int kTurns = 2;        // periods that trims reach beyond the first one at most
 constexpr double kOnEnd = 1e-9;  // of an edge: a place so near its end is it

@@ -13,20 +13,18 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/splitting/face_splitter.h"
+#include "adapters/occt/splitting/limits.h"
 
 namespace blossom::occt {
 namespace {
 
-// Edges state their tolerance with this margin; vertices cover the ends of their edges with it.
-constexpr double kMargin = 1.1;
 // Chart areas of pieces add up to rounding if the arrangement is right. Relative.
 constexpr double kAreaError = 1e-6;
 constexpr int kDeviationSamples = 33;
-
-gp_Pnt pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
 
 Vec3 space_point(const FaceCut& cut, double t) {
   return cut.conic ? point_at(*cut.conic, t) : point_at(cut.curve, t);

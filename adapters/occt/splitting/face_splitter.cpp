@@ -15,12 +15,12 @@
 
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/splitting/cut_crossings.h"
+#include "adapters/occt/splitting/limits.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr const char* kDividing = "dividing faces";
-constexpr double kMargin = 1.1;
 // A cut that stops short of a wire would have met it at most so many times farther along the wire.
 constexpr double kObliqueness = 8;
 // Neighbours that see a crossing farther apart, in tolerances of the edge, see two.

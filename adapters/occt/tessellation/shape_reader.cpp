@@ -20,13 +20,12 @@
 #include "adapters/occt/faces/untrimmed.h"
 #include "adapters/occt/tessellation/elementary_charts.h"
 #include "core/base/parallel.h"
+#include "core/math/index.h"
 
 namespace blossom::occt {
 namespace {
 
 constexpr std::size_t kEdgeGrain = 8;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 class ShapeReader {
  public:

@@ -17,22 +17,20 @@
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
 #include "adapters/occt/blending/strips/mitre_curve.h"
+#include "adapters/occt/blending/sheet/limits.h"
+#include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kSamePlace = 10;  // in tolerances
 constexpr int kSecantSteps = 60;
 constexpr int kMitreSamples = 8;
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-gp_Pnt pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
-gp_Dir dir(const Vec3& d) { return {d[0], d[1], d[2]}; }
 
 // The distance of a point from a face's surface, positive outside of the material.
 double height_over(const TopoDS_Face& face, const Vec3& point) {

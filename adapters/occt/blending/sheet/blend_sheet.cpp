@@ -19,20 +19,18 @@
 #include <TopoDS.hxx>
 #include <gp.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
+#include "adapters/occt/blending/sheet/limits.h"
 
 namespace blossom::occt {
 namespace {
 
 // Of a strip's width: how far beyond its ends it is looked at.
 constexpr double kPartRoom = 2;
-// In tolerances: what meets at one place may be so far apart.
-constexpr double kSamePlace = 10;
 constexpr double kSameAngle = 1e-9;  // of sections that are counted alike, radians or shares
 constexpr int kFollowed = 32;        // points of half an arc that are followed along a section
 constexpr int kSectionSamples = 8;   // of an arc, to compare it with a section
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 Vec3 contact_point(const RolledStrip& strip, std::size_t side, double t) {
   return vec(strip.contacts[side].curve->Value(t).XYZ());

@@ -9,21 +9,20 @@
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
+#include "adapters/occt/blending/sheet/limits.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kSamePlace = 10;  // in tolerances
 // Of the strip's width: how far before a contact leaves its face a strip stops, so that something
 // of the face is left between the wall and the border.
 constexpr double kClearance = 0.25;
-constexpr int kSecantSteps = 40;
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+constexpr int kWallSteps = 40;
 
 TopoDS_Face plane_across(const Handle(Geom_Curve) & spine, double t) {
   gp_Pnt centre;
@@ -84,7 +83,7 @@ std::optional<TopoDS_Vertex> BlendSheet::wall_foot(const HalfEdge& half, double 
   double x = nearest_on(curve, range, vec(centre.XYZ())),
          last = half.at_start ? range.from : range.to;
   double f = off(x), f_last = off(last);
-  for (int i = 0; i < kSecantSteps && f != 0 && f != f_last; ++i) {
+  for (int i = 0; i < kWallSteps && f != 0 && f != f_last; ++i) {
     const double next = x - f * (x - last) / (f - f_last);
     last = x;
     f_last = f;

@@ -20,13 +20,12 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/sheet/limits.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/splitting/edge_images.h"
 
 namespace blossom::occt {
 namespace {
-
-constexpr double kSamePlace = 10;  // in tolerances: edges so near to each other become one
 
 // An edge in a wire of the forward face.
 struct Link {

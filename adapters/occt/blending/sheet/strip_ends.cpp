@@ -11,14 +11,14 @@
 
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/sheet/blend_sheet.h"
+#include "adapters/occt/blending/sheet/limits.h"
 #include "adapters/occt/faces/surface_projector.h"
 
 namespace blossom::occt {
 namespace {
 
-constexpr double kSamePlace = 10;  // in tolerances
-constexpr int kMostFaces = 16;     // that a strip may cross at its end
-constexpr double kSameW = 1e-9;    // of the way across the strip
+constexpr int kMostFaces = 16;   // that a strip may cross at its end
+constexpr double kSameW = 1e-9;  // of the way across the strip
 
 }  // namespace
 

@@ -19,7 +19,7 @@ namespace {
 
 // Supports go on past the natural borders of their surfaces as far as a ball's contacts may lead
 // beyond the edge, but no further than so many of their outer spans.
-constexpr double kBeyond = 2.5;  // widths
+constexpr double kSupportWidths = 2.5;  // widths
 constexpr double kMaxSpans = 2;
 // Of the face's box: how far surfaces that have more of them are taken beyond the trims.
 constexpr double kRoom = 0.5;
@@ -84,7 +84,7 @@ RolledSupport support_of(const BodyEdges& body, const EdgeUseInFace& use, double
                          const BodyEdges::Corner& corner, double width, bool concave) {
   const TopoDS_Face& face = body.face(use.face);
   RolledSupport made;
-  made.surface = surface_beyond(face, kBeyond * width);
+  made.surface = surface_beyond(face, kSupportWidths * width);
   const Vec2 scale = body.trims(use.face).scale, chart = point_at(use.coedge->curve, parameter);
   const Vec2 uv{chart[0] / scale[0], chart[1] / scale[1]};
   made.at_edge = uv;
@@ -137,7 +137,7 @@ RolledSupports supports_at(const BodyEdges& body, const BallPlace& place, bool c
   for (const std::size_t k : {0U, 1U}) {
     const TopoDS_Face& face = body.face(place.faces[k]);
     RolledSupport& of = made.of[k];
-    of.surface = surface_beyond(face, kBeyond * radius);
+    of.surface = surface_beyond(face, kSupportWidths * radius);
     of.start = near_range(BRep_Tool::Surface(face), of.surface, place.charts[k]);
     of.at_edge = of.start;
     of.side = side_of(face, concave);

@@ -10,6 +10,7 @@
 #include <TopExp.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/strips/run_profiles.h"
@@ -23,8 +24,6 @@ constexpr double kSamePlace = 10;
 constexpr double kGrowth = 2;
 // Strips for each edge of a run before a walk counts as lost.
 constexpr std::size_t kMostStrips = 16;
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
 
 // Of a strip's two contacts that to the left of the way.
 std::size_t contact_at(const WalkedStrip& of, std::size_t walking_side) {

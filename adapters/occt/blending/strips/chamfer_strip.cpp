@@ -35,6 +35,7 @@
 #include <gp_Ax3.hxx>
 #include <gp_Circ.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
@@ -44,17 +45,12 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kBeyond = 4;             // distances: how far open strips go on past the edge
+constexpr double kChamferBeyond = 4;      // distances: how far open strips go on past the edge
 constexpr double kSameForm = 1e-9;        // of the distance: borders that are lines and circles
 constexpr double kFitError = 1e-8;        // model units, of interpolated borders at half steps
 constexpr int kFewest = 16, kMost = 512;  // steps along the edge
 constexpr int kNewtonSteps = 30;
 constexpr double kConverged = 1e-13;  // of the distance
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-gp_Pnt pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
-gp_Dir dir(const Vec3& d) { return {d[0], d[1], d[2]}; }
 
 // A point of a border.
 struct BorderPoint {
@@ -121,7 +117,7 @@ std::optional<std::array<BorderPoint, 2>> Chamfering::at_edge(double x) const {
     // The triangle of the tangent planes.
     const double opening =
         std::acos(std::clamp(dot(corners[0].inwards, corners[1].inwards), -1., 1.));
-    const double rest = kPi - *profile.angle - opening;
+    const double rest = std::numbers::pi - *profile.angle - opening;
     if (rest <= 0) refuse("the chamfer at that angle does not meet the other face", inside);
     reach[other] = reach[given] * std::sin(*profile.angle) / std::sin(rest);
   }
@@ -372,10 +368,10 @@ RolledStrip chamfer_strip(const BodyEdges& body, int edge, bool concave,
   strip.spine = of.curve;
   strip.edge_range = of.domain;
   const double speed = of.curve->DN(at(of.domain, 0.5), 1).Magnitude();
-  const double beyond = strip.closed ? 0 : kBeyond * strip.radius / speed;
+  const double beyond = strip.closed ? 0 : kChamferBeyond * strip.radius / speed;
   Interval wanted{of.domain.from - beyond, of.domain.to + beyond};
   const BRepAdaptor_Curve form(body.edge(edge));
-  if (form.GetType() == GeomAbs_Circle && length(wanted) > 2 * kPi) wanted = of.domain;
+  if (form.GetType() == GeomAbs_Circle && length(wanted) > 2 * std::numbers::pi) wanted = of.domain;
   const Borders borders = borders_over(of, wanted, kFewest);
   const bool exact =
       (form.GetType() == GeomAbs_Line && set_plane(of, borders, form.Line(), strip)) ||

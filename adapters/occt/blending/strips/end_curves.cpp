@@ -14,6 +14,7 @@
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
@@ -33,9 +34,7 @@ constexpr int kFootSamples = 5;   // a side, of the strip's part whose feet boun
 constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are those
 // Of a span, or of the way across a strip: how far surfaces go on past their borders.
 constexpr double kBeyondBorder = 0.125;
-constexpr double kRoom = 0.25;  // of the feet's box: how far beyond it is searched
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+constexpr double kFootRoom = 0.25;  // of the feet's box: how far beyond it is searched
 
 std::vector<PlanarCrossing> meetings(const BodyEdges& body, const RolledStrip& strip,
                                      std::size_t side, const EdgeUseInFace& use,
@@ -84,7 +83,7 @@ ParameterBox box_near(const std::vector<Vec3>& points, const TopoDS_Face& face) 
   std::array<Interval, 2> bounds;
   surface->Bounds(bounds[0].from, bounds[0].to, bounds[1].from, bounds[1].to);
   for (std::size_t d = 0; d < 2; ++d) {
-    box[d] = widened(box[d], kRoom * length(box[d]) + Precision::Confusion());
+    box[d] = widened(box[d], kFootRoom * length(box[d]) + Precision::Confusion());
     const bool periodic = d == 0 ? surface->IsUPeriodic() : surface->IsVPeriodic();
     if (periodic) {
       const double turn = length(bounds[d]), room = 0.5 * (turn - length(box[d]));

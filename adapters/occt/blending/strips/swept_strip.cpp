@@ -23,6 +23,7 @@
 #include <gp_Lin.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/blending/strips/rolled_strip.h"
 #include "adapters/occt/faces/elementary_faces.h"
@@ -32,7 +33,6 @@
 namespace blossom::occt {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 // How far a face may be from one that is the same all along the edge, model units: its points are
 // off the swept one by no more than a tenth of what counts as one point.
 constexpr double kSweepError = 1e-8;
@@ -44,10 +44,6 @@ constexpr double kLessBeyond = 0.75;
 constexpr double kMinBeyond = 0.1;
 constexpr double kMinGap = 1e-2;  // of a turn, radians: what an open strip leaves free
 constexpr double kOnAxis = 1e-9;  // of the radius: a torus so small is a sphere
-
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-gp_Pnt pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
-gp_Dir dir(const Vec3& d) { return {d[0], d[1], d[2]}; }
 
 // The plane across the edge at its middle; the edge's direction is x cross y for a line. Round an
 // axis y is the axis, x points away from it, and the origin lies on it.
@@ -223,8 +219,8 @@ std::array<double, 2> angles(const std::array<Vec2, 2>& feet, const Vec2& centre
   std::array<double, 2> at{};
   for (std::size_t k = 0; k < 2; ++k)
     at[k] = std::atan2(feet[k][1] - centre[1], feet[k][0] - centre[0]);
-  const double turn = std::remainder(at[1] - at[0], 2 * kPi);
-  if (at[0] < 0 && at[0] + turn < 0) at[0] += 2 * kPi;
+  const double turn = std::remainder(at[1] - at[0], 2 * std::numbers::pi);
+  if (at[0] < 0 && at[0] + turn < 0) at[0] += 2 * std::numbers::pi;
   return {at[0], at[0] + turn};
 }
 
@@ -280,7 +276,7 @@ RolledStrip along(const Rolling& of, const Vec3& axis, const Interval& edge_rang
   for (std::size_t k = 0; k < 2; ++k) {
     const Vec3 out = in_space(feet[k]) - in_space(centre);
     double angle = std::atan2(dot(out, y), dot(out, x));
-    if (angle < 0) angle += 2 * kPi;
+    if (angle < 0) angle += 2 * std::numbers::pi;
     add_contact(of, k, new Geom_Line(pnt(in_space(feet[k])), dir(axis)), angle, strip);
   }
   return strip;
@@ -301,7 +297,7 @@ RolledStrip round(const Rolling& of, const Interval& edge_range, bool closed, co
   strip.edge_range = strip.range = edge_range;
   if (!closed) {
     const double size = in.flat(of.sides[0].corner.point)[0];
-    const double room = 0.5 * (2 * kPi - length(edge_range)) - kMinGap;
+    const double room = 0.5 * (2 * std::numbers::pi - length(edge_range)) - kMinGap;
     const double more = std::clamp(beyond * width(of, feet) / size, 0.0, std::max(room, 0.0));
     strip.range = {edge_range.from - more, edge_range.to + more};
   }
@@ -337,17 +333,17 @@ std::optional<RolledStrip> round_axis(const BodyEdges& body, int edge, bool conc
   const double first = curve.FirstParameter(), last = curve.LastParameter();
   const gp_Circ circle = curve.Circle();
   const Vec3 centre = vec(circle.Location().XYZ()), axis = vec(circle.Axis().Direction().XYZ());
-  const bool closed = last - first > 2 * kPi - Precision::PConfusion() &&
+  const bool closed = last - first > 2 * std::numbers::pi - Precision::PConfusion() &&
                       body.vertex({edge, true}).IsSame(body.vertex({edge, false}));
   const BodyEdges::Corner corner = body.corner(body.use(edge, true), 0.5 * (first + last));
   const Vec3 out = unit(corner.point - centre);
   const Section section{centre, out, axis};
   const auto of = rolling(body, edge, concave, radius, section, circle.Radius(), nullptr);
   if (!of) return std::nullopt;
-  if (closed) return round(*of, {0, 2 * kPi}, true, -out, 0);
+  if (closed) return round(*of, {0, 2 * std::numbers::pi}, true, -out, 0);
   const double half = 0.5 * (last - first);
   const auto made = [&](double beyond) {
-    return round(*of, {kPi - half, kPi + half}, false, -out, beyond);
+    return round(*of, {std::numbers::pi - half, std::numbers::pi + half}, false, -out, beyond);
   };
   for (double beyond = kBeyond; beyond > kMinBeyond; beyond *= kLessBeyond) {
     try {

@@ -34,7 +34,7 @@ namespace blossom::occt {
 namespace {
 
 // Strips go on past the edge by so many times their width, as far as the ball rolls.
-constexpr double kBeyond = 2;
+constexpr double kRollWidths = 2;
 // Of the least radius: what a law may take off it past the edge's ends.
 constexpr double kLeastShare = 0.5;
 constexpr int kSpineSamples = 4;  // between two knots of the strip
@@ -177,7 +177,7 @@ void Tracing::start_by_law(const Interval& domain) {
   const double speed = curve->DN(at(domain, 0.5), 1).Magnitude();
   const double slope = (profile.last - profile.first) / length(domain);
   const double least = std::min(profile.first, profile.last);
-  const double beyond = std::min(kBeyond * std::max(supports.width, radius) / speed,
+  const double beyond = std::min(kRollWidths * std::max(supports.width, radius) / speed,
                                  kLeastShare * least / std::abs(slope));
   BallGuide guide;
   guide.range = {domain.from - beyond, domain.to + beyond};
@@ -276,7 +276,7 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
     of->faces[k] = use.face;
     of->near[k] = {at_middle[0] / scale[0], at_middle[1] / scale[1]};
   }
-  const double beyond = kBeyond * std::max(of->supports.width, of->radius);
+  const double beyond = kRollWidths * std::max(of->supports.width, of->radius);
   if (profile.first != profile.last) {
     of->start_by_law(domain);
     of->near_at = at(domain, 0.5);
@@ -329,7 +329,7 @@ RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge
   of->near_at = track.nearest(place.centre);
   of->turned = dot(track.at(of->near_at).centre_rate, place.along) < 0;
   of->find_valid(of->near_at);
-  const double beyond = kBeyond * radius;
+  const double beyond = kRollWidths * radius;
   const Interval range = common({of->near_at - beyond, of->near_at + beyond}, of->valid);
   of->edge_range = range;
   return of->strip(of->turned ? Interval{-range.to, -range.from} : range);
