@@ -65,7 +65,7 @@ static_assert(std::atomic<double>::is_always_lock_free && std::atomic<Phase>::is
 
 Clock::time_point started = Clock::now();
 Board* board = nullptr;
-std::set<std::string> failed;  // optional steps; known to children made later
+std::set<std::string> failed_steps;  // optional steps; known to children made later
 
 double now() { return std::chrono::duration<double>(Clock::now() - started).count(); }
 
@@ -151,7 +151,7 @@ class Watch {
     end_stages(told(status));
     if (WIFEXITED(status)) return WEXITSTATUS(status);
     const bool wanted = killed_for_ && *killed_for_ != Reason::ProcessorLimit;
-    if (board->phase == Phase::Optional && !wanted && failed.insert(doing()).second)
+    if (board->phase == Phase::Optional && !wanted && failed_steps.insert(doing()).second)
       return std::nullopt;
     return killed_for_ ? ended_late(*killed_for_) : crashed(WTERMSIG(status));
   }
@@ -192,22 +192,22 @@ class Watch {
   std::optional<Reason> killed_for_;
 };
 
-void say(const std::string& text) { std::cerr << "blossom: " << text << std::endl; }
+void announce(const std::string& text) { std::cerr << "blossom: " << text << std::endl; }
 
 int Watch::ended_late(Reason reason) const {
   std::ostringstream text;
   switch (reason) {
-    case Reason::Asked: say(Interrupted().what()); return kExitInterrupted;
+    case Reason::Asked: announce(Interrupted().what()); return kExitInterrupted;
     case Reason::TimeLimit:
       text << "the time limit of " << board->time_limit << " s was reached while " << doing()
            << (board->phase == Phase::Writing ? ", which is not done" : ", nothing was written");
-      say(text.str());
+      announce(text.str());
       return kExitStopped;
     case Reason::ProcessorLimit: break;
   }
   text << board->subject << ": reading it takes more than " << board->processor_limit
        << " s of processor time, which no sound file of its size does; --time-limit allows more";
-  say(text.str());
+  announce(text.str());
   return kExitBadInput;
 }
 
@@ -219,12 +219,12 @@ std::optional<int> Watch::crashed(int signal) const {
   work_crashed = true;
   const Phase phase = board->phase;
   if (phase == Phase::Reading) {
-    say(board->subject + (": cannot be read: Open CASCADE crashes while " + doing() + " (" +
-                          name_of_signal(signal) + ")"));
+    announce(board->subject + (": cannot be read: Open CASCADE crashes while " + doing() + " (" +
+                               name_of_signal(signal) + ")"));
     return kExitBadInput;
   }
-  say("internal error: the program crashed while " + doing() + " (" + name_of_signal(signal) +
-      "); please report it with the command and its inputs");
+  announce("internal error: the program crashed while " + doing() + " (" + name_of_signal(signal) +
+           "); please report it with the command and its inputs");
   return kExitFailure;
 }
 
@@ -321,6 +321,6 @@ bool is_news(const std::string& line) {
   return true;
 }
 
-bool has_failed(const std::string& step) { return failed.contains(step); }
+bool has_failed(const std::string& step) { return failed_steps.contains(step); }
 
 }  // namespace blossom::cli

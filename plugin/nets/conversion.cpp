@@ -7,6 +7,8 @@
 #include <map>
 #include <utility>
 
+#include "plugin/nets/net_models.h"
+
 namespace blossom::nets {
 namespace {
 
@@ -33,10 +35,6 @@ std::vector<Net> patches_of(const std::vector<Net>& nets) {
   std::vector<Net> result;
   for (const Net& net : nets) result.push_back(is_triangle(net) ? collapsed_net(net) : net);
   return result;
-}
-
-void append(std::vector<Net>& all, std::vector<Net> more) {
-  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
 // Face by face: what its trims leave, or all of its surface if it has none or they cannot be

@@ -14,10 +14,6 @@
 namespace blossom::nets {
 namespace {
 
-void append(std::vector<Net>& all, std::vector<Net> more) {
-  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
 // As messages call it: the file, or the input's name if there is none.
 std::string file_of(const reports::Input& input) {
   const std::string file = input.model.file().string();
@@ -30,6 +26,10 @@ TopoDS_Face oriented_face(const Net& net, const occt::Model& model) {
 }
 
 }  // namespace
+
+void append(std::vector<Net>& all, std::vector<Net> more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
 
 std::vector<Net> nets_of_faces(const reports::Input& input, const Stop& stop) {
   const std::vector<std::string> names = input.model.face_names();

@@ -16,10 +16,12 @@ namespace blossom::nets {
 /// throws   occt::BadModel, naming the face
 std::vector<Net> nets_of_faces(const reports::Input& input, const Stop& stop);
 
-/// Likewise of the chosen edges and those of the chosen faces, or of all edges; they have the numbers of the whole
-/// model.
-/// throws   occt::BadModel if there is no edge with a curve, and naming the edge
+/// Likewise of the chosen edges and those of the chosen faces, or of all edges; they have the
+/// numbers of the whole model. throws   occt::BadModel if there is no edge with a curve, and naming
+/// the edge
 std::vector<Net> nets_of_edges(const reports::Input& input, bool all, const Stop& stop);
+
+void append(std::vector<Net>& all, std::vector<Net> more);
 
 /// Puts nets of faces, patches and triangles, in the places of the model's faces, oriented as they
 /// are, with names and colours; faces without a net go.

@@ -26,7 +26,7 @@ namespace {
 
 constexpr long kMaxInFlight = 4096, kMaxRetries = 100;
 
-struct Options {
+struct BatchCommand {
   std::vector<std::string> words;  // a list of jobs, or the command of --each
   std::string each;
   std::string output;
@@ -47,7 +47,7 @@ int processors() {
 }
 
 // What the user gave, made whole.
-BatchPolicy policy_of(const Options& options) {
+BatchPolicy policy_of(const BatchCommand& options) {
   BatchPolicy policy = options.policy;
   const int jobs = options.in_flight > 0 ? options.in_flight : processors();
   policy.in_flight = static_cast<std::size_t>(jobs);
@@ -61,7 +61,7 @@ BatchPolicy policy_of(const Options& options) {
   return policy;
 }
 
-JobList jobs_of(const Options& options) {
+JobList jobs_of(const BatchCommand& options) {
   if (options.words.empty() && options.each.empty())
     throw UsageError("batch needs a list of jobs, or --each PATTERN");
   if (options.output.empty()) throw UsageError("batch needs --output FILE (results)");
@@ -76,7 +76,7 @@ JobList jobs_of(const Options& options) {
   return JobList::of_file(options.words.front(), shard);
 }
 
-void check_outputs(const Options& options) {
+void check_outputs(const BatchCommand& options) {
   std::vector<std::string> files;  // that the report may not replace
   std::error_code ignored;
   const std::string list = options.each.empty() ? options.words.front() : "";
@@ -133,7 +133,7 @@ void print_open(JobList& list, const std::vector<std::size_t>& open) {
   }
 }
 
-int run(const Options& options) {
+int run(const BatchCommand& options) {
   const auto start = std::chrono::steady_clock::now();
   enter(Phase::Working, "looking at the jobs");
   JobList list = jobs_of(options);
@@ -189,7 +189,7 @@ void add_saying(CLI::App& command) {
 
 void add_batch(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand("batch", "many commands, each in its own process");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<BatchCommand>();
   command
       ->add_option("jobs", options->words,
                    "list of jobs (JSON lines, - is stdin); or the command of --each after --")

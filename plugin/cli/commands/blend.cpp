@@ -56,14 +56,14 @@ std::optional<SurfaceSide> side_of(const std::string& word) {
   return kSides.at(word);
 }
 
-struct Timed {
+struct TimedStrip {
   occt::FaceStrip made;
   double seconds = 0;
 };
 
-Timed timed_strip(const Input& a, const Input& b, const StripCommand& command) {
+TimedStrip timed_strip(const Input& a, const Input& b, const StripCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  Timed timed;
+  TimedStrip timed;
   timed.made =
       occt::strip_between(a.faces.front(), b.faces.front(),
                           {.side_a = side_of(command.edge_a),
@@ -74,7 +74,7 @@ Timed timed_strip(const Input& a, const Input& b, const StripCommand& command) {
   return timed;
 }
 
-std::string summary(const Input& a, const Input& b, const Timed& timed) {
+std::string summary(const Input& a, const Input& b, const TimedStrip& timed) {
   const occt::FaceStrip& made = timed.made;
   const StripContact worst = reports::worst_of(made.strip);
   std::ostringstream text;
@@ -88,7 +88,7 @@ std::string summary(const Input& a, const Input& b, const Timed& timed) {
 }
 
 void write_outputs(const Input& a, const Input& b, const StripCommand& command,
-                   const Timed& timed) {
+                   const TimedStrip& timed) {
   if (!command.common.output.empty()) {
     occt::Model model;
     model.add(timed.made.face, "strip");
@@ -115,7 +115,7 @@ int run(const StripCommand& command) {
   const Input a = read_one_face(command.a);
   const Input b = read_one_face(command.b);
   stop_if_interrupted();
-  const Timed timed = timed_strip(a, b, command);
+  const TimedStrip timed = timed_strip(a, b, command);
   stop_if_interrupted();
   write_outputs(a, b, command, timed);
   return kExitComplete;

@@ -53,7 +53,7 @@ struct FilletCommand {
   EngineOptions engine;
 };
 
-using Timed = reports::FilletAnswer;
+using TimedFillets = reports::FilletAnswer;
 
 // The edges that two faces have in common.
 void add_between(const FilletCommand& command, const std::vector<occt::EdgeFacts>& facts,
@@ -77,9 +77,9 @@ std::vector<int> edges_asked(const FilletCommand& command, const TopoDS_Shape& s
   return {edges.begin(), edges.end()};
 }
 
-Timed timed_fillet(const FilletCommand& command, const Input& part) {
+TimedFillets timed_fillet(const FilletCommand& command, const Input& part) {
   Progress progress("filleting");
-  Timed timed{.of = command.fillet};
+  TimedFillets timed{.of = command.fillet};
   timed.asked = edges_asked(command, part.model.shape());
   const auto start = std::chrono::steady_clock::now();
   occt::FilletOptions options = command.fillet;
@@ -91,18 +91,18 @@ Timed timed_fillet(const FilletCommand& command, const Input& part) {
   return timed;
 }
 
-void write_part(const Input& part, const Timed& timed, const std::string& file) {
+void write_part(const Input& part, const TimedFillets& timed, const std::string& file) {
   reports::put_fillets(part.model, timed);
   write_model(part.model, file);
 }
 
-std::string numbers_text(const std::vector<int>& numbers) {
+std::string comma_separated(const std::vector<int>& numbers) {
   std::ostringstream text;
   for (std::size_t i = 0; i < numbers.size(); ++i) text << (i == 0 ? "" : ", ") << numbers[i];
   return text.str();
 }
 
-std::string summary(const FilletCommand& command, const Input& part, const Timed& timed) {
+std::string summary(const FilletCommand& command, const Input& part, const TimedFillets& timed) {
   std::ostringstream text;
   const occt::FilletResult& made = timed.made;
   text << part.name << ": " << (command.is_chamfer() ? "chamfer of distance " : "fillet of radius ")
@@ -114,7 +114,7 @@ std::string summary(const FilletCommand& command, const Input& part, const Timed
   text << ", " << timed.seconds << " s\n";
   if (!made.solids.empty()) {
     const double more = reports::volume_of(made) - made.volume_before;
-    text << "  edges " << numbers_text(made.edges) << "\n  volume "
+    text << "  edges " << comma_separated(made.edges) << "\n  volume "
          << number_text(rounded(made.volume_before)) << " mm³, then "
          << number_text(rounded(std::abs(more))) << (more < 0 ? " less" : " more") << "\n";
   }
@@ -167,7 +167,7 @@ int run(const FilletCommand& command) {
   if (static_cast<int>(part.numbers.size()) != part.model.face_count())
     throw UsageError(command.part + ": fillets are made in whole models, not in some faces");
   stop_if_interrupted();
-  Timed timed = timed_fillet(command, part);
+  TimedFillets timed = timed_fillet(command, part);
   stop_if_interrupted();
   const CommonOptions& outputs = command.common;
   const bool any = !timed.made.solids.empty(), write = any && !outputs.output.empty();

@@ -27,7 +27,7 @@
 namespace blossom::cli {
 namespace {
 
-struct Options {
+struct CheckCommand {
   std::vector<std::string> inputs;
   bool deep = false;
   CommonOptions common;
@@ -141,7 +141,7 @@ std::string check_words(const Json& report) {
          counted(report.at("edges").size(), "edge");
 }
 
-int run_on_many(const CLI::App& command, const Options& options) {
+int run_on_many(const CLI::App& command, const CheckCommand& options) {
   if (options.continuity.wanted)
     throw UsageError("--continuity takes one model, and goes without --table");
   return run_many({&command,
@@ -153,7 +153,7 @@ int run_on_many(const CLI::App& command, const Options& options) {
                    check_words});
 }
 
-int run(const Options& options) {
+int run(const CheckCommand& options) {
   if (options.continuity.wanted)
     return run_continuity(options.inputs.front(), options.common, options.continuity);
   if (is_mesh_input(options.inputs.front()) && !picture_names(options.common).empty())
@@ -188,7 +188,7 @@ void add_check(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "check",
       "what is wrong with a model: validity, gaps beside stated tolerances, wires, open edges");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckCommand>();
   command
       ->add_option(
           "input", options->inputs,

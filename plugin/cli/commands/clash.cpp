@@ -31,7 +31,7 @@ namespace {
 using reports::ClashAnswer;
 using reports::ClashRow;
 
-struct Options {
+struct ClashCommand {
   std::string a, b;  // b may be empty
   double clearance = -1;
   bool near = false;  // only pairs that are near each other are listed
@@ -145,7 +145,7 @@ int write_outputs(const ClashAnswer& answer, const CommonOptions& common) {
   return exit_code(exit_code(status_of(answer)), findings_of(any), common);
 }
 
-int run(const Options& options) {
+int run(const ClashCommand& options) {
   std::vector<std::string> files{options.a};
   if (!options.b.empty()) files.push_back(options.b);
   check_files(options.common, files);
@@ -170,7 +170,7 @@ int run(const Options& options) {
 void add_clash(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "clash", "parts that penetrate, touch or hold each other, and how far others are apart");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ClashCommand>();
   command->add_option("a", options->a, "model, or some of its faces")->required()->type_name("A");
   command->add_option("b", options->b, "another one: pairs have one part of each")->type_name("B");
   command

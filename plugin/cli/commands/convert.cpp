@@ -29,7 +29,7 @@ namespace {
 
 using Form = nets::TargetForm;
 
-struct Options {
+struct ConvertCommand {
   std::string input;
   std::string to;  ///< empty: the forms stay
   double tolerance = RegionOptions{}.tolerance;
@@ -42,7 +42,7 @@ struct Made : nets::Conversion {
   Json repairs = Json::array();
 };
 
-Made write_as_it_is(const Options& options) {
+Made write_as_it_is(const ConvertCommand& options) {
   Input input = read_input(options.input, Faces::Optional);
   refuse_open_wires(input);
   Made made;
@@ -54,7 +54,7 @@ Made write_as_it_is(const Options& options) {
   return made;
 }
 
-Made write_converted(const Options& options, Form form) {
+Made write_converted(const ConvertCommand& options, Form form) {
   NetInput input = read_net_input(options.input, Take::Faces);
   Made made;
   if (input.model) {
@@ -69,12 +69,12 @@ Made write_converted(const Options& options, Form form) {
   return made;
 }
 
-Json report_of(const Options& options, const Made& made) {
+Json report_of(const ConvertCommand& options, const Made& made) {
   return nets::conversion_report(options.input, options.common.output, options.to, made,
                                  made.repairs);
 }
 
-std::string summary(const Options& options, const Made& made) {
+std::string summary(const ConvertCommand& options, const Made& made) {
   std::ostringstream text;
   text << options.input << " to " << options.common.output << ": ";
   if (made.faces > 0 || made.nets.empty()) text << counted(made.faces, "face");
@@ -96,7 +96,7 @@ std::string summary(const Options& options, const Made& made) {
   return text.str();
 }
 
-int run(const Options& options) {
+int run(const ConvertCommand& options) {
   check_files(options.common, {options.input}, Outputs::ModelsNetsAndTriangles);
   if (is_of_triangles(options.common.output)) {
     if (!options.to.empty())
@@ -121,7 +121,7 @@ int run(const Options& options) {
 void add_convert(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "convert", "between file formats and forms; what was repaired in reading is written so");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertCommand>();
   command->add_option("input", options->input, "model, nets (.json), or some faces or nets")
       ->required()
       ->type_name("FILE");

@@ -73,7 +73,7 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
   return text.str();
 }
 
-struct Options {
+struct InfoCommand {
   std::vector<std::string> inputs;
   bool edges = false, tree = false;
   CommonOptions common;
@@ -101,7 +101,7 @@ std::string info_words(const Json& report) {
          (report.at("valid").get<bool>() ? "valid" : "NOT VALID");
 }
 
-int run_on_many(const CLI::App& command, const Options& options) {
+int run_on_many(const CLI::App& command, const InfoCommand& options) {
   return run_many({&command,
                    options.inputs,
                    options.common,
@@ -111,7 +111,7 @@ int run_on_many(const CLI::App& command, const Options& options) {
                    info_words});
 }
 
-int run(const Options& options) {
+int run(const InfoCommand& options) {
   check_files(options.common, options.inputs);
   const Input input = read_input(options.inputs.front(), Faces::Optional, Repair::None);
   const auto problems =
@@ -141,7 +141,7 @@ int run(const Options& options) {
 void add_info(CLI::App& app, int& exit_code) {
   CLI::App* const command =
       app.add_subcommand("info", "faces by surface type, degrees, spans, tolerances, validity");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfoCommand>();
   command->add_option("input", options->inputs, "model, or some of its faces; or many models")
       ->required()
       ->type_name("FILE");

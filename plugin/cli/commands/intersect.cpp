@@ -15,7 +15,7 @@
 namespace blossom::cli {
 namespace {
 
-struct Options {
+struct IntersectCommand {
   std::string a;
   std::string b;
   IntersectOptions intersect;
@@ -30,7 +30,7 @@ occt::ShapeIntersection intersect_named(const Input& a, const Input& b,
   throw;
 }
 
-int run(const Options& options) {
+int run(const IntersectCommand& options) {
   check_files(options.intersect.common, {options.a, options.b});
   start_threads(options.intersect.engine.threads);
   const Input a = read_input(options.a);
@@ -46,7 +46,7 @@ int run(const Options& options) {
 
 void add_intersect(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand("intersect", "all intersections of two models");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<IntersectCommand>();
   command->add_option("a", options->a, "model, or some of its faces")->required()->type_name("A");
   command->add_option("b", options->b, "likewise")->required()->type_name("B");
   add_intersect_options(*command, options->intersect);

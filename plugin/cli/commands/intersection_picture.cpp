@@ -17,7 +17,7 @@ namespace {
 constexpr double kHatchSpacing = 1.0 / 90;  // of the size of both inputs
 
 // The layers of an intersection, in the order in which they are drawn.
-struct Layers {
+struct IntersectionLayers {
   PictureLayer overlaps{"overlapping", kOverlapColour, LayerStyle::Hatch};
   PictureLayer borders{"", kOverlapColour, LayerStyle::Net};
   PictureLayer crossing{"crossing", kCurveColour, LayerStyle::Curve};
@@ -56,7 +56,8 @@ std::vector<std::vector<Vec3>> loops_of(const std::vector<SurfacePoint>& boundar
   return loops;
 }
 
-void add_curves(const occt::FaceIntersection& pair, const std::string& name, Layers& layers) {
+void add_curves(const occt::FaceIntersection& pair, const std::string& name,
+                IntersectionLayers& layers) {
   for (const CurveChain& chain : pair.chains) {
     const reports::ChainFacts facts = reports::facts_of(pair.found.curves, chain);
     const std::string label =
@@ -70,7 +71,7 @@ void add_curves(const occt::FaceIntersection& pair, const std::string& name, Lay
 }
 
 void add_overlap(const Input& a, const occt::FaceIntersection& pair, const Overlap& overlap,
-                 const std::string& name, double spacing, Layers& layers) {
+                 const std::string& name, double spacing, IntersectionLayers& layers) {
   const TopoDS_Face& face = a.faces[static_cast<std::size_t>(pair.face_a)];
   const std::string label =
       name + "\noverlap of about " + number_text(rounded(overlap_area(a, pair, overlap))) + " mm²";
@@ -87,7 +88,8 @@ void add_overlap(const Input& a, const occt::FaceIntersection& pair, const Overl
     layers.borders.items.push_back({std::move(loop), label});
 }
 
-void add_places(const occt::FaceIntersection& pair, const std::string& name, Layers& layers) {
+void add_places(const occt::FaceIntersection& pair, const std::string& name,
+                IntersectionLayers& layers) {
   for (const SurfacePoint& point : pair.found.points)
     layers.points.items.push_back({{point.point}, name + "\npoint"});
   for (const SurfacePoint& node : pair.found.nodes)
@@ -140,7 +142,7 @@ Picture intersection_picture(const Input& a, const Input& b, const occt::ShapeIn
         {b.faces, kSecondColour, kSecondOpacity, short_name(b.name), face_labels(b)});
   const double spacing = kHatchSpacing * std::max(size_of(a.faces), size_of(b.faces));
   const PairNames names(a, b);
-  Layers layers;
+  IntersectionLayers layers;
   for (const occt::FaceIntersection& pair : found.pairs) {
     const std::string name = names.of(pair);
     add_curves(pair, name, layers);

@@ -34,7 +34,7 @@ constexpr double kGoodPart = 0.1;
 constexpr int kRounds = 4;
 constexpr double kSearchPart = 0.05;  // of the deviation: what the search of meshes leaves open
 
-constexpr std::size_t kNamed = 10;
+constexpr std::size_t kNamedPairs = 10;
 constexpr int kDeepRounds = 3;  // of finer triangles, as long as some cross
 
 Json check_json(const std::string& file, const FileMesh& mesh, const JudgedMesh& found) {
@@ -72,7 +72,7 @@ std::string check_text(const std::string& file, const FileMesh& mesh, const Judg
   line(found.turned_sides, "side", "whose two triangles are turned against each other");
   line(found.degenerate, "triangle", "of no area");
   line(found.crossings, "pair", "of triangles that cross");
-  for (std::size_t k = 0; k < found.crossing_pairs.size() && k < kNamed; ++k)
+  for (std::size_t k = 0; k < found.crossing_pairs.size() && k < kNamedPairs; ++k)
     text << "    triangles " << found.crossing_pairs[k][0] + 1 << " and "
          << found.crossing_pairs[k][1] + 1 << "\n";
   if (found.closed() && found.volume < 0) text << "  it is turned inside out\n";
@@ -96,7 +96,7 @@ DeepCheck deep_answer(const FileMesh& mesh, const JudgedMesh& found, double dist
   text << ", " << counted(found.crossings, "pair") << " of triangles that cross";
   std::size_t named = 0;
   for (const auto& [a, b] : faces) {
-    if (++named > kNamed) break;
+    if (++named > kNamedPairs) break;
     text << (named == 1 ? ", of faces " : ", ") << a << " and " << b;
   }
   text << "\n";

@@ -20,7 +20,7 @@
 namespace blossom::cli {
 namespace {
 
-struct Options {
+struct DistanceCommand {
   std::string a;
   std::string b;     // empty for a point
   std::string at;    // the point
@@ -30,7 +30,7 @@ struct Options {
 };
 
 // What is left each time it is asked.
-std::function<DistanceOptions()> limits_of(const Options& options) {
+std::function<DistanceOptions()> limits_of(const DistanceCommand& options) {
   return [&options] {
     return DistanceOptions{
         .budget = options.budget, .time_limit = seconds_left(), .cancelled = interrupted};
@@ -64,7 +64,7 @@ std::string places_text(const QuerySide& side, const std::vector<occt::PointPlac
   return text;
 }
 
-int run_point(const Options& options) {
+int run_point(const DistanceCommand& options) {
   check_files(options.common, {options.a});
   const Vec3 point = parse_vector(options.at, "--at");
   QuerySide side(options.a);
@@ -84,7 +84,7 @@ int run_point(const Options& options) {
   return exit_code(found.status);
 }
 
-int run_distance(const Options& options) {
+int run_distance(const DistanceCommand& options) {
   if (is_mesh_input(options.a) || is_mesh_input(options.b))
     return run_mesh_distance(options.a, options.b, options.common);
   check_files(options.common, {options.a, options.b});
@@ -109,7 +109,7 @@ int run_distance(const Options& options) {
   return exit_code(found.status);
 }
 
-int run_does_intersect(const Options& options) {
+int run_does_intersect(const DistanceCommand& options) {
   check_files(options.common, {options.a, options.b});
   QuerySide a(options.a), b(options.b);
   stop_if_interrupted();
@@ -133,17 +133,17 @@ int run_does_intersect(const Options& options) {
   return exit_code(found.status);
 }
 
-void add_budget(CLI::App& command, Options& options) {
+void add_budget(CLI::App& command, DistanceCommand& options) {
   command.add_option("--budget", options.budget, "stop after so many pairs of cells")
       ->check(whole_number(1, 1'000'000'000))
       ->type_name("N")
       ->capture_default_str();
 }
 
-void add_pair(CLI::App& query, const char* name, const char* what, int (*run)(const Options&),
-              int& exit_code) {
+void add_pair(CLI::App& query, const char* name, const char* what,
+              int (*run)(const DistanceCommand&), int& exit_code) {
   CLI::App* const command = query.add_subcommand(name, what);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DistanceCommand>();
   command->add_option("a", options->a, "model, or some of its faces")->required()->type_name("A");
   command->add_option("b", options->b, "likewise")->required()->type_name("B");
   add_budget(*command, *options);
@@ -156,7 +156,7 @@ void add_pair(CLI::App& query, const char* name, const char* what, int (*run)(co
 void add_query_point(CLI::App& query, int& exit_code) {
   CLI::App* const command =
       query.add_subcommand("point", "the point of a model nearest to a point");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DistanceCommand>();
   command->add_option("input", options->a, "model, or some of its faces")
       ->required()
       ->type_name("FILE");

@@ -21,7 +21,7 @@
 namespace blossom::cli {
 namespace {
 
-struct Options {
+struct PlaneCommand {
   std::string input;
   std::string point;
   std::string normal;
@@ -37,7 +37,7 @@ struct Answer {
   double seconds = 0;
 };
 
-occt::Plane plane_of(const Options& options) {
+occt::Plane plane_of(const PlaneCommand& options) {
   occt::Plane plane{parse_vector(options.point, "--point"),
                     parse_vector(options.normal, "--normal")};
   const double largest = max_norm(plane.normal);
@@ -75,7 +75,7 @@ Picture picture_of(const Input& input, const occt::PlaneSection& section) {
   return picture;
 }
 
-void write_outputs(const Input& input, const Options& options, const Answer& answer) {
+void write_outputs(const Input& input, const PlaneCommand& options, const Answer& answer) {
   const occt::PlaneSection& section = answer.section;
   const CommonOptions& common = options.common;
   const bool any = !section.wires.empty() || !section.points.empty();
@@ -101,16 +101,16 @@ void write_outputs(const Input& input, const Options& options, const Answer& ans
 }
 
 // Of the planes that were asked for, when they are many; none if it is a single one.
-std::vector<reports::NamedPlane> planes_of(const Options& options) {
+std::vector<reports::NamedPlane> planes_of(const PlaneCommand& options) {
   if (!options.planes.empty()) return planes_in(options.planes);
   if (options.offsets.empty()) return {};
-  Options base = options;
+  PlaneCommand base = options;
   if (base.point.empty()) base.point = "0,0,0";
   if (base.normal.empty()) base.normal = "0,0,1";
   return planes_at(options.offsets, plane_of(base));
 }
 
-void check_question(const Options& options) {
+void check_question(const PlaneCommand& options) {
   if (!options.offsets.empty() || !options.planes.empty()) return;
   if (options.point.empty())
     throw UsageError("query plane needs --point X,Y,Z (a point of the plane)");
@@ -118,7 +118,7 @@ void check_question(const Options& options) {
     throw UsageError("query plane needs --normal X,Y,Z (its normal; of any length)");
 }
 
-int run(const Options& options) {
+int run(const PlaneCommand& options) {
   check_question(options);
   std::vector<std::string> inputs{options.input};
   if (!options.planes.empty()) inputs.push_back(options.planes);
@@ -146,7 +146,7 @@ int run(const Options& options) {
 
 void add_query_plane(CLI::App& query, int& exit_code) {
   CLI::App* const command = query.add_subcommand("plane", "the section of a model with a plane");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlaneCommand>();
   command->add_option("input", options->input, "model, or some of its faces")
       ->required()
       ->type_name("FILE");

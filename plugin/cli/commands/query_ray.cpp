@@ -19,7 +19,7 @@
 namespace blossom::cli {
 namespace {
 
-struct Options {
+struct RayCommand {
   std::string input;
   std::string from;
   std::string direction;
@@ -28,7 +28,7 @@ struct Options {
   QueryOptions common;
 };
 
-Ray ray_of(const Options& options) {
+Ray ray_of(const RayCommand& options) {
   Ray ray;
   ray.origin = parse_vector(options.from, "--from");
   const Vec3 direction = parse_vector(options.direction, "--direction");
@@ -61,7 +61,7 @@ std::string text_of(const Input& input, const reports::RayAnswer& answer) {
   return text.str();
 }
 
-int run(const Options& options) {
+int run(const RayCommand& options) {
   reports::RayAnswer answer{.ray = ray_of(options),
                             .line = options.line,
                             .first_only = options.first,
@@ -90,7 +90,7 @@ int run(const Options& options) {
 
 void add_query_ray(CLI::App& query, int& exit_code) {
   CLI::App* const command = query.add_subcommand("ray", "what a ray or line hits, in order");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RayCommand>();
   command->add_option("input", options->input, "model, or some of its faces")
       ->required()
       ->type_name("FILE");

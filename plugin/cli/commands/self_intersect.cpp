@@ -13,7 +13,7 @@
 namespace blossom::cli {
 namespace {
 
-struct Options {
+struct SelfIntersectCommand {
   std::vector<std::string> inputs;
   bool all_faces = false;
   IntersectOptions intersect;
@@ -34,7 +34,7 @@ std::string self_words(const Json& report) {
          counted(report.at("points").size(), "point");
 }
 
-int run_on_many(const CLI::App& command, const Options& options) {
+int run_on_many(const CLI::App& command, const SelfIntersectCommand& options) {
   return run_many({&command,
                    options.inputs,
                    options.intersect.common,
@@ -43,7 +43,7 @@ int run_on_many(const CLI::App& command, const Options& options) {
                    self_words});
 }
 
-int run(const Options& options) {
+int run(const SelfIntersectCommand& options) {
   check_files(options.intersect.common, options.inputs);
   start_threads(options.intersect.engine.threads);
   const Input input = read_input(options.inputs.front());
@@ -61,7 +61,7 @@ int run(const Options& options) {
 void add_self_intersect(CLI::App& app, int& exit_code) {
   CLI::App* const command =
       app.add_subcommand("self-intersect", "where each face of a model meets itself");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SelfIntersectCommand>();
   command->add_option("input", options->inputs, "model, or some of its faces; or many models")
       ->required()
       ->type_name("FILE");

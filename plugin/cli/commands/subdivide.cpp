@@ -27,7 +27,7 @@
 namespace blossom::cli {
 namespace {
 
-struct Options {
+struct SubdivideCommand {
   std::string input;
   std::vector<double> interval;
   std::vector<double> rectangle;
@@ -38,7 +38,7 @@ struct Options {
   CommonOptions common;
 };
 
-nets::Cut cut_of(const Options& options) {
+nets::Cut cut_of(const SubdivideCommand& options) {
   nets::Cut cut;
   cut.levels = options.levels;
   cut.stop = stop_if_interrupted;
@@ -84,7 +84,8 @@ Picture picture_of(const std::string& name, const std::vector<Net>& made) {
   return picture;
 }
 
-void write_outputs(NetInput& input, const Options& options, const nets::Subdivision& made) {
+void write_outputs(NetInput& input, const SubdivideCommand& options,
+                   const nets::Subdivision& made) {
   const std::vector<PictureFile> pictures =
       picture_files(options.common, [&] { return picture_of(options.input, made.pieces); });
   if (!options.common.output.empty()) write_nets(input, made.pieces, options.common.output);
@@ -93,7 +94,7 @@ void write_outputs(NetInput& input, const Options& options, const nets::Subdivis
   print_summary(summary(input, made), options.common.json);
 }
 
-int run(const Options& options) {
+int run(const SubdivideCommand& options) {
   if (options.whole)
     return run_whole({options.input, options.interval, options.rectangle, options.common});
   check_files(options.common, {options.input}, Outputs::ModelsAndNets);
@@ -111,7 +112,7 @@ int run(const Options& options) {
 void add_subdivide(CLI::App& app, int& exit_code) {
   CLI::App* const command =
       app.add_subcommand("subdivide", "sub-curves, sub-patches, sub-triangles by blossoms");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SubdivideCommand>();
   command->add_option("input", options->input, "model, nets (.json), or some faces or nets")
       ->required()
       ->type_name("FILE");

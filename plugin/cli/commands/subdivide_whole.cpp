@@ -43,8 +43,8 @@ Picture picture_of(const std::string& name, const std::vector<WholePart>& parts)
   return picture;
 }
 
-std::string summary_of(const std::string& name, const std::vector<WholePart>& parts,
-                       double seconds) {
+std::string summary_of_whole(const std::string& name, const std::vector<WholePart>& parts,
+                             double seconds) {
   std::ostringstream text;
   text << name << ": " << parts.size() << " B-spline "
        << (parts.front().source.face > 0 ? "surface" : "curve") << (parts.size() == 1 ? "" : "s")
@@ -81,7 +81,7 @@ int run_whole(const WholeQuestion& question) {
   if (!question.common.output.empty()) write_parts(input, parts, question.common.output);
   write_pictures(pictures);
   if (!question.common.json.empty()) write_json(report, question.common.json);
-  print_summary(summary_of(question.input, parts, seconds), question.common.json);
+  print_summary(summary_of_whole(question.input, parts, seconds), question.common.json);
   return kExitComplete;
 }
 

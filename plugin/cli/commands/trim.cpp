@@ -35,7 +35,7 @@
 namespace blossom::cli {
 namespace {
 
-struct Options {
+struct TrimCommand {
   std::string part;
   std::vector<std::string> tools;
   std::vector<std::string> planes;
@@ -60,7 +60,7 @@ struct Inputs {
   std::vector<occt::Plane> planes;
 };
 
-using Timed = reports::TrimAnswer;
+using TimedTrim = reports::TrimAnswer;
 
 // What cannot be used is told by file and face where an open wire is the cause.
 occt::TrimResult trim_named(const Inputs& inputs, const std::vector<occt::PartFace>& part,
@@ -73,7 +73,7 @@ occt::TrimResult trim_named(const Inputs& inputs, const std::vector<occt::PartFa
   throw;
 }
 
-Timed timed_trim(const Inputs& inputs, const Options& options) {
+TimedTrim timed_trim(const Inputs& inputs, const TrimCommand& options) {
   Progress progress("trimming");
   occt::TrimOptions wanted = trim_options(options.keep);
   wanted.intersection = intersection_options(options.engine, progress);
@@ -87,9 +87,9 @@ Timed timed_trim(const Inputs& inputs, const Options& options) {
     tools.push_back(
         occt::plane_tool(inputs.planes[i], inputs.part.model.shape(), reports::plane_name(i)));
   const auto start = std::chrono::steady_clock::now();
-  Timed result{.planes = inputs.planes,
-               .keep = options.keep,
-               .made = trim_named(inputs, part, tools, wanted)};
+  TimedTrim result{.planes = inputs.planes,
+                   .keep = options.keep,
+                   .made = trim_named(inputs, part, tools, wanted)};
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   stop_if_interrupted();
   result.seconds = took.count();
@@ -104,7 +104,7 @@ std::size_t kept_count(const occt::TrimResult& made) {
 }
 
 // labels   of the faces as the part had them when it was read
-std::string summary(const Inputs& inputs, const FaceLabels& labels, const Timed& timed) {
+std::string summary(const Inputs& inputs, const FaceLabels& labels, const TimedTrim& timed) {
   std::ostringstream text;
   text << inputs.part.name << ": " << to_string(stated(timed.made.status)) << ", "
        << counted(timed.made.areas.size(), "face") << " in "
@@ -119,7 +119,7 @@ std::string summary(const Inputs& inputs, const FaceLabels& labels, const Timed&
 }
 
 // Why no model is written though one was asked for; empty if nothing speaks against it.
-std::string obstacle(const Inputs& inputs, const Timed& timed, const Options& options) {
+std::string obstacle(const Inputs& inputs, const TimedTrim& timed, const TrimCommand& options) {
   if (timed.made.status == Status::Stopped && !options.allow_incomplete)
     return "the intersection is not complete; --allow-incomplete writes what there is";
   const std::size_t others =
@@ -140,7 +140,7 @@ WatertightPieces make_watertight(occt::Model& model, const EngineOptions& engine
 }
 
 // Returns the exit code.
-int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
+int write_outputs(Inputs& inputs, TimedTrim& timed, const TrimCommand& options) {
   std::string reason = obstacle(inputs, timed, options);
   std::vector<const Input*> tools;
   for (const Input& tool : inputs.tools) tools.push_back(&tool);
@@ -174,13 +174,13 @@ int write_outputs(Inputs& inputs, Timed& timed, const Options& options) {
   return unwritten ? exit_code_unwritten(timed.made.status) : exit_code(timed.made.status);
 }
 
-std::vector<occt::Plane> planes_of(const Options& options) {
+std::vector<occt::Plane> planes_of(const TrimCommand& options) {
   std::vector<occt::Plane> planes;
   for (const std::string& plane : options.planes) planes.push_back(parse_plane(plane, "--plane"));
   return planes;
 }
 
-int run_solid(const Options& options) {
+int run_solid(const TrimCommand& options) {
   if (!options.keep.empty() || options.allow_incomplete)
     throw UsageError("--solid goes without --keep and --allow-incomplete");
   if (!is_solid_operation(options.solid))
@@ -189,7 +189,7 @@ int run_solid(const Options& options) {
                       options.watertight, options.common, options.engine});
 }
 
-int run(const Options& options) {
+int run(const TrimCommand& options) {
   if (options.tools.empty() && options.planes.empty())
     throw UsageError("trim needs a TOOL, or a plane by --plane");
   if (!options.solid.empty()) return run_solid(options);
@@ -203,7 +203,7 @@ int run(const Options& options) {
   Inputs inputs{read_input(options.part), {}, std::move(planes)};
   for (const std::string& tool : options.tools) inputs.tools.push_back(read_input(tool));
   stop_if_interrupted();
-  Timed timed = timed_trim(inputs, options);
+  TimedTrim timed = timed_trim(inputs, options);
   return write_outputs(inputs, timed, options);
 }
 
@@ -212,7 +212,7 @@ int run(const Options& options) {
 void add_trim(CLI::App& app, int& exit_code) {
   CLI::App* const command =
       app.add_subcommand("trim", "a part cut along its intersections with tools");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrimCommand>();
   command->add_option("part", options->part, "model to be cut, or some of its faces")
       ->required()
       ->type_name("PART");

@@ -39,11 +39,11 @@
 namespace blossom::cli {
 namespace {
 
-using Timed = reports::SolidAnswer;
+using TimedSolids = reports::SolidAnswer;
 
 // All solids at once: those side by side keep their common faces. Pieces come from where their
 // faces do.
-void make_watertight(Timed& timed, const EngineOptions& engine) {
+void make_watertight(TimedSolids& timed, const EngineOptions& engine) {
   const TopoDS_Compound all = occt::compound_of(timed.made.solids);
   occt::WatertightShape made = watertight_of(all, engine, seconds_left());
   timed.made.status = status_with(timed.made.status, made.pieces);
@@ -107,7 +107,7 @@ occt::TrimTool named_solid(const occt::Model& model, const std::string& name) {
   return tool;
 }
 
-Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models& tools) {
+TimedSolids timed_trim(const SolidTrim& options, const occt::Model& part, const Models& tools) {
   Progress progress("combining solids");
   const IntersectionOptions engine = intersection_options(options.engine, progress);
   const occt::TrimTool solid = named_solid(part, options.part);
@@ -118,10 +118,10 @@ Timed timed_trim(const SolidTrim& options, const occt::Model& part, const Models
     others.push_back(
         occt::half_space_tool(options.planes[i], part.shape(), reports::plane_name(i)));
   const auto start = std::chrono::steady_clock::now();
-  Timed result{.part = options.part,
-               .tools = options.tools,
-               .planes = options.planes,
-               .operation = options.operation};
+  TimedSolids result{.part = options.part,
+                     .tools = options.tools,
+                     .planes = options.planes,
+                     .operation = options.operation};
   result.made = occt::trim_solids(solid, others, *reports::solid_operation(options.operation),
                                   engine, options.planes.size());
   const auto seconds = [start] {
@@ -159,7 +159,7 @@ std::string told_volumes(const SolidTrim& options, const occt::SolidTrimResult& 
   return text.str();
 }
 
-std::string summary(const SolidTrim& options, const Timed& timed) {
+std::string summary(const SolidTrim& options, const TimedSolids& timed) {
   std::ostringstream text;
   text << options.part << ": " << options.operation << ", " << to_string(stated(timed.made.status))
        << ", " << counted(timed.made.solids.size(), "solid") << ", " << timed.seconds << " s\n";
@@ -242,7 +242,7 @@ int trim_solids(const SolidTrim& options) {
   Models tools;
   for (const std::string& tool : options.tools) tools.push_back(model_of(tool, repairs));
   stop_if_interrupted();
-  Timed timed = timed_trim(options, part, tools);
+  TimedSolids timed = timed_trim(options, part, tools);
   for (std::size_t i = 0; i < options.planes.size(); ++i)
     tools.push_back(plane_model(options.planes[i], part, reports::plane_name(i)));
   const std::string reason = reason_of(timed.made);

@@ -13,8 +13,8 @@
 namespace blossom::cli {
 namespace {
 
-constexpr std::size_t kLongestName = 31;                 // of a layer in release 12
-constexpr std::array kColours{7, 1, 5, 3, 6, 4, 2, 30};  // of AutoCAD's index, by parts
+constexpr std::size_t kLongestName = 31;                       // of a layer in release 12
+constexpr std::array kColourNumbers{7, 1, 5, 3, 6, 4, 2, 30};  // of AutoCAD's index, by parts
 
 struct DxfLayer {
   std::string name;
@@ -85,7 +85,7 @@ std::vector<std::vector<DxfLayer>> layers_of(const std::vector<DrawnPlane>& plan
       while (colour < parts.size() && parts[colour] != part.name) ++colour;
       if (colour == parts.size()) parts.push_back(part.name);
       own.push_back({several ? layer_name(plane + "-" + part.name, known) : common,
-                     kColours[colour % kColours.size()]});
+                     kColourNumbers[colour % kColourNumbers.size()]});
     }
   }
   return layers;

@@ -10,7 +10,7 @@
 namespace blossom::draw {
 namespace {
 
-std::string answer(const Words& words) {
+std::string answer_to_blcheck(const Words& words) {
   require(words.size() == 1);
   const occt::Soundness found = occt::soundness(shape_named(words[0]));
   std::string list;
@@ -30,7 +30,7 @@ std::string answer(const Words& words) {
 }
 
 int blcheck(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "shape", answer);
+  return answered(interpreter, count, words, "shape", answer_to_blcheck);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace blossom::draw {
 namespace {
 
-std::string answer(const Words& words) {
+std::string answer_to_bldistance(const Words& words) {
   require(words.size() == 2);
   const occt::MeasuredShape a(shape_named(words[0])), b(shape_named(words[1]));
   const occt::ShapeDistance found = occt::least_distance(a, b);
@@ -19,7 +19,7 @@ std::string answer(const Words& words) {
 }
 
 int bldistance(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "shapeA shapeB", answer);
+  return answered(interpreter, count, words, "shapeA shapeB", answer_to_bldistance);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace blossom::draw {
 namespace {
 
-std::string answer(const Words& words) {
+std::string answer_to_blfill(const Words& words) {
   static const std::map<std::string, FillContinuity> kWords = {
       {"G0", FillContinuity::G0}, {"G1", FillContinuity::G1}, {"G2", FillContinuity::G2}};
   require(words.size() >= 3);
@@ -45,7 +45,7 @@ std::string answer(const Words& words) {
 }
 
 int blfill(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result shape G0|G1|G2 [edge ...]", answer);
+  return answered(interpreter, count, words, "result shape G0|G1|G2 [edge ...]", answer_to_blfill);
 }
 
 }  // namespace

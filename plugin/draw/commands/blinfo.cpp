@@ -37,7 +37,7 @@ std::string counts_list(const std::map<std::string, int>& counts) {
 }
 
 // How many of each kind, what the surfaces are, and how faces meet in edges.
-std::string answer(const Words& words) {
+std::string answer_to_blinfo(const Words& words) {
   require(words.size() == 1);
   const TopoDS_Shape shape = shape_named(words[0]);
   std::string list;
@@ -54,7 +54,7 @@ std::string answer(const Words& words) {
 }
 
 int blinfo(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "shape", answer);
+  return answered(interpreter, count, words, "shape", answer_to_blinfo);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace blossom::draw {
 namespace {
 
-std::string answer(const Words& words) {
+std::string answer_to_blsection(const Words& words) {
   require(words.size() == 8);
   const occt::Plane plane{vector_from(words, 2), vector_from(words, 5)};
   const TopoDS_Shape shape = shape_named(words[1]);
@@ -28,7 +28,7 @@ std::string answer(const Words& words) {
 }
 
 int blsection(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result shape x y z nx ny nz", answer);
+  return answered(interpreter, count, words, "result shape x y z nx ny nz", answer_to_blsection);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ occt::TrimTool solid_named(const std::string& name) {
   return tool;
 }
 
-std::string answer(const Words& words) {
+std::string answer_to_blsolid(const Words& words) {
   require(words.size() >= 4);
   const occt::SolidOperation operation = operation_of(words[1]);
   const occt::TrimTool part = solid_named(words[2]);
@@ -55,7 +55,7 @@ std::string answer(const Words& words) {
 
 int blsolid(Draw_Interpretor& interpreter, int count, const char** words) {
   return answered(interpreter, count, words, "result cut|common|fuse|split part tool [tool ...]",
-                  answer);
+                  answer_to_blsolid);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace blossom::draw {
 namespace {
 
-std::string answer(const Words& words) {
+std::string answer_to_blsubdivide(const Words& words) {
   require(words.size() == 6);
   const TopoDS_Shape shape = shape_named(words[1]);
   const std::vector<TopoDS_Face> faces = faces_in(shape, words[1]);
@@ -33,7 +33,7 @@ std::string answer(const Words& words) {
 }
 
 int blsubdivide(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result face u1 u2 v1 v2", answer);
+  return answered(interpreter, count, words, "result face u1 u2 v1 v2", answer_to_blsubdivide);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ occt::TrimOptions options_of(const std::string& word) {
   return options;
 }
 
-std::string answer(const Words& words) {
+std::string answer_to_bltrim(const Words& words) {
   require(words.size() >= 4);
   const TopoDS_Shape part = shape_named(words[1]);
   faces_in(part, words[1]);
@@ -64,7 +64,7 @@ std::string answer(const Words& words) {
 
 int bltrim(Draw_Interpretor& interpreter, int count, const char** words) {
   return answered(interpreter, count, words,
-                  "result part above|below|inside|outside|all|N tool [tool ...]", answer);
+                  "result part above|below|inside|outside|all|N tool [tool ...]", answer_to_bltrim);
 }
 
 }  // namespace

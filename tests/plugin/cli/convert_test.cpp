@@ -56,7 +56,7 @@ class Convert : public ::testing::Test {
   TestFolder folder;
 };
 
-double gap(const Json& a, const Json& b) {
+double point_gap(const Json& a, const Json& b) {
   double largest = 0;
   for (std::size_t k = 0; k < 3; ++k)
     largest = std::max(largest, std::abs(a[k].get<double>() - b[k].get<double>()));
@@ -342,7 +342,7 @@ TEST_F(Convert, MakesTwoTrianglesOfAPatchThatShareTheDiagonal) {
   EXPECT_EQ(nets[1]["corners"], Json({{1, 1}, {0, 1}, {1, 0}}));
   // The diagonal has no part of the first corner: row 0, from c to b and from b to c.
   for (std::size_t k = 0; k <= 4; ++k)
-    EXPECT_LE(gap(nets[0]["points"][0][k], nets[1]["points"][0][4 - k]), 1e-15);
+    EXPECT_LE(point_gap(nets[0]["points"][0][k], nets[1]["points"][0][4 - k]), 1e-15);
 }
 
 TEST_F(Convert, WritesTrianglesAsCollapsedPatches) {

@@ -20,7 +20,7 @@ using reports::Json;
 using testing::blossom;
 using testing::Finished;
 
-std::vector<Json> lines_of(const std::filesystem::path& file) {
+std::vector<Json> reports_in(const std::filesystem::path& file) {
   std::vector<Json> lines;
   std::istringstream in(testing::text_of(file));
   for (std::string line; std::getline(in, line);) lines.push_back(Json::parse(line));
@@ -40,7 +40,7 @@ class Stages : public ::testing::Test {
 TEST_F(Stages, AreLoggedOneAfterTheOtherAndAddUpToTheWhole) {
   const std::string bowl = folder / "bowl.brep";
   ASSERT_EQ(blossom({"intersect", bowl, folder / "lid.brep", "-q", "--log", log}).code, 0);
-  const std::vector<Json> lines = lines_of(log);
+  const std::vector<Json> lines = reports_in(log);
   bool reads = false, intersects = false;
   double end = 0;
   Json pair;
@@ -64,7 +64,7 @@ TEST_F(Stages, AreLoggedOneAfterTheOtherAndAddUpToTheWhole) {
 TEST_F(Stages, ALogGoesOnBehindWhatIsThere) {
   for (int i = 0; i < 2; ++i) blossom({"info", folder / "bowl.brep", "-q", "--log", log});
   int ends = 0;
-  for (const Json& line : lines_of(log)) ends += line.contains("ended") ? 1 : 0;
+  for (const Json& line : reports_in(log)) ends += line.contains("ended") ? 1 : 0;
   EXPECT_EQ(ends, 2);
 }
 
@@ -76,7 +76,7 @@ TEST_F(Stages, TheLastIsLoggedWhenItCrashes) {
     return raise(SIGFPE);
   });
   ::testing::internal::GetCapturedStderr();
-  const Json last = lines_of(log).back();
+  const Json last = reports_in(log).back();
   EXPECT_EQ(last["stage"], "dividing by nothing");
   EXPECT_EQ(last["ended"], "an arithmetic fault");
 }
