@@ -299,7 +299,7 @@ std::vector<double> CurveBeside::joints(const Interval& run) const {
 
 // The second derivative of the image, none in a pole:
 //   K = S_uu u'^2 + 2 S_uv u' v' + S_vv v'^2 + S_u u'' + S_v v''
-std::optional<Vec2> CurveBeside::uv_bend(const CurveJet& at, double t) const {
+std::optional<Vec2> CurveBeside::uv_bend(const CurveOnSurfaceJet& at, double t) const {
   if (feet_.pole_at(at.point) != nullptr) return std::nullopt;
   const SurfaceBend of = bend_at(feet_.surface(), at.uv);
   const double u = at.uv_rate[0], v = at.uv_rate[1];
@@ -336,7 +336,7 @@ FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double toler
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const double t = 0.5 * (ends[i] + ends[i + 1]);
       // The curve may be as far from its image as it is within reach of the surface.
-      const CurveJet here = jet(t, {});
+      const CurveOnSurfaceJet here = jet(t, {});
       const Vec3 foot = frame_at(feet_.surface(), here.uv).point;
       off = std::max({off, distance(here.point, point_at(cut.curve, t)),
                       feet_.gap(foot, point_at(cut.chart, t))});

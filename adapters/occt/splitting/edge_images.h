@@ -74,7 +74,7 @@ class CurveBeside {
   double least_clearance(Interval around) const;
   std::vector<double> joints(const Interval& run) const;
   void add_knot_lines(const Interval& run, std::vector<double>& joints) const;
-  std::optional<Vec2> uv_bend(const CurveJet& at, double t) const;
+  std::optional<Vec2> uv_bend(const CurveOnSurfaceJet& at, double t) const;
   FaceCut hermite_cut(const std::vector<double>& ends, double tolerance) const;
 
   const SurfaceProjector& feet_;

@@ -48,7 +48,7 @@ void drop_polygons(const TopoDS_Edge& edge) {
 // An edge's stated tolerance may rest on few samples of the whole; a piece is sampled anew, and
 // gets a wider one where what lies between these samples may need it.
 void widen(const TopoDS_Edge& piece) {
-  const double found = image_deviation(piece, kDeviationSamples);
+  const double found = image_deviation(piece, kEdgeDeviationSamples);
   if (kMargin * found > BRep_Tool::Tolerance(piece)) {
     const BRep_Builder builder;
     builder.UpdateEdge(piece, kMargin * found);

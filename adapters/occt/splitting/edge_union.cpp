@@ -19,6 +19,7 @@
 #include <TopoDS_Wire.hxx>
 
 #include "adapters/occt/splitting/edge_splits.h"
+#include "adapters/occt/splitting/limits.h"
 #include "adapters/occt/splitting/pole_edges.h"
 #include "core/math/interval.h"
 
