@@ -19,11 +19,11 @@
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_data.h"
+#include "adapters/occt/repair/true_inputs.h"
 #include "adapters/occt/solids/combined_pair.h"
 #include "adapters/occt/solids/labelled_solids.h"
 #include "adapters/occt/solids/solid_validity.h"
 #include "adapters/occt/solids/stated_tolerance.h"
-#include "adapters/occt/solids/true_inputs.h"
 #include "core/base/errors.h"
 #include "core/base/parallel.h"
 
