@@ -149,9 +149,11 @@ std::string wrong_count(const CLI::App& command, const std::string& message) {
   if (option == nullptr) return message;
   const int takes = option->get_items_expected_max();
   if (takes == 0) return option->get_name() + " takes no value";
-  if (takes > 1)
-    return option->get_name() + " takes " + std::to_string(takes) +
-           " numbers: " + option->get_type_name();
+  if (takes > 1) {
+    const bool any = takes >= CLI::detail::expected_max_vector_size;
+    return option->get_name() + " takes " + (any ? "" : std::to_string(takes) + " ") +
+           "numbers: " + option->get_type_name();
+  }
   return option->get_name() +
          (option->count() > 1 ? " is given twice" : " needs a value: " + option->get_type_name());
 }
