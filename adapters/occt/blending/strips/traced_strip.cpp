@@ -100,33 +100,29 @@ void shift_near(const Handle(Geom_Surface) & surface, const Vec2& near, double t
   if (move.Magnitude() > 0) contact.chart->Translate(move);
 }
 
-// The parameter -t for all curves and the surface of a strip.
-void negate(RolledStrip& strip) {
-  const auto turn = [](const Handle(Geom_BSplineCurve) & curve) {
+// The parameter about - t for all curves and the surface of a strip.
+void turn_round(RolledStrip& strip, double about) {
+  const auto moved = [about](double first, double last) { return about - first - last; };
+  const auto turn = [&moved](const auto& curve) {
     curve->Reverse();
-    const double sum = curve->FirstParameter() + curve->LastParameter();
+    const double by = moved(curve->FirstParameter(), curve->LastParameter());
     TColStd_Array1OfReal knots(1, curve->NbKnots());
-    for (int i = 1; i <= curve->NbKnots(); ++i) knots(i) = curve->Knot(i) - sum;
+    for (int i = 1; i <= curve->NbKnots(); ++i) knots(i) = curve->Knot(i) + by;
     curve->SetKnots(knots);
   };
   const auto surface = Handle(Geom_BSplineSurface)::DownCast(strip.surface);
   surface->UReverse();
   TColStd_Array1OfReal knots(1, surface->NbUKnots());
-  const double sum = surface->UKnot(1) + surface->UKnot(surface->NbUKnots());
-  for (int i = 1; i <= surface->NbUKnots(); ++i) knots(i) = surface->UKnot(i) - sum;
+  const double by = moved(surface->UKnot(1), surface->UKnot(surface->NbUKnots()));
+  for (int i = 1; i <= surface->NbUKnots(); ++i) knots(i) = surface->UKnot(i) + by;
   surface->SetUKnots(knots);
   turn(Handle(Geom_BSplineCurve)::DownCast(strip.spine));
   for (RolledContact& contact : strip.contacts) {
     turn(Handle(Geom_BSplineCurve)::DownCast(contact.curve));
-    const auto chart = Handle(Geom2d_BSplineCurve)::DownCast(contact.chart);
-    chart->Reverse();
-    TColStd_Array1OfReal of_chart(1, chart->NbKnots());
-    const double all = chart->FirstParameter() + chart->LastParameter();
-    for (int i = 1; i <= chart->NbKnots(); ++i) of_chart(i) = chart->Knot(i) - all;
-    chart->SetKnots(of_chart);
+    turn(Handle(Geom2d_BSplineCurve)::DownCast(contact.chart));
   }
   for (Interval* each : {&strip.range, &strip.edge_range, &strip.most})
-    *each = {-each->to, -each->from};
+    *each = {about - each->to, about - each->from};
 }
 
 // A ball on its way along two faces, of which any part becomes a strip.
@@ -251,7 +247,10 @@ RolledStrip Tracing::strip(const Interval& wanted) const {
     shift_near(BRep_Tool::Surface(body.face(faces[k])), near[k],
                std::clamp(near_at, range.from, range.to), strip.contacts[k]);
   }
-  if (turned) negate(strip);
+  // Open strips turn about 0, so that all parts of one track have one parameter. Closed ones keep
+  // their range: where it ends at 0, Open CASCADE's readers can take the seam's one side for the
+  // other and lose an edge.
+  if (turned) turn_round(strip, made.closed ? range.from + range.to : 0);
   if (!strip.closed)
     strip.over = [self = shared_from_this()](const Interval& part) { return self->strip(part); };
   return strip;
