@@ -21,6 +21,7 @@
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <TopoDS.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
 
 #include "adapters/occt/edge_facts.h"
@@ -237,6 +238,25 @@ TEST(ChamferOfACylinder, IsACone) {
   };
   const double less = made.volume_before - made.solids.front().volume;
   EXPECT_LT(std::min(std::abs(less - ring(1, 2)), std::abs(less - ring(2, 1))), 1e-9);
+}
+
+// Coordinates have about 1e-13 at that distance, more than a small part of the chamfer's size.
+TEST(ChamferOfALoft, IsMadeFarFromTheOrigin) {
+  BRepOffsetAPI_ThruSections maker(true);
+  for (const double z : {0., 12., 24.}) {
+    const gp_Circ circle(gp_Ax2(gp_Pnt(500, -300, 400 + z), gp::DZ()), 8 + std::sin(z));
+    maker.AddWire(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(circle).Edge()));
+  }
+  const TopoDS_Shape shape = maker.Shape();
+
+  FilletOptions options;
+  options.chamfer = ChamferSize{0.1};
+
+  const FilletResult made = fillet(shape, edges_of_kind(shape, EdgeKind::Convex), options);
+
+  expect_sound(made);
+  ASSERT_EQ(made.solids.size(), 1U);
+  EXPECT_LT(made.solids.front().volume, made.volume_before);
 }
 
 TEST(ChamferRefuses, BadSizes) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -50,7 +51,8 @@ constexpr double kSameForm = 1e-9;        // of the distance: borders that are l
 constexpr double kFitError = 1e-8;        // model units, of interpolated borders at half steps
 constexpr int kFewest = 16, kMost = 512;  // steps along the edge
 constexpr int kNewtonSteps = 30;
-constexpr double kConverged = 1e-13;  // of the distance
+constexpr double kConverged = 1e-13;                                         // of the distance
+constexpr double kPointNoise = 64 * std::numeric_limits<double>::epsilon();  // of coordinates
 
 // A point of a border.
 struct BorderPoint {
@@ -81,12 +83,13 @@ struct Chamfering {
 std::optional<BorderPoint> Chamfering::solved(
     std::size_t side, Vec2 uv, const Vec3& across,
     const std::function<std::pair<double, Vec3>(const Vec3&)>& f, const Vec3& origin) const {
-  const double size = profile.distance[0] + profile.distance[1];
+  const double enough =
+      kConverged * (profile.distance[0] + profile.distance[1]) + kPointNoise * norm(origin);
   for (int i = 0; i < kNewtonSteps; ++i) {
     const SurfaceFrame at = frame_at(surfaces[side], uv);
     const double g = dot(at.point - origin, across);
     const auto [h, gradient] = f(at.point);
-    if (std::abs(g) + std::abs(h) <= kConverged * size) return BorderPoint{at.point, uv};
+    if (std::abs(g) + std::abs(h) <= enough) return BorderPoint{at.point, uv};
     const double a = dot(at.du, across), b = dot(at.dv, across);
     const double c = dot(at.du, gradient), d = dot(at.dv, gradient);
     const double det = a * d - b * c;
