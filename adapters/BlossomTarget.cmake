@@ -25,6 +25,31 @@ function(blossom_light target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# Sources of one folder are compiled together, some at a time: what they include is read, and what they
+# use of it compiled, once. Names in their anonymous namespaces are different therefore. Sources with
+# compile options of their own stay alone, and those with SKIP_UNITY_BUILD_INCLUSION.
+set(BLOSSOM_TOGETHER 8)
+function(blossom_unity target)
+  if(NOT BLOSSOM_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # The compiler takes a source that is included for a header, whose classes many sources would see.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  foreach(source ${sources})
+    cmake_path(GET source PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    string(REPLACE "/" "_" room ${folder})
+    math(EXPR count_${room} "0${count_${room}} + 1")
+    math(EXPR part "(${count_${room}} - 1) / ${BLOSSOM_TOGETHER}")
+    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${room}_${part})
+  endforeach()
+endfunction()
+
 # A library of this folder's sources, included from the root: #include "core/forms/patch.h".
 function(blossom_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp
@@ -37,6 +62,7 @@ function(blossom_library name)
   target_include_directories(blossom_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/blossom>)
   blossom_own(blossom_${name})
+  blossom_unity(blossom_${name})
 endfunction()
 
 # Headers that most sources of a target read are read once. Every source still names what it needs:
