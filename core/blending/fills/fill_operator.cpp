@@ -32,6 +32,18 @@ constexpr double kRedundant = 1e-10;
 /// Weight of a second-order condition that fails against the thin-plate energy: conditions first.
 constexpr double kNearSecond = 1e6;
 
+// Each kind of operand makes the compiler write products and decompositions of its own: here all of
+// them take whole matrices.
+Matrix product(const Matrix& a, const Matrix& b) { return a * b; }
+Matrix adjoint(const Matrix& a) { return a.adjoint(); }
+
+using Decomposition = Eigen::CompleteOrthogonalDecomposition<Matrix>;
+
+/// The solution of least norm.
+Matrix solved(const Decomposition& decomposition, const Matrix& right) {
+  return decomposition.solve(right);
+}
+
 /// The Bernstein points of a function times a bilinear one.
 Grid<Complex> times_bilinear(const Grid<Complex>& f, const std::array<Complex, 4>& corners) {
   const int n = f.rows();
@@ -182,21 +194,24 @@ Matrix OperatorMaker::least_energy(int frequency) const {
   Matrix linear = Matrix::Zero(count, data);
   linear.leftCols(points_.border) = whole.bottomLeftCorner(count, points_.border);
   if (soft) {
-    const Matrix a = second.rightCols(count);
-    quadratic += kNearSecond * (a.adjoint() * a);
-    linear += kNearSecond * (a.adjoint() * second.leftCols(data));
+    const Matrix a = second.rightCols(count), turned = adjoint(a);
+    quadratic += kNearSecond * product(turned, a);
+    linear += kNearSecond * product(turned, second.leftCols(data));
   }
-  Eigen::CompleteOrthogonalDecomposition<Matrix> solver;
+  Decomposition solver;
   solver.setThreshold(kRedundant);
-  solver.compute(hard.rightCols(count));
-  Matrix solution = -solver.solve(hard.leftCols(data));
+  solver.compute(Matrix(hard.rightCols(count)));
+  Matrix solution = -solved(solver, hard.leftCols(data));
   const Index kernel_size = count - solver.rank();
   if (kernel_size == 0) return solution;
   // A P = Q [T 0; 0 0] Z, so the kernel is spanned by the last columns of P Z^H.
-  const Matrix kernel =
-      solver.colsPermutation() * Matrix(solver.matrixZ().adjoint()).rightCols(kernel_size);
-  const Matrix inside = kernel.adjoint() * quadratic * kernel;
-  solution -= kernel * inside.ldlt().solve(kernel.adjoint() * (quadratic * solution + linear));
+  const Matrix turned = adjoint(solver.matrixZ());
+  const Matrix kernel = solver.colsPermutation() * Matrix(turned.rightCols(kernel_size));
+  const Matrix across = adjoint(kernel);
+  const Matrix inside = product(product(across, quadratic), kernel);
+  const Matrix slope = product(quadratic, solution) + linear;
+  const Matrix step = inside.ldlt().solve(product(across, slope));
+  solution -= product(kernel, step);
   return solution;
 }
 
@@ -205,9 +220,9 @@ Matrix OperatorMaker::mode(int frequency) const {
   const Matrix cubics = powers(frequency);
   if (cubics.cols() == 0) return least;
   const Matrix data = data_of(cubics, frequency);
-  const Matrix fit = data.completeOrthogonalDecomposition().pseudoInverse();
+  const Matrix fit = solved(Decomposition(data), Matrix::Identity(data.rows(), data.rows()));
   const Matrix inner = cubics.middleRows(points_.border, unknowns(frequency));
-  return inner * fit + least - least * (data * fit);
+  return product(inner, fit) + least - product(least, product(data, fit));
 }
 
 Grid<double> OperatorMaker::weights() const {
