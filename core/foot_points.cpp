@@ -8,22 +8,19 @@
 
 #include "core/base/errors.h"
 #include "core/bounds/patch_boxes.h"
+#include "core/cells/limits.h"
 #include "core/cells/surface_cells.h"
 #include "core/forms/algebra/degree.h"
 #include "core/forms/algebra/derivatives.h"
 #include "core/forms/algebra/products.h"
 #include "core/forms/evaluation.h"
+#include "core/rays/limits.h"
 #include "core/rays/two_forms.h"
 #include "core/subdivision/cell_nets.h"
 
 namespace blossom {
 namespace {
 
-// Off the middle: feet on symmetric shapes like dyadic lines.
-constexpr double kCut = 0.5 - 1.0 / 64;
-constexpr double kMinSlack = 1e-9;
-// Values must be this exact, in parameters of the piece, for a foot to be placed in it.
-constexpr double kExact = 1e-3;
 constexpr int kSteps = 60;
 constexpr int kPieceBudget = 20'000;
 // Second derivatives whose determinant is this small, as a part of their size, tell nothing.
@@ -161,10 +158,10 @@ class PatchFeet {
     bool exact = true;
     for (std::size_t i = 0; i < 2; ++i) {
       const int k = static_cast<int>(i);
-      slack[k] = std::max(kMinSlack, 4 * forms.rounding[k]);
+      slack[k] = std::max(kRootSlack, 4 * forms.rounding[k]);
       const double bound = 0.5 * (1 + forms.spread[i][0] + forms.spread[i][1]) + slack[k];
       if (std::abs(centre[k]) > bound + forms.rounding[k]) return true;
-      exact = exact && forms.rounding[k] < kExact;
+      exact = exact && forms.rounding[k] < kPlaceable;
     }
     if (!exact || !is_contraction(forms.spread)) return false;
     Vec2 x = Vec2{0.5, 0.5} - centre;
@@ -194,10 +191,10 @@ class PatchFeet {
 
   void halve(const Piece& piece, bool along_u, std::vector<Piece>& open) const {
     Piece low = piece, high = piece;
-    (along_u ? halve_bezier_u : halve_bezier_v)(shape_, piece.net.data(), kCut, low.net.data(),
-                                                high.net.data());
+    (along_u ? halve_bezier_u : halve_bezier_v)(shape_, piece.net.data(), kOffMiddle,
+                                                low.net.data(), high.net.data());
     Interval Piece::*side = along_u ? &Piece::u : &Piece::v;
-    (low.*side).to = (high.*side).from = at(piece.*side, kCut);
+    (low.*side).to = (high.*side).from = at(piece.*side, kOffMiddle);
     ++low.depth;
     ++high.depth;
     open.push_back(std::move(low));

@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "core/bounds/value_arithmetic.h"
+#include "core/cells/limits.h"
 #include "core/math/roundoff.h"
 
 namespace blossom {
 namespace {
 
-// Off 1/2, since singular points like dyadic parameters; few digits, so that cuts are exact.
-constexpr double kCut = 31.0 / 64;
 constexpr int kFirstCells = 24;  // room for them at once, besides the spans
 constexpr double kNear = 16;  // times the reach: bounds over such cells are near those at a point
 constexpr double kSlack = 1e-13;  // covers the few roundings of a bound
@@ -150,8 +149,8 @@ int CurveTree::split(int index) {
   const NetShape shape{parent.points, 1, curve_.rational ? dimension_ + 1 : dimension_};
   double* low_net = allocate(shape.size());
   double* high_net = allocate(shape.size());
-  halve_bezier_u(shape, parent.homogeneous, kCut, low_net, high_net);
-  const double middle = at(parent.local, kCut);
+  halve_bezier_u(shape, parent.homogeneous, kOffMiddle, low_net, high_net);
+  const double middle = at(parent.local, kOffMiddle);
   const int child = add_cell(parent, 1, {parent.local.from, middle}, low_net);
   add_cell(parent, 1, {middle, parent.local.to}, high_net);
   cells_[at_index].child = child;

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "core/base/work_limit.h"
+#include "core/cells/limits.h"
 #include "core/curves/limits.h"
 #include "core/surfaces/contacts/contact_length.h"
 
 namespace blossom {
 namespace {
 
-constexpr double kCut = 31.0 / 64;  // where cells of surfaces are halved, off the middle
 constexpr int kSurfaceNewtonSteps = 20;
 constexpr double kSurfaceSettled = 1e-15;
 constexpr int kKrawczykSteps = 6;
@@ -40,7 +40,7 @@ SurfaceTrees::SurfaceTrees(const BezierSurface& surface, const Vec3& origin, Cel
   double scale = max_norm(origin);
   int degree = 0;
   for (const RationalBezierPatch& patch : surface.patches.values()) {
-    trees_.push_back(std::make_unique<CellTree>(patch, surface.rational, origin, form, kCut));
+    trees_.push_back(std::make_unique<CellTree>(patch, surface.rational, origin, form, kOffMiddle));
     degree = std::max(degree, patch.degree_u() + patch.degree_v());
     const RationalBezierPatch& moved = trees_.back()->patch();
     for (const Vec4& p : moved.points.values())

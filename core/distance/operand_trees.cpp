@@ -3,17 +3,17 @@
 
 #include <cstddef>
 
+#include "core/cells/limits.h"
+
 namespace blossom {
 namespace {
 
-// Off the middle, so that cells of symmetric shapes have no stationary points on their borders.
-constexpr double kCut = 0.5 - 1.0 / 64;
 constexpr int kHalvingsPerTrim = 6;  // of a cell: asking takes as long as these
 
 }  // namespace
 
 ItemTree::ItemTree(const DistanceItem& item)
-    : cells(item.patch, item.rational, Vec3{}, CellForm::Bezier, kCut) {}
+    : cells(item.patch, item.rational, Vec3{}, CellForm::Bezier, kOffMiddle) {}
 
 int ItemTree::split(int cell) {
   const int low = cells.split(cell);

@@ -8,6 +8,7 @@
 
 #include "core/base/errors.h"
 #include "core/cells/cell_tree.h"
+#include "core/cells/limits.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom {
@@ -112,7 +113,7 @@ void FlatCells::add_patch(int surface, int row, int column) {
   evaluation_error_ = std::max(evaluation_error_, 2 * roundings * 0x1p-53);
 
   // Halved off the middle: poles and symmetries of models lie on dyadic lines.
-  CellTree tree(patch, owner.rational, Vec3{}, CellForm::Bezier, 0.5 - 1.0 / 64);
+  CellTree tree(patch, owner.rational, Vec3{}, CellForm::Bezier, kOffMiddle);
   std::vector<int> open{0};
   for (std::size_t next = 0, found = 0; next < open.size(); ++next) {
     const Cell cell = tree[open[next]];

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/cells/limits.h"
 #include "core/math/roundoff.h"
+#include "core/rays/limits.h"
 #include "core/rays/line_search.h"
 #include "core/subdivision/cell_nets.h"
 
 namespace blossom {
 namespace {
 
-// Off the middle: singular points like dyadic lines.
-constexpr double kCut = 0.5 - 1.0 / 64;
 // A contact this many times longer than sqrt(tolerance * size) is no touch of curved surfaces.
 constexpr double kTouchLength = 10;
 
@@ -52,11 +52,12 @@ void LineSearch::search(std::vector<RayHit>& hits) {
 void LineSearch::halve(const Piece& piece, int place, bool along_u) {
   const NetShape shape{rows_, columns_, 2};
   double* const low = net_at(kPlaces);
-  (along_u ? halve_bezier_u : halve_bezier_v)(shape, net_at(place), kCut, low, net_at(place + 1));
+  (along_u ? halve_bezier_u : halve_bezier_v)(shape, net_at(place), kOffMiddle, low,
+                                              net_at(place + 1));
   std::copy(low, low + net_size_, net_at(place));
   Piece halves[2] = {piece, piece};
   Interval Piece::*side = along_u ? &Piece::u : &Piece::v;
-  const double cut = at(piece.*side, kCut);
+  const double cut = at(piece.*side, kOffMiddle);
   (halves[0].*side).to = cut;
   (halves[1].*side).from = cut;
   for (Piece& half : halves) {
@@ -153,7 +154,7 @@ LineSearch::Guess LineSearch::guess(const Piece& piece, const double* net,
     const double bound = 0.5 * (1 + region.spread[i][0] + region.spread[i][1]) +
                          region.rounding[k] + region.slack[k];
     result.excluded = result.excluded || std::abs(value[k]) > bound;
-    exact = exact && region.rounding[k] < kExact;
+    exact = exact && region.rounding[k] < kPlaceable;
   }
   result.root = {at(piece.u, 0.5 - value[0]), at(piece.v, 0.5 - value[1])};
   result.contracts = exact && is_contraction(region.spread);

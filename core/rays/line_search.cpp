@@ -6,12 +6,12 @@
 #include <cstddef>
 
 #include "core/math/roundoff.h"
+#include "core/rays/limits.h"
 
 namespace blossom {
 namespace {
 
-// Roots this little outside of a region belong to it, too; the neighbour finds the same root.
-constexpr double kMinSlack = 1e-9;
+// Of a region: a slack beyond that takes in what its neighbours have.
 constexpr double kMaxSlack = 0.25;
 // Newton's method squares its error, so a step of this size ends at rounding.
 constexpr double kLastStep = 1e-8;
@@ -23,7 +23,7 @@ constexpr double kSingular = 1e-9;
 
 // A root within rounding of the border belongs to the region, and one within tolerance.
 double LineSearch::clamped_slack(double tolerance, double rounding) {
-  return std::clamp(std::max(tolerance, 4 * rounding), kMinSlack, kMaxSlack);
+  return std::clamp(std::max(tolerance, 4 * rounding), kRootSlack, kMaxSlack);
 }
 
 LineSearch::LineSearch(const FlatCells& cells, double tolerance)
@@ -80,7 +80,7 @@ LineSearch::Guess LineSearch::guess(const FlatCell& cell) const {
     const double bound = 0.5 * (1 + result.region.spread[i][0] + result.region.spread[i][1]) +
                          result.region.rounding[k] + result.region.slack[k];
     result.excluded = result.excluded || std::abs(value[k]) > bound;
-    exact = exact && result.region.rounding[k] < kExact;
+    exact = exact && result.region.rounding[k] < kPlaceable;
   }
   result.root = {at(cell.u, 0.5 - value[0]), at(cell.v, 0.5 - value[1])};
   result.contracts = exact && is_contraction(result.region.spread);
@@ -170,11 +170,11 @@ bool LineSearch::add_hit(const Newton& root, std::vector<RayHit>& hits) const {
     // A length along the surface; at a collapsed side all of it is one point.
     const double speed = norm(*derivatives[i]);
     const double from_border = std::min(hit.local[k], 1 - hit.local[k]);
-    hit.border = hit.border || from_border <= kMinSlack || from_border * speed <= tolerance_;
+    hit.border = hit.border || from_border <= kRootSlack || from_border * speed <= tolerance_;
     if (from_border >= 0) continue;
     const bool ends = hit.local[k] < 0 ? placed().ends_low[i] : placed().ends_high[i];
     const double beyond = -from_border * speed;
-    if (from_border < -kMinSlack && beyond > (ends ? placed().reach : tolerance_)) return false;
+    if (from_border < -kRootSlack && beyond > (ends ? placed().reach : tolerance_)) return false;
     hit.beyond = std::max(hit.beyond, beyond);
     hit.local[k] = std::clamp(hit.local[k], 0.0, 1.0);
   }

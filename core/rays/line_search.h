@@ -37,8 +37,6 @@ class LineSearch {
  private:
   /// Nets in the stack; three more serve as scratch. 80 halvings in each direction.
   static constexpr int kPlaces = 160;
-  /// Values must be this exact, in parameters of the region, for a root to be placed in it.
-  static constexpr double kExact = 1e-3;
 
   // A rectangle of the cell; its net is that of its place in the stack.
   struct Piece {

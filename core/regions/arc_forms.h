@@ -8,6 +8,7 @@
 
 #include "core/forms/surface.h"
 #include "core/plane/planar_curves.h"
+#include "core/regions/limits.h"
 
 namespace blossom {
 
@@ -37,9 +38,6 @@ struct ArcFormOptions {
   /// kArcRounding the form still counts as exact.
   double lower_within = 0;
 };
-
-/// Distances in a patch's parameters that are no more than rounding.
-inline constexpr double kArcRounding = 1e-13;
 
 /// The form of one piece. It is exact if its degree allows and either both laws are linear, the
 /// piece runs along a line of the patch, or an angle does not change along it. Otherwise degree 5

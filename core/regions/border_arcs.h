@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/regions/arc_forms.h"
+#include "core/regions/limits.h"
 #include "core/regions/line_runs.h"
 #include "core/regions/trimmed_chart.h"
 
@@ -53,10 +54,6 @@ struct RegionArc {
   double fit_error = 0;  ///< bound on what the fit alone adds to it; model units
   double error = 0;      ///< bound on the distance between its and the trim's image; model units
 };
-
-/// Relative to a border's parameters: no arc is shorter, and stops nearer than this are one, the
-/// first of them. Faces with a common border agree on its stops by the same rule.
-inline constexpr double kShortestArc = 1e-9;
 
 /// Divides the borders of one region, first where it has to be, later where it is asked to.
 class BorderArcs {

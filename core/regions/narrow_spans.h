@@ -4,13 +4,9 @@
 #pragma once
 
 #include "core/forms/surface.h"
-#include "core/regions/trimmed_chart.h"
+#include "core/regions/limits.h"
 
 namespace blossom {
-
-/// Relative to the surface's range of a parameter: trims as near as kOnLine to both ends of a span
-/// count as on either of them.
-inline constexpr double kNarrowSpan = 2 * kOnLine;
 
 /// The surface without its narrow spans: the patches before them, or after them if they are the
 /// first, reach to their other end, and have the points there for their last row.

@@ -10,6 +10,7 @@
 
 #include "core/forms/surface.h"
 #include "core/plane/planar_curves.h"
+#include "core/regions/limits.h"
 
 namespace blossom {
 
@@ -28,10 +29,6 @@ struct TrimmedChart {
   std::vector<RegionBorder> borders;  ///< of all loops, in any order
   std::vector<Vec2> corners;          ///< in the surface's own parameters
 };
-
-/// Relative to the surface's range of a parameter: borders and corners as near as this to a line
-/// between patches lie on it.
-inline constexpr double kOnLine = 1e-9;
 
 /// A parameter of the surface as a grid coordinate; exactly a whole number within kOnLine of one.
 double grid_coordinate(const std::vector<double>& knots, ParameterLaw law, double parameter);

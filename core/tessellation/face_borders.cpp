@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/tessellation/limits.h"
+
 namespace blossom {
 namespace {
 
 constexpr std::size_t kPolePoints = 8;  // along a border that is a point in space
 constexpr double kStraight = 1e-9;      // relative to the side
-constexpr double kShortest = 1e-6;      // of the box: sides in it are divided no further
 
 double relative_height(const Vec2& a, const Vec2& middle, const Vec2& b) {
   const Vec2 d = b - a;
@@ -82,7 +83,8 @@ std::vector<EdgeSegment> FacePolygon::too_far(const ChartSurface& surface, doubl
     const Vec2& a = points[static_cast<std::size_t>(side.from)];
     const Vec2& b = points[static_cast<std::size_t>(side.to)];
     const Vec2 d = absolute(b - a);
-    if (d[0] <= kShortest * (high[0] - low[0]) && d[1] <= kShortest * (high[1] - low[1])) continue;
+    if (d[0] <= kSmallestPart * (high[0] - low[0]) && d[1] <= kSmallestPart * (high[1] - low[1]))
+      continue;
     if (surface.facet_distance({a, b, b}, surface.frame_at(a).normal) > deviation)
       found.push_back(side.segment);
   }

@@ -10,6 +10,7 @@
 #include "core/math/index.h"
 #include "core/regions/constrained_delaunay.h"
 #include "core/tessellation/inner_points.h"
+#include "core/tessellation/limits.h"
 #include "core/tessellation/segment_gap.h"
 
 namespace blossom {
@@ -26,8 +27,6 @@ constexpr double kNearSide = 0.4;
 constexpr double kSagitta = 2.5;
 // Of the deviation: borders are not made shorter than this to undo folds.
 constexpr double kShortFold = 0.5;
-// Of the box: facets in it are divided no further.
-constexpr double kSmallest = 1e-6;
 // Of the distance of a facet: sides that are farther than this are worth dividing.
 constexpr double kLongSide = 0.4;
 
@@ -228,7 +227,7 @@ class FacetBuilder {
     for (const int corner : corners)
       for (int k = 0; k < 2; ++k)
         if (std::abs(corners_[index(corner)].uv[k] - a[k]) >
-            kSmallest * (polygon_.high[k] - polygon_.low[k]))
+            kSmallestPart * (polygon_.high[k] - polygon_.low[k]))
           return false;
     return true;
   }

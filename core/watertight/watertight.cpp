@@ -24,6 +24,7 @@
 #include "core/watertight/border_fitting.h"
 #include "core/watertight/equal_degrees.h"
 #include "core/watertight/fold_repair.h"
+#include "core/watertight/limits.h"
 #include "core/watertight/lower_degrees.h"
 #include "core/watertight/paired_parameters.h"
 #include "core/watertight/piece_sides.h"
@@ -32,16 +33,8 @@
 namespace blossom {
 namespace {
 
-constexpr int kSideDegree = 5;         // of the curves that take the place of edges
-constexpr int kMaxRounds = 12;         // of dividing edges until all faces agree
-constexpr double kFoldPart = 1e-3;     // of the tolerance: narrower parts of triangles may fold
-constexpr double kSurfacePart = 0.1;   // of the tolerance, for polynomials in place of surfaces
-constexpr double kLoweringPart = 0.1;  // of the tolerance, for lower degrees of sides
-constexpr double kTrianglePart = 0.1;  // of the tolerance, for lower degrees of triangles
-constexpr double kArcPart = 0.3;       // of the tolerance, for arcs in charts
-constexpr double kApartPart = 0.1;     // of how far an edge is from its surfaces, likewise
-// Moves up to so many times the edge's own distance from the surfaces cannot be helped.
-constexpr double kEdgePart = 4;
+constexpr int kSideDegree = 5;  // of the curves that take the place of edges
+constexpr int kMaxRounds = 12;  // of dividing edges until all faces agree
 
 Vec3 space(const Vec4& p) { return {p[0], p[1], p[2]}; }
 
@@ -298,7 +291,7 @@ class Builder {
     const BezierCurve curve = bezier_through(points);
     for (int degree = 1; degree < kSideDegree; ++degree) {
       const auto lower = reduced(curve, degree);
-      if (lower.error > kLoweringPart * options_.tolerance) continue;
+      if (lower.error > kSideLoweringPart * options_.tolerance) continue;
       return lower.form;
     }
     return curve;

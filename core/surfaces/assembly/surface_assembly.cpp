@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/work_limit.h"
+#include "core/cells/limits.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/assembly/chain_fits.h"
 #include "core/surfaces/assembly/result_places.h"
@@ -29,9 +30,6 @@
 
 namespace blossom {
 namespace {
-
-// Cells are halved off their middle: singular points like dyadic lines.
-constexpr double kCut = 0.4865;
 
 constexpr double kOnCurve = 1e-4;       // of the surfaces' size
 constexpr double kRoundings = 0x1p-46;  // of the coordinates: so far rounding moves a border
@@ -58,13 +56,13 @@ class Assembly {
         known_(options.known, origin_) {}
 
   SurfaceIntersection run() {
-    SurfaceCells cells_a(a_, origin_, options_.form, kCut, options_.part_a);
+    SurfaceCells cells_a(a_, origin_, options_.form, kSurfaceOffMiddle, options_.part_a);
     if (itself()) {
       found_ = search_itself(cells_a, origin_, size_, known_, options_);
       result_.certificate = found_.certificate;
       return joined_from(cells_a, cells_a);
     }
-    SurfaceCells cells_b(b_, origin_, options_.form, kCut, options_.part_b);
+    SurfaceCells cells_b(b_, origin_, options_.form, kSurfaceOffMiddle, options_.part_b);
     std::vector<StartPair> pairs;
     for (const auto& [i, j] : meeting_patches(boxes_a_, boxes_b_)) pairs.push_back({i, 0, j, 0});
     const NeighbourContacts neighbours =

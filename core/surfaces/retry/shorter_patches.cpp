@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/cells/limits.h"
 #include "core/forms/evaluation.h"
 #include "core/subdivision/knot_insertion.h"
 #include "core/surfaces/pairs/border_roots.h"
@@ -15,7 +16,6 @@ namespace {
 // Tolerances: the length within which ends of arcs on a patch are one. Joints of chains and what
 // lies on a border are up to four times as far apart.
 constexpr double kSameLength = 0.25;
-constexpr double kCut = 0.4865;          // as cells are: singular points like dyadic lines
 constexpr int kMaxCuts = 100;            // of a surface: the work grows with their square
 constexpr std::size_t kMaxOpen = 5'000;  // places: more are no contacts but an early end
 
@@ -88,7 +88,8 @@ std::optional<BezierSurface> with_shorter_patches(const BezierSurface& surface, 
   int cuts = 0;
   while (const auto cut = long_span(result ? *result : surface, open, most)) {
     if (++cuts > kMaxCuts) return std::nullopt;
-    result = with_knot(result ? *result : surface, cut->direction, at(cut->span, kCut));
+    result =
+        with_knot(result ? *result : surface, cut->direction, at(cut->span, kSurfaceOffMiddle));
   }
   return result;
 }
