@@ -17,18 +17,11 @@
 #include <TColgp_Array1OfPnt2d.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves_detail.h"
 
 namespace blossom::occt {
 namespace {
-
-int size_of(const std::vector<double>& values) { return static_cast<int>(values.size()); }
-
-TColStd_Array1OfReal knot_array(const std::vector<double>& knots) {
-  TColStd_Array1OfReal array(1, size_of(knots));
-  std::copy(knots.begin(), knots.end(), array.begin());
-  return array;
-}
 
 TColStd_Array1OfInteger multiplicity_array(const std::vector<int>& multiplicities) {
   TColStd_Array1OfInteger array(1, static_cast<int>(multiplicities.size()));
@@ -65,7 +58,7 @@ Handle(Geom_BezierCurve) to_occt(const RationalBezierCurve& curve) {
 
 Handle(Geom_BSplineCurve) to_occt(const Spline& spline) {
   TColgp_Array1OfPnt poles(1, static_cast<int>(spline.points.size()));
-  std::transform(spline.points.begin(), spline.points.end(), poles.begin(), to_pnt);
+  std::transform(spline.points.begin(), spline.points.end(), poles.begin(), pnt);
   return guarded("making a B-spline curve", [&]() -> Handle(Geom_BSplineCurve) {
     return new Geom_BSplineCurve(poles, knot_array(spline.knots),
                                  multiplicity_array(spline.multiplicities), spline.degree);
@@ -84,7 +77,7 @@ Handle(Geom2d_BSplineCurve) to_occt(const Spline2& spline) {
 
 Handle(Geom_Curve) to_occt(const Conic& conic) {
   return guarded("making a conic", [&]() -> Handle(Geom_Curve) {
-    const gp_Pnt centre = to_pnt(conic.centre);
+    const gp_Pnt centre = pnt(conic.centre);
     const gp_Dir x(conic.x[0], conic.x[1], conic.x[2]);
     if (conic.kind == ConicKind::Line) return new Geom_Line(centre, x);
     const Vec3 normal = cross(conic.x, conic.y);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 
 namespace blossom::occt {
 namespace {
@@ -35,8 +36,14 @@ int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
 }  // namespace
 
+TColStd_Array1OfReal knot_array(const std::vector<double>& knots) {
+  TColStd_Array1OfReal array(1, static_cast<int>(knots.size()));
+  std::copy(knots.begin(), knots.end(), array.begin());
+  return array;
+}
+
 Vec4 homogeneous(const gp_Pnt& point, double weight) {
-  if (weight == 1) return with_weight(to_vec(point), 1);
+  if (weight == 1) return with_weight(vec(point), 1);
   return {weighted(point.X(), weight), weighted(point.Y(), weight), weighted(point.Z(), weight),
           weight};
 }

@@ -14,6 +14,7 @@
 #include <gp_Pnt.hxx>
 #include <gp_XYZ.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/arc_cuts.h"
 #include "core/forms/curve.h"
 #include "core/math/grid.h"
@@ -22,9 +23,6 @@
 
 namespace blossom::occt {
 
-inline Vec3 to_vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-inline Vec3 to_vec(const gp_Pnt& p) { return to_vec(p.XYZ()); }
-inline gp_Pnt to_pnt(const Vec3& p) { return {p[0], p[1], p[2]}; }
 inline Vec3 head(const Vec4& p) { return {p[0], p[1], p[2]}; }
 inline Vec4 with_weight(const Vec3& p, double w) { return {p[0], p[1], p[2], w}; }
 
@@ -106,6 +104,8 @@ const Grid<double>& fit_matrix();
 
 /// What sampled errors are multiplied with, since samples may miss the largest one.
 inline constexpr double kErrorSafety = 2.0;
+
+TColStd_Array1OfReal knot_array(const std::vector<double>& knots);
 
 /// A range inside `natural`; overshoot by rounding is cut off.
 /// what      "the box in u" and the like, for messages

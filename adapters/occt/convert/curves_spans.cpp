@@ -17,6 +17,7 @@
 #include <TColStd_Array1OfReal.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/curves_detail.h"
 
@@ -36,18 +37,18 @@ CurveSpans polynomial(const std::vector<Vec3>& points, const Interval& place) {
 }
 
 CurveSpans line_spans(const Geom_Line& line, const Interval& range) {
-  return polynomial({to_vec(line.Value(range.from)), to_vec(line.Value(range.to))}, range);
+  return polynomial({vec(line.Value(range.from)), vec(line.Value(range.to))}, range);
 }
 
 /// P(t) = O + t^2 / (4 f) X + t Y; the middle Bezier point has t^2 -> t0 t1.
 CurveSpans parabola_spans(const Geom_Parabola& parabola, const Interval& range) {
   const gp_Parab shape = parabola.Parab();
-  const Vec3 origin = to_vec(shape.Location());
-  const Vec3 x = to_vec(shape.XAxis().Direction().XYZ()) * (1 / (4 * shape.Focal()));
-  const Vec3 y = to_vec(shape.YAxis().Direction().XYZ());
+  const Vec3 origin = vec(shape.Location());
+  const Vec3 x = vec(shape.XAxis().Direction().XYZ()) * (1 / (4 * shape.Focal()));
+  const Vec3 y = vec(shape.YAxis().Direction().XYZ());
   const double t0 = range.from, t1 = range.to;
   const Vec3 middle = origin + (t0 * t1) * x + ((t0 + t1) / 2) * y;
-  return polynomial({to_vec(parabola.Value(t0)), middle, to_vec(parabola.Value(t1))}, range);
+  return polynomial({vec(parabola.Value(t0)), middle, vec(parabola.Value(t1))}, range);
 }
 
 /// P(t) = O + cos(t) a + sin(t) b.
@@ -67,8 +68,8 @@ CurveSpans ellipse_spans(const Vec3& origin, const Vec3& a, const Vec3& b, const
 
 CurveSpans conic_spans(const gp_Ax2& axes, double a, double b, const Interval& range,
                        ArcCuts cuts) {
-  return ellipse_spans(to_vec(axes.Location()), a * to_vec(axes.XDirection().XYZ()),
-                       b * to_vec(axes.YDirection().XYZ()), range, cuts);
+  return ellipse_spans(vec(axes.Location()), a * vec(axes.XDirection().XYZ()),
+                       b * vec(axes.YDirection().XYZ()), range, cuts);
 }
 
 CurveSpans spline_spans(const FlatKnots& knots, const std::vector<Vec4>& poles,
@@ -118,7 +119,7 @@ class Fit {
   Vec3 value(double t) const {
     const gp_Pnt point = curve_.Value(t);
     check_finite(point.XYZ(), "the curve at " + std::to_string(t));
-    return to_vec(point);
+    return vec(point);
   }
 
   RationalBezierCurve fit(const Interval& place) const {

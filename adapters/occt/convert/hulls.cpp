@@ -34,8 +34,8 @@
 #include <gp_Pln.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
-#include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 #include "core/bounds/box_tree.h"
 
@@ -52,7 +52,7 @@ void move_points(const gp_Trsf& move, std::size_t first, std::vector<Vec3>& poin
   for (std::size_t i = first; i < points.size(); ++i) {
     gp_XYZ at(points[i][0], points[i][1], points[i][2]);
     move.Transforms(at);
-    points[i] = to_vec(at);
+    points[i] = vec(at);
   }
 }
 
@@ -83,7 +83,7 @@ bool weights_are_positive(const TColStd_Array1OfReal* weights) {
 template <class Curve>
 bool add_poles(const Curve& curve, std::vector<Vec3>& hull) {
   if (!weights_are_positive(curve.Weights())) return false;
-  for (const gp_Pnt& p : curve.Poles()) hull.push_back(to_vec(p));
+  for (const gp_Pnt& p : curve.Poles()) hull.push_back(vec(p));
   return true;
 }
 
@@ -91,8 +91,8 @@ template <class Curve>
 void add_conic(const Curve& conic, double along_x, double along_y, const Interval& range,
                std::vector<Vec3>& hull) {
   const gp_Ax2& axes = conic.Position();
-  add_arc_hull(to_vec(axes.Location()), along_x * to_vec(axes.XDirection().XYZ()),
-               along_y * to_vec(axes.YDirection().XYZ()), range, hull);
+  add_arc_hull(vec(axes.Location()), along_x * vec(axes.XDirection().XYZ()),
+               along_y * vec(axes.YDirection().XYZ()), range, hull);
 }
 
 bool add_curve_hull(const Handle(Geom_Curve) & curve, const Interval& range,
@@ -100,8 +100,8 @@ bool add_curve_hull(const Handle(Geom_Curve) & curve, const Interval& range,
   const Handle(Geom_Curve) basis = basis_of(curve);
   const Geom_Curve* c = basis.get();
   if (const auto* line = dynamic_cast<const Geom_Line*>(c)) {
-    hull.push_back(to_vec(line->Value(range.from)));
-    hull.push_back(to_vec(line->Value(range.to)));
+    hull.push_back(vec(line->Value(range.from)));
+    hull.push_back(vec(line->Value(range.to)));
     return true;
   }
   if (const auto* spline = dynamic_cast<const Geom_BSplineCurve*>(c))
@@ -169,7 +169,7 @@ bool add_surface_poles(const Surface& surface, std::vector<Vec3>& hull) {
   for (int i = poles.LowerRow(); i <= poles.UpperRow(); ++i)
     for (int j = poles.LowerCol(); j <= poles.UpperCol(); ++j) {
       if (weights != nullptr && !(weights->Value(i, j) > 0)) return false;
-      hull.push_back(to_vec(poles(i, j)));
+      hull.push_back(vec(poles(i, j)));
     }
   return true;
 }
@@ -177,7 +177,7 @@ bool add_surface_poles(const Surface& surface, std::vector<Vec3>& hull) {
 // Every point of a profile turned about an axis.
 void add_turned(const std::vector<Vec3>& profile, const gp_Ax1& axis, const Interval& turn,
                 std::vector<Vec3>& hull) {
-  const Vec3 origin = to_vec(axis.Location()), direction = to_vec(axis.Direction().XYZ());
+  const Vec3 origin = vec(axis.Location()), direction = vec(axis.Direction().XYZ());
   for (const Vec3& p : profile) {
     const Vec3 foot = origin + dot(p - origin, direction) * direction;
     add_arc_hull(foot, p - foot, cross(direction, p - foot), turn, hull);
@@ -209,8 +209,8 @@ ChartBox snapped(const ChartBox& box, const Geom_Surface& surface) {
 // What turns at u = 0 about the axis of an elementary surface; empty of others.
 std::vector<Vec3> profile_of(const Geom_ElementarySurface& surface, const Interval& v) {
   const gp_Ax3& axes = surface.Position();
-  const Vec3 o = to_vec(axes.Location()), x = to_vec(axes.XDirection().XYZ()),
-             z = to_vec(axes.Direction().XYZ());
+  const Vec3 o = vec(axes.Location()), x = vec(axes.XDirection().XYZ()),
+             z = vec(axes.Direction().XYZ());
   std::vector<Vec3> profile;
   if (const auto* cylinder = dynamic_cast<const Geom_CylindricalSurface*>(&surface)) {
     for (const double t : {v.from, v.to}) profile.push_back(o + cylinder->Radius() * x + t * z);
@@ -247,7 +247,7 @@ bool add_swept(const Geom_Surface& surface, const ChartBox& box, std::vector<Vec
     if (!add_curve_hull(extruded->BasisCurve(), box.u, profile)) return false;
     for (const Vec3& p : profile)
       for (const double t : {box.v.from, box.v.to})
-        hull.push_back(p + t * to_vec(extruded->Direction().XYZ()));
+        hull.push_back(p + t * vec(extruded->Direction().XYZ()));
     return true;
   }
   return false;
@@ -257,8 +257,8 @@ bool add_swept(const Geom_Surface& surface, const ChartBox& box, std::vector<Vec
 bool add_plane(const TopoDS_Face& face, const Handle(Geom_Surface) & surface,
                const Geom_Plane& plane, const TopLoc_Location& location, std::vector<Vec3>& hull) {
   const gp_Ax3& axes = plane.Position();
-  const Vec3 o = to_vec(axes.Location()), n = to_vec(axes.Direction().XYZ());
-  const Vec3 x = to_vec(axes.XDirection().XYZ()), y = to_vec(axes.YDirection().XYZ());
+  const Vec3 o = vec(axes.Location()), n = vec(axes.Direction().XYZ());
+  const Vec3 x = vec(axes.XDirection().XYZ()), y = vec(axes.YDirection().XYZ());
   SurfaceOfFace known(surface, location);
   std::vector<Vec3> chart;
   for (TopoDS_Iterator wire(face, false, false); wire.More(); wire.Next()) {

@@ -20,8 +20,8 @@
 #include <TColStd_Array1OfReal.hxx>
 
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/curves_detail.h"
 
 namespace blossom::occt {
 namespace {

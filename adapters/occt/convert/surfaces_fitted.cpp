@@ -10,6 +10,7 @@
 #include <TColStd_Array1OfReal.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 
@@ -56,7 +57,7 @@ class SurfaceFit {
     const gp_Pnt point = surface_.Value(u, v);
     check_finite(point.XYZ(),
                  "the surface at (" + std::to_string(u) + ", " + std::to_string(v) + ")");
-    return to_vec(point);
+    return vec(point);
   }
 
   /// Values in the nodes, then the fit in one direction and in the other. Borders depend on

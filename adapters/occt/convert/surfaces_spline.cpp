@@ -93,12 +93,6 @@ struct Net {
   }
 };
 
-TColStd_Array1OfReal knot_array(const std::vector<double>& knots) {
-  TColStd_Array1OfReal array(1, static_cast<int>(knots.size()));
-  std::copy(knots.begin(), knots.end(), array.begin());
-  return array;
-}
-
 TColStd_Array1OfInteger full_multiplicities(const std::vector<double>& knots, int degree) {
   TColStd_Array1OfInteger array(1, static_cast<int>(knots.size()));
   array.Init(degree);

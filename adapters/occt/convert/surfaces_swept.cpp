@@ -21,6 +21,7 @@
 #include <Geom_ToroidalSurface.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/convert/surfaces_detail.h"
@@ -81,10 +82,10 @@ struct Frame {
   Vec3 origin, x, y, z;
 
   explicit Frame(const gp_Ax3& axes)
-      : origin(to_vec(axes.Location())),
-        x(to_vec(axes.XDirection().XYZ())),
-        y(to_vec(axes.YDirection().XYZ())),
-        z(to_vec(axes.Direction().XYZ())) {}
+      : origin(vec(axes.Location())),
+        x(vec(axes.XDirection().XYZ())),
+        y(vec(axes.YDirection().XYZ())),
+        z(vec(axes.Direction().XYZ())) {}
 
   /// The point at w (radius, height) of the half plane of the meridian.
   TurnedPoint point(double radius, double height, double weight) const {
@@ -116,8 +117,8 @@ Meridian circular(const Frame& frame, double major, double minor, const Interval
 
 Meridian meridian_of(const Geom_SurfaceOfRevolution& surface, const Interval& v, double tolerance,
                      ArcCuts cuts) {
-  const Vec3 origin = to_vec(surface.Location());
-  const Vec3 axis = to_vec(surface.Direction().XYZ());
+  const Vec3 origin = vec(surface.Location());
+  const Vec3 axis = vec(surface.Direction().XYZ());
   const CurveSpans curve = bezier_spans(surface.BasisCurve(), v, tolerance, cuts);
   Meridian meridian;
   meridian.law = curve.spans.front().law;
@@ -166,7 +167,7 @@ BezierSurface flat(const Geom_Plane& plane, const ParameterBox& box) {
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j)
       net(i, j) = with_weight(
-          to_vec(plane.Value(u[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(j)])), 1);
+          vec(plane.Value(u[static_cast<std::size_t>(i)], v[static_cast<std::size_t>(j)])), 1);
   result.patches = Grid<RationalBezierPatch>(1, 1, {std::move(net)});
   return result;
 }
@@ -210,7 +211,7 @@ BezierSurface swept_patches(const Handle(Geom_Surface) & surface, const Paramete
         box.u, cuts);
   if (const auto moved = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface); !moved.IsNull())
     return extruded(bezier_spans(moved->BasisCurve(), box.u, tolerance, cuts),
-                    to_vec(moved->Direction().XYZ()), box.v);
+                    vec(moved->Direction().XYZ()), box.v);
   if (const auto revolved = Handle(Geom_SurfaceOfRevolution)::DownCast(surface); !revolved.IsNull())
     return turned(meridian_of(*revolved, box.v, tolerance, cuts), box.u, cuts);
   if (const auto offset = Handle(Geom_OffsetSurface)::DownCast(surface); !offset.IsNull())

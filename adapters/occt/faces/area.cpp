@@ -19,7 +19,7 @@
 #include <Precision.hxx>
 #include <TColStd_Array1OfReal.hxx>
 
-#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "core/forms/iso_line.h"
@@ -155,7 +155,7 @@ class AreaLine {
     gp_Vec du, dv;
     const bool u = along_ == Along::U;
     surface_.adaptor_.D1(u ? x : y_, u ? y_ : x, point, du, dv);
-    return integrand(to_vec(point), to_vec(du.Crossed(dv).XYZ()));
+    return integrand(vec(point), vec(du.Crossed(dv).XYZ()));
   }
 
  private:

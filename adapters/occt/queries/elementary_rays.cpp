@@ -12,7 +12,7 @@
 #include <Geom_Surface.hxx>
 #include <gp_Ax3.hxx>
 
-#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/faces/face_trims_detail.h"
 #include "core/math/polynomial.h"
 #include "core/plane/planar_curves.h"
@@ -42,10 +42,9 @@ struct LocalLine {
   double speed = 0;   // of the ray
 
   LocalLine(const Ray& ray, const gp_Ax3& axes) : speed(norm(ray.direction)) {
-    const std::array<Vec3, 3> frame{to_vec(axes.XDirection().XYZ()),
-                                    to_vec(axes.YDirection().XYZ()),
-                                    to_vec(axes.Direction().XYZ())};
-    const Vec3 from = ray.origin - to_vec(axes.Location()), along = (1 / speed) * ray.direction;
+    const std::array<Vec3, 3> frame{vec(axes.XDirection().XYZ()), vec(axes.YDirection().XYZ()),
+                                    vec(axes.Direction().XYZ())};
+    const Vec3 from = ray.origin - vec(axes.Location()), along = (1 / speed) * ray.direction;
     for (int k = 0; k < 3; ++k) {
       point[k] = dot(from, frame[static_cast<std::size_t>(k)]);
       direction[k] = dot(along, frame[static_cast<std::size_t>(k)]);
@@ -195,7 +194,7 @@ std::optional<std::vector<ElementaryFace::Hit>> ElementaryFace::hits(const Ray& 
   std::vector<Hit> found;
   for (const double t : *all) {
     if (t < ray.from - slack || t > ray.to + slack) continue;
-    const gp_Pnt point = to_pnt(point_at(ray, t));
+    const gp_Pnt point = pnt(point_at(ray, t));
     const Vec2 uv = parameters(point);
     gp_Pnt on_surface;
     gp_Vec du, dv;
@@ -203,7 +202,7 @@ std::optional<std::vector<ElementaryFace::Hit>> ElementaryFace::hits(const Ray& 
     if (point.Distance(on_surface) > kMinSine * tolerance_) return {};
     const Place where = place(uv, {du.Magnitude(), dv.Magnitude()});
     if (where == Place::Outside) continue;
-    const Vec3 normal = unit(to_vec(du.Crossed(dv).XYZ()));
+    const Vec3 normal = unit(vec(du.Crossed(dv).XYZ()));
     if (where == Place::Near || std::abs(dot(normal, ray.direction)) < kMinSine * speed) return {};
     found.push_back({t, reversed_ ? -normal : normal});
   }

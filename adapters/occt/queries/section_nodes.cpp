@@ -12,7 +12,7 @@
 #include <TopExp.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/curve_queries.h"
 
 namespace blossom::occt {
@@ -23,7 +23,7 @@ constexpr int kEdgeSamples = 65;
 
 double distance_to(const SectionCurve& curve, const Vec3& p) {
   double least = std::min(distance(p, curve.samples.front()), distance(p, curve.samples.back()));
-  const GeomAPI_ProjectPointOnCurve foot(to_pnt(p), curve.curve, curve.range.from, curve.range.to);
+  const GeomAPI_ProjectPointOnCurve foot(pnt(p), curve.curve, curve.range.from, curve.range.to);
   if (foot.NbPoints() > 0) least = std::min(least, foot.LowerDistance());
   return least;
 }
@@ -39,7 +39,7 @@ SectionCurve curve_of(std::size_t face, const TopoDS_Edge& edge, const Heights& 
                                               curve.range.to);
   for (int i = 0; i < kEdgeSamples; ++i)
     curve.samples.push_back(
-        to_vec(curve.curve->Value(at(curve.range, static_cast<double>(i) / (kEdgeSamples - 1)))));
+        vec(curve.curve->Value(at(curve.range, static_cast<double>(i) / (kEdgeSamples - 1)))));
   return curve;
 }
 
@@ -53,7 +53,7 @@ double slack_at(const TopoDS_Edge& edge, double parameter, double tolerance, con
   curve->D1(parameter, point, direction);
   const double speed = direction.Magnitude();
   const double off = 2 * std::max(tolerance, BRep_Tool::Tolerance(edge));
-  const double rise = std::abs(dot(normal, to_vec(direction.XYZ())));
+  const double rise = std::abs(dot(normal, vec(direction.XYZ())));
   // Where the edge is tangent to the plane it stays near it for about sqrt(off * length).
   const double extent = speed * length(range);
   return std::max(off, std::min(off * speed / rise, std::sqrt(off * extent)));
@@ -125,7 +125,7 @@ void SectionNodes::add_points(const TopoDS_Edge& edge, const CurveSurfaceInterse
   for (const CurveSurfacePoint& point : found.points) {
     int node = -1;
     for (const TopoDS_Vertex& end : {TopExp::FirstVertex(edge), TopExp::LastVertex(edge)})
-      if (!end.IsNull() && distance(to_vec(BRep_Tool::Pnt(end)), point.point) <=
+      if (!end.IsNull() && distance(vec(BRep_Tool::Pnt(end)), point.point) <=
                                std::max(tolerance_, BRep_Tool::Tolerance(end)))
         node = node_of_vertex(end);
     if (node < 0)
@@ -142,7 +142,7 @@ void SectionNodes::add_points(const TopoDS_Edge& edge, const CurveSurfaceInterse
 }
 
 bool SectionNodes::touches(const TopoDS_Vertex& vertex) const {
-  return std::abs(frame_.height(to_vec(BRep_Tool::Pnt(vertex)))) <=
+  return std::abs(frame_.height(vec(BRep_Tool::Pnt(vertex)))) <=
          std::max(tolerance_, BRep_Tool::Tolerance(vertex));
 }
 
@@ -151,7 +151,7 @@ int SectionNodes::node_of_vertex(const TopoDS_Vertex& vertex) {
   if (known > 0) return vertex_nodes_[static_cast<std::size_t>(known - 1)];
   vertices_.Add(vertex);
   vertex_nodes_.push_back(
-      new_node(vertex, to_vec(BRep_Tool::Pnt(vertex)), BRep_Tool::Tolerance(vertex), false));
+      new_node(vertex, vec(BRep_Tool::Pnt(vertex)), BRep_Tool::Tolerance(vertex), false));
   return vertex_nodes_.back();
 }
 

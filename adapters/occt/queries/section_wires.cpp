@@ -10,7 +10,7 @@
 #include <TopoDS_Wire.hxx>
 
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/base/points.h"
 
 namespace blossom::occt {
 namespace {
@@ -176,7 +176,7 @@ TopoDS_Compound compound_of(const PlaneSection& section) {
   return guarded("making wires of a section", [&] {
     std::vector<TopoDS_Vertex> nodes;
     for (const SectionNode& node : section.nodes)
-      nodes.push_back(vertex_at(to_pnt(node.point), node.reach));
+      nodes.push_back(vertex_at(pnt(node.point), node.reach));
     const BRep_Builder builder;
     TopoDS_Compound compound;
     builder.MakeCompound(compound);

@@ -13,7 +13,7 @@
 #include <TopoDS_Iterator.hxx>
 
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/soundness.h"
 #include "core/plane/loops.h"
@@ -122,7 +122,7 @@ Problem meeting_problem(const FaceTrims& trims, const PlacedCoedge& a, const Pla
                         const Vec2& place) {
   const gp_Pnt point =
       BRep_Tool::Surface(trims.face)->Value(place[0] / trims.scale[0], place[1] / trims.scale[1]);
-  return {a.loop == b.loop ? "a wire meets itself" : "two wires meet", to_vec(point)};
+  return {a.loop == b.loop ? "a wire meets itself" : "two wires meet", vec(point)};
 }
 
 bool bounds(const TopoDS_Shape& shape) {

@@ -15,6 +15,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/curve_queries.h"
 #include "adapters/occt/faces/surface_projector.h"
 #include "adapters/occt/splitting/common_edges.h"
@@ -24,8 +25,6 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kMargin = 1.1;  // of a gap: what is so much farther counts as one with it
-
-Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 Bnd_Box box_of(const TopoDS_Shape& shape, double margin) {
   Bnd_Box box;

@@ -18,6 +18,7 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "core/bounds/box_tree.h"
 
@@ -29,7 +30,34 @@ constexpr int kRelationSteps = 12;        // from a sample's neighbourhood to ro
 constexpr double kMinLength = 50;         // of edges that are joined, in ways they may be apart
 constexpr double kSameParameter = 1e-14;  // relative to the range: the steps have settled
 
-Vec3 from_occt(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+/// The other parameter of a pair, by a line between the samples beside it. `known`: which one is
+/// given. `falling`: it falls from sample to sample.
+double between(const std::vector<Vec2>& samples, int known, double value, bool falling) {
+  std::size_t k = 1;
+  while (k + 1 < samples.size() &&
+         (falling ? value < samples[k][known] : value > samples[k][known]))
+    ++k;
+  const Vec2 low = samples[k - 1], high = samples[k];
+  const int wanted = 1 - known;
+  const double run = high[known] - low[known];
+  return run == 0 ? low[wanted]
+                  : low[wanted] + (value - low[known]) / run * (high[wanted] - low[wanted]);
+}
+
+/// Newton's method within a domain; miss(x, rate) is what is left at x, and how it changes there.
+template <class Miss>
+double settled(double x, const Interval& domain, const Miss& miss) {
+  for (int step = 0; step < kRelationSteps; ++step) {
+    double rate = 0;
+    const double left = miss(x, rate);
+    if (rate == 0) break;
+    const double next = std::clamp(x + left / rate, domain.from, domain.to);
+    const double moved = std::abs(next - x);
+    x = next;
+    if (moved <= kSameParameter * length(domain)) break;
+  }
+  return x;
+}
 
 struct FreeEdge {
   TopoDS_Edge edge;
@@ -118,14 +146,14 @@ BorderImage::BorderImage(const TopoDS_Edge& edge, const TopoDS_Face& face) {
                                         new GeomAdaptor_Surface(BRep_Tool::Surface(face)));
 }
 
-Vec3 BorderImage::at(double parameter) const { return from_occt(curve_->Value(parameter).XYZ()); }
+Vec3 BorderImage::at(double parameter) const { return vec(curve_->Value(parameter)); }
 
 void BorderImage::jet_at(double parameter, Vec3& point, Vec3& first) const {
   gp_Pnt p;
   gp_Vec d;
   curve_->D1(parameter, p, d);
-  point = from_occt(p.XYZ());
-  first = from_occt(d.XYZ());
+  point = vec(p);
+  first = vec(d);
 }
 
 BorderRelation::BorderRelation(BorderImage first, BorderImage second, bool reversed)
@@ -162,48 +190,27 @@ double BorderRelation::apart() const {
 double BorderRelation::first_at(double second) const {
   if (second == pairs_.front()[1]) return pairs_.front()[0];
   if (second == pairs_.back()[1]) return pairs_.back()[0];
-  std::size_t k = 1;
-  while (k + 1 < pairs_.size() && (reversed_ ? second < pairs_[k][1] : second > pairs_[k][1])) ++k;
-  const Vec2 low = pairs_[k - 1], high = pairs_[k];
-  const double run = high[1] - low[1];
-  double s = run == 0 ? low[0] : low[0] + (second - low[1]) / run * (high[0] - low[0]);
   const Vec3 point = second_.at(second);
-  const Interval domain = first_.domain();
-  for (int step = 0; step < kRelationSteps; ++step) {
-    Vec3 here, along;
-    first_.jet_at(s, here, along);
-    const double square = dot(along, along);
-    if (square == 0) break;
-    const double next = std::clamp(s + dot(point - here, along) / square, domain.from, domain.to);
-    const double moved = std::abs(next - s);
-    s = next;
-    if (moved <= kSameParameter * length(domain)) break;
-  }
-  return s;
+  return settled(between(pairs_, 1, second, reversed_), first_.domain(),
+                 [&](double s, double& rate) {
+                   Vec3 here, along;
+                   first_.jet_at(s, here, along);
+                   rate = dot(along, along);
+                   return dot(point - here, along);
+                 });
 }
 
 double BorderRelation::second_at(double first) const {
   if (first == pairs_.front()[0]) return pairs_.front()[1];
   if (first == pairs_.back()[0]) return pairs_.back()[1];
-  std::size_t k = 1;
-  while (k + 1 < pairs_.size() && first > pairs_[k][0]) ++k;
-  const Vec2 low = pairs_[k - 1], high = pairs_[k];
-  const double run = high[0] - low[0];
-  double t = run == 0 ? low[1] : low[1] + (first - low[0]) / run * (high[1] - low[1]);
   Vec3 point, along;
   first_.jet_at(first, point, along);
-  const Interval domain = second_.domain();
-  for (int step = 0; step < kRelationSteps; ++step) {
+  return settled(between(pairs_, 0, first, false), second_.domain(), [&](double t, double& rate) {
     Vec3 here, slope;
     second_.jet_at(t, here, slope);
-    const double rate = dot(slope, along);
-    if (rate == 0) break;
-    const double next = std::clamp(t + dot(point - here, along) / rate, domain.from, domain.to);
-    const double moved = std::abs(next - t);
-    t = next;
-    if (moved <= kSameParameter * length(domain)) break;
-  }
-  return t;
+    rate = dot(slope, along);
+    return dot(point - here, along);
+  });
 }
 
 double apart(const BorderImage& a, const BorderImage& b) {

@@ -9,6 +9,8 @@
 #include <GeomAPI_ProjectPointOnCurve.hxx>
 #include <Precision.hxx>
 
+#include "adapters/occt/base/points.h"
+
 namespace blossom::occt {
 namespace {
 
@@ -23,8 +25,6 @@ double chord(const EdgeCurve& of, const Interval& range) {
   const gp_Pnt middle = of.curve->Value(at(range, 0.5));
   return middle.Distance(of.curve->Value(range.from)) + middle.Distance(of.curve->Value(range.to));
 }
-
-Vec3 vec_of(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 }  // namespace
 
@@ -52,7 +52,7 @@ bool is_short(const EdgeCurve& of, const Interval& stretch, double tolerance) {
 bool passes(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
             double reach) {
   const auto leaves = [&](double t) {
-    return std::abs(feet.height(vec_of(of.curve->Value(t)))) > kLeaving * reach;
+    return std::abs(feet.height(vec(of.curve->Value(t)))) > kLeaving * reach;
   };
   return is_short(of, stretch, reach) && (leaves(stretch.from) || leaves(stretch.to));
 }
@@ -60,7 +60,7 @@ bool passes(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector
 bool keeps_on(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
               double reach) {
   return std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75, 1.0}, [&](double part) {
-    return std::abs(feet.height(vec_of(of.curve->Value(at(stretch, part))))) <= reach;
+    return std::abs(feet.height(vec(of.curve->Value(at(stretch, part))))) <= reach;
   });
 }
 
@@ -93,7 +93,7 @@ bool stands_for_contact(const std::vector<TopoDS_Edge>& edges, const Intersectio
       const Vec3 x = point_at(curve.curve, at(curve.curve.domain(), part));
       const EdgeFoot foot = foot_on(of, {x[0], x[1], x[2]});
       if (foot.distance > beside) return false;
-      const Vec3 on_edge = vec_of(of.curve->Value(foot.parameter));
+      const Vec3 on_edge = vec(of.curve->Value(foot.parameter));
       if (std::abs(on_a.height(on_edge)) > within || std::abs(on_b.height(on_edge)) > within)
         return false;
     }

@@ -28,7 +28,7 @@ namespace {
 
 TopoDS_Edge forward(const TopoDS_Edge& edge) { return TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)); }
 
-constexpr int kDeviationSamples = 17;  // both have been measured alone
+constexpr int kUnionSamples = 17;  // both have been measured alone
 
 // Edges that are joined may be apart: what the first one's curve is off the images of the others,
 // and its vertices off the curve, becomes their tolerance.
@@ -53,8 +53,8 @@ double distance_from(const Handle(Geom_Plane) & plane, const TopoDS_Edge& edge) 
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
   if (curve.IsNull()) return 0;
   double largest = 0;
-  for (int i = 0; i < kDeviationSamples; ++i) {
-    const double t = at(range, static_cast<double>(i) / (kDeviationSamples - 1));
+  for (int i = 0; i < kUnionSamples; ++i) {
+    const double t = at(range, static_cast<double>(i) / (kUnionSamples - 1));
     largest = std::max(largest, plane->Pln().Distance(curve->Value(t)));
   }
   return largest;
@@ -155,7 +155,7 @@ TopoDS_Edge EdgeUnion::united(const TopoDS_Edge& edge) {
     builder.UpdateEdge(made, tolerance);
     for (const TopoDS_Shape& second : curves_for_(first))
       take_pcurves(TopoDS::Edge(second), made, tolerance);
-    widen(made, image_deviation(made, kDeviationSamples));
+    widen(made, image_deviation(made, kUnionSamples));
   }
   if (!changed) made = first;
   const bool was_closed = TopExp::FirstVertex(first).IsSame(TopExp::LastVertex(first));

@@ -21,7 +21,7 @@ namespace blossom::occt {
 namespace {
 
 // Radians of a surface of revolution, or parameters: places on a pole that are so near are one.
-constexpr double kSameOnPole = 1e-6;
+constexpr double kSamePolePlace = 1e-6;
 
 bool is_pole(const TopoDS_Edge& edge) { return BRep_Tool::Degenerated(edge); }
 
@@ -67,10 +67,10 @@ std::vector<TopoDS_Edge> fitted(const std::vector<TopoDS_Edge>& run, const TopoD
       !TopExp::FirstVertex(after, true).IsSame(pole))
     return run;  // edges in another order
   const gp_Pnt2d from = ends_of(before, face).second, to = ends_of(after, face).first;
-  if (from.Distance(ends_of(run.front(), face).first) <= kSameOnPole &&
-      to.Distance(ends_of(run.back(), face).second) <= kSameOnPole)
+  if (from.Distance(ends_of(run.front(), face).first) <= kSamePolePlace &&
+      to.Distance(ends_of(run.back(), face).second) <= kSamePolePlace)
     return run;
-  if (from.Distance(to) <= kSameOnPole) return {};
+  if (from.Distance(to) <= kSamePolePlace) return {};
   return {pole_edge(run.front(), face, from, to)};
 }
 

@@ -8,7 +8,7 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
 
-#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 
 namespace blossom::occt {
@@ -18,10 +18,10 @@ std::optional<ElementaryChart> elementary_chart(const Handle(Geom_Surface) & giv
   if (surface.IsNull()) return {};
   const gp_Ax3& place = surface->Position();
   ElementaryChart chart;
-  chart.origin = to_vec(place.Location());
-  chart.x = to_vec(place.XDirection().XYZ());
-  chart.y = to_vec(place.YDirection().XYZ());
-  chart.z = to_vec(place.Direction().XYZ());
+  chart.origin = vec(place.Location());
+  chart.x = vec(place.XDirection().XYZ());
+  chart.y = vec(place.YDirection().XYZ());
+  chart.z = vec(place.Direction().XYZ());
   if (const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(surface);
       !cylinder.IsNull()) {
     chart.kind = ElementaryKind::Cylinder;

@@ -13,8 +13,8 @@
 #include <TopoDS_Vertex.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
-#include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/untrimmed.h"
@@ -37,7 +37,7 @@ class ShapeReader {
 
   ReadShape read() {
     for (int k = 1; k <= vertices_.Extent(); ++k)
-      read_.model.vertices.push_back(to_vec(BRep_Tool::Pnt(TopoDS::Vertex(vertices_(k)))));
+      read_.model.vertices.push_back(vec(BRep_Tool::Pnt(TopoDS::Vertex(vertices_(k)))));
     read_.model.edges.resize(index(read_.edges.Extent()));
     edge_faults_.resize(read_.model.edges.size());
     parallel_for(read_.model.edges.size(), kEdgeGrain,

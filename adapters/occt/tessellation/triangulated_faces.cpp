@@ -12,7 +12,7 @@
 #include <gp_Dir.hxx>
 #include <gp_Trsf.hxx>
 
-#include "adapters/occt/convert/curves_detail.h"
+#include "adapters/occt/base/points.h"
 
 namespace blossom::occt {
 namespace {
@@ -26,7 +26,7 @@ Handle(Poly_Triangulation)
   for (std::size_t k = 0; k < face.vertices.size(); ++k) {
     const int number = static_cast<int>(k) + 1;
     made->SetNode(number,
-                  to_pnt(points[static_cast<std::size_t>(face.vertices[k])]).Transformed(back));
+                  pnt(points[static_cast<std::size_t>(face.vertices[k])]).Transformed(back));
     made->SetUVNode(number, gp_Pnt2d(face.uv[k][0], face.uv[k][1]));
     const Vec3& n = face.normals[k];
     const gp_Dir normal = norm(n) > 0 ? gp_Dir(n[0], n[1], n[2]) : gp_Dir(0, 0, 1);

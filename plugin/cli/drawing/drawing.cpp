@@ -10,10 +10,12 @@
 #include <GeomAdaptor_Curve.hxx>
 #include <gp_Circ.hxx>
 
+#include "adapters/occt/base/points.h"
+
 namespace blossom::cli {
 namespace {
 
-Vec3 vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
+using occt::vec;
 
 Stroke polyline(const GeomAdaptor_Curve& curve, const occt::SectionCurve& of,
                 const DrawingFrame& frame, double deviation) {

@@ -18,6 +18,7 @@
 #include <TopoDS.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/base/points.h"
 
 namespace blossom::cli {
 namespace {
@@ -27,13 +28,11 @@ constexpr double kLargestAngle = 1;      // radians; a full turn keeps six sides
 constexpr int kEdgeSteps = 64;           // of an edge that is not straight
 constexpr double kOwnDeflection = 1e-4;  // of a face's own size
 
-Vec3 to_vec(const gp_XYZ& p) { return {p.X(), p.Y(), p.Z()}; }
-
 Vec3 normal_at(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv) {
   gp_Pnt point;
   gp_Vec along_u, along_v;
   surface.D1(uv.X(), uv.Y(), point, along_u, along_v);
-  return unit(to_vec(along_u.Crossed(along_v).XYZ()));
+  return unit(occt::vec(along_u.Crossed(along_v).XYZ()));
 }
 
 std::vector<std::vector<Vec3>> outlines_of(const TopoDS_Face& face,
@@ -75,7 +74,7 @@ PictureMesh mesh_of(const TopoDS_Face& face, double deflection, double angle) {
   PictureMesh mesh;
   const BRepAdaptor_Surface surface(copy, Standard_False);
   for (int i = 1; i <= found->NbNodes(); ++i) {
-    mesh.points.push_back(to_vec(found->Node(i).Transformed(place).XYZ()));
+    mesh.points.push_back(occt::vec(found->Node(i).Transformed(place).XYZ()));
     mesh.normals.push_back(found->HasUVNodes() ? normal_at(surface, found->UVNode(i)) : Vec3{});
   }
   for (int i = 1; i <= found->NbTriangles(); ++i) {
@@ -101,7 +100,7 @@ std::vector<Vec3> edge_points(const TopoDS_Edge& edge) {
   if (curve.IsNull()) return points;
   const int steps = Handle(Geom_Line)::DownCast(curve).IsNull() ? kEdgeSteps : 1;
   for (int i = 0; i <= steps; ++i)
-    points.push_back(to_vec(curve->Value(from + (to - from) * i / steps).XYZ()));
+    points.push_back(occt::vec(curve->Value(from + (to - from) * i / steps).XYZ()));
   return points;
 }
 
