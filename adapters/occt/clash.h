@@ -47,9 +47,9 @@ struct Clash {
   std::size_t a = 0, b = 0;  ///< places in the list of parts
   Relation relation = Relation::Unknown;
   Status status = Status::Complete;
-  double lower = 0, upper = 0;  ///< bounds on the distance of the boundaries, model units
-  bool measured = true;         ///< false: only known to be more than the clearance, `lower`
-  ShapePoint near_a{}, near_b{};    ///< where `upper` is taken
+  double lower = 0, upper = 0;    ///< bounds on the distance of the boundaries, model units
+  bool measured = true;           ///< false: only known to be more than the clearance, `lower`
+  ShapePoint near_a{}, near_b{};  ///< where `upper` is taken
   std::vector<BodyContact> contacts{};   ///< of parts that touch; of the highest kind first
   std::optional<CommonBody> common{};    ///< of solids that penetrate or hold each other
   std::vector<std::string> obstacles{};  ///< why it is missing, or the relation not known

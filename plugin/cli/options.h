@@ -15,13 +15,13 @@
 namespace blossom::cli {
 
 struct CommonOptions {
-  std::string output;   ///< -o: a model file; empty for none
-  std::string json;     ///< --json: a file, or "-" for stdout; empty for none
-  std::string picture;  ///< --picture: a PNG file; empty for none
+  std::string output;       ///< -o: a model file; empty for none
+  std::string json;         ///< --json: a file, or "-" for stdout; empty for none
+  std::string picture;      ///< --picture: a PNG file; empty for none
   std::string table{};      ///< --table: a CSV file; empty for none
   PictureLook look{};       ///< of the picture, and what else shows the result
   std::string reproduce{};  ///< --reproduce: a folder, see reproduction.h
-  std::string fail_on;  ///< --fail-on: "findings"; empty for nothing
+  std::string fail_on;      ///< --fail-on: "findings"; empty for nothing
 };
 
 /// What an intersection may be told; for commands that intersect on their way, too.
@@ -56,8 +56,8 @@ void add_engine_options(CLI::App& command, EngineOptions& options);
 /// progress  has to live as long as the result is used
 IntersectionOptions intersection_options(const EngineOptions& options, Progress& progress);
 
-/// What -o takes: models; files of nets (.json), too; those of triangles as well; or drawings (.dxf,
-/// .svg) and reports, too.
+/// What -o takes: models; files of nets (.json), too; those of triangles as well; or drawings
+/// (.dxf, .svg) and reports, too.
 enum class Outputs { Models, ModelsAndNets, ModelsNetsAndTriangles, ModelsAndDrawings };
 
 /// The ending of a file's name in small letters, ".dxf".

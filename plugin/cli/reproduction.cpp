@@ -17,10 +17,10 @@
 
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
-#include "plugin/nets/net_json.h"
 #include "plugin/cli/program.h"
 #include "plugin/cli/reading.h"
 #include "plugin/cli/supervision.h"
+#include "plugin/nets/net_json.h"
 
 namespace blossom::cli {
 namespace {
@@ -145,7 +145,8 @@ std::vector<Part> parts_of(const Words& words) {
   for (std::size_t i = 2; i < words.size(); ++i) try {
       const InputName name = parse_input(words[i]);
       if (!std::filesystem::is_regular_file(name.file)) continue;
-      parts.push_back({i, name.file, nets::is_net_file(name.file) ? std::vector<int>{} : chosen(name)});
+      parts.push_back(
+          {i, name.file, nets::is_net_file(name.file) ? std::vector<int>{} : chosen(name)});
     } catch (const UsageError&) {  // no input
     }
   return parts;

@@ -247,8 +247,8 @@ Json parsed(const std::filesystem::path& file) {
   const std::string all{std::istreambuf_iterator<char>(stream), {}};
   if (all.empty()) refuse(file.string() + ": the file is empty");
   if (!reports::is_nested_soundly(all))
-    refuse(file.string() + ": lists in it are nested more than " + std::to_string(reports::kMaxNesting) +
-           " deep");
+    refuse(file.string() + ": lists in it are nested more than " +
+           std::to_string(reports::kMaxNesting) + " deep");
   try {
     return Json::parse(all);
   } catch (const Json::exception& error) {

@@ -26,7 +26,7 @@ using testing::piece;
 using testing::reparametrised;
 using testing::seeded;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 const IntersectionOptions kDefault{};
 
 double gap_at(const CurveSpans& a, const CurveSpans& b, const CurvePoint& point) {
@@ -91,7 +91,7 @@ TEST(CurveIntersection, TwoDiagonalsCrossInTheMiddle) {
   ASSERT_EQ(found.points.size(), 1U);
   EXPECT_NEAR(found.points[0].a, 0.5, 1e-15);
   EXPECT_NEAR(found.points[0].b, 0.5, 1e-15);
-  EXPECT_NEAR(found.certificate.least_angle, kPi / 2, 1e-12);
+  EXPECT_NEAR(found.certificate.least_angle, pi / 2, 1e-12);
 }
 
 // T3(T3(x)) = x has nine solutions in [-1, 1]; both curves run a little beyond.

@@ -13,6 +13,7 @@
 #include "core/forms/evaluation.h"
 #include "tests/support/curves.h"
 #include "tests/support/random.h"
+#include "tests/support/solids.h"
 #include "tests/support/sturm.h"
 
 namespace blossom {
@@ -20,16 +21,8 @@ namespace {
 
 using testing::bezier;
 using testing::circle;
+using testing::one_patch;
 using testing::seeded;
-
-BezierSurface one_patch(RationalBezierPatch patch) {
-  BezierSurface surface;
-  surface.u_knots = {0, 1};
-  surface.v_knots = {0, 1};
-  surface.patches = Grid<RationalBezierPatch>(1, 1);
-  surface.patches(0, 0) = std::move(patch);
-  return surface;
-}
 
 // z over the unit square by its Bernstein coefficients.
 BezierSurface height_field(int n, int m, const std::function<double(int, int)>& z) {
@@ -87,7 +80,7 @@ void expect_crossings(const CurveSpans& curve, const BezierSurface& surface, std
   expect_on_both(found, curve, surface);
 }
 
-CurveSpans parabola(double gap) {
+CurveSpans parabola_over_plane(double gap) {
   return bezier({{0.1, 0.4, 1 + gap}, {0.5, 0.5, -1 + gap}, {0.9, 0.5, 1 + gap}});
 }
 
@@ -115,10 +108,12 @@ TEST(CurveSurfaceIntersection, LinesMeetACylinderTwiceOrOnceOrNever) {
 }
 
 TEST(CurveSurfaceIntersection, ParabolasMissTouchOrCross) {
-  for (const double gap : {1e-3, 1e-6, 2e-7}) expect_crossings(parabola(gap), plane(), 0);
-  for (const double gap : {-1e-3, -1e-6, -1e-7}) expect_crossings(parabola(gap), plane(), 2);
+  for (const double gap : {1e-3, 1e-6, 2e-7})
+    expect_crossings(parabola_over_plane(gap), plane(), 0);
+  for (const double gap : {-1e-3, -1e-6, -1e-7})
+    expect_crossings(parabola_over_plane(gap), plane(), 2);
   for (const double gap : {0.0, 1e-8, 9e-8}) {
-    const CurveSurfaceIntersection found = intersect(parabola(gap), plane());
+    const CurveSurfaceIntersection found = intersect(parabola_over_plane(gap), plane());
     EXPECT_EQ(found.status, Status::Tolerance);
     ASSERT_EQ(found.points.size(), 1U);
     EXPECT_TRUE(found.points[0].tangential);
@@ -129,9 +124,10 @@ TEST(CurveSurfaceIntersection, ParabolasMissTouchOrCross) {
     EXPECT_GE(found.places[0].gap_high, gap);
     EXPECT_LE(found.places[0].gap_high, gap + 1e-12);
   }
-  for (const double gap : {-1e-8, -1e-10, -1e-12}) expect_crossings(parabola(gap), plane(), 2);
+  for (const double gap : {-1e-8, -1e-10, -1e-12})
+    expect_crossings(parabola_over_plane(gap), plane(), 2);
   // Too close for a proof: a place.
-  const CurveSurfaceIntersection found = intersect(parabola(-1e-15), plane());
+  const CurveSurfaceIntersection found = intersect(parabola_over_plane(-1e-15), plane());
   EXPECT_EQ(found.status, Status::Tolerance);
   EXPECT_EQ(found.places.size(), 1U);
 }
@@ -204,7 +200,7 @@ TEST(CurveSurfaceIntersection, BudgetStopsWithOpenPlaces) {
 
 TEST(CurveSurfaceIntersection, RefusesBadInput) {
   EXPECT_THROW(intersect(CurveSpans{}, plane()), InvalidInput);
-  EXPECT_THROW(intersect(parabola(0), BezierSurface{}), InvalidInput);
+  EXPECT_THROW(intersect(parabola_over_plane(0), BezierSurface{}), InvalidInput);
 }
 
 // Curves (x, y, z)(t) with x and y linear over z = f(x, y) bicubic: the number of crossings is the
@@ -266,8 +262,8 @@ TEST_P(RandomPierces, HaveAsManyPointsAsTheDifferenceHasRoots) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPierces, ::testing::Range(0, 50));
 
-// The parabola over a surface of degree (2, 1), above it by (t - c)^2 + gap at every t: its control
-// points by interpolation at thirds of the height along a line in the plane.
+// The parabola_over_plane over a surface of degree (2, 1), above it by (t - c)^2 + gap at every t:
+// its control points by interpolation at thirds of the height along a line in the plane.
 struct CornerContact {
   BezierSurface surface;
   CurveSpans curve;

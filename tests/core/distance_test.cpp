@@ -25,7 +25,7 @@ using testing::reference_point;
 using testing::seeded;
 using testing::uniform;
 
-BezierSurface moved(BezierSurface surface, const Vec3& by) {
+BezierSurface moved_by(BezierSurface surface, const Vec3& by) {
   for (RationalBezierPatch& patch : surface.patches.values())
     for (Vec4& p : patch.points.values())
       for (int k = 0; k < 3; ++k) p[k] += p[3] * by[k];
@@ -89,15 +89,15 @@ TEST(LeastDistance, FromTheCentreOfASphereIsItsRadius) {
 TEST(LeastDistance, OfTwoSpheresIsKnown) {
   const DistanceOperand sphere = measured(testing::unit_sphere());
   for (const Vec3& by : {Vec3{3, 0.1, -0.2}, Vec3{1.2, 1.5, 1.7}, Vec3{0.4, 0.3, 5}})
-    expect_distance(least_distance(sphere, measured(moved(testing::unit_sphere(), by))),
+    expect_distance(least_distance(sphere, measured(moved_by(testing::unit_sphere(), by))),
                     norm(by) - 2);
 }
 
 TEST(LeastDistance, OfParallelSquaresIsTheirGap) {
   const BezierSurface square = testing::quadrilateral({0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0});
-  expect_distance(least_distance(measured(square), measured(moved(square, {0.3, 0.2, 0.75}))),
+  expect_distance(least_distance(measured(square), measured(moved_by(square, {0.3, 0.2, 0.75}))),
                   0.75);
-  expect_distance(least_distance(measured(square), measured(moved(square, {1.5, 1.5, 0}))),
+  expect_distance(least_distance(measured(square), measured(moved_by(square, {1.5, 1.5, 0}))),
                   std::sqrt(0.5));
 }
 
@@ -202,14 +202,14 @@ TEST(LeastDistance, TakesPatchesOfDifferentDegreesForAKink) {
 
 TEST(LeastDistance, OfSurfacesThatCrossIsZero) {
   const DistanceResult found = least_distance(
-      measured(testing::unit_sphere()), measured(moved(testing::unit_sphere(), {0.9, 0.3, 0})));
+      measured(testing::unit_sphere()), measured(moved_by(testing::unit_sphere(), {0.9, 0.3, 0})));
   EXPECT_EQ(found.lower, 0);
   EXPECT_LE(found.upper, 1e-13);
 }
 
 TEST(LeastDistance, StopsWhenItsSideOfALimitIsKnown) {
   const DistanceOperand sphere = measured(testing::unit_sphere());
-  const DistanceOperand other = measured(moved(testing::unit_sphere(), {3, 0, 0}));
+  const DistanceOperand other = measured(moved_by(testing::unit_sphere(), {3, 0, 0}));
   const DistanceResult above = least_distance(sphere, other, {.enough = 0.5});
   EXPECT_GT(above.lower, 0.5);
   EXPECT_LE(above.lower, 1);
@@ -341,7 +341,7 @@ TEST(LeastDistance, LeavesOutWhatIsTrimmedAway) {
 
 TEST(LeastDistance, EndsForPointsHardlyOffASurface) {
   // Far from the origin, so that roundings of coordinates are larger than the distance.
-  const DistanceOperand sphere = measured(moved(testing::unit_sphere(), {20, 10, 5}));
+  const DistanceOperand sphere = measured(moved_by(testing::unit_sphere(), {20, 10, 5}));
   const Vec3 normal = unit(Vec3{1, 2, 3});
   for (const double off : {0.0, 1e-14, 1e-12, 1e-9, 1e-6, 1e-3}) {
     const Vec3 point = Vec3{20, 10, 5} + (1 + off) * normal;
@@ -367,7 +367,7 @@ TEST(LeastDistance, EndsForPointsNearTheCentreOfASphere) {
 TEST(LeastDistance, OfConvexPartsNeedsFewPairs) {
   // Where the square of the distance is convex nothing is halved down to the accuracy.
   const DistanceResult found = least_distance(
-      measured(testing::unit_sphere()), measured(moved(testing::unit_sphere(), {3, 0.1, -0.2})));
+      measured(testing::unit_sphere()), measured(moved_by(testing::unit_sphere(), {3, 0.1, -0.2})));
   EXPECT_LE(found.upper - found.lower, 1e-12);
   EXPECT_LE(found.pairs, 400);
 }

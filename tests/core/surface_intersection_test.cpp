@@ -87,7 +87,7 @@ TEST_P(RegularFamily, IsFoundCompletely) {
 
 const Cubic kLine = linear(-0.6, 1, 0.2);
 const Cubic kMiddleY = linear(-0.5, 0, 1);
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Lengths with six digits are those of the closed forms' table; the loops' are exact.
 INSTANTIATE_TEST_SUITE_P(
@@ -95,13 +95,13 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         RegularRow{"transversal", linear(-0.5, 1, 0) + 0.3 * kMiddleY + 0.4 * (kMiddleY * kMiddleY),
                    1, 0, 1.06716, 1e-5},
-        RegularRow{"loop_2e_1", loop(kA, kB, 0.2), 0, 1, 0.4 * kPi},
-        RegularRow{"loop_1e_1", loop(kA, kB, 0.1), 0, 1, 0.2 * kPi},
-        RegularRow{"loop_5e_2", loop(kA, kB, 0.05), 0, 1, 0.1 * kPi},
-        RegularRow{"loop_2e_2", loop(kA, kB, 0.02), 0, 1, 0.04 * kPi},
-        RegularRow{"loop_1e_2", loop(kA, kB, 0.01), 0, 1, 0.02 * kPi},
-        RegularRow{"loop_5e_3", loop(kA, kB, 0.005), 0, 1, 0.01 * kPi},
-        RegularRow{"loop_1e_3", loop(kA, kB, 0.001), 0, 1, 0.002 * kPi},
+        RegularRow{"loop_2e_1", loop(kA, kB, 0.2), 0, 1, 0.4 * pi},
+        RegularRow{"loop_1e_1", loop(kA, kB, 0.1), 0, 1, 0.2 * pi},
+        RegularRow{"loop_5e_2", loop(kA, kB, 0.05), 0, 1, 0.1 * pi},
+        RegularRow{"loop_2e_2", loop(kA, kB, 0.02), 0, 1, 0.04 * pi},
+        RegularRow{"loop_1e_2", loop(kA, kB, 0.01), 0, 1, 0.02 * pi},
+        RegularRow{"loop_5e_3", loop(kA, kB, 0.005), 0, 1, 0.01 * pi},
+        RegularRow{"loop_1e_3", loop(kA, kB, 0.001), 0, 1, 0.002 * pi},
         RegularRow{"near_tangent_1e_2", kLine* kLine + constant(-1e-4), 2, 0, 2.03961, 1e-5},
         RegularRow{"near_crossing_1e_3", kX* kY + constant(-1e-3), 2, 0, 1.89283, 1e-5},
         RegularRow{"near_crossing_1e_5", kX* kY + constant(-1e-5), 2, 0, 1.98928, 1e-5},
@@ -255,7 +255,7 @@ TEST_P(RandomSmallLoops, AreNeverLost) {
     EXPECT_EQ(found.status, Status::Complete) << a << " " << b;
     ASSERT_EQ(found.curves.size(), 1u) << a << " " << b;
     EXPECT_TRUE(found.curves[0].closed);
-    EXPECT_NEAR(projected_length(found.curves[0]), 2e-3 * kPi, 2e-9 * kPi);
+    EXPECT_NEAR(projected_length(found.curves[0]), 2e-3 * pi, 2e-9 * pi);
   }
 }
 
@@ -315,7 +315,7 @@ TEST(SurfaceIntersection, RunsThroughTheKnotsOfASurfaceOfSeveralSpans) {
   EXPECT_EQ(found.status, Status::Complete);
   ASSERT_EQ(found.curves.size(), 1u);
   EXPECT_TRUE(found.curves[0].closed);
-  EXPECT_NEAR(total_projected_length(found), 0.4 * kPi, 1e-6);
+  EXPECT_NEAR(total_projected_length(found), 0.4 * pi, 1e-6);
   for (const SurfacePoint& sample : found.curves[0].samples)
     EXPECT_NEAR(sample.uv_a[0], 2 + 3 * sample.point[0], 1e-12);
 }
@@ -342,7 +342,7 @@ TEST(SurfaceIntersection, LooksOnlyAtSpansThatTheOtherSurfaceMeets) {
 
 // A quarter cylinder of radius 2 with its angle as parameter, and the plane x + z = 1.
 TEST(SurfaceIntersection, OfARationalSurfaceKeepsTheSurfacesOwnAngle) {
-  BezierSurface cylinder{{0, kPi / 2}, {0, 3}};
+  BezierSurface cylinder{{0, pi / 2}, {0, 3}};
   cylinder.u_law = ParameterLaw::Angle;
   cylinder.rational = true;
   const double w = std::sqrt(0.5);
@@ -379,7 +379,7 @@ TEST(SurfaceIntersection, OfARationalSurfaceKeepsTheSurfacesOwnAngle) {
 
 // A half cylinder of two spans about the z axis, and the plane x = 0 that holds its knot line.
 TEST(SurfaceIntersection, AlongAKnotLineIsFoundAndProven) {
-  BezierSurface cylinder{{0, kPi / 2, kPi}, {0, 3}};
+  BezierSurface cylinder{{0, pi / 2, pi}, {0, 3}};
   cylinder.u_law = ParameterLaw::Angle;
   cylinder.rational = true;
   cylinder.patches = Grid<RationalBezierPatch>(2, 1);
@@ -407,7 +407,7 @@ TEST(SurfaceIntersection, AlongAKnotLineIsFoundAndProven) {
   ASSERT_EQ(found.curves.size(), 1u);
   EXPECT_NEAR(found.curves[0].length, 3, 1e-12);
   for (const SurfacePoint& sample : found.curves[0].samples)
-    EXPECT_NEAR(sample.uv_a[0], kPi / 2, 1e-9);
+    EXPECT_NEAR(sample.uv_a[0], pi / 2, 1e-9);
 
   plane.patches(0, 0).points(1, 1)[0] = 1e-18;
   const SurfaceIntersection turned = intersect(cylinder, plane);
@@ -423,7 +423,7 @@ TEST(SurfaceIntersection, TangentToAKnotLineEndsSoonAndLosesNothing) {
 
   EXPECT_LT(found.certificate.critical, 5000);
   for (int i = 0; i < 400; ++i) {
-    const double angle = 2 * kPi * i / 400;
+    const double angle = 2 * pi * i / 400;
     const Vec3 p = on_base(kA + 0.2 * std::cos(angle), kB + 0.2 * std::sin(angle));
     EXPECT_TRUE(on_some_curve(found, p, 5e-4) || in_some_place(found, p, 1e-9)) << angle;
   }
@@ -460,7 +460,7 @@ TEST(SurfaceIntersection, KeepsWhatItHasWhenTheBudgetIsSpent) {
 
   EXPECT_EQ(found.status, Status::Stopped);
   for (int i = 0; i < 100; ++i) {
-    const double angle = 2 * kPi * i / 100;
+    const double angle = 2 * pi * i / 100;
     const Vec3 p = on_base(kA + 0.1 * std::cos(angle), kB + 0.1 * std::sin(angle));
     EXPECT_TRUE(on_some_curve(found, p, 1e-4) || in_some_place(found, p, 1e-9)) << angle;
   }

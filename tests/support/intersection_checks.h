@@ -36,6 +36,14 @@ inline double total_projected_length(const SurfaceIntersection& found) {
   return sum;
 }
 
+/// Lengths of the curves over a scale, increasing.
+inline std::vector<double> sorted_lengths(const SurfaceIntersection& found, double scale) {
+  std::vector<double> all;
+  for (const IntersectionCurve& curve : found.curves) all.push_back(curve.length / scale);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 /// In the box of some place, `slack` model units around it included.
 inline bool in_some_place(const SurfaceIntersection& found, const Vec3& p, double slack) {
   return std::any_of(found.places.begin(), found.places.end(), [&](const Place& place) {

@@ -22,7 +22,7 @@ namespace blossom::occt {
 namespace {
 
 // Where along an edge its faces' normals are compared; ends may be singular.
-constexpr std::array<double, 5> kSamples{0.03, 0.25, 0.5, 0.75, 0.97};
+constexpr std::array<double, 5> kNormalSamples{0.03, 0.25, 0.5, 0.75, 0.97};
 constexpr double kStep = 1e-4;  // of the chart's size: how far beside a pole a normal is taken
 
 std::string edge_name(int edge) { return "edge " + std::to_string(edge); }
@@ -160,7 +160,7 @@ EdgeKind edge_kind(const BodyEdges& body, int edge, double& angle) {
   const EdgeUseInFace &left = body.use(edge, true), &right = body.use(edge, false);
   bool convex = false, concave = false, smooth = false;
   angle = 0;
-  for (const double part : kSamples) {
+  for (const double part : kNormalSamples) {
     const double at = first + part * (last - first);
     const BodyEdges::Corner a = body.corner(left, at), b = body.corner(right, at);
     const double turn = std::atan2(norm(cross(a.normal, b.normal)), dot(a.normal, b.normal));

@@ -11,7 +11,7 @@
 namespace blossom::occt {
 namespace {
 
-constexpr std::string_view kEnd = "END-ISO-10303-21";
+constexpr std::string_view kFileEnd = "END-ISO-10303-21";
 constexpr std::size_t kNone = std::string::npos;
 
 char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
@@ -77,7 +77,7 @@ void close(std::string& text, ReadingReport& report) {
 
 void mend_step_text(std::string& text, ReadingReport& report) {
   text.erase(0, text.size() - after_preface(text).size());
-  const std::size_t end = last_place(text, kEnd);
+  const std::size_t end = last_place(text, kFileEnd);
   if (end == kNone)
     close(text, report);
   else

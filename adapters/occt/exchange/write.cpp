@@ -117,7 +117,7 @@ std::string iges_text(const Document& document) {
 }
 
 /// Version 1 without triangles: every Open CASCADE reads it.
-std::string brep_text(const TopoDS_Shape& shape) {
+std::string version_1_text(const TopoDS_Shape& shape) {
   std::ostringstream out;
   BRepTools::Write(shape, out, false, false, TopTools_FormatVersion_VERSION_1);
   return std::move(out).str();
@@ -303,7 +303,7 @@ void write_model(const Model& model, const std::filesystem::path& file,
         case Format::Glb: return glb_bytes(model.impl_->document);
         case Format::Brep: break;
       }
-      return brep_text(model.shape());
+      return version_1_text(model.shape());
     });
   } catch (const Failure& failure) {
     throw Failure(file.string() + ": " + failure.what());

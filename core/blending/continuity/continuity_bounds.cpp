@@ -137,12 +137,12 @@ EdgeJet<TaylorModel> jet_over(const BorderSpan& span, const Interval& piece, con
 }
 
 /// The figures in an order, to be compared one by one: gap, angle, difference, curvature.
-using Figures = std::array<double, 4>;
+using BoundFigures = std::array<double, 4>;
 
 /// Values at the middle of a piece and bounds over all of it.
 struct PieceFigures {
-  Figures middle;
-  Figures bounds;
+  BoundFigures middle;
+  BoundFigures bounds;
 };
 
 /// A figure that is no less than 0: at the middle and bounded.
@@ -258,12 +258,12 @@ class Bounds {
       : flat_(flat), enough_{kNoGap / flat, kNoAngle, kNoCurvature * flat, kNoCurvature} {
     std::vector<PieceFigures> whole;
     for (const Piece& piece : pieces) whole.push_back(look(piece));
-    Figures none;
+    BoundFigures none;
     none.fill(std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < pieces.size(); ++i) add(pieces[i], whole[i].bounds, none, 0);
   }
 
-  const Figures& most() const { return most_; }
+  const BoundFigures& most() const { return most_; }
 
  private:
   PieceFigures look(const Piece& piece) {
@@ -279,12 +279,13 @@ class Bounds {
            !(bound >= kStillFalling * of_whole && std::isfinite(bound));
   }
 
-  void add(const Piece& piece, const Figures& bounds, const Figures& of_whole, int halvings) {
+  void add(const Piece& piece, const BoundFigures& bounds, const BoundFigures& of_whole,
+           int halvings) {
     bool may = false;
     for (std::size_t i = 0; i < bounds.size(); ++i) may |= may_fall(i, bounds[i], of_whole[i]);
     if (halvings == kMaxHalvings || !may) return take(bounds);
     std::array<Piece, 2> halves{piece, piece};
-    std::array<Figures, 2> of;
+    std::array<BoundFigures, 2> of;
     for (std::size_t h = 0; h < 2; ++h) {
       const double from = h == 0 ? 0 : 0.5;
       halves[h].of_a = {at(piece.of_a, from), at(piece.of_a, from + 0.5)};
@@ -295,14 +296,14 @@ class Bounds {
     for (std::size_t h = 0; h < 2; ++h) add(halves[h], of[h], bounds, halvings + 1);
   }
 
-  void take(const Figures& bounds) {
+  void take(const BoundFigures& bounds) {
     for (std::size_t i = 0; i < bounds.size(); ++i) most_[i] = std::max(most_[i], bounds[i]);
   }
 
   double flat_;
-  Figures enough_;
-  Figures inside_{};
-  Figures most_{};
+  BoundFigures enough_;
+  BoundFigures inside_{};
+  BoundFigures most_{};
 };
 
 }  // namespace
@@ -313,7 +314,7 @@ std::optional<ContinuityBounds> continuity_bounds(const BorderSpans& a, const Bo
   const std::vector<Piece> pieces =
       has_arcs(a) || has_arcs(b) ? arc_pieces(a, b) : merged_pieces(a, b);
   if (pieces.empty()) return {};
-  const Figures most = Bounds(flat, pieces).most();
+  const BoundFigures most = Bounds(flat, pieces).most();
   return ContinuityBounds{most[0], most[1], most[2], most[3]};
 }
 

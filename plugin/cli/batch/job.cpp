@@ -23,7 +23,8 @@ Json parsed(const std::string& line, const std::string& place) {
   if (line.size() > kMaxJobLine)
     refuse(place, "the line has more than " + std::to_string(kMaxJobLine) + " bytes");
   if (!reports::is_nested_soundly(line))
-    refuse(place, "lists in it are nested more than " + std::to_string(reports::kMaxNesting) + " deep");
+    refuse(place,
+           "lists in it are nested more than " + std::to_string(reports::kMaxNesting) + " deep");
   Json json = Json::parse(line, nullptr, false);
   if (json.is_discarded()) refuse(place, "is no JSON");
   if (!json.is_object())

@@ -36,7 +36,7 @@ TopoDS_Face face_named(const std::string& name) {
   return faces.front();
 }
 
-std::string answer(const Words& words) {
+std::string blend_answer(const Words& words) {
   require(words.size() == 3 || words.size() == 5 || words.size() == 7);
   const TopoDS_Face a = face_named(words[1]), b = face_named(words[2]);
   occt::FaceStripOptions options;
@@ -55,7 +55,7 @@ std::string answer(const Words& words) {
 
 int blblend(Draw_Interpretor& interpreter, int count, const char** words) {
   return answered(interpreter, count, words,
-                  "result face_a face_b [border_a border_b [weight_a weight_b]]", answer);
+                  "result face_a face_b [border_a border_b [weight_a weight_b]]", blend_answer);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace blossom::draw {
 namespace {
 
-std::string answer(const Words& words) {
+std::string chamfer_answer(const Words& words) {
   require(words.size() >= 4);
   occt::FilletOptions options;
   options.chamfer = reports::chamfer_size(words[2]);
@@ -20,7 +20,7 @@ std::string answer(const Words& words) {
 
 int blchamfer(Draw_Interpretor& interpreter, int count, const char** words) {
   return answered(interpreter, count, words,
-                  "result solid distance all|convex|concave|edge [edge ...]", answer);
+                  "result solid distance all|convex|concave|edge [edge ...]", chamfer_answer);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ std::string figure_of(const reports::ClashRow& row) {
   return tcl_number(row.clash->measured ? row.clash->upper : row.clash->lower);
 }
 
-std::string answer(const Words& words) {
+std::string clash_answer(const Words& words) {
   require(words.size() >= 4);
   reports::ClashAnswer found;
   const double clearance = number_from(words[1]);
@@ -51,7 +51,7 @@ std::string answer(const Words& words) {
 }
 
 int blclash(Draw_Interpretor& interpreter, int count, const char** words) {
-  return answered(interpreter, count, words, "result clearance part part [part ...]", answer);
+  return answered(interpreter, count, words, "result clearance part part [part ...]", clash_answer);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace blossom::draw {
 namespace {
 
-std::string answer(const Words& words) {
+std::string fillet_answer(const Words& words) {
   require(words.size() >= 4);
   occt::FilletOptions options;
   reports::read_radius(words[2], options);
@@ -20,7 +20,7 @@ std::string answer(const Words& words) {
 
 int blfillet(Draw_Interpretor& interpreter, int count, const char** words) {
   return answered(interpreter, count, words,
-                  "result solid radius|from..to all|convex|concave|edge [edge ...]", answer);
+                  "result solid radius|from..to all|convex|concave|edge [edge ...]", fillet_answer);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ using testing::uniform;
 constexpr TriangleCorners kUnit{{{1, 0}, {0, 1}, {0, 0}}};
 
 // z = u v.
-MonomialPatch saddle() {
+MonomialPatch monomial_saddle() {
   MonomialPatch patch{Grid<Vec3>(2, 2)};
   patch.coefficients(1, 0) = {1, 0, 0};
   patch.coefficients(0, 1) = {0, 1, 0};
@@ -34,11 +34,11 @@ MonomialPatch saddle() {
 TEST(TriangleBlossom, OfTheSaddleIsTheAverageOfTheTwoProducts) {
   const std::array<Vec2, 2> arguments{{{2, 3}, {5, 7}}};
 
-  EXPECT_EQ(blossom_at(saddle(), arguments), (Vec3{3.5, 5, (2 * 7 + 5 * 3) / 2.0}));
+  EXPECT_EQ(blossom_at(monomial_saddle(), arguments), (Vec3{3.5, 5, (2 * 7 + 5 * 3) / 2.0}));
 }
 
 TEST(TriangleBlossom, GivesTheNetOfTheSaddleOnTheUnitTriangle) {
-  const BezierTriangle net = bezier_points(saddle(), kUnit);
+  const BezierTriangle net = bezier_points(monomial_saddle(), kUnit);
 
   EXPECT_EQ(net.degree, 2);
   EXPECT_EQ(net(2, 0), (Vec3{1, 0, 0}));
@@ -123,14 +123,14 @@ INSTANTIATE_TEST_SUITE_P(Seeds, TriangleBlossomProperty, ::testing::Range(0, 40)
 
 TEST(TriangleBlossom, IsOnePointOverATriangleOfOnePoint) {
   const BezierTriangle piece =
-      bezier_points(saddle(), TriangleCorners{{{0.5, 2}, {0.5, 2}, {0.5, 2}}});
+      bezier_points(monomial_saddle(), TriangleCorners{{{0.5, 2}, {0.5, 2}, {0.5, 2}}});
 
   for (const Vec3& point : piece.points) EXPECT_EQ(point, (Vec3{0.5, 2, 1}));
 }
 
 TEST(TriangleBlossom, RefusesADegreeThatLosesACoefficient) {
   try {
-    bezier_points(saddle(), kUnit, 1);
+    bezier_points(monomial_saddle(), kUnit, 1);
     FAIL() << "degree 1 was accepted for u v";
   } catch (const InvalidInput& error) {
     EXPECT_STREQ(error.what(),
@@ -141,9 +141,10 @@ TEST(TriangleBlossom, RefusesADegreeThatLosesACoefficient) {
 
 TEST(TriangleBlossom, RefusesCornersThatAreNotFiniteAndDegreesThatAreTooHigh) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(bezier_points(saddle(), TriangleCorners{{{0, 0}, {1, nan}, {0, 1}}}), InvalidInput);
-  EXPECT_THROW(bezier_points(saddle(), kUnit, 26), InvalidInput);
-  EXPECT_THROW(blossom_at(saddle(), std::vector<Vec2>(51)), InvalidInput);
+  EXPECT_THROW(bezier_points(monomial_saddle(), TriangleCorners{{{0, 0}, {1, nan}, {0, 1}}}),
+               InvalidInput);
+  EXPECT_THROW(bezier_points(monomial_saddle(), kUnit, 26), InvalidInput);
+  EXPECT_THROW(blossom_at(monomial_saddle(), std::vector<Vec2>(51)), InvalidInput);
 }
 
 }  // namespace

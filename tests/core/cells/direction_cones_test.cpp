@@ -19,7 +19,7 @@ using testing::uniform;
 constexpr Axes kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 
 // Some positive multiple of the direction lies in the box.
-bool holds(const VectorBounds& bounds, const Vec3& direction) {
+bool holds_direction(const VectorBounds& bounds, const Vec3& direction) {
   double from = 0, to = 1e300;
   for (int k = 0; k < 3; ++k) {
     const double low = bounds.middle[k] - bounds.radius[k];
@@ -60,8 +60,8 @@ TEST(DirectionCones, HoldTheDerivativesOfWhateverWasRoundedToThePatch) {
     for (int k = 0; k < 20; ++k) {
       const PatchJet jet = jet_at(shaken(patch, rounding, random), uniform(random, 0.25, 0.5),
                                   uniform(random, 0.5, 0.75), 1);
-      EXPECT_TRUE(holds(cones.u, jet.u)) << draw;
-      EXPECT_TRUE(holds(cones.v, jet.v)) << draw;
+      EXPECT_TRUE(holds_direction(cones.u, jet.u)) << draw;
+      EXPECT_TRUE(holds_direction(cones.v, jet.v)) << draw;
     }
   }
 }

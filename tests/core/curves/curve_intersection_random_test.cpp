@@ -22,7 +22,7 @@ using testing::circle;
 using testing::in_space;
 using testing::seeded;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 double gap_at(const CurveSpans& a, const CurveSpans& b, const CurvePoint& point) {
   return distance(point_at(a, point.a), point_at(b, point.b));
@@ -50,7 +50,7 @@ TEST(CurveIntersection, RandomCirclesNearContactAreRight) {
     const double gap = sign * std::pow(10, -testing::uniform(random, 1, 12));
     const double d = inner ? std::abs(r - q) - gap : r + q + gap;
     if (d < 0.05) continue;
-    const double angle = testing::uniform(random, 0, 2 * kPi);
+    const double angle = testing::uniform(random, 0, 2 * pi);
     const CurveSpans a = circle({0.1, 0.2}, r);
     const CurveSpans b = circle({0.1 + d * std::cos(angle), 0.2 + d * std::sin(angle)}, q);
     const CurveIntersection found = intersect(a, b);

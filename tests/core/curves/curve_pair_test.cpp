@@ -17,11 +17,11 @@ using testing::seeded;
 using testing::uniform;
 
 // Whole curves as cells, with their cones.
-struct Trees {
+struct PlaneTrees {
   CurveSpans a, b;
   CurveTree tree_a{a, Vec3{}, 2}, tree_b{b, Vec3{}, 2};
 
-  Trees(CurveSpans first, CurveSpans second) : a(std::move(first)), b(std::move(second)) {
+  PlaneTrees(CurveSpans first, CurveSpans second) : a(std::move(first)), b(std::move(second)) {
     tree_a.direct(0);
     tree_b.direct(0);
   }
@@ -39,7 +39,7 @@ TEST(CurvePair, ConesNeverExcludeACommonPoint) {
     CurveSpans b = bezier({{0, 0, 0}, {bow_b, 0.5, 0}, {0, 1, 0}});
     const Vec3 shift = point_at(a, s) - point_at(b, t);
     for (Vec4& p : b.spans[0].curve.points) p += Vec4{shift[0], shift[1], 0, 0};
-    const Trees trees(a, b);
+    const PlaneTrees trees(a, b);
     ASSERT_TRUE(least_sine(trees.pair()));
     EXPECT_FALSE(FatLines(trees.pair(), 1e-12).separated());
     for (const double at_a : {0.0, uniform(random, 0, 1), 1.0})
@@ -49,8 +49,8 @@ TEST(CurvePair, ConesNeverExcludeACommonPoint) {
 }
 
 TEST(CurvePair, ConesExcludeWhatLiesBeyondTheEnd) {
-  const Trees trees(bezier({{0, 0, 0}, {0.5, 0.05, 0}, {1, 0, 0}}),
-                    bezier({{1.001, -0.5, 0}, {1.02, 0, 0}, {1.001, 0.5, 0}}));
+  const PlaneTrees trees(bezier({{0, 0, 0}, {0.5, 0.05, 0}, {1, 0, 0}}),
+                         bezier({{1.001, -0.5, 0}, {1.02, 0, 0}, {1.001, 0.5, 0}}));
   EXPECT_TRUE(cones_exclude(trees.pair(), trees.foot(1, 0.5)));
   EXPECT_FALSE(cones_exclude(trees.pair(), trees.foot(0, 0)));
 }
@@ -58,8 +58,8 @@ TEST(CurvePair, ConesExcludeWhatLiesBeyondTheEnd) {
 TEST(CurvePair, SineIsBelowAllAnglesBetweenTheCurves) {
   auto random = seeded(2);
   for (int trial = 0; trial < 500; ++trial) {
-    const Trees trees(bezier({{0, 0, 0}, {0.5, uniform(random, -0.4, 0.4), 0}, {1, 0, 0}}),
-                      bezier({{0, 0, 0}, {0.3, uniform(random, 0, 1), 0}, {0.5, 1, 0}}));
+    const PlaneTrees trees(bezier({{0, 0, 0}, {0.5, uniform(random, -0.4, 0.4), 0}, {1, 0, 0}}),
+                           bezier({{0, 0, 0}, {0.3, uniform(random, 0, 1), 0}, {0.5, 1, 0}}));
     const auto sine = least_sine(trees.pair());
     if (!sine) continue;
     for (int i = 0; i <= 10; ++i)
@@ -71,8 +71,8 @@ TEST(CurvePair, SineIsBelowAllAnglesBetweenTheCurves) {
 }
 
 TEST(CurvePair, NewtonSettlesOnTheCrossing) {
-  const Trees trees(bezier({{0, 0, 0}, {0.5, 0.3, 0}, {1, 0, 0}}),
-                    bezier({{0.4, -0.5, 0}, {0.6, 0, 0}, {0.4, 0.7, 0}}));
+  const PlaneTrees trees(bezier({{0, 0, 0}, {0.5, 0.3, 0}, {1, 0, 0}}),
+                         bezier({{0.4, -0.5, 0}, {0.6, 0, 0}, {0.4, 0.7, 0}}));
   const auto foot = nearest_feet(trees.pair(), chord_feet(trees.pair()));
   ASSERT_TRUE(foot);
   EXPECT_LE(norm(foot->gap()), 1e-15);

@@ -16,7 +16,7 @@ using testing::bezier;
 using testing::circle;
 using testing::in_space;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(CurveSelfIntersection, LoopsWithinOneSpanAreFound) {
   const CurveSpans loop = bezier({{0, 0, 0}, {3, 2, 0}, {-2, 2, 0}, {1, 0, 0}});
@@ -43,7 +43,7 @@ TEST(CurveSelfIntersection, SimpleAndClosedCurvesHaveNone) {
 TEST(CurveSelfIntersection, PentagramHasFivePoints) {
   std::vector<Vec3> corners;
   for (int i = 0; i <= 5; ++i)
-    corners.push_back({std::cos(0.8 * kPi * (i % 5)), std::sin(0.8 * kPi * (i % 5)), 0});
+    corners.push_back({std::cos(0.8 * pi * (i % 5)), std::sin(0.8 * pi * (i % 5)), 0});
   const CurveIntersection found = self_intersections(testing::polygon(corners));
   EXPECT_EQ(found.status, Status::Complete);
   EXPECT_EQ(found.points.size(), 5U);

@@ -20,7 +20,7 @@ using testing::bezier;
 using testing::seeded;
 using testing::uniform;
 
-constexpr double kTolerance = 1e-7;
+constexpr double kLineTolerance = 1e-7;
 
 // The graph of bend (x - p) (x - q) over [0, 1].
 CurveSpans parabola(double p, double q, double bend) {
@@ -32,7 +32,7 @@ std::optional<ValleyPoints> points(const CurveSpans& a, const CurveSpans& b) {
   CurveTree tree_a(a, Vec3{}, 2), tree_b(b, Vec3{}, 2);
   tree_a.direct(0);
   tree_b.direct(0);
-  return line_points({tree_a, tree_a[0], tree_b, tree_b[0]}, kTolerance, 0.03);
+  return line_points({tree_a, tree_a[0], tree_b, tree_b[0]}, kLineTolerance, 0.03);
 }
 
 TEST(LinePoints, TwoZerosOfAParabolaAreFoundFromTheWholeCurves) {
@@ -114,7 +114,7 @@ TEST(LinePoints, FootIsNotTakenBeyondTheEndOfALine) {
     ASSERT_EQ(found.points.size(), 1U);
     const CurvePoint& at = found.points.front();
     const double on_curve = swapped ? at.b : at.a, on_line = swapped ? at.a : at.b;
-    EXPECT_LE(distance(point_at(curve, on_curve), point_at(line, on_line)), kTolerance);
+    EXPECT_LE(distance(point_at(curve, on_curve), point_at(line, on_line)), kLineTolerance);
   }
 }
 
@@ -149,7 +149,7 @@ TEST(LinePoints, RandomLinesMeetWhatExactSignsTell) {
     EXPECT_GE(static_cast<int>(found.points.size()), least) << trial;
     EXPECT_LE(static_cast<int>(found.points.size()), 2 + trial % 4) << trial;
     for (const CurvePoint& point : found.points)
-      EXPECT_LE(distance(point_at(curve, point.a), p + (q - p) * point.b), kTolerance + 1e-12);
+      EXPECT_LE(distance(point_at(curve, point.a), p + (q - p) * point.b), kLineTolerance + 1e-12);
   }
 }
 

@@ -10,7 +10,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<Conic> one_of_each() {
   const Vec3 centre{1, -2, 0.5}, x = unit(Vec3{1, 2, 2}), y = unit(Vec3{-2, -1, 2});
@@ -57,9 +57,9 @@ TEST(Conic, HasTheDerivativesOfItsPoints) {
 TEST(Conic, HasKnownLengths) {
   const std::vector<Conic> all = one_of_each();
   EXPECT_DOUBLE_EQ(arc_length(all[0], {-1, 2}), 3);
-  EXPECT_DOUBLE_EQ(arc_length(all[1], {0, 2 * kPi}), 6 * kPi);
+  EXPECT_DOUBLE_EQ(arc_length(all[1], {0, 2 * pi}), 6 * pi);
   const double eccentricity = std::sqrt(1 - 0.25 / 9);
-  EXPECT_NEAR(arc_length(all[2], {0, 2 * kPi}), 12 * std::comp_ellint_2(eccentricity), 1e-11);
+  EXPECT_NEAR(arc_length(all[2], {0, 2 * pi}), 12 * std::comp_ellint_2(eccentricity), 1e-11);
   const double s = 1.5 / 1.4;  // y / (2 focal)
   EXPECT_NEAR(arc_length(all[3], {0, 1.5}), 0.7 * (s * std::hypot(1, s) + std::asinh(s)), 1e-11);
   double sum = 0;

@@ -9,7 +9,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr MeetingLimits kLimits{1e-10, 1e-7};
 constexpr Ball kHere{{0, 0, 0}, 100};
 
@@ -69,13 +69,13 @@ TEST(ElementaryMeeting, WhatTouchesWithinTheLimitDoesSoInOnePlace) {
 }
 
 TEST(ElementaryMeeting, CirclesRoundOneAxisLieOnBothSurfaces) {
-  const auto found = elementary_meeting(sphere_of(5), cone_of(kPi / 6, {0, 0, -1}), kHere, kLimits);
+  const auto found = elementary_meeting(sphere_of(5), cone_of(pi / 6, {0, 0, -1}), kHere, kLimits);
   ASSERT_TRUE(found.has_value());
   ASSERT_EQ(found->curves.size(), 2u);
   for (const MeetingCurve& curve : found->curves) {
     const double radius = curve.conic.major, height = curve.conic.centre[2];
     EXPECT_NEAR(std::hypot(radius, height), 5, 1e-14);
-    EXPECT_NEAR(radius, std::abs(height + 1) * std::tan(kPi / 6), 1e-14);
+    EXPECT_NEAR(radius, std::abs(height + 1) * std::tan(pi / 6), 1e-14);
   }
 }
 
@@ -99,7 +99,7 @@ TEST(ElementaryMeeting, SaysNothingOfOtherPositions) {
 
 TEST(ElementaryMeeting, AConeThatIsNearlyFlatIsAsFarFromAPlaneAsItsSlopeTakesIt) {
   const double slope = 1e-6;
-  const double bound = distance_bound(plane_at(0), cone_of(kPi / 2 - slope), {{0, 0, 0}, 5});
+  const double bound = distance_bound(plane_at(0), cone_of(pi / 2 - slope), {{0, 0, 0}, 5});
   EXPECT_GE(bound, 5 * slope * (1 - 1e-9));
   EXPECT_LE(bound, 5.001 * slope);
 }

@@ -13,7 +13,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 using Random = std::mt19937;
 
@@ -67,8 +67,8 @@ double distance_from(const Elementary& of, const Vec3& p) {
 // Some point of a surface, not far from its centre.
 Vec3 point_of(Random& random, const Elementary& of) {
   const Vec3 x = unit(cross(of.axis, Vec3{0.3, -0.5, 0.1})), y = cross(of.axis, x);
-  const double turn = draw(random, -kPi, kPi), height = draw(random, 0.5, 6);
-  const double tilt = draw(random, -kPi, kPi);
+  const double turn = draw(random, -pi, pi), height = draw(random, 0.5, 6);
+  const double tilt = draw(random, -pi, pi);
   const auto at = [&](double r, double h) {
     return of.centre + r * (std::cos(turn) * x + std::sin(turn) * y) + h * of.axis;
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/papers/q_bernstein.h"
+#include "core/math/index.h"
 
 #include <gtest/gtest.h>
 
@@ -27,8 +28,6 @@ using testing::Random;
 using testing::Rational;
 using testing::seeded;
 
-constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
-
 TEST(QBernstein, OfDegreeTwoIsThatByHand) {
   // q = (1/2, 1), [0, 1]: (1 - x)(1 - x / 2), 3/2 x (1 - x), x^2.
   EXPECT_EQ(q_bernstein(2, 0.5, Interval{0, 1}, QParameters{0.5, 1}),
@@ -41,10 +40,10 @@ TEST(QBernstein, OfTheUnitIntervalIsThePostQuantumBasis) {
   const Rational x(3, 7);
   for (int n = 0; n <= 6; ++n)
     for (int k = 0; k <= n; ++k) {
-      Rational value =
-          q_binomials(n, q)[at(k)] * power(x, k) * power(q.q2, k * (k - 1) / 2 - n * (n - 1) / 2);
+      Rational value = q_binomials(n, q)[index(k)] * power(x, k) *
+                       power(q.q2, k * (k - 1) / 2 - n * (n - 1) / 2);
       for (int i = 0; i < n - k; ++i) value *= power(q.q2, i) - power(q.q1, i) * x;
-      EXPECT_EQ(q_bernstein(n, x, ExactInterval{Rational(0), Rational(1)}, q)[at(k)], value);
+      EXPECT_EQ(q_bernstein(n, x, ExactInterval{Rational(0), Rational(1)}, q)[index(k)], value);
     }
 }
 
@@ -68,10 +67,10 @@ TEST_P(QBernsteinProperty, IsTheQuotientOfProducts) {
   Rational divisor(1);
   for (int i = 0; i < n; ++i) divisor *= power(q().q1, i) * a - power(q().q2, i) * b;
   for (int k = 0; k <= n; ++k) {
-    Rational value = q_binomials(n, q())[at(k)] / divisor;
+    Rational value = q_binomials(n, q())[index(k)] / divisor;
     for (int i = 0; i < k; ++i) value *= power(q().q1, i) * a - power(q().q2, i) * x_;
     for (int i = 0; i < n - k; ++i) value *= power(q().q1, i) * x_ - power(q().q2, i) * b;
-    EXPECT_EQ(basis(x_)[at(k)], value);
+    EXPECT_EQ(basis(x_)[index(k)], value);
   }
 }
 
@@ -88,8 +87,8 @@ TEST_P(QBernsteinProperty, ReproducesTheParameterWithAPlus) {  // Proposition 4.
   Rational sum(0), printed(0);
   for (int k = 0; k <= n; ++k) {
     const Rational share = power(q().q2, n - k) * q_integer(k, q()) / all * (b - a);
-    sum += (a + share) * basis(x_)[at(k)];
-    printed += (a - share) * basis(x_)[at(k)];
+    sum += (a + share) * basis(x_)[index(k)];
+    printed += (a - share) * basis(x_)[index(k)];
   }
   EXPECT_EQ(sum, x_);
   EXPECT_EQ(printed, 2 * a - x_);
@@ -118,7 +117,7 @@ TEST_P(QBernsteinProperty, IsClassicalForEqualParameters) {
 }
 
 TEST_P(QBernsteinProperty, IsAUnitVectorAtTheEnds) {  // Proposition 4.4
-  std::vector<Rational> first(at(degree() + 1), Rational(0)), last = first;
+  std::vector<Rational> first(index(degree() + 1), Rational(0)), last = first;
   first.front() = 1;
   last.back() = 1;
   EXPECT_EQ(basis(interval().from), first);
@@ -141,7 +140,7 @@ TEST_P(QBernsteinProperty, PartialBasesLeadFromTheDiagonalToTheCurve) {
       for (int i = n - 1; i >= m; --i) arguments.push_back(pair(i, x_));
       for (int i = n - 1; i >= n - m + k; --i) arguments.push_back(pair(i, interval().from));
       for (int i = k - 1; i >= 0; --i) arguments.push_back(pair(i, interval().to));
-      sum += q_blossom_at(polynomial, q(), arguments) * partial[at(k)];
+      sum += q_blossom_at(polynomial, q(), arguments) * partial[index(k)];
     }
     EXPECT_EQ(sum, value) << "m = " << m;
   }
@@ -162,7 +161,7 @@ TEST(QBernstein, MarsdensIdentityFailsWithThePrintedDenominator) {
   const Rational t(2), x(4), product(6);
   const auto terms = q_marsden_terms(2, t, x, interval, q);
   Rational printed(0);  // [n,k] at 1/q1, 1/q2 is (q1 q2)^(-k(n-k)) [n,k]
-  for (int k = 0; k <= 2; ++k) printed += terms[at(k)] * power(product, -k * (2 - k));
+  for (int k = 0; k <= 2; ++k) printed += terms[index(k)] * power(product, -k * (2 - k));
   EXPECT_NE(printed, q_marsden_product(2, t, x, interval, q));
 }
 

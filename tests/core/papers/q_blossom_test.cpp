@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/papers/q_blossom.h"
+#include "core/math/index.h"
 
 #include <gtest/gtest.h>
 
@@ -37,8 +38,6 @@ using testing::seeded;
 using testing::uniform;
 
 using ExactMonomial = MonomialCurveOf<ExactPoint3>;
-constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
-
 TEST(QBlossom, OfTheSquareIsTheProductOverTheDiagonalFactors) {
   // P = (x, x^2), q = (2, 3): p of x y is (x1 y2 + x2 y1) / (2 + 3), that of x^2 is x1 x2 / 2.
   const MonomialCurveOf<Vec2> square{{{0, 0}, {1, 0}, {0, 1}}};
@@ -74,7 +73,7 @@ TEST_P(QBlossomProperty, IsSymmetric) {
 
 TEST_P(QBlossomProperty, IsLinearInEachPair) {
   std::vector<ExactPoint2> arguments = exact_pairs(random_, degree());
-  ExactPoint2& moved = arguments[at(testing::pick(random_, 0, degree() - 1))];
+  ExactPoint2& moved = arguments[index(testing::pick(random_, 0, degree() - 1))];
   const ExactPoint2 first = moved, second = exact_pairs(random_, 1)[0];
   const Rational s = fraction(random_), t = fraction(random_);
 
@@ -135,7 +134,7 @@ TEST_P(QBlossomProperty, RecursionHoldsBlossomValuesWhateverC) {
         std::vector<ExactPoint2> mixed(starts.begin(), starts.begin() + (n - r - k));
         mixed.insert(mixed.end(), arguments.begin(), arguments.begin() + r);
         mixed.insert(mixed.end(), starts.end() - k, starts.end());
-        EXPECT_EQ(levels[at(r)][at(k)], blossom(mixed));
+        EXPECT_EQ(levels[index(r)][index(k)], blossom(mixed));
       }
     EXPECT_EQ(levels.back()[0], blossom(arguments));
   }
@@ -180,15 +179,15 @@ TEST_P(QBlossomProperty, IntermediatePointsDependOnTheRatioUpToAPower) {
 
   for (int r = 0, sum = 0; r <= degree(); ++r) {
     for (int k = 0; k <= degree() - r; ++k)
-      EXPECT_EQ(levels[at(r)][at(k)],
-                of_ratio[at(r)][at(k)] * power(curve_.q.q2, sum - (r * k + r * (r - 1) / 2)));
-    if (r < degree()) sum += sigma[at(r)] - 1;
+      EXPECT_EQ(levels[index(r)][index(k)],
+                of_ratio[index(r)][index(k)] * power(curve_.q.q2, sum - (r * k + r * (r - 1) / 2)));
+    if (r < degree()) sum += sigma[index(r)] - 1;
   }
 }
 
 TEST_P(QBlossomProperty, StepsAreAffineForSecondParameterOne) {
   const ExactQ ratio{curve_.q.q1 / curve_.q.q2, Rational(1)};
-  const std::vector<ExactPoint3> ones(at(degree() + 1), {Rational(1), Rational(1), Rational(1)});
+  const std::vector<ExactPoint3> ones(index(degree() + 1), {Rational(1), Rational(1), Rational(1)});
   const auto levels = q_evaluation_levels(ones, curve_.interval, ratio, fraction(random_),
                                           reversed_permutation(degree()));
   for (const auto& level : levels)
@@ -271,7 +270,7 @@ TEST_P(QBlossomAccuracy, ControlPointsAreWithinTheStatedBound) {
     const auto arguments = q_control_arguments(degree(), k, interval_, q_);
     const ExactPoint3 wanted = q_blossom_at(
         same, exact_q(), q_control_arguments(degree(), k, exact_interval(), exact_q()));
-    EXPECT_LE(exact_gap(points[at(k)], wanted),
+    EXPECT_LE(exact_gap(points[index(k)], wanted),
               q_blossom_error(degree()) * q_blossom_scale(curve, q_, arguments));
   }
 }

@@ -28,7 +28,7 @@ using testing::Rational;
 using testing::read_golden;
 using testing::rounded;
 
-using ExactCurve = QBezierCurveOf<ExactPoint>;
+using GoldenCurve = QBezierCurveOf<ExactPoint>;
 using ExactPatch = QBezierPatchOf<ExactPoint>;
 
 const Json& golden() {
@@ -48,7 +48,7 @@ class QGoldenCurve : public ::testing::TestWithParam<int> {
  protected:
   const Json& test_ = golden().at("cases").at(static_cast<std::size_t>(GetParam()));
   ::testing::ScopedTrace trace_{__FILE__, __LINE__, test_.at("label").get<std::string>()};
-  ExactCurve curve_{points(test_.at("control_points")), interval(test_), parameters(test_)};
+  GoldenCurve curve_{points(test_.at("control_points")), interval(test_), parameters(test_)};
   int n() const { return curve_.degree(); }
 
   // The curve with rounded data, and that as exact data again.
@@ -57,7 +57,7 @@ class QGoldenCurve : public ::testing::TestWithParam<int> {
             {rounded(curve_.interval.from), rounded(curve_.interval.to)},
             {rounded(curve_.q.q1), rounded(curve_.q.q2)}};
   }
-  static ExactCurve same(const QBezierCurve& curve) {
+  static GoldenCurve same(const QBezierCurve& curve) {
     return {testing::exact(curve.points),
             {Rational(curve.interval.from), Rational(curve.interval.to)},
             {Rational(curve.q.q1), Rational(curve.q.q2)}};
@@ -108,8 +108,8 @@ TEST_P(QGoldenCurve, IsCutIntoTheGivenPointsWhereverTheyHaveABasis) {
     EXPECT_THROW(subdivide(curve_, t), InvalidInput);
     return;
   }
-  EXPECT_EQ(subdivide(curve_, t).left, (ExactCurve{found.left, {a, t}, curve_.q}));
-  EXPECT_EQ(subdivide(curve_, t).right, (ExactCurve{found.right, {t, b}, curve_.q}));
+  EXPECT_EQ(subdivide(curve_, t).left, (GoldenCurve{found.left, {a, t}, curve_.q}));
+  EXPECT_EQ(subdivide(curve_, t).right, (GoldenCurve{found.right, {t, b}, curve_.q}));
 }
 
 TEST_P(QGoldenCurve, HasTheGivenSignOfItsBasis) {
@@ -121,7 +121,7 @@ TEST_P(QGoldenCurve, HasTheGivenSignOfItsBasis) {
 
 TEST_P(QGoldenCurve, IsWithinTheStatedErrorsInDouble) {
   const QBezierCurve curve = double_curve();
-  const ExactCurve wanted = same(curve);
+  const GoldenCurve wanted = same(curve);
   for (const Json& place : test_.at("evaluation")) {
     const double x = rounded(number(place.at("x")));
     EXPECT_LE(
@@ -143,7 +143,7 @@ TEST_P(QGoldenCurve, IsWithinTheStatedErrorsInDouble) {
 TEST_P(QGoldenCurve, HasTheGivenControlPointsWithinTheStatedErrorInDouble) {
   const MonomialCurve polynomial{rounded(points(test_.at("monomial")))};
   const QBezierCurve curve = double_curve();
-  const ExactCurve exact_curve = same(curve);
+  const GoldenCurve exact_curve = same(curve);
   const auto found = q_control_points(polynomial, curve.interval, curve.q);
   const auto wanted =
       q_control_points(MonomialCurveOf<ExactPoint>{testing::exact(polynomial.coefficients)},
@@ -270,8 +270,8 @@ TEST(QGolden, InadmissibleParametersAreRefusedWithTheGivenReason) {
       return reason.starts_with(entry.first);
     });
     ASSERT_NE(wanted, words.end()) << reason;
-    const ExactCurve curve{std::vector<ExactPoint>(static_cast<std::size_t>(n + 1)), interval(test),
-                           parameters(test)};
+    const GoldenCurve curve{std::vector<ExactPoint>(static_cast<std::size_t>(n + 1)),
+                            interval(test), parameters(test)};
     try {
       point_at(curve, Rational(1));
       ADD_FAILURE() << "accepted in spite of " << reason;

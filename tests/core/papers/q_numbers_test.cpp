@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/papers/q_numbers.h"
+#include "core/math/index.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +17,6 @@ using testing::ExactQ;
 using testing::power;
 using testing::Rational;
 using testing::seeded;
-
-constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
 
 // Lemma 2.3 by its left side: all choices of k of the factors i = 1..n.
 Rational sum_over_choices(int n, int k, const ExactQ& q) {
@@ -51,7 +50,7 @@ TEST(QNumbers, AreTheOrdinaryOnesTimesPowersForEqualParameters) {
     EXPECT_EQ(q_integer(n, q), power(3, n - 1) * n);
     for (int k = 0; k <= n; ++k) {
       const Rational ordinary(binomial(n, k));
-      EXPECT_EQ(q_binomials(n, q)[at(k)], power(3, k * (n - k)) * ordinary);
+      EXPECT_EQ(q_binomials(n, q)[index(k)], power(3, k * (n - k)) * ordinary);
     }
   }
 }
@@ -83,9 +82,9 @@ TEST_P(QNumbersProperty, BinomialsSatisfyBothPascalIdentities) {
   for (int n = 1; n <= 9; ++n) {
     const auto row = q_binomials(n, q), before = q_binomials(n - 1, q);
     for (int k = 1; k < n; ++k) {
-      const Rational &stays = before[at(k)], &moves = before[at(k - 1)];
-      EXPECT_EQ(row[at(k)], power(q.q1, k) * stays + power(q.q2, n - k) * moves);  // (2.1)
-      EXPECT_EQ(row[at(k)], power(q.q2, k) * stays + power(q.q1, n - k) * moves);  // (2.2)
+      const Rational &stays = before[index(k)], &moves = before[index(k - 1)];
+      EXPECT_EQ(row[index(k)], power(q.q1, k) * stays + power(q.q2, n - k) * moves);  // (2.1)
+      EXPECT_EQ(row[index(k)], power(q.q2, k) * stays + power(q.q1, n - k) * moves);  // (2.2)
     }
   }
 }
@@ -95,8 +94,8 @@ TEST_P(QNumbersProperty, BinomialsAreQuotientsOfFactorialsAndSymmetric) {
   for (int n = 0; n <= 9; ++n)
     for (int k = 0; k <= n; ++k) {
       const auto row = q_binomials(n, q);
-      EXPECT_EQ(row[at(k)], row[at(n - k)]);
-      EXPECT_EQ(row[at(k)] * q_factorial(k, q) * q_factorial(n - k, q), q_factorial(n, q));
+      EXPECT_EQ(row[index(k)], row[index(n - k)]);
+      EXPECT_EQ(row[index(k)] * q_factorial(k, q) * q_factorial(n - k, q), q_factorial(n, q));
     }
 }
 
@@ -105,15 +104,15 @@ TEST_P(QNumbersProperty, BinomialsOfTheReciprocalsDifferByAPower) {
   const ExactQ inverse{Rational(1) / q.q1, Rational(1) / q.q2};
   const Rational product = q.q1 * q.q2;
   for (int k = 0; k <= 6; ++k)
-    EXPECT_EQ(q_binomials(6, inverse)[at(k)],
-              power(product, -k * (6 - k)) * q_binomials(6, q)[at(k)]);
+    EXPECT_EQ(q_binomials(6, inverse)[index(k)],
+              power(product, -k * (6 - k)) * q_binomials(6, q)[index(k)]);
 }
 
 TEST_P(QNumbersProperty, SumOverChoicesIsTheDiagonalFactorOfLemma23) {
   const ExactQ q = this->q();
   for (int n = 0; n <= 6; ++n)
     for (int k = 0; k <= n; ++k)
-      EXPECT_EQ(q_diagonal_factors(n, q)[at(k)], sum_over_choices(n, k, q));
+      EXPECT_EQ(q_diagonal_factors(n, q)[index(k)], sum_over_choices(n, k, q));
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, QNumbersProperty, ::testing::Range(0, 12));

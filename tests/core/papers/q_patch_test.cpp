@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "core/papers/q_patch.h"
+#include "core/math/index.h"
 
 #include <gtest/gtest.h>
 
@@ -31,15 +32,13 @@ using testing::Rational;
 using testing::seeded;
 using testing::uniform;
 
-using ExactPatch = QBezierPatchOf<ExactPoint3>;
-constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
-
+using ExactPatch3 = QBezierPatchOf<ExactPoint3>;
 ExactPoint3 combination(const Grid<ExactPoint3>& net, const std::vector<Rational>& along_u,
                         const std::vector<Rational>& along_v) {
   ExactPoint3 sum{};
   for (int k = 0; k < net.rows(); ++k)
     for (int l = 0; l < net.columns(); ++l) {
-      const Rational weight = along_u[at(k)] * along_v[at(l)];
+      const Rational weight = along_u[index(k)] * along_v[index(l)];
       sum += net(k, l) * weight;
     }
   return sum;
@@ -58,11 +57,11 @@ TEST(QPatch, BilinearIsTheClassicalOneWhateverTheParameters) {
 class QPatchProperty : public ::testing::TestWithParam<int> {
  protected:
   Random random_ = seeded(GetParam() + 400);
-  ExactPatch patch_ = random_patch([this](int n) { return exact_curve(random_, n); });
+  ExactPatch3 patch_ = random_patch([this](int n) { return exact_curve(random_, n); });
   Rational u_ = fraction(random_), v_ = fraction(random_);
 
   template <class CurveOf>
-  ExactPatch random_patch(CurveOf curve_of) {
+  ExactPatch3 random_patch(CurveOf curve_of) {
     const ExactCurve along_u = curve_of(1 + GetParam() % 3),
                      along_v = curve_of(1 + GetParam() / 3 % 3);
     Grid<ExactPoint3> net(along_u.degree() + 1, along_v.degree() + 1);
@@ -132,7 +131,7 @@ TEST_P(QPatchProperty, BlossomIsSymmetricAndLinearInEachDirection) {
 }
 
 TEST_P(QPatchProperty, QuadrantsAreThePatchAndShareTheirBorders) {
-  const ExactPatch safe = random_patch([this](int n) { return testing::safe_curve(random_, n); });
+  const ExactPatch3 safe = random_patch([this](int n) { return testing::safe_curve(random_, n); });
   const Rational s = safe.u.from + (safe.u.to - safe.u.from) / 3;
   const Rational t = safe.v.from + (safe.v.to - safe.v.from) * 2 / 5;
   const auto quadrants = subdivide(safe, s, t);
@@ -164,11 +163,11 @@ class QPatchAccuracy : public ::testing::TestWithParam<int> {
       {short_number(0, 0.5), short_number(1, 2)},
       {short_number(0.5, 1), 1},
       {short_number(-0.8, -0.5), 1}};
-  ExactPatch same_{exact(patch_.points),
-                   {Rational(patch_.u.from), Rational(patch_.u.to)},
-                   {Rational(patch_.v.from), Rational(patch_.v.to)},
-                   {Rational(patch_.q.q1), Rational(1)},
-                   {Rational(patch_.r.q1), Rational(1)}};
+  ExactPatch3 same_{exact(patch_.points),
+                    {Rational(patch_.u.from), Rational(patch_.u.to)},
+                    {Rational(patch_.v.from), Rational(patch_.v.to)},
+                    {Rational(patch_.q.q1), Rational(1)},
+                    {Rational(patch_.r.q1), Rational(1)}};
 };
 
 TEST_P(QPatchAccuracy, ValuesAreWithinTheRunningBound) {

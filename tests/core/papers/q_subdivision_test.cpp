@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/errors.h"
+#include "core/math/index.h"
 #include "core/papers/q_bernstein.h"
 #include "core/papers/q_curve.h"
 #include "tests/core/papers/q_cases.h"
@@ -25,8 +26,6 @@ using testing::Random;
 using testing::Rational;
 using testing::seeded;
 using testing::uniform;
-
-constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
 
 TEST(QSubdivision, OfTheBumpHasHandComputedPoints) {
   // b_1 B_1 = 3/2 x (1 - x) for q = (1/2, 1). On [0, 1/2]: 0, 1/2 B_1^1(1/2) = 1/2, 3/8.
@@ -57,8 +56,8 @@ TEST_P(QSubdivisionProperty, PointsAreTheStatedBlossomValues) {  // (5.1), (5.2)
   for (int i = 0; i <= degree(); ++i) {
     const auto left = q_control_arguments(degree(), i, {a, t_}, curve_.q);
     const auto right = q_control_arguments(degree(), i, {t_, b}, curve_.q);
-    EXPECT_EQ(cut.left[at(i)], q_blossom_at(polynomial, curve_.q, left));
-    EXPECT_EQ(cut.right[at(i)], q_blossom_at(polynomial, curve_.q, right));
+    EXPECT_EQ(cut.left[index(i)], q_blossom_at(polynomial, curve_.q, left));
+    EXPECT_EQ(cut.right[index(i)], q_blossom_at(polynomial, curve_.q, right));
   }
 }
 
@@ -71,10 +70,10 @@ TEST_P(QSubdivisionProperty, PointsAreTheStatedSums) {  // Theorem 5.1, explicit
     const auto below = q_bernstein(i, t_, curve_.interval, curve_.q);
     const auto above = q_bernstein(n - i, t_, curve_.interval, curve_.q);
     ExactPoint3 left{}, right{};
-    for (int j = 0; j <= i; ++j) left += curve_.points[at(j)] * below[at(j)];
-    for (int j = 0; j <= n - i; ++j) right += curve_.points[at(i + j)] * above[at(j)];
-    EXPECT_EQ(cut.left[at(i)], left);
-    EXPECT_EQ(cut.right[at(i)], right);
+    for (int j = 0; j <= i; ++j) left += curve_.points[index(j)] * below[index(j)];
+    for (int j = 0; j <= n - i; ++j) right += curve_.points[index(i + j)] * above[index(j)];
+    EXPECT_EQ(cut.left[index(i)], left);
+    EXPECT_EQ(cut.right[index(i)], right);
   }
 }
 
@@ -96,9 +95,9 @@ TEST_P(QSubdivisionProperty, MidpointPiecesAreTheCurveInOrder) {
   const Rational x = fraction(random_), step = (safe.interval.to - safe.interval.from) / 8;
   ASSERT_EQ(pieces.size(), 8u);
   for (int i = 0; i < 8; ++i) {
-    EXPECT_EQ(pieces[at(i)].interval.from, safe.interval.from + step * i);
-    EXPECT_EQ(pieces[at(i)].interval.to, safe.interval.from + step * (i + 1));
-    EXPECT_EQ(point_at(pieces[at(i)], x), point_at(safe, x));
+    EXPECT_EQ(pieces[index(i)].interval.from, safe.interval.from + step * i);
+    EXPECT_EQ(pieces[index(i)].interval.to, safe.interval.from + step * (i + 1));
+    EXPECT_EQ(point_at(pieces[index(i)], x), point_at(safe, x));
   }
 }
 
@@ -128,10 +127,10 @@ TEST_P(QSubdivisionAccuracy, CutPointsAreWithinTheRunningBound) {
     ExactPoint3 left{}, right{};
     const auto below = q_bernstein(i, Rational(t), same.interval, same.q);
     const auto above = q_bernstein(n - i, Rational(t), same.interval, same.q);
-    for (int j = 0; j <= i; ++j) left += same.points[at(j)] * below[at(j)];
-    for (int j = 0; j <= n - i; ++j) right += same.points[at(i + j)] * above[at(j)];
-    EXPECT_LE(exact_gap(cut.left[at(i)], left), bound);
-    EXPECT_LE(exact_gap(cut.right[at(i)], right), bound);
+    for (int j = 0; j <= i; ++j) left += same.points[index(j)] * below[index(j)];
+    for (int j = 0; j <= n - i; ++j) right += same.points[index(i + j)] * above[index(j)];
+    EXPECT_LE(exact_gap(cut.left[index(i)], left), bound);
+    EXPECT_LE(exact_gap(cut.right[index(i)], right), bound);
   }
 }
 
@@ -170,7 +169,7 @@ double polygon_distance(const QBezierCurveOf<Vec2>& curve, int levels) {
       for (int i = 0; i < 4; ++i) {
         const double part = (k + i / 4.0) / piece.degree();
         const Vec2 on_polygon =
-            piece.points[at(k)] * (1 - i / 4.0) + piece.points[at(k + 1)] * (i / 4.0);
+            piece.points[index(k)] * (1 - i / 4.0) + piece.points[index(k + 1)] * (i / 4.0);
         largest = std::max(
             largest, distance(on_polygon, point_at(curve, blossom::at(piece.interval, part))));
       }

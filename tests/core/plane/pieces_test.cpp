@@ -82,7 +82,7 @@ void expect_areas(const Square& square, const std::vector<double>& wanted) {
   for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(found[i], wanted[i], 1e-13);
 }
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Pieces, WithoutCutsAreTheFaceItself) { expect_areas(Square(), {16}); }
 
@@ -94,8 +94,8 @@ TEST(Pieces, OfAStraightCutHaveHandComputedAreas) {
 
 TEST(Pieces, OfAClosedCutAreADiscAndAFaceWithAHole) {
   Square square;
-  square.cut(4, 4, arc({2, 2}, 1, 0, 2 * kPi));
-  expect_areas(square, {kPi, 16 - kPi});
+  square.cut(4, 4, arc({2, 2}, 1, 0, 2 * pi));
+  expect_areas(square, {pi, 16 - pi});
   const ChartPieces found = pieces(square.arcs);
   EXPECT_TRUE(found.consistent);
   EXPECT_EQ(found.pieces[0].holes.size() + found.pieces[1].holes.size(), 1u);
@@ -103,9 +103,9 @@ TEST(Pieces, OfAClosedCutAreADiscAndAFaceWithAHole) {
 
 TEST(Pieces, OfNestedClosedCutsAreRings) {
   Square square;
-  square.cut(4, 4, arc({2, 2}, 1, 0, 2 * kPi));
-  square.cut(5, 5, arc({2, 2}, 0.5, 2 * kPi, 0));
-  expect_areas(square, {kPi / 4, 0.75 * kPi, 16 - kPi});
+  square.cut(4, 4, arc({2, 2}, 1, 0, 2 * pi));
+  square.cut(5, 5, arc({2, 2}, 0.5, 2 * pi, 0));
+  expect_areas(square, {pi / 4, 0.75 * pi, 16 - pi});
 }
 
 TEST(Pieces, OfTwoCrossingCutsAreFour) {
@@ -128,7 +128,7 @@ TEST(Pieces, CutThatDividesNothingIsInThePieceRoundIt) {
   Square square({{1, 3}, {}, {1}, {}});  // vertices (1, 0), (3, 0), and (3, 4)
   square.cut(5, 6, {line({3, 0}, {3, 4})});
   const int from_rim = square.cut(4, 7, {line({1, 0}, {1, 2})});
-  square.cut(8, 8, arc({1.5, 3}, 0.5, 0, 2 * kPi));
+  square.cut(8, 8, arc({1.5, 3}, 0.5, 0, 2 * pi));
   const int in_loop = square.cut(9, 10, {line({1.4, 3}, {1.6, 3})});
   for (const ChartPiece& piece : pieces(square.arcs).pieces) {
     const double size = signed_area(square.arcs, piece.outer);
@@ -144,28 +144,28 @@ TEST(Pieces, CutThatDividesNothingIsInThePieceRoundIt) {
 TEST(Pieces, StemOfAClosedCutIsLeftOutButTheLoopDivides) {
   Square square({{2}, {}, {}, {}});  // vertex 4 = (2, 0)
   const int stem = square.cut(4, 5, {line({2, 0}, {2, 1})});
-  square.cut(5, 5, arc({2, 2}, 1, -kPi / 2, 1.5 * kPi));
-  expect_areas(square, {kPi, 16 - kPi});
+  square.cut(5, 5, arc({2, 2}, 1, -pi / 2, 1.5 * pi));
+  expect_areas(square, {pi, 16 - pi});
   EXPECT_EQ(pieces(square.arcs).dangling, std::vector<int>{stem});
 }
 
 TEST(Pieces, HoleStaysWithThePieceThatHoldsIt) {
   Square square({{1}, {}, {3}, {}});
-  square.arcs.push_back({6, 6, arc({2.5, 2}, 0.5, 2 * kPi, 0), true});  // clockwise: a hole
+  square.arcs.push_back({6, 6, arc({2.5, 2}, 0.5, 2 * pi, 0), true});  // clockwise: a hole
   square.cut(4, 5, {line({1, 0}, {1, 4})});
-  expect_areas(square, {4, 12 - kPi / 4});
+  expect_areas(square, {4, 12 - pi / 4});
 }
 
 TEST(Pieces, OneCutFromTheRimToAHoleDividesNothingAndTwoDo) {
   Square square({{2}, {}, {2}, {}});  // (2, 0), (2, 4)
-  square.arcs.push_back({6, 7, arc({2, 2}, 1, 1.5 * kPi, 0.5 * kPi), true});
-  square.arcs.push_back({7, 6, arc({2, 2}, 1, 0.5 * kPi, -0.5 * kPi), true});
+  square.arcs.push_back({6, 7, arc({2, 2}, 1, 1.5 * pi, 0.5 * pi), true});
+  square.arcs.push_back({7, 6, arc({2, 2}, 1, 0.5 * pi, -0.5 * pi), true});
   Square once = square;
   once.cut(4, 6, {line({2, 0}, {2, 1})});
-  expect_areas(once, {16 - kPi});
+  expect_areas(once, {16 - pi});
   square.cut(4, 6, {line({2, 0}, {2, 1})});
   square.cut(7, 5, {line({2, 3}, {2, 4})});
-  expect_areas(square, {8 - kPi / 2, 8 - kPi / 2});
+  expect_areas(square, {8 - pi / 2, 8 - pi / 2});
 }
 
 TEST(Pieces, ArmsWithOneDirectionAreOrderedByCurvature) {
@@ -194,15 +194,15 @@ TEST(Pieces, FirstStepsAsShortAsRoundingDoNotTellWhereACutGoes) {
 
 TEST(Pieces, CutThatTouchesTheRimInAVertexDividesThere) {
   Square square({{2}, {}, {}, {}});
-  square.cut(4, 4, arc({2, 1}, 1, -kPi / 2, 1.5 * kPi));
-  expect_areas(square, {kPi, 16 - kPi});
+  square.cut(4, 4, arc({2, 1}, 1, -pi / 2, 1.5 * pi));
+  expect_areas(square, {pi, 16 - pi});
 }
 
 // It leaves the square and comes back 2e-4 farther on, by less than the tolerance.
 TEST(Pieces, CutThatTouchesTheRimMayCrossItWithinTolerance) {
   constexpr double kTilt = 1e-4, kTolerance = 1e-7;
   Square square({{2}, {}, {}, {}});
-  square.cut(4, 4, arc({2, 1}, 1, kTilt - kPi / 2, kTilt + 1.5 * kPi));
+  square.cut(4, 4, arc({2, 1}, 1, kTilt - pi / 2, kTilt + 1.5 * pi));
   EXPECT_EQ(pieces(square.arcs, kTolerance).pieces.size(), 2);
   EXPECT_EQ(pieces(square.arcs, kTilt * kTilt / 4).pieces.size(), 1);
 }
@@ -239,10 +239,10 @@ TEST(Pieces, CutBesideTheRimFromAVertexThatCoversBothDividesThere) {
 
 TEST(Pieces, LoopsThatTouchInAVertexAreHolesOfTheirOwn) {
   Square square({{2}, {}, {}, {}});  // vertex 4 = (2, 0)
-  square.cut(4, 4, arc({2, 0.5}, 0.5, -kPi / 2, 1.5 * kPi));
-  square.cut(5, 5, arc({1, 2}, 0.5, 0, 2 * kPi));  // from (1.5, 2)
-  square.cut(5, 5, arc({2, 2}, 0.5, kPi, 3 * kPi));
-  expect_areas(square, {kPi / 4, kPi / 4, kPi / 4, 16 - 0.75 * kPi});
+  square.cut(4, 4, arc({2, 0.5}, 0.5, -pi / 2, 1.5 * pi));
+  square.cut(5, 5, arc({1, 2}, 0.5, 0, 2 * pi));  // from (1.5, 2)
+  square.cut(5, 5, arc({2, 2}, 0.5, pi, 3 * pi));
+  expect_areas(square, {pi / 4, pi / 4, pi / 4, 16 - 0.75 * pi});
   for (const ChartPiece& piece : pieces(square.arcs).pieces) {
     const bool around = signed_area(square.arcs, piece.outer) > 1;
     EXPECT_EQ(piece.outer.size(), around ? 5U : 1U);
@@ -252,7 +252,7 @@ TEST(Pieces, LoopsThatTouchInAVertexAreHolesOfTheirOwn) {
 
 TEST(Pieces, SayWhenAHoleLiesOutsideOfTheFace) {
   Square square;
-  square.arcs.push_back({4, 4, arc({9, 2}, 0.5, 2 * kPi, 0), true});
+  square.arcs.push_back({4, 4, arc({9, 2}, 0.5, 2 * pi, 0), true});
   EXPECT_FALSE(pieces(square.arcs).consistent);
 }
 
@@ -267,7 +267,7 @@ TEST(Loops, RayThroughAnEndOfTwoArcsIsCountedOnce) {
 }
 
 TEST(Loops, AreaOfACircleIsExact) {
-  EXPECT_NEAR(area_along(arc({3, 1}, 2, 0, 2 * kPi), {5, 1}), 4 * kPi, 1e-12);
+  EXPECT_NEAR(area_along(arc({3, 1}, 2, 0, 2 * pi), {5, 1}), 4 * pi, 1e-12);
 }
 
 }  // namespace

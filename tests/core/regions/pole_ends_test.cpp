@@ -11,7 +11,7 @@ namespace {
 using testing::Chart;
 using testing::heights;
 
-constexpr double kWithin = 1e-7;
+constexpr double kPoleTolerance = 1e-7;
 
 // A sector with its tip along v = 0.
 BezierSurface sector() {
@@ -39,7 +39,7 @@ TrimmedChart passing() {
 
 TEST(PoleEnds, DoNotSweepOverTheChartBesideThePole) {
   const TrimmedChart given = passing();
-  const TrimmedChart made = with_straight_pole_ends(sector(), given, kWithin);
+  const TrimmedChart made = with_straight_pole_ends(sector(), given, kPoleTolerance);
 
   EXPECT_NEAR(made.corners[3][0], 0.6, 1e-7);
   EXPECT_EQ(made.corners[3][1], 0);
@@ -52,7 +52,7 @@ TEST(PoleEnds, DoNotSweepOverTheChartBesideThePole) {
 TEST(PoleEnds, MoveNoPointByMoreThanTheDistance) {
   const BezierSurface surface = sector();
   const TrimmedChart given = passing();
-  const TrimmedChart made = with_straight_pole_ends(surface, given, kWithin);
+  const TrimmedChart made = with_straight_pole_ends(surface, given, kPoleTolerance);
 
   for (std::size_t b = 0; b < given.borders.size(); ++b) {
     const Interval domain = given.borders[b].curve.domain();
@@ -60,7 +60,7 @@ TEST(PoleEnds, MoveNoPointByMoreThanTheDistance) {
       const double t = at(domain, k / 50.0);
       EXPECT_LE(distance(point_at(surface, point_at(given.borders[b].curve, t)),
                          point_at(surface, point_at(made.borders[b].curve, t))),
-                kWithin);
+                kPoleTolerance);
     }
   }
 }
@@ -71,7 +71,7 @@ TEST(PoleEnds, StayWhereTheyAreFartherThanThatFromStraightOnes) {
   bent.borders[3].curve.spans[0].curve = {{{0.9, 0, 1}, {0.9, 0.1, 1}, {0.6, 0.2, 1}}};
   bent.borders[3].curve.spans[1].curve = {{{0.6, 0.2, 1}, {0.6, 1, 1}}};
 
-  const TrimmedChart made = with_straight_pole_ends(sector(), bent, kWithin);
+  const TrimmedChart made = with_straight_pole_ends(sector(), bent, kPoleTolerance);
 
   EXPECT_EQ(made.corners[3], bent.corners[3]);
   for (int k = 0; k <= 20; ++k)
@@ -82,7 +82,7 @@ TEST(PoleEnds, StayWhereTheyAreFartherThanThatFromStraightOnes) {
 TEST(PoleEnds, StayWhereThereIsNoPole) {
   TrimmedChart given = passing();
   given.borders[2].is_point = false;
-  const TrimmedChart made = with_straight_pole_ends(sector(), given, kWithin);
+  const TrimmedChart made = with_straight_pole_ends(sector(), given, kPoleTolerance);
   EXPECT_EQ(made.corners, given.corners);
 }
 
@@ -101,7 +101,7 @@ TrimmedChart touching() {
 
 TEST(PoleEnds, MakeTwoCornersOfOneThatBordersSweepToBesideThePole) {
   const TrimmedChart given = touching();
-  const TrimmedChart made = with_straight_pole_ends(sector(), given, kWithin);
+  const TrimmedChart made = with_straight_pole_ends(sector(), given, kPoleTolerance);
 
   ASSERT_EQ(made.borders.size(), 4u);
   ASSERT_EQ(made.corners.size(), 4u);
@@ -130,14 +130,14 @@ TEST(PoleEnds, LeaveCornersThatAreAtNoPole) {
   BezierSurface turned = sector();
   std::swap(turned.patches(0, 0).points(0, 0), turned.patches(0, 0).points(0, 1));
   std::swap(turned.patches(0, 0).points(1, 0), turned.patches(0, 0).points(1, 1));
-  EXPECT_EQ(with_straight_pole_ends(turned, given, kWithin).corners, given.corners);
+  EXPECT_EQ(with_straight_pole_ends(turned, given, kPoleTolerance).corners, given.corners);
 
   TrimmedChart other = given;
   for (RegionBorder& border : other.borders) {
     border.reversed = true;
     std::swap(border.from, border.to);
   }
-  EXPECT_EQ(with_straight_pole_ends(sector(), other, kWithin).corners, given.corners);
+  EXPECT_EQ(with_straight_pole_ends(sector(), other, kPoleTolerance).corners, given.corners);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(PolynomialSurface, OfASphereStaysWithinItsBound) {
   for (const double tolerance : {1e-3, 1e-6, 1e-8}) {
@@ -27,7 +27,7 @@ TEST(PolynomialSurface, OfASphereStaysWithinItsBound) {
     EXPECT_LE(made.error, tolerance);
     EXPECT_FALSE(made.rational);
     double seen = 0;
-    for (double u = 0.01; u < 2 * kPi; u += 0.1)
+    for (double u = 0.01; u < 2 * pi; u += 0.1)
       for (double v = -1.57; v < 1.57; v += 0.1)
         seen = std::max(seen, distance(point_at(made, {u, v}), point_at(sphere, {u, v})));
     EXPECT_LE(seen, made.error);
@@ -37,7 +37,7 @@ TEST(PolynomialSurface, OfASphereStaysWithinItsBound) {
 
 // A quarter of a cone: an angle along u, rational along v as well.
 TEST(PolynomialSurface, OfAConeOfRationalLinesStaysWithinItsBound) {
-  BezierSurface cone{{0, kPi / 2}, {0, 1}};
+  BezierSurface cone{{0, pi / 2}, {0, 1}};
   cone.u_law = ParameterLaw::Angle;
   cone.rational = true;
   cone.patches = Grid<RationalBezierPatch>(1, 1);
@@ -54,7 +54,7 @@ TEST(PolynomialSurface, OfAConeOfRationalLinesStaysWithinItsBound) {
 
   EXPECT_LE(made.error, 1e-6);
   double seen = 0;
-  for (double u = 0; u < kPi / 2; u += 0.01)
+  for (double u = 0; u < pi / 2; u += 0.01)
     for (double v = 0; v <= 1; v += 0.01)
       seen = std::max(seen, distance(point_at(made, {u, v}), point_at(cone, {u, v})));
   EXPECT_LE(seen, made.error);

@@ -10,7 +10,7 @@ namespace {
 
 using testing::heights;
 
-constexpr double kWithin = 1e-6;
+constexpr double kSpanTolerance = 1e-6;
 
 PlanarSpan straight(const Vec2& from, const Vec2& to, const Interval& place) {
   return {{{{from[0], from[1], 1}, {to[0], to[1], 1}}}, place, ParameterLaw::Linear};
@@ -28,7 +28,8 @@ PlanarCurve refined() {
 }
 
 TEST(ShortSpans, BecomePartsOfTheirNeighbours) {
-  const PlanarCurve made = without_short_spans(heights({0, 1}, {0, 1}, 3), refined(), kWithin);
+  const PlanarCurve made =
+      without_short_spans(heights({0, 1}, {0, 1}, 3), refined(), kSpanTolerance);
 
   ASSERT_EQ(made.spans.size(), 2u);
   EXPECT_EQ(made.spans[1].place.from, 0.9);
@@ -41,7 +42,7 @@ TEST(ShortSpans, TakeNoPointFartherThanTheDistance) {
   given.spans[2] = straight({0.3, 0.99999}, {0.30001, 0.9999999}, given.spans[2].place);
   given.spans[3] = straight({0.30001, 0.9999999}, {0.3, 1}, given.spans[3].place);
 
-  const PlanarCurve made = without_short_spans(surface, given, kWithin);
+  const PlanarCurve made = without_short_spans(surface, given, kSpanTolerance);
 
   for (std::size_t k = 0; k + 1 < made.spans.size(); ++k)
     EXPECT_EQ(made.spans[k].place.to, made.spans[k + 1].place.from);
@@ -50,7 +51,7 @@ TEST(ShortSpans, TakeNoPointFartherThanTheDistance) {
       const double t = at(span.place, k / 10.0);
       EXPECT_LE(
           distance(point_at(surface, point_at(given, t)), point_at(surface, point_at(made, t))),
-          kWithin);
+          kSpanTolerance);
     }
 }
 
@@ -59,7 +60,7 @@ TEST(ShortSpans, StayWhereTheCurveHasACorner) {
   given.spans = {straight({0.3, 0}, {0.3, 0.5}, {0, 1}),
                  straight({0.3, 0.5}, {0.30004, 0.5}, {1, 2}),
                  straight({0.30004, 0.5}, {0.30004, 1}, {2, 3})};
-  const PlanarCurve made = without_short_spans(heights({0, 1}, {0, 1}, 3), given, kWithin);
+  const PlanarCurve made = without_short_spans(heights({0, 1}, {0, 1}, 3), given, kSpanTolerance);
   EXPECT_EQ(made.spans.size(), 3u);
 }
 

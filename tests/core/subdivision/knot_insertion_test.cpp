@@ -14,7 +14,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 BezierSurface cubic() {
   testing::Random random = testing::seeded(5);
@@ -27,7 +27,7 @@ BezierSurface cubic() {
 
 // Two thirds of a turn of a cylinder of radius 3 and height 7.
 BezierSurface tube() {
-  const double span = kPi / 3, w = std::cos(span / 2);
+  const double span = pi / 3, w = std::cos(span / 2);
   BezierSurface surface{{0, span, 2 * span}, {0, 7}, ParameterLaw::Angle};
   surface.rational = true;
   surface.patches = Grid<RationalBezierPatch>(2, 1);
@@ -92,7 +92,7 @@ TEST(KnotInsertion, LeavesBordersInCommonBitForBit) {
 }
 
 TEST(KnotInsertion, RefusesKnotsThatAreThereOrOutside) {
-  for (const double knot : {-1.0, 0.0, kPi / 3, 2 * kPi / 3, 4.0, std::nan("")})
+  for (const double knot : {-1.0, 0.0, pi / 3, 2 * pi / 3, 4.0, std::nan("")})
     EXPECT_THROW(with_knot(tube(), Direction::U, knot), InvalidInput) << knot;
 }
 

@@ -41,7 +41,7 @@ using testing::setting;
 using testing::text;
 using testing::uniform;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Plant {
   std::string kind;
@@ -66,7 +66,7 @@ Plant circle(std::string kind, double x, double y, double r, double scale) {
   int starts = 0;
   for (int i = 0; i < kSteps; ++i) {
     const auto point = [&](int k) {
-      return Vec2{x + r * std::cos(2 * kPi * k / kSteps), y + r * std::sin(2 * kPi * k / kSteps)};
+      return Vec2{x + r * std::cos(2 * pi * k / kSteps), y + r * std::sin(2 * pi * k / kSteps)};
     };
     if (!in_square(point(i))) continue;
     starts += !in_square(point(i + kSteps - 1));

@@ -13,6 +13,7 @@
 #include "core/surface_intersection.h"
 #include "tests/support/components.h"
 #include "tests/support/cubic_family.h"
+#include "tests/support/intersection_checks.h"
 #include "tests/support/surface_changes.h"
 
 namespace blossom {
@@ -42,13 +43,6 @@ std::vector<PlaceKind> kinds(const SurfaceIntersection& found) {
   for (const Place& place : found.places)
     if (place.kind != PlaceKind::Tangential || all.empty() || all.back() != place.kind)
       all.push_back(place.kind);
-  return all;
-}
-
-std::vector<double> lengths(const SurfaceIntersection& found, double scale) {
-  std::vector<double> all;
-  for (const IntersectionCurve& curve : found.curves) all.push_back(curve.length / scale);
-  std::sort(all.begin(), all.end());
   return all;
 }
 
@@ -209,7 +203,7 @@ class Metamorphic : public ::testing::TestWithParam<std::tuple<int, int>> {
 
 TEST_P(Metamorphic, ChangesNothing) {
   const CubicPair pair = cubic_pair(row().h);
-  const std::vector<double> before = lengths(intersect(pair.a, pair.b), 1);
+  const std::vector<double> before = testing::sorted_lengths(intersect(pair.a, pair.b), 1);
   for (int seed = 0; seed < change().draws; ++seed) {
     SCOPED_TRACE(seed);
     Random random = testing::seeded(seed);
@@ -224,7 +218,7 @@ TEST_P(Metamorphic, ChangesNothing) {
     if (row().regular()) {
       EXPECT_EQ(found.status, Status::Complete);
     }
-    const std::vector<double> after = lengths(found, change().scale);
+    const std::vector<double> after = testing::sorted_lengths(found, change().scale);
     ASSERT_EQ(after.size(), before.size());
     const double accuracy = row().regular() ? 1e-6 : row().accuracy;
     for (std::size_t i = 0; i < after.size(); ++i)

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/surface_intersection.h"
+#include "tests/support/draws.h"
 #include "tests/support/random.h"
 #include "tests/support/solids.h"
 #include "tests/support/surface_changes.h"
@@ -21,10 +22,7 @@ namespace {
 
 using testing::Random;
 
-int setting(const char* name, int otherwise) {
-  const char* const text = std::getenv(name);
-  return text == nullptr ? otherwise : std::atoi(text);
-}
+using testing::setting;
 
 enum class Above { Bowl, Trough, Ball };
 
@@ -42,15 +40,15 @@ BezierSurface bowl(double p, double q, double a, double b, double gap) {
   return testing::one_patch(std::move(patch));
 }
 
-struct Draw {
+struct NearDraw {
   Above kind = Above::Bowl;
   double gap = 0;  // in tolerances
   BezierSurface above, plane;
   std::string words;
 };
 
-Draw random_draw(Random& random) {
-  Draw draw;
+NearDraw random_near_draw(Random& random) {
+  NearDraw draw;
   draw.kind = static_cast<Above>(testing::pick(random, 0, 2));
   const double tolerance = 1e-7;
   const int sign = testing::pick(random, 0, 3) == 0 ? -1 : 1;
@@ -90,7 +88,7 @@ Draw random_draw(Random& random) {
 }
 
 // What is wrong with the answer; empty if nothing is.
-std::string fault(const Draw& draw, const SurfaceIntersection& found) {
+std::string fault(const NearDraw& draw, const SurfaceIntersection& found) {
   if (found.status == Status::Stopped) return "stopped";
   const bool any = !found.curves.empty() || !found.points.empty() || !found.overlaps.empty() ||
                    !found.places.empty();
@@ -105,7 +103,7 @@ TEST(NearContacts, AreNeverMissed) {
   int faults = 0;
   for (int seed = first; seed < first + trials; ++seed) {
     Random random = testing::seeded(seed);
-    const Draw draw = random_draw(random);
+    const NearDraw draw = random_near_draw(random);
     const bool swapped = testing::pick(random, 0, 1) == 1;
     const SurfaceIntersection found = swapped
                                           ? intersect(draw.plane, draw.above, {.time_limit = 10})

@@ -203,16 +203,16 @@ Draw random_draw(Random& random) {
     if (Draw draw = kind(random); fits_the_square(draw)) return draw;
 }
 
-struct Placed {
+struct PlacedDraw {
   testing::CubicPair pair;
   bool swapped = false;
   bool raised = false;
 };
 
-Placed place(const Draw& draw, Random& random) {
+PlacedDraw place(const Draw& draw, Random& random) {
   const testing::CubicPair pair = cubic_pair(draw.h, testing::random_base(random));
   const testing::Motion motion = testing::random_motion(random);
-  Placed placed{{moved(pair.a, motion), moved(pair.b, motion)}};
+  PlacedDraw placed{{moved(pair.a, motion), moved(pair.b, motion)}};
   placed.raised = pick(random, 0, 2) > 0;
   if (placed.raised)
     placed.pair = {testing::elevated(placed.pair.a, 5), testing::elevated(placed.pair.b, 5)};
@@ -234,7 +234,7 @@ bool well_written(const IntersectionCurve& curve) {
 }
 
 // What is wrong with an answer; empty if nothing is.
-std::string fault(const Draw& draw, const Placed& placed, const SurfaceIntersection& found) {
+std::string fault(const Draw& draw, const PlacedDraw& placed, const SurfaceIntersection& found) {
   const Components c = components(found);
   if (found.status == Status::Complete && (draw.contact || c != draw.exact))
     return "false complete";
@@ -247,7 +247,8 @@ std::string fault(const Draw& draw, const Placed& placed, const SurfaceIntersect
   return "";
 }
 
-std::string described(const Draw& draw, const Placed& placed, const SurfaceIntersection& found) {
+std::string described(const Draw& draw, const PlacedDraw& placed,
+                      const SurfaceIntersection& found) {
   std::ostringstream out;
   out << draw.kind << " " << draw.details << " depth " << draw.depth
       << (placed.raised ? ", raised" : "") << (placed.swapped ? ", swapped" : "") << "\n  found "
@@ -271,7 +272,7 @@ struct Trial {
 Trial trial(int seed) {
   Random random = testing::seeded(seed);
   const Draw draw = random_draw(random);
-  const Placed placed = place(draw, random);
+  const PlacedDraw placed = place(draw, random);
   const auto start = std::chrono::steady_clock::now();
   const SurfaceIntersection found = intersect(placed.pair.a, placed.pair.b, {.time_limit = 10});
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;

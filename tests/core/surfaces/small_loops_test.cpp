@@ -45,15 +45,15 @@ TEST(SmallLoops, AreNeverLost) {
 // Less deep than the tolerance, a loop may be read as a touch in one order of the surfaces: the
 // other one, or a finer tolerance, tells it.
 TEST(SmallLoops, LessDeepThanTheToleranceAreLoopsInBothOrders) {
-  struct Draw {
+  struct LoopDraw {
     double a, b, depth, r;
   };
-  for (const Draw& draw : std::vector<Draw>{{0.693, 0.542, 8.8e-8, 0.0162},
-                                            {0.489, 0.792, 1.13e-7, 0.0195},
-                                            {0.416, 0.691, 7.27e-9, 0.0034},
-                                            {0.266, 0.691, 1.5e-8, 0.0112},
-                                            {0.698, 0.219, 2.5e-8, 0.0133},
-                                            {0.5, 0.5, 3e-8, 0.01}}) {
+  for (const LoopDraw& draw : std::vector<LoopDraw>{{0.693, 0.542, 8.8e-8, 0.0162},
+                                                    {0.489, 0.792, 1.13e-7, 0.0195},
+                                                    {0.416, 0.691, 7.27e-9, 0.0034},
+                                                    {0.266, 0.691, 1.5e-8, 0.0112},
+                                                    {0.698, 0.219, 2.5e-8, 0.0133},
+                                                    {0.5, 0.5, 3e-8, 0.01}}) {
     SCOPED_TRACE(draw.depth);
     const double scale = draw.depth / (draw.r * draw.r);
     const testing::CubicPair pair = cubic_pair(testing::loop(draw.a, draw.b, draw.r, scale));

@@ -72,7 +72,7 @@ struct Pair {
   BezierSurface a, b;
 };
 
-struct Row {
+struct SplineRow {
   const char* name;
   int count;  ///< poles in each direction
   Height a, b;
@@ -83,7 +83,7 @@ struct Row {
 
 // The smallest is the pair of the benchmark of geomcore 0.37.0, marching_intersection.rs. Lengths
 // are those of level lines of z1 - z2 on fine grids.
-const std::vector<Row> kRows{
+const std::vector<SplineRow> kSplineRows{
     {"poles_6",
      6,
      [](double i, double j) { return std::sin(0.7 * i * j); },
@@ -107,15 +107,8 @@ const std::vector<Row> kRows{
      2e-5},
 };
 
-Pair pair_of(const Row& row) {
+Pair pair_of(const SplineRow& row) {
   return {spline_surface(row.count, row.a), spline_surface(row.count, row.b)};
-}
-
-std::vector<double> lengths(const SurfaceIntersection& found, double scale) {
-  std::vector<double> all;
-  for (const IntersectionCurve& curve : found.curves) all.push_back(curve.length / scale);
-  std::sort(all.begin(), all.end());
-  return all;
 }
 
 void expect_on_both(const SurfaceIntersection& found, const Pair& pair, double rounding) {
@@ -128,7 +121,7 @@ void expect_on_both(const SurfaceIntersection& found, const Pair& pair, double r
 
 class SplinePairs : public ::testing::TestWithParam<int> {
  protected:
-  const Row& row() const { return kRows[static_cast<std::size_t>(GetParam())]; }
+  const SplineRow& row() const { return kSplineRows[static_cast<std::size_t>(GetParam())]; }
 };
 
 TEST_P(SplinePairs, AreFoundCompletely) {
@@ -143,13 +136,13 @@ TEST_P(SplinePairs, AreFoundCompletely) {
   expect_on_both(found, pair, 1e-10);
 }
 
-struct Change {
+struct SplineChange {
   const char* name;
   std::function<Pair(const Pair&)> apply;
   double scale = 1;
 };
 
-const std::vector<Change>& changes() {
+const std::vector<SplineChange>& changes() {
   const auto motion = [](int seed, double scale) {
     return [=](const Pair& p) {
       testing::Random random = testing::seeded(seed);
@@ -161,7 +154,7 @@ const std::vector<Change>& changes() {
   const auto both = [](const auto& change) {
     return [=](const Pair& p) { return Pair{change(p.a), change(p.b)}; };
   };
-  static const std::vector<Change> all{
+  static const std::vector<SplineChange> all{
       {"swapped",
        [](const Pair& p) {
          return Pair{p.b, p.a};
@@ -178,8 +171,8 @@ const std::vector<Change>& changes() {
 
 TEST_P(SplinePairs, AreTheSameInEveryPositionAndForm) {
   const Pair pair = pair_of(row());
-  const std::vector<double> before = lengths(intersect(pair.a, pair.b), 1);
-  for (const Change& change : changes()) {
+  const std::vector<double> before = testing::sorted_lengths(intersect(pair.a, pair.b), 1);
+  for (const SplineChange& change : changes()) {
     SCOPED_TRACE(change.name);
     const Pair changed = change.apply(pair);
 
@@ -188,7 +181,7 @@ TEST_P(SplinePairs, AreTheSameInEveryPositionAndForm) {
 
     EXPECT_EQ(found.status, Status::Complete);
     EXPECT_EQ(components(found), row().expected);
-    const std::vector<double> after = lengths(found, change.scale);
+    const std::vector<double> after = testing::sorted_lengths(found, change.scale);
     ASSERT_EQ(after.size(), before.size());
     for (std::size_t i = 0; i < after.size(); ++i)
       EXPECT_NEAR(after[i], before[i], 1e-6 * before[i]);
@@ -196,9 +189,11 @@ TEST_P(SplinePairs, AreTheSameInEveryPositionAndForm) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, SplinePairs, ::testing::Range(0, static_cast<int>(kRows.size())),
+INSTANTIATE_TEST_SUITE_P(Rows, SplinePairs,
+                         ::testing::Range(0, static_cast<int>(kSplineRows.size())),
                          [](const auto& row) {
-                           return std::string(kRows[static_cast<std::size_t>(row.param)].name);
+                           return std::string(
+                               kSplineRows[static_cast<std::size_t>(row.param)].name);
                          });
 
 }  // namespace

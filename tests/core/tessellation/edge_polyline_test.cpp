@@ -16,7 +16,7 @@ namespace {
 using testing::seeded;
 using testing::uniform;
 
-constexpr int kSamples = 4000;
+constexpr int kPolylineSamples = 4000;
 
 // A circle of radius 1 in four arcs, by the angle.
 CurveSpans circle() {
@@ -48,9 +48,10 @@ double gap(const EdgePolyline& line, const Vec3& p) {
 
 double sampled(const CurveSpans& curve, const EdgePolyline& line) {
   double most = 0;
-  for (int k = 0; k <= kSamples; ++k)
+  for (int k = 0; k <= kPolylineSamples; ++k)
     most = std::max(
-        most, gap(line, point_at(curve, at(curve.domain(), static_cast<double>(k) / kSamples))));
+        most,
+        gap(line, point_at(curve, at(curve.domain(), static_cast<double>(k) / kPolylineSamples))));
   return most;
 }
 

@@ -17,7 +17,7 @@ namespace {
 using testing::seeded;
 using testing::uniform;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kSlack = 1e-11;
 
 std::vector<Vec3> points_of(const std::function<Vec3(double)>& curve, const Interval& range,
@@ -40,7 +40,7 @@ Sample random_sample(testing::Random& random, ConicKind kind) {
   const Vec3 x = unit(vector()), y = unit(cross(x, vector()));
   const double major = uniform(random, 0.5, 2.0), minor = major * uniform(random, 0.1, 0.9);
   Conic conic{kind, vector(), x, y, major, kind == ConicKind::Circle ? major : minor};
-  const double turn = conic.is_closed() ? uniform(random, 0.5, 2 * kPi) : uniform(random, 0.5, 2.0);
+  const double turn = conic.is_closed() ? uniform(random, 0.5, 2 * pi) : uniform(random, 0.5, 2.0);
   const double start = uniform(random, -1.5, 1.5);
   return {conic, uniform(random, 0.0, 1.0) < 0.5 ? Interval{start, start + turn}
                                                  : Interval{start + turn, start}};
@@ -63,7 +63,7 @@ TEST(ConicThrough, FindsConicsOfEveryKind) {
       }
       for (std::size_t i = 1; i < points.size(); ++i) {
         const double step = parameter_at(*found, points[i]) - parameter_at(*found, points[i - 1]);
-        EXPECT_GT(found->is_closed() ? std::remainder(step, 2 * kPi) : step, 0);
+        EXPECT_GT(found->is_closed() ? std::remainder(step, 2 * pi) : step, 0);
       }
     }
 }
@@ -71,7 +71,7 @@ TEST(ConicThrough, FindsConicsOfEveryKind) {
 TEST(ConicThrough, FindsTheEllipsesAxes) {
   const Conic ellipse{ConicKind::Ellipse, {3, 4, 5}, {0.6, 0.8, 0}, {0, 0, 1}, 7, 0.25};
   const auto found = conic_through(
-      points_of([&](double t) { return point_at(ellipse, t); }, {0.3, 0.3 + 2 * kPi}, 24), kSlack);
+      points_of([&](double t) { return point_at(ellipse, t); }, {0.3, 0.3 + 2 * pi}, 24), kSlack);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->kind, ConicKind::Ellipse);
   EXPECT_LE(distance(found->centre, ellipse.centre), 1e-13);
@@ -105,7 +105,7 @@ TEST(ConicThrough, RefusesAPointOffTheCurve) {
   const Conic circle{ConicKind::Circle, {}, {1, 0, 0}, {0, 1, 0}, 1, 1};
   for (const double off : {3 * kSlack, -3 * kSlack})
     for (std::size_t i = 0; i < 24; ++i) {
-      auto points = points_of([&](double t) { return point_at(circle, t); }, {0, 2 * kPi}, 24);
+      auto points = points_of([&](double t) { return point_at(circle, t); }, {0, 2 * pi}, 24);
       ASSERT_TRUE(conic_through(points, kSlack));
       points[i][2] += 30 * off;
       EXPECT_FALSE(conic_through(points, kSlack)) << i;

@@ -16,7 +16,7 @@
 namespace blossom::cli {
 namespace {
 
-using reports::Json;
+using Json = nlohmann::json;
 using testing::blossom;
 using testing::Finished;
 

@@ -25,10 +25,10 @@ namespace {
 
 constexpr int kFirstSteps = 32;  // of a way, doubled until points between lie on the curve
 constexpr int kMostSteps = 512;
-constexpr int kNewtonSteps = 12;
-constexpr double kConverged = 1e-3;  // of the tolerance
-constexpr double kTouching = 1e-2;   // sine of the angle below which strips count as touching
-constexpr double kJump = 0.5;        // of a step: corrected further, it is another curve
+constexpr int kMitreSteps = 12;
+constexpr double kMitreConverged = 1e-3;  // of the tolerance
+constexpr double kTouching = 1e-2;        // sine of the angle below which strips count as touching
+constexpr double kJump = 0.5;             // of a step: corrected further, it is another curve
 // Of a step: how far from the known end the last prediction may be.
 constexpr double kArrival = 0.25;
 
@@ -100,10 +100,10 @@ SquareMatrix<3> columns(const StripFrame& a, const StripFrame& b) {
 // By Newton's method; nothing if it leads further away than `reach`.
 std::optional<CurvePoint> MitreTracer::solved(double w, Unknowns guess, double reach) const {
   const Vec3 first = frame_of(strip_, guess[0], w).point;
-  for (int step = 0; step < kNewtonSteps; ++step) {
+  for (int step = 0; step < kMitreSteps; ++step) {
     const StripFrame a = frame_of(strip_, guess[0], w), b = frame_of(other_, guess[1], guess[2]);
     if (distance(a.point, first) > reach) return std::nullopt;
-    if (step > 0 && distance(a.point, b.point) <= kConverged * tolerance_)
+    if (step > 0 && distance(a.point, b.point) <= kMitreConverged * tolerance_)
       return CurvePoint{w, guess, a.point};
     Vec3 change = b.point - a.point;
     if (!solve(columns(a, b), change)) return std::nullopt;

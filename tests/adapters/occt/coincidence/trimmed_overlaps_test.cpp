@@ -218,9 +218,8 @@ TEST(TrimmedOverlaps, AreDividedWhereEdgesLieWithinReach) {
   for (const double up : {1.5e-7, 3e-7, 6e-7}) {
     const gp_Dir normal(up, 0, 1);
     const gp_Circ rim(gp_Ax2(gp_Pnt(0.3, 0.1, 0), normal), 1);
-    const TopoDS_Face tilted =
-        BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.3, 0.1, 0), normal),
-                                BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(rim)));
+    const TopoDS_Face tilted = BRepBuilderAPI_MakeFace(
+        gp_Pln(gp_Pnt(0.3, 0.1, 0), normal), BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(rim)));
     for (const auto& [a, b] : {std::pair{floor, tilted}, std::pair{tilted, floor}})
       EXPECT_NE(intersect({a}, {b}).status, Status::Stopped) << up;
   }

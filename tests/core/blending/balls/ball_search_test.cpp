@@ -19,7 +19,7 @@ using testing::plane_patch;
 using testing::wall_face;
 using testing::whole_cylinder;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 BallSpines spines_of(const BezierSurface& a, int side_a, const BezierSurface& b, int side_b,
                      double r) {
@@ -110,7 +110,7 @@ TEST(BallSearch, SqueezedUnderAParaboloidRunsRoundASmallLoop) {
       ASSERT_EQ(spines.spines.size(), 1U) << k << " " << gap;
       const BallTrack& track = spines.spines[0].track;
       EXPECT_TRUE(track.closed());
-      const double expected = 2 * kPi * std::sqrt(gap * (1 + 2 * k * r) / k);
+      const double expected = 2 * pi * std::sqrt(gap * (1 + 2 * k * r) / k);
       EXPECT_NEAR(centre_length(track) / expected, 1, 3 * gap + 1e-5);
     }
 }

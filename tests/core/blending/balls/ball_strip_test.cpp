@@ -22,7 +22,7 @@ using testing::plane_patch;
 using testing::wall_face;
 using testing::whole_cylinder;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 BallTrack edge_track(const BezierSurface& floor, const BezierSurface& wall, double r) {
   const BallSupport a = whole_support(floor, 1), b = whole_support(wall, 1);
@@ -66,7 +66,7 @@ double worst_of(const BezierSurface& surface, const Off& off, int count = 20) {
 }
 
 TEST(BallStrip, BetweenPlanesIsACylinder) {
-  for (const double angle : {0.3, kPi / 2, 2.5}) {
+  for (const double angle : {0.3, pi / 2, 2.5}) {
     const Wedge wedge(angle);
     const double r = 0.4, d = r / std::tan(angle / 2);
     const BallTrack track = wedge.track(r);
@@ -78,10 +78,10 @@ TEST(BallStrip, BetweenPlanesIsACylinder) {
     EXPECT_EQ(a.surface.kind, ElementaryKind::Cylinder);
     EXPECT_NEAR(a.surface.radius, r, 1e-14);
     EXPECT_NEAR(length(a.along), 3, 1e-12);
-    EXPECT_NEAR(std::abs(length(a.across)), kPi - angle, 1e-12);
+    EXPECT_NEAR(std::abs(length(a.across)), pi - angle, 1e-12);
     EXPECT_LT(distance(a.x, Vec3{0, 0, -1}), 1e-14);
     EXPECT_EQ(strip.poles.rows(), 6);  // one span
-    EXPECT_EQ(strip.surface.patches.columns(), angle < kPi / 3 ? 2 : 1);
+    EXPECT_EQ(strip.surface.patches.columns(), angle < pi / 3 ? 2 : 1);
     EXPECT_LT(
         worst_of(strip.surface, [&](const Vec3& p) { return std::hypot(p[1] - d, p[2] - r) - r; }),
         1e-13);
@@ -105,8 +105,8 @@ TEST(BallStrip, RoundACylinderOnAPlateIsATorus) {
   EXPECT_NEAR(a.surface.radius, R + r, 1e-13);
   EXPECT_NEAR(a.surface.minor, r, 1e-13);
   EXPECT_LT(distance(a.surface.centre, Vec3{0, 0, r}), 1e-13);
-  EXPECT_NEAR(length(a.along), 2 * kPi, 1e-12);
-  EXPECT_NEAR(std::abs(length(a.across)), kPi / 2, 1e-12);
+  EXPECT_NEAR(length(a.along), 2 * pi, 1e-12);
+  EXPECT_NEAR(std::abs(length(a.across)), pi / 2, 1e-12);
   EXPECT_LT(distance(a.x, Vec3{1, 0, 0}), 1e-13);  // starts at the cylinder's seam
   const auto off = [&](const Vec3& p) {
     return std::hypot(std::hypot(p[0], p[1]) - R - r, p[2] - r) - r;
@@ -116,13 +116,13 @@ TEST(BallStrip, RoundACylinderOnAPlateIsATorus) {
   EXPECT_LT(strip.contacts[1].normal_angle, 2e-7);
   EXPECT_NEAR(std::abs(strip.contacts[1].chart.points.back()[0] -
                        strip.contacts[1].chart.points.front()[0]),
-              2 * kPi, 1e-12);
+              2 * pi, 1e-12);
   EXPECT_LT(distance(strip.contacts[0].row.points.back(), strip.contacts[0].row.points.front()),
             1e-300);
 }
 
 TEST(BallStrip, OfALinearLawAlongALineIsACone) {
-  const Wedge wedge(kPi / 2);
+  const Wedge wedge(pi / 2);
   const BallTrack track = wedge.track(RadiusLaw::linear({0, 3}, 0.1, 0.7));
 
   const BallStrip strip = ball_strip(track, track.domain());
@@ -275,7 +275,7 @@ TEST(BallStrip, IsTheSameOfSwappedTurnedAndScaledSurfaces) {
 }
 
 TEST(BallStrip, OfAConicHasItsShoulderThere) {
-  const Wedge wedge(kPi / 2);
+  const Wedge wedge(pi / 2);
   const BallTrack track = wedge.track(0.4);
   for (const double rho : {0.25, std::numbers::sqrt2 - 1, 0.7}) {
     const BallStrip strip =
@@ -289,7 +289,7 @@ TEST(BallStrip, OfAConicHasItsShoulderThere) {
 }
 
 TEST(BallStrip, OfAChamferIsFlatBetweenPlanes) {
-  const Wedge wedge(kPi / 2);
+  const Wedge wedge(pi / 2);
   const BallTrack track = wedge.track(0.4);
   const BallStrip strip = ball_strip(track, track.domain(), {.section = SectionKind::Chamfer});
   EXPECT_EQ(strip.v_degree, 1);
@@ -320,7 +320,7 @@ TEST(BallStrip, OfContinuousCurvatureHasTheSurfacesCurvature) {
 }
 
 TEST(BallStrip, RefusesWhatHasNoEnvelope) {
-  const Wedge wedge(kPi / 2);
+  const Wedge wedge(pi / 2);
   const BallTrack track = wedge.track(0.4);
   EXPECT_THROW(ball_strip(track, {0, 0}), InvalidInput);
   EXPECT_THROW(ball_strip(track, {-1, 1}), InvalidInput);

@@ -20,7 +20,7 @@ using testing::plane_patch;
 using testing::wall_face;
 using testing::whole_cylinder;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // The ball touches both surfaces: how far it is from doing so, over the track.
 double worst_contact(const BallTrack& track, int samples = 97) {
@@ -38,7 +38,7 @@ double worst_contact(const BallTrack& track, int samples = 97) {
 }
 
 TEST(BallTrack, BetweenPlanesRunsAlongALine) {
-  for (const double angle : {0.4, kPi / 2, 2.5}) {
+  for (const double angle : {0.4, pi / 2, 2.5}) {
     const BezierSurface floor = plane_patch({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 3}, {0, 10});
     const Vec3 up{0, std::cos(angle), std::sin(angle)};
     const BezierSurface wall = plane_patch({0, 0, 0}, {1, 0, 0}, up, {0, 3}, {0, 10});
@@ -75,10 +75,10 @@ TEST(BallTrack, RoundACylinderOnAPlateIsACircleThatStartsAtTheSeam) {
   EXPECT_TRUE(track->closed());
   EXPECT_EQ(track->breaks().size(), 2U);
   const double speed = std::sqrt(0.5 * (R * R + (R + r) * (R + r)));  // of contacts, by the angle
-  EXPECT_NEAR(length(track->domain()), 2 * kPi * speed, 1e-8);
+  EXPECT_NEAR(length(track->domain()), 2 * pi * speed, 1e-8);
   const BallPoint first = track->at(track->domain().from), last = track->at(track->domain().to);
-  EXPECT_NEAR(std::remainder(first.contacts[1].chart[0], 2 * kPi), 0, 1e-14);
-  EXPECT_NEAR(std::abs(last.contacts[1].chart[0] - first.contacts[1].chart[0]), 2 * kPi, 1e-14);
+  EXPECT_NEAR(std::remainder(first.contacts[1].chart[0], 2 * pi), 0, 1e-14);
+  EXPECT_NEAR(std::abs(last.contacts[1].chart[0] - first.contacts[1].chart[0]), 2 * pi, 1e-14);
   for (int i = 0; i <= 50; ++i) {
     const BallPoint ball = track->at(at(track->domain(), i / 50.0));
     EXPECT_NEAR(std::hypot(ball.centre[0], ball.centre[1]), R + r, 4e-15);

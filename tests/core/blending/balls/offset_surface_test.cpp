@@ -21,7 +21,7 @@ ChartRectangle all_of(const BezierSurface& s) { return whole_support(s, 1).part;
 
 // Largest value of |off| over a fine grid of own parameters.
 template <class Off>
-double worst_of(const BezierSurface& s, const Off& off) {
+double worst_off(const BezierSurface& s, const Off& off) {
   double worst = 0;
   for (int i = 0; i <= 60; ++i)
     for (int j = 0; j <= 60; ++j) {
@@ -37,7 +37,7 @@ TEST(OffsetSurface, OfAPlaneIsAPlane) {
   const OffsetSurface offset = offset_surface(plane, all_of(plane), -0.25, 1e-9);
   EXPECT_LT(offset.error, 1e-14);
   EXPECT_EQ(offset.surface.patches.values().size(), 1U);
-  EXPECT_LT(worst_of(offset.surface, [](const Vec2&, const Vec3& p) { return p[2] - 0.75; }),
+  EXPECT_LT(worst_off(offset.surface, [](const Vec2&, const Vec3& p) { return p[2] - 0.75; }),
             1e-14);
 }
 
@@ -49,7 +49,7 @@ TEST(OffsetSurface, OfACylinderKeepsItsAngles) {
   const auto off = [](const Vec2& uv, const Vec3& p) {
     return distance(p, Vec3{2.5 * std::cos(uv[0]), 2.5 * std::sin(uv[0]), uv[1]});
   };
-  EXPECT_LT(worst_of(offset.surface, off), 1e-10);
+  EXPECT_LT(worst_off(offset.surface, off), 1e-10);
   EXPECT_LT(offset.error, 1e-10);
 }
 
@@ -64,13 +64,13 @@ TEST(OffsetSurface, OfAPartOverASeamIsCutThere) {
   const auto off = [](const Vec2& uv, const Vec3& p) {
     return distance(p, Vec3{2.5 * std::cos(uv[0]), 2.5 * std::sin(uv[0]), uv[1]});
   };
-  EXPECT_LT(worst_of(offset.surface, off), 1e-10);
+  EXPECT_LT(worst_off(offset.surface, off), 1e-10);
 }
 
 TEST(OffsetSurface, GoesOverAPole) {
   const BezierSurface sphere = upper_sphere(2);
   const OffsetSurface offset = offset_surface(sphere, all_of(sphere), -0.5, 1e-9);
-  EXPECT_LT(worst_of(offset.surface, [](const Vec2&, const Vec3& p) { return norm(p) - 1.5; }),
+  EXPECT_LT(worst_off(offset.surface, [](const Vec2&, const Vec3& p) { return norm(p) - 1.5; }),
             1e-9);
 }
 
@@ -87,7 +87,7 @@ TEST(OffsetSurface, IsWithinItsStatedErrors) {
       const PatchJet s = chart_jet(floor, cell_at(floor, uv), uv, 1);
       return distance(p, s.point + 0.3 * unit(cross(s.u, s.v)));
     };
-    EXPECT_LT(worst_of(offset.surface, off), offset.error + 1e-15);
+    EXPECT_LT(worst_off(offset.surface, off), offset.error + 1e-15);
   }
 }
 
@@ -98,7 +98,7 @@ TEST(OffsetSurface, FoldsWithoutHarm) {
     const double x = 2 * uv[0] * 0.5 - 0.5, slope = 4 * x, n = std::hypot(1, slope);
     return distance(p, Vec3{x - 0.4 * slope / n, uv[1], 2 * x * x + 0.4 / n});
   };
-  EXPECT_LT(worst_of(offset.surface, off), 1e-9);
+  EXPECT_LT(worst_off(offset.surface, off), 1e-9);
 }
 
 TEST(OffsetSurface, RefusesCreasesAndEmptyParts) {

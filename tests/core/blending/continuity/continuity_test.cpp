@@ -20,7 +20,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::array kWhole{0.0, 1.0};
 
 RationalBezierPatch patch_of(int n, int m, const std::function<Vec4(int, int)>& point) {
@@ -58,7 +58,7 @@ BezierSurface turned(const std::vector<Vec3>& profile) {
         const Vec3& p = profile[static_cast<std::size_t>(j)];
         return Vec4{a[0] * p[0], a[1] * p[0], a[2] * p[1], a[2] * p[2]};
       }));
-  surface.u_knots = {0, kPi / 2};
+  surface.u_knots = {0, pi / 2};
   surface.u_law = ParameterLaw::Angle;
   return surface;
 }
@@ -68,7 +68,7 @@ std::vector<Vec3> quarter(double x, double z, double radius, double from) {
   const double c = std::sqrt(0.5);
   std::vector<Vec3> profile;
   for (int k = 0; k <= 2; ++k) {
-    const double angle = from + k * kPi / 4, r = k == 1 ? radius / c : radius, w = k == 1 ? c : 1;
+    const double angle = from + k * pi / 4, r = k == 1 ? radius / c : radius, w = k == 1 ? c : 1;
     profile.push_back({w * (x + r * std::cos(angle)), w * (z + r * std::sin(angle)), w});
   }
   return profile;
@@ -172,7 +172,7 @@ TEST(Continuity, RadiusFarAboveTheSizeCountsAsFlat) {
 TEST(Continuity, TorusFilletOfAShaftIsG1AndApartByTheFilletsCurvature) {
   // Shaft of radius 2 that ends in a fillet of radius 0.5 and a flange.
   const Beside shaft{turned({{2, 3, 1}, {2, 1, 1}}), SurfaceSide::VMax};
-  const Beside fillet{turned(quarter(2.5, 1, 0.5, kPi)), SurfaceSide::VMin};
+  const Beside fillet{turned(quarter(2.5, 1, 0.5, pi)), SurfaceSide::VMin};
   const MeasuredContinuity found = measured(shaft, fillet);
   EXPECT_LE(found.angle.value, 1e-14);
   EXPECT_NEAR(found.difference.value, 2, 1e-12);
@@ -181,7 +181,7 @@ TEST(Continuity, TorusFilletOfAShaftIsG1AndApartByTheFilletsCurvature) {
 }
 
 TEST(Continuity, HalvesOfASphereAreG2) {
-  const Beside south{turned(quarter(0, 0, 3, -kPi / 2)), SurfaceSide::VMax};
+  const Beside south{turned(quarter(0, 0, 3, -pi / 2)), SurfaceSide::VMax};
   const Beside north{turned(quarter(0, 0, 3, 0)), SurfaceSide::VMin};
   const MeasuredContinuity found = measured(south, north);
   EXPECT_LE(found.curvature.value, 1e-13);
@@ -226,7 +226,7 @@ TEST(Continuity, BicubicCutInTwoIsG2WithoutAnyDifference) {
 }
 
 TEST(Continuity, PlanesMeetAtTheirAngle) {
-  for (const double angle : {1e-9, 1e-4, 0.3, kPi / 2, 3.0}) {
+  for (const double angle : {1e-9, 1e-4, 0.3, pi / 2, 3.0}) {
     const Beside floor{plane({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
     const Beside ramp{plane({0, 0, 0}, {std::cos(angle), 0, std::sin(angle)}, {0, 1, 0}),
                       SurfaceSide::UMin};
@@ -240,7 +240,7 @@ TEST(Continuity, PlanesMeetAtTheirAngle) {
 TEST(Continuity, FaceThatFoldsBackIsAHalfTurnAway) {
   const Beside floor{plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
   const Beside above{plane({0, 0, 0}, {2, 0, 0}, {0, 1, 0}), SurfaceSide::UMin};
-  EXPECT_NEAR(measured(floor, above).angle.value, kPi, 1e-15);
+  EXPECT_NEAR(measured(floor, above).angle.value, pi, 1e-15);
 }
 
 TEST(Continuity, GapIsThatBetweenTheBorders) {
@@ -397,11 +397,11 @@ TEST(Continuity, BoundsOfAPlaneAlongAnArcAreThoseOfItsCircle) {
   CurveSpans arc;
   arc.rational = true;
   arc.spans = {
-      {{{{2, 0, 0, 1}, {2 * c, 2 * c, 0, c}, {0, 2, 0, 1}}}, {0, kPi / 2}, ParameterLaw::Angle}};
+      {{{{2, 0, 0, 1}, {2 * c, 2 * c, 0, c}, {0, 2, 0, 1}}}, {0, pi / 2}, ParameterLaw::Angle}};
   const auto bound = continuity_bounds(plane_border(arc, {0, 0, 1}, false), tube.spans(), 1e-3);
   ASSERT_TRUE(bound.has_value());
   EXPECT_LE(bound->gap, 1e-13);
-  EXPECT_NEAR(bound->angle, kPi / 2, 1e-11);
+  EXPECT_NEAR(bound->angle, pi / 2, 1e-11);
 }
 
 TEST(Continuity, BoundsAreRefusedWhereParametersDoNotCorrespond) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-long double value(const TaylorModel& f, long double x) {
+long double model_value(const TaylorModel& f, long double x) {
   long double sum = 0;
   for (std::size_t k = f.terms.size(); k-- > 0;) sum = sum * x + f.terms[k];
   return sum;
@@ -30,7 +30,7 @@ TaylorModel model(std::initializer_list<double> terms) {
 void expect_holds(const TaylorModel& f, const std::function<long double(long double)>& exact) {
   for (int i = -50; i <= 50; ++i) {
     const long double x = i / 50.0L;
-    EXPECT_LE(std::abs(value(f, x) - exact(x)), f.rest) << "at " << static_cast<double>(x);
+    EXPECT_LE(std::abs(model_value(f, x) - exact(x)), f.rest) << "at " << static_cast<double>(x);
   }
 }
 
@@ -116,8 +116,8 @@ TEST_P(TaylorModelProperty, OperationsHoldWithTheirRoundings) {
   }
   f.terms[0] = 3;
   g.terms[0] = -4;
-  const auto at_f = [&](long double x) { return value(f, x); };
-  const auto at_g = [&](long double x) { return value(g, x); };
+  const auto at_f = [&](long double x) { return model_value(f, x); };
+  const auto at_g = [&](long double x) { return model_value(g, x); };
   expect_holds(f + g, [&](long double x) { return at_f(x) + at_g(x); });
   expect_holds(f - g, [&](long double x) { return at_f(x) - at_g(x); });
   expect_holds(f * g, [&](long double x) { return at_f(x) * at_g(x); });
@@ -125,7 +125,7 @@ TEST_P(TaylorModelProperty, OperationsHoldWithTheirRoundings) {
   expect_holds(sqrt(f), [&](long double x) { return std::sqrt(at_f(x)); });
   const TaylorModel one = sqrt(f) * sqrt(f) * reciprocal(f) - TaylorModel(1);
   EXPECT_LT(size_bound(one), 1e-4);
-  EXPECT_LE(std::abs(value(one, 0.7L)), one.rest);
+  EXPECT_LE(std::abs(model_value(one, 0.7L)), one.rest);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, TaylorModelProperty, ::testing::Range(0, 50));

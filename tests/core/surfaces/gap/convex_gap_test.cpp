@@ -13,7 +13,7 @@ struct Side {
 };
 
 // (x - c)^2 (1 + x / 4) - depth, convex on [0, 1].
-struct Cubic {
+struct CubicGap {
   double c, depth;
   mutable int asked = 0;
 
@@ -26,7 +26,7 @@ struct Cubic {
 
 TEST(ConvexGap, LeastValueIsFoundInAFewSteps) {
   for (const double c : {0.01, 0.3, 0.5, 0.77}) {
-    const Cubic gap{c, 0};
+    const CubicGap gap{c, 0};
     EXPECT_NEAR(least_between(gap(0), gap(1), gap).x, c, 1e-13);
     EXPECT_LE(gap.asked, 8) << c;
   }
@@ -34,7 +34,7 @@ TEST(ConvexGap, LeastValueIsFoundInAFewSteps) {
 
 TEST(ConvexGap, ZerosOnBothSidesAreFoundInAFewSteps) {
   for (const double depth : {1e-2, 1e-6, 1e-10}) {
-    const Cubic gap{0.4, depth};
+    const CubicGap gap{0.4, depth};
     const Side bottom = least_between(gap(0), gap(1), gap);
     for (const double end : {0.0, 1.0}) {
       gap.asked = 0;
@@ -48,7 +48,7 @@ TEST(ConvexGap, ZerosOnBothSidesAreFoundInAFewSteps) {
 
 TEST(ConvexGap, DepthTellsZerosFromTouches) {
   const auto kinds = [](double depth) {
-    const Cubic gap{0.4, depth};
+    const CubicGap gap{0.4, depth};
     int zeros = 0, touches = 0;
     EXPECT_TRUE(convex_points(
         gap(0), gap(1), {1e-7, 1e-15, 1, 4}, [&](double x, const Side&) { return gap(x); },
