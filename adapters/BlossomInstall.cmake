@@ -48,7 +48,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/LICENSES/
 
 # All that is installed; it takes less time to build than the tests beside it.
 add_custom_target(installable)
-foreach(target blossom_core blossom_occt blossom_cgal blossom_openmesh blossom blossom_written_docs
+foreach(target blossom_core blossom_occt blossom_cgal blossom_openmesh blossom blossom_step
+               blossom_documents blossom_written_docs
         TKBlossomDraw blossom_python)
   if(TARGET ${target})
     add_dependencies(installable ${target})

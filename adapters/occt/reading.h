@@ -54,6 +54,10 @@ struct ReadOptions {
   /// assembly goes with them.
   bool names = true;
 
+  /// Without them, colours, layers, dimensions and what else STEP has beside shapes and names may
+  /// be left out: who only looks at shapes and their names has the answer sooner.
+  bool looks = true;
+
   /// Told each step before it begins: "transferring the shapes of part.step".
   std::function<void(const char* step)> step = {};
 };

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A model in memory: an XDE document, its shape and the numbers of its faces.
+// A model in memory: what it holds, its shape and the numbers of its faces.
 
 #include "adapters/occt/shapes.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include <BRep_Builder.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_PrinterOStream.hxx>
-#include <Quantity_Color.hxx>
-#include <TCollection_ExtendedString.hxx>
-#include <TDF_LabelSequence.hxx>
-#include <TDataStd_Name.hxx>
-#include <TopExp.hxx>
 #include <TopoDS.hxx>
-#include <TopoDS_Compound.hxx>
-#include <XCAFApp_Application.hxx>
-#include <XCAFDoc_ColorTool.hxx>
-#include <XCAFDoc_DocumentTool.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/detail.h"
@@ -43,67 +33,12 @@ std::recursive_mutex& exchange_lock() {
   return lock;
 }
 
-Document::Document() {
-  const std::lock_guard guard(exchange_lock());
-  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", handle_);
-}
-
-Document::~Document() {
-  const std::lock_guard guard(exchange_lock());
-  try {
-    XCAFApp_Application::GetApplication()->Close(handle_);
-  } catch (...) {
-    // A destructor has nobody to tell; the application keeps the document then.
-  }
-}
-
-void Document::renew() {
-  const std::lock_guard guard(exchange_lock());
-  XCAFApp_Application::GetApplication()->Close(handle_);
-  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", handle_);
-}
-
-Handle(XCAFDoc_ShapeTool) Document::shapes() const {
-  return XCAFDoc_DocumentTool::ShapeTool(main());
-}
-
-TopoDS_Shape assembled(const TDF_Label& label) {
-  TDF_Label part;
-  if (XCAFDoc_ShapeTool::GetReferredShape(label, part)) {
-    TopoDS_Shape shape = assembled(part);
-    if (!shape.IsNull())
-      shape.Location(XCAFDoc_ShapeTool::GetLocation(label) * shape.Location(), false);
-    return shape;
-  }
-  if (!XCAFDoc_ShapeTool::IsAssembly(label)) return XCAFDoc_ShapeTool::GetShape(label);
-  TopoDS_Compound whole;
-  const BRep_Builder builder;
-  builder.MakeCompound(whole);
-  TDF_LabelSequence components;
-  XCAFDoc_ShapeTool::GetComponents(label, components);
-  for (const TDF_Label& component : components)
-    if (const TopoDS_Shape shape = assembled(component); !shape.IsNull()) builder.Add(whole, shape);
-  return whole;
-}
-
 void Model::Impl::refresh() {
-  TDF_LabelSequence roots;
-  document.shapes()->GetFreeShapes(roots);
-  shape = TopoDS_Shape();
-  if (roots.Length() == 1) {
-    shape = assembled(roots.First());
-  } else if (roots.Length() > 1) {
-    TopoDS_Compound all;
-    const BRep_Builder builder;
-    builder.MakeCompound(all);
-    for (const TDF_Label& root : roots)
-      if (const TopoDS_Shape part = assembled(root); !part.IsNull()) builder.Add(all, part);
-    shape = all;
-  }
+  Contents::refresh();
   repairer.reset();
-  faces.Clear();
-  if (!shape.IsNull()) TopExp::MapShapes(shape, TopAbs_FACE, faces);
 }
+
+Contents& contents_of(const Model& model) { return *model.impl_; }
 
 Model::Model() : impl_(std::make_unique<Impl>()) {}
 Model::Model(Model&&) noexcept = default;
@@ -149,13 +84,10 @@ void Model::add(const TopoDS_Shape& shape, const std::string& name,
                    " numbers instead of 3");
   const std::lock_guard guard(exchange_lock());
   guarded("adding the part '" + name + "'", [&] {
-    const TDF_Label label = impl_->document.shapes()->NewShape();
-    impl_->document.shapes()->SetShape(label, shape);
-    TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
-    if (!colour.empty())
-      XCAFDoc_DocumentTool::ColorTool(impl_->document.main())
-          ->SetColor(label, Quantity_Color(colour[0], colour[1], colour[2], Quantity_TOC_sRGB),
-                     XCAFDoc_ColorGen);
+    if (colour.empty() && !impl_->document)
+      impl_->parts.push_back({shape, name});
+    else
+      document_of(*impl_).add(shape, name, colour);
     impl_->refresh();
   });
 }
@@ -167,19 +99,83 @@ void Model::add_assembly(const std::vector<std::pair<std::string, TopoDS_Shape>>
     if (shape.IsNull()) throw BadModel("the part '" + part + "' has no shape");
   const std::lock_guard guard(exchange_lock());
   guarded("adding the assembly '" + name + "'", [&] {
-    const Handle(XCAFDoc_ShapeTool) shapes = impl_->document.shapes();
-    const TDF_Label whole = shapes->NewShape();
-    set_name(whole, name);
-    for (const auto& [part, shape] : parts) {
-      const TDF_Label label = shapes->NewShape();
-      shapes->SetShape(label, shape);
-      set_name(label, part);
-      set_name(shapes->AddComponent(whole, label, TopLoc_Location()), part);
-    }
-    shapes->UpdateAssemblies();
+    document_of(*impl_).add_assembly(parts, name);
     impl_->refresh();
   });
 }
+
+void Model::add_combined(const TopoDS_Shape& shape, const std::string& name,
+                         const std::vector<FaceOrigin>& origins) {
+  if (shape.IsNull()) throw BadModel("the part '" + name + "' has no shape");
+  for (const FaceOrigin& origin : origins) origin.model->face(origin.number);
+  const std::lock_guard guard(exchange_lock());
+  guarded("naming the faces of '" + name + "'", [&] {
+    document_of(*impl_).add_combined(shape, name, origins);
+    impl_->refresh();
+  });
+}
+
+void Model::replace_faces(const std::map<int, std::vector<TopoDS_Face>>& pieces) {
+  for (const auto& [number, news] : pieces) {
+    face(number);
+    for (const TopoDS_Face& piece : news)
+      if (piece.IsNull())
+        throw BadModel("a piece for face " + std::to_string(number) + " is no face");
+  }
+  const std::lock_guard guard(exchange_lock());
+  guarded("replacing faces", [&] {
+    document_of(*impl_).replace_faces(impl_->faces, pieces);
+    impl_->refresh();
+  });
+}
+
+void Model::replace_solids(const std::vector<CombinedSolid>& solids, CommonFaces common) {
+  for (const CombinedSolid& solid : solids) {
+    if (solid.faces.empty()) throw BadModel("a solid has no faces");
+    for (const FaceOrigin& face : solid.faces) face.model->face(face.number);
+  }
+  const std::lock_guard guard(exchange_lock());
+  guarded("replacing solids", [&] {
+    document_of(*impl_).replace_solids(*this, solids, common);
+    impl_->refresh();
+  });
+}
+
+Model Model::copy() const {
+  const std::lock_guard guard(exchange_lock());
+  Model made;
+  guarded("copying the model", [&] {
+    made.impl_->parts = impl_->parts;
+    if (impl_->document) made.impl_->document = impl_->document->copy();
+    made.impl_->unit = impl_->unit;
+    made.impl_->stated = impl_->stated;
+    made.impl_->refresh();
+  });
+  return made;
+}
+
+std::vector<std::string> Model::face_names() const {
+  return impl_->document ? impl_->document->face_names(impl_->faces)
+                         : occt::face_names(impl_->parts, impl_->faces);
+}
+
+std::vector<std::string> Model::part_paths() const {
+  return impl_->document ? impl_->document->part_paths(impl_->faces)
+                         : occt::part_paths(impl_->parts, impl_->faces);
+}
+
+std::vector<AssemblyNode> Model::assembly() const {
+  return impl_->document ? impl_->document->assembly(shape(), impl_->faces)
+                         : occt::assembly(impl_->parts, shape(), impl_->faces);
+}
+
+std::string Model::part_name(int number) const {
+  const TopoDS_Face wanted = face(number);
+  return impl_->document ? impl_->document->part_name(wanted)
+                         : occt::part_name(impl_->parts, wanted);
+}
+
+const std::string& Model::file_unit() const { return impl_->unit; }
 
 void quiet_messages() {
   Message::DefaultMessenger()->ChangePrinters().Clear();

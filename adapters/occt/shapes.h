@@ -51,6 +51,8 @@ enum class CommonFaces {
   Copy,  ///< for files that tell names and colours by the shape, see `keeps_names`
 };
 
+struct Contents;  // of this folder's own
+
 /// A shape with the names, colours, layers, units and assembly that it came with.
 class Model {
  public:
@@ -155,6 +157,7 @@ class Model {
   friend Model read_model(const std::filesystem::path& file, const ReadOptions& options);
   friend void write_model(const Model& model, const std::filesystem::path& file,
                           const std::function<void()>& stop);
+  friend Contents& contents_of(const Model& model);
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

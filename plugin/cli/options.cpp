@@ -206,6 +206,7 @@ std::string ending_of(const std::string& file) {
 
 void check_files(const CommonOptions& options, const std::vector<std::string>& inputs,
                  Outputs outputs) {
+  reading_policy().looks = !options.output.empty() || !options.reproduce.empty();
   for (const std::string& input : inputs) refuse_special(parse_input(input).file);
   const std::vector<Output> wanted = wanted_outputs(options, outputs);
   for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -56,7 +56,8 @@ occt::Model read_told(const std::filesystem::path& file) {
   const std::string name = file.string();
   enter(Phase::Reading, name);
   allow_processor_time(reading_allowance(file));
-  occt::ReadOptions options{.names = !has_failed(occt::kReadingNames + (" of " + name))};
+  occt::ReadOptions options{.names = !has_failed(occt::kReadingNames + (" of " + name)),
+                            .looks = reading_policy().looks};
   options.step = [&name](const char* step) {
     const bool names = std::string_view(step).starts_with(occt::kReadingNames);
     enter(names ? Phase::Optional : Phase::Reading, name, step);

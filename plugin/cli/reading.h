@@ -16,6 +16,7 @@ namespace blossom::cli {
 /// How inputs are read; the options of the command set it.
 struct ReadingPolicy {
   bool strict = false;  ///< --strict: a file of which shapes are missing is refused
+  bool looks = true;    ///< colours, layers and dimensions are wanted: a model is written
 };
 ReadingPolicy& reading_policy();
 

@@ -20,8 +20,15 @@ names_no_folder_of_the_build() { ! grep -rlF -e "$build" -e "$source" "$folder";
 claim "nothing installed names a folder of the build" names_no_folder_of_the_build
 
 says_its_version() { bare "$1/bin/blossom" --version | grep '^blossom [0-9]' >/dev/null; }
+# What reads and writes STEP is loaded for it. The model is damaged, so writing is not all well.
+model=$source/tests/data/inputs/nan-pole-in-face-2.brep
+writes_and_reads_step() {
+  bare "$1/bin/blossom" convert "$model" -o "$folder/model.step" >/dev/null 2>&1 || test $? -eq 3
+  bare "$1/bin/blossom" info "$folder/model.step" | grep "1 face" >/dev/null
+}
 for prefix in /usr /usr/local /opt/somewhere; do
   claim "the program runs below $prefix" says_its_version "$folder$prefix"
+  claim "and writes and reads STEP" writes_and_reads_step "$folder$prefix"
 done
 
 # The folder of the package, without the staging folder in front.

@@ -264,8 +264,7 @@ void read_brep(Reading& reading) {
   reading.begin("reading the shapes");
   mend_line_ends(reading.text);
   const TopoDS_Shape shape = brep_shape(reading.text, reading.report);
-  if (!shape.IsNull())
-    reading.document.shapes()->SetShape(reading.document.shapes()->NewShape(), shape);
+  if (!shape.IsNull()) reading.contents.parts.push_back({shape});
 }
 
 }  // namespace blossom::occt

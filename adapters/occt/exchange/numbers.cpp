@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Faces, edges and vertices whose numbers are none: they are left out, with the faces that they
-// bound, and the rest is used.
+// What is bad is left out, with the faces that it bounds, and the rest is used.
+
+#include "adapters/occt/exchange/numbers.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,6 @@
 #include <Geom2d_BezierCurve.hxx>
 #include <Geom2d_OffsetCurve.hxx>
 #include <Geom2d_TrimmedCurve.hxx>
-#include <TDF_LabelSequence.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
@@ -28,34 +26,20 @@
 #include "adapters/occt/convert/curves_detail.h"
 #include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/exchange/detail.h"
-#include "adapters/occt/exchange/parts.h"
 
 namespace blossom::occt {
 namespace {
-
-/// Where the shapes come from: it tells why something is missing.
-struct Source {
-  Format format;
-  const std::string& text;
-  mutable std::optional<bool> lost_curves{};
-
-  /// Found out once, since the text has to be read again for it.
-  bool loses_curves() const {
-    if (!lost_curves) lost_curves = format == Format::Brep && occt::loses_curves(text);
-    return *lost_curves;
-  }
-};
 
 void check_tolerance(double tolerance) {
   if (!(std::isfinite(tolerance) && tolerance >= 0))
     throw BadModel("its tolerance is " + std::to_string(tolerance));
 }
 
-void check_face(const TopoDS_Face& face, const Source& source) {
+void check_face(const TopoDS_Face& face, const NumberSource& source) {
   TopLoc_Location location;
   const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
   if (surface.IsNull()) {
-    const std::string why = source.format == Format::Brep ? why_without_surface(source.text) : "";
+    const std::string why = source.without_surface();
     throw BadModel(why.empty() ? "it has no surface" : "its surface cannot be read: " + why);
   }
   check_numbers(*surface);
@@ -88,12 +72,12 @@ void check_range(double first, double last) {
   if (first > last) throw BadModel("its range runs backwards");
 }
 
-void check_representation(const BRep_CurveRepresentation& curve, const Source& source,
+void check_representation(const BRep_CurveRepresentation& curve, const NumberSource& source,
                           bool has_curve) {
   if (const auto* ranged = dynamic_cast<const BRep_GCurve*>(&curve))
     check_range(ranged->First(), ranged->Last());
   // A BREP file names the curve then, and Open CASCADE takes none for it.
-  const bool told = source.format == Format::Brep;
+  const bool told = source.names_curves();
   if (curve.IsCurve3D()) {
     if (told && has_curve && curve.Curve3D().IsNull())
       throw BadModel("the numbers of its curve make no curve");
@@ -109,7 +93,7 @@ void check_representation(const BRep_CurveRepresentation& curve, const Source& s
     check_planar_numbers(*curve.PCurve2());
 }
 
-void check_edge(const TopoDS_Edge& edge, const Source& source) {
+void check_edge(const TopoDS_Edge& edge, const NumberSource& source) {
   check_tolerance(BRep_Tool::Tolerance(edge));
   const bool has_curve = !BRep_Tool::Degenerated(edge);
   if (const auto* shape = dynamic_cast<const BRep_TEdge*>(edge.TShape().get()))
@@ -144,112 +128,104 @@ std::string fault_of(Check&& check) {
   }
 }
 
-/// The bad shapes of a part.
-class BadShapes {
- public:
-  BadShapes(const TopoDS_Shape& part, const Source& source) {
-    TopTools_IndexedMapOfShape edges, vertices;
-    TopExp::MapShapes(part, TopAbs_FACE, faces_);
-    for (int i = 1; i <= faces_.Extent(); ++i)
-      add("face", i, faces_(i), fault_of([&] { check_face(TopoDS::Face(faces_(i)), source); }));
-    TopExp::MapShapes(part, TopAbs_EDGE, edges);
-    for (int i = 1; i <= edges.Extent(); ++i)
-      add("edge", i, edges(i), fault_of([&] { check_edge(TopoDS::Edge(edges(i)), source); }));
-    TopExp::MapShapes(part, TopAbs_VERTEX, vertices);
-    for (int i = 1; i <= vertices.Extent(); ++i)
-      add("vertex", i, vertices(i), fault_of([&] { check_vertex(TopoDS::Vertex(vertices(i))); }));
-    if (!bad_.empty()) find_faces(part);
-  }
+}  // namespace
 
-  bool none() const { return bad_.empty(); }
+std::string NumberSource::without_surface() const {
+  return brep_ == nullptr ? std::string() : why_without_surface(*brep_);
+}
 
-  /// The faces that are bad, or are bounded by what is bad.
-  std::vector<Replacement> removals() const {
-    std::vector<Replacement> list;
-    for (const auto& [number, cause] : lost_) list.push_back({TopoDS::Face(faces_(number)), {}});
-    return list;
-  }
+bool NumberSource::loses_curves() const {
+  if (!lost_curves_) lost_curves_ = brep_ != nullptr && occt::loses_curves(*brep_);
+  return *lost_curves_;
+}
 
-  /// Takes bad edges and vertices out that bound no face.
-  TopoDS_Shape without_loose(const TopoDS_Shape& part) const {
-    BRepTools_ReShape without;
-    for (const Bad& bad : bad_)
-      if (bad.loose) without.Remove(bad.shape);
-    return without.Apply(part);
-  }
-  bool any_loose() const {
-    return std::ranges::any_of(bad_, [](const Bad& bad) { return bad.loose; });
-  }
+BadShapes::BadShapes(const TopoDS_Shape& part, const NumberSource& source) {
+  TopTools_IndexedMapOfShape edges, vertices;
+  TopExp::MapShapes(part, TopAbs_FACE, faces_);
+  for (int i = 1; i <= faces_.Extent(); ++i)
+    add("face", i, faces_(i), fault_of([&] { check_face(TopoDS::Face(faces_(i)), source); }));
+  TopExp::MapShapes(part, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i)
+    add("edge", i, edges(i), fault_of([&] { check_edge(TopoDS::Edge(edges(i)), source); }));
+  TopExp::MapShapes(part, TopAbs_VERTEX, vertices);
+  for (int i = 1; i <= vertices.Extent(); ++i)
+    add("vertex", i, vertices(i), fault_of([&] { check_vertex(TopoDS::Vertex(vertices(i))); }));
+  if (!bad_.empty()) find_faces(part);
+}
 
-  void list(const std::string& part, ReadingReport& report) const {
-    const std::vector<std::string> owner =
-        part.empty() ? std::vector<std::string>() : std::vector{"part '" + part + "'"};
-    for (const auto& [number, cause] : lost_)
-      report.add({"face", cause, true, 1, {"face " + std::to_string(number)}, owner});
-    for (const Bad& bad : bad_)
-      if (bad.loose) report.add({bad.kind, bad.cause, true, 1, {bad.name()}, owner});
-  }
+std::vector<Replacement> BadShapes::removals() const {
+  std::vector<Replacement> list;
+  for (const auto& [number, cause] : lost_) list.push_back({TopoDS::Face(faces_(number)), {}});
+  return list;
+}
 
- private:
-  struct Bad {
-    const char* kind;
-    int number;
-    TopoDS_Shape shape;
-    std::string cause;
-    bool loose = false;
+TopoDS_Shape BadShapes::without_loose(const TopoDS_Shape& part) const {
+  BRepTools_ReShape without;
+  for (const Bad& bad : bad_)
+    if (bad.loose) without.Remove(bad.shape);
+  return without.Apply(part);
+}
 
-    std::string name() const { return std::string(kind) + " " + std::to_string(number); }
-  };
+bool BadShapes::any_loose() const {
+  return std::ranges::any_of(bad_, [](const Bad& bad) { return bad.loose; });
+}
 
-  void add(const char* kind, int number, const TopoDS_Shape& shape, const std::string& cause) {
-    if (!cause.empty()) bad_.push_back({kind, number, shape, cause});
-  }
+void BadShapes::list(const std::string& part, ReadingReport& report) const {
+  const std::vector<std::string> owner =
+      part.empty() ? std::vector<std::string>() : std::vector{"part '" + part + "'"};
+  for (const auto& [number, cause] : lost_)
+    report.add({"face", cause, true, 1, {"face " + std::to_string(number)}, owner});
+  for (const Bad& bad : bad_)
+    if (bad.loose) report.add({bad.kind, bad.cause, true, 1, {bad.label()}, owner});
+}
 
-  void find_faces(const TopoDS_Shape& part) {
-    TopTools_IndexedDataMapOfShapeListOfShape faces;
-    TopExp::MapShapesAndAncestors(part, TopAbs_EDGE, TopAbs_FACE, faces);
-    TopExp::MapShapesAndAncestors(part, TopAbs_VERTEX, TopAbs_FACE, faces);
-    for (Bad& bad : bad_) {
-      if (bad.shape.ShapeType() == TopAbs_FACE) {
-        lost_.try_emplace(bad.number, bad.cause);
-        continue;
-      }
-      const TopTools_ListOfShape* bounded = faces.Seek(bad.shape);
-      bad.loose = bounded == nullptr || bounded->IsEmpty();
-      if (bad.loose) continue;
-      for (const TopoDS_Shape& face : *bounded)
-        lost_.try_emplace(faces_.FindIndex(face), bad.name() + ": " + bad.cause);
+void BadShapes::add(const char* kind, int number, const TopoDS_Shape& shape,
+                    const std::string& cause) {
+  if (!cause.empty()) bad_.push_back({kind, number, shape, cause});
+}
+
+void BadShapes::find_faces(const TopoDS_Shape& part) {
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndAncestors(part, TopAbs_EDGE, TopAbs_FACE, faces);
+  TopExp::MapShapesAndAncestors(part, TopAbs_VERTEX, TopAbs_FACE, faces);
+  for (Bad& bad : bad_) {
+    if (bad.shape.ShapeType() == TopAbs_FACE) {
+      lost_.try_emplace(bad.number, bad.cause);
+      continue;
     }
+    const TopTools_ListOfShape* bounded = faces.Seek(bad.shape);
+    bad.loose = bounded == nullptr || bounded->IsEmpty();
+    if (bad.loose) continue;
+    for (const TopoDS_Shape& face : *bounded)
+      lost_.try_emplace(faces_.FindIndex(face), bad.label() + ": " + bad.cause);
   }
+}
 
-  TopTools_IndexedMapOfShape faces_;
-  std::vector<Bad> bad_;
-  std::map<int, std::string> lost_;  // faces by number, and why
-};
+namespace {
+
+/// Takes bad shapes out of a part; its shape is null if nothing is left.
+void clean(PlainPart& part, const BadShapes& bad) {
+  if (const std::vector<Replacement> removals = bad.removals(); !removals.empty()) {
+    Rebuild rebuild(removals);
+    part.shape = rebuild(part.shape);
+    for (NamedShape& named : part.named)
+      named.shape = rebuild.find(named.shape) == nullptr ? rebuild(named.shape) : TopoDS_Shape();
+    std::erase_if(part.named, [](const NamedShape& named) { return named.shape.IsNull(); });
+  }
+  if (!part.shape.IsNull() && bad.any_loose()) part.shape = bad.without_loose(part.shape);
+}
 
 }  // namespace
 
-void leave_out_bad_faces(const Document& document, Format format, const std::string& text,
-                         ReadingReport& report) {
-  const Source source{format, text};
-  const Handle(XCAFDoc_ShapeTool) shapes = document.shapes();
-  TDF_LabelSequence labels;
-  shapes->GetShapes(labels);
-  for (const TDF_Label& label : labels) {
-    if (!XCAFDoc_ShapeTool::IsSimpleShape(label)) continue;
-    const TopoDS_Shape part = XCAFDoc_ShapeTool::GetShape(label);
-    const BadShapes bad(part, source);
+void leave_out_bad_shapes(PlainParts& parts, const NumberSource& source, ReadingReport& report) {
+  for (PlainPart& part : parts) {
+    if (part.shape.IsNull()) continue;
+    const BadShapes bad(part.shape, source);
     if (bad.none()) continue;
-    bad.list(name_of(label), report);
-    bool left = bad.removals().empty() || replace_in_part(shapes, label, bad.removals());
-    if (left && bad.any_loose()) {
-      const TopoDS_Shape rest = bad.without_loose(XCAFDoc_ShapeTool::GetShape(label));
-      left = !rest.IsNull();
-      if (left) shapes->SetShape(label, rest);
-    }
-    if (!left) remove_part(shapes, label);
+    bad.list(part.name, report);
+    clean(part, bad);
   }
-  shapes->UpdateAssemblies();
+  std::erase_if(parts, [](const PlainPart& part) { return part.shape.IsNull(); });
 }
 
 }  // namespace blossom::occt

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Models from STEP, IGES and BREP files.
 
-#include <algorithm>
-#include <exception>
 #include <string>
 #include <utility>
 
@@ -12,6 +10,8 @@
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/file_text.h"
 #include "adapters/occt/exchange/listening.h"
+#include "adapters/occt/exchange/modules.h"
+#include "adapters/occt/exchange/numbers.h"
 
 namespace blossom::occt {
 namespace {
@@ -24,17 +24,31 @@ void require_shape(const TopoDS_Shape& shape, const ReadingReport& report) {
   if (is_empty(shape)) refuse("holds no shape", report);
 }
 
+/// A document takes over where plain parts are not enough.
+void read_step_file(Reading& reading) {
+  const Handle(Standard_Transient) session = step_module().read(reading);
+  if (!session.IsNull()) document_module().add_step(session, reading);
+}
+
+void leave_out_bad_numbers(Format format, Reading& reading) {
+  const NumberSource source(format == Format::Brep ? &reading.text : nullptr);
+  if (reading.contents.document)
+    reading.contents.document->leave_out_bad_faces(source, reading.report);
+  else
+    leave_out_bad_shapes(reading.contents.parts, source, reading.report);
+}
+
 void read_format(Format format, Reading& reading) {
   const Listening listening;
   switch (format) {
-    case Format::Step: return read_step(reading);
-    case Format::Iges: return read_iges(reading);
+    case Format::Step: return read_step_file(reading);
+    case Format::Iges: return document_module().read_iges(reading);
     case Format::Brep: return read_brep(reading);
     case Format::Glb: break;  // no content is taken for it
   }
 }
 
-/// Into the document of the reading; returns the format.
+/// Into the contents of the reading; returns the format.
 Format read_into(Reading& reading) {
   reading.begin("opening");
   FileText content = file_text(reading.file);
@@ -42,45 +56,17 @@ Format read_into(Reading& reading) {
   if (content.cut) reading.report.add({"the packed file", "it is damaged or cut off", true});
   read_format(content.format, reading);
   reading.begin("checking the numbers");
-  leave_out_bad_faces(reading.document, content.format, reading.text, reading.report);
+  leave_out_bad_numbers(content.format, reading);
   return content.format;
 }
 
 }  // namespace
 
-void refuse(const std::string& cause, const ReadingReport& report) {
-  const auto lost = std::ranges::find_if(report.losses, [](const Loss& l) { return l.of_shape; });
-  if (lost == report.losses.end()) throw BadModel(cause);
-  throw BadModel("holds no shape that can be used: " + lost->text());
-}
-
-void Reading::begin(const char* doing) {
-  step = doing;
-  if (options.step) options.step((step + " of " + file.string()).c_str());
-}
-
-void Reading::with_names(const XSControl_Reader& reader, const std::function<bool()>& transfer) {
-  const char* const kNames = "names, colours, dimensions and assembly";
-  if (options.names) try {
-      begin(kReadingNames);
-      if (transfer()) return;
-    } catch (const Standard_Failure&) {
-      report.add({kNames, current_failure_text()});
-    } catch (const std::exception&) {
-      report.add({kNames, current_failure_text()});
-    }
-  else
-    report.add({kNames, "reading them fails, or is not wanted"});
-  document.renew();
-  for (int i = 1; i <= reader.NbShapes(); ++i)
-    document.shapes()->SetShape(document.shapes()->NewShape(), reader.Shape(i));
-}
-
 Model read_model(const std::filesystem::path& file, const ReadOptions& options) {
   const std::lock_guard guard(exchange_lock());
   Model model;
   Model::Impl& impl = *model.impl_;
-  Reading reading{impl.document, file, options, impl.reading};
+  Reading reading{impl, file, options, impl.reading};
   try {
     const Format format = read_into(reading);
     impl.refresh();
@@ -89,6 +75,8 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
     if (format != Format::Brep) impl.stated = StatedTolerances::Raised;
   } catch (const BadModel& error) {
     throw BadModel(file.string() + ": " + error.what());
+  } catch (const Failure&) {
+    throw;
   } catch (...) {  // Open CASCADE's exceptions are no std::exception
     throw BadModel(file.string() + ": " + reading.step + " fails: " + current_failure_text());
   }

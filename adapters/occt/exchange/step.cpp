@@ -13,8 +13,7 @@
 #include <BRep_Tool.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_Static.hxx>
-#include <STEPCAFControl_Reader.hxx>
-#include <STEPControl_Controller.hxx>
+#include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepGeom_SphericalSurface.hxx>
 #include <StepShape_Edge.hxx>
@@ -34,7 +33,9 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/exchange/step.h"
 #include "adapters/occt/exchange/step_faults.h"
+#include "adapters/occt/exchange/step_names.h"
 #include "adapters/occt/exchange/step_text.h"
 
 namespace blossom::occt {
@@ -130,30 +131,11 @@ class Results {
   ReadingReport& report_;
 };
 
-void want_attributes(STEPCAFControl_Reader& reader) {
-  reader.SetColorMode(true);
-  reader.SetNameMode(true);
-  reader.SetLayerMode(true);
-  reader.SetPropsMode(true);
-  reader.SetGDTMode(true);
-  reader.SetMatMode(true);
-  reader.SetViewMode(true);
-  reader.SetSHUOMode(true);  // styles of single instances
-}
-
-/// Names of faces are wanted, but Open CASCADE looks for them in all shells without asking what is
-/// there: beside damaged shapes they are given up, and the names of parts are kept.
-void ask_for_face_names(ReadingReport& report) {
-  const bool sound = report.grade() != ReadingGrade::ShapesLost;
-  Interface_Static::SetIVal("read.stepcaf.subshapes.name", sound ? 1 : 0);
-  if (!sound) report.add({"the names of faces", "they are not read beside damaged shapes"});
-}
-
 /// The unit of the file, "MM" if it has none.
-void find_unit(STEPControl_Reader& reader, Document& document) {
+void find_unit(STEPControl_Reader& reader, Contents& contents) {
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.FileUnits(lengths, angles, solid_angles);
-  if (!lengths.IsEmpty()) document.unit = unit_named(lengths.First().ToCString());
+  if (!lengths.IsEmpty()) contents.unit = unit_named(lengths.First().ToCString());
 }
 
 /// One root after the other, so that one that fails does not take the others with it.
@@ -165,6 +147,17 @@ void transfer_roots(STEPControl_Reader& reader, ReadingReport& report) {
       loss.which.push_back("number " + std::to_string(i));
       report.add(loss);
     }
+}
+
+void take_names(Reading& reading, const StepData_StepModel& model,
+                const Transfer_TransientProcess& made) {
+  if (!reading.options.names) return reading.lose_names(kNamesNotRead);
+  try {
+    reading.begin(kReadingNames);
+    name_parts(reading.contents.parts, model, made);
+  } catch (const Standard_Failure&) {
+    reading.lose_names(current_failure_text());
+  }
 }
 
 }  // namespace
@@ -182,31 +175,30 @@ std::string unit_named(std::string name) {
   return "MM";
 }
 
-void read_step(Reading& reading) {
-  STEPControl_Controller::Init();
-  STEPCAFControl_Reader reader;
-  STEPControl_Reader& shapes = reader.ChangeReader();
+Handle(Standard_Transient) read_step(Reading& reading) {
+  STEPControl_Reader reader;
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  want_attributes(reader);
   reading.begin("reading the entities");
   mend_step_text(reading.text, reading.report);
   std::istringstream in(std::move(reading.text));
-  if (shapes.ReadStream(reading.file.c_str(), in) != IFSelect_RetDone)
+  if (reader.ReadStream(reading.file.c_str(), in) != IFSelect_RetDone)
     refuse("is no readable STEP file", reading.report);
-  const auto model = Handle(StepData_StepModel)::DownCast(shapes.Model());
-  const StepOwners owners(*model, shapes.WS()->Graph());
+  const auto model = Handle(StepData_StepModel)::DownCast(reader.Model());
+  const StepOwners owners(*model, reader.WS()->Graph());
   const auto left_out = leave_out_damage(owners, reading.report);
 
-  ask_for_face_names(reading.report);
-
   reading.begin("transferring the shapes");
-  transfer_roots(shapes, reading.report);
-  find_unit(shapes, reading.document);
-  Results(owners, *shapes.WS()->TransferReader()->TransientProcess(), reading.report)
-      .list(left_out);
+  transfer_roots(reader, reading.report);
+  find_unit(reader, reading.contents);
+  const Transfer_TransientProcess& made = *reader.WS()->TransferReader()->TransientProcess();
+  Results(owners, made, reading.report).list(left_out);
+  PlainParts& parts = reading.contents.parts;
+  for (int i = 1; i <= reader.NbShapes(); ++i) parts.push_back({reader.Shape(i)});
 
-  Handle(TDocStd_Document) target = reading.document.handle();
-  reading.with_names(shapes, [&] { return reader.Transfer(target); });
+  if (reading.options.names && (reading.options.looks || !are_plain(parts, *model, made)))
+    return reader.WS();
+  take_names(reading, *model, made);
+  return {};
 }
 
 }  // namespace blossom::occt

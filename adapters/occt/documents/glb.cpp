@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/exchange/glb.h"
+// Triangles as GLB.
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +12,7 @@
 #include <TColStd_IndexedDataMapOfStringString.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/documents/files.h"
 
 namespace blossom::occt {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/exchange/parts.h"
+#include "adapters/occt/documents/parts.h"
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <TDataStd_TreeNode.hxx>

@@ -7,8 +7,8 @@
 #include <TDF_LabelSequence.hxx>
 #include <XCAFDoc_GraphNode.hxx>
 
-#include "adapters/occt/exchange/detail.h"
-#include "adapters/occt/exchange/parts.h"
+#include "adapters/occt/documents/document.h"
+#include "adapters/occt/documents/parts.h"
 
 namespace blossom::occt {
 namespace {

@@ -17,9 +17,8 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 
-#include "adapters/occt/base/errors.h"
-#include "adapters/occt/exchange/detail.h"
-#include "adapters/occt/exchange/parts.h"
+#include "adapters/occt/documents/document.h"
+#include "adapters/occt/documents/parts.h"
 
 namespace blossom::occt {
 namespace {
@@ -106,8 +105,7 @@ struct Context {
   const Document& document;
   const Model& model;
   const TopTools_IndexedMapOfShape& faces;
-  const std::map<const Model*, std::vector<Looks>>& looks;
-  PieceNames& names;
+  LooksOfModels& looks;
 
   Handle(XCAFDoc_ShapeTool) shapes() const { return document.shapes(); }
 };
@@ -188,7 +186,7 @@ class Filling {
       if (piece.IsNull()) continue;
       if (i > 0) copy_looks(label, piece);
       if (old.ShapeType() == TopAbs_FACE)  // numbered through all parts
-        set_name(piece, context_.names.next({{}, &context_.model, number_of(old)}, name));
+        set_name(piece, context_.looks.names().next({{}, &context_.model, number_of(old)}, name));
       else if (pieces.size() > 1)
         set_name(piece, numbered_name(name, static_cast<int>(i) + 1));
     }
@@ -196,11 +194,11 @@ class Filling {
 
   /// A face that comes from elsewhere brings its looks.
   void label_stranger(const FaceOrigin& face) {
-    const Looks& looks = context_.looks.at(face.model)[static_cast<std::size_t>(face.number) - 1];
+    const Looks& looks = context_.looks(face);
     if (!looks.any()) return;
     const TDF_Label label = shapes_->AddSubShape(label_, face.face);
     if (label.IsNull()) return;
-    set_name(label, context_.names.next(face, looks.name));
+    set_name(label, context_.looks.names().next(face, looks.name));
     paint(context_.document, label, looks);
   }
 
@@ -282,42 +280,30 @@ void add_others(Model& model, const Solids& others) {
 
 }  // namespace
 
-void Model::replace_solids(const std::vector<CombinedSolid>& solids, CommonFaces common) {
-  std::map<const Model*, std::vector<Looks>> looks;
-  PieceNames names;
-  const std::lock_guard guard(exchange_lock());
-  for (const CombinedSolid& solid : solids) {
-    if (solid.faces.empty()) throw BadModel("a solid has no faces");
-    for (const FaceOrigin& face : solid.faces) {
-      face.model->face(face.number);
-      names.count(face);
-      auto& of = looks[face.model];
-      if (of.empty()) of = all_looks(face.model->impl_->document, face.model->impl_->faces);
+void Document::replace_solids(Model& own, const std::vector<CombinedSolid>& solids,
+                              CommonFaces common) {
+  LooksOfModels looks;
+  for (const CombinedSolid& solid : solids) looks.add(solid.faces);
+  const Faces& faces = contents_of(own).faces;
+  const auto [parts, others] = by_parts(*this, faces, solids, own);
+  const Context context{*this, own, faces, looks};
+  std::vector<TDF_Label> emptied;
+  for (const PartSolids& part : parts) {
+    if (is_same(context, part)) continue;
+    const TDF_Label label = own_part(shapes(), part.usage);
+    if (part.solids.empty()) {
+      emptied.push_back(label);
+      continue;
     }
+    const std::vector<TDF_Label> filled = place(context, part, label);
+    if (common == CommonFaces::Keep) continue;
+    const bool copied = label != part.usage.part;
+    for (std::size_t i = copied ? 0 : 1; i < filled.size(); ++i) unshare(shapes(), filled[i]);
   }
-  auto [parts, others] = by_parts(impl_->document, impl_->faces, solids, *this);
-  guarded("replacing solids", [&, &parts = parts] {
-    const Context context{impl_->document, *this, impl_->faces, looks, names};
-    const Handle(XCAFDoc_ShapeTool) shapes = context.shapes();
-    std::vector<TDF_Label> emptied;
-    for (const PartSolids& part : parts) {
-      if (is_same(context, part)) continue;
-      const TDF_Label label = own_part(shapes, part.usage);
-      if (part.solids.empty()) {
-        emptied.push_back(label);
-        continue;
-      }
-      const std::vector<TDF_Label> filled = place(context, part, label);
-      if (common == CommonFaces::Keep) continue;
-      const bool copied = label != part.usage.part;
-      for (std::size_t i = copied ? 0 : 1; i < filled.size(); ++i) unshare(shapes, filled[i]);
-    }
-    for (const TDF_Label& label : emptied) remove_part(shapes, label);
-    forget_assembly_properties(shapes);
-    shapes->UpdateAssemblies();
-  });
-  add_others(*this, others);
-  impl_->refresh();
+  for (const TDF_Label& label : emptied) remove_part(shapes(), label);
+  forget_assembly_properties(shapes());
+  shapes()->UpdateAssemblies();
+  add_others(own, others);
 }
 
 }  // namespace blossom::occt

@@ -30,6 +30,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/documents/files.h"
 #include "adapters/occt/exchange/detail.h"
 
 namespace blossom::occt {
@@ -185,10 +186,13 @@ void read_iges(Reading& reading) {
   transfer_roots(reader, reading.report);
   list_lost_faces(*model, *reader.WS()->TransferReader()->TransientProcess(), reading.report);
   const Handle(TCollection_HAsciiString) unit = model->GlobalSection().UnitName();
-  if (!unit.IsNull()) reading.document.unit = unit_named(unit->ToCString());
+  if (!unit.IsNull()) reading.contents.unit = unit_named(unit->ToCString());
 
-  Handle(TDocStd_Document) target = reading.document.handle();
-  reading.with_names(reader, [&] { return reader.Transfer(target); });
+  for (int i = 1; i <= reader.NbShapes(); ++i) reading.contents.parts.push_back({reader.Shape(i)});
+  add_with_names(reading, [&](Document& document) {
+    Handle(TDocStd_Document) target = document.handle();
+    return reader.Transfer(target);
+  });
 }
 
 }  // namespace blossom::occt

@@ -7,8 +7,7 @@
 #include <TDF_DataSet.hxx>
 #include <TDF_RelocationTable.hxx>
 
-#include "adapters/occt/base/errors.h"
-#include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/documents/document.h"
 
 namespace blossom::occt {
 namespace {
@@ -23,22 +22,16 @@ void relocate_root(const TDF_Label& from, const TDF_Label& to, TDF_RelocationTab
 
 }  // namespace
 
-Model Model::copy() const {
-  const std::lock_guard guard(exchange_lock());
-  Model made;
-  guarded("copying the model", [&] {
-    const TDF_Label from = impl_->document.main(), to = made.impl_->document.main();
-    const Handle(TDF_DataSet) all = new TDF_DataSet;
-    all->AddLabel(from);
-    TDF_ClosureTool::Closure(all);
-    const Handle(TDF_RelocationTable) table = new TDF_RelocationTable(true);
-    table->SetRelocation(from, to);
-    relocate_root(from.Root(), to.Root(), *table);
-    TDF_CopyTool::Copy(all, table);
-    made.impl_->document.unit = impl_->document.unit;
-    made.impl_->stated = impl_->stated;
-    made.impl_->refresh();
-  });
+std::shared_ptr<DocumentInterface> Document::copy() const {
+  auto made = std::make_shared<Document>();
+  const TDF_Label from = main(), to = made->main();
+  const Handle(TDF_DataSet) all = new TDF_DataSet;
+  all->AddLabel(from);
+  TDF_ClosureTool::Closure(all);
+  const Handle(TDF_RelocationTable) table = new TDF_RelocationTable(true);
+  table->SetRelocation(from, to);
+  relocate_root(from.Root(), to.Root(), *table);
+  TDF_CopyTool::Copy(all, table);
   return made;
 }
 

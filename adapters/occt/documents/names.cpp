@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What the parts and faces of a model are called, and where parts are used.
 
+#include <cstddef>
 #include <utility>
 
 #include <TCollection_AsciiString.hxx>
@@ -8,9 +9,9 @@
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 
-#include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/documents/document.h"
 
 namespace blossom::occt {
 namespace {
@@ -71,56 +72,9 @@ std::string part_path(const Usage& usage) {
 
 namespace {
 
-// Gives the faces of a shape, at its place, a name.
-void name_faces(TopoDS_Shape shape, const TopLoc_Location& place, const std::string& name,
-                const TopTools_IndexedMapOfShape& faces, std::vector<std::string>& names) {
-  if (shape.IsNull() || name.empty()) return;
-  shape.Location(place * shape.Location(), false);
-  for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
-    if (const int number = faces.FindIndex(it.Current()); number > 0)
-      names[static_cast<std::size_t>(number - 1)] = name;
-}
-
-}  // namespace
-
-std::vector<std::string> Model::face_names() const {
-  std::vector<std::string> names(static_cast<std::size_t>(face_count()));
-  const auto name_all = [&](const TDF_Label& label, const TopLoc_Location& place) {
-    name_faces(XCAFDoc_ShapeTool::GetShape(label), place, name_of(label), impl_->faces, names);
-  };
-  for (const Usage& usage : all_usages(impl_->document)) {
-    name_all(usage.part, usage.location);
-    TDF_LabelSequence subs;
-    XCAFDoc_ShapeTool::GetSubShapes(usage.part, subs);
-    for (const TDF_Label& sub : subs) name_all(sub, usage.location);
-  }
-  return names;
-}
-
-std::vector<std::string> Model::part_paths() const {
-  std::vector<std::string> paths(static_cast<std::size_t>(face_count()));
-  for (const Usage& usage : all_usages(impl_->document))
-    name_faces(XCAFDoc_ShapeTool::GetShape(usage.part), usage.location, part_path(usage),
-               impl_->faces, paths);
-  return paths;
-}
-
-namespace {
-
-// Solids and faces of a model by their numbers.
-struct NumberedShapes {
-  TopTools_IndexedMapOfShape solids;
-  const TopTools_IndexedMapOfShape& faces;
-};
-
-std::vector<int> numbers_in(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
-                            const TopTools_IndexedMapOfShape& all) {
-  TopTools_IndexedMapOfShape own;
-  TopExp::MapShapes(shape, kind, own);
-  std::vector<int> numbers;
-  for (int i = 1; i <= own.Extent(); ++i)
-    if (const int number = all.FindIndex(own(i)); number > 0) numbers.push_back(number);
-  return numbers;
+TopoDS_Shape placed(TopoDS_Shape shape, const TopLoc_Location& place) {
+  if (!shape.IsNull()) shape.Location(place * shape.Location(), false);
+  return shape;
 }
 
 AssemblyNode node_of(const TDF_Label& label, const TopLoc_Location& place, const std::string& path,
@@ -137,11 +91,7 @@ AssemblyNode node_of(const TDF_Label& label, const TopLoc_Location& place, const
   node.name = node.product = name_of(label);
   node.path = path.empty() ? node.name : path;
   if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
-    TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    if (shape.IsNull()) return node;
-    shape.Location(place * shape.Location(), false);
-    node.solids = numbers_in(shape, TopAbs_SOLID, all.solids);
-    node.faces = numbers_in(shape, TopAbs_FACE, all.faces);
+    all.put(placed(XCAFDoc_ShapeTool::GetShape(label), place), node);
     return node;
   }
   TDF_LabelSequence components;
@@ -153,16 +103,45 @@ AssemblyNode node_of(const TDF_Label& label, const TopLoc_Location& place, const
 
 }  // namespace
 
-std::vector<AssemblyNode> Model::assembly() const {
-  NumberedShapes all{{}, impl_->faces};
-  if (!shape().IsNull()) TopExp::MapShapes(shape(), TopAbs_SOLID, all.solids);
+std::vector<std::string> Document::face_names(const Faces& faces) const {
+  std::vector<std::string> names(static_cast<std::size_t>(faces.Extent()));
+  const auto name_all = [&](const TDF_Label& label, const TopLoc_Location& place) {
+    name_faces(placed(XCAFDoc_ShapeTool::GetShape(label), place), name_of(label), faces, names);
+  };
+  for (const Usage& usage : all_usages(*this)) {
+    name_all(usage.part, usage.location);
+    TDF_LabelSequence subs;
+    XCAFDoc_ShapeTool::GetSubShapes(usage.part, subs);
+    for (const TDF_Label& sub : subs) name_all(sub, usage.location);
+  }
+  return names;
+}
+
+std::vector<std::string> Document::part_paths(const Faces& faces) const {
+  std::vector<std::string> paths(static_cast<std::size_t>(faces.Extent()));
+  for (const Usage& usage : all_usages(*this))
+    name_faces(placed(XCAFDoc_ShapeTool::GetShape(usage.part), usage.location), part_path(usage),
+               faces, paths);
+  return paths;
+}
+
+std::vector<AssemblyNode> Document::assembly(const TopoDS_Shape& whole, const Faces& faces) const {
+  const NumberedShapes all(whole, faces);
   TDF_LabelSequence roots;
-  impl_->document.shapes()->GetFreeShapes(roots);
+  shapes()->GetFreeShapes(roots);
   std::vector<AssemblyNode> nodes;
   for (const TDF_Label& root : roots) nodes.push_back(node_of(root, {}, {}, all));
   return nodes;
 }
 
-const std::string& Model::file_unit() const { return impl_->document.unit; }
+std::string Document::part_name(const TopoDS_Face& face) const {
+  for (const Usage& usage : all_usages(*this)) {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(placed(XCAFDoc_ShapeTool::GetShape(usage.part), usage.location), TopAbs_FACE,
+                      faces);
+    if (faces.Contains(face)) return name_of(usage.part);
+  }
+  return {};
+}
 
 }  // namespace blossom::occt

@@ -9,14 +9,12 @@
 
 #include <Quantity_ColorRGBA.hxx>
 #include <TDF_LabelSequence.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 
-#include "adapters/occt/base/errors.h"
-#include "adapters/occt/exchange/detail.h"
-#include "adapters/occt/exchange/parts.h"
+#include "adapters/occt/documents/document.h"
+#include "adapters/occt/documents/parts.h"
 
 namespace blossom::occt {
 
@@ -66,42 +64,32 @@ std::string PieceNames::next(const FaceOrigin& piece, const std::string& name) {
   return pieces_[key] > 1 ? numbered_name(name, number) : name;
 }
 
-std::string Model::part_name(int number) const {
-  const TopoDS_Face wanted = face(number);
-  for (const Usage& usage : all_usages(impl_->document)) {
-    const TopoDS_Shape part = XCAFDoc_ShapeTool::GetShape(usage.part).Moved(usage.location);
-    TopTools_IndexedMapOfShape faces;
-    TopExp::MapShapes(part, TopAbs_FACE, faces);
-    if (faces.Contains(wanted)) return name_of(usage.part);
+LooksOfModels::LooksOfModels(const std::vector<FaceOrigin>& origins) { add(origins); }
+
+void LooksOfModels::add(const std::vector<FaceOrigin>& origins) {
+  for (const FaceOrigin& origin : origins) {
+    names_.count(origin);
+    auto& of = looks_[origin.model];
+    if (of.empty()) of = all_looks(document_of(*origin.model), contents_of(*origin.model).faces);
   }
-  return {};
 }
 
-void Model::add_combined(const TopoDS_Shape& shape, const std::string& name,
-                         const std::vector<FaceOrigin>& origins) {
-  const std::lock_guard guard(exchange_lock());
-  add(shape, name);
-  std::map<const Model*, std::vector<Looks>> looks;
-  PieceNames names;
+const Looks& LooksOfModels::operator()(const FaceOrigin& origin) const {
+  return looks_.at(origin.model)[static_cast<std::size_t>(origin.number) - 1];
+}
+
+void Document::add_combined(const TopoDS_Shape& shape, const std::string& name,
+                            const std::vector<FaceOrigin>& origins) {
+  LooksOfModels looks(origins);
+  const TDF_Label part = add_label(shape, name);
   for (const FaceOrigin& origin : origins) {
-    origin.model->face(origin.number);
-    names.count(origin);
-    auto& of = looks[origin.model];
-    if (of.empty()) of = all_looks(origin.model->impl_->document, origin.model->impl_->faces);
+    const Looks& of = looks(origin);
+    if (!of.any()) continue;
+    const TDF_Label label = shapes()->AddSubShape(part, origin.face);
+    if (label.IsNull()) continue;
+    set_name(label, looks.names().next(origin, of.name));
+    paint(*this, label, of);
   }
-  guarded("naming the faces of '" + name + "'", [&] {
-    const Handle(XCAFDoc_ShapeTool) shapes = impl_->document.shapes();
-    TDF_LabelSequence parts;
-    shapes->GetFreeShapes(parts);
-    for (const FaceOrigin& origin : origins) {
-      const Looks& of = looks[origin.model][static_cast<std::size_t>(origin.number) - 1];
-      if (!of.any()) continue;
-      const TDF_Label label = shapes->AddSubShape(parts.Last(), origin.face);
-      if (label.IsNull()) continue;
-      set_name(label, names.next(origin, of.name));
-      paint(impl_->document, label, of);
-    }
-  });
 }
 
 }  // namespace blossom::occt

@@ -7,7 +7,7 @@
 #include <TDF_AttributeSequence.hxx>
 #include <XCAFDoc_GraphNode.hxx>
 
-#include "adapters/occt/exchange/parts.h"
+#include "adapters/occt/documents/parts.h"
 
 namespace blossom::occt {
 namespace {

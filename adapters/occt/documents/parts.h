@@ -14,7 +14,7 @@
 #include <TDF_LabelSequence.hxx>
 #include <XCAFDoc_ColorType.hxx>
 
-#include "adapters/occt/exchange/detail.h"
+#include "adapters/occt/documents/document.h"
 #include "adapters/occt/exchange/rebuild.h"
 
 namespace blossom::occt {
@@ -53,6 +53,25 @@ class PieceNames {
 
  private:
   std::map<std::pair<const Model*, int>, int> pieces_, numbered_;
+};
+
+/// What the faces of models look like, asked for once a model, and how their pieces are called.
+class LooksOfModels {
+ public:
+  LooksOfModels() = default;
+  explicit LooksOfModels(const std::vector<FaceOrigin>& origins);
+
+  /// Of the models of these, too.
+  void add(const std::vector<FaceOrigin>& origins);
+
+  /// Of a face that was among them.
+  const Looks& operator()(const FaceOrigin& origin) const;
+
+  PieceNames& names() { return names_; }
+
+ private:
+  std::map<const Model*, std::vector<Looks>> looks_;
+  PieceNames names_;
 };
 
 /// Replaces faces in the shape of a part; its labels follow. False if nothing is left of it.

@@ -11,9 +11,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
-#include "adapters/occt/base/errors.h"
-#include "adapters/occt/exchange/detail.h"
-#include "adapters/occt/exchange/parts.h"
+#include "adapters/occt/documents/document.h"
+#include "adapters/occt/documents/parts.h"
 #include "adapters/occt/exchange/rebuild.h"
 
 namespace blossom::occt {
@@ -104,29 +103,18 @@ bool replace_in_part(const Handle(XCAFDoc_ShapeTool) & shapes, const TDF_Label& 
   return true;
 }
 
-void Model::replace_faces(const std::map<int, std::vector<TopoDS_Face>>& pieces) {
-  for (const auto& [number, news] : pieces) {
-    face(number);
-    for (const TopoDS_Face& piece : news)
-      if (piece.IsNull())
-        throw BadModel("a piece for face " + std::to_string(number) + " is no face");
+void Document::replace_faces(const Faces& faces, const Pieces& pieces) {
+  std::vector<TDF_Label> emptied;
+  for (const Cut& cut : cuts_of(*this, faces, pieces)) {
+    const TDF_Label part = own_part(shapes(), cut.usage);
+    if (!replace_in_part(shapes(), part, cut.replacements))
+      emptied.push_back(part);
+    else if (part != cut.usage.part)
+      unshare(shapes(), part);
   }
-  const std::lock_guard guard(exchange_lock());
-  guarded("replacing faces", [&] {
-    const Handle(XCAFDoc_ShapeTool) shapes = impl_->document.shapes();
-    std::vector<TDF_Label> emptied;
-    for (const Cut& cut : cuts_of(impl_->document, impl_->faces, pieces)) {
-      const TDF_Label part = own_part(shapes, cut.usage);
-      if (!replace_in_part(shapes, part, cut.replacements))
-        emptied.push_back(part);
-      else if (part != cut.usage.part)
-        unshare(shapes, part);
-    }
-    for (const TDF_Label& part : emptied) remove_part(shapes, part);
-    forget_assembly_properties(shapes);
-    shapes->UpdateAssemblies();
-    impl_->refresh();
-  });
+  for (const TDF_Label& part : emptied) remove_part(shapes(), part);
+  forget_assembly_properties(shapes());
+  shapes()->UpdateAssemblies();
 }
 
 }  // namespace blossom::occt

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What the program loads, and when.
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/plugin/cli/program.h"
+
+namespace blossom::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string output_of(const std::string& command) {
+  std::string text;
+  FILE* const pipe = popen(command.c_str(), "r");
+  char piece[4096];
+  while (pipe != nullptr && std::fgets(piece, sizeof(piece), pipe) != nullptr) text += piece;
+  if (pipe != nullptr) pclose(pipe);
+  return text;
+}
+
+class TheProgram : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(modules())) GTEST_SKIP() << "it was built without modules";
+    write({bowl()}, model("step"));
+    write({bowl()}, model("brep"));
+    fs::copy_file(BLOSSOM_PROGRAM, folder_ / "blossom");
+  }
+
+  static fs::path modules() { return fs::path(BLOSSOM_PROGRAM).parent_path() / "modules"; }
+
+  static std::string libraries_of(const fs::path& file) {
+    return output_of("ldd " + file.string());
+  }
+
+  fs::path model(const std::string& ending) const { return folder_ / ("bowl." + ending); }
+
+  /// What a copy of the program says that has no modules beside it.
+  std::string alone(const std::string& arguments) const {
+    return output_of((folder_ / "blossom").string() + " " + arguments + " 2>&1; echo code $?");
+  }
+
+  TestFolder folder_;
+};
+
+TEST_F(TheProgram, LoadsNoLibraryOfFileFormatsAtItsStart) {
+  const std::string libraries = libraries_of(BLOSSOM_PROGRAM);
+  EXPECT_NE(libraries.find("libTKBRep"), std::string::npos);
+  for (const char* name : {"libTKSTEP", "libTKIGES", "libTKXCAF", "libTKService", "libX11"})
+    EXPECT_EQ(libraries.find(name), std::string::npos) << name;
+}
+
+TEST_F(TheProgram, LoadsNoLibraryOfPicturesToReadStep) {
+  const std::string libraries = libraries_of(modules() / "blossom_step.so");
+  EXPECT_NE(libraries.find("libTKSTEP"), std::string::npos);
+  for (const char* name : {"libTKIGES", "libTKXCAF", "libTKService", "libX11"})
+    EXPECT_EQ(libraries.find(name), std::string::npos) << name;
+}
+
+TEST_F(TheProgram, ReadsBrepWithoutModules) {
+  const std::string said = alone("info " + model("brep").string());
+  EXPECT_NE(said.find("1 face"), std::string::npos) << said;
+  EXPECT_NE(said.find("code 0"), std::string::npos) << said;
+}
+
+TEST_F(TheProgram, SaysWhichModuleIsMissing) {
+  const std::string step = alone("info " + model("step").string());
+  EXPECT_NE(step.find("STEP files cannot be loaded: "), std::string::npos) << step;
+  EXPECT_NE(step.find("blossom_step.so"), std::string::npos) << step;
+  EXPECT_NE(step.find("code 1"), std::string::npos) << step;
+  const std::string written =
+      alone("convert " + model("brep").string() + " -o " + (folder_ / "out.step").string());
+  EXPECT_NE(written.find("blossom_documents.so"), std::string::npos) << written;
+  EXPECT_NE(written.find("code 1"), std::string::npos) << written;
+  EXPECT_FALSE(fs::exists(folder_ / "out.step"));
+}
+
+TEST_F(TheProgram, RefusesAModuleOfAnotherBuild) {
+  fs::create_directory(folder_ / "modules");
+  std::ofstream(folder_ / "modules/other.cpp")
+      << "extern \"C\" const void* blossom_module(const char*) { return nullptr; }\n";
+  output_of("c++ -shared -fPIC -o " + (folder_ / "modules/blossom_step.so").string() + " " +
+            (folder_ / "modules/other.cpp").string());
+  if (!fs::exists(folder_ / "modules/blossom_step.so")) GTEST_SKIP() << "there is no compiler";
+  const std::string said = alone("info " + model("step").string());
+  EXPECT_NE(said.find("belongs to another version"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace blossom::testing
