@@ -80,9 +80,15 @@ double weights_off_products(const RationalBezierPatch& patch) {
   return off;
 }
 
-// A bound on the distance of the outer spans' points from their inner border. With weights that are
-// products, points of the patch are as far from those across as the control points are; others move
-// its points by no more than 2 d / (1 - d) times its size, d being how far they are off.
+// With weights that are products, points of a patch are as far from those across as the control
+// points are; others move its points by no more than 2 d / (1 - d) times its size, d being how far
+// they are off.
+double moved_by_weights(const RationalBezierPatch& patch, const Box& box) {
+  const double off = std::min(weights_off_products(patch), 0.5);
+  return 2 * off / (1 - off) * diagonal(box);
+}
+
+// A bound on the distance of the outer spans' points from their inner border.
 double strip_width(const Border& border, const BezierSurface& surface) {
   double width = 0;
   for (int k = 0; k < border.spans_along(surface); ++k) {
@@ -96,8 +102,7 @@ double strip_width(const Border& border, const BezierSurface& surface) {
         box = joined(box, {x, x});
         across = std::max(across, distance(x, in_space(border.point(patch, inner, along))));
       }
-    const double off = std::min(weights_off_products(patch), 0.5);
-    width = std::max(width, across + 2 * off / (1 - off) * diagonal(box));
+    width = std::max(width, across + moved_by_weights(patch, box));
   }
   return width;
 }
@@ -165,6 +170,21 @@ std::optional<StripFree> without_border_strips(const FaceData& face) {
   for (const int across : {0, 1})
     for (const bool high : {false, true}) leave_strip_out({across, high}, face, rest);
   return rest;
+}
+
+double width_across(const RationalBezierPatch& patch, int across) {
+  const Border lines{across, false};
+  const int last = lines.points(patch) - 1;
+  Box box;
+  double width = 0;
+  for (int along = 0; along < lines.points_along(patch); ++along)
+    for (int i = 0; i <= last; ++i) {
+      const Vec3 x = in_space(lines.point(patch, i, along));
+      box = joined(box, {x, x});
+      for (int k = 0; k < i; ++k)
+        width = std::max(width, distance(x, in_space(lines.point(patch, k, along))));
+    }
+  return width + moved_by_weights(patch, box);
 }
 
 SurfaceIntersection with_itself(const FaceData& face, const IntersectionOptions& options) {

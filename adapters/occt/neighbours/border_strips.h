@@ -27,6 +27,12 @@ struct StripFree {
 /// moving its border to the other side of the seam, no farther than that tolerance.
 std::optional<StripFree> without_border_strips(const FaceData& face);
 
+/// A bound on the distance of any two points of a patch that are on one parameter line across,
+/// model units.
+///
+/// across    0: lines along which u grows, 1: v
+double width_across(const RationalBezierPatch& patch, int across);
+
 /// Where the face's surface meets itself, strips aside, not clipped to the trims. The
 /// certificate counts strips as identified with their edges; what is found, if anything, is as
 /// exact as they are, and so within tolerance only.

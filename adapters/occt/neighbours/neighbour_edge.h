@@ -40,11 +40,20 @@ class NeighbourEdge {
   /// Of the pieces between samples that meet a range.
   std::vector<Vec3> directions(const Interval& range) const;
 
-  /// The largest distance of the two faces' images at samples, model units. The images are those of
-  /// the chart curves themselves: what is fitted to them is off by up to the edge's tolerance.
-  double gap() const { return gap_; }
+  /// The largest distance of the two faces' images at samples in pieces that meet a range, model
+  /// units. The images are those of the chart curves themselves: what is fitted to them is off by
+  /// up to the edge's tolerance.
+  double gap(const Interval& range) const;
   double tolerance() const { return shared_.tolerance; }
   Vec3 point(double t) const { return image_.point(t); }
+
+  /// Whether all points of a convex hull lie within a distance of the edge: the hull keeps near a
+  /// chord of it, and the edge between the chord's ends keeps near the chord.
+  ///
+  /// foot     parameter of the edge near the hull
+  /// hull     three planes of `count` coordinates, from `origin` on
+  /// reach    model units
+  bool is_near(double foot, const double* hull, int count, const Vec3& origin, double reach) const;
 
   const Coedge& on_a;
   const Coedge& on_b;
@@ -52,7 +61,10 @@ class NeighbourEdge {
  private:
   const SharedEdge& shared_;
   EdgeOnFace image_;
-  double gap_ = 0;
+  template <class Work>
+  void for_pieces(const Interval& range, Work work) const;
+
+  std::vector<double> gaps_;  // of the pieces between samples
   std::vector<std::array<Vec3, 3>> directions_;
 };
 

@@ -231,6 +231,9 @@ class Proof {
     const Cell &a = a_.cells().tree(patch_a)[cell_a], &b = b_.cells().tree(patch_b)[cell_b];
     const double reach = kReach * std::max(tolerance_, edge.tolerance());
     if (std::min(a.extent, b.extent) < reach && is_in_tube(edge, reach, patch_a, a, b)) return true;
+    if (is_along(edge, edge.on_a, reach, a_, patch_a, cell_a) ||
+        is_along(edge, edge.on_b, reach, b_, patch_b, cell_b))
+      return true;
     const std::optional<WaysToEdge>& to = a_.ways(edge.on_a, patch_a, cell_a);
     if (!to) return false;
     const std::optional<WaysToEdge>& from = b_.ways(edge.on_b, patch_b, cell_b);
@@ -239,7 +242,7 @@ class Proof {
     for (const VectorBounds& way : from->directions) across.push_back({-way.middle, way.radius});
     const Interval range{std::min(to->on_edge.from, from->on_edge.from),
                          std::max(to->on_edge.to, from->on_edge.to)};
-    const double jumps = edge.gap() + to->shortfall + from->shortfall + a_data_.surface.error +
+    const double jumps = edge.gap(range) + to->shortfall + from->shortfall + a_data_.surface.error +
                          b_data_.surface.error + rounding_;
     return path_reach(across, edge.directions(range)) * jumps <= reach;
   }
@@ -264,6 +267,19 @@ class Proof {
     const Vec3 centre = 0.5 * (common.low + common.high) + origin_;
     const Vec3 foot = edge.point(a_.nearest_on(edge.on_a, patch_a, a));
     return distance(centre, foot) + 0.5 * diagonal(common) <= reach;
+  }
+
+  // Whether all of a cell that is narrower than the tube, and may be long, lies in it.
+  static bool is_along(const NeighbourEdge& edge, const Coedge& use, double reach, FaceCells& cells,
+                       int patch, int cell) {
+    const CellTree& tree = cells.cells().tree(patch);
+    const Cell& own = tree[cell];
+    const auto size = [](const VectorBounds& step) {
+      return norm(step.middle) + norm(step.radius);
+    };
+    if (std::min(size(own.du), size(own.dv)) > 2 * reach) return false;
+    return edge.is_near(cells.nearest_on(use, patch, own), own.hull, tree.shape().plane_size(),
+                        cells.cells().origin(), reach - own.margin);
   }
 
   const FaceData& a_data_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "adapters/occt/faces/face_trims_detail.h"
+#include "adapters/occt/neighbours/border_strips.h"
 #include "adapters/occt/neighbours/coedge_stretch.h"
 #include "adapters/occt/neighbours/limits.h"
 
@@ -22,7 +23,8 @@ constexpr Axes kAxes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
 FaceCells::FaceCells(const FaceData& data, const Vec3& origin)
     : data_(data),
       cells_(data.surface, origin, CellForm::Auto, kCut, part_test(data.trims)),
-      slopes_(static_cast<std::size_t>(cells_.patches())) {}
+      slopes_(static_cast<std::size_t>(cells_.patches())),
+      widths_(static_cast<std::size_t>(cells_.patches())) {}
 
 bool FaceCells::is_outside(int patch, int cell) {
   std::optional<bool>& outside = facts(patch, cell).outside;
@@ -61,7 +63,9 @@ std::optional<WaysToEdge> FaceCells::found_ways(const Coedge& edge, int patch, c
   PlanarBox swept = box;
   swept.low[across] = std::min(box.low[across], stretch->box.low[across]);
   swept.high[across] = std::max(box.high[across], stretch->box.high[across]);
-  return WaysToEdge{stretch->range, directions(swept, across, -stretch->inner), stretch->shortfall};
+  WaysToEdge ways{stretch->range, {}, stretch->shortfall};
+  add_directions(swept, across, -stretch->inner, edge.tolerance, ways);
+  return ways;
 }
 
 double FaceCells::depth_behind(const Elementary& surface, const Coedge& edge, double tolerance,
@@ -154,19 +158,29 @@ PlanarBox FaceCells::chart_box(int patch, const Cell& cell) const {
            parameter_at(s.v_law, v, cell.v.to) * scale[1]}};
 }
 
-// Of the derivatives across, over all patches that a rectangle of the chart meets.
-std::vector<VectorBounds> FaceCells::directions(const PlanarBox& box, int across, double sign) {
+// Of the derivatives across, over all patches that a rectangle of the chart meets. Patches that are
+// narrower than the edge is exact may go to and fro; what leads through them is short instead.
+void FaceCells::add_directions(const PlanarBox& box, int across, double sign, double strip,
+                               WaysToEdge& ways) {
   const BezierSurface& s = data_.surface;
-  std::vector<VectorBounds> all;
   for (int patch = 0; patch < cells_.patches(); ++patch) {
     const auto u = local(s.u_law, cells_.knots_u(patch), box, 0);
     const auto v = local(s.v_law, cells_.knots_v(patch), box, 1);
     if (!u || !v) continue;
+    if (width(patch, across) <= strip) {
+      ways.shortfall += width(patch, across);
+      continue;
+    }
     const DirectionCones cones = cones_of(slopes(patch), *u, *v, kAxes);
     const VectorBounds& bounds = across == 0 ? cones.u : cones.v;
-    all.push_back({sign * bounds.middle, bounds.radius});
+    ways.directions.push_back({sign * bounds.middle, bounds.radius});
   }
-  return all;
+}
+
+double FaceCells::width(int patch, int across) {
+  auto& known = widths_[static_cast<std::size_t>(patch)][static_cast<std::size_t>(across)];
+  if (!known) known = width_across(cells_.tree(patch).patch(), across);
+  return *known;
 }
 
 std::optional<Interval> FaceCells::local(ParameterLaw law, const Interval& span,

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -23,7 +24,8 @@ namespace blossom::occt {
 struct WaysToEdge {
   Interval on_edge;                      ///< where they may end
   std::vector<VectorBounds> directions;  ///< in space
-  double shortfall = 0;                  ///< by so much they may miss the edge's end
+  double shortfall = 0;                  ///< so long are what of them is left out, and the way
+                                         ///< from where they end to the edge
 };
 
 /// Keeps a reference to the face's data.
@@ -76,7 +78,9 @@ class FaceCells {
   bool is_empty(const PlanarBox& box) const;
   bool meets_gap(const PlanarBox& box) const;
   PlanarBox chart_box(int patch, const Cell& cell) const;
-  std::vector<VectorBounds> directions(const PlanarBox& box, int across, double sign);
+  void add_directions(const PlanarBox& box, int across, double sign, double strip,
+                      WaysToEdge& ways);
+  double width(int patch, int across);
   std::optional<Interval> local(ParameterLaw law, const Interval& span, const PlanarBox& box,
                                 int k) const;
   const SlopeNets& slopes(int patch);
@@ -84,6 +88,7 @@ class FaceCells {
   const FaceData& data_;
   SurfaceCells cells_;
   std::vector<std::optional<SlopeNets>> slopes_;
+  std::vector<std::array<std::optional<double>, 2>> widths_;      // of patches, across u and v
   std::unordered_map<int, std::optional<ElementarySide>> sides_;  // of patches
   std::unordered_map<std::uint64_t, Facts> facts_;
 };
