@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What options take as values, and numbers as people write them.
+// What options take as values.
 //
 // The messages of the checks go on after the option's name: "--tolerance takes a positive number,
 // not '0'".
@@ -11,6 +11,8 @@
 #include <vector>
 
 #include <CLI/App.hpp>
+
+#include "plugin/reports/number_text.h"
 
 namespace blossom::cli {
 
@@ -33,12 +35,8 @@ void limit_to(CLI::Option& option, const std::vector<std::string>& words);
 /// "cut, common or split".
 std::string listed(const std::vector<std::string>& words, const std::string& last = "or");
 
-/// The shortest text that reads back as the same number, with exponents as people write them:
-/// 1e-9, 0.25, 300.
-std::string number_text(double value);
-
-/// The nearest number of six digits, for summaries.
-double rounded(double value);
+using reports::number_text;
+using reports::rounded;
 
 /// The word that was most likely meant: the nearest one by edit distance; empty if none is near.
 std::string nearest_word(const std::string& typed, const std::vector<std::string>& words);

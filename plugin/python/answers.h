@@ -34,6 +34,8 @@ struct Answer {
   std::function<SharedModel()> model;     ///< the shape that was made; none if that is nothing
   /// What has more than the report, as arrays of numpy. With Python's lock.
   std::function<pybind11::dict()> records;
+  /// Writes a drawing, .dxf or .svg; none if the answer is no section.
+  std::function<void(const std::string& file, const Control& control)> draw{};
 };
 
 /// A report as `--json` gives it: with what reading these models lost, and a status no better than

@@ -71,7 +71,13 @@ void add_answers(py::module_& module) {
   py::class_<Answer>(module, "Answer")
       .def("report", &report_of, arg("samples"))
       .def("model", &model_of)
-      .def("records", [](const Answer& a) { return a.records ? a.records() : py::dict(); });
+      .def("records", [](const Answer& a) { return a.records ? a.records() : py::dict(); })
+      .def(
+          "draw",
+          [](const Answer& a, const std::string& file, const Control& control) {
+            a.draw(file, control);
+          },
+          arg("file"), arg("control"));
   module.def("intersect", &intersect, arg("a"), arg("b"), arg("control"));
   module.def("self_intersect", &self_intersect, arg("model"), arg("all_faces"), arg("control"));
   module.def("distance", &least_distance, arg("a"), arg("b"), arg("control"));

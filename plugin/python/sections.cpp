@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sections with one plane and with many.
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -8,7 +9,9 @@
 #include <GeomConvert.hxx>
 #include <Geom_TrimmedCurve.hxx>
 
+#include "adapters/occt/base/errors.h"
 #include "core/base/errors.h"
+#include "plugin/drawings/section_drawing.h"
 #include "plugin/python/answers.h"
 #include "plugin/python/arrays.h"
 #include "plugin/reports/plane_cuts.h"
@@ -46,6 +49,35 @@ struct Cuts {
   reports::SectionsAnswer answer;
 };
 
+// Part by part. For the work's thread, which has the model's turn.
+reports::SectionsAnswer cut_parts(LoadedModel& model,
+                                  const std::vector<reports::NamedPlane>& planes, double tolerance,
+                                  const Watch& watch) {
+  model.faces(watch);
+  const reports::Input& input = model.repaired_input(watch);
+  return reports::sections_of(input, planes,
+                              {tolerance, [&] { return watch.engine(); }, [&] { watch.stop(); }});
+}
+
+void draw(const reports::SectionsAnswer& answer, const std::string& file, const Watch& watch) {
+  const auto is_empty = [](const reports::SectionsOfPlane& plane) { return plane.parts.empty(); };
+  if (std::ranges::all_of(answer.planes, is_empty))
+    throw occt::Failure(file + ": there is nothing to draw, since no plane meets the model");
+  drawings::write_section_drawing(answer, file, [&watch] { watch.stop(); });
+}
+
+// The parts of a section with one plane count only in its drawing, so they are cut for that.
+void draw_cut(const Cut& cut, const std::string& file, const Control& control) {
+  interruptible(control, [&](const Watch& watch) {
+    const LoadedModel::Turn turn = cut.model->turn(watch);
+    draw(cut_parts(*cut.model, {{cut.plane, "section", {}}}, cut.tolerance, watch), file, watch);
+  });
+}
+
+void draw_cuts(const Cuts& cuts, const std::string& file, const Control& control) {
+  interruptible(control, [&](const Watch& watch) { draw(cuts.answer, file, watch); });
+}
+
 }  // namespace
 
 Answer section(const SharedModel& model, const Vec3& point, const Vec3& normal,
@@ -76,7 +108,9 @@ Answer section(const SharedModel& model, const Vec3& point, const Vec3& normal,
                 py::list splines;
                 add_splines(cut->section, splines);
                 return py::dict("splines"_a = splines);
-              }};
+              },
+          .draw = [cut](const std::string& file,
+                        const Control& wanted) { draw_cut(*cut, file, wanted); }};
 }
 
 Answer sections(const SharedModel& model, const std::vector<reports::NamedPlane>& planes,
@@ -84,11 +118,7 @@ Answer sections(const SharedModel& model, const std::vector<reports::NamedPlane>
   auto cuts = std::make_shared<Cuts>(Cuts{model, {}});
   interruptible(control, [&](const Watch& watch) {
     const LoadedModel::Turn turn = model->turn(watch);
-    model->faces(watch);
-    const reports::Input& input = model->repaired_input(watch);
-    cuts->answer = reports::sections_of(
-        input, planes,
-        {control.engine.tolerances.point, [&] { return watch.engine(); }, [&] { watch.stop(); }});
+    cuts->answer = cut_parts(*model, planes, control.engine.tolerances.point, watch);
   });
   return {.report =
               [cuts] {
@@ -108,7 +138,9 @@ Answer sections(const SharedModel& model, const std::vector<reports::NamedPlane>
                   for (const reports::PartSection& part : plane.parts)
                     add_splines(part.section, splines);
                 return py::dict("splines"_a = splines);
-              }};
+              },
+          .draw = [cuts](const std::string& file,
+                         const Control& wanted) { draw_cuts(*cuts, file, wanted); }};
 }
 
 }  // namespace blossom::python

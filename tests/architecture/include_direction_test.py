@@ -134,8 +134,8 @@ def faults(files):
     for door in ("cli", "draw", "python", "freecad"):
         yield from foreign(files, f"plugin/{door}", (".h", ".cpp"),
                            ['"core/', '"adapters/', '"plugin/reports/', '"plugin/nets/',
-                            '"plugin/meshes/', f'"plugin/{door}/', "<"])
-    for shared in ("nets", "meshes"):
+                            '"plugin/meshes/', '"plugin/drawings/', f'"plugin/{door}/', "<"])
+    for shared in ("nets", "meshes", "drawings"):
         yield from foreign(files, f"plugin/{shared}", (".h", ".cpp"),
                            ['"core/', '"adapters/', '"plugin/reports/', f'"plugin/{shared}/', "<"])
     yield from foreign(files, "plugin/reports", (".h", ".cpp"),

@@ -16,6 +16,7 @@
 #include "plugin/cli/picture/files.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/reading.h"
+#include "plugin/drawings/section_drawing.h"
 #include "plugin/reports/section.h"
 
 namespace blossom::cli {
@@ -81,7 +82,8 @@ void write_outputs(const Input& input, const PlaneCommand& options, const Answer
   const bool any = !section.wires.empty() || !section.points.empty();
   occt::Model model;
   const std::string ending = ending_of(common.output);
-  const bool drawing = ending == ".dxf" || ending == ".svg", report = ending == ".json";
+  const bool drawing = drawings::is_drawing_file(common.output);
+  const bool report = ending == ".json";
   const bool unwritten = !common.output.empty() && !report && !any;
   const bool as_model = !common.output.empty() && !drawing && !report;
   if (as_model && any) model.add(occt::compound_of(section), "section", {});

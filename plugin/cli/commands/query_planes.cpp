@@ -9,11 +9,7 @@
 #include <utility>
 
 #include "adapters/occt/shapes.h"
-#include "core/bounds/box_tree.h"
 #include "plugin/cli/commands/query_parts.h"
-#include "plugin/cli/drawing/drawing.h"
-#include "plugin/cli/drawing/dxf.h"
-#include "plugin/cli/drawing/svg.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/output.h"
@@ -22,6 +18,7 @@
 #include "plugin/cli/reading.h"
 #include "plugin/cli/values.h"
 #include "plugin/cli/vectors.h"
+#include "plugin/drawings/section_drawing.h"
 #include "plugin/reports/plane_cuts.h"
 
 namespace blossom::cli {
@@ -33,42 +30,8 @@ using reports::SectionsAnswer;
 using reports::SectionsOfPlane;
 
 constexpr long kMostPlanes = 100'000;
-// Of the size of all sections: how far polylines of drawings may be off their curves.
-constexpr double kDrawnDeviation = 1e-5;
 
 std::string offset_text(double offset) { return number_text(rounded(offset)); }
-
-double size_of(const SectionsAnswer& answer) {
-  Box box;
-  for (const SectionsOfPlane& plane : answer.planes)
-    for (const PartSection& part : plane.parts)
-      for (const occt::SectionCurve& curve : part.section.curves)
-        for (const Vec3& point : curve.samples) box = joined(box, Box{point, point});
-  return box.low[0] > box.high[0] ? 1 : diagonal(box);
-}
-
-std::string drawing_of(const SectionsAnswer& answer, const std::string& ending) {
-  const double deviation = kDrawnDeviation * size_of(answer);
-  std::vector<DrawnPlane> planes;
-  for (const SectionsOfPlane& of : answer.planes) {
-    const DrawingFrame frame(of.plane.plane);
-    DrawnPlane& plane = planes.emplace_back();
-    plane.name = of.plane.name;
-    plane.elevation = dot(frame.normal, of.plane.plane.point);
-    for (const PartSection& part : of.parts) {
-      DrawnPart made = drawn(part.section, frame, deviation);
-      made.name = part.name;
-      made.solid = part.solid;
-      plane.parts.push_back(std::move(made));
-    }
-  }
-  return ending == ".svg" ? svg_text(planes) : dxf_text(planes);
-}
-
-bool is_drawing(const std::string& file) {
-  const std::string ending = ending_of(file);
-  return ending == ".dxf" || ending == ".svg";
-}
 
 std::string plane_line(const SectionsOfPlane& plane) {
   std::size_t wires = 0, open = 0, points = 0;
@@ -130,7 +93,7 @@ SectionsAnswer cut(const Input& input, const std::vector<NamedPlane>& planes,
 }
 
 void write_result(const Input& input, const SectionsAnswer& answer, const std::string& file) {
-  if (is_drawing(file)) return occt::write_text(drawing_of(answer, ending_of(file)), file);
+  if (drawings::is_drawing_file(file)) return drawings::write_section_drawing(answer, file);
   if (ending_of(file) == ".json") return write_json(reports::sections_report(input, answer), file);
   const occt::Model model = reports::model_of(answer);
   if (model.shape().IsNull())
@@ -202,7 +165,7 @@ std::vector<NamedPlane> planes_in(const std::string& file) {
 
 void write_drawing(const Input& input, const NamedPlane& plane, const EngineOptions& engine,
                    const std::string& file) {
-  occt::write_text(drawing_of(cut(input, {plane}, engine), ending_of(file)), file);
+  drawings::write_section_drawing(cut(input, {plane}, engine), file);
 }
 
 int run_planes(const std::string& name, std::vector<NamedPlane> planes, const CommonOptions& common,

@@ -272,12 +272,18 @@ def _some(listed: List[NamedPlane], name: str) -> List[NamedPlane]:
 
 
 _OF_TRIANGLES = (".stl", ".ply", ".obj", ".off", ".glb")
+_OF_DRAWINGS = (".dxf", ".svg")
 FACET_ANGLE = 0.5  # radians; FacetOptions in core/tessellation/facet_options.h
 
 
 def is_of_triangles(file: str) -> bool:
     """Whether a file, by its ending, has triangles and no surfaces."""
     return file.lower().endswith(_OF_TRIANGLES)
+
+
+def is_of_drawings(file: str) -> bool:
+    """Whether a file, by its ending, is a drawing."""
+    return file.lower().endswith(_OF_DRAWINGS)
 
 
 def facets(deviation: Any, angle: Any, edge_length: Any) -> Tuple[float, float, float]:

@@ -56,6 +56,8 @@ class MadeShape:
         file, control = _checks.path(path, "path"), _checks.control(options)
         facets = _checks.facets(deviation, angle, edge_length)
         as_text = _checks.flag(text, "text")
+        if _checks.is_of_drawings(file):
+            raise ValueError(f"path: {file} is a drawing, which sections are written to alone")
         if _checks.is_of_triangles(file):
             _core.write_mesh(self._core_model(), *facets, file, as_text, control)
         elif as_text or any(each is not None for each in (deviation, angle, edge_length)):

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Sections with one plane and with many."""
 
+import os
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
+from . import _checks, _core
 from ._results import Array, Indices, Record, Report, Result, counted
 
 
@@ -72,7 +74,25 @@ def _points(told: Report) -> Array:
     return np.array(found, float).reshape(-1, 3)
 
 
-class Section(Result):
+class Drawable(Result):
+    """Sections, which are written to drawings, too."""
+
+    def write(self, path: Union[str, "os.PathLike[str]"], **options: Any) -> None:
+        """Writes the wires to a file: .step, .iges, .brep; or as a drawing: .dxf, .svg, part by
+        part. Lines, circles and arcs are such, other curves are polylines within 1e-5 of the size
+        of all sections. The file is there whole or not at all.
+        """
+        file = _checks.path(path, "path")
+        if not _checks.is_of_drawings(file):
+            super().write(file, **options)
+            return
+        control = _checks.control(options)
+        if self._answer is None:
+            raise _core.Error(f"path: {file}: drawings are made of answers that were not pickled")
+        self._answer.draw(file, control)
+
+
+class Section(Drawable):
     """The section of a model with a plane; a list of wires."""
 
     @property
@@ -147,7 +167,7 @@ class PlaneSection(Record):
         return sum(wire.length for wire in self.wires)
 
 
-class Sections(Result):
+class Sections(Drawable):
     """The sections of a model with many planes, part by part; a list of planes. Its shape has a
     compound for each plane, in it one for each part."""
 

@@ -13,7 +13,7 @@ import Part
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from claims import claim, near, run, says, valid  # noqa: E402
-from freecad.blossom import door, feature, kinds, make, work  # noqa: E402
+from freecad.blossom import door, drawing, feature, kinds, make, work  # noqa: E402
 
 V = FreeCAD.Vector
 
@@ -255,6 +255,11 @@ def without_the_module_the_program_answers(document):
         made["rounded"].Radius = 100
         document.recompute()
         claim("refusals come from there, too", says(made["rounded"], "the radius is too large"))
+        made["rounded"].Radius = 1
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "cut.dxf")
+            drawing.write(made["cut"], file)
+            claim("and drawings", os.path.getsize(file) > 0)
         made["made"].Part = [(document.Sheet, "")]
         document.recompute()
         claim("and errors", says(made["made"], "Part is no closed solid"))

@@ -5,13 +5,14 @@ follow by hand or from FreeCAD's own Part."""
 import math
 import os
 import sys
+import tempfile
 
 import FreeCAD
 import Part
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from claims import claim, distance, near, run, samples, says, valid  # noqa: E402
-from freecad.blossom import make  # noqa: E402
+from freecad.blossom import drawing, make  # noqa: E402
 
 V = FreeCAD.Vector
 
@@ -119,6 +120,31 @@ def section_has_closed_wires(document):
     cut.Count, cut.Normal = 1, V(0, 0, 0)
     document.recompute()
     claim("no normal is an error", says(cut, "Normal: the zero vector has no direction"))
+
+
+def sections_are_exported_as_drawings(document):
+    tube = Part.makeCylinder(4, 20).cut(Part.makeCylinder(3, 20))
+    cut = make.section(document, shaped(document, "Tube", tube), Point=V(0, 0, 5), Count=2)
+    document.recompute()
+    claim("FreeCAD knows the kind of file", "freecad.blossom.drawing" in FreeCAD.getExportType("dxf"))
+    with tempfile.TemporaryDirectory() as folder:
+        for name, words in (("cut.dxf", "CIRCLE\n"), ("cut.svg", "url(#hatch-1)")):
+            file = os.path.join(folder, name)
+            drawing.export([cut], file)
+            with open(file, encoding="utf-8") as text:
+                claim(f"{name} has both planes", text.read().count(words) in (4, 2))
+        cut.Point = V(0, 0, 50)
+        for objects, file, message in (
+            ([document.Tube], "x.dxf", "one object Section of Blossom, and there is none"),
+            ([cut, cut], "x.dxf", "there are 2"),
+            ([cut], "x.txt", "x.txt: does not end with .dxf or .svg"),
+            ([cut], os.path.join(folder, "far.dxf"), "nothing to draw, since no plane meets"),
+        ):
+            try:
+                drawing.export(objects, file)
+                claim(f"{file} was written", False)
+            except (ValueError, RuntimeError) as error:
+                claim(f"it is said: {error}", message in str(error))
 
 
 def section_follows_a_plane(document):
@@ -307,6 +333,7 @@ run(
     intersection_is_where_containers_have_put_the_faces,
     intersection_that_is_empty_is_an_answer,
     section_has_closed_wires,
+    sections_are_exported_as_drawings,
     section_follows_a_plane,
     trim_keeps_sides_and_picked_pieces,
     solids_add_up,

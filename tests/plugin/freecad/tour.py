@@ -352,6 +352,9 @@ def many():
     yield found
     pulse.told("40 sections")
     claim("all planes cut it", min(cut.WiresOfPlanes) > 0)
+    menu = QtWidgets.QMenu()
+    cut.ViewObject.Proxy.setupContextMenu(cut.ViewObject, menu)
+    claim("its menu saves drawings", [each.text() for each in menu.actions()][-1].startswith("Save as"))
     report = cut.Proxy.question(cut).job()
     report.start()
     yield lambda: report.done

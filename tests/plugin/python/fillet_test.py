@@ -114,6 +114,14 @@ class Chamfers(unittest.TestCase):
         self.assertGreater(blossom.shape(made).face_count, 18)
         self.assertTrue(blossom.check(made).sound)
 
+    def test_refusals_speak_of_the_chamfer(self):
+        refused = BLOCK.chamfer("all", distance=100, partial=True).refused
+
+        self.assertEqual(refused[0]["fault"], "leaves face")
+        self.assertIn("the chamfer's border is beyond face", refused[0]["cause"])
+        for each in refused:
+            self.assertNotRegex(each["cause"], "ball|radius|fillet")
+
     def test_the_report_is_that_of_the_command_line(self):
         options = ("--edge", 1, "--distance", "2,1")
         told = support.told_by_program("blend", "chamfer", FILES / "block.step", *options)

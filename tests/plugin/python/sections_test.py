@@ -87,6 +87,65 @@ class Sections(unittest.TestCase):
                 BLOCK.sections(planes, **options)
 
 
+class Drawings(unittest.TestCase):
+    def drawn(self, made, name):
+        """The text of the file that an answer writes, and of the command line's."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / name
+            made.write(file)
+            return file.read_text()
+
+    def by_program(self, model, name, *options):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / name
+            support.told_by_program("query", "plane", model, *options, "-o", file)
+            return file.read_text()
+
+    def test_circles_are_such(self):
+        lines = self.drawn(blossom.section(DRILL, (0, 0, 5), (0, 0, 1)), "cut.dxf").split("\n")
+        circle = lines.index("CIRCLE")
+        told = dict(zip(map(int, lines[circle - 1 : circle + 11 : 2]), lines[circle : circle + 12 : 2]))
+
+        self.assertEqual(lines.count("CIRCLE"), 1)
+        self.assertEqual((told[8], float(told[30])), ("PLANE_1", 5))
+        self.assertAlmostEqual(float(told[40]), 8, 9)
+
+    def test_drawings_are_those_of_the_command_line(self):
+        block = FILES / "block.step"
+        many, one = BLOCK.sections(offsets=(0, 10, 20)), BLOCK.section((5, 0, 0), (1, 0, 0))
+        at = "--point", "5,0,0", "--normal", "1,0,0"
+
+        for name in ("cut.dxf", "CUT.SVG"):
+            with self.subTest(name):
+                self.assertEqual(
+                    self.drawn(many, name), self.by_program(block, name, "--offsets", "0:20:3")
+                )
+                self.assertEqual(self.drawn(one, name), self.by_program(block, name, *at))
+
+    def test_wires_are_still_written_as_shapes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "cut.step"
+            BLOCK.section((0, 0, 5), (0, 0, 1)).write(file)
+            self.assertEqual(blossom.read(file).counts["edges"], 4)
+
+    def test_what_has_no_drawing_is_told(self):
+        cut = BLOCK.section((0, 0, 5), (0, 0, 1))
+        far = BLOCK.section((0, 0, 50), (0, 0, 1))
+        cancelled = blossom.Cancel()
+        cancelled.cancel()
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "cut.dxf"
+            for error, message, made, options in (
+                (blossom.Error, "nothing to draw, since no plane meets the model", far, {}),
+                (blossom.Error, "answers that were not pickled", pickle.loads(pickle.dumps(cut)), {}),
+                (ValueError, "is a drawing, which sections are written to alone", BLOCK, {}),
+                (blossom.Cancelled, "cancelled", cut, {"cancel": cancelled}),
+            ):
+                with self.subTest(message), self.assertRaisesRegex(error, message):
+                    made.write(file, **options)
+            self.assertFalse(file.exists())
+
+
 class Clashes(unittest.TestCase):
     def test_parts_that_penetrate_have_a_common_body(self):
         found = BLOCK.clash(DRILL)

@@ -193,7 +193,7 @@ void BlendSheet::mitre(const Ring& ring, std::size_t other) {
     refuse(a, FilletFault::Corner,
            "it meets edge " + std::to_string(b.edge) + " at a vertex of " +
                std::to_string(ring.size()) +
-               " edges, where two fillets and the faces beside them cannot be joined yet");
+               " edges, where two blends and the faces beside them cannot be joined yet");
   end_of(a).t = {end_t(a), end_t(a)};
   end_of(b).t = {end_t(b), end_t(b)};
   const auto leaving = [&](std::size_t sector) {

@@ -203,7 +203,7 @@ void BlendSheet::end_at(const HalfEdge& half) {
     refuse(half, FilletFault::Corner,
            "of " + std::to_string(ring.size()) + " edges at its end " +
                std::to_string(filleted.size()) +
-               " have fillets: all but one or all of them can be joined");
+               " have blends: all but one or all of them can be joined");
   corner(ring);
 }
 
@@ -229,13 +229,12 @@ void BlendSheet::refuse_miss(const HalfEdge& half, std::size_t side, const EdgeU
   BRep_Tool::Range(body_.edge(half.edge), first, last);
   const BodyEdges::Corner corner =
       body_.corner(body_.use(half.edge, side == 0), half.at_start ? first : last);
-  const std::string miss = "the ball's contact on face " + std::to_string(use.face) +
+  const std::string miss = contact_words() + " on face " + std::to_string(use.face) +
                            " does not meet edge " + std::to_string(use.edge);
   if (dot(direction_at(body_, cut), corner.inwards) <= 0)
     refuse(half, FilletFault::End,
            miss + ", which turns away from it: how the strip ends there cannot be built yet");
-  refuse(half, FilletFault::LeavesFace,
-         miss + ", which bounds it at this end: the radius is too large");
+  refuse(half, FilletFault::LeavesFace, miss + ", which bounds it at this end: " + too_large());
 }
 
 Interval BlendSheet::part_near(const HalfEdge& half, const std::array<double, 2>& t) {
@@ -345,9 +344,9 @@ void BlendSheet::cut_seams(PlacedStrip& of, std::size_t side) {
     if (!is_seam_crossing(each))
       throw FilletRefused({FilletFault::LeavesFace,
                            of.strip.edge,
-                           "the ball's contact on face " + std::to_string(contact.face) +
-                               " goes over edge " + std::to_string(each.use->edge) +
-                               ": the radius is too large there",
+                           contact_words() + " on face " + std::to_string(contact.face) +
+                               " goes over edge " + std::to_string(each.use->edge) + ": " +
+                               too_large() + " there",
                            std::nullopt,
                            vec(contact.curve->Value(each.t).XYZ()),
                            {}});

@@ -160,6 +160,13 @@ class BlendSheet {
   void add_contact(PlacedStrip& of, std::size_t side, BlendPatch& patch);
   void finish(PlacedStrip& of);
   [[noreturn]] void refuse(const HalfEdge& half, FilletFault fault, const std::string& cause) const;
+  /// What refusals call the line along which a blend meets its face, and what is too large of it.
+  std::string contact_words() const {
+    return is_chamfer_ ? "the chamfer's border" : "the ball's contact";
+  }
+  std::string too_large() const {
+    return is_chamfer_ ? "the distance is too large" : "the radius is too large";
+  }
 
   const BodyEdges& body_;
   double tolerance_;

@@ -166,7 +166,7 @@ Filleting::Renamed Filleting::renamed(const Filleting& next, const Grouped& done
       if (number == 0)
         throw FilletRefused({FilletFault::EdgeConsumed,
                              edge,
-                             "fillets of other edges take it away",
+                             "blends of other edges take it away",
                              std::nullopt,
                              std::nullopt,
                              {}});

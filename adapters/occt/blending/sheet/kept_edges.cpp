@@ -99,7 +99,7 @@ void Flood::spread(const TopoDS_Vertex& vertex) {
       if (fates(edge)[i] == Fate::Stays)
         throw FilletRefused({FilletFault::EdgeConsumed,
                              edge,
-                             "fillets at both its ends would take more of it than there is",
+                             "blends at both its ends would take more of it than there is",
                              pieces[i].range.from,
                              point_of(vertex),
                              {}});

@@ -37,12 +37,12 @@ BlendSheet::Cut BlendSheet::end_cut(const HalfEdge& half, std::size_t side, int&
     if (!best || far < outwards * (best->t - of.inside)) best = each;
   }
   if (!best && !lies_inside(body_, contact, of.inside))
-    refuse(half, FilletFault::LeavesFace,
-           "the ball's contact is beyond face " + std::to_string(contact.face) +
-               ": the radius is too large");
+    refuse(
+        half, FilletFault::LeavesFace,
+        contact_words() + " is beyond face " + std::to_string(contact.face) + ": " + too_large());
   if (!best)
     refuse(half, FilletFault::End,
-           "the ball's contact on face " + std::to_string(contact.face) +
+           contact_words() + " on face " + std::to_string(contact.face) +
                " comes to no border of it at this end");
   edge = best->use->edge;
   beyond = body_.use(edge, !best->use->forward).face;

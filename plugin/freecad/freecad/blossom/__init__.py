@@ -8,4 +8,8 @@
 
 import os
 
+import FreeCAD
+
 ICONS = os.path.join(os.path.dirname(__file__), "resources", "icons")
+
+FreeCAD.addExportType("Drawing of a section of Blossom (*.dxf *.svg)", "freecad.blossom.drawing")

@@ -41,6 +41,10 @@ class ModuleDoor:
             ),
         )
 
+    def draw_sections(self, part, planes, file, **options):
+        """Writes a drawing, .dxf or .svg."""
+        part.sections(planes, **self._with_cancel(options)).write(file, cancel=self._cancel)
+
     def trim(self, part, tools, keep, **options):
         made = part.trim(*tools, keep=keep, **self._with_cancel(options))
         return self._answer(made, lambda report: any(each["kept"] for each in report["pieces"]))

@@ -5,6 +5,7 @@ import json
 import math
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 
@@ -48,10 +49,22 @@ class ProgramDoor:
         return self._ask(["intersect", a, b], options)
 
     def sections(self, part, planes, **options):
+        return self._ask(["query", "plane", part, "--planes", self._listed(planes)], options)
+
+    def draw_sections(self, part, planes, file, **options):
+        """Writes a drawing, .dxf or .svg."""
+        command = ["query", "plane", part, "--planes", self._listed(planes)]
+        answer = self._ask(command, options, ending=file.rsplit(".", 1)[-1].lower())
+        if not any(plane["parts"] for plane in answer.report["planes"]):
+            raise ValueError(f"{file}: there is nothing to draw, since no plane meets the model")
+        shutil.move(answer.shape, file)
+
+    def _listed(self, planes):
+        """A file of planes."""
         listed = self._new_file("txt")
         with open(listed, "w", encoding="utf-8") as stream:
             stream.writelines(f"{_numbers(point)},{_numbers(n)}\n" for point, n in planes)
-        return self._ask(["query", "plane", part, "--planes", listed], options)
+        return listed
 
     def trim(self, part, tools, keep, **options):
         return self._ask(["trim", part, *tools, "--keep", str(keep)], options)

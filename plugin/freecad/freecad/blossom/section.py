@@ -51,8 +51,12 @@ class Section(Feature):
         }
 
     def ask(self, entrance, inputs, options):
-        planes = [(point, options["normal"]) for point in options["points"]]
+        planes = self.planes(options)
         return entrance.sections(inputs["Part"], planes, tolerance=options["tolerance"])
+
+    @staticmethod
+    def planes(options):
+        return [(point, options["normal"]) for point in options["points"]]
 
     def shape(self, obj, answer, inputs):
         return answer.shape or Part.makeCompound([])  # no plane meets anything: an answer, too

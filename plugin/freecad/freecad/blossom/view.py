@@ -47,6 +47,13 @@ class ViewProvider:
         view.Document.setEdit(view.Object.Name)
         return True
 
+    def setupContextMenu(self, view, menu):  # noqa: N802
+        if _kind_name(view.Object) == "Section":
+            from .drawing_dialog import save
+
+            action = menu.addAction("Save as drawing (DXF, SVG)...")
+            action.triggered.connect(lambda *_: save(view.Object))
+
     def claimChildren(self):  # noqa: N802
         obj = self.Object
         if not obj.Proxy.HIDES:

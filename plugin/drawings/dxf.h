@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/drawing/drawing.h"
+#include "plugin/drawings/drawing.h"
 
-namespace blossom::cli {
+namespace blossom::drawings {
 
 /// A layer for each plane, "PLANE_1", and where there are several parts one for each of them in it,
 /// "PLANE_1-Shaft". Lines, circles and arcs are such, all else polylines; x and y are those of the
 /// plane, z the elevation. Letters that layers cannot have become "_".
 std::string dxf_text(const std::vector<DrawnPlane>& planes);
 
-}  // namespace blossom::cli
+}  // namespace blossom::drawings

@@ -9,7 +9,7 @@
 #include "adapters/occt/plane_section.h"
 #include "core/math/vec.h"
 
-namespace blossom::cli {
+namespace blossom::drawings {
 
 enum class StrokeKind { Line, Arc, Circle, Polyline };
 
@@ -64,4 +64,4 @@ struct DrawingBox {
   void add_arc(const Stroke& arc);
 };
 
-}  // namespace blossom::cli
+}  // namespace blossom::drawings

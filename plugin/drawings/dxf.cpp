@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/drawing/dxf.h"
+#include "plugin/drawings/dxf.h"
 
 #include <array>
 #include <cctype>
@@ -8,10 +8,12 @@
 #include <set>
 #include <utility>
 
-#include "plugin/cli/values.h"
+#include "plugin/reports/number_text.h"
 
-namespace blossom::cli {
+namespace blossom::drawings {
 namespace {
+
+using reports::number_text;
 
 constexpr std::size_t kLongestName = 31;                       // of a layer in release 12
 constexpr std::array kColourNumbers{7, 1, 5, 3, 6, 4, 2, 30};  // of AutoCAD's index, by parts
@@ -208,4 +210,4 @@ std::string dxf_text(const std::vector<DrawnPlane>& planes) {
   return lines.text();
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::drawings

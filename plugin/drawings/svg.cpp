@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/drawing/svg.h"
+#include "plugin/drawings/svg.h"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,13 @@
 #include <cstddef>
 #include <numbers>
 
-#include "plugin/cli/values.h"
+#include "plugin/reports/number_text.h"
 
-namespace blossom::cli {
+namespace blossom::drawings {
 namespace {
+
+using reports::number_text;
+using reports::rounded;
 
 constexpr std::array kColours{"#1f4e79", "#a14a00", "#2e6b34", "#7a1f5c",
                               "#5a5a00", "#00646b", "#6b3fa0", "#8a1c1c"};
@@ -189,4 +192,4 @@ std::string svg_text(const std::vector<DrawnPlane>& planes) {
   return text + "</g>\n</svg>\n";
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::drawings

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "plugin/cli/drawing/drawing.h"
+#include "plugin/drawings/drawing.h"
 
-namespace blossom::cli {
+namespace blossom::drawings {
 
 /// The planes side by side in rows, all at one scale, each in a group with its name as a title and
 /// a group for each of its parts. What closed wires of solids bound is hatched, each part with a
@@ -16,4 +16,4 @@ namespace blossom::cli {
 /// millimetre.
 std::string svg_text(const std::vector<DrawnPlane>& planes);
 
-}  // namespace blossom::cli
+}  // namespace blossom::drawings

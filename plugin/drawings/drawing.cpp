@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/cli/drawing/drawing.h"
+#include "plugin/drawings/drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "adapters/occt/base/points.h"
 
-namespace blossom::cli {
+namespace blossom::drawings {
 namespace {
 
 using occt::vec;
@@ -116,4 +116,4 @@ void DrawingBox::add(const DrawnPlane& plane) {
   }
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::drawings
