@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -13,13 +12,13 @@
 #include <BRep_Tool.hxx>
 #include <Geom_Curve.hxx>
 
-#include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
 #include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/edge_chain.h"
 #include "adapters/occt/blending/fillet_refusal.h"
-#include "adapters/occt/blending/sheet/fillet_limit.h"
+#include "adapters/occt/blending/sheet/fillet_attempt.h"
 #include "adapters/occt/blending/sheet/filleting.h"
+#include "adapters/occt/blending/sheet/largest_fillet.h"
 #include "core/base/errors.h"
 
 namespace blossom::occt {
@@ -73,69 +72,30 @@ void add_parameter(const BodyEdges& body, FilletRefusal& why) {
   if (!curve.IsNull()) why.parameter = nearest_on(curve, range, *why.point);
 }
 
-// The largest radius of the edge at fault, where it is the radius that does not fit.
-void add_limit(const BodyEdges& body, const std::vector<FilletEdges>& chains, double radius,
-               FilletRefusal& why) {
-  const bool of_radius = why.fault == FilletFault::NoBall || why.fault == FilletFault::Pinch ||
-                         why.fault == FilletFault::LeavesFace;
-  if (!of_radius || why.largest) return;
-  for (const FilletEdges& chain : chains) {
-    const auto edge = chain.find(why.edge);
-    if (edge == chain.end()) continue;
-    if (const auto limit = fillet_limit(body, edge->first, edge->second, radius)) {
-      why.largest = limit->radius;
-      why.cause += "; larger balls are stopped by " + limit->cause;
-    }
-  }
-}
-
-// What went wrong where no edge is known to be at fault.
-FilletRefusal not_put_together(const std::exception& error) {
-  return {FilletFault::Result,
-          0,
-          std::string("the strips cannot be put into the solid together: ") + error.what(),
-          {},
-          {},
-          {}};
-}
-
-// Chains that are made together, or why they cannot be.
-struct Attempt {
-  std::vector<FilletedSolid> solids;
-  std::vector<std::string> notes;
-  std::optional<FilletRefusal> why;
-};
-
-// throws   LimitFailure
-Attempt attempt(Filleting& work, const std::vector<FilletEdges>& chains) {
-  FilletEdges all;
-  for (const FilletEdges& chain : chains) all.insert(chain.begin(), chain.end());
+// The largest radius of the chain at fault, or of all where they cannot be rounded together.
+void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
+                 const FilletOptions& options, FilletRefusal& why) {
+  if (!options.largest || options.chamfer || options.last_radius || options.rho || why.largest)
+    return;
+  const auto at_fault = std::ranges::find_if(
+      chains, [&](const FilletEdges& chain) { return chain.count(why.edge) > 0; });
+  std::vector<FilletEdges> asked = chains;
+  if (at_fault != chains.end() && (options.partial || is_own_fault(why.fault))) asked = {*at_fault};
   try {
-    Attempt made{guarded(kFilleting, [&] { return work.made(all); }), {}, {}};
-    made.notes = work.notes();
-    return made;
-  } catch (const FilletRefused& refusal) {
-    return {{}, {}, refusal.why()};
+    const auto found = largest_fillet(work, asked, options.radius, why);
+    if (!found) return;
+    why.largest = found->radius;
+    if (!found->stopped.empty()) why.cause += "; larger balls are stopped by " + found->stopped;
   } catch (const LimitFailure&) {
-    throw;
-  } catch (const Failure& failure) {
-    return {{}, {}, not_put_together(failure)};
-  } catch (const BadModel& error) {
-    return {{}, {}, not_put_together(error)};
+    // The refusal stands without it.
   }
-}
-
-// Whether a chain has its fault alone, whatever else is rounded.
-bool is_own_fault(FilletFault fault) {
-  return fault == FilletFault::Edge || fault == FilletFault::NoBall ||
-         fault == FilletFault::Pinch || fault == FilletFault::LeavesFace;
 }
 
 // As many chains as go together: one after the other is added to those that work, until no more
 // can be. The others are refused, each with what it met there.
-Attempt as_many_as_work(Filleting& work, std::vector<FilletEdges>& chains,
-                        const std::function<void(const FilletRefusal&)>& refuse) {
-  Attempt best;
+FilletAttempt as_many_as_work(Filleting& work, std::vector<FilletEdges>& chains, double radius,
+                              const std::function<void(const FilletRefusal&)>& refuse) {
+  FilletAttempt best;
   std::vector<FilletEdges> kept, open = std::move(chains);
   std::vector<FilletRefusal> causes;
   for (bool changed = true; changed;) {
@@ -144,7 +104,7 @@ Attempt as_many_as_work(Filleting& work, std::vector<FilletEdges>& chains,
     std::vector<FilletEdges> left;
     for (FilletEdges& chain : open) {
       kept.push_back(chain);
-      Attempt next = attempt(work, kept);
+      FilletAttempt next = fillet_attempt(work, kept, radius);
       changed = changed || !next.why;
       if (!next.why) {
         best = std::move(next);
@@ -176,12 +136,11 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
   const auto refuse = [&](const FilletRefusal& why) {
     result.refused.push_back(why);
     add_parameter(work.body(), result.refused.back());
-    if (!options.chamfer && !options.last_radius && !options.rho)
-      add_limit(work.body(), chains, options.radius, result.refused.back());
+    add_largest(work, chains, options, result.refused.back());
   };
   try {
     while (!chains.empty() && (options.partial || result.refused.empty())) {
-      Attempt made = attempt(work, chains);
+      FilletAttempt made = fillet_attempt(work, chains, options.radius);
       if (made.why) {
         const auto at_fault = std::ranges::find_if(
             chains, [&](const auto& chain) { return chain.count(made.why->edge) > 0; });
@@ -192,7 +151,7 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
           chains.erase(at_fault);
           continue;
         }
-        made = as_many_as_work(work, chains, refuse);
+        made = as_many_as_work(work, chains, options.radius, refuse);
       }
       result.solids = std::move(made.solids);
       result.notes = std::move(made.notes);

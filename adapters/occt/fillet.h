@@ -40,7 +40,9 @@ struct FilletRefusal {
   std::string cause;
   std::optional<double> parameter{};  ///< of the edge
   std::optional<Vec3> point{};        ///< model units
-  std::optional<double> largest{};    ///< the largest radius that works there, model units
+  /// The largest radius that works, model units: the edges were rounded with it, and cannot be with
+  /// one 1 % larger.
+  std::optional<double> largest{};
 
   /// "edge 12: ... at (x, y, z)".
   std::string text() const;
@@ -70,6 +72,9 @@ struct FilletOptions {
   /// Measure whole solids, before and after. What fillets take and add is measured in any case, on
   /// the faces that change alone.
   bool volumes = true;
+  /// Look for the largest radius that works where a fillet of one radius is refused: the edges are
+  /// rounded with some more radii.
+  bool largest = true;
   IntersectionOptions intersection{};
 };
 

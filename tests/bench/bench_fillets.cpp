@@ -11,11 +11,14 @@
 //
 //   valid     a blend face was made, BRepCheck_Analyzer finds nothing against the solid, and its
 //             volume changed the way the edge says: less at a convex one, more at a concave one
-//   refused   nothing was given out, for a reason that the line has
+//   refused   nothing was given out, for a reason that the line has; "told" are those with a
+//   largest
+//             radius that works
 //   wrong     something else was given out
 //   crashed   the process died, or ran out of time
 //
-// Both work in processes of their own. Seconds are of the work alone, in one thread. The exit code
+// Both work in processes of their own. Seconds are of the work alone, in one thread; those that the
+// largest radius takes, for which the peer has no counterpart, are counted apart. The exit code
 // tells whether a result of ours is wrong or crashed.
 
 #include <algorithm>
@@ -69,6 +72,8 @@ enum class Verdict { Valid, Refused, Wrong, Crashed };
 struct Outcome {
   Verdict verdict = Verdict::Crashed;
   double seconds = 0;
+  double seconds_of_largest = 0;
+  bool has_largest = false;
   char fault[16] = {};  // of what is refused
   char reason[240] = {};
 };
@@ -111,13 +116,19 @@ Outcome ours(const TopoDS_Shape& shape, const Job& job) {
   Outcome outcome;
   const double start = thread_seconds();
   try {
-    occt::FilletResult made;
-    with_threads(1, [&] {
-      made = occt::fillet(shape, {job.edge}, {.radius = job.radius, .volumes = false});
-    });
+    const auto rounded = [&](bool largest) {
+      occt::FilletResult made;
+      const occt::FilletOptions options{.radius = job.radius, .volumes = false, .largest = largest};
+      with_threads(1, [&] { made = occt::fillet(shape, {job.edge}, options); });
+      return made;
+    };
+    occt::FilletResult made = rounded(false);
     outcome.seconds = thread_seconds() - start;
     if (!made.refused.empty()) {
       outcome.verdict = Verdict::Refused;
+      made = rounded(true);
+      outcome.seconds_of_largest = thread_seconds() - start - 2 * outcome.seconds;
+      outcome.has_largest = made.refused.front().largest.has_value();
       const occt::FilletRefusal& why = made.refused.front();
       std::strncpy(outcome.fault, to_string(why.fault), sizeof outcome.fault - 1);
       std::strncpy(outcome.reason, why.text().c_str(), sizeof outcome.reason - 1);
@@ -195,16 +206,20 @@ std::vector<Job> drawn(const TopoDS_Shape& shape, const Settings& settings) {
 struct Table {
   std::array<int, 4> count{};
   std::map<std::string, int> faults;
-  double seconds = 0;
+  double seconds = 0, seconds_of_largest = 0;
+  int told = 0;  // of those refused
 
   void add(const Outcome& outcome) {
     ++count[static_cast<std::size_t>(outcome.verdict)];
     if (outcome.fault[0] != 0) ++faults[outcome.fault];
     seconds += outcome.seconds;
+    seconds_of_largest += outcome.seconds_of_largest;
+    told += outcome.has_largest ? 1 : 0;
   }
   void print(const char* who) const {
     std::printf("%-6s valid %4d  refused %4d  wrong %4d  crashed %4d  %8.2f s\n", who, count[0],
                 count[1], count[2], count[3], seconds);
+    if (told > 0) std::printf("  told           %4d  %40.2f s\n", told, seconds_of_largest);
     for (const auto& [fault, times] : faults) std::printf("  %-14s %4d\n", fault.c_str(), times);
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "adapters/occt/blending/fillet_refusal.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace blossom::occt {
@@ -20,12 +21,22 @@ const char* to_string(FilletFault fault) {
   return "result";
 }
 
+namespace {
+
+// Six digits, cut off: what is told is to work.
+double rounded_down(double value) {
+  const double digit = std::pow(10, std::floor(std::log10(value)) - 5);
+  return digit * std::floor(value / digit);
+}
+
+}  // namespace
+
 std::string FilletRefusal::text() const {
   std::ostringstream text;
   if (edge > 0) text << "edge " << edge << ": ";
   text << cause;
   if (point) text << ", at (" << (*point)[0] << ", " << (*point)[1] << ", " << (*point)[2] << ")";
-  if (largest) text << "; the largest radius there is " << *largest;
+  if (largest) text << "; the largest radius that works is " << rounded_down(*largest);
   return text.str();
 }
 

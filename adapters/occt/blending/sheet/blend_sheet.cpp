@@ -125,6 +125,15 @@ void BlendSheet::add(const BallWalk& walk) {
   }
   if (walk.joints.size() == count) return;  // closed
   const HalfEdge start = walk.run.first(), end = walk.run.last();
+  // A strip on other faces than the edge's has no sections of its own through the edge's ends.
+  const auto end_by_vertex = [&](std::size_t at, const HalfEdge& half, std::size_t low_or_high) {
+    if (walk.strips[at].of_edge) return;
+    RolledStrip& strip = strips_[first + at].strip;
+    const double t = nearest_on(strip.spine, strip.range, point_of(body_.vertex(half)));
+    (low_or_high == 0 ? strip.edge_range.from : strip.edge_range.to) = t;
+  };
+  end_by_vertex(0, start, low_if(walk.strips.front().forward));
+  end_by_vertex(count - 1, end, low_if(!walk.strips.back().forward));
   ends_at_[{start.edge, start.at_start}] = {first, low_if(walk.strips.front().forward)};
   ends_at_[{end.edge, end.at_start}] = {first + count - 1, low_if(!walk.strips.back().forward)};
   open_.push_back(start);

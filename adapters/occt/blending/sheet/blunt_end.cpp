@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Strips that end in a plane across them, where the faces at their end do not close them.
+#include <cmath>
 #include <optional>
 #include <sstream>
 
@@ -33,19 +34,31 @@ TopoDS_Face plane_across(const Handle(Geom_Curve) & spine, double t) {
   return face;
 }
 
+// How fast contacts run along a strip, both taken together: the one may stop where the other runs.
+double rolling_speed(const RolledStrip& strip, double t) {
+  double sum = 0;
+  for (const RolledContact& contact : strip.contacts)
+    sum += contact.curve->DN(t, 1).SquareMagnitude();
+  return std::sqrt(0.5 * sum);
+}
+
 }  // namespace
 
 // Where a strip ends in a wall: at the vertex, or before a contact leaves its face beside it, or
-// comes to that of another strip.
+// comes to that of another strip, or the ball has to turn round.
 double BlendSheet::wall_t(const Ring& ring) {
   const HalfEdge half = ring.front().half;
-  const RolledStrip& strip = strip_of(half).strip;
+  const PlacedStrip& placed = strip_of(half);
+  const RolledStrip& strip = placed.strip;
   const double inwards = is_low_end(half) ? 1 : -1;
   const VertexSector& last = ring.back();
   const std::array<const EdgeUseInFace*, 2> uses{
       &arriving(ring, 0), &body_.uses(last.face)[static_cast<std::size_t>(last.use)]};
-  const double speed = strip.contacts[0].curve->DN(end_t(half), 1).Magnitude();
   double t = end_t(half);
+  const auto before = [&](double end) {
+    return end + inwards * kClearance * strip.radius / rolling_speed(strip, end);
+  };
+  if (strip.over && t == (is_low_end(half) ? strip.most.from : strip.most.to)) t = before(t);
   for (const std::size_t side : {left_side(half), right_side(half)}) {
     if (ring.size() < 2) break;
     const bool on_left = side == left_side(half);
@@ -60,8 +73,9 @@ double BlendSheet::wall_t(const Ring& ring) {
                    meeting_with(body_, strip, side, *uses[on_left ? 0 : 1], end_t(half))) {
       end = meeting->t;
     }
-    if (!end) continue;
-    const double stop = *end + inwards * kClearance * strip.radius / speed;
+    // What is met beyond the strip's middle belongs to its other end.
+    if (!end || inwards * (placed.inside - *end) <= 0) continue;
+    const double stop = before(*end);
     if (inwards * (stop - t) > 0) t = stop;
   }
   return t;
@@ -119,6 +133,7 @@ bool BlendSheet::blunt(const Ring& ring) {
   PlacedStrip& of = strip_of(half);
   const RolledStrip& strip = of.strip;
   const double t = wall_t(ring);
+  if (t < strip.range.from || t > strip.range.to) return false;
   const std::array<int, 2> faces{strip.contacts[0].face, strip.contacts[1].face};
   const std::size_t left = left_side(half), right = right_side(half);
   if (!lies_inside(body_, strip.contacts[0], t) || !lies_inside(body_, strip.contacts[1], t))

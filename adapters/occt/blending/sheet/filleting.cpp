@@ -188,7 +188,7 @@ FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group
   };
   FilletedSolid made;
   try {
-    made = next.made(in_next.edges).front();
+    made = next.made(in_next.edges, options_.radius).front();
   } catch (const FilletRefused& refusal) {
     FilletRefusal why = refusal.why();
     why.edge = old_number(why.edge);
@@ -210,7 +210,8 @@ FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group
   return made;
 }
 
-std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges) {
+std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double radius) {
+  options_.radius = radius;
   std::vector<FilletedSolid> all;
   notes_.clear();
   for (SolidPart& part : parts_) {

@@ -61,7 +61,9 @@ class Filleting {
   double volume_given();
 
   /// All these edges, or a refusal.
-  std::vector<FilletedSolid> made(const FilletEdges& edges);
+  ///
+  /// radius   in place of that of the options, model units
+  std::vector<FilletedSolid> made(const FilletEdges& edges, double radius);
   /// Of what was made last.
   const std::vector<std::string>& notes() const { return notes_; }
 

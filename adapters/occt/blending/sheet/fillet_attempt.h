@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Chains of edges that are rounded together, or why they cannot be.
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "adapters/occt/blending/edge_chain.h"
+#include "adapters/occt/blending/sheet/filleting.h"
+#include "adapters/occt/fillet.h"
+
+namespace blossom::occt {
+
+struct FilletAttempt {
+  std::vector<FilletedSolid> solids;
+  std::vector<std::string> notes;
+  std::optional<FilletRefusal> why;
+};
+
+/// radius   model units
+/// throws   LimitFailure
+FilletAttempt fillet_attempt(Filleting& work, const std::vector<FilletEdges>& chains,
+                             double radius);
+
+/// Whether a chain has its fault alone, whatever else is rounded.
+bool is_own_fault(FilletFault fault);
+
+}  // namespace blossom::occt

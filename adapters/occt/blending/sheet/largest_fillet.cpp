@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/blending/sheet/largest_fillet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/occt/blending/sheet/fillet_attempt.h"
+#include "adapters/occt/blending/sheet/fillet_limit.h"
+
+namespace blossom::occt {
+namespace {
+
+// Relative, below a limit: at it a contact would run along a border, or a section have no length;
+// the second where what is left between is below the tolerances of the model.
+constexpr double kJustBelow[] = {1e-6, 1e-3};
+constexpr double kJustAbove = 1e-3;   // relative: what works there was not stopped by the limit
+constexpr int kMostLimits = 8;        // edges whose limits are followed, one after the other
+constexpr double kFall = 4;           // from radius to radius until one works
+constexpr double kLeastShare = 1e-5;  // of the radius asked for
+constexpr double kBracketed = 1.01;   // ratio of the bracket's ends
+
+class RadiusTrials {
+ public:
+  RadiusTrials(Filleting& work, const std::vector<FilletEdges>& chains, double radius,
+               const FilletRefusal& why)
+      : work_(work), chains_(chains), asked_(radius), high_(radius), why_(why) {}
+
+  std::optional<LargestFillet> found();
+
+ private:
+  bool works(double radius);
+  std::optional<FilletLimit> limit() const;
+  bool follow_limits();
+  bool fall();
+  void close_bracket();
+
+  Filleting& work_;
+  const std::vector<FilletEdges>& chains_;
+  double asked_;
+  double low_ = 0, high_;  // works, does not
+  FilletRefusal why_;      // at the least radius that did not
+  std::string stopped_;
+};
+
+bool RadiusTrials::works(double radius) {
+  FilletAttempt made = fillet_attempt(work_, chains_, radius);
+  if (!made.why) {
+    low_ = std::max(low_, radius);
+    return true;
+  }
+  high_ = radius;
+  why_ = *std::move(made.why);
+  return false;
+}
+
+// Of the edge that was at fault last.
+std::optional<FilletLimit> RadiusTrials::limit() const {
+  for (const FilletEdges& chain : chains_) {
+    const auto edge = chain.find(why_.edge);
+    if (edge == chain.end()) continue;
+    const auto limit = fillet_limit(work_.body(), edge->first, edge->second, high_);
+    if (limit && limit->radius < high_) return limit;
+  }
+  return std::nullopt;
+}
+
+// Whether just below one of the limits all edges can be rounded.
+bool RadiusTrials::follow_limits() {
+  for (int i = 0; i < kMostLimits; ++i) {
+    const auto next = limit();
+    if (!next || next->radius < kLeastShare * asked_) return false;
+    for (const double below : kJustBelow)
+      if (works((1 - below) * next->radius)) {
+        stopped_ = next->cause;
+        return true;
+      }
+  }
+  return false;
+}
+
+bool RadiusTrials::fall() {
+  while (high_ > kFall * kLeastShare * asked_)
+    if (works(high_ / kFall)) return true;
+  return false;
+}
+
+void RadiusTrials::close_bracket() {
+  while (high_ > kBracketed * low_) works(std::sqrt(low_ * high_));
+}
+
+std::optional<LargestFillet> RadiusTrials::found() {
+  const bool at_limit = follow_limits();
+  if (at_limit) {
+    const double above = low_ * (1 + kJustAbove);
+    if (above >= high_ || !works(above)) return LargestFillet{low_, stopped_};
+    stopped_.clear();
+  } else if (!fall()) {
+    return std::nullopt;
+  }
+  close_bracket();
+  return LargestFillet{low_, stopped_};
+}
+
+}  // namespace
+
+std::optional<LargestFillet> largest_fillet(Filleting& work, const std::vector<FilletEdges>& chains,
+                                            double radius, const FilletRefusal& why) {
+  if (why.fault == FilletFault::Edge) return std::nullopt;
+  return RadiusTrials(work, chains, radius, why).found();
+}
+
+}  // namespace blossom::occt

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The largest radius that a refusal tells: it works, and one a little larger does not.
+#include "adapters/occt/blending/sheet/largest_fillet.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <gp_Ax2.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kClose = 0.011;  // of a radius: as far as a bracket is closed
+
+std::vector<int> edges_that_have(const TopoDS_Shape& shape, EdgeKind kind) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == kind) found.push_back(each.number);
+  return found;
+}
+
+int edge_with_middle(const TopoDS_Shape& shape, const Vec3& point) {
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (distance(each.middle, point) < 1e-6) return each.number;
+  return 0;
+}
+
+// Refused, and told a radius that works, above which there is none that is asked for here.
+void expect_told(const TopoDS_Shape& shape, const std::vector<int>& edges, double radius,
+                 double largest) {
+  const FilletResult made = fillet(shape, edges, {.radius = radius});
+  EXPECT_TRUE(made.solids.empty());
+  ASSERT_EQ(made.refused.size(), 1U);
+  const FilletRefusal& why = made.refused.front();
+  ASSERT_TRUE(why.largest) << why.text();
+  EXPECT_NEAR(*why.largest, largest, kClose * largest) << why.text();
+  const FilletResult below = fillet(shape, edges, {.radius = *why.largest});
+  ASSERT_EQ(below.solids.size(), 1U) << below.refused.front().text();
+  EXPECT_TRUE(BRepCheck_Analyzer(below.solids.front().solid).IsValid());
+}
+
+TEST(LargestFillet, OfAnEdgeOfABoxIsAsWideAsItsFaces) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  for (const double radius : {10.01, 13.0, 1000.0}) expect_told(box, {1}, radius, 10);
+}
+
+TEST(LargestFillet, OfTwoEdgesThatShareAFaceIsHalfOfIt) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  const std::vector<int> edges{edge_with_middle(box, {5, 0, 10}),
+                               edge_with_middle(box, {5, 10, 10})};
+  expect_told(box, edges, 6, 5);
+}
+
+TEST(LargestFillet, OfAllEdgesOfABoxIsHalfItsLeastSide) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 8, 6).Shape();
+  std::vector<int> edges(12);
+  std::iota(edges.begin(), edges.end(), 1);
+  expect_told(box, edges, 4, 3);
+}
+
+// No ball beside an edge is too large, but two strips run into each other between the rims.
+TEST(LargestFillet, IsFoundWhereOnlyResultsTellIt) {
+  const TopoDS_Shape block = BRepPrimAPI_MakeBox(20, 20, 10).Shape();
+  const TopoDS_Shape bored =
+      BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeCylinder(gp_Ax2({10, 10, -1}, {0, 0, 1}), 8, 12))
+          .Shape();
+  expect_told(bored, edges_that_have(bored, EdgeKind::Convex), 1.5, 1);
+}
+
+TEST(LargestFillet, IsNotLookedForWhereItIsNotWanted) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(10, 10, 10).Shape();
+  const FilletResult made = fillet(box, {1}, {.radius = 11, .largest = false});
+  ASSERT_EQ(made.refused.size(), 1U);
+  EXPECT_FALSE(made.refused.front().largest);
+}
+
+TEST(LargestFillet, IsToldInDigitsThatWork) {
+  const FilletRefusal why{FilletFault::NoBall, 3, "too large", {}, {}, 8.93829999};
+  EXPECT_NE(why.text().find("works is 8.93829"), std::string::npos) << why.text();
+}
+
+}  // namespace
+}  // namespace blossom::occt
