@@ -18,6 +18,12 @@
 
 namespace blossom::occt {
 
+/// An edge on a way, and whether it is walked forward.
+struct PathEdge {
+  TopoDS_Edge edge;  ///< forward
+  bool forward = true;
+};
+
 /// A vertex at a point, with the least tolerance.
 TopoDS_Vertex vertex_at(const Vec3& point);
 

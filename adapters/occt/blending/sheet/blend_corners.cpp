@@ -283,35 +283,34 @@ void BlendSheet::flat_corner(const Ring& ring) {
   patches_.push_back(std::move(patch));
 }
 
-// All edges at a vertex have strips, and one ball touches all faces there: the strips end in great
-// circles of it.
-void BlendSheet::corner(const Ring& ring) {
+// Where all edges at a vertex have strips of one radius and kind, and one ball touches all faces
+// there: the strips end in great circles of it. False, and nothing is done, where none does.
+bool BlendSheet::ball_corner(const Ring& ring) {
   const std::size_t count = ring.size();
   const HalfEdge first = ring.front().half;
-  const RolledStrip& strip = strip_of(first).strip;
-  if (is_chamfer_) return flat_corner(ring);
   for (const VertexSector& each : ring) {
-    const RolledStrip& of = strip_of(each.half).strip;
-    if (!of.is_ball)
-      refuse(each.half, FilletFault::Corner,
-             "several strips meet in its corner, which only balls of one radius fill yet");
-    if (of.concave != strip.concave || of.radius != strip.radius)
-      refuse(first, FilletFault::Corner,
-             "edges of its corner differ in kind or radius: such a corner cannot be built yet");
+    if (!is_filleted(each.half.edge)) return false;
+    const RolledStrip &of = strip_of(each.half).strip, &strip = strip_of(first).strip;
+    if (!of.is_ball || of.concave != strip.concave || of.radius != strip.radius) return false;
   }
+  const RolledStrip& strip = strip_of(first).strip;
   const double inwards = is_low_end(first) ? 1 : -1;
   const auto t = touches(strip, body_.face(ring[1].face), end_t(first), inwards);
-  if (!t) refuse(first, FilletFault::Corner, "no ball touches all faces of its corner");
+  if (!t) return false;
   const Vec3 centre = vec(strip.spine->Value(*t).XYZ());
+  std::vector<double> places(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const RolledStrip& of = strip_of(ring[i].half).strip;
+    places[i] = nearest_on(of.spine, of.range, centre);
+    if (distance(vec(of.spine->Value(places[i]).XYZ()), centre) > kSamePlace * tolerance_)
+      return false;
+  }
   std::vector<TopoDS_Vertex> feet(count);
   Vec3 middle{};
   for (std::size_t i = 0; i < count; ++i) {
     const RolledStrip& of = strip_of(ring[i].half).strip;
-    StripEnd& end = end_of(ring[i].half);
-    const double at = nearest_on(of.spine, of.range, centre);
-    end.t = {at, at};
-    if (distance(vec(of.spine->Value(at).XYZ()), centre) > kSamePlace * tolerance_)
-      refuse(first, FilletFault::Corner, "no ball touches all faces of its corner");
+    const double at = places[i];
+    end_of(ring[i].half).t = {at, at};
     const Vec3 foot = vec(of.contacts[left_side(ring[i].half)].curve->Value(at).XYZ());
     feet[i] = new_vertex(foot);
     middle += foot - centre;
@@ -343,6 +342,20 @@ void BlendSheet::corner(const Ring& ring) {
   }
   patch.face.Orientation(strip.concave ? TopAbs_REVERSED : TopAbs_FORWARD);
   patches_.push_back(std::move(patch));
+  return true;
+}
+
+// Several strips meet in a vertex.
+void BlendSheet::corner(const Ring& ring) {
+  if (!is_chamfer_) {
+    if (!ball_corner(ring)) set_back(ring);
+    return;
+  }
+  if (std::ranges::all_of(ring,
+                          [&](const VertexSector& each) { return is_filleted(each.half.edge); }))
+    return flat_corner(ring);
+  refuse(ring.front().half, FilletFault::Corner,
+         "not all edges at its end have chamfers: such a corner cannot be built yet");
 }
 
 }  // namespace blossom::occt

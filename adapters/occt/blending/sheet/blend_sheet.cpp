@@ -208,11 +208,6 @@ void BlendSheet::end_at(const HalfEdge& half) {
     const std::size_t other = turn ? 1 : filleted[1];
     return blunt_unless({ring[0].half, ring[other].half}, [&] { mitre(ring, other); });
   }
-  if (filleted.size() != ring.size())
-    refuse(half, FilletFault::Corner,
-           "of " + std::to_string(ring.size()) + " edges at its end " +
-               std::to_string(filleted.size()) +
-               " have blends: all but one or all of them can be joined");
   corner(ring);
 }
 

@@ -22,8 +22,10 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 
+#include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/body_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
+#include "adapters/occt/blending/sheet/fill_faces.h"
 #include "adapters/occt/blending/sheet/kept_edges.h"
 #include "adapters/occt/blending/strips/ball_walk.h"
 #include "adapters/occt/blending/strips/end_curves.h"
@@ -31,12 +33,6 @@
 #include "adapters/occt/splitting/edge_splits.h"
 
 namespace blossom::occt {
-
-/// An edge on the way across a strip from its first contact to its second.
-struct PathEdge {
-  TopoDS_Edge edge;  ///< forward
-  bool forward = true;
-};
 
 /// How a strip ends: at which t of its contacts, in which vertices, and along which edges.
 struct StripEnd {
@@ -142,7 +138,17 @@ class BlendSheet {
                       const TopoDS_Vertex& to, double reach);
   void turn_path(const HalfEdge& half);
   void flat_corner(const Ring& ring);
+  bool ball_corner(const Ring& ring);
   void corner(const Ring& ring);
+  struct SetbackSide;
+  double setback_t(const Ring& ring, std::size_t sector);
+  std::optional<double> stop_beside(const Ring& ring, std::size_t sector, bool on_left);
+  double setback_cut(const Ring& ring, std::size_t sector);
+  SetbackSide section_side_of(const HalfEdge& half);
+  SetbackSide path_side(const Ring& ring, std::size_t sector,
+                        const std::map<std::size_t, double>& cuts);
+  PathEdge setback_edge(const SetbackSide& side, const FillBorder& border);
+  void set_back(const Ring& ring);
 
   [[noreturn]] void refuse_miss(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,
                                 const HalfEdge& cut) const;

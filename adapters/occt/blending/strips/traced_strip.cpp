@@ -37,6 +37,8 @@ namespace {
 constexpr double kRollWidths = 2;
 // Of the least radius: what a law may take off it past the edge's ends.
 constexpr double kLeastShare = 0.5;
+// Of the way of a loop that is not beside the edge: what a strip may take of it past each end.
+constexpr double kLoopShare = 0.4;
 constexpr int kSpineSamples = 4;  // between two knots of the strip
 
 Handle(Geom_BSplineSurface) surface_of(const BallStrip& strip) {
@@ -157,6 +159,7 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
   void find_valid(double parameter);
   void check_reach(double end, const Vec3& vertex, double room) const;
   RolledStrip strip(const Interval& range) const;
+  RolledStrip beside_edge(double beyond);
 };
 
 void Tracing::start(const std::array<Vec2, 2>& at) {
@@ -260,6 +263,41 @@ Interval common(const Interval& a, const Interval& b) {
   return {std::max(a.from, b.from), std::min(a.to, b.to)};
 }
 
+// The strip beside the edge, with some room past its ends.
+RolledStrip Tracing::beside_edge(double beyond) {
+  const double start = track->nearest(point_of(body.vertex({edge, true})));
+  const double end = track->nearest(point_of(body.vertex({edge, false})));
+  turned = end < start;
+  const Interval between{std::min(start, end), std::max(start, end)};
+  near_at = at(between, 0.5);
+  find_valid(near_at);
+  if (track->closed()) {
+    const double room = kLoopShare * (length(track->domain()) - length(between));
+    valid = common(valid, {between.from - room, between.to + room});
+  }
+  edge_range = common(between, valid);
+  if (length(edge_range) <= 0)
+    refuse(FilletFault::NoBall, "the ball does not roll along the edge", {});
+  const HalfEdge low{edge, !turned}, high{edge, turned};
+  check_reach(edge_range.from, point_of(body.vertex(low)), beyond);
+  check_reach(edge_range.to, point_of(body.vertex(high)), beyond);
+  const Interval range = common({edge_range.from - beyond, edge_range.to + beyond}, valid);
+  return strip(turned ? Interval{-range.to, -range.from} : range);
+}
+
+// A ball that rolls round and comes back, along an edge that does not: begun anew in the middle of
+// the way that is not beside the edge, of which a part stays free.
+RolledStrip opened(const Tracing& round, double beyond) {
+  const auto of = std::make_shared<Tracing>(round);
+  const BallTrack& track = *round.track;
+  const double a = track.nearest(point_of(of->body.vertex({of->edge, true})));
+  const double b = track.nearest(point_of(of->body.vertex({of->edge, false})));
+  const double away = 0.5 * (a + b);  // the track begins beside the middle of the edge
+  const BallPoint far = track.at(away);
+  of->start({far.contacts[0].chart, far.contacts[1].chart});
+  return of->beside_edge(beyond);
+}
+
 }  // namespace
 
 RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
@@ -291,29 +329,18 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
   const double middle = track.nearest(of->supports.middle);
   const Vec3 rate = track.at(middle).centre_rate;
   of->turned = rate[0] * along.X() + rate[1] * along.Y() + rate[2] * along.Z() < 0;
-  if (track.closed()) {
-    of->find_valid(middle);
-    of->edge_range = track.domain();
-    of->near_at = middle;
-    if (of->valid.from > track.domain().from || of->valid.to < track.domain().to)
-      of->refuse(FilletFault::Pinch, "the ball is too large for the curvature of a face", {});
-    return of->strip(of->turned ? Interval{-of->valid.to, -of->valid.from} : of->valid);
-  }
-  const double start = track.nearest(point_of(body.vertex({edge, true})));
-  const double end = track.nearest(point_of(body.vertex({edge, false})));
-  of->turned = end < start;
-  const Interval edge_range{std::min(start, end), std::max(start, end)};
-  of->near_at = at(edge_range, 0.5);
-  of->find_valid(of->near_at);
-  of->edge_range = common(edge_range, of->valid);
-  if (length(of->edge_range) <= 0)
-    of->refuse(FilletFault::NoBall, "the ball does not roll along the edge", {});
-  const HalfEdge low{edge, !of->turned}, high{edge, of->turned};
-  of->check_reach(of->edge_range.from, point_of(body.vertex(low)), beyond);
-  of->check_reach(of->edge_range.to, point_of(body.vertex(high)), beyond);
-  const Interval range =
-      common({of->edge_range.from - beyond, of->edge_range.to + beyond}, of->valid);
-  return of->strip(of->turned ? Interval{-range.to, -range.from} : range);
+  if (!track.closed()) return of->beside_edge(beyond);
+  const bool is_loop = body.vertex({edge, true}).IsSame(body.vertex({edge, false}));
+  of->find_valid(middle);
+  of->edge_range = track.domain();
+  of->near_at = middle;
+  const bool pinches = of->valid.from > track.domain().from || of->valid.to < track.domain().to;
+  if (pinches && is_loop)
+    of->refuse(FilletFault::Pinch, "the ball is too large for the curvature of a face", {});
+  if (pinches) return opened(*of, beyond);
+  RolledStrip strip = of->strip(of->turned ? Interval{-of->valid.to, -of->valid.from} : of->valid);
+  if (!is_loop) strip.opened = [of, beyond] { return opened(*of, beyond); };
+  return strip;
 }
 
 RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge, bool concave,

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Corners of several fillets that no one ball fills: four and more edges, kinds and radii that
+// differ, edges without fillets between them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepFilletAPI_MakeChamfer.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+
+#include "adapters/occt/blending/continuity.h"
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+#include "adapters/occt/soundness.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kSmooth = 2e-6;  // radians: what strips and fills keep together
+
+std::vector<int> sharp_edges(const TopoDS_Shape& shape) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == EdgeKind::Convex || each.kind == EdgeKind::Concave)
+      found.push_back(each.number);
+  return found;
+}
+
+// Edges that are as high in the middle as is said.
+template <class Fits>
+std::vector<int> edges_where(const TopoDS_Shape& shape, const Fits& fits) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (fits(each)) found.push_back(each.number);
+  return found;
+}
+
+// A pyramid over a quadrangle whose apex is not above its middle.
+TopoDS_Shape pyramid(const gp_Pnt& apex) {
+  const std::array<gp_Pnt, 4> base{gp_Pnt(-8, -7, 0), gp_Pnt(9, -8, 0), gp_Pnt(7, 8, 0),
+                                   gp_Pnt(-9, 6, 0)};
+  BRepBuilderAPI_Sewing sewing;
+  const auto add = [&](const std::vector<gp_Pnt>& points) {
+    BRepBuilderAPI_MakePolygon wire;
+    for (const gp_Pnt& p : points) wire.Add(p);
+    wire.Close();
+    sewing.Add(BRepBuilderAPI_MakeFace(wire.Wire(), Standard_True).Face());
+  };
+  add({base[3], base[2], base[1], base[0]});
+  for (std::size_t i = 0; i < 4; ++i) add({base[i], base[(i + 1) % 4], apex});
+  sewing.Perform();
+  return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape())).Solid();
+}
+
+TopoDS_Shape chamfered_box() {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 16, 12).Shape();
+  BRepFilletAPI_MakeChamfer chamfer(box);
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(box, TopAbs_EDGE, edges);
+  for (int i = 1; i <= edges.Extent(); ++i) chamfer.Add(2, TopoDS::Edge(edges(i)));
+  return chamfer.Shape();
+}
+
+std::string told(const FilletResult& made) {
+  std::string all;
+  for (const FilletRefusal& each : made.refused) all += each.text() + "\n";
+  return all;
+}
+
+// One sound solid.
+void expect_sound(const FilletResult& made) {
+  ASSERT_EQ(made.solids.size(), 1U) << told(made);
+  EXPECT_TRUE(made.refused.empty()) << told(made);
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
+  for (const FaceSoundness& face : soundness(made.solids.front().solid).faces)
+    for (const Problem& problem : face.problems) ADD_FAILURE() << problem.text();
+}
+
+// Every edge of blends is smooth, but for as many as are said.
+void expect_smooth(const FilletResult& made, int creases) {
+  ASSERT_EQ(made.solids.size(), 1U);
+  const FilletedSolid& solid = made.solids.front();
+  std::vector<int> blends;
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(solid.solid, TopAbs_FACE, faces);
+  for (const FilletFace& each : solid.faces)
+    if (each.from == 0) blends.push_back(faces.FindIndex(each.face));
+  int sharp = 0;
+  for (const EdgeContinuity& each : edge_continuity(solid.solid)) {
+    const bool of_blend = std::ranges::any_of(
+        each.faces, [&](int face) { return std::ranges::count(blends, face) > 0; });
+    if (!of_blend || !each.found) continue;
+    if (each.found->angle.value > kSmooth) ++sharp;
+  }
+  EXPECT_EQ(sharp, creases);
+}
+
+TEST(FilletCorner, OfFourEdgesOfAChamferedBoxIsFilledSmoothly) {
+  const TopoDS_Shape shape = chamfered_box();
+  const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = 0.3});
+  expect_sound(made);
+  expect_smooth(made, 0);
+  EXPECT_LT(made.solids.front().volume, made.volume_before);
+}
+
+TEST(FilletCorner, OfFourEdgesAtAnApexThatNoBallTouchesIsFilledSmoothly) {
+  const TopoDS_Shape shape = pyramid({1, 2, 9});
+  const auto upper = edges_where(shape, [](const EdgeFacts& each) { return each.middle[2] > 1; });
+  ASSERT_EQ(upper.size(), 4U);
+  const FilletResult made = fillet(shape, upper, {.radius = 0.8});
+  expect_sound(made);
+  int corners = 0;
+  for (const FilletFace& each : made.solids.front().faces)
+    corners += each.from == 0 && each.edge == 0 ? 1 : 0;
+  EXPECT_GE(corners, 8);  // one patch or more for each section and each face
+}
+
+// The crease of the edge without a fillet forks, and ends where the strips beside it begin.
+TEST(FilletCorner, LeavesOneOfFourEdgesAsItIs) {
+  const TopoDS_Shape shape = pyramid({1, 2, 9});
+  auto upper = edges_where(shape, [](const EdgeFacts& each) { return each.middle[2] > 1; });
+  upper.pop_back();
+  const FilletResult made = fillet(shape, upper, {.radius = 0.8});
+  expect_sound(made);
+  EXPECT_LT(made.solids.front().volume, made.volume_before);
+}
+
+// At the vertex in the middle of the lower box's top edge three edges are convex and one is
+// concave: no order of the kinds makes balls or mitres of them.
+TEST(FilletCorner, OfConvexAndConcaveEdgesIsFilled) {
+  const TopoDS_Shape low = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 20, 20, 6).Shape();
+  const TopoDS_Shape high = BRepPrimAPI_MakeBox(gp_Pnt(5, 0, 6), 8, 9, 7).Shape();
+  BRepAlgoAPI_Fuse fuse(low, high);
+  fuse.SimplifyResult();
+  const TopoDS_Shape shape = fuse.Shape();
+  const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = 0.7});
+  expect_sound(made);
+}
+
+TEST(FilletCorner, OfChangingRadiiIsFilledSmoothly) {
+  const TopoDS_Shape shape = BRepPrimAPI_MakeBox(20, 16, 12).Shape();
+  const auto at_origin = edges_where(shape, [](const EdgeFacts& each) {
+    return (each.middle[0] == 0) + (each.middle[1] == 0) + (each.middle[2] == 0) == 2;
+  });
+  ASSERT_EQ(at_origin.size(), 3U);
+  const FilletResult made = fillet(shape, at_origin, {.radius = 1, .last_radius = 2});
+  expect_sound(made);
+  expect_smooth(made, 3);  // the strips' ends in the far faces
+}
+
+}  // namespace
+}  // namespace blossom::occt
