@@ -21,7 +21,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triangle = std::array<int, 3>;
 
-constexpr int kAskEvery = 1 << 14;  // pairs
+constexpr int kAskAfter = 1 << 14;  // pairs
 
 // A side, its lower vertex first, and the triangle that has it.
 struct Side {
@@ -113,7 +113,7 @@ class Judge {
     const BoxTree tree(boxes);
     int asked = 0;
     tree.for_each_meeting(tree, [&](int i, int j) {
-      if (ask_ && ++asked % kAskEvery == 0) ask_();
+      if (ask_ && ++asked % kAskAfter == 0) ask_();
       if (i >= j || flat_[index(i)] || flat_[index(j)] ||
           !cross_beyond(triangles_[index(i)], triangles_[index(j)]))
         return;

@@ -10,9 +10,10 @@
 namespace blossom::occt {
 namespace {
 
-// Relative, below a limit: at it a contact would run along a border, or a section have no length;
-// the second where what is left between is below the tolerances of the model.
-constexpr double kJustBelow[] = {1e-6, 1e-3};
+// Relative, below a limit: at it edges of planes and cylinders can still be rounded, but elsewhere
+// a contact would run along a border, or a section have no length; the last where what is left
+// between is below the tolerances of the model.
+constexpr double kJustBelow[] = {0, 1e-6, 1e-3};
 constexpr double kJustAbove = 1e-3;   // relative: what works there was not stopped by the limit
 constexpr int kMostLimits = 8;        // edges whose limits are followed, one after the other
 constexpr double kFall = 4;           // from radius to radius until one works

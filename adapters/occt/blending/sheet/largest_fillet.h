@@ -18,7 +18,7 @@ struct LargestFillet {
   std::string stopped;  ///< what stops larger balls, in words; empty where only rounding told
 };
 
-/// A radius that works, at most 1 % below one that does not: just below where a ball beside the
+/// A radius that works, at most 1 % below one that does not: at or just below where a ball beside the
 /// edge at fault is stopped (`fillet_limit`), if that works and a larger one does not; else
 /// bracketed.
 ///

@@ -43,7 +43,7 @@ constexpr double kSetback = 0.5;
 constexpr double kShare = 0.5;
 constexpr double kSidePart = 0.1;      // of the tolerance: of sides that are fitted
 constexpr double kCreaseAngle = 1e-6;  // radians: between faces that a fill can be tangent to both
-constexpr int kFollowed = 32;          // points of half a section that are followed along a patch
+constexpr int kFollowedAcross = 32;    // points of half a section that are followed along a patch
 constexpr int kPathSamples = 8;        // of a path, that have to lie in its face
 
 Vec3 contact_at(const RolledStrip& strip, std::size_t side, double t) {
@@ -53,10 +53,10 @@ Vec3 contact_at(const RolledStrip& strip, std::size_t side, double t) {
 // The chart of an arc that runs along a patch's border with another parameter.
 Handle(Geom2d_BSplineCurve)
     beside_border(const Handle(Geom_Curve) & arc, const Interval& range, const FillBorder& border) {
-  const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, kFollowed + 1);
-  const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, kFollowed + 1);
-  for (int i = 0; i <= kFollowed; ++i) {
-    const double x = at(range, static_cast<double>(i) / kFollowed);
+  const Handle(TColgp_HArray1OfPnt2d) points = new TColgp_HArray1OfPnt2d(1, kFollowedAcross + 1);
+  const Handle(TColStd_HArray1OfReal) places = new TColStd_HArray1OfReal(1, kFollowedAcross + 1);
+  for (int i = 0; i <= kFollowedAcross; ++i) {
+    const double x = at(range, static_cast<double>(i) / kFollowedAcross);
     const double along = nearest_on(border.curve, {0, 1}, vec(arc->Value(x).XYZ()));
     points->SetValue(i + 1, border.chart->Value(along));
     places->SetValue(i + 1, x);

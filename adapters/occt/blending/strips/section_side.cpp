@@ -26,9 +26,9 @@ struct SectionJet {
   Vec3 point, away;
 };
 
-class Section {
+class SectionOfStrip {
  public:
-  Section(const RolledStrip& strip, double t, bool ahead, std::size_t from)
+  SectionOfStrip(const RolledStrip& strip, double t, bool ahead, std::size_t from)
       : strip_(strip),
         t_(t),
         sign_(ahead ? 1 : -1),
@@ -44,7 +44,7 @@ class Section {
   Interval across_;  // from > to where the side runs against the strip's parameter
 };
 
-std::optional<FillSide> Section::exact() const {
+std::optional<FillSide> SectionOfStrip::exact() const {
   const Interval across{std::min(across_.from, across_.to), std::max(across_.from, across_.to)};
   const double depth = kDepth * length(strip_.range);
   const bool ahead = sign_ > 0;
@@ -64,7 +64,7 @@ std::optional<FillSide> Section::exact() const {
                    backward, FillContinuity::G1);
 }
 
-SectionJet Section::jet(double x) const {
+SectionJet SectionOfStrip::jet(double x) const {
   const SurfaceFrame frame = frame_at(strip_.surface, strip_.chart(t_, at(across_, x)));
   return {frame.point, sign_ * (strip_.along_u ? frame.du : frame.dv)};
 }
@@ -75,7 +75,7 @@ Row homogeneous(const std::vector<Vec3>& points, double weight) {
   return row;
 }
 
-FillSide Section::fitted(int degree, double& error) const {
+FillSide SectionOfStrip::fitted(int degree, double& error) const {
   std::vector<Vec3> points, away;
   for (const double x : extreme_points(degree)) {
     const SectionJet at = jet(x);
@@ -100,7 +100,7 @@ FillSide Section::fitted(int degree, double& error) const {
 
 FillSide section_side(const RolledStrip& strip, double t, bool ahead, std::size_t from,
                       double tolerance) {
-  const Section section(strip, t, ahead, from);
+  const SectionOfStrip section(strip, t, ahead, from);
   if (auto side = section.exact()) return *std::move(side);
   for (int degree = kFirstDegree; degree <= kMaxFitDegree; ++degree) {
     double error = 0;
