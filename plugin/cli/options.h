@@ -63,7 +63,9 @@ enum class Outputs { Models, ModelsAndNets, ModelsNetsAndTriangles, ModelsAndDra
 /// The ending of a file's name in small letters, ".dxf".
 std::string ending_of(const std::string& file);
 
-/// Looks at inputs and outputs before any work is done; looks of inputs are read for an output only.
+/// Looks at inputs and outputs before any work is done; looks of inputs are read for an output
+/// alone.
+///
 /// inputs    as the user wrote them
 /// throws    UsageError if an output is an input, two outputs are one file, an extension is
 ///           unknown, a file is no regular one, or as parse_input; occt::Failure if an output is a

@@ -18,8 +18,8 @@ struct LargestFillet {
   std::string stopped;  ///< what stops larger balls, in words; empty where only rounding told
 };
 
-/// A radius that works, at most 1 % below one that does not: at or just below where a ball beside the
-/// edge at fault is stopped (`fillet_limit`), if that works and a larger one does not; else
+/// A radius that works, at most 1 % below one that does not: at or just below where a ball beside
+/// the edge at fault is stopped (`fillet_limit`), if that works and a larger one does not; else
 /// bracketed.
 ///
 /// Each radius that fails names an edge; its limit is looked at next. So a few steps come to the
