@@ -131,6 +131,8 @@ class ClashSearch {
     std::vector<char> meets(parts_.size(), 0);
     for (const Clash& pair : found_.pairs)
       if (pair.relation != Relation::Disjoint) meets[pair.a] = meets[pair.b] = 1;
+    for (std::size_t k = 0; k < found_.pairs.size(); ++k)
+      known_.emplace(std::pair(found_.pairs[k].a, found_.pairs[k].b), k);
     const BoxTree tree(found_.boxes);
     for (std::size_t i = 0; i < parts_.size(); ++i)
       if (meets[i] == 0) look_for_nearest(i, tree);
@@ -143,16 +145,25 @@ class ClashSearch {
       const auto j = static_cast<std::size_t>(item);
       if (j == i || !is_asked(i, j)) return best * best;
       const std::size_t a = std::min(i, j), b = std::max(i, j);
-      const auto known = std::ranges::find_if(
-          found_.pairs, [&](const Clash& pair) { return pair.a == a && pair.b == b; });
-      const Clash pair = known == found_.pairs.end() ? apart(a, b, best) : *known;
+      const auto known = known_.find({a, b});
+      if (known != known_.end()) {
+        const Clash& pair = found_.pairs[known->second];
+        if (pair.measured && pair.upper < best) {
+          best = pair.upper;
+          nearest.reset();
+        }
+        return best * best;
+      }
+      Clash pair = apart(a, b, best);
       if (pair.measured && pair.upper < best) {
         best = pair.upper;
-        nearest = known == found_.pairs.end() ? std::optional(pair) : std::nullopt;
+        nearest = std::move(pair);
       }
       return best * best;
     });
-    if (nearest) found_.pairs.push_back(std::move(*nearest));
+    if (!nearest) return;
+    known_.emplace(std::pair(nearest->a, nearest->b), found_.pairs.size());
+    found_.pairs.push_back(std::move(*nearest));
   }
 
   // Each shape is converted at one place and moved to the others.
@@ -302,6 +313,7 @@ class ClashSearch {
   std::vector<std::optional<Bodies>> bodies_;
   std::map<const void*, std::size_t> prototypes_{};  // by their shapes without places
   Clashes found_{};
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> known_{};  // places in found_.pairs
 };
 
 const char* to_string(ContactKind kind) {

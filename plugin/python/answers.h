@@ -88,8 +88,8 @@ Answer blend_edges(const SharedModel& part, const EdgeWish& edges, const occt::F
                    const Control& control);
 
 /// b      null: pairs of parts of `a`
-/// near   list only pairs that were looked at
-Answer clash(const SharedModel& a, const SharedModel& b, std::optional<double> clearance, bool near,
+/// far    list pairs of which only the boxes were looked at, too
+Answer clash(const SharedModel& a, const SharedModel& b, std::optional<double> clearance, bool far,
              const Control& control);
 
 /// options   a deviation of 0 is a thousandth of the model's size, here and below

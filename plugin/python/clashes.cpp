@@ -9,7 +9,7 @@
 
 namespace blossom::python {
 
-Answer clash(const SharedModel& a, const SharedModel& b, std::optional<double> clearance, bool near,
+Answer clash(const SharedModel& a, const SharedModel& b, std::optional<double> clearance, bool far,
              const Control& control) {
   std::vector<SharedModel> models{a};
   if (b) models.push_back(b);
@@ -18,7 +18,7 @@ Answer clash(const SharedModel& a, const SharedModel& b, std::optional<double> c
     reports::ClashAnswer answer;
     answer.tolerance = control.engine.tolerances.point;
     answer.clearance = clearance;
-    answer.lists_far = !near;
+    answer.lists_far = far;
     for (const SharedModel& model : models) {
       model->faces(watch);
       reports::add_input(answer, model->repaired_input(watch));

@@ -104,7 +104,7 @@ void add_answers(py::module_& module) {
         return sections(model, named_planes(planes), control);
       },
       arg("model"), arg("planes"), arg("control"));
-  module.def("clash", &clash, arg("a"), arg("b"), arg("clearance"), arg("near"), arg("control"));
+  module.def("clash", &clash, arg("a"), arg("b"), arg("clearance"), arg("far"), arg("control"));
   module.def(
       "ray",
       [](const SharedModel& model, const Triple& from, const Triple& direction, bool first,

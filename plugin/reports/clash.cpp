@@ -5,8 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 #include <utility>
+
+#include <TopTools_DataMapOfShapeInteger.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "plugin/reports/csv.h"
@@ -53,18 +56,34 @@ Json part_json(const NamedPart& part) {
 
 Json box_json(const Box& box) { return Json::array({box.low.coordinates, box.high.coordinates}); }
 
-Json contact_json(const occt::BodyContact& contact, const Input& a, const Input& b) {
-  const auto number = [](const Input& of, const TopoDS_Face& face) {
-    return face.IsNull() ? Json() : Json(face_number(of, face));
-  };
+// The numbers of faces of inputs, for any number of contacts.
+class NumbersOfFaces {
+ public:
+  explicit NumbersOfFaces(const std::vector<const Input*>& inputs) {
+    for (const Input* const input : inputs)
+      for (std::size_t i = 0; i < input->faces.size(); ++i)
+        numbers_[input].Bind(input->faces[i], input->numbers[i]);
+  }
+  Json of(const Input& input, const TopoDS_Face& face) const {
+    if (face.IsNull()) return {};
+    const int* const number = numbers_.at(&input).Seek(face);
+    return number == nullptr ? 0 : *number;
+  }
+
+ private:
+  std::map<const Input*, TopTools_DataMapOfShapeInteger> numbers_;
+};
+
+Json contact_json(const occt::BodyContact& contact, const Input& a, const Input& b,
+                  const NumbersOfFaces& numbers) {
   return {{"kind", to_string(contact.kind)},
-          {"face_a", number(a, contact.face_a)},
-          {"face_b", number(b, contact.face_b)},
+          {"face_a", numbers.of(a, contact.face_a)},
+          {"face_b", numbers.of(b, contact.face_b)},
           {"point", contact.point.coordinates},
           {"box", box_json(contact.box)}};
 }
 
-Json pair_json(const ClashRow& row, const ClashAnswer& answer) {
+Json pair_json(const ClashRow& row, const ClashAnswer& answer, const NumbersOfFaces& numbers) {
   Json json = {{"a", row.a}, {"b", row.b}, {"relation", clash_word(row)}};
   if (row.clash == nullptr) {
     json["status"] = to_string(Status::Complete);
@@ -83,7 +102,7 @@ Json pair_json(const ClashRow& row, const ClashAnswer& answer) {
     json["nearest"] = {clash.near_a.point.coordinates, clash.near_b.point.coordinates};
   json["contacts"] = Json::array();
   for (const occt::BodyContact& contact : clash.contacts)
-    json["contacts"].push_back(contact_json(contact, a, b));
+    json["contacts"].push_back(contact_json(contact, a, b, numbers));
   if (clash.common)
     json["common"] = {{"volume", clash.common->volume},
                       {"depth", {clash.common->lower, clash.common->upper}},
@@ -221,10 +240,11 @@ Json clash_report(const ClashAnswer& answer) {
   for (const NamedPart& part : answer.parts) report["parts"].push_back(part_json(part));
   for (const char* word : {"penetrates", "contained", "equal", "touches", "clear", "unknown"})
     report["counts"][word] = 0;
+  const NumbersOfFaces numbers(answer.inputs);
   for (const ClashRow& row : rows_of(answer, reported(answer))) {
     Json& count = report["counts"][clash_word(row)];
     count = count.get<std::size_t>() + 1;
-    report["pairs"].push_back(pair_json(row, answer));
+    report["pairs"].push_back(pair_json(row, answer, numbers));
   }
   Json& clear = report["counts"]["clear"];
   clear = clear.get<std::size_t>() + pair_count(answer) - report["pairs"].size();

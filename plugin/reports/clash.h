@@ -23,7 +23,8 @@ struct ClashAnswer {
   std::size_t first_of_b = 0;        ///< place of the second input's first part; 0: there is none
   std::optional<double> clearance;
   double tolerance = 0;
-  bool lists_far = true;  ///< reports have pairs of which only the boxes were looked at, too
+  /// Reports have pairs of which only the boxes were looked at, too: the square of the parts.
+  bool lists_far = false;
   occt::Clashes found;
   double seconds = 0;
 };

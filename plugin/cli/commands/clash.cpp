@@ -34,7 +34,7 @@ using reports::ClashRow;
 struct ClashCommand {
   std::string a, b;  // b may be empty
   double clearance = -1;
-  bool near = false;  // only pairs that are near each other are listed
+  bool far = false;  // pairs of which only the boxes were looked at are listed, too
   CommonOptions common;
   EngineOptions engine;
 };
@@ -104,10 +104,10 @@ std::string clash_text(const ClashAnswer& answer) {
   text << ": " << to_string(stated(status_of(answer))) << ", "
        << counted(answer.parts.size(), "part") << ", " << counted(all, "pair")
        << counts_text(rows, all) << ", " << answer.seconds << " s\n";
-  if (verbosity() != Verbosity::Verbose)
-    std::erase_if(rows, [](const ClashRow& row) { return !row.clash->measured; });
-  else if (answer.lists_far)
+  if (answer.lists_far)
     rows = reports::rows_of(answer, reports::ClashRows::All);
+  else if (verbosity() != Verbosity::Verbose)
+    std::erase_if(rows, [](const ClashRow& row) { return !row.clash->measured; });
   const auto padded = [](const std::string& word, std::size_t width) {
     return word + std::string(width > word.size() ? width - word.size() : 0, ' ');
   };
@@ -120,7 +120,7 @@ std::string clash_text(const ClashAnswer& answer) {
     text << "  " << counted(all - rows.size(), "pair")
          << (answer.clearance ? " farther apart than " + number(*answer.clearance)
                               : " whose boxes are apart")
-         << "; -v lists them\n";
+         << "; --far lists them\n";
   return text.str();
 }
 
@@ -155,7 +155,7 @@ int run(const ClashCommand& options) {
   stop_if_interrupted();
   ClashAnswer answer;
   answer.tolerance = options.engine.tolerance;
-  answer.lists_far = !options.near;
+  answer.lists_far = options.far;
   if (options.clearance >= 0) answer.clearance = options.clearance;
   for (const Input& input : inputs) reports::add_input(answer, input);
   {
@@ -179,13 +179,13 @@ void add_clash(CLI::App& app, int& exit_code) {
                    "of parts that meet no other the nearest")
       ->check(number_not_negative())
       ->type_name("D");
-  command->add_flag("--near", options->near,
-                    "list no pairs of which only the boxes were looked at: they are many");
+  command->add_flag("--far", options->far,
+                    "list pairs of which only the boxes were looked at, too: they are many");
   command
       ->add_option("-o,--output", options->common.output,
                    "write the common bodies (.step, .brep, .iges)")
       ->type_name("FILE");
-  add_table(*command, options->common, "each pair");
+  add_table(*command, options->common, "each pair that is listed");
   add_report_options(*command, options->common);
   add_fail_on(*command, options->common);
   add_engine_options(*command, options->engine);

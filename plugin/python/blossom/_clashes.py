@@ -43,7 +43,7 @@ class ClashPair(Record):
 
 
 class Clash(Result):
-    """Pairs of parts; a list of them. What has points in common comes first, then what touches,
+    """Pairs of parts that were looked at; a list of them. What has points in common comes first, then what touches,
     what is not known, and what is clear. Its shape is the common bodies."""
 
     @property
@@ -53,7 +53,7 @@ class Clash(Result):
 
     @property
     def counts(self) -> Dict[str, int]:
-        """Pairs by their relation."""
+        """All pairs by their relation, also those that are not listed."""
         return dict(self._told()["counts"])
 
     @property

@@ -109,7 +109,7 @@ def sections(
     model: Model, planes: List[Tuple[Triple, Triple, str, Optional[float]]], control: Control
 ) -> Answer: ...
 def clash(
-    a: Model, b: Optional[Model], clearance: Optional[float], near: bool, control: Control
+    a: Model, b: Optional[Model], clearance: Optional[float], far: bool, control: Control
 ) -> Answer: ...
 def mesh(
     model: Model, deviation: float, angle: float, edge_length: float, control: Control

@@ -194,18 +194,18 @@ class Model(_results.MadeShape):
         other: Any = None,
         *,
         clearance: Optional[float] = None,
-        near: bool = False,
+        far: bool = False,
         **options: Any,
     ) -> Clash:
         """How its parts lie to each other, or to those of another model.
 
         clearance   distances up to this are measured; None: those of pairs whose boxes meet, and of
                     a part that meets no other that of the nearest
-        near        list only pairs that were looked at
+        far         list pairs of which only the boxes were looked at, too: the square of the parts
         """
         b = None if other is None else _core_of(other, "other")
         least = None if clearance is None else _checks.not_negative(clearance, "clearance")
-        listed = _checks.flag(near, "near")
+        listed = _checks.flag(far, "far")
         return Clash(_core.clash(self._core, b, least, listed, _checks.control(options)))
 
     def mesh(

@@ -92,7 +92,7 @@ class ClashCommand : public ::testing::Test {
 TEST_F(ClashCommand, TellsInOneTableHowAllPartsLieToEachOther) {
   const std::string file = file_of(machine(), "machine.step");
   // That the ball touches in a point alone is known within tolerance.
-  const json report = report_of({"clash", file});
+  const json report = report_of({"clash", file, "--far"});
   EXPECT_EQ(report["schema"], "blossom.clash/1");
   EXPECT_EQ(report["pairs"].size(), 28u);
   EXPECT_EQ(report["counts"], (json{{"penetrates", 1},
@@ -131,9 +131,25 @@ TEST_F(ClashCommand, TellsInOneTableHowAllPartsLieToEachOther) {
   EXPECT_NEAR(marble["boundary_distance"][1], 10, 1e-9);
 }
 
+// The rest would be the square of the parts.
+TEST_F(ClashCommand, ListsPairsThatWereLookedAtAndCountsAll) {
+  Parts row;
+  for (int k = 0; k < 40; ++k)
+    row.emplace_back("p" + std::to_string(k), box(1.5 * k, 0, 0, 1, 1, 1));
+  const std::string file = file_of(row, "row.step");
+  const json report = report_of({"clash", file});
+  EXPECT_EQ(report["counts"]["clear"], 40 * 39 / 2);
+  EXPECT_GE(report["pairs"].size(), 20u);
+  EXPECT_LE(report["pairs"].size(), 40u);
+  for (const json& pair : report["pairs"]) EXPECT_NEAR(pair["distance"][1], 0.5, 1e-9);
+  const Finished run = blossom({"clash", file});
+  EXPECT_NE(run.out.find("whose boxes are apart; --far lists them"), std::string::npos) << run.out;
+  EXPECT_EQ(report_of({"clash", file, "--far"})["pairs"].size(), 40u * 39 / 2);
+}
+
 TEST_F(ClashCommand, SaysItInWordsAndAsATable) {
   const std::string file = file_of(machine(), "machine.step"), table = folder_ / "table.csv";
-  const Finished run = blossom({"clash", file, "--table", table});
+  const Finished run = blossom({"clash", file, "--far", "--table", table});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("complete, 8 parts, 28 pairs, 1 penetrates, 1 contained, 2 touches"),
             std::string::npos)
@@ -161,7 +177,7 @@ TEST_F(ClashCommand, MeasuresDistancesUpToAClearance) {
   const std::string file = file_of(
       {{"a", box(0, 0, 0, 1, 1, 1)}, {"b", box(1.5, 0, 0, 1, 1, 1)}, {"c", box(4, 0, 0, 1, 1, 1)}},
       "row.step");
-  const json report = report_of({"clash", file, "--clearance", "1"});
+  const json report = report_of({"clash", file, "--far", "--clearance", "1"});
   EXPECT_NEAR(pair_in(report, "a", "b")["distance"][1], 0.5, 1e-9);
   const json far = pair_in(report, "b", "c");
   EXPECT_EQ(far["relation"], "clear");

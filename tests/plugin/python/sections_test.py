@@ -181,7 +181,7 @@ class Clashes(unittest.TestCase):
         self.assertEqual(support.without_times(mine), support.without_times(told))
 
     def test_answers_pickle(self):
-        found = pickle.loads(pickle.dumps(blossom.clash(BLOCK, DRILL, near=True)))
+        found = pickle.loads(pickle.dumps(blossom.clash(BLOCK, DRILL, far=True)))
 
         self.assertEqual(found.counts["penetrates"], 1)
         self.assertEqual(blossom.shape(found).counts["solids"], 1)
@@ -191,8 +191,8 @@ class Clashes(unittest.TestCase):
             BLOCK.clash()
         with self.assertRaisesRegex(ValueError, "^clearance: -1.0 is negative"):
             BLOCK.clash(DRILL, clearance=-1)
-        with self.assertRaisesRegex(TypeError, "^near: True or False is wanted"):
-            BLOCK.clash(DRILL, near=1)
+        with self.assertRaisesRegex(TypeError, "^far: True or False is wanted"):
+            BLOCK.clash(DRILL, far=1)
 
 
 def _moved_block(file):

@@ -72,7 +72,7 @@ class ModuleDoor:
         return self._answer(made, lambda report: report["edges"])
 
     def clash(self, a, b, clearance, **options):
-        found = a.clash(b, clearance=clearance, near=True, **self._with_cancel(options))
+        found = a.clash(b, clearance=clearance, **self._with_cancel(options))
         return self._answer(found, lambda report: any("common" in each for each in report["pairs"]))
 
     def mesh(self, part, **options):

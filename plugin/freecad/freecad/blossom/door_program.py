@@ -99,7 +99,7 @@ class ProgramDoor:
     def clash(self, a, b, clearance, **options):
         files = [a] if b is None else [a, b]
         wanted = [] if clearance is None else ["--clearance", repr(clearance)]
-        return self._ask(["clash", *files, "--near", *wanted], options)
+        return self._ask(["clash", *files, *wanted], options)
 
     def mesh(self, part, **options):
         answer = self._ask(["convert", part], options, ending="obj")
