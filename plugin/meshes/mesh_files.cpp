@@ -38,8 +38,8 @@ bool is_glb_file(const std::filesystem::path& file) { return small_ending(file) 
 WrittenMesh write_mesh_file(const FileMesh& mesh, const std::filesystem::path& file, bool text,
                             const std::function<void()>& stop) {
   const std::string ending = small_ending(file);
-  if (ending == ".obj") {
-    occt::write_text(obj_text(mesh), file, stop);
+  if (ending == ".obj" || (ending == ".stl" && text)) {
+    occt::write_text(ending == ".obj" ? obj_text(mesh) : stl_text(mesh), file, stop);
     return {};
   }
 #ifdef BLOSSOM_WITH_OPENMESH

@@ -23,7 +23,7 @@ struct MeshGroup {
 struct FileMesh {
   std::vector<Vec3> points;                   ///< model units
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise from outside
-  std::vector<MeshGroup> groups{};            ///< in order; .obj alone has them in its file
+  std::vector<MeshGroup> groups{};            ///< in order; in .obj, and in .stl as text
 };
 
 /// .stl, .ply, .obj or .off in any case.
@@ -33,7 +33,8 @@ bool is_mesh_file(const std::filesystem::path& file);
 bool is_glb_file(const std::filesystem::path& file);
 
 struct WrittenMesh {
-  double rounding = 0;  ///< how far single precision moves points, model units; .obj has double
+  double rounding = 0;  ///< how far single precision moves points, model units; .obj and
+                        ///< .stl as text have double
   int apart = 0;        ///< triangles that got vertices of their own
 };
 
@@ -50,5 +51,8 @@ FileMesh read_mesh_file(const std::filesystem::path& file);
 /// The content of an .obj file: a `g` line before each group, blanks in its name as underscores.
 /// Numbers read back as the same doubles.
 std::string obj_text(const FileMesh& mesh);
+
+/// Likewise that of an .stl file as text: a solid for each group, with its name.
+std::string stl_text(const FileMesh& mesh);
 
 }  // namespace blossom::meshes

@@ -116,6 +116,25 @@ TEST_F(ConvertMesh, NamesTheGroupsOfAnObjAsInputs) {
   EXPECT_EQ(Json::parse(named.out)["faces"].size(), 1u) << named.err;
 }
 
+TEST_F(ConvertMesh, WritesASolidForEachFaceInStlAsText) {
+  write(BRepPrimAPI_MakeCylinder(3, 5), "rod.step");
+  const Json made = report("rod.step", "rod.stl", {"--deviation", "0.1", "--text"});
+  EXPECT_EQ(made["rounding"], 0);
+  std::istringstream lines(text_of(path("rod.stl")));
+  std::vector<std::string> begun, ended;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("solid ")) begun.push_back(line.substr(6));
+    if (line.starts_with("endsolid ")) ended.push_back(line.substr(9));
+  }
+  EXPECT_EQ(begun, (std::vector<std::string>{"part/Face1", "part/Face2", "part/Face3"}));
+  EXPECT_EQ(ended, begun);
+  const Finished ran = blossom({"check", path("rod.stl"), "--json", "-"});
+  const Json read = Json::parse(ran.out);
+  EXPECT_EQ(read["triangles"], made["triangles"]);
+  EXPECT_EQ(read["points"], made["points"]);
+  EXPECT_EQ(read["closed"], true);
+}
+
 TEST_F(ConvertMesh, ReadsAnObjAsItWasWritten) {
   write(BRepPrimAPI_MakeSphere(5), "ball.brep");
   const Json made = report("ball.brep", "ball.obj");
