@@ -3,7 +3,7 @@
 
 from typing import Any, Dict, List, Optional
 
-from ._results import Result, counted
+from ._results import Result, Selective, counted
 
 
 class Trim(Result):
@@ -109,24 +109,15 @@ class Chamfer(EdgeBlend):
     _done = "cut off"
 
 
-class Fill(Result):
+class Fill(Selective):
     """Patches in holes; a list of what was filled, each with `edges`, `layout`, `patches`,
-    `reached` and figures of how it meets its neighbours. Its shape is the patches, or the model
+    `reached` and figures of how it meets its neighbours; `refused` has holes that stay: `edges`,
+    `reason` and `message`. Its shape is the patches, or the model
     with them."""
 
     @property
     def holes(self) -> List[Dict[str, Any]]:
         return list(self._told()["holes"])
-
-    @property
-    def refused(self) -> List[Dict[str, Any]]:
-        """Holes that stay: `edges`, `reason` and `message`."""
-        return list(self._told()["refused"])
-
-    @property
-    def status(self) -> str:
-        """ "complete", or "stopped" if a hole stays."""
-        return "stopped" if self.refused else "complete"
 
     def _items(self) -> List[Any]:
         return self.holes

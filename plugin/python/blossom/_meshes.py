@@ -5,12 +5,12 @@ import os
 from typing import Any, Dict, Iterator, List, Tuple, Union
 
 from . import _checks, _core
-from ._results import Array, Indices, Result, counted
+from ._results import Array, Indices, Selective, counted
 
 
-class Mesh(Result):
+class Mesh(Selective):
     """Triangles of all faces, which share their points along edges; a list of the numbers of faces
-    that have some."""
+    that have some; `refused` has those that are left out: `face` and `why`."""
 
     @property
     def vertices(self) -> Array:
@@ -39,7 +39,7 @@ class Mesh(Result):
 
     @property
     def names(self) -> Dict[int, str]:
-        """What faces are called in .obj files: "Face3", or with its part "Shaft/Face3"."""
+        """What faces are called in .obj files, and .stl as text: "Face3", or with its part "Shaft/Face3"."""
         return {int(self.faces[first]): name for name, first in self._groups()}
 
     @property
@@ -52,16 +52,6 @@ class Mesh(Result):
     def closed(self) -> bool:
         """Whether each edge has two faces, and none is left out."""
         return bool(self._told()["closed"])
-
-    @property
-    def refused(self) -> List[Dict[str, Any]]:
-        """Faces that are left out: `face` and `why`."""
-        return list(self._told()["refused"])
-
-    @property
-    def status(self) -> str:
-        """ "complete", or "stopped" if a face is left out."""
-        return "stopped" if self.refused else "complete"
 
     def write(self, path: Union[str, "os.PathLike[str]"], text: bool = False, **options: Any) -> None:
         """Writes the triangles to a file: .stl, .ply, .obj, .off; .glb is written by models.

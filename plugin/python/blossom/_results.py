@@ -161,6 +161,20 @@ class Result(MadeShape):
         return f"<blossom.{type(self).__name__}: {self._summary()}>"
 
 
+class Selective(Result):
+    """An answer that may leave out some of what was asked for."""
+
+    @property
+    def refused(self) -> List[Dict[str, Any]]:
+        """What is left out, and why."""
+        return list(self._told()["refused"])
+
+    @property
+    def status(self) -> str:
+        """ "complete", or "stopped" if something is left out."""
+        return "stopped" if self.refused else "complete"
+
+
 def _drop_samples(told: Any) -> None:
     """As the compiled part does it."""
     if isinstance(told, dict):
