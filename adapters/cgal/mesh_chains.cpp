@@ -74,6 +74,28 @@ class Chaining {
   MeshMeeting& found_;
 };
 
+// Curves by their sums, which do not depend on the order or on where corners are added.
+struct Moments {
+  explicit Moments(const MeshMeeting& of) {
+    for (const MeshCurve& curve : of.curves) {
+      ++(curve.closed ? closed : open);
+      for (std::size_t k = 1; k < curve.points.size(); ++k)
+        add_side(curve.points[k - 1], curve.points[k]);
+    }
+  }
+  void add_side(const Vec3& p, const Vec3& q) {
+    const double side = norm(q - p);
+    length += side;
+    first += side * 0.5 * (p + q);
+    second += side / 3 * (dot(p, p) + dot(p, q) + dot(q, q));
+    reach = std::max({reach, norm(p), norm(q)});
+  }
+
+  int closed = 0, open = 0;
+  double length = 0, second = 0, reach = 0;  // of x^2 along them; the farthest point's distance
+  Vec3 first{};                              // of x along them
+};
+
 }  // namespace
 
 MeshNodes numbered(const std::vector<MeshPiece>& pieces) {
@@ -94,17 +116,14 @@ void chain(const MeshNodes& nodes, const std::vector<Vec3>& places, MeshMeeting&
 }
 
 bool have_equal_curves(const MeshMeeting& a, const MeshMeeting& b) {
-  constexpr double kSameLength = 1e-9;  // relative: sums of roundings
-  const auto told = [](const MeshMeeting& of) {
-    std::vector<std::pair<bool, double>> curves;
-    for (const MeshCurve& curve : of.curves) curves.emplace_back(curve.closed, curve.length);
-    std::ranges::sort(curves);
-    return curves;
-  };
-  const auto of_a = told(a), of_b = told(b);
-  return std::ranges::equal(of_a, of_b, [](const auto& x, const auto& y) {
-    return x.first == y.first && std::abs(x.second - y.second) <= kSameLength * x.second;
-  });
+  constexpr double kSame = 1e-9;  // relative: sums of roundings
+  const Moments of_a(a), of_b(b);
+  const double length = std::max(of_a.length, of_b.length),
+               reach = std::max(of_a.reach, of_b.reach);
+  return of_a.closed == of_b.closed && of_a.open == of_b.open &&
+         std::abs(of_a.length - of_b.length) <= kSame * length &&
+         max_norm(of_a.first - of_b.first) <= kSame * length * reach &&
+         std::abs(of_a.second - of_b.second) <= kSame * length * reach * reach;
 }
 
 }  // namespace blossom::cgal

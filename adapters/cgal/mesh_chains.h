@@ -33,7 +33,7 @@ MeshNodes numbered(const std::vector<MeshPiece>& pieces);
 /// places   of the nodes, model units
 void chain(const MeshNodes& nodes, const std::vector<Vec3>& places, MeshMeeting& found);
 
-/// Whether both have the same curves by number, closedness and length, within rounding.
+/// Whether both have the same curves by number, closedness, length and place, within rounding.
 bool have_equal_curves(const MeshMeeting& a, const MeshMeeting& b);
 
 }  // namespace blossom::cgal

@@ -3,7 +3,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -206,12 +205,24 @@ class Meeting {
     if (crossings.size() == 2) pieces_.push_back({crossings[0], crossings[1]});
   }
 
+  // Whether triangles in one plane have an area in common: no side has the other one beyond it.
   bool overlap(int i, int j) const {
-    const auto triangle = [](const JoinedMesh& of, int t) {
-      return Kernel::Triangle_3(kernel_point(of.corner(t, 0)), kernel_point(of.corner(t, 1)),
-                                kernel_point(of.corner(t, 2)));
+    return !has_beyond_a_side(a_, i, b_, j) && !has_beyond_a_side(b_, j, a_, i);
+  }
+
+  static bool has_beyond_a_side(const JoinedMesh& of, int i, const JoinedMesh& other, int j) {
+    const auto corner = [](const JoinedMesh& mesh, int t, std::size_t k) {
+      return kernel_point(mesh.corner(t, k % 3));
     };
-    return CGAL::do_intersect(triangle(a_, i), triangle(b_, j));
+    for (std::size_t k = 0; k < 3; ++k) {
+      bool beyond = true;
+      for (std::size_t m = 0; m < 3; ++m)
+        beyond = beyond && CGAL::coplanar_orientation(corner(of, i, k), corner(of, i, k + 1),
+                                                      corner(of, i, k + 2),
+                                                      corner(other, j, m)) != CGAL::POSITIVE;
+      if (beyond) return true;
+    }
+    return false;
   }
 
   Vec3 place(const JoinedMesh& of, const JoinedMesh& through, const NodeKey& key) const {
@@ -303,7 +314,7 @@ class PlaneMeeting {
 double rounding_of(double largest) { return 0x1p-51 * largest; }
 
 void compare(const MeshMeeting& other, MeshMeeting& made) {
-  made.touching = !have_equal_curves(made, other);
+  made.touching = made.in_plane > 0 || !have_equal_curves(made, other);
   made.points.insert(made.points.end(), other.points.begin(), other.points.end());
   std::ranges::sort(made.points, {}, &Vec3::coordinates);
   made.points.erase(std::unique(made.points.begin(), made.points.end()), made.points.end());

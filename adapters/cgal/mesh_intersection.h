@@ -29,8 +29,8 @@ struct MeshMeeting {
   std::vector<MeshCurve> curves;
   std::vector<Vec3> points;  ///< where they meet in a point alone
   double rounding = 0;       ///< of the points of curves from where they are exactly, model units
-  /// Whether curves are others, or none, when the second is moved by less than any length: the
-  /// meshes touch along sides or triangles that lie in each other.
+  /// Whether curves are others, or none, when the second is moved by less than any length, or
+  /// triangles lie in each other: the meshes touch in more than points.
   bool touching = false;
   std::size_t in_plane = 0;  ///< triangles in the plane, or pairs of them in one plane that overlap
   std::size_t flat = 0;      ///< triangles of no area, which meet nothing here

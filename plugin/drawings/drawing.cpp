@@ -20,6 +20,12 @@ using occt::vec;
 Stroke polyline(const GeomAdaptor_Curve& curve, const occt::SectionCurve& of,
                 const DrawingFrame& frame, double deviation) {
   Stroke stroke{.kind = StrokeKind::Polyline};
+  if (curve.GetType() == GeomAbs_BSplineCurve && curve.Degree() == 1) {  // it is one already
+    for (const Vec3& sample : of.samples) stroke.points.push_back(frame.of(sample));
+    stroke.from = stroke.points.front();
+    stroke.to = stroke.points.back();
+    return stroke;
+  }
   const GCPnts_QuasiUniformDeflection points(curve, deviation, of.range.from, of.range.to);
   if (points.IsDone() && points.NbPoints() > 1)
     for (int i = 1; i <= points.NbPoints(); ++i)

@@ -9,6 +9,8 @@
 #include "core/base/parallel.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/intersection_parts.h"
+#include "plugin/cli/commands/mesh_meetings.h"
+#include "plugin/cli/commands/meshed_input.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
 
@@ -31,6 +33,8 @@ occt::ShapeIntersection intersect_named(const Input& a, const Input& b,
 }
 
 int run(const IntersectCommand& options) {
+  if (is_mesh_input(options.a) || is_mesh_input(options.b))
+    return run_mesh_intersection(options.a, options.b, options.intersect.common);
   check_files(options.intersect.common, {options.a, options.b});
   start_threads(options.intersect.engine.threads);
   const Input a = read_input(options.a);
@@ -45,9 +49,12 @@ int run(const IntersectCommand& options) {
 }  // namespace
 
 void add_intersect(CLI::App& app, int& exit_code) {
-  CLI::App* const command = app.add_subcommand("intersect", "all intersections of two models");
+  CLI::App* const command =
+      app.add_subcommand("intersect", "all intersections of two models or meshes");
   const auto options = std::make_shared<IntersectCommand>();
-  command->add_option("a", options->a, "model, or some of its faces")->required()->type_name("A");
+  command->add_option("a", options->a, "model, some of its faces, or triangles")
+      ->required()
+      ->type_name("A");
   command->add_option("b", options->b, "likewise")->required()->type_name("B");
   add_intersect_options(*command, options->intersect);
   command->callback([options, &exit_code] { exit_code = run(*options); });

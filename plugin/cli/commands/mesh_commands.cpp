@@ -15,6 +15,7 @@
 #include "core/base/work_limit.h"
 #include "core/bounds/box_tree.h"
 #include "core/tessellation/mesh_distance.h"
+#include "plugin/cli/commands/meshed_input.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
@@ -106,54 +107,6 @@ DeepCheck deep_answer(const FileMesh& mesh, const JudgedMesh& found, double dist
 
 // ---- distances
 
-// An input as triangles, and how far these may be from it.
-class MeshedInput {
- public:
-  explicit MeshedInput(const std::string& name) : name_(name) {
-    if (is_mesh_input(name)) {
-      mesh_ = meshes::read_mesh_file(parse_input(name).file);
-      return;
-    }
-    model_ = std::make_unique<Input>(read_input(name));
-    drop_other_faces(*model_);
-    refine(0, {});
-  }
-
-  const std::string& name() const { return name_; }
-  const FileMesh& mesh() const { return mesh_; }
-  double distance() const { return distance_; }
-  bool is_model() const { return model_ != nullptr; }
-
-  // deviation   0: a first one, for the size alone. False if it was told to end.
-  bool refine(double deviation, const std::function<bool()>& ask) {
-    if (!model_) return true;
-    FacetOptions options;
-    options.deviation = deviation > 0 ? deviation : 1e6;
-    if (deviation > 0) options.angle = 0;
-    const occt::ShapeTessellation made = occt::tessellation(model_->model.shape(), options, ask);
-    if (made.facets.stopped) return false;
-    for (std::size_t f = 0; f < made.facets.faces.size(); ++f)
-      if (!made.facets.faces[f].obstacle.empty())
-        throw occt::BadModel(name_ + ": face " + std::to_string(model_->numbers[f]) +
-                             " cannot be meshed: " + made.facets.faces[f].obstacle);
-    mesh_ = {made.facets.points, occt::triangles_of(made)};
-    distance_ = made.facets.distance;
-    return true;
-  }
-
-  double size() const {
-    Box box;
-    for (const Vec3& p : mesh_.points) box = joined(box, {p, p});
-    return diagonal(box);
-  }
-
- private:
-  std::string name_;
-  FileMesh mesh_;
-  std::unique_ptr<Input> model_;
-  double distance_ = 0;
-};
-
 struct Farthest {
   double lower = 0, upper = 0;
   Vec3 point;
@@ -234,10 +187,6 @@ std::string distance_text(const MeshedInput& a, const MeshedInput& b, const Both
 }
 
 }  // namespace
-
-bool is_mesh_input(const std::string& input) {
-  return meshes::is_mesh_file(parse_input(input).file);
-}
 
 int run_mesh_check(const std::string& input, const CommonOptions& common) {
   check_files(common, {input});

@@ -5,15 +5,13 @@
 
 #include <string>
 
+#include "plugin/cli/commands/meshed_input.h"
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/options.h"
 #include "plugin/cli/output.h"
 
 namespace blossom::cli {
-
-/// Whether an input, as the user wrote it, is a file of triangles.
-bool is_mesh_input(const std::string& input);
 
 /// What is wrong with the triangles of a file.
 int run_mesh_check(const std::string& input, const CommonOptions& common);

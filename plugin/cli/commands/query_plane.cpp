@@ -8,6 +8,8 @@
 
 #include "adapters/occt/plane_section.h"
 #include "core/base/parallel.h"
+#include "plugin/cli/commands/mesh_meetings.h"
+#include "plugin/cli/commands/meshed_input.h"
 #include "plugin/cli/commands/query_parts.h"
 #include "plugin/cli/commands/query_planes.h"
 #include "plugin/cli/exit_code.h"
@@ -127,9 +129,13 @@ int run(const PlaneCommand& options) {
   check_files(options.common, inputs, Outputs::ModelsAndDrawings);
   start_threads(options.engine.threads);
   if (std::vector<reports::NamedPlane> planes = planes_of(options); !planes.empty())
-    return run_planes(options.input, std::move(planes), options.common, options.engine);
+    return is_mesh_input(options.input)
+               ? run_mesh_sections(options.input, planes, options.common)
+               : run_planes(options.input, std::move(planes), options.common, options.engine);
   Answer answer;
   answer.plane = plane_of(options);
+  if (is_mesh_input(options.input))
+    return run_mesh_sections(options.input, {{answer.plane, "section", {}}}, options.common);
   const Input input = read_input(options.input);
   stop_if_interrupted();
   {
@@ -149,7 +155,7 @@ int run(const PlaneCommand& options) {
 void add_query_plane(CLI::App& query, int& exit_code) {
   CLI::App* const command = query.add_subcommand("plane", "the section of a model with a plane");
   const auto options = std::make_shared<PlaneCommand>();
-  command->add_option("input", options->input, "model, or some of its faces")
+  command->add_option("input", options->input, "model, some of its faces, or triangles")
       ->required()
       ->type_name("FILE");
   CLI::Option* const point =

@@ -88,6 +88,10 @@ TEST(MeshMeeting, TellsWhatTouches) {
   EXPECT_GT(beside.in_plane, 0u);
   EXPECT_TRUE(all_closed(beside));
 
+  const cgal::MeshMeeting itself =
+      cgal::intersect_meshes(cube({0, 0, 0}).view(), cube({0, 0, 0}).view());
+  EXPECT_TRUE(itself.touching);
+
   const cgal::MeshMeeting at_corners =
       cgal::intersect_meshes(cube({0, 0, 0}).view(), cube({1, 1, 1}).view());
   EXPECT_FALSE(at_corners.touching);
