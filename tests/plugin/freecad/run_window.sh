@@ -26,12 +26,21 @@ cat >"$folder/profile/user.cfg" <<'XML'
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 XML
 
+# The server itself chooses a number that is free, also when several begin at once.
+exec {numbers}< <(exec Xvfb -displayfd 1 -screen 0 1280x1024x24 -nolisten tcp 2>"$folder/screen")
+server=$!
+trap 'kill "$server" 2>/dev/null || true' EXIT
+if ! read -r -t 60 -u "$numbers" display; then
+  cat "$folder/screen"
+  exit 1
+fi
+
 code=0
 env -i PATH=/usr/bin:/bin HOME="$folder" FREECAD_USER_HOME="$folder/profile" \
-  LIBGL_ALWAYS_SOFTWARE=1 \
+  DISPLAY=":$display" LIBGL_ALWAYS_SOFTWARE=1 \
   BLOSSOM_PACKAGE="$package" BLOSSOM_README="$readme" BLOSSOM_EXAMPLE="$example" \
   BLOSSOM_CLAIMS="$folder/claims" BLOSSOM_SHOT="$folder/window.png" BLOSSOM_SHOTS="$folder" \
-  timeout 300 xvfb-run -a -s "-screen 0 1280x1024x24" freecad "$test" \
+  timeout 600 freecad "$test" \
   >"$folder/output" 2>&1 </dev/null || code=$?
 cat "$folder/claims" || cat "$folder/output"
 exit "$code"

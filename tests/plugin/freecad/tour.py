@@ -24,7 +24,7 @@ from hands import (  # noqa: E402
 
 LEAST_ANSWERS = 5  # of a window that goes on, on whatever machine; one that waits answers once
 SETTLED = 600  # milliseconds until the window is painted
-PATIENCE = 60  # seconds for a condition
+PATIENCE = 120  # seconds for a condition
 MOST_WORK = 3  # seconds of work while the window is watched
 
 
@@ -281,6 +281,29 @@ class Pulse(QtCore.QTimer):
         return self.beats
 
 
+def busy():
+    """Whether a preview is at work."""
+    return widget(QtWidgets.QPushButton, "BlossomStop") is not None
+
+
+def gone():
+    """Whether the panel is closed."""
+    return not FreeCADGui.Control.activeDialog()
+
+
+def asked_for_ever(kind):
+    """The kind's work begins anew until it is ended, however quick the machine is. Returns what
+    takes that back."""
+    kept = kind.ask
+
+    def ask(self, entrance, inputs, options):
+        while True:
+            kept(self, entrance, inputs, options)
+
+    kind.ask = ask
+    return lambda: setattr(kind, "ask", kept)
+
+
 def work():
     """Hard work in a preview, and in a recompute, that the user ends."""
     document = new_document("Work")
@@ -293,11 +316,11 @@ def work():
     pulse.told("nothing to do")  # what the machine can do, to compare with
     select(document, ("Low", "Face1"), ("High", "Face1"))
     FreeCADGui.runCommand("Blossom_Intersection")
-    document.Intersection.Tolerance = 1e-10  # before the preview begins
-    yield lambda: widget(QtWidgets.QPushButton, "BlossomStop")
+    ends_again = asked_for_ever(type(document.Intersection.Proxy))
+    yield busy
     pulse = Pulse()
-    yield lambda: time.monotonic() - pulse.began > MOST_WORK or found()
-    claim(f"it is still at work: {said()}", widget(QtWidgets.QPushButton, "BlossomStop"))
+    yield lambda: time.monotonic() - pulse.began > MOST_WORK
+    claim(f"it is still at work: {said()}", busy())
     claim("the window answers during a preview", pulse.told("preview") > LEAST_ANSWERS)
     widget(QtWidgets.QPushButton, "BlossomStop").click()
     yield lambda: "stopped" in said()
@@ -331,10 +354,11 @@ def work():
 
     select(document, ("Low", "Face1"), ("High", "Face1"))
     FreeCADGui.runCommand("Blossom_Intersection")
-    yield lambda: widget(QtWidgets.QPushButton, "BlossomStop")
+    yield busy
     FreeCAD.closeDocument(document.Name)
-    yield SETTLED
-    claim("a document may be closed meanwhile", not FreeCADGui.Control.activeDialog())
+    yield gone
+    claim("a document may be closed meanwhile", gone())
+    ends_again()
 
 
 def many():
@@ -345,11 +369,12 @@ def many():
     look(document)
     select(document, ("Sea", ""))
     FreeCADGui.runCommand("Blossom_Section")
-    cut = document.Section  # before the preview begins
-    cut.Point, cut.Spacing, cut.Count = V(0, 0, -1.5), "0.07 mm", 40
-    yield lambda: widget(QtWidgets.QPushButton, "BlossomStop")
+    cut = document.Section
+    cut.Point, cut.Spacing = V(0, 0, -1.5), "0.07 mm"
+    yield lambda: widget(QtWidgets.QSpinBox, "BlossomCount")
     pulse = Pulse()
-    yield found
+    widget(QtWidgets.QSpinBox, "BlossomCount").setValue(40)  # the preview begins anew
+    yield lambda: found() and len(cut.WiresOfPlanes) == 40
     pulse.told("40 sections")
     claim("all planes cut it", min(cut.WiresOfPlanes) > 0)
     menu = QtWidgets.QMenu()
@@ -376,8 +401,8 @@ def deleted():
     claim("and cuts the other", cut.Shape.BoundBox.ZMin > 4.9 and cut.Closed == 1)
     document.removeObject("Section")
     widget(QtWidgets.QWidget, "BlossomOffset").setProperty("rawValue", 1)
-    yield SETTLED
-    claim("an object may be deleted under its panel", not FreeCADGui.Control.activeDialog())
+    yield gone
+    claim("an object may be deleted under its panel", gone())
 
 
 def reopened():
