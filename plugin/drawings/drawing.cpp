@@ -8,6 +8,7 @@
 
 #include <GCPnts_QuasiUniformDeflection.hxx>
 #include <GeomAdaptor_Curve.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <gp_Circ.hxx>
 
 #include "adapters/occt/base/points.h"
@@ -20,8 +21,13 @@ using occt::vec;
 Stroke polyline(const GeomAdaptor_Curve& curve, const occt::SectionCurve& of,
                 const DrawingFrame& frame, double deviation) {
   Stroke stroke{.kind = StrokeKind::Polyline};
+  const auto add = [&](double t) { stroke.points.push_back(frame.of(vec(curve.Value(t).XYZ()))); };
   if (curve.GetType() == GeomAbs_BSplineCurve && curve.Degree() == 1) {  // it is one already
-    for (const Vec3& sample : of.samples) stroke.points.push_back(frame.of(sample));
+    const Handle(Geom_BSplineCurve) spline = curve.BSpline();
+    add(of.range.from);
+    for (int k = 1; k <= spline->NbKnots(); ++k)
+      if (spline->Knot(k) > of.range.from && spline->Knot(k) < of.range.to) add(spline->Knot(k));
+    add(of.range.to);
     stroke.from = stroke.points.front();
     stroke.to = stroke.points.back();
     return stroke;

@@ -113,6 +113,11 @@ TEST_F(MeshMeetings, WithPlanesAreReportedModelledAndDrawn) {
   const std::string dxf = text_of(path("cuts.dxf"));
   EXPECT_NE(dxf.find("PLANE_3"), std::string::npos);
   EXPECT_NE(dxf.find("POLYLINE"), std::string::npos);
+  std::size_t corners = 0;  // over four sides and four diagonals of each plane, and back
+  for (std::size_t at = dxf.find("\nVERTEX\n"); at != std::string::npos;
+       at = dxf.find("\nVERTEX\n", at + 1))
+    ++corners;
+  EXPECT_EQ(corners, 3u * 9);
   const std::vector<std::string> one{"query",    "plane",    path("a.off"), "--point",
                                      "0,0,0.25", "--normal", "0,0,1",       "-o"};
   for (const char* name : {"cut.step", "cut.brep"}) {
