@@ -21,9 +21,10 @@ std::string edge_line(const occt::EdgeFacts& edge) {
   middle << "[" << number_text(rounded(edge.middle[0])) << ", "
          << number_text(rounded(edge.middle[1])) << ", " << number_text(rounded(edge.middle[2]))
          << "]";
-  line << std::setw(6) << edge.number << "  " << std::left << std::setw(10) << faces.str()
-       << std::setw(10) << to_string(edge.kind) << std::setw(10)
-       << number_text(rounded(edge.angle * kDegrees)) << std::setw(12)
+  // Wide enough for two faces of ten thousand, and for "-0.000543488" and a space.
+  line << std::setw(6) << edge.number << "  " << std::left << std::setw(13) << faces.str()
+       << std::setw(10) << to_string(edge.kind) << std::setw(13)
+       << number_text(rounded(edge.angle * kDegrees)) << std::setw(13)
        << number_text(rounded(edge.length)) << middle.str() << "\n";
   return line.str();
 }
@@ -33,7 +34,7 @@ std::string edge_line(const occt::EdgeFacts& edge) {
 EdgeList edge_list(const TopoDS_Shape& shape) {
   const std::vector<occt::EdgeFacts> edges = occt::edge_facts(shape);
   EdgeList list{reports::edges_json(edges),
-                "  edge  faces     kind      angle°    length      middle\n"};
+                "  edge  faces        kind      angle°       length       middle\n"};
   for (const occt::EdgeFacts& edge : edges) list.text += edge_line(edge);
   return list;
 }

@@ -4,12 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <utility>
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <gp_Ax2.hxx>
 #include <nlohmann/json.hpp>
 
+#include "adapters/occt/shapes.h"
 #include "tests/plugin/cli/program.h"
 
 namespace blossom {
@@ -87,6 +95,30 @@ TEST(InfoCommand, PrintsATableForPeople) {
   EXPECT_NE(run.out.find("1 face "), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("degree 3 x 1, spans 1 x 1, rational"), std::string::npos) << run.out;
   EXPECT_EQ(run.err, "");
+}
+
+// A prism over a corner that is nearly none: its angle in degrees has eleven characters.
+TEST(InfoCommand, KeepsTheColumnsOfEdgesApart) {
+  const testing::TestFolder folder;
+  BRepBuilderAPI_MakePolygon outline;
+  for (const auto& [x, y] :
+       {std::pair{0.0, 0.0}, {1.0, 0.0}, {2.0, 1.2345e-5}, {2.0, 3.0}, {0.0, 3.0}})
+    outline.Add(gp_Pnt(x, y, 0));
+  outline.Close();
+  const TopoDS_Face base = BRepBuilderAPI_MakeFace(outline.Wire()).Face();
+  occt::Model model;
+  model.add(BRepPrimAPI_MakePrism(base, gp_Vec(0, 0, 5)).Shape(), "prism");
+  occt::write_model(model, folder / "prism.brep");
+
+  const Finished run = blossom({"info", folder / "prism.brep", "--edges"});
+
+  const std::regex row(R"( *\d+  \d+, \d+ +[a-z]+ +[0-9.e-]+ +[0-9.e-]+ +\[.*\])");
+  std::istringstream lines(run.out.substr(run.out.find("  edge  faces")));
+  std::string line;
+  std::getline(lines, line);
+  int rows = 0;
+  for (; std::getline(lines, line); ++rows) EXPECT_TRUE(std::regex_match(line, row)) << line;
+  EXPECT_EQ(rows, 15);
 }
 
 TEST(Program, SaysItsVersionAndLicence) {
