@@ -45,6 +45,7 @@ class Conics {
       : conic_(conic), sheets_(sheets), slack_(slack) {}
 
   std::vector<double> cuts(const Interval& range) const;
+  bool is_pole(double t) const { return is_pole(0, t) || is_pole(1, t); }
   std::optional<IntersectionCurve> curve_on(const Interval& part) const;
 
  private:
@@ -58,6 +59,9 @@ class Conics {
   Vec2 uv(std::size_t k, double t, const std::optional<Vec2>& near) const {
     return sheets_[k]->feet.foot(point_at(conic_, t), near);
   }
+  bool is_pole(std::size_t k, double t) const {
+    return sheets_[k]->feet.pole_at(point_at(conic_, t)) != nullptr;
+  }
   Places both(double t, const Places& near) const { return {uv(0, t, near[0]), uv(1, t, near[1])}; }
   Windows windows(const Places& at, const Windows& before, double slack = kSame) const;
   void add_changes(const Interval& run, std::vector<double>& found) const;
@@ -65,7 +69,10 @@ class Conics {
   double change(Interval around, Places near, const Windows& before) const;
   Chart chart_of(std::size_t k, const Interval& part) const;
   std::array<Vec2, 3> chart_jet(std::size_t k, const Chart& chart, const Interval& part, double t,
-                                std::optional<Vec2>& near) const;
+                                double width, std::optional<Vec2>& near) const;
+  std::array<Vec2, 3> bent_jet(std::size_t k, double t, std::optional<Vec2>& near) const;
+  std::array<Vec2, 3> pole_jet(std::size_t k, double pole, double beside,
+                               std::optional<Vec2>& near) const;
   IntersectionCurve fitted(const std::array<Chart, 2>& charts, const Interval& part,
                            int pieces) const;
   Deviation sampled(const IntersectionCurve& curve) const;
@@ -194,8 +201,7 @@ Conics::Chart Conics::chart_of(std::size_t k, const Interval& part) const {
   chart.step = 2 * (high - low);
   chart.start = middle - 0.5 * chart.step + chart.shift;
   // What passes a pole within the slack goes through it.
-  const auto is_pole = [&](double t) { return sheet.feet.pole_at(point_at(conic_, t)) != nullptr; };
-  const double allowed = (is_pole(part.from) || is_pole(part.to) ? 1 : kFit) * slack_;
+  const double allowed = (is_pole(k, part.from) || is_pole(k, part.to) ? 1 : kFit) * slack_;
   chart.straight = true;
   for (const double t : {kBeside, 0.1, 0.25, 0.4, 0.65, 0.9, 1 - kBeside}) {
     const Vec2 on_line = chart.start + t * chart.step;
@@ -207,13 +213,8 @@ Conics::Chart Conics::chart_of(std::size_t k, const Interval& part) const {
   return chart;
 }
 
-std::array<Vec2, 3> Conics::chart_jet(std::size_t k, const Chart& chart, const Interval& part,
-                                      double t, std::optional<Vec2>& near) const {
-  if (chart.straight) {
-    const double share = (t - part.from) / length(part);
-    return {on_seam(*sheets_[k], chart.start + share * chart.step), (1 / length(part)) * chart.step,
-            Vec2{}};
-  }
+// Of an image that is no straight line, away from poles, not shifted.
+std::array<Vec2, 3> Conics::bent_jet(std::size_t k, double t, std::optional<Vec2>& near) const {
   const Vec2 at = uv(k, t, near);
   near = at;
   const Handle(Geom_Surface)& surface = sheets_[k]->feet.surface();
@@ -222,7 +223,35 @@ std::array<Vec2, 3> Conics::chart_jet(std::size_t k, const Chart& chart, const I
   const Vec2 first = chart_step(frame, derivative_at(conic_, t));
   const Vec3 left = second_derivative_at(conic_, t) - first[0] * first[0] * bend.uu -
                     2 * first[0] * first[1] * bend.uv - first[1] * first[1] * bend.vv;
-  return {on_seam(*sheets_[k], at + chart.shift), first, chart_step(frame, left)};
+  return {at, first, chart_step(frame, left)};
+}
+
+// In a pole, as a circle of a ball has that is no meridian: its image comes there with a direction,
+// and its second derivative is that of the piece of degree 4 from the pole to a place beside it. By
+// Taylor from the pole, with x from there to that place, where the image is q, q' and q'':
+//   p'' = 12 (q - p - p' x) / x^2 - 6 (q' - p') / x + q''
+std::array<Vec2, 3> Conics::pole_jet(std::size_t k, double pole, double beside,
+                                     std::optional<Vec2>& near) const {
+  std::optional<Vec2> aside = near;
+  const double x = beside - pole;
+  const std::array<Vec2, 3> q = bent_jet(k, beside, aside);
+  const CurveBeside curve(to_occt(conic_), {pole, beside}, sheets_[k]->feet);
+  const CurveOnSurfaceJet p = curve.end_jet(pole, beside, aside);
+  near = p.uv;
+  return {p.uv, p.uv_rate,
+          (12 / (x * x)) * (q[0] - p.uv - x * p.uv_rate) - (6 / x) * (q[1] - p.uv_rate) + q[2]};
+}
+
+std::array<Vec2, 3> Conics::chart_jet(std::size_t k, const Chart& chart, const Interval& part,
+                                      double t, double width, std::optional<Vec2>& near) const {
+  const double share = (t - part.from) / length(part);
+  if (chart.straight)
+    return {on_seam(*sheets_[k], chart.start + share * chart.step), (1 / length(part)) * chart.step,
+            Vec2{}};
+  const double beside = share < 0.5 ? t + width : t - width;
+  std::array<Vec2, 3> jet = is_pole(k, t) ? pole_jet(k, t, beside, near) : bent_jet(k, t, near);
+  jet[0] = on_seam(*sheets_[k], jet[0] + chart.shift);
+  return jet;
 }
 
 // Hermite pieces of degree 5.
@@ -232,8 +261,8 @@ IntersectionCurve Conics::fitted(const std::array<Chart, 2>& charts, const Inter
   curve.conic = conic_;
   std::array<std::optional<Vec2>, 2> near;
   for (std::size_t k = 0; k < 2; ++k) near[k] = uv(k, at(part, 0.5), std::nullopt);
-  // From the middle, where periods are known, back to the start.
-  for (int i = 1; i <= pieces; ++i)
+  // From the middle, where periods are known, back beside the start, which may be a pole.
+  for (int i = 1; i < pieces; ++i)
     for (std::size_t k = 0; k < 2; ++k)
       if (!charts[k].straight) near[k] = uv(k, at(part, 0.5 - 0.5 * i / pieces), near[k]);
   std::array<Vec3, 3> space{};
@@ -243,8 +272,9 @@ IntersectionCurve Conics::fitted(const std::array<Chart, 2>& charts, const Inter
     const double t = at(part, static_cast<double>(i) / pieces);
     const std::array<Vec3, 3> now{point_at(conic_, t), derivative_at(conic_, t),
                                   second_derivative_at(conic_, t)};
-    const std::array<std::array<Vec2, 3>, 2> charts_now{chart_jet(0, charts[0], part, t, near[0]),
-                                                        chart_jet(1, charts[1], part, t, near[1])};
+    const std::array<std::array<Vec2, 3>, 2> charts_now{
+        chart_jet(0, charts[0], part, t, width, near[0]),
+        chart_jet(1, charts[1], part, t, width, near[1])};
     if (i > 0) {
       const int first = i == 1 ? 0 : 1;
       const auto add = [&](const auto& from, const auto& to, auto& points) {
@@ -347,13 +377,14 @@ std::optional<std::vector<IntersectionCurve>> conic_on_sheets(
       whole = {start, start + length(range)};
     cuts = all.cuts(whole);
   }
+  // Through a pole it comes to another place of the chart than it goes from.
+  const bool closed = conic.is_closed() && cuts.empty() && !all.is_pole(whole.from);
   std::vector<IntersectionCurve> curves;
   for (Interval part : parts_of(whole, cuts)) {
     if (conic.is_closed() && part.from >= range.to)
       part = {part.from - length(range), part.to - length(range)};
     auto curve = all.curve_on(part);
     if (!curve) return {};
-    const bool closed = conic.is_closed() && cuts.empty();
     curve->closed = closed;
     curve->ends.fill(closed ? CurveEnd::Closed : CurveEnd::BorderA);
     if (closed) curve->samples.back().point = curve->samples.front().point;

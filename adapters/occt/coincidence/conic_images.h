@@ -28,12 +28,12 @@ ChartSheet sheet_of(const SurfaceProjector& feet, const BezierSurface& surface);
 Vec2 in_sheet(const ChartSheet& sheet, Vec2 uv);
 
 /// A conic that lies on two surfaces, cut at their seams and poles, as curves with charts. One that
-/// is cut begins there: a circle is turned for that. Their deviations are sampled, not proven.
+/// is cut begins there: a circle is turned for that. An image comes to a pole in the direction that
+/// the conic has there. Their deviations are sampled, not proven.
 ///
 /// range     of the conic's parameter; of a closed one all of it
 /// slack     how far from the surfaces counts as on them; model units
-/// returns   nothing if a part has no image within the slack in a chart, as a small circle through
-///           a pole
+/// returns   nothing if a part has no image within the slack in a chart
 std::optional<std::vector<IntersectionCurve>> conic_on_sheets(
     const Conic& conic, const Interval& range, const std::array<const ChartSheet*, 2>& sheets,
     double slack);

@@ -13,6 +13,7 @@
 #include <Standard_Failure.hxx>
 
 #include "adapters/occt/base/points.h"
+#include "adapters/occt/convert/surfaces_detail.h"
 
 namespace blossom::occt {
 namespace {
@@ -78,7 +79,8 @@ std::vector<SurfacePole> poles_of(const Handle(Geom_Surface) & surface) {
 }
 
 SurfaceProjector::SurfaceProjector(const TopoDS_Face& face, double tolerance, PolledLimit* limit)
-    : surface_(BRep_Tool::Surface(face)),
+    // Not the rectangle of it: wires bound the face, and what goes round keeps its period.
+    : surface_(basis_of(BRep_Tool::Surface(face))),
       plane_(Handle(Geom_Plane)::DownCast(surface_)),
       finder_(new ShapeAnalysis_Surface(surface_)),
       tolerance_(tolerance),

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepOffsetAPI_MakePipe.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -19,6 +21,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 
 #include "adapters/occt/intersection_edges.h"
 #include "adapters/occt/solid_trim.h"
@@ -68,6 +71,43 @@ TEST(SolidKinds, ABallRoundTheCentreOfACylindersEndIsHalfInIt) {
                              gp_Dir(0, 1, 0), gp_Dir(0, -1, 0), gp_Dir(1, 2, 3)})
     expect_volumes(BRepPrimAPI_MakeCylinder(4, 8).Shape(), cylinder,
                    BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 8}, axis), 4).Shape(), ball, ball / 2);
+}
+
+// Where a ball has its poles does not matter: here a circle goes through one and is no meridian.
+TEST(SolidKinds, APoleMayLieOnTheCircleInWhichABallMeetsACylinder) {
+  const double ball = 4.0 / 3 * kPi * 125, rod = kPi * 9 * 20;
+  const TopoDS_Shape through =
+      BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -10}, {0, 0, 1}), 3, 20).Shape();
+  const TopoDS_Shape inside = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -4}, {0, 0, 1}), 3, 8).Shape();
+  for (const gp_Dir& axis :
+       {gp_Dir(3, 0, 4), gp_Dir(0, -3, 4), gp_Dir(-9, 12, 20), gp_Dir(0, 0, 1)}) {
+    const TopoDS_Shape of = BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 0}, axis), 5).Shape();
+    expect_volumes(of, ball, through, rod, 4.0 / 3 * kPi * (125 - 64));
+    expect_volumes(of, ball, inside, kPi * 9 * 8, kPi * 9 * 8);
+  }
+}
+
+TEST(SolidKinds, APoleMayLieOnTheCircleInWhichABallMeetsAPlane) {
+  const double cap = kPi * 1 * (3 * 5 - 1) / 3;
+  for (const gp_Dir& axis : {gp_Dir(3, 0, 4), gp_Dir(0, 3, -4), gp_Dir(9, 12, 20)})
+    expect_volumes(BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 0}, axis), 5).Shape(), 4.0 / 3 * kPi * 125,
+                   BRepPrimAPI_MakeBox(gp_Pnt(-9, -9, 4), gp_Pnt(9, 9, 9)).Shape(), 18 * 18 * 5,
+                   cap);
+}
+
+// A swept wall is a rectangle of a cylinder, which is closed but has no period.
+TEST(SolidKinds, ARodGoesOnAsASweptRod) {
+  const TopoDS_Edge rim = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2({0, 0, 0}, {0, 0, 1}), 4)).Edge();
+  const TopoDS_Edge spine = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(0, 0, 20)).Edge();
+  const TopoDS_Shape end = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(rim).Wire()).Shape();
+  const TopoDS_Shape swept =
+      BRepOffsetAPI_MakePipe(BRepBuilderAPI_MakeWire(spine).Wire(), end).Shape();
+  const double rod = kPi * 16 * 20;
+  for (const gp_Dir& seam : {gp_Dir(1, 0, 0), gp_Dir(1, 1, 0)})
+    for (const double from : {-10.0, 0.0, 10.0, 20.0})
+      expect_volumes(swept, rod,
+                     BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, from}, {0, 0, 1}, seam), 4, 20).Shape(),
+                     rod, kPi * 16 * (20 - std::abs(from)));
 }
 
 // Their seams lie along each other, in either direction.
