@@ -23,6 +23,9 @@ constexpr double kBeside = 1e-7;  // of a part: how far from its ends charts are
 constexpr double kSame = 1e-9;    // of a part: cuts so near are one
 constexpr double kRounding = 1e-12;  // of a parameter: so near a seam it is on it
 constexpr double kFit = 2e-2;        // of the slack: what a spline may be off
+// Halving gains a factor of 64: with pieces that are off, those are halved that it brings near the
+// error of the others.
+constexpr double kHalved = 1.0 / 64;
 constexpr int kMinPieces = 4, kMaxPieces = 512;
 
 // Which period of each chart's parameters a point lies in.
@@ -65,17 +68,18 @@ class Conics {
   Places both(double t, const Places& near) const { return {uv(0, t, near[0]), uv(1, t, near[1])}; }
   Windows windows(const Places& at, const Windows& before, double slack = kSame) const;
   void add_changes(const Interval& run, std::vector<double>& found) const;
+  void add_between(std::vector<double>& all, std::vector<Places>& places, double least) const;
   std::vector<double> lookouts(const Interval& run) const;
   double change(Interval around, Places near, const Windows& before) const;
   Chart chart_of(std::size_t k, const Interval& part) const;
   std::array<Vec2, 3> chart_jet(std::size_t k, const Chart& chart, const Interval& part, double t,
-                                double width, std::optional<Vec2>& near) const;
+                                double beside, std::optional<Vec2>& near) const;
   std::array<Vec2, 3> bent_jet(std::size_t k, double t, std::optional<Vec2>& near) const;
   std::array<Vec2, 3> pole_jet(std::size_t k, double pole, double beside,
                                std::optional<Vec2>& near) const;
-  IntersectionCurve fitted(const std::array<Chart, 2>& charts, const Interval& part,
-                           int pieces) const;
-  Deviation sampled(const IntersectionCurve& curve) const;
+  IntersectionCurve fitted(const std::array<Chart, 2>& charts,
+                           const std::vector<double>& knots) const;
+  Deviation sampled(const IntersectionCurve& curve, double t) const;
 
   Conic conic_;
   std::array<const ChartSheet*, 2> sheets_;
@@ -112,7 +116,29 @@ double Conics::change(Interval around, Places near, const Windows& before) const
   return at(around, 0.5);
 }
 
-// Even steps of a run, and where a parameter of a chart turns back between them: it may pass a seam
+// Steps are halved in which a parameter goes so far that it may have gone round the other way, as
+// where the conic passes a pole.
+void Conics::add_between(std::vector<double>& all, std::vector<Places>& places,
+                         double least) const {
+  for (std::size_t i = 1; i < all.size();) {
+    places[i] = both(all[i], places[i - 1]);
+    bool goes_far = false;
+    for (std::size_t k = 0; k < 2; ++k)
+      for (int d = 0; d < 2; ++d)
+        goes_far = goes_far ||
+                   (sheets_[k]->period[d] > 0 &&
+                    std::abs(places[i][k][d] - places[i - 1][k][d]) > 0.25 * sheets_[k]->period[d]);
+    if (goes_far && all[i] - all[i - 1] > least) {
+      const auto offset = static_cast<std::ptrdiff_t>(i);
+      all.insert(all.begin() + offset, 0.5 * (all[i - 1] + all[i]));
+      places.insert(places.begin() + offset, places[i - 1]);
+    } else {
+      ++i;
+    }
+  }
+}
+
+// Steps of a run, and where a parameter of a chart turns back between them: it may pass a seam
 // there and come back.
 std::vector<double> Conics::lookouts(const Interval& run) const {
   std::vector<double> all;
@@ -123,6 +149,7 @@ std::vector<double> Conics::lookouts(const Interval& run) const {
     places.push_back(i == 0 ? Places{uv(0, all[0], {}), uv(1, all[0], {})}
                             : both(all.back(), places.back()));
   }
+  add_between(all, places, kSame * length(run));
   for (std::size_t i = 1; i + 1 < places.size(); ++i)
     for (std::size_t k = 0; k < 4; ++k) {
       const int d = static_cast<int>(k % 2);
@@ -243,42 +270,42 @@ std::array<Vec2, 3> Conics::pole_jet(std::size_t k, double pole, double beside,
 }
 
 std::array<Vec2, 3> Conics::chart_jet(std::size_t k, const Chart& chart, const Interval& part,
-                                      double t, double width, std::optional<Vec2>& near) const {
+                                      double t, double beside, std::optional<Vec2>& near) const {
   const double share = (t - part.from) / length(part);
   if (chart.straight)
     return {on_seam(*sheets_[k], chart.start + share * chart.step), (1 / length(part)) * chart.step,
             Vec2{}};
-  const double beside = share < 0.5 ? t + width : t - width;
   std::array<Vec2, 3> jet = is_pole(k, t) ? pole_jet(k, t, beside, near) : bent_jet(k, t, near);
   jet[0] = on_seam(*sheets_[k], jet[0] + chart.shift);
   return jet;
 }
 
 // Hermite pieces of degree 5.
-IntersectionCurve Conics::fitted(const std::array<Chart, 2>& charts, const Interval& part,
-                                 int pieces) const {
+IntersectionCurve Conics::fitted(const std::array<Chart, 2>& charts,
+                                 const std::vector<double>& knots) const {
   IntersectionCurve curve;
   curve.conic = conic_;
+  const Interval part{knots.front(), knots.back()};
+  const double half_way = at(part, 0.5);
   std::array<std::optional<Vec2>, 2> near;
-  for (std::size_t k = 0; k < 2; ++k) near[k] = uv(k, at(part, 0.5), std::nullopt);
+  for (std::size_t k = 0; k < 2; ++k) near[k] = uv(k, half_way, std::nullopt);
   // From the middle, where periods are known, back beside the start, which may be a pole.
-  for (int i = 1; i < pieces; ++i)
+  for (std::size_t i = knots.size() - 1; i > 0; --i)
     for (std::size_t k = 0; k < 2; ++k)
-      if (!charts[k].straight) near[k] = uv(k, at(part, 0.5 - 0.5 * i / pieces), near[k]);
+      if (!charts[k].straight && knots[i] < half_way) near[k] = uv(k, knots[i], near[k]);
   std::array<Vec3, 3> space{};
   std::array<std::array<Vec2, 3>, 2> chart{};
-  const double width = length(part) / pieces;
-  for (int i = 0; i <= pieces; ++i) {
-    const double t = at(part, static_cast<double>(i) / pieces);
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const double t = knots[i], beside = i == 0 ? knots[1] : knots[i - 1];
     const std::array<Vec3, 3> now{point_at(conic_, t), derivative_at(conic_, t),
                                   second_derivative_at(conic_, t)};
     const std::array<std::array<Vec2, 3>, 2> charts_now{
-        chart_jet(0, charts[0], part, t, width, near[0]),
-        chart_jet(1, charts[1], part, t, width, near[1])};
+        chart_jet(0, charts[0], part, t, beside, near[0]),
+        chart_jet(1, charts[1], part, t, beside, near[1])};
     if (i > 0) {
       const int first = i == 1 ? 0 : 1;
       const auto add = [&](const auto& from, const auto& to, auto& points) {
-        const auto bezier = hermite_points(from, to, width);
+        const auto bezier = hermite_points(from, to, t - beside);
         points.insert(points.end(), bezier.begin() + first, bezier.end());
       };
       add(space, now, curve.curve.points);
@@ -287,47 +314,56 @@ IntersectionCurve Conics::fitted(const std::array<Chart, 2>& charts, const Inter
     }
     space = now;
     chart = charts_now;
-    curve.curve.knots.push_back(t);
-    curve.curve.multiplicities.push_back(i == 0 || i == pieces ? kFitDegree + 1 : kFitDegree);
+    const bool is_end = i == 0 || i + 1 == knots.size();
+    curve.curve.multiplicities.push_back(is_end ? kFitDegree + 1 : kFitDegree);
     curve.samples.push_back({now[0], charts_now[0][0], charts_now[1][0]});
-    curve.sample_parameters.push_back(t);
   }
+  curve.curve.knots = curve.sample_parameters = knots;
   curve.curve.degree = curve.chart_a.degree = curve.chart_b.degree = kFitDegree;
-  curve.chart_a.knots = curve.chart_b.knots = curve.curve.knots;
+  curve.chart_a.knots = curve.chart_b.knots = knots;
   curve.chart_a.multiplicities = curve.chart_b.multiplicities = curve.curve.multiplicities;
   return curve;
 }
 
-Deviation Conics::sampled(const IntersectionCurve& curve) const {
-  Deviation most{0, 0, 0, false, 0};
-  const std::vector<double>& knots = curve.curve.knots;
-  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
-    const double t = 0.5 * (knots[i] + knots[i + 1]);
-    const Vec3 point = point_at(conic_, t);
-    const Vec2 uv_a = point_at(curve.chart_a, t), uv_b = point_at(curve.chart_b, t);
-    raise(most, {sheets_[0]->feet.gap(point, uv_a), sheets_[1]->feet.gap(point, uv_b),
-                 distance(frame_at(sheets_[0]->feet.surface(), uv_a).point,
-                          frame_at(sheets_[1]->feet.surface(), uv_b).point),
-                 false, 0});
-    most.conic = std::max(most.conic, distance(point, point_at(curve.curve, t)));
-  }
-  return most;
+Deviation Conics::sampled(const IntersectionCurve& curve, double t) const {
+  const Vec3 point = point_at(conic_, t);
+  const Vec2 uv_a = point_at(curve.chart_a, t), uv_b = point_at(curve.chart_b, t);
+  return {sheets_[0]->feet.gap(point, uv_a), sheets_[1]->feet.gap(point, uv_b),
+          distance(frame_at(sheets_[0]->feet.surface(), uv_a).point,
+                   frame_at(sheets_[1]->feet.surface(), uv_b).point),
+          false, distance(point, point_at(curve.curve, t))};
 }
 
+// Pieces are halved where they are off, as beside a pole, until that does not help any more.
 std::optional<IntersectionCurve> Conics::curve_on(const Interval& part) const {
   const std::array charts{chart_of(0, part), chart_of(1, part)};
   const bool straight = charts[0].straight && charts[1].straight && conic_.kind == ConicKind::Line;
   const double sixth = sixth_derivative_bound(conic_, part);
   const double width = sixth > 0 ? std::pow(46080 * kFit * slack_ / sixth, 1.0 / 6) : length(part);
-  int pieces = straight ? 1 : std::max(kMinPieces, static_cast<int>(length(part) / width) + 1);
+  const int pieces =
+      straight ? 1 : std::max(kMinPieces, static_cast<int>(length(part) / width) + 1);
+  std::vector<double> knots;
+  for (int i = 0; i <= pieces; ++i) knots.push_back(at(part, static_cast<double>(i) / pieces));
   IntersectionCurve curve;
   double off = 0, before = std::numeric_limits<double>::infinity();
-  for (; pieces <= kMaxPieces; pieces *= 2) {
-    curve = fitted(charts, part, pieces);
-    curve.deviation = sampled(curve);
+  for (; static_cast<int>(knots.size()) <= kMaxPieces + 1; before = off) {
+    curve = fitted(charts, knots);
+    curve.deviation = {0, 0, 0, false, 0};
+    std::vector<double> finer{part.from};
+    bool is_off = false;
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+      const double middle = 0.5 * (knots[i] + knots[i + 1]);
+      const Deviation here = sampled(curve, middle);
+      raise(curve.deviation, here);
+      curve.deviation.conic = std::max(curve.deviation.conic, here.conic);
+      const double most = std::max({here.a, here.b, here.conic});
+      is_off = is_off || most > kFit * slack_;
+      if (most > kHalved * kFit * slack_) finer.push_back(middle);
+      finer.push_back(knots[i + 1]);
+    }
     off = std::max({curve.deviation.a, curve.deviation.b, curve.deviation.conic});
-    if (straight || off <= kFit * slack_ || off > 0.5 * before) break;
-    before = off;
+    if (straight || !is_off || (off > 0.5 * before && off <= slack_)) break;
+    knots = std::move(finer);
   }
   if (!(off <= 2 * slack_)) return {};
   curve.length = arc_length(conic_, part);

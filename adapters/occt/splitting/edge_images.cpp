@@ -324,27 +324,38 @@ FaceCut CurveBeside::hermite_cut(const std::vector<double>& ends, double toleran
   return {quintic_through(ends, in_space), quintic_through(ends, in_chart), tolerance};
 }
 
+// The curve may be as far from its image as it is within reach of the surface.
+double CurveBeside::off(const FaceCut& cut, double t) const {
+  const CurveOnSurfaceJet here = jet(t, {});
+  const Vec3 foot = frame_at(feet_.surface(), here.uv).point;
+  return std::max(distance(here.point, point_at(cut.curve, t)),
+                  feet_.gap(foot, point_at(cut.chart, t)));
+}
+
+// Pieces are halved where they are off: beside a pole an image turns within a small part of it.
 FaceCut CurveBeside::fitted_cut(const Interval& run, double wanted, double tolerance) const {
   const std::vector<double> joints = this->joints(run);
-  for (int pieces = kMinPieces;; pieces *= 2) {
-    std::vector<double> ends{run.from};
-    for (std::size_t k = 0; k + 1 < joints.size(); ++k)
-      for (int i = 1; i <= pieces; ++i)
-        ends.push_back(at({joints[k], joints[k + 1]}, static_cast<double>(i) / pieces));
+  const std::size_t most = kMaxPieces * (joints.size() - 1);
+  std::vector<double> ends{run.from};
+  for (std::size_t k = 0; k + 1 < joints.size(); ++k)
+    for (int i = 1; i <= kMinPieces; ++i)
+      ends.push_back(at({joints[k], joints[k + 1]}, static_cast<double>(i) / kMinPieces));
+  for (;;) {
     FaceCut cut = hermite_cut(ends, tolerance);
-    double off = 0;
+    std::vector<double> finer{run.from};
+    double largest = 0;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-      const double t = 0.5 * (ends[i] + ends[i + 1]);
-      // The curve may be as far from its image as it is within reach of the surface.
-      const CurveOnSurfaceJet here = jet(t, {});
-      const Vec3 foot = frame_at(feet_.surface(), here.uv).point;
-      off = std::max({off, distance(here.point, point_at(cut.curve, t)),
-                      feet_.gap(foot, point_at(cut.chart, t))});
+      const double middle = 0.5 * (ends[i] + ends[i + 1]), off = this->off(cut, middle);
+      largest = std::max(largest, off);
+      if (off > wanted && ends[i + 1] - ends[i] > kSamePlace * length(run)) finer.push_back(middle);
+      finer.push_back(ends[i + 1]);
     }
-    if (off <= wanted) return cut;
-    if (pieces < kMaxPieces) continue;
+    if (finer.size() > ends.size() && finer.size() <= most + 1) {
+      ends = std::move(finer);
+      continue;
+    }
     // As where it crosses the seam of a surface that is closed but has no period.
-    if (off > tolerance) throw Failure("an edge has no image in the chart of the other face");
+    if (largest > tolerance) throw Failure("an edge has no image in the chart of the other face");
     return cut;
   }
 }

@@ -76,6 +76,7 @@ class CurveBeside {
   void add_knot_lines(const Interval& run, std::vector<double>& joints) const;
   std::optional<Vec2> uv_bend(const CurveOnSurfaceJet& at, double t) const;
   FaceCut hermite_cut(const std::vector<double>& ends, double tolerance) const;
+  double off(const FaceCut& cut, double t) const;
 
   const SurfaceProjector& feet_;
   Handle(Geom_Surface) surface_;  // with chart_, or else curve_

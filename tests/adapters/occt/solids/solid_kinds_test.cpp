@@ -73,14 +73,15 @@ TEST(SolidKinds, ABallRoundTheCentreOfACylindersEndIsHalfInIt) {
                    BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 8}, axis), 4).Shape(), ball, ball / 2);
 }
 
-// Where a ball has its poles does not matter: here a circle goes through one and is no meridian.
+// Where a ball has its poles does not matter: here a circle goes through one and is no meridian, or
+// passes it closely.
 TEST(SolidKinds, APoleMayLieOnTheCircleInWhichABallMeetsACylinder) {
   const double ball = 4.0 / 3 * kPi * 125, rod = kPi * 9 * 20;
   const TopoDS_Shape through =
       BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -10}, {0, 0, 1}), 3, 20).Shape();
   const TopoDS_Shape inside = BRepPrimAPI_MakeCylinder(gp_Ax2({0, 0, -4}, {0, 0, 1}), 3, 8).Shape();
   for (const gp_Dir& axis :
-       {gp_Dir(3, 0, 4), gp_Dir(0, -3, 4), gp_Dir(-9, 12, 20), gp_Dir(0, 0, 1)}) {
+       {gp_Dir(3, 0, 4), gp_Dir(0, -3, 4), gp_Dir(-9, 12, 20), gp_Dir(0, 0, 1), gp_Dir(1, 2, 3)}) {
     const TopoDS_Shape of = BRepPrimAPI_MakeSphere(gp_Ax2({0, 0, 0}, axis), 5).Shape();
     expect_volumes(of, ball, through, rod, 4.0 / 3 * kPi * (125 - 64));
     expect_volumes(of, ball, inside, kPi * 9 * 8, kPi * 9 * 8);
