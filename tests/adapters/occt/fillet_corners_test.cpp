@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -17,6 +18,8 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
@@ -138,6 +141,18 @@ TEST(FilletCorner, LeavesOneOfFourEdgesAsItIs) {
   EXPECT_LT(made.solids.front().volume, made.volume_before);
 }
 
+// Two edges without fillets lie between them on one side: no mitre, and no plane across each.
+TEST(FilletCorner, OfTwoNeighboursAmongFourEdgesIsFilled) {
+  const TopoDS_Shape shape = pyramid({1, 2, 9});
+  const auto two = edges_where(
+      shape, [](const EdgeFacts& each) { return each.middle[2] > 1 && each.middle[1] < 0; });
+  ASSERT_EQ(two.size(), 2U);
+  const FilletResult made = fillet(shape, two, {.radius = 0.6});
+  expect_sound(made);
+  EXPECT_TRUE(made.notes.empty());
+  EXPECT_LT(made.solids.front().volume, made.volume_before);
+}
+
 // At the vertex in the middle of the lower box's top edge three edges are convex and one is
 // concave: no order of the kinds makes balls or mitres of them.
 TEST(FilletCorner, OfConvexAndConcaveEdgesIsFilled) {
@@ -159,6 +174,18 @@ TEST(FilletCorner, OfChangingRadiiIsFilledSmoothly) {
   const FilletResult made = fillet(shape, at_origin, {.radius = 1, .last_radius = 2});
   expect_sound(made);
   expect_smooth(made, 3);  // the strips' ends in the far faces
+}
+
+// The hole breaks through the side of the cone near its top: the ball between both rolls round the
+// hole, and comes back, but their edge ends at the top.
+TEST(FilletOfAnOpenEdge, IsMadeWhereTheBallRollsRoundBothFaces) {
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(12.95, 4.24, 26.24).Shape();
+  const gp_Ax2 axis(gp_Pnt(0, 0, -10), gp_Dir(-0.11, -0.02, 1));
+  const TopoDS_Shape hole = BRepPrimAPI_MakeCylinder(axis, 1.2, 60).Shape();
+  const TopoDS_Shape shape = BRepAlgoAPI_Cut(cone, hole).Shape();
+  const FilletResult made = fillet(shape, sharp_edges(shape), {.radius = 0.1});
+  expect_sound(made);
+  EXPECT_LT(made.solids.front().volume, made.volume_before);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include <BRep_Builder.hxx>
@@ -31,6 +32,7 @@ namespace {
 
 constexpr int kSecantSteps = 60;
 constexpr int kMitreSamples = 8;
+constexpr int kAxes = 24;  // directions in half a turn that a sphere's axis is chosen from
 
 // The distance of a point from a face's surface, positive outside of the material.
 double height_over(const TopoDS_Face& face, const Vec3& point) {
@@ -75,6 +77,27 @@ bool lies_on_ball_strip(const EndCurve& curve, const RolledStrip& strip, double 
 
 bool is_spline(const RolledStrip& strip) {
   return !Handle(Geom_BSplineSurface)::DownCast(strip.surface).IsNull();
+}
+
+// The axis across the middle of a spherical polygon whose poles are as far from it as can be.
+Vec3 axis_apart(const Vec3& middle, const std::vector<Vec3>& corners) {
+  const Vec3 a = unit(cross(middle, corners.front())), b = cross(middle, a);
+  Vec3 best = a;
+  double least = 1;
+  for (int i = 0; i < kAxes; ++i) {
+    const double angle = i * std::numbers::pi / kAxes;
+    const Vec3 axis = std::cos(angle) * a + std::sin(angle) * b;
+    double nearest = 0;  // by the cosine, over corners and middles of sides
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Vec3& corner = corners[k];
+      const Vec3 half = unit(corner + corners[(k + 1) % corners.size()]);
+      nearest = std::max({nearest, std::abs(dot(axis, corner)), std::abs(dot(axis, half))});
+    }
+    if (nearest >= least) continue;
+    least = nearest;
+    best = axis;
+  }
+  return best;
 }
 
 TopoDS_Face plane_face(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -183,13 +206,19 @@ BlendSheet::MitreSide BlendSheet::mitre_side(const MitreContact& a, const MitreC
   return {joined, foot, a_wider, narrow.use->face};
 }
 
+// Two of one kind with at most one edge between them on either side.
+bool BlendSheet::can_be_mitred(const Ring& ring, std::size_t other) {
+  return strip_of(ring[0].half).strip.concave == strip_of(ring[other].half).strip.concave &&
+         other <= 2 && ring.size() - other <= 2;
+}
+
 // Two strips run into each other in a curve, from one of their sides to the other. Where an edge is
 // between them, the wider one comes further along it, and goes over the face beside the other one
 // up to the other's contact.
 void BlendSheet::mitre(const Ring& ring, std::size_t other) {
   const HalfEdge a = ring[0].half, b = ring[other].half;
   const std::size_t last = ring.size() - 1;
-  if (strip_of(a).strip.concave != strip_of(b).strip.concave || other > 2 || last - other > 1)
+  if (!can_be_mitred(ring, other))
     refuse(a, FilletFault::Corner,
            "it meets edge " + std::to_string(b.edge) + " at a vertex of " +
                std::to_string(ring.size()) +
@@ -316,9 +345,10 @@ bool BlendSheet::ball_corner(const Ring& ring) {
     middle += foot - centre;
   }
   const Vec3 x = unit(middle);
-  const Vec3 aside = unit(point_of(feet[0]) - centre);
+  std::vector<Vec3> towards;
+  for (const TopoDS_Vertex& foot : feet) towards.push_back(unit(point_of(foot) - centre));
   BlendPatch patch;
-  const gp_Ax3 frame(pnt(centre), dir(unit(cross(x, aside))), dir(x));
+  const gp_Ax3 frame(pnt(centre), dir(axis_apart(x, towards)), dir(x));
   BRep_Builder().MakeFace(patch.face, new Geom_SphericalSurface(frame, strip.radius),
                           Precision::Confusion());
   const SurfaceProjector on_ball(patch.face, Precision::Confusion());

@@ -206,7 +206,12 @@ void BlendSheet::end_at(const HalfEdge& half) {
     const bool turn = filleted[1] + 1 == ring.size() && ring.size() > 2;
     if (turn) std::rotate(ring.begin(), ring.end() - 1, ring.end());
     const std::size_t other = turn ? 1 : filleted[1];
-    return blunt_unless({ring[0].half, ring[other].half}, [&] { mitre(ring, other); });
+    return blunt_unless({ring[0].half, ring[other].half}, [&] {
+      if (is_chamfer_ || can_be_mitred(ring, other))
+        mitre(ring, other);
+      else
+        set_back(ring);
+    });
   }
   corner(ring);
 }

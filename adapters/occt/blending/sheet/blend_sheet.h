@@ -133,6 +133,7 @@ class BlendSheet {
     int face = 0;
   };
   MitreSide mitre_side(const MitreContact& a, const MitreContact& b, const HalfEdge* between);
+  bool can_be_mitred(const Ring& ring, std::size_t other);
   void mitre(const Ring& ring, std::size_t other);
   PathEdge mitre_edge(const HalfEdge& a, const HalfEdge& b, const TopoDS_Vertex& from,
                       const TopoDS_Vertex& to, double reach);

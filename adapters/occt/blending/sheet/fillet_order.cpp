@@ -9,6 +9,10 @@
 namespace blossom::occt {
 namespace {
 
+// Edges at a vertex: where there are more, what the first fillet leaves of the vertex is no
+// simpler, and all are joined in one corner.
+constexpr std::size_t kOrdered = 3;
+
 // Groups of edges as the classes of a partition, and which come before which.
 class Order {
  public:
@@ -33,14 +37,15 @@ Order::Order(const BodyEdges& body, const FilletEdges& edges) {
   for (const auto& [edge, concave] : edges)
     for (const bool at_start : {true, false}) {
       std::vector<int> alike, others;
-      for (const VertexSector& each : body.round({edge, at_start})) {
+      const std::vector<VertexSector> ring = body.round({edge, at_start});
+      for (const VertexSector& each : ring) {
         const auto known = edges.find(each.half.edge);
         if (known == edges.end()) continue;
         (known->second == concave ? alike : others).push_back(known->first);
       }
       for (const int each : alike) unite(edge, each);
-      const bool first =
-          alike.size() == 1 && (others.size() > 1 || (others.size() == 1 && concave));
+      const bool first = ring.size() <= kOrdered && alike.size() == 1 &&
+                         (others.size() > 1 || (others.size() == 1 && concave));
       if (!first) continue;
       for (const int each : others) before_.emplace_back(edge, each);
     }

@@ -11,7 +11,7 @@ namespace blossom::occt {
 
 /// Edges whose fillets are made at once, group after group, each in what the ones before made.
 ///
-/// Where one edge of its kind meets several of the other in a vertex, it comes first: its strip
+/// Where of three edges at a vertex one of its kind meets the others, it comes first: its strip
 /// ends in a face that the others have in common, and they go on smoothly along that end. Edges of
 /// one kind that meet are of one group, as their corners need all of them. Where these rules
 /// contradict each other all edges are one group.

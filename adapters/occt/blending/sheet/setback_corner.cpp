@@ -31,6 +31,7 @@
 #include "adapters/occt/blending/sheet/limits.h"
 #include "adapters/occt/blending/strips/section_side.h"
 #include "core/blending/fills/fill.h"
+#include "core/forms/evaluation.h"
 
 namespace blossom::occt {
 namespace {
@@ -44,7 +45,8 @@ constexpr double kShare = 0.5;
 constexpr double kSidePart = 0.1;      // of the tolerance: of sides that are fitted
 constexpr double kCreaseAngle = 1e-6;  // radians: between faces that a fill can be tangent to both
 constexpr int kFollowedAcross = 32;    // points of half a section that are followed along a patch
-constexpr int kPathSamples = 8;        // of a path, that have to lie in its face
+constexpr int kFoldSamples = 6;  // in each direction of a patch, between which none turns back
+constexpr int kPathSamples = 8;  // of a path, that have to lie in its face
 
 Vec3 contact_at(const RolledStrip& strip, std::size_t side, double t) {
   return vec(strip.contacts[side].curve->Value(t).XYZ());
@@ -64,6 +66,20 @@ Handle(Geom2d_BSplineCurve)
   Geom2dAPI_Interpolate maker(points, places, Standard_False, gp::Resolution());
   maker.Perform();
   return maker.Curve();
+}
+
+// Whether a patch turns back on itself: normals at neighbouring samples differ by more than a right
+// angle.
+bool folds(const RationalBezierPatch& patch) {
+  Grid<Vec3> normals(kFoldSamples + 1, kFoldSamples + 1);
+  for (int i = 0; i <= kFoldSamples; ++i)
+    for (int k = 0; k <= kFoldSamples; ++k) {
+      const PatchJet jet = jet_at(patch, i / double{kFoldSamples}, k / double{kFoldSamples}, 1);
+      normals(i, k) = cross(jet.u, jet.v);
+      if (i > 0 && dot(normals(i, k), normals(i - 1, k)) < 0) return true;
+      if (k > 0 && dot(normals(i, k), normals(i, k - 1)) < 0) return true;
+    }
+  return false;
 }
 
 }  // namespace
@@ -289,6 +305,9 @@ void BlendSheet::set_back(const Ring& ring) {
   const Fill made = fill(given, {.tolerances = {.point = kSamePlace * tolerance_}});
   if (made.problem != FillProblem::None)
     refuse(ring.front().half, FilletFault::Corner, "its corner cannot be filled: " + made.message);
+  if (std::ranges::any_of(made.patches, folds))
+    refuse(ring.front().half, FilletFault::Corner,
+           "what would fill its corner turns back on itself: the radius is too large");
   const auto border = [&](const FillBorder& of) {
     return setback_edge(sides[static_cast<std::size_t>(of.side)], of);
   };

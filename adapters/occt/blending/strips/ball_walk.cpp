@@ -102,7 +102,8 @@ const WalkedStrip& Walker::strip_at(std::size_t place) {
   options_.tick();
   const RunEdge& edge = run_.edges[place];
   RolledStrip strip = profiles_.strip(body_, place);
-  if (!run_.closed && strip.closed && strip.opened) strip = strip.opened();
+  if (!run_.closed && strip.closed && strip.opened)
+    if (auto open = strip.opened()) strip = *std::move(open);
   const double middle = at(strip.edge_range, 0.5);
   made_[place] = WalkedStrip{std::move(strip), edge.forward, middle};
   return *made_[place];

@@ -37,9 +37,10 @@ namespace {
 constexpr double kRollWidths = 2;
 // Of the least radius: what a law may take off it past the edge's ends.
 constexpr double kLeastShare = 0.5;
-// Of the way of a loop that is not beside the edge: what a strip may take of it past each end.
-constexpr double kLoopShare = 0.4;
-constexpr int kSpineSamples = 4;  // between two knots of the strip
+// Of the way of a loop that is not beside the edge: what stays free of an open strip.
+constexpr double kLoopShare = 0.2;
+constexpr double kWholeTurn = 0.5;  // of a period: a contact that comes back has gone a whole turn
+constexpr int kSpineSamples = 4;    // between two knots of the strip
 
 Handle(Geom_BSplineSurface) surface_of(const BallStrip& strip) {
   const int rows = strip.poles.rows(), columns = strip.poles.columns();
@@ -154,16 +155,17 @@ struct Tracing : std::enable_shared_from_this<Tracing> {
     throw FilletRefused(
         {fault, edge, cause, std::nullopt, point ? point : std::optional(supports.middle), {}});
   }
-  void start(const std::array<Vec2, 2>& at);
+  void start(const std::array<BallSupport, 2>& on);
   void start_by_law(const Interval& domain);
   void find_valid(double parameter);
   void check_reach(double end, const Vec3& vertex, double room) const;
   RolledStrip strip(const Interval& range) const;
   RolledStrip beside_edge(double beyond);
+  Interval way_apart() const;
 };
 
-void Tracing::start(const std::array<Vec2, 2>& at) {
-  track = track_through(supports.of[0].whole(), supports.of[1].whole(), radius, at);
+void Tracing::start(const std::array<BallSupport, 2>& on) {
+  track = track_through(on[0], on[1], radius, {supports.of[0].start, supports.of[1].start});
   if (!track)
     refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
 }
@@ -271,10 +273,6 @@ RolledStrip Tracing::beside_edge(double beyond) {
   const Interval between{std::min(start, end), std::max(start, end)};
   near_at = at(between, 0.5);
   find_valid(near_at);
-  if (track->closed()) {
-    const double room = kLoopShare * (length(track->domain()) - length(between));
-    valid = common(valid, {between.from - room, between.to + room});
-  }
   edge_range = common(between, valid);
   if (length(edge_range) <= 0)
     refuse(FilletFault::NoBall, "the ball does not roll along the edge", {});
@@ -285,17 +283,44 @@ RolledStrip Tracing::beside_edge(double beyond) {
   return strip(turned ? Interval{-range.to, -range.from} : range);
 }
 
-// A ball that rolls round and comes back, along an edge that does not: begun anew in the middle of
-// the way that is not beside the edge, of which a part stays free.
-RolledStrip opened(const Tracing& round, double beyond) {
+// What of the way of a loop is not beside the edge; it may go past the end of the track.
+Interval Tracing::way_apart() const {
+  const double turn = length(track->domain());
+  const double a = track->nearest(point_of(body.vertex({edge, true})));
+  const double b = track->nearest(point_of(body.vertex({edge, false})));
+  const double low = std::min(a, b), high = std::max(a, b);
+  const double middle = track->nearest(supports.middle);
+  if (middle < low || middle > high) return {low, high};
+  return {high, low + turn};
+}
+
+// A ball that rolls round and comes back, along an edge that does not: begun anew on what is left
+// of a closed surface when it is cut open where the ball is not beside the edge. Nothing if the
+// ball goes round neither surface.
+std::optional<RolledStrip> opened(const Tracing& round, double beyond) {
   const auto of = std::make_shared<Tracing>(round);
   const BallTrack& track = *round.track;
-  const double a = track.nearest(point_of(of->body.vertex({of->edge, true})));
-  const double b = track.nearest(point_of(of->body.vertex({of->edge, false})));
-  const double away = 0.5 * (a + b);  // the track begins beside the middle of the edge
-  const BallPoint far = track.at(away);
-  of->start({far.contacts[0].chart, far.contacts[1].chart});
-  return of->beside_edge(beyond);
+  const Interval apart = of->way_apart(), domain = track.domain();
+  const auto chart_at = [&](std::size_t k, double t) {
+    return track.at(t > domain.to ? t - length(domain) : t).contacts[k].chart;
+  };
+  std::array<BallSupport, 2> supports{of->supports.of[0].whole(), of->supports.of[1].whole()};
+  for (std::size_t k = 0; k < 2; ++k)
+    for (const int d : {0, 1}) {
+      const double turn =
+          track.at(domain.to).contacts[k].chart[d] - track.at(domain.from).contacts[k].chart[d];
+      Interval& part = d == 0 ? supports[k].part.u : supports[k].part.v;
+      if (std::abs(turn) < kWholeTurn * length(part)) continue;
+      const double middle = chart_at(k, at(apart, 0.5))[d];
+      const double room = kLoopShare * std::abs(turn) * length(apart) / length(domain);
+      const double start = of->supports.of[k].start[d], period = length(part);
+      const double cut = middle - period * std::floor((middle - start) / period);
+      part = {cut - period + 0.5 * room, cut - 0.5 * room};
+      of->start(supports);
+      if (of->track->closed()) return std::nullopt;
+      return of->beside_edge(beyond);
+    }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -323,7 +348,7 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
       of->refuse(FilletFault::LeavesFace, "the ball rolls only along a part of the edge", {});
     return of->strip(of->valid);
   }
-  of->start({of->supports.of[0].start, of->supports.of[1].start});
+  of->start({of->supports.of[0].whole(), of->supports.of[1].whole()});
   const BallTrack& track = *of->track;
   const gp_Vec along = BRepAdaptor_Curve(body.edge(edge)).DN(at(domain, 0.5), 1);
   const double middle = track.nearest(of->supports.middle);
@@ -335,9 +360,11 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
   of->edge_range = track.domain();
   of->near_at = middle;
   const bool pinches = of->valid.from > track.domain().from || of->valid.to < track.domain().to;
-  if (pinches && is_loop)
+  if (pinches) {
+    auto open = is_loop ? std::nullopt : opened(*of, beyond);
+    if (open) return *std::move(open);
     of->refuse(FilletFault::Pinch, "the ball is too large for the curvature of a face", {});
-  if (pinches) return opened(*of, beyond);
+  }
   RolledStrip strip = of->strip(of->turned ? Interval{-of->valid.to, -of->valid.from} : of->valid);
   if (!is_loop) strip.opened = [of, beyond] { return opened(*of, beyond); };
   return strip;
@@ -350,7 +377,7 @@ RolledStrip traced_strip(const BodyEdges& body, const BallPlace& place, int edge
   of->supports = supports_at(body, place, concave, radius);
   of->faces = place.faces;
   of->near = place.charts;
-  of->start({of->supports.of[0].start, of->supports.of[1].start});
+  of->start({of->supports.of[0].whole(), of->supports.of[1].whole()});
   const BallTrack& track = *of->track;
   of->near_at = track.nearest(place.centre);
   of->turned = dot(track.at(of->near_at).centre_rate, place.along) < 0;
