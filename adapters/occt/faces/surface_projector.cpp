@@ -18,8 +18,9 @@
 namespace blossom::occt {
 namespace {
 
-constexpr int kNewtonSteps = 4;
-constexpr double kSeam = 1e-9;  // of the parameters' range: so near a seam is on it
+constexpr int kNewtonSteps = 4;       // from a foot that was searched for
+constexpr int kMostNewtonSteps = 16;  // from another place; fewer where they come no nearer
+constexpr double kSeam = 1e-9;        // of the parameters' range: so near a seam is on it
 
 // The point that a border of a surface is; none if it has a length, lies at infinity, or has no
 // points at all, as some offsets.
@@ -101,13 +102,14 @@ Vec2 SurfaceProjector::foot(const Vec3& point, const std::optional<Vec2>& near) 
     ElSLib::Parameters(plane_->Pln(), p, uv[0], uv[1]);
     return uv;
   }
-  const gp_Pnt2d found = finder_->ValueOfUV(p, tolerance_);
-  Vec2 uv{found.X(), found.Y()};
-  for (int i = 0; i < kNewtonSteps; ++i) {
-    const SurfaceFrame at = frame_at(surface_, uv);
-    const Vec2 next = bounded(uv + chart_step(at, point - at.point));
-    if (distance(frame_at(surface_, next).point, point) > distance(at.point, point)) break;
-    uv = next;
+  Vec2 uv;
+  // A point that the surface has within tolerance needs no search over all of it.
+  const auto beside = near ? sharpened(point, bounded(*near), kMostNewtonSteps) : Sharpened{};
+  if (near && beside.gap <= tolerance_) {
+    uv = beside.uv;
+  } else {
+    const gp_Pnt2d found = finder_->ValueOfUV(p, tolerance_);
+    uv = sharpened(point, {found.X(), found.Y()}, kNewtonSteps).uv;
   }
   for (int k = 0; near && k < 2; ++k) {
     if (period_[k] > 0) uv[k] += period_[k] * std::round(((*near)[k] - uv[k]) / period_[k]);
@@ -119,6 +121,25 @@ Vec2 SurfaceProjector::foot(const Vec3& point, const std::optional<Vec2>& near) 
       uv[k] = low_[k];
   }
   return uv;
+}
+
+// By Newton's method as long as it comes no further away.
+SurfaceProjector::Sharpened SurfaceProjector::sharpened(const Vec3& point, Vec2 uv,
+                                                        int steps) const {
+  SurfaceFrame at = frame_at(surface_, uv);
+  double gap = distance(at.point, point);
+  for (int i = 0; i < steps; ++i) {
+    const Vec2 next = bounded(uv + chart_step(at, point - at.point));
+    const SurfaceFrame there = frame_at(surface_, next);
+    const double next_gap = distance(there.point, point);
+    if (!(next_gap <= gap)) break;
+    const bool settled = next_gap == gap || next == uv;
+    uv = next;
+    at = there;
+    gap = next_gap;
+    if (settled) break;
+  }
+  return {uv, gap};
 }
 
 double SurfaceProjector::gap(const Vec3& point, const Vec2& uv) const {

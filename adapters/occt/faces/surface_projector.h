@@ -57,7 +57,8 @@ class SurfaceProjector {
   const Handle(Geom_Surface) & surface() const { return surface_; }
 
   /// The parameters of the nearest point; near others, as far as periods and seams leave a choice.
-  /// throws   LimitReached
+  /// Where the surface has the point within tolerance beside these others, it is found from there
+  /// at once. throws   LimitReached
   Vec2 foot(const Vec3& point, const std::optional<Vec2>& near) const;
 
   /// The distance of a point from that at some parameters.
@@ -75,6 +76,11 @@ class SurfaceProjector {
   double height(const Vec3& point) const;
 
  private:
+  struct Sharpened {
+    Vec2 uv;
+    double gap = 0;
+  };
+  Sharpened sharpened(const Vec3& point, Vec2 uv, int steps) const;
   Vec2 bounded(Vec2 uv) const;
 
   Handle(Geom_Surface) surface_;

@@ -326,10 +326,10 @@ FaceCut CurveBeside::hermite_cut(const std::vector<double>& ends, double toleran
 
 // The curve may be as far from its image as it is within reach of the surface.
 double CurveBeside::off(const FaceCut& cut, double t) const {
-  const CurveOnSurfaceJet here = jet(t, {});
+  const Vec2 image = point_at(cut.chart, t);
+  const CurveOnSurfaceJet here = jet(t, image);
   const Vec3 foot = frame_at(feet_.surface(), here.uv).point;
-  return std::max(distance(here.point, point_at(cut.curve, t)),
-                  feet_.gap(foot, point_at(cut.chart, t)));
+  return std::max(distance(here.point, point_at(cut.curve, t)), feet_.gap(foot, image));
 }
 
 // Pieces are halved where they are off: beside a pole an image turns within a small part of it.
