@@ -83,6 +83,8 @@ void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
   if (at_fault != chains.end() && (options.partial || is_own_fault(why.fault))) asked = {*at_fault};
   try {
     const auto found = largest_fillet(work, asked, options.radius, why);
+    if (!found && why.fault != FilletFault::Edge)
+      why.cause += "; of the smaller radii tried none works either";
     if (!found) return;
     why.largest = found->radius;
     if (!found->stopped.empty()) why.cause += "; larger balls are stopped by " + found->stopped;

@@ -41,7 +41,7 @@ struct FilletRefusal {
   std::optional<double> parameter{};  ///< of the edge
   std::optional<Vec3> point{};        ///< model units
   /// The largest radius that works, model units: the edges were rounded with it, and cannot be with
-  /// one 1 % larger.
+  /// one 1 % larger. Of many edges at once it is only some radius that works.
   std::optional<double> largest{};
 
   /// "edge 12: ... at (x, y, z)".

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "adapters/occt/blending/sheet/fillet_attempt.h"
 #include "adapters/occt/blending/sheet/fillet_limit.h"
@@ -19,17 +20,22 @@ constexpr int kMostLimits = 8;        // edges whose limits are followed, one af
 constexpr double kFall = 4;           // from radius to radius until one works
 constexpr double kLeastShare = 1e-5;  // of the radius asked for
 constexpr double kBracketed = 1.01;   // ratio of the bracket's ends
+// Edges that all trials together round, about ten seconds of work: then the bracket stays as it is.
+constexpr std::size_t kMostEdges = 1000;
 
 class RadiusTrials {
  public:
   RadiusTrials(Filleting& work, const std::vector<FilletEdges>& chains, double radius,
                const FilletRefusal& why)
-      : work_(work), chains_(chains), asked_(radius), high_(radius), why_(why) {}
+      : work_(work), chains_(chains), asked_(radius), high_(radius), why_(why) {
+    for (const FilletEdges& chain : chains) edges_ += chain.size();
+  }
 
   std::optional<LargestFillet> found();
 
  private:
   bool works(double radius);
+  bool may_go_on() const { return tried_ < kMostEdges; }
   std::optional<FilletLimit> limit() const;
   bool follow_limits();
   bool fall();
@@ -37,6 +43,7 @@ class RadiusTrials {
 
   Filleting& work_;
   const std::vector<FilletEdges>& chains_;
+  std::size_t edges_ = 0, tried_ = 0;
   double asked_;
   double low_ = 0, high_;  // works, does not
   FilletRefusal why_;      // at the least radius that did not
@@ -44,6 +51,7 @@ class RadiusTrials {
 };
 
 bool RadiusTrials::works(double radius) {
+  tried_ += edges_;
   FilletAttempt made = fillet_attempt(work_, chains_, radius);
   if (!made.why) {
     low_ = std::max(low_, radius);
@@ -67,7 +75,7 @@ std::optional<FilletLimit> RadiusTrials::limit() const {
 
 // Whether just below one of the limits all edges can be rounded.
 bool RadiusTrials::follow_limits() {
-  for (int i = 0; i < kMostLimits; ++i) {
+  for (int i = 0; i < kMostLimits && may_go_on(); ++i) {
     const auto next = limit();
     if (!next || next->radius < kLeastShare * asked_) return false;
     for (const double below : kJustBelow)
@@ -80,13 +88,13 @@ bool RadiusTrials::follow_limits() {
 }
 
 bool RadiusTrials::fall() {
-  while (high_ > kFall * kLeastShare * asked_)
+  while (high_ > kFall * kLeastShare * asked_ && may_go_on())
     if (works(high_ / kFall)) return true;
   return false;
 }
 
 void RadiusTrials::close_bracket() {
-  while (high_ > kBracketed * low_) works(std::sqrt(low_ * high_));
+  while (high_ > kBracketed * low_ && may_go_on()) works(std::sqrt(low_ * high_));
 }
 
 std::optional<LargestFillet> RadiusTrials::found() {

@@ -23,7 +23,8 @@ struct LargestFillet {
 /// bracketed.
 ///
 /// Each radius that fails names an edge; its limit is looked at next. So a few steps come to the
-/// edge of a chain that stops the smallest ball.
+/// edge of a chain that stops the smallest ball. Of some hundred edges at once only a few radii are
+/// tried: the one that works may then be far below one that does not.
 ///
 /// chains   rounded together
 /// why      they cannot be rounded by `radius`

@@ -35,6 +35,9 @@ constexpr double kRunEnd = 1e-9;  // of a run: meetings so near to its ends are 
 // Of a span, or of the way across a strip: how far surfaces go on past their borders.
 constexpr double kBeyondBorder = 0.125;
 constexpr double kFootRoom = 0.25;  // of the feet's box: how far beyond it is searched
+// Pairs of cells. One curve between two known places takes some thousands; surfaces that touch
+// along each other take all there are, and have no curve to be found.
+constexpr long kMostPairs = 100'000;
 
 std::vector<PlanarCrossing> meetings(const BodyEdges& body, const RolledStrip& strip,
                                      std::size_t side, const EdgeUseInFace& use,
@@ -214,7 +217,9 @@ namespace {
 std::optional<EndCurve> best_curve(const BezierSurface& on_face, const TopoDS_Face& face,
                                    const BezierSurface& on_other, const TopoDS_Face& other,
                                    const Vec3& from, const Vec3& to, double reach) {
-  const SurfaceIntersection found = intersect(on_face, on_other);
+  IntersectionOptions options;
+  options.budget = kMostPairs;
+  const SurfaceIntersection found = intersect(on_face, on_other, options);
   std::optional<EndCurve> best;
   double least = reach;
   for (const IntersectionCurve& each : found.curves) {
