@@ -188,7 +188,7 @@ class AreaLine {
 // of which the density is known or that with fewer spans; the other one is y.
 class Density {
  public:
-  Density(const FaceTrims& trims, Integrand integrand)
+  Density(const FaceTrims& trims, Integrand integrand, double enough)
       : integrand_(std::move(integrand)),
         low_{trims.box.low[0] / trims.scale[0], trims.box.low[1] / trims.scale[1]},
         high_{trims.box.high[0] / trims.scale[0], trims.box.high[1] / trims.scale[1]},
@@ -211,7 +211,7 @@ class Density {
       size *= high_[k] - low_[k];
       rounding *= std::max(std::abs(low_[k]), std::abs(high_[k]));
     }
-    tolerance_ = std::max({kRelativeTolerance * rough, kValueRounding * size, rounding});
+    tolerance_ = std::max({kRelativeTolerance * rough, kValueRounding * size, rounding, enough});
   }
 
   int inner() const { return inner_; }
@@ -369,9 +369,10 @@ double along(const Coedge& coedge, const FaceTrims& trims, const Density& densit
   return ((coedge.reversed() ? -sum : sum) + gaps) * (x == 0 ? 1 : -1);
 }
 
-double integral_over(const TopoDS_Face& face, const Integrand& integrand, int cells) {
+double integral_over(const TopoDS_Face& face, const Integrand& integrand, int cells,
+                     double enough = 0) {
   const FaceTrims trims = face_trims(face);
-  const Density density(trims, integrand);
+  const Density density(trims, integrand, enough);
   double sum = 0;
   for (const auto& loop : trims.loops)
     for (const Coedge& coedge : loop) sum += along(coedge, trims, density, cells);
@@ -389,14 +390,14 @@ double area(const TopoDS_Face& face, int cells) {
       cells);
 }
 
-double cone_volume(const TopoDS_Face& face, const Vec3& apex) {
+double cone_volume(const TopoDS_Face& face, const Vec3& apex, double enough) {
   const double volume = integral_over(
       face,
       [&](const Vec3& point, const Vec3& normal) {
         const double reach = norm(point) + norm(apex);
         return Sample{dot(point - apex, normal) / 3, reach * norm(normal) / 3};
       },
-      1);
+      1, enough);
   return face.Orientation() == TopAbs_REVERSED ? -volume : volume;
 }
 

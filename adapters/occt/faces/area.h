@@ -31,10 +31,12 @@ double area(const TopoDS_Face& face, int cells = 1);
 ///
 ///   V = integral over the chart of (S - apex) . (S_u x S_v) / 3
 ///
-/// accuracy  as the area, relative to the integral of the integrand's absolute value, and 1e-12 of
-///           the area times the coordinates
-/// throws    as area
-double cone_volume(const TopoDS_Face& face, const Vec3& apex);
+/// enough     an error that does not matter, of each of the integrals that are added up, cubic model
+///            units; 0: none
+/// accuracy   as the area, relative to the integral of the integrand's absolute value, and 1e-12 of
+///            the area times the coordinates
+/// throws     as area
+double cone_volume(const TopoDS_Face& face, const Vec3& apex, double enough = 0);
 
 /// About the area within a closed polygon in the parameters of a face's surface, for summaries.
 ///

@@ -2,9 +2,13 @@
 #include "adapters/occt/blending/sheet/filleting.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -23,6 +27,15 @@
 #include "adapters/occt/solids/solid_shells.h"
 
 namespace blossom::occt {
+namespace {
+
+// Of r^2 and the edges' length: errors with which the change of a volume is measured, until it is
+// certain which sign it has. It is a sum of some hundred integrals whose error estimates exceed
+// their errors by far.
+constexpr std::array kShares{1e-4, 1e-6};
+constexpr double kSure = 100;
+
+}  // namespace
 
 void Filleting::find_parts(const TopoDS_Shape& shape) {
   TopTools_IndexedMapOfShape faces, solids;
@@ -43,8 +56,9 @@ void Filleting::find_parts(const TopoDS_Shape& shape) {
   }
 }
 
-// The volume over a face that was given.
-double Filleting::cone_over(int face) {
+// The volume over a face that was given; kept where it is as exact as can be.
+double Filleting::cone_over(int face, double enough) {
+  if (enough > 0 && cones_.count(face) == 0) return cone_volume(face_given(face), apex_, enough);
   const auto [known, is_new] = cones_.try_emplace(face, 0);
   if (is_new) known->second = cone_volume(face_given(face), apex_);
   return known->second;
@@ -92,16 +106,34 @@ bool Filleting::is_kept(const TrimmedFace& face) const {
 }
 
 // How much more the solid has, by the faces that changed.
-double Filleting::change(const SolidPart& part, const std::vector<TrimmedFace>& faces) {
+double Filleting::change(const SolidPart& part, const std::vector<TrimmedFace>& faces,
+                         double enough) {
   double change = 0;
   std::set<int> lost = part.faces;
   for (const TrimmedFace& each : faces)
     if (is_kept(each))
       lost.erase(each.from);
     else if (each.from == 0 || part.faces.count(each.from) > 0)
-      change += cone_volume(each.face, apex_);
-  for (const int face : lost) change -= cone_over(face);
+      change += cone_volume(each.face, apex_, enough);
+  for (const int face : lost) change -= cone_over(face, enough);
   return change;
+}
+
+// The same, only as exact as its sign needs where no volumes are wanted. A ball takes some tenth of
+// r^2 from each unit of an edge, much less where the faces meet at a small angle.
+double Filleting::sure_change(const SolidPart& part, const std::vector<TrimmedFace>& faces,
+                              const FilletEdges& edges) {
+  if (!options_.volumes && !options_.chamfer) {
+    double length = 0;
+    for (const auto& [edge, concave] : edges)
+      length += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body_.edge(edge)));
+    for (const double share : kShares) {
+      const double enough = share * options_.radius * options_.radius * length;
+      const double change = this->change(part, faces, enough);
+      if (std::abs(change) > kSure * enough) return change;
+    }
+  }
+  return change(part, faces, 0);
 }
 
 // The one shell of a solid stays turned outwards as long as it is one: its volume need not be
@@ -147,7 +179,7 @@ Grouped Filleting::with_group(const SolidPart& part, const FilletEdges& edges) {
   TrimmedBody trimmed = trimmed_by_sheet(body_, sheet, tolerance);
   notes_.insert(notes_.end(), sheet.notes().begin(), sheet.notes().end());
   Grouped grouped{closed(part, trimmed.faces, edges), std::move(trimmed.edges)};
-  check_blended(body_, part.solid, grouped.made, edges, change(part, trimmed.faces));
+  check_blended(body_, part.solid, grouped.made, edges, sure_change(part, trimmed.faces, edges));
   check_apart(grouped.made, options_.intersection, tick);
   return grouped;
 }

@@ -71,10 +71,12 @@ class Filleting {
   void find_parts(const TopoDS_Shape& shape);
   bool is_inside_out(const SolidPart& part);
   SolidPart& part_of(int edge);
-  double cone_over(int face);
+  double cone_over(int face, double enough = 0);
   double volume_of(const SolidPart& part);
   bool is_kept(const TrimmedFace& face) const;
-  double change(const SolidPart& part, const std::vector<TrimmedFace>& faces);
+  double change(const SolidPart& part, const std::vector<TrimmedFace>& faces, double enough);
+  double sure_change(const SolidPart& part, const std::vector<TrimmedFace>& faces,
+                     const FilletEdges& edges);
   FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                        const FilletEdges& edges);
   Grouped with_group(const SolidPart& part, const FilletEdges& edges);
