@@ -64,7 +64,8 @@ class Assembly {
     }
     SurfaceCells cells_b(b_, origin_, options_.form, kSurfaceOffMiddle, options_.part_b);
     std::vector<StartPair> pairs;
-    for (const auto& [i, j] : meeting_patches(boxes_a_, boxes_b_)) pairs.push_back({i, 0, j, 0});
+    for (const auto& [i, j] : meeting_patches(boxes_a_, boxes_b_, options_.tolerances.point))
+      pairs.push_back({i, 0, j, 0});
     const NeighbourContacts neighbours =
         take_neighbours(cells_a, cells_b, pairs, options_.tolerances.point, limit_);
     shared_gap_ = neighbours.gap;
@@ -107,6 +108,8 @@ class Assembly {
       add_corner_contact(cells_a, cells_b, corner_contact);
     for (const ContactChain& contact : contacts_) add_contact(cells_a, cells_b, contact);
     for (const CriticalCluster& cluster : clusters_) add_place(cells_a, cells_b, cluster);
+    for (const CriticalCluster& cluster : clusters_of(found_.slow))
+      add_slow(cells_a, cells_b, cluster);
     if (found_.cut_by_samples)
       weaken(Status::Tolerance, "a branch near a contact was cut at a border by points of it");
     if (found_.beside_known) add_known_curves();
@@ -418,6 +421,14 @@ class Assembly {
       weaken(Status::Tolerance, "the surface is singular, or nearly, in the listed contacts");
     else
       weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
+  }
+
+  void add_slow(const SurfaceCells& a, const SurfaceCells& b, const CriticalCluster& cluster) {
+    const double r = options_.tolerances.point;
+    result_.places.push_back({PlaceKind::Tangential, cluster.box.low + origin_,
+                              cluster.box.high + origin_, 0, kThinGap * r,
+                              parameters_of(a, b, found_.slow, cluster)});
+    weaken(Status::Tolerance, "the surfaces touch, or nearly, in the listed contacts");
   }
 
   void add_known_curves() {

@@ -9,6 +9,7 @@
 #include "core/cells/cell_part.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_cuts.h"
+#include "core/surfaces/contacts/slow_crossings.h"
 #include "core/surfaces/gap/chart_ownership.h"
 #include "core/surfaces/gap/contact_points.h"
 #include "core/surfaces/gap/foot_borders.h"
@@ -130,16 +131,22 @@ class ContactSearch {
   }
 
   bool apart(const Cell& a, const Cell& b) const {
-    return separated(a, b, tree_a_.shape().plane_size(), tree_b_.shape().plane_size());
+    return separated(a, b, tree_a_.shape().plane_size(), tree_b_.shape().plane_size(), tolerance());
   }
 
-  // True if no cell of the chart's piece that is at least as small as `a` comes close to it.
-  bool misses(const Cell& a, CellTree& piece, int index) const {
+  enum class Nearness : char { Misses, Within, Meets };
+
+  // Of the cells of the chart's piece that are at least as small as `a`, the nearest: within
+  // tolerance of it all over, or not known to be.
+  Nearness nearness(const Cell& a, CellTree& piece, int index) const {
     const Cell b = piece[index];
-    if (apart(a, b)) return true;
-    if (b.extent <= a.extent || b.depth >= kDeepestPiece) return false;
+    if (apart(a, b)) return Nearness::Misses;
+    if (are_within(a, b, tree_a_.shape().plane_size(), tree_b_.shape().plane_size(), tolerance()))
+      return Nearness::Within;
+    if (b.extent <= a.extent || b.depth >= kDeepestPiece) return Nearness::Meets;
     const int child = piece.split(index);
-    return misses(a, piece, child) && misses(a, piece, child + 1);
+    const Nearness low = nearness(a, piece, child);
+    return low == Nearness::Meets ? low : std::max(low, nearness(a, piece, child + 1));
   }
 
   bool out_of_budget() {
@@ -180,8 +187,9 @@ class ContactSearch {
         may_have_model(a, graph) ? gap_model(tree_a_, a, tree_b_, graph) : std::nullopt;
     if (model) {
       if (decide(index, *model, chart)) return claims_.leave();
-    } else if (misses(a, chart.piece, 0)) {
-      ++result_.certificate.excluded;
+    } else if (const Nearness near = nearness(a, chart.piece, 0); near != Nearness::Meets) {
+      near == Nearness::Within ? keep(a, graph.s, graph.t, piece, true)
+                               : void(++result_.certificate.excluded);
       return claims_.leave();
     }
     if (a.depth >= kDeepest || a.extent <= tolerance()) {
@@ -374,9 +382,10 @@ class ContactSearch {
     CriticalPair critical{task_.patch_a, task_.patch_b, {a.u, a.v, s, t}, {}, {}, thin};
     if (beside != nullptr) critical.beside = *beside;
     for (int k = 0; k < 3; ++k) {
-      critical.low[k] = std::max(a.low[k], b.low[k]);
-      critical.high[k] = std::min(a.high[k], b.high[k]);
-      if (critical.low[k] > critical.high[k]) return;
+      const double low = std::max(a.low[k], b.low[k]), high = std::min(a.high[k], b.high[k]);
+      if (low > high + tolerance()) return;
+      critical.low[k] = std::min(low, high);
+      critical.high[k] = std::max(low, high);
     }
     ++result_.certificate.critical;
     if (is_known(known_, tree_a_, a, {b.low, b.high}))

@@ -66,6 +66,7 @@ struct PairSearchResult {
   std::vector<CornerContact> corner_contacts;
   std::vector<FoundContact> contacts;
   std::vector<CriticalPair> critical;
+  std::vector<CriticalPair> slow;  ///< where surfaces that cross slowly stay within tolerance
   Certificate certificate;
   bool cut_by_samples = false;  ///< branches were cut at a border by points, not by proof
   bool along_border = false;    ///< an arc runs along a border, not proven; see PairArcs

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/math/binomial.h"
 #include "core/math/roundoff.h"
@@ -100,6 +101,24 @@ double largest_slope(const Quadric& q, const Vec3& low, const Vec3& high) {
   return norm(most);
 }
 
+// The values of |grad q|^2.
+Quadric square_of_slope(const Quadric& q) {
+  Quadric square;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t k = 0; k < 3; ++k)
+        square.matrix[i][j] += 4 * q.matrix[k][i] * q.matrix[k][j];
+  return square;
+}
+
+// Bound on the change of a gradient by the distance.
+double largest_bend(const Quadric& q) {
+  double squares = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) squares += q.matrix[i][j] * q.matrix[i][j];
+  return 2 * std::sqrt(squares);
+}
+
 }  // namespace
 
 double QuadricBand::largest_over(const Cell& cell, const NetShape& shape) const {
@@ -125,16 +144,34 @@ std::optional<QuadricBand> QuadricBand::of(const CellTree& tree, double toleranc
 }
 
 bool QuadricBand::holds_tightly(const CellTree& other) const {
-  return holds_tightly(other[0], other.shape());
+  return spread_over(other[0], other.shape()) <= kTight;
 }
 
-bool QuadricBand::holds_tightly(const Cell& cell, const NetShape& shape) const {
-  if (shape.plane_size() > kMaxPoints) return false;
-  return off_ + largest_over(cell, shape) <= kTight * tolerance_;
+double QuadricBand::spread_over(const Cell& cell, const NetShape& shape) const {
+  if (shape.plane_size() > kMaxPoints) return std::numeric_limits<double>::infinity();
+  return (off_ + largest_over(cell, shape)) / tolerance_;
+}
+
+// The form tells more than the box where only the direction of the gradient turns.
+bool QuadricBand::is_steep_in(const Cell& cell, const NetShape& shape, double part) const {
+  if (is_steep_in_box_of(cell, std::max(part, kSteep))) return true;
+  if (part <= kSteep || shape.plane_size() > kMaxPoints) return false;
+  const Quadric square = square_of_slope(quadric_);
+  const CellForm2 form = form_of(square, cell, shape);
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (int k = 0; k < form.rows * form.columns; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    least = std::min(least, form.value[at] / form.weight[at]);
+    most = std::max(most, form.value[at] / form.weight[at]);
+  }
+  least -= error_of(square, cell, shape, most);
+  // On the way from the one patch to the other one the gradient turns a little.
+  const double turn = tolerance_ * largest_bend(quadric_);
+  return least > 0 && std::sqrt(least) - turn >= part;
 }
 
 // The gradient is affine, so each entry has its extremes at corners.
-bool QuadricBand::is_steep_in(const Cell& cell) const {
+bool QuadricBand::is_steep_in_box_of(const Cell& cell, double part) const {
   Vec3 low = quadric_.gradient(cell.low), high = low;
   for (int corner = 1; corner < 8; ++corner) {
     const Vec3 g = quadric_.gradient(corner_of(cell.low, cell.high, corner));
@@ -145,7 +182,7 @@ bool QuadricBand::is_steep_in(const Cell& cell) const {
   }
   Vec3 least;
   for (int k = 0; k < 3; ++k) least[k] = std::max({low[k], -high[k], 0.0});
-  return norm(least) >= kSteep;
+  return norm(least) >= part;
 }
 
 bool QuadricBand::misses(const Cell& cell, const NetShape& shape) const {

@@ -36,15 +36,23 @@ class QuadricBand {
   /// within half of the tolerance: where they are steep the patches are as close to each other.
   bool holds_tightly(const CellTree& other) const;
 
-  /// The same for a cell of another patch.
+  /// Largest value over this patch and largest over a cell of another one, added, as parts of the
+  /// tolerance. Where values change by so much of the distance at least (`is_steep_in`), the patch
+  /// and the cell are within tolerance of each other. Infinite for nets that are too large.
   ///
   /// shape       of the cell's net
-  bool holds_tightly(const Cell& cell, const NetShape& shape) const;
+  double spread_over(const Cell& cell, const NetShape& shape) const;
 
-  /// True if values change by half of the distance at least, all over the cell's box.
-  bool is_steep_in(const Cell& cell) const;
+  /// True if values change by this part of the distance at least, and by half of it, at all points
+  /// of the cell.
+  ///
+  ///   |grad q|^2 is a quadric, too: with Q' the upper three rows of Q, its matrix is 4 Q'^T Q'
+  ///
+  /// shape       of the cell's net
+  bool is_steep_in(const Cell& cell, const NetShape& shape, double part) const;
 
  private:
+  bool is_steep_in_box_of(const Cell& cell, double part) const;
   double largest_over(const Cell& cell, const NetShape& shape) const;
 
   Quadric quadric_;

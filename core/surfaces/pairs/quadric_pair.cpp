@@ -13,6 +13,9 @@ constexpr double kSmallPart = 1.0 / 16;  // of the surfaces' size: cells that co
 constexpr double kMinPart = 1.0 / 256;   // likewise: cells at a border
 constexpr double kFootReach = 0.5;       // of Newton's method for feet, fraction of a patch
 
+// Of the tolerance: the rest is left for the rounding of slopes.
+constexpr double kMostSpread = 1 - 1e-6;
+
 constexpr double kOnePoint = 1e-12;  // relative
 
 // The surface ends nowhere: it is closed in one direction, and in the other one closed, too, or its
@@ -68,22 +71,32 @@ bool is_whole_quadric(SurfaceCells& surface, QuadricBands& bands) {
 QuadricPair::QuadricPair(const CellTree& a, const CellTree& b, QuadricBands& bands,
                          bool one_is_whole, double size)
     : tree_a_(a), tree_b_(b), band_a_(bands.of(a)), band_b_(bands.of(b)), size_(size) {
-  const bool on_one = &a != &b && band_b_ != nullptr && band_b_->holds_tightly(a);
+  const bool asked = &a != &b && band_b_ != nullptr;
+  spread_ = asked ? band_b_->spread_over(a[0], a.shape()) : 0;
+  const bool on_one = asked && spread_ <= kMostSpread;
   is_one_ = on_one && one_is_whole;
   is_common_ = on_one && !one_is_whole;
 }
 
 bool QuadricPair::is_steep(const Cell& a, const Cell& b) const {
-  return band_b_->is_steep_in(a) && band_b_->is_steep_in(b);
+  return band_b_->is_steep_in(a, tree_a_.shape(), spread_) &&
+         band_b_->is_steep_in(b, tree_b_.shape(), spread_);
+}
+
+bool QuadricPair::is_small(const Cell& a, const Cell& b) const {
+  return std::max(a.extent, b.extent) <= kSmallPart * size_;
 }
 
 bool QuadricPair::coincide(const Cell& a, const Cell& b) const {
-  return std::max(a.extent, b.extent) <= kSmallPart * size_ && is_steep(a, b);
+  return is_small(a, b) && is_steep(a, b);
 }
 
 bool QuadricPair::touch_all_over(const Cell& a, const Cell& b) const {
-  return band_a_ != nullptr && band_b_ != nullptr && coincide(a, b) &&
-         band_b_->holds_tightly(a, tree_a_.shape()) && band_a_->holds_tightly(b, tree_b_.shape());
+  if (band_a_ == nullptr || band_b_ == nullptr || !is_small(a, b)) return false;
+  const double of_a = band_b_->spread_over(a, tree_a_.shape());
+  const double of_b = band_a_->spread_over(b, tree_b_.shape());
+  return std::max(of_a, of_b) <= kMostSpread && band_b_->is_steep_in(a, tree_a_.shape(), of_a) &&
+         band_b_->is_steep_in(b, tree_b_.shape(), of_a);
 }
 
 bool QuadricPair::cover_each_other(const Cell& a, const Cell& b) const {

@@ -29,15 +29,16 @@ class QuadricPair {
   /// True if both patches lie on one quadric, and neither surface is known to be all of it.
   bool is_common() const { return is_common_; }
 
-  /// True if b's quadric is smooth all over both cells.
+  /// True if b's quadric is smooth all over both cells, and values in it tell that they are within
+  /// tolerance of each other.
   bool is_steep(const Cell& a, const Cell& b) const;
 
   /// Of patches on one quadric: true if the cells are so small that the whole surface passes
   /// through their common box once.
   bool coincide(const Cell& a, const Cell& b) const;
 
-  /// Of patches on two quadrics that hardly differ there: the same for cells that lie within half
-  /// of the tolerance of the other one's quadric.
+  /// Of patches on two quadrics that hardly differ there: the same for cells that lie within
+  /// tolerance of the other one's quadric.
   bool touch_all_over(const Cell& a, const Cell& b) const;
 
   /// Where surfaces coincide or touch all over: true if the cells also have the middle of one of
@@ -51,7 +52,10 @@ class QuadricPair {
  private:
   const CellTree &tree_a_, &tree_b_;
   const QuadricBand *band_a_, *band_b_;
+  bool is_small(const Cell& a, const Cell& b) const;
+
   double size_;
+  double spread_;  // of values, see QuadricBand::spread_over
   bool is_one_, is_common_;
 };
 

@@ -15,6 +15,7 @@
 #include "core/cells/pair_model.h"
 #include "core/surfaces/branches/arcs_along_borders.h"
 #include "core/surfaces/contacts/contact_search.h"
+#include "core/surfaces/contacts/slow_crossings.h"
 #include "core/surfaces/gap/gap_model.h"
 #include "core/surfaces/pairs/quadric_pair.h"
 #include "core/surfaces/pairs/shared_cells.h"
@@ -91,6 +92,7 @@ struct Finding {
   int along = -1;                    // of a regular pair
   std::optional<SharedPart> part{};  // of a coincident one
   std::optional<PairArcs> arcs{};    // of a regular pair that is certified
+  bool slow = false;                 // such a pair may be within tolerance beside its arcs
 };
 
 // Pairs are examined in batches: those of one batch at the same time, for they only read the cells;
@@ -112,7 +114,7 @@ class Search {
         one_is_whole_(is_whole_quadric(a, bands_) || is_whole_quadric(b, bands_)) {}
 
   void begin(const std::vector<StartPair>& pairs) {
-    const NearPairs near = near_pairs(a_, b_, pairs);
+    const NearPairs near = near_pairs(a_, b_, pairs, reach());
     result_.certificate = near.certificate;
     examined_ = near.certificate.excluded;
     std::unordered_map<long, int> known;  // patches of one surface come again
@@ -188,7 +190,8 @@ class Search {
     const Cell &a = cell_a(pair), &b = cell_b(pair);
     const int points_a = place.tree_a->shape().plane_size();
     const int points_b = place.tree_b->shape().plane_size();
-    if (!pair.near && are_apart(*place.tree_a, a, *place.tree_b, b)) return {Verdict::Apart};
+    if (!pair.near && are_apart(*place.tree_a, a, *place.tree_b, b, reach()))
+      return {Verdict::Apart};
     if (known_.hold({a.low, a.high}) || known_.hold({b.low, b.high})) return {Verdict::Known};
     if (const auto part = place.shared.part(a, b)) return {Verdict::Coincident, -1, part};
     if (place.quadrics.is_one())
@@ -196,7 +199,9 @@ class Search {
     if (place.quadrics.is_common() && !place.shared.is_known() && place.quadrics.coincide(a, b))
       return {place.quadrics.cover_each_other(a, b) ? Verdict::Over : Verdict::Beside};
     const int along = pair.along >= 0 ? pair.along : JacobianBounds(a, b).certified_column();
-    if (along >= 0) {
+    const bool slow =
+        along >= 0 && !itself() && cross_slowly(a, b, options_.tolerances.point, size_);
+    if (along >= 0 && !slow) {
       // Cheaper than to look for the ends of arcs on all borders.
       if (separated_across(a, b, points_a, points_b)) return {Verdict::Apart};
       return {Verdict::Regular, along};
@@ -206,6 +211,7 @@ class Search {
     if (known_.compare_with(std::min(a.extent, b.extent)) &&
         known_.hold_common({a.low, a.high}, {b.low, b.high}))
       return {Verdict::Known};
+    if (slow) return {Verdict::Regular, along, {}, {}, true};
     if (nearly_parallel(a, b) && !(itself() && near_diagonal(place, a, b))) {
       const PairModel model(*place.tree_a, a, *place.tree_b, b);
       return {model.apart(options_.tolerances.point) ? Verdict::Apart : Verdict::Parallel};
@@ -216,6 +222,9 @@ class Search {
   }
 
   bool itself() const { return &a_ == &b_; }
+
+  // What is so near is a contact. Neighbouring cells of one surface are so near everywhere.
+  double reach() const { return itself() ? 0 : options_.tolerances.point; }
 
   // Of one surface: true if the cells are apart along it, or in one piece of it that does not meet
   // itself.
@@ -252,6 +261,7 @@ class Search {
     const double tolerance = options_.tolerances.point;
     const double slab =
         std::min(tolerance, std::max(slab_, kSlabRoundings * (a.margin + b.margin)));
+    if (!itself() && are_within(a, b, points_a, points_b, tolerance)) return true;
     return (a.extent <= tolerance && b.extent <= tolerance) ||
            (a.plane.high - a.plane.low <= slab && b.plane.high - b.plane.low <= slab &&
             within_slab(a, b, points_a, points_b, slab));
@@ -280,6 +290,9 @@ class Search {
       return;
     }
     if (finding.part) return settle_shared(place, *finding.part);
+    if (finding.arcs && finding.slow)
+      add_near_part({place.patch_a, place.patch_b}, *place.tree_a, a, *place.tree_b, b,
+                    options_.tolerances.point, result_.slow);
     if (finding.arcs) {
       place.certified.push_back({pair.cell_a, pair.cell_b, box_of(a, b), std::move(*finding.arcs)});
       return;
@@ -441,9 +454,10 @@ class Search {
     const Cell &a = cell_a(pair), &b = cell_b(pair);
     CriticalPair critical{place.patch_a, place.patch_b, box_of(a, b), {}, {}, thin};
     for (int k = 0; k < 3; ++k) {
-      critical.low[k] = std::max(a.low[k], b.low[k]);
-      critical.high[k] = std::min(a.high[k], b.high[k]);
-      if (critical.low[k] > critical.high[k]) return;  // apart, though never examined
+      const double low = std::max(a.low[k], b.low[k]), high = std::min(a.high[k], b.high[k]);
+      if (low > high + reach()) return;  // apart, though never examined
+      critical.low[k] = std::min(low, high);
+      critical.high[k] = std::max(low, high);
     }
     critical.shared = thin && place.quadrics.is_one();
     ++result_.certificate.critical;

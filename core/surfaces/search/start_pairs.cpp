@@ -24,18 +24,20 @@ void make_trees(SurfaceCells& cells, const std::vector<StartPair>& pairs, int St
 
 }  // namespace
 
-bool are_apart(const CellTree& tree_a, const Cell& a, const CellTree& tree_b, const Cell& b) {
+bool are_apart(const CellTree& tree_a, const Cell& a, const CellTree& tree_b, const Cell& b,
+               double gap) {
   return a.part == PartSide::Outside || b.part == PartSide::Outside ||
-         separated(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size());
+         separated(a, b, tree_a.shape().plane_size(), tree_b.shape().plane_size(), gap);
 }
 
-NearPairs near_pairs(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs) {
+NearPairs near_pairs(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs,
+                     double gap) {
   make_trees(a, pairs, &StartPair::patch_a);
   make_trees(b, pairs, &StartPair::patch_b);
   std::vector<char> apart(pairs.size());
   parallel_for(pairs.size(), kBoxGrain, [&](std::size_t i) {
     const CellTree &tree_a = a.tree(pairs[i].patch_a), &tree_b = b.tree(pairs[i].patch_b);
-    apart[i] = are_apart(tree_a, tree_a[pairs[i].cell_a], tree_b, tree_b[pairs[i].cell_b]);
+    apart[i] = are_apart(tree_a, tree_a[pairs[i].cell_a], tree_b, tree_b[pairs[i].cell_b], gap);
   });
   NearPairs near;
   Certificate& certificate = near.certificate;

@@ -16,10 +16,13 @@ struct NearPairs {
   Certificate certificate;       ///< of those left out
 };
 
-/// True if the parts of two cells that count are apart by their boxes or fat planes.
-bool are_apart(const CellTree& tree_a, const Cell& a, const CellTree& tree_b, const Cell& b);
+/// True if the parts of two cells that count are farther apart than `gap`, model units, by their
+/// boxes or fat planes.
+bool are_apart(const CellTree& tree_a, const Cell& a, const CellTree& tree_b, const Cell& b,
+               double gap);
 
 /// Makes the trees of all patches named, and leaves out the pairs that are apart; by all threads.
-NearPairs near_pairs(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs);
+NearPairs near_pairs(SurfaceCells& a, SurfaceCells& b, const std::vector<StartPair>& pairs,
+                     double gap);
 
 }  // namespace blossom
