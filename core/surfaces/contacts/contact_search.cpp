@@ -84,13 +84,15 @@ class ContactSearch {
       for (const int cell : task_.cells_a) examine(cell, chart);
       return;
     }
-    if (cells[0].extent <= tolerance()) {
+    const auto settled = [&](int cell) { return is_settled(cell, cells[0]); };
+    if (cells[0].extent <= tolerance() ||
+        (is_narrow(cells[0]) && std::ranges::all_of(task_.cells_a, settled))) {
       for (const int cell : task_.cells_a) narrow_down(cell, cells[0], s, t);
       return;
     }
     if (depth == kMaxChartHalvings || out_of_budget()) {
       for (const int cell : task_.cells_a)
-        if (!apart(tree_a_[cell], cells[0])) keep(tree_a_[cell], s, t, cells[0], false);
+        if (!disjoint(tree_a_[cell], cells[0])) keep(tree_a_[cell], s, t, cells[0], false);
       return;
     }
     const bool halve_s = norm(cells[0].du.middle) + norm(cells[0].du.radius) >=
@@ -102,14 +104,34 @@ class ContactSearch {
     cover(halve_s ? high : s, halve_s ? t : high, depth + 1);
   }
 
-  // The cells round a piece of b that has no chart, as at a pole, but is no larger than a point.
+  bool is_narrow(const Cell& piece) const {
+    return std::min(norm(piece.du.middle) + norm(piece.du.radius),
+                    norm(piece.dv.middle) + norm(piece.dv.radius)) <= tolerance();
+  }
+
+  bool over(const Cell& a, const Cell& piece) const {
+    return lie_over(a, piece, tree_a_.shape().plane_size(), tree_b_.shape().plane_size(),
+                    tolerance());
+  }
+
+  // True if all cells no larger than a piece of b miss it, or lie over it within tolerance.
+  bool is_settled(int index, const Cell& piece) {
+    const Cell a = tree_a_[index];
+    if (a.part == PartSide::Outside || disjoint(a, piece) || over(a, piece)) return true;
+    if (a.extent <= piece.extent || a.depth >= kDeepest) return false;
+    const int child = tree_a_.split(index);
+    return is_settled(child, piece) && is_settled(child + 1, piece);
+  }
+
+  // The cells round a piece of b that has no chart, as at a pole, but is no larger than a point, or
+  // narrow and within tolerance.
   void narrow_down(int index, const Cell& piece, const Interval& s, const Interval& t) {
     const Cell a = tree_a_[index];
-    if (a.part == PartSide::Outside || apart(a, piece)) {
+    if (a.part == PartSide::Outside || disjoint(a, piece)) {
       ++result_.certificate.excluded;
       return;
     }
-    const bool thin = a.extent <= tolerance();
+    const bool thin = a.extent <= tolerance() || over(a, piece);
     if (thin || a.depth >= kDeepest || out_of_budget()) return keep(a, s, t, piece, thin);
     const int child = tree_a_.split(index);
     narrow_down(child, piece, s, t);
@@ -128,6 +150,11 @@ class ContactSearch {
     const int points_a = tree_a_.shape().plane_size(), points_b = tree_b_.shape().plane_size();
     return separated_along(unit(graph.to_s), a, piece, points_a, points_b) ||
            separated_along(unit(graph.to_t), a, piece, points_a, points_b);
+  }
+
+  // So small and narrow pieces are followed only where they meet.
+  bool disjoint(const Cell& a, const Cell& b) const {
+    return separated(a, b, tree_a_.shape().plane_size(), tree_b_.shape().plane_size());
   }
 
   bool apart(const Cell& a, const Cell& b) const {

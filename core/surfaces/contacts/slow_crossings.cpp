@@ -69,9 +69,13 @@ bool cross_slowly(const Cell& a, const Cell& b, double tolerance, double size) {
   return kReach * std::sqrt(size) * sine_lengths < std::sqrt(tolerance) * lengths;
 }
 
-bool are_within(const Cell& a, const Cell& b, int points_a, int points_b, double tolerance) {
-  return separated(a, b, points_a, points_b) && within_slab(a, b, points_a, points_b, tolerance) &&
+bool lie_over(const Cell& a, const Cell& b, int points_a, int points_b, double tolerance) {
+  return within_slab(a, b, points_a, points_b, tolerance) &&
          !lie_aside(a, b, points_a, points_b, tolerance);
+}
+
+bool are_within(const Cell& a, const Cell& b, int points_a, int points_b, double tolerance) {
+  return separated(a, b, points_a, points_b) && lie_over(a, b, points_a, points_b, tolerance);
 }
 
 void add_near_part(const std::array<int, 2>& patches, const CellTree& tree_a, const Cell& a,

@@ -22,8 +22,11 @@ namespace blossom {
 /// tolerance, size   model units; the size is that of the surfaces
 bool cross_slowly(const Cell& a, const Cell& b, double tolerance, double size);
 
-/// True if two cells do not meet, but lie over each other within tolerance: in a slab that is no
-/// thicker. Halving would tell no more.
+/// True if two cells lie over each other in a slab no thicker than the tolerance: all over the
+/// smaller one they are within tolerance.
+bool lie_over(const Cell& a, const Cell& b, int points_a, int points_b, double tolerance);
+
+/// The same for cells that do not meet, of which halving would tell no more.
 bool are_within(const Cell& a, const Cell& b, int points_a, int points_b, double tolerance);
 
 /// Adds the part of a pair of such cells in which they are over each other and within tolerance, to

@@ -107,7 +107,6 @@ class Search {
         size_(size),
         known_(known),
         options_(options),
-        slab_(kSlabPart * options.tolerances.point),
         result_(result),
         limit_(options),
         bands_(options.tolerances.point),
@@ -223,7 +222,7 @@ class Search {
 
   bool itself() const { return &a_ == &b_; }
 
-  // What is so near is a contact. Neighbouring cells of one surface are so near everywhere.
+  // What is so near is a contact, but for neighbouring cells of one surface.
   double reach() const { return itself() ? 0 : options_.tolerances.point; }
 
   // Of one surface: true if the cells are apart along it, or in one piece of it that does not meet
@@ -259,9 +258,9 @@ class Search {
 
   bool is_thin(const Cell& a, const Cell& b, int points_a, int points_b) const {
     const double tolerance = options_.tolerances.point;
-    const double slab =
-        std::min(tolerance, std::max(slab_, kSlabRoundings * (a.margin + b.margin)));
     if (!itself() && are_within(a, b, points_a, points_b, tolerance)) return true;
+    const double rounding = kSlabRoundings * (a.margin + b.margin);
+    const double slab = std::min(tolerance, std::max(kSlabPart * tolerance, rounding));
     return (a.extent <= tolerance && b.extent <= tolerance) ||
            (a.plane.high - a.plane.low <= slab && b.plane.high - b.plane.low <= slab &&
             within_slab(a, b, points_a, points_b, slab));
@@ -469,7 +468,6 @@ class Search {
   const double size_;
   const KnownCurves& known_;
   const IntersectionOptions& options_;
-  const double slab_;
   PairSearchResult& result_;
   const WorkLimit limit_;
   long examined_ = 0;
