@@ -10,6 +10,7 @@
 #include "core/base/work_limit.h"
 #include "core/cells/limits.h"
 #include "core/forms/evaluation.h"
+#include "core/surfaces/assembly/border_strip.h"
 #include "core/surfaces/assembly/chain_fits.h"
 #include "core/surfaces/assembly/result_places.h"
 #include "core/surfaces/branches/arc_chains.h"
@@ -215,7 +216,9 @@ class Assembly {
   // Where the surfaces also stay within tolerance beside it, more may lie there.
   void add_border(const SurfaceCells& a, const SurfaceCells& b, const SharedBorder& border) {
     if (!add_shared_border(border, found_)) return;
-    if (!border.wide) taken(Coincidence(border, a, b));
+    if (!border.wide)
+      strips_.push_back(
+          border_strip(a, b, origin_, taken(Coincidence(border, a, b)), options_.tolerances.point));
     for (const ContactPoint& p : border.path) shared_gap_ = std::max(shared_gap_, p.gap);
     weaken(Status::Tolerance, kSharedBorder);
   }
@@ -389,6 +392,13 @@ class Assembly {
   }
 
   void add_loose_end(const SurfacePoint& end) {
+    const auto strip = std::find_if(strips_.begin(), strips_.end(),
+                                    [&](const BorderStrip& each) { return each.holds(end.point); });
+    if (strip != strips_.end()) {
+      if (!strip->told) result_.places.push_back(strip->place);
+      strip->told = true;
+      return;
+    }
     result_.places.push_back(place_at(end, options_.tolerances.point));
     weaken(Status::Stopped, "a branch ends inside both surfaces without a reason");
   }
@@ -461,6 +471,7 @@ class Assembly {
   std::vector<ContactChain> contacts_;
   std::vector<CriticalCluster> clusters_;
   double shared_gap_ = 0;  // along borders that both surfaces share
+  std::vector<BorderStrip> strips_;
   SurfaceIntersection result_;
 };
 
