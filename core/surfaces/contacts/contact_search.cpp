@@ -9,7 +9,6 @@
 #include "core/cells/cell_part.h"
 #include "core/forms/evaluation.h"
 #include "core/surfaces/contacts/contact_cuts.h"
-#include "core/surfaces/contacts/slow_crossings.h"
 #include "core/surfaces/gap/chart_ownership.h"
 #include "core/surfaces/gap/contact_points.h"
 #include "core/surfaces/gap/foot_borders.h"
@@ -17,6 +16,7 @@
 #include "core/surfaces/gap/odd_contact.h"
 #include "core/surfaces/gap/regular_cell.h"
 #include "core/surfaces/gap/valley.h"
+#include "core/surfaces/pairs/slow_crossings.h"
 
 namespace blossom {
 namespace {

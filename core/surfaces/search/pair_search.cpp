@@ -15,10 +15,10 @@
 #include "core/cells/pair_model.h"
 #include "core/surfaces/branches/arcs_along_borders.h"
 #include "core/surfaces/contacts/contact_search.h"
-#include "core/surfaces/contacts/slow_crossings.h"
 #include "core/surfaces/gap/gap_model.h"
 #include "core/surfaces/pairs/quadric_pair.h"
 #include "core/surfaces/pairs/shared_cells.h"
+#include "core/surfaces/pairs/slow_crossings.h"
 #include "core/surfaces/search/start_pairs.h"
 
 namespace blossom {

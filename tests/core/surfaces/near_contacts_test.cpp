@@ -29,10 +29,10 @@ using testing::Random;
 
 using testing::setting;
 
-constexpr double kTolerance = 1e-7;
+constexpr double kNearTolerance = 1e-7;
 
 // Two surfaces, and where they are how near to each other, before both are moved and scaled.
-struct Pair {
+struct NearPair {
   BezierSurface above, below;
   std::vector<Vec3> nearest;
   std::vector<double> gaps;  // there, model units
@@ -40,7 +40,7 @@ struct Pair {
 
 struct Kind {
   const char* name;
-  Pair (*make)(Random& random, double gap);
+  NearPair (*make)(Random& random, double gap);
   bool may_stop = false;  // where the gap passes the tolerance in the middle of a surface
 };
 
@@ -49,7 +49,7 @@ struct NearDraw {
   double gap = 0;  // in tolerances
   double scale = 1;
   bool may_stop = false;
-  Pair pair;
+  NearPair pair;
 };
 
 BezierSurface ground() {
@@ -62,7 +62,7 @@ double place(Random& random) {
                                           : testing::uniform(random, -0.8, 0.8);
 }
 
-void add(Pair& pair, const Vec3& point, double gap) {
+void add(NearPair& pair, const Vec3& point, double gap) {
   pair.nearest.push_back(point);
   pair.gaps.push_back(std::abs(gap));
 }
@@ -81,17 +81,17 @@ BezierSurface bowl(double p, double q, double a, double b, double gap) {
   return testing::one_patch(std::move(patch));
 }
 
-Pair bowl_over_plane(Random& random, double gap) {
+NearPair bowl_over_plane(Random& random, double gap) {
   const double p = testing::uniform(random, 0.1, 2), q = testing::uniform(random, 0.1, 2);
   const double a = place(random), b = place(random);
-  Pair pair{bowl(p, q, a, b, gap), ground(), {}, {}};
+  NearPair pair{bowl(p, q, a, b, gap), ground(), {}, {}};
   add(pair, {a, b, 0}, gap);
   return pair;
 }
 
-Pair trough_over_plane(Random& random, double gap) {
+NearPair trough_over_plane(Random& random, double gap) {
   const double p = testing::uniform(random, 0.1, 2), a = place(random);
-  Pair pair{bowl(p, 0, a, 0, gap), ground(), {}, {}};
+  NearPair pair{bowl(p, 0, a, 0, gap), ground(), {}, {}};
   for (double y = -0.9; y < 1; y += 0.3) add(pair, {a, y, 0}, gap);
   return pair;
 }
@@ -103,41 +103,41 @@ BezierSurface ball(Random& random, const Vec3& centre) {
   return testing::moved(testing::unit_sphere(), own);
 }
 
-Pair ball_over_plane(Random& random, double gap) {
+NearPair ball_over_plane(Random& random, double gap) {
   const double a = place(random), b = place(random);
-  Pair pair{ball(random, {a, b, 1 + gap}), ground(), {}, {}};
+  NearPair pair{ball(random, {a, b, 1 + gap}), ground(), {}, {}};
   add(pair, {a, b, 0}, gap);
   return pair;
 }
 
-Pair ball_beside_ball(Random& random, double gap) {
-  Pair pair{ball(random, {0, 0, 1 + gap}), ball(random, {0, 0, -1}), {}, {}};
+NearPair ball_beside_ball(Random& random, double gap) {
+  NearPair pair{ball(random, {0, 0, 1 + gap}), ball(random, {0, 0, -1}), {}, {}};
   add(pair, {0, 0, 0}, gap);
   return pair;
 }
 
-Pair ball_in_ball(Random& random, double gap) {
+NearPair ball_in_ball(Random& random, double gap) {
   testing::Motion half;
   half.scale = testing::uniform(random, 0.3, 0.9);
   half.shift = {0, 0, half.scale - 1 + gap};
-  Pair pair{testing::moved(ball(random, {}), half), ball(random, {}), {}, {}};
+  NearPair pair{testing::moved(ball(random, {}), half), ball(random, {}), {}, {}};
   add(pair, {0, 0, -1}, gap);
   return pair;
 }
 
 // Round one centre, of radii that differ by the gap.
-Pair shell(Random& random, double gap) {
+NearPair shell(Random& random, double gap) {
   testing::Motion less;
   less.scale = 1 - gap;
-  Pair pair{testing::moved(ball(random, {}), less), ball(random, {}), {}, {}};
+  NearPair pair{testing::moved(ball(random, {}), less), ball(random, {}), {}, {}};
   for (int k = 0; k < 8; ++k) add(pair, unit(testing::random_motion(random).rotation[0]), gap);
   return pair;
 }
 
-Pair ring_on_plane(Random& random, double gap) {
+NearPair ring_on_plane(Random& random, double gap) {
   testing::Motion up;
   up.shift = {0, 0, 0.3 + gap};
-  Pair pair{testing::moved(testing::torus(0.7, 0.3), up), ground(), {}, {}};
+  NearPair pair{testing::moved(testing::torus(0.7, 0.3), up), ground(), {}, {}};
   for (int k = 0; k < 8; ++k) {
     const double turn = testing::uniform(random, 0, 6.28);
     add(pair, {0.7 * std::cos(turn), 0.7 * std::sin(turn), 0}, gap);
@@ -156,23 +156,23 @@ BezierSurface sheet(Random& random, double r, double z, const Vec2& slope) {
                                 corner(c + s, s - c), corner(c - s, s + c));
 }
 
-Pair sheet_over_plane(Random& random, double gap) {
-  Pair pair{sheet(random, testing::uniform(random, 0.2, 2), gap, {}), ground(), {}, {}};
+NearPair sheet_over_plane(Random& random, double gap) {
+  NearPair pair{sheet(random, testing::uniform(random, 0.2, 2), gap, {}), ground(), {}, {}};
   for (const double x : {-0.1, 0.0, 0.1}) add(pair, {x, 0.1, 0}, gap);
   return pair;
 }
 
 // Tilted by so little that the gap stays below a few tolerances.
-Pair wedge_over_plane(Random& random, double gap) {
+NearPair wedge_over_plane(Random& random, double gap) {
   const Vec2 slope{testing::uniform(random, -2, 2) * gap, testing::uniform(random, -2, 2) * gap};
-  Pair pair{sheet(random, testing::uniform(random, 0.2, 0.7), gap, slope), ground(), {}, {}};
+  NearPair pair{sheet(random, testing::uniform(random, 0.2, 0.7), gap, slope), ground(), {}, {}};
   for (const double x : {-0.15, 0.0, 0.15})
     for (const double y : {-0.1, 0.1}) add(pair, {x, y, 0}, gap + slope[0] * x + slope[1] * y);
   return pair;
 }
 
 // A free-form surface and itself moved, cut and parametrized otherwise.
-Pair wave_over_itself(Random& random, double gap) {
+NearPair wave_over_itself(Random& random, double gap) {
   RationalBezierPatch patch{Grid<Vec4>(4, 4)};
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
@@ -180,7 +180,7 @@ Pair wave_over_itself(Random& random, double gap) {
   testing::Motion up;
   up.shift = {0, 0, gap};
   const BezierSurface wave = testing::of_patch(patch);
-  Pair pair{testing::moved(wave, up), wave, {}, {}};
+  NearPair pair{testing::moved(wave, up), wave, {}, {}};
   if (testing::pick(random, 0, 1) == 1) pair.above = testing::elevated(pair.above, 4);
   if (testing::pick(random, 0, 1) == 1) pair.above = testing::exchanged(pair.above);
   if (testing::pick(random, 0, 1) == 1) pair.above = testing::split_in_u(pair.above, 0.3);
@@ -202,7 +202,7 @@ constexpr std::array kKinds{Kind{"bowl over plane", bowl_over_plane},
                             Kind{"wedge over plane", wedge_over_plane, true},
                             Kind{"wave over itself", wave_over_itself, true}};
 
-Vec3 moved(const Vec3& x, const testing::Motion& motion) {
+Vec3 moved_point(const Vec3& x, const testing::Motion& motion) {
   Vec3 result;
   for (int k = 0; k < 3; ++k)
     result[k] =
@@ -210,7 +210,7 @@ Vec3 moved(const Vec3& x, const testing::Motion& motion) {
   return result;
 }
 
-NearDraw random_draw(Random& random) {
+NearDraw random_near_draw(Random& random) {
   NearDraw draw;
   const int kind = testing::pick(random, 0, kKinds.size() - 1);
   const int sign = testing::pick(random, 0, 3) == 0 ? -1 : 1;
@@ -221,14 +221,14 @@ NearDraw random_draw(Random& random) {
   const Kind& made = kKinds[static_cast<std::size_t>(setting("BLOSSOM_KIND", kind))];
   draw.name = made.name;
   draw.may_stop = made.may_stop;
-  draw.pair = made.make(random, draw.gap * kTolerance / draw.scale);
+  draw.pair = made.make(random, draw.gap * kNearTolerance / draw.scale);
   testing::Motion motion = testing::random_motion(random);
   if (testing::pick(random, 0, 3) == 0) motion.rotation = testing::Motion{}.rotation;
   motion.scale = draw.scale;
   for (int k = 0; k < 3; ++k) motion.shift[k] *= draw.scale;
   draw.pair.above = testing::moved(draw.pair.above, motion);
   draw.pair.below = testing::moved(draw.pair.below, motion);
-  for (Vec3& x : draw.pair.nearest) x = moved(x, motion);
+  for (Vec3& x : draw.pair.nearest) x = moved_point(x, motion);
   for (double& gap : draw.pair.gaps) gap *= draw.scale;
   return draw;
 }
@@ -263,9 +263,9 @@ std::string fault(const NearDraw& draw, const SurfaceIntersection& found) {
   if (found.status == Status::Stopped && !draw.may_stop) return "stopped";
   const double size = 3 * draw.scale;
   // Rounding of nets moves them by some of their last digits.
-  const double sure = 0.99 * kTolerance - 1e-13 * size;
+  const double sure = 0.99 * kNearTolerance - 1e-13 * size;
   // Surfaces that bend stay within tolerance over so much of their size.
-  const double reach = 3 * std::sqrt(kTolerance * size);
+  const double reach = 3 * std::sqrt(kNearTolerance * size);
   for (std::size_t i = 0; i < draw.pair.nearest.size(); ++i)
     if (draw.pair.gaps[i] < sure && !tells(found, draw.pair.nearest[i], reach))
       return "nothing where they are nearer than the tolerance";
@@ -279,7 +279,7 @@ TEST(NearContacts, AreNeverMissed) {
   int faults = 0;
   for (int seed = first; seed < first + trials; ++seed) {
     Random random = testing::seeded(seed);
-    const NearDraw draw = random_draw(random);
+    const NearDraw draw = random_near_draw(random);
     const bool swapped = testing::pick(random, 0, 1) == 1;
     const BezierSurface &a = swapped ? draw.pair.below : draw.pair.above,
                         &b = swapped ? draw.pair.above : draw.pair.below;

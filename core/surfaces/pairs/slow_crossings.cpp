@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/surfaces/contacts/slow_crossings.h"
+#include "core/surfaces/pairs/slow_crossings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace blossom {
 namespace {
 
-constexpr double kReach = 3;  // roots of tolerance and size: a touch is told within so much
+constexpr double kSlowReach = 3;  // roots of tolerance and size: a touch is told within so much
 constexpr int kHalvings = 8;  // of a cell, four in each direction
 
 Vec3 normal_of(const Cell& cell) { return cross(cell.du.middle, cell.dv.middle); }
@@ -66,7 +66,7 @@ std::optional<Part> part_near(const CellTree& tree, const Cell& cell, const Cell
 bool cross_slowly(const Cell& a, const Cell& b, double tolerance, double size) {
   const Vec3 na = normal_of(a), nb = normal_of(b);
   const double sine_lengths = norm(cross(na, nb)), lengths = norm(na) * norm(nb);
-  return kReach * std::sqrt(size) * sine_lengths < std::sqrt(tolerance) * lengths;
+  return kSlowReach * std::sqrt(size) * sine_lengths < std::sqrt(tolerance) * lengths;
 }
 
 bool lie_over(const Cell& a, const Cell& b, int points_a, int points_b, double tolerance) {
