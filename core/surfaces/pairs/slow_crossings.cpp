@@ -12,7 +12,7 @@ namespace blossom {
 namespace {
 
 constexpr double kSlowReach = 3;  // roots of tolerance and size: a touch is told within so much
-constexpr int kHalvings = 8;  // of a cell, four in each direction
+constexpr int kHalvings = 8;      // of a cell, four in each direction
 
 Vec3 normal_of(const Cell& cell) { return cross(cell.du.middle, cell.dv.middle); }
 
