@@ -38,7 +38,7 @@ struct NearPair {
   std::vector<double> gaps;  // there, model units
 };
 
-struct Kind {
+struct NearKind {
   const char* name;
   NearPair (*make)(Random& random, double gap);
   bool may_stop = false;  // where the gap passes the tolerance in the middle of a surface
@@ -191,16 +191,16 @@ NearPair wave_over_itself(Random& random, double gap) {
   return pair;
 }
 
-constexpr std::array kKinds{Kind{"bowl over plane", bowl_over_plane},
-                            Kind{"trough over plane", trough_over_plane},
-                            Kind{"ball over plane", ball_over_plane},
-                            Kind{"ball beside ball", ball_beside_ball},
-                            Kind{"ball in ball", ball_in_ball},
-                            Kind{"shell", shell},
-                            Kind{"ring on plane", ring_on_plane},
-                            Kind{"sheet over plane", sheet_over_plane},
-                            Kind{"wedge over plane", wedge_over_plane, true},
-                            Kind{"wave over itself", wave_over_itself, true}};
+constexpr std::array kNearKinds{NearKind{"bowl over plane", bowl_over_plane},
+                                NearKind{"trough over plane", trough_over_plane},
+                                NearKind{"ball over plane", ball_over_plane},
+                                NearKind{"ball beside ball", ball_beside_ball},
+                                NearKind{"ball in ball", ball_in_ball},
+                                NearKind{"shell", shell},
+                                NearKind{"ring on plane", ring_on_plane},
+                                NearKind{"sheet over plane", sheet_over_plane},
+                                NearKind{"wedge over plane", wedge_over_plane, true},
+                                NearKind{"wave over itself", wave_over_itself, true}};
 
 Vec3 moved_point(const Vec3& x, const testing::Motion& motion) {
   Vec3 result;
@@ -212,13 +212,13 @@ Vec3 moved_point(const Vec3& x, const testing::Motion& motion) {
 
 NearDraw random_near_draw(Random& random) {
   NearDraw draw;
-  const int kind = testing::pick(random, 0, kKinds.size() - 1);
+  const int kind = testing::pick(random, 0, kNearKinds.size() - 1);
   const int sign = testing::pick(random, 0, 3) == 0 ? -1 : 1;
   draw.gap = testing::pick(random, 0, 2) == 0
                  ? testing::uniform(random, -2, 2)
                  : sign * std::pow(10, testing::uniform(random, -6, 0.3));
   if (testing::pick(random, 0, 1) == 1) draw.scale = std::pow(10, testing::uniform(random, -3, 4));
-  const Kind& made = kKinds[static_cast<std::size_t>(setting("BLOSSOM_KIND", kind))];
+  const NearKind& made = kNearKinds[static_cast<std::size_t>(setting("BLOSSOM_KIND", kind))];
   draw.name = made.name;
   draw.may_stop = made.may_stop;
   draw.pair = made.make(random, draw.gap * kNearTolerance / draw.scale);

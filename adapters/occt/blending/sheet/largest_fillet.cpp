@@ -16,9 +16,9 @@ namespace {
 // between is below the tolerances of the model.
 constexpr double kJustBelow[] = {0, 1e-6, 1e-3};
 constexpr double kJustAbove = 1e-3;   // relative: what works there was not stopped by the limit
-constexpr int kMostLimits = 8;        // edges whose limits are followed, one after the other
-constexpr double kFall = 4;           // from radius to radius until one works
-constexpr double kLeastShare = 1e-5;  // of the radius asked for
+constexpr int kMostLimits = 4;        // edges whose limits are followed, one after the other
+constexpr double kFall = 8;           // from radius to radius until one works
+constexpr double kLeastShare = 1e-3;  // of the radius asked for: a smaller one is no help
 constexpr double kBracketed = 1.01;   // ratio of the bracket's ends
 // Edges that all trials together round, about ten seconds of work: then the bracket stays as it is.
 constexpr std::size_t kMostEdges = 1000;

@@ -28,7 +28,7 @@ struct LargestFillet {
 ///
 /// chains   rounded together
 /// why      they cannot be rounded by `radius`
-/// returns  nothing if no radius down to 1e-5 of the one asked for works, or no radius can help
+/// returns  nothing if no radius down to 1e-3 of the one asked for works, or no radius can help
 /// throws   LimitFailure
 std::optional<LargestFillet> largest_fillet(Filleting& work, const std::vector<FilletEdges>& chains,
                                             double radius, const FilletRefusal& why);
