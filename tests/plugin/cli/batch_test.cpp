@@ -16,23 +16,22 @@
 namespace blossom {
 namespace {
 
-using Json = nlohmann::json;
 using testing::blossom;
 using testing::Finished;
 
 // The lines of a file of results by the ids; each may be there once.
-std::map<std::string, Json> results_in(const std::filesystem::path& file) {
-  std::map<std::string, Json> results;
+std::map<std::string, nlohmann::json> results_in(const std::filesystem::path& file) {
+  std::map<std::string, nlohmann::json> results;
   std::istringstream in(testing::text_of(file));
   for (std::string line; std::getline(in, line);) {
-    const Json result = Json::parse(line);
+    const nlohmann::json result = nlohmann::json::parse(line);
     EXPECT_TRUE(results.emplace(result["id"], result).second) << result["id"] << " is there twice";
   }
   return results;
 }
 
 // Without what differs from run to run.
-Json lasting(Json result) {
+nlohmann::json lasting(nlohmann::json result) {
   result.erase("run");
   if (result.contains("report"))
     for (const char* name : {"seconds", "seconds_first"}) result["report"].erase(name);
@@ -52,8 +51,8 @@ class Batch : public ::testing::Test {
     std::string lines;
     for (int i = 1; i <= count; ++i) {
       const std::string lid = i == 2 ? "nowhere.brep" : "lid.brep";
-      const Json job = {{"id", "cut " + std::to_string(i)},
-                        {"arguments", {"intersect", "bowl.brep", lid, "--json", "-"}}};
+      const nlohmann::json job = {{"id", "cut " + std::to_string(i)},
+                                  {"arguments", {"intersect", "bowl.brep", lid, "--json", "-"}}};
       lines += job.dump() + "\n";
     }
     testing::write_text(jobs, lines);
@@ -72,14 +71,14 @@ TEST_F(Batch, AnswersEveryJobAsTheCommandItselfDoes) {
   EXPECT_NE(run.out.find("\n    cut 2: nowhere.brep: no such file\n"), std::string::npos)
       << run.out;
 
-  std::map<std::string, Json> found = results_in(results);
+  std::map<std::string, nlohmann::json> found = results_in(results);
   ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found["cut 2"]["code"], 2);
   const std::string there = "cd '" + (folder / "").string() + "' && ";
   const Finished alone = blossom({"intersect", "bowl.brep", "lid.brep", "--json", "-"}, there);
   EXPECT_EQ(found["cut 1"]["code"], alone.code);
   EXPECT_TRUE(lasting(found["cut 1"])["report"] ==
-              lasting({{"report", Json::parse(alone.out)}})["report"]);
+              lasting({{"report", nlohmann::json::parse(alone.out)}})["report"]);
 }
 
 TEST_F(Batch, DoesWhatHasNoResultYetAndRepairsHalfALine) {
@@ -109,8 +108,8 @@ TEST_F(Batch, GoesOnAfterItWasKilledWithTheSameResults) {
     broken_off += code != 1 ? 1 : 0;
   }
   EXPECT_EQ(blossom({"batch", jobs, "-o", results, "-q"}).code, 1);
-  const std::map<std::string, Json> expected = results_in(folder / "undisturbed.jsonl");
-  const std::map<std::string, Json> found = results_in(results);
+  const std::map<std::string, nlohmann::json> expected = results_in(folder / "undisturbed.jsonl");
+  const std::map<std::string, nlohmann::json> found = results_in(results);
   ASSERT_EQ(found.size(), 60u);
   for (const auto& [id, result] : expected)
     EXPECT_TRUE(lasting(found.at(id)) == lasting(result)) << id;
@@ -123,7 +122,7 @@ TEST_F(Batch, ShardsShareTheJobs) {
   for (const std::string shard : {"1/3", "2/3", "3/3"}) {
     const std::filesystem::path file = folder / ("results-" + shard.substr(0, 1) + ".jsonl");
     blossom({"batch", jobs, "-o", file, "-q", "--shard", shard});
-    const std::map<std::string, Json> found = results_in(file);
+    const std::map<std::string, nlohmann::json> found = results_in(file);
     count += found.size();
     EXPECT_TRUE(found.contains("cut " + shard.substr(0, 1)));
   }
@@ -135,7 +134,7 @@ TEST_F(Batch, ReadsStdinAndWritesStdout) {
   const std::string piped = "cd '" + (folder / "").string() + "' && sh -c '\"$@\" <jobs.jsonl' sh";
   const Finished run = blossom({"batch", "-", "-o", "-"}, piped);
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(Json::parse(run.out)["id"], "cut 1");
+  EXPECT_EQ(nlohmann::json::parse(run.out)["id"], "cut 1");
 }
 
 TEST_F(Batch, ListsWhatHasNoResult) {
@@ -145,7 +144,7 @@ TEST_F(Batch, ListsWhatHasNoResult) {
   const std::string before = testing::text_of(results);
   const Finished run = blossom({"batch", jobs, "-o", results, "--list"});
   EXPECT_EQ(run.code, 0);
-  EXPECT_EQ(Json::parse(run.out.substr(0, run.out.find('\n')))["id"], "cut 2");
+  EXPECT_EQ(nlohmann::json::parse(run.out.substr(0, run.out.find('\n')))["id"], "cut 2");
   EXPECT_EQ(std::ranges::count(run.out, '\n'), 2);
   EXPECT_EQ(testing::text_of(results), before);
 }
@@ -166,7 +165,7 @@ TEST_F(Batch, NamesOfFilesAreTextAndNothingElse) {
   const Finished run = blossom({"batch", "--each", (folder / "elsewhere/*.brep").string(), "-o",
                                 results, "--", "info", "{}", "--json", "-"});
   EXPECT_EQ(run.code, 0) << run.err;
-  const std::map<std::string, Json> found = results_in(results);
+  const std::map<std::string, nlohmann::json> found = results_in(results);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found.begin()->second["report"]["file"], (folder / "elsewhere" / evil).string());
   EXPECT_FALSE(std::filesystem::exists(folder / "spoilt"));

@@ -14,8 +14,6 @@
 namespace blossom::testing {
 namespace {
 
-using Json = nlohmann::json;
-
 class BlendFill : public ::testing::Test {
  protected:
   BlendFill() {
@@ -32,16 +30,16 @@ TEST_F(BlendFill, WritesValidFacesAndReportsTheirContinuity) {
   const Finished ran = blossom({"blend", "fill", path("square.brep"), "--edges", "8,5,7,6", "-o",
                                 path("out.step"), "--json", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  const Json report = Json::parse(ran.out);
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
   EXPECT_EQ(report["schema"], "blossom.blend/1");
   EXPECT_EQ(report["kind"], "fill");
   ASSERT_EQ(report["holes"].size(), 1u);
-  const Json& hole = report["holes"][0];
+  const nlohmann::json& hole = report["holes"][0];
   EXPECT_EQ(hole["layout"], "star");
   EXPECT_EQ(hole["reached"], "G1");
   EXPECT_EQ(hole["sides"].size(), 4u);
   EXPECT_LE(hole["inside"]["normal_angle"], 1e-12);
-  for (const Json& side : hole["sides"]) {
+  for (const nlohmann::json& side : hole["sides"]) {
     EXPECT_EQ(side["exact"], true);
     EXPECT_EQ(side["asked"], "G1");
     EXPECT_LE(side["normal_angle"], 1e-12);
@@ -63,7 +61,7 @@ TEST_F(BlendFill, JoinsTheFillToTheModel) {
 TEST_F(BlendFill, WithoutEdgesFillsWhatItCanAndNamesTheRest) {
   const Finished ran = blossom({"blend", "fill", path("square.brep"), "--json", "-"});
   EXPECT_EQ(ran.code, 4) << ran.err;
-  const Json report = Json::parse(ran.out);
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
   EXPECT_EQ(report["holes"].size(), 1u);
   ASSERT_EQ(report["refused"].size(), 1u);
   EXPECT_EQ(report["refused"][0]["reason"], "reflex-corner");
@@ -73,7 +71,7 @@ TEST_F(BlendFill, TakesAContinuityForEachEdge) {
   const Finished ran = blossom({"blend", "fill", path("square.brep"), "--edges", "5,6,7,8",
                                 "--continuity", "G1,G0,G1,G0", "--json", "-"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  for (const Json& side : Json::parse(ran.out)["holes"][0]["sides"])
+  for (const nlohmann::json& side : nlohmann::json::parse(ran.out)["holes"][0]["sides"])
     EXPECT_EQ(side["asked"], side["edge"].get<int>() % 2 == 1 ? "G1" : "G0");
 }
 

@@ -23,8 +23,6 @@
 namespace blossom::testing {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr double kCut = 1 - std::numbers::pi / 4;
 
 class BlendFillet : public ::testing::Test {
@@ -51,10 +49,10 @@ TEST_F(BlendFillet, WritesAValidSolidWithNamesAndReportsIt) {
       {path("box.step"), "--edge", "3", "--radius", "2", "-o", path("out.step"), "--json", "-"});
 
   ASSERT_EQ(ran.code, 0) << ran.err;
-  const Json report = Json::parse(ran.out);
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
   EXPECT_EQ(report["schema"], "blossom.blend/1");
   EXPECT_EQ(report["kind"], "fillet");
-  EXPECT_EQ(report["edges"], Json::parse("[3]"));
+  EXPECT_EQ(report["edges"], nlohmann::json::parse("[3]"));
   EXPECT_EQ(report["written"], true);
   EXPECT_NEAR(report["volume"]["before"], 1000, 1e-9);
   EXPECT_NEAR(report["volume"]["after"], 1000 - 40 * kCut, 1e-9);
@@ -72,10 +70,10 @@ TEST_F(BlendFillet, TakesEdgesByListByPairOfFacesAndAll) {
     arguments.insert(arguments.end(), which.begin(), which.end());
     const Finished ran = fillet(arguments);
     EXPECT_EQ(ran.code, 0) << ran.err;
-    return Json::parse(ran.out)["edges"];
+    return nlohmann::json::parse(ran.out)["edges"];
   };
-  EXPECT_EQ(edges({"--edge", "1,2"}), Json::parse("[1,2]"));
-  EXPECT_EQ(edges({"--edge", "1", "--edge", "2"}), Json::parse("[1,2]"));
+  EXPECT_EQ(edges({"--edge", "1,2"}), nlohmann::json::parse("[1,2]"));
+  EXPECT_EQ(edges({"--edge", "1", "--edge", "2"}), nlohmann::json::parse("[1,2]"));
   EXPECT_EQ(edges({"--between", "1,3"}).size(), 1U);
   EXPECT_EQ(edges({"--edges", "all"}).size(), 12U);
   EXPECT_EQ(edges({"--edges", "convex"}).size(), 12U);
@@ -88,7 +86,7 @@ TEST_F(BlendFillet, RefusesARadiusThatIsTooLargeAndWritesNothing) {
   EXPECT_EQ(ran.code, 1);
   EXPECT_NE(ran.err.find("edge 1: "), std::string::npos) << ran.err;
   EXPECT_FALSE(std::filesystem::exists(path("out.step")));
-  const Json report = Json::parse(text_of(path("report.json")));
+  const nlohmann::json report = nlohmann::json::parse(text_of(path("report.json")));
   EXPECT_EQ(report["written"], false);
   ASSERT_EQ(report["refused"].size(), 1U);
   EXPECT_EQ(report["refused"][0]["edge"], 1);
@@ -101,7 +99,7 @@ TEST_F(BlendFillet, RoundsWhatCanBeRoundedWhenAskedForAPart) {
                                "-o", path("out.step"), "--json", "-"});
 
   EXPECT_EQ(ran.code, 3) << ran.err;
-  const Json report = Json::parse(ran.out);
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
   EXPECT_EQ(report["edges"].size(), 2U);
   EXPECT_EQ(report["refused"].size(), 1U);
   EXPECT_EQ(report["refused"][0]["fault"], "edge");
@@ -151,7 +149,7 @@ TEST_F(BlendFillet, ChangesItsRadiusAlongAnEdge) {
       {path("box.step"), "--edge", "3", "--radius", "1..2", "-o", path("out.step"), "--json", "-"});
 
   ASSERT_EQ(ran.code, 0) << ran.err;
-  const Json report = Json::parse(ran.out);
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
   EXPECT_EQ(report["radius"], 1);
   EXPECT_EQ(report["last_radius"], 2);
   // More than the lesser radius takes all along, less than the greater one.
@@ -166,7 +164,7 @@ TEST_F(BlendFillet, TakesConicsForSections) {
                                "conic:0.5", "-o", path("out.step"), "--json", "-"});
 
   ASSERT_EQ(ran.code, 0) << ran.err;
-  const Json report = Json::parse(ran.out);
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
   EXPECT_EQ(report["rho"], 0.5);
   // A parabola leaves a third of the triangle of its end tangents.
   EXPECT_NEAR(report["volume"]["after"], 1000 - 10 * 2.0 / 3, 1e-6);
@@ -180,7 +178,7 @@ TEST_F(BlendFillet, ChamferCutsAnEdgeOff) {
     const Finished ran = blossom({"blend", "chamfer", path("box.step"), "--edge", "3", "--distance",
                                   distance, "-o", path("out.step"), "--json", "-"});
     ASSERT_EQ(ran.code, 0) << ran.err;
-    const Json report = Json::parse(ran.out);
+    const nlohmann::json report = nlohmann::json::parse(ran.out);
     EXPECT_EQ(report["kind"], "chamfer");
     EXPECT_EQ(report["distance"], 2);
     EXPECT_NEAR(report["volume"]["after"], 1000 - 10 * area, 1e-9) << distance;
@@ -201,10 +199,10 @@ TEST_F(BlendFillet, InfoListsTheEdgesThatItTakes) {
   const Finished ran = blossom({"info", path("pin.step"), "--edges", "--json", "-"});
 
   ASSERT_EQ(ran.code, 0) << ran.err;
-  const Json edges = Json::parse(ran.out)["edges"];
+  const nlohmann::json edges = nlohmann::json::parse(ran.out)["edges"];
   ASSERT_EQ(edges.size(), 3U);
   int convex = 0;
-  for (const Json& edge : edges) {
+  for (const nlohmann::json& edge : edges) {
     if (edge["kind"] != "convex") continue;
     ++convex;
     EXPECT_EQ(edge["faces"].size(), 2U);

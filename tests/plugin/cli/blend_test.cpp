@@ -14,8 +14,6 @@
 namespace blossom::testing {
 namespace {
 
-using Json = nlohmann::json;
-
 class BlendStrip : public ::testing::Test {
  protected:
   BlendStrip() {
@@ -32,7 +30,7 @@ TEST_F(BlendStrip, WritesOneValidFaceAndReportsItsContinuity) {
                                 "--edge-a", "vmax", "-o", path("out.step"), "--json", "-"});
 
   ASSERT_EQ(ran.code, 0) << ran.err;
-  const Json report = Json::parse(ran.out);
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
   EXPECT_EQ(report["schema"], "blossom.blend/1");
   EXPECT_EQ(report["kind"], "strip");
   EXPECT_EQ(report["a"]["edge"], "vmax");
@@ -58,7 +56,7 @@ TEST_F(BlendStrip, WeightsScaleTheTangents) {
         blossom({"blend", "strip", path("lids.brep#1"), path("lids.brep#2"), "--edge-a", "umax",
                  "--edge-b", "umin", "--weight-a", weight, "--json", "-"});
     EXPECT_EQ(ran.code, 0) << ran.err;
-    return Json::parse(ran.out)["continuity"]["a"]["scale"].get<double>();
+    return nlohmann::json::parse(ran.out)["continuity"]["a"]["scale"].get<double>();
   };
 
   EXPECT_NEAR(scale("3") / scale("1"), 3, 1e-12);

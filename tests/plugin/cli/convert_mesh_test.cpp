@@ -24,8 +24,6 @@
 namespace blossom::testing {
 namespace {
 
-using Json = nlohmann::json;
-
 class ConvertMesh : public ::testing::Test {
  protected:
   std::string path(const std::string& name) const { return (folder / name).string(); }
@@ -42,11 +40,12 @@ class ConvertMesh : public ::testing::Test {
     return blossom(more);
   }
 
-  Json report(const std::string& from, const std::string& to, std::vector<std::string> more = {}) {
+  nlohmann::json report(const std::string& from, const std::string& to,
+                        std::vector<std::string> more = {}) {
     more.insert(more.end(), {"--json", "-"});
     const Finished ran = run(from, to, more);
     EXPECT_EQ(ran.code, 0) << ran.err;
-    return ran.code == 0 ? Json::parse(ran.out) : Json();
+    return ran.code == 0 ? nlohmann::json::parse(ran.out) : nlohmann::json();
   }
 
   TestFolder folder;
@@ -71,7 +70,7 @@ double stl_volume(const std::string& bytes, std::uint32_t& facets) {
 TEST_F(ConvertMesh, WritesABinaryStlWithinTheDeviation) {
   write(BRepPrimAPI_MakeCylinder(10, 20), "a.step");
 
-  const Json made = report("a.step", "a.stl", {"--deviation", "0.01"});
+  const nlohmann::json made = report("a.step", "a.stl", {"--deviation", "0.01"});
 
   EXPECT_EQ(made["schema"], "blossom.mesh/1");
   EXPECT_EQ(made["closed"], true);
@@ -101,7 +100,7 @@ TEST_F(ConvertMesh, WritesAllFormatsAndSaysHowNearTheyAre) {
 
 TEST_F(ConvertMesh, NamesTheGroupsOfAnObjAsInputs) {
   write(BRepPrimAPI_MakeCylinder(3, 5), "rod.step");
-  const Json made = report("rod.step", "rod.obj", {"--deviation", "0.1"});
+  const nlohmann::json made = report("rod.step", "rod.obj", {"--deviation", "0.1"});
   EXPECT_EQ(made["rounding"], 0);
   std::istringstream lines(text_of(path("rod.obj")));
   std::vector<std::string> groups;
@@ -113,12 +112,12 @@ TEST_F(ConvertMesh, NamesTheGroupsOfAnObjAsInputs) {
   EXPECT_EQ(groups, (std::vector<std::string>{"part/Face1", "part/Face2", "part/Face3"}));
   EXPECT_EQ(triangles, made["triangles"]);
   const Finished named = blossom({"info", path("rod.step") + "#" + groups[1], "--json", "-"});
-  EXPECT_EQ(Json::parse(named.out)["faces"].size(), 1u) << named.err;
+  EXPECT_EQ(nlohmann::json::parse(named.out)["faces"].size(), 1u) << named.err;
 }
 
 TEST_F(ConvertMesh, WritesASolidForEachFaceInStlAsText) {
   write(BRepPrimAPI_MakeCylinder(3, 5), "rod.step");
-  const Json made = report("rod.step", "rod.stl", {"--deviation", "0.1", "--text"});
+  const nlohmann::json made = report("rod.step", "rod.stl", {"--deviation", "0.1", "--text"});
   EXPECT_EQ(made["rounding"], 0);
   std::istringstream lines(text_of(path("rod.stl")));
   std::vector<std::string> begun, ended;
@@ -129,7 +128,7 @@ TEST_F(ConvertMesh, WritesASolidForEachFaceInStlAsText) {
   EXPECT_EQ(begun, (std::vector<std::string>{"part/Face1", "part/Face2", "part/Face3"}));
   EXPECT_EQ(ended, begun);
   const Finished ran = blossom({"check", path("rod.stl"), "--json", "-"});
-  const Json read = Json::parse(ran.out);
+  const nlohmann::json read = nlohmann::json::parse(ran.out);
   EXPECT_EQ(read["triangles"], made["triangles"]);
   EXPECT_EQ(read["points"], made["points"]);
   EXPECT_EQ(read["closed"], true);
@@ -137,11 +136,11 @@ TEST_F(ConvertMesh, WritesASolidForEachFaceInStlAsText) {
 
 TEST_F(ConvertMesh, ReadsAnObjAsItWasWritten) {
   write(BRepPrimAPI_MakeSphere(5), "ball.brep");
-  const Json made = report("ball.brep", "ball.obj");
+  const nlohmann::json made = report("ball.brep", "ball.obj");
   const Finished ran = blossom({"check", path("ball.obj"), "--json", "-"});
   EXPECT_EQ(ran.code, 0) << ran.err;
-  EXPECT_EQ(Json::parse(ran.out)["triangles"], made["triangles"]);
-  EXPECT_EQ(Json::parse(ran.out)["closed"], true);
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["triangles"], made["triangles"]);
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["closed"], true);
 }
 
 TEST_F(ConvertMesh, KeepsNamesAndColoursInGlb) {
@@ -175,7 +174,7 @@ TEST_F(ConvertMesh, SaysWhichFacesCross) {
   builder.Add(both, BRepPrimAPI_MakeBox(2, 2, 2).Shape());
   builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(1, 1, 1), gp_Pnt(3, 3, 3)).Shape());
   write(both, "two.brep");
-  const Json made = report("two.brep", "two.stl");
+  const nlohmann::json made = report("two.brep", "two.stl");
   EXPECT_GT(made["crossings"], 0);
   EXPECT_EQ(made["crossing_faces"].size(), 6u);
 }

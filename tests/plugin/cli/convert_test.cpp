@@ -36,27 +36,28 @@
 namespace blossom::testing {
 namespace {
 
-using Json = nlohmann::json;
-
 class Convert : public ::testing::Test {
  protected:
   std::string path(const std::string& name) const { return (folder / name).string(); }
 
   // Converts and returns the report.
-  Json convert(const std::string& from, const std::string& to, const std::string& form = {}) {
+  nlohmann::json convert(const std::string& from, const std::string& to,
+                         const std::string& form = {}) {
     std::vector<std::string> arguments = {"convert", path(from), "-o", path(to), "--json", "-"};
     if (!form.empty()) arguments.insert(arguments.end(), {"--to", form});
     const Finished ran = blossom(arguments);
     EXPECT_EQ(ran.code, 0) << ran.err;
-    return ran.code == 0 ? Json::parse(ran.out) : Json();
+    return ran.code == 0 ? nlohmann::json::parse(ran.out) : nlohmann::json();
   }
 
-  Json nets_of(const std::string& name) { return Json::parse(text_of(path(name)))["nets"]; }
+  nlohmann::json nets_of(const std::string& name) {
+    return nlohmann::json::parse(text_of(path(name)))["nets"];
+  }
 
   TestFolder folder;
 };
 
-double point_gap(const Json& a, const Json& b) {
+double point_gap(const nlohmann::json& a, const nlohmann::json& b) {
   double largest = 0;
   for (std::size_t k = 0; k < 3; ++k)
     largest = std::max(largest, std::abs(a[k].get<double>() - b[k].get<double>()));
@@ -70,7 +71,7 @@ TEST_F(Convert, KeepsNamesAndColoursBetweenModels) {
   model.add(lid(1), "lid");
   occt::write_model(model, path("a.step"));
 
-  const Json report = convert("a.step", "b.stp");
+  const nlohmann::json report = convert("a.step", "b.stp");
 
   EXPECT_EQ(report["schema"], "blossom.conversion/1");
   EXPECT_EQ(report["faces"], 2);
@@ -141,7 +142,7 @@ TEST_F(Convert, TakesOnlyTheChosenFaces) {
 
 TEST_F(Convert, SplitsFacesIntoBezierPatches) {
   write({four_spans(), half_pipe()}, folder / "a.step");
-  const Json report = convert("a.step", "b.brep", "bezier");
+  const nlohmann::json report = convert("a.step", "b.brep", "bezier");
   EXPECT_EQ(report["faces"], 2);
   EXPECT_EQ(report["nets"], 5);
   EXPECT_EQ(report["error"], 0);
@@ -172,10 +173,10 @@ TEST_F(Convert, SaysHowManyFacesLostTheirTrims) {
 TEST_F(Convert, FollowsTheTrimsOfADiscExactly) {
   write({disc(), bowl()}, folder / "a.brep");
   for (const char* form : {"bezier", "triangles"}) {
-    const Json report = convert("a.brep", "b.brep", form);
+    const nlohmann::json report = convert("a.brep", "b.brep", form);
     EXPECT_EQ(report["trims_left_out"], 0);
     ASSERT_EQ(report["trimmed"].size(), 1u);
-    const Json& face = report["trimmed"][0];
+    const nlohmann::json& face = report["trimmed"][0];
     EXPECT_EQ(face["face"], 1);
     EXPECT_EQ(face["fitted"], 0);
     EXPECT_EQ(face["border_error"], 0);
@@ -184,10 +185,11 @@ TEST_F(Convert, FollowsTheTrimsOfADiscExactly) {
   // Triangles of bidegree (1, 1) under arcs of degree 2: every point of the circle's arcs.
   convert("a.brep", "t.json", "triangles");
   int on_circle = 0;
-  for (const Json& net : nets_of("t.json")) {
+  for (const nlohmann::json& net : nets_of("t.json")) {
     if (net["kind"] != "triangle" || net["degree"] != 4 || net["face"] != 1) continue;
     EXPECT_TRUE(net["rational"]);
-    for (const Json& corner : {net["points"][4][0], net["points"][0][0], net["points"][0][4]}) {
+    for (const nlohmann::json& corner :
+         {net["points"][4][0], net["points"][0][0], net["points"][0][4]}) {
       const double w = corner[3].get<double>();
       const double r = std::hypot(corner[0].get<double>(), corner[1].get<double>()) / w;
       on_circle += std::abs(r - 1) < 1e-14 ? 1 : 0;
@@ -247,11 +249,11 @@ TEST_P(ConvertTrimmed, PiecesHaveTheAreaOfTheFaces) {
 
   const bool step = GetParam() % 2 == 0;
   const char* const file = step ? "b.step" : "b.brep";
-  const Json report = convert("a.brep", file, step ? "bezier" : "triangles");
+  const nlohmann::json report = convert("a.brep", file, step ? "bezier" : "triangles");
 
   ASSERT_FALSE(report.is_null());
   EXPECT_EQ(report["trims_left_out"], 0);
-  for (const Json& face : report["trimmed"]) EXPECT_LE(face["border_error"], 1e-6);
+  for (const nlohmann::json& face : report["trimmed"]) EXPECT_LE(face["border_error"], 1e-6);
   const occt::Model model = occt::read_model(path(file));
   EXPECT_EQ(model.face_count(), report["nets"]);
   EXPECT_TRUE(BRepCheck_Analyzer(model.shape()).IsValid());
@@ -266,7 +268,7 @@ TEST_F(Convert, BezierNetsComeBackBitForBit) {
   convert("a.json", "b.brep");
   convert("b.brep", "b.json");
   EXPECT_EQ(nets_of("a.json")[0]["points"], nets_of("b.json")[0]["points"]);
-  EXPECT_EQ(nets_of("a.json")[0]["points"][1][1], Json({0.0, 0.0, -2.0}));
+  EXPECT_EQ(nets_of("a.json")[0]["points"][1][1], nlohmann::json({0.0, 0.0, -2.0}));
   convert("b.json", "c.json");
   EXPECT_EQ(nets_of("b.json")[0]["points"], nets_of("c.json")[0]["points"]);
 }
@@ -274,15 +276,15 @@ TEST_F(Convert, BezierNetsComeBackBitForBit) {
 TEST_F(Convert, MonomialFormIsReCentred) {
   write({bowl()}, folder / "a.brep");
   convert("a.brep", "m.json", "monomial");
-  const Json net = nets_of("m.json")[0];
+  const nlohmann::json net = nets_of("m.json")[0];
   EXPECT_EQ(net["form"], "monomial");
-  EXPECT_EQ(net["centre"], Json({0.5, 0.5}));
-  EXPECT_EQ(net["scale"], Json({0.5, 0.5}));
+  EXPECT_EQ(net["centre"], nlohmann::json({0.5, 0.5}));
+  EXPECT_EQ(net["scale"], nlohmann::json({0.5, 0.5}));
   // x = s, y = t, z = s^2 + t^2 for s = 2 u - 1, t = 2 v - 1.
-  EXPECT_EQ(net["points"][0][0], Json({0.0, 0.0, 0.0}));
-  EXPECT_EQ(net["points"][1][0], Json({1.0, 0.0, 0.0}));
-  EXPECT_EQ(net["points"][2][0], Json({0.0, 0.0, 1.0}));
-  EXPECT_EQ(net["points"][0][2], Json({0.0, 0.0, 1.0}));
+  EXPECT_EQ(net["points"][0][0], nlohmann::json({0.0, 0.0, 0.0}));
+  EXPECT_EQ(net["points"][1][0], nlohmann::json({1.0, 0.0, 0.0}));
+  EXPECT_EQ(net["points"][2][0], nlohmann::json({0.0, 0.0, 1.0}));
+  EXPECT_EQ(net["points"][0][2], nlohmann::json({0.0, 0.0, 1.0}));
 }
 
 TEST_F(Convert, RationalMonomialFormComesBackWithinItsBound) {
@@ -290,7 +292,7 @@ TEST_F(Convert, RationalMonomialFormComesBackWithinItsBound) {
   convert("a.brep", "a.json", "bezier");
   convert("a.json", "m.json", "monomial");
   convert("m.json", "b.json", "bezier");
-  const Json a = nets_of("a.json")[0], b = nets_of("b.json")[0];
+  const nlohmann::json a = nets_of("a.json")[0], b = nets_of("b.json")[0];
   EXPECT_EQ(a["rational"], true);
   EXPECT_EQ(a["points"][0][0].size(), 4u);
   for (std::size_t i = 0; i <= 3; ++i)
@@ -303,13 +305,13 @@ TEST_F(Convert, RationalMonomialFormComesBackWithinItsBound) {
 TEST_F(Convert, MonomialFormsAreInTheParametersOfTheirSpans) {
   write({four_spans()}, folder / "a.brep");
   convert("a.brep", "m.json", "monomial");
-  const Json net = nets_of("m.json")[2];
-  EXPECT_EQ(net["u"], Json({1, 2}));
-  EXPECT_EQ(net["centre"], Json({1.5, 0.5}));
-  EXPECT_EQ(net["scale"], Json({0.5, 0.5}));
-  EXPECT_EQ(net["points"][0][0], Json({1.5, 0.5, 0.0}));
+  const nlohmann::json net = nets_of("m.json")[2];
+  EXPECT_EQ(net["u"], nlohmann::json({1, 2}));
+  EXPECT_EQ(net["centre"], nlohmann::json({1.5, 0.5}));
+  EXPECT_EQ(net["scale"], nlohmann::json({0.5, 0.5}));
+  EXPECT_EQ(net["points"][0][0], nlohmann::json({1.5, 0.5, 0.0}));
   convert("m.json", "b.json", "bezier");
-  EXPECT_EQ(nets_of("b.json")[2]["points"][1][0], Json({2.0, 0.0, 0.0}));
+  EXPECT_EQ(nets_of("b.json")[2]["points"][1][0], nlohmann::json({2.0, 0.0, 0.0}));
 }
 
 TEST_F(Convert, MonomialFormsScaleWithTheDomainOfTheNet) {
@@ -317,11 +319,11 @@ TEST_F(Convert, MonomialFormsScaleWithTheDomainOfTheNet) {
              R"({"schema":"blossom.net/1","kind":"patch","degree":[1,1],"u":[1,4],"v":[-2,2],)"
              R"("points":[[[0,0,0],[0,1,0]],[[6,0,0],[6,1,0]]]})");
   convert("a.json", "m.json", "monomial");
-  const Json net = nets_of("m.json")[0];
-  EXPECT_EQ(net["centre"], Json({2.5, 0.0}));
-  EXPECT_EQ(net["scale"], Json({1.5, 2.0}));
+  const nlohmann::json net = nets_of("m.json")[0];
+  EXPECT_EQ(net["centre"], nlohmann::json({2.5, 0.0}));
+  EXPECT_EQ(net["scale"], nlohmann::json({1.5, 2.0}));
   convert("m.json", "b.json", "bezier");
-  EXPECT_EQ(nets_of("b.json")[0]["points"][1][1], Json({6.0, 1.0, 0.0}));
+  EXPECT_EQ(nets_of("b.json")[0]["points"][1][1], nlohmann::json({6.0, 1.0, 0.0}));
 }
 
 TEST_F(Convert, KeepsTheOrientationOfFaces) {
@@ -336,10 +338,10 @@ TEST_F(Convert, KeepsTheOrientationOfFaces) {
 TEST_F(Convert, MakesTwoTrianglesOfAPatchThatShareTheDiagonal) {
   write({bowl()}, folder / "a.brep");
   EXPECT_EQ(convert("a.brep", "t.json", "triangles")["nets"], 2);
-  const Json nets = nets_of("t.json");
+  const nlohmann::json nets = nets_of("t.json");
   EXPECT_EQ(nets[0]["degree"], 4);
-  EXPECT_EQ(nets[0]["corners"], Json({{0, 0}, {1, 0}, {0, 1}}));
-  EXPECT_EQ(nets[1]["corners"], Json({{1, 1}, {0, 1}, {1, 0}}));
+  EXPECT_EQ(nets[0]["corners"], nlohmann::json({{0, 0}, {1, 0}, {0, 1}}));
+  EXPECT_EQ(nets[1]["corners"], nlohmann::json({{1, 1}, {0, 1}, {1, 0}}));
   // The diagonal has no part of the first corner: row 0, from c to b and from b to c.
   for (std::size_t k = 0; k <= 4; ++k)
     EXPECT_LE(point_gap(nets[0]["points"][0][k], nets[1]["points"][0][4 - k]), 1e-15);
@@ -367,7 +369,8 @@ TEST_F(Convert, TrianglesAtAPoleSurviveAStepFile) {
              R"({"schema":"blossom.net/1","kind":"patch","degree":[2,2],"points":[)"
              R"([[0,0,0],[1,0,1],[2,0,0]],[[0,1,1],[1,1,2],[2,1,1]],[[1,2,0],[1,2,0],[1,2,0]]]})");
   convert("pole.json", "pole.step", "triangles");
-  const Json info = Json::parse(blossom({"info", path("pole.step"), "--json", "-"}).out);
+  const nlohmann::json info =
+      nlohmann::json::parse(blossom({"info", path("pole.step"), "--json", "-"}).out);
   EXPECT_EQ(info["counts"]["faces"], 2);
   EXPECT_EQ(info["counts"]["edges"], 8);
   EXPECT_EQ(info["valid"], true);

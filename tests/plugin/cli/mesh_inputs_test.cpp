@@ -19,8 +19,6 @@
 namespace blossom::testing {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr const char* kTetrahedron =
     "OFF\n4 4 0\n0 0 0\n2 0 0\n0 2 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 constexpr const char* kOpen = "OFF\n4 3 0\n0 0 0\n2 0 0\n0 2 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n";
@@ -36,11 +34,11 @@ class MeshInputs : public ::testing::Test {
     occt::write_model(model, path(name));
   }
 
-  Json report(std::vector<std::string> arguments) {
+  nlohmann::json report(std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), {"--json", "-"});
     const Finished ran = blossom(arguments);
     EXPECT_EQ(ran.code, 0) << ran.err;
-    return ran.code == 0 ? Json::parse(ran.out) : Json();
+    return ran.code == 0 ? nlohmann::json::parse(ran.out) : nlohmann::json();
   }
 
   TestFolder folder;
@@ -48,7 +46,7 @@ class MeshInputs : public ::testing::Test {
 
 TEST_F(MeshInputs, AreCheckedForSidesAndVolume) {
   write_text(path("a.off"), kTetrahedron);
-  const Json found = report({"check", path("a.off")});
+  const nlohmann::json found = report({"check", path("a.off")});
   EXPECT_EQ(found["schema"], "blossom.mesh-check/1");
   EXPECT_EQ(found["closed"], true);
   EXPECT_DOUBLE_EQ(found["volume"].get<double>(), 2);
@@ -75,12 +73,12 @@ TEST_F(MeshInputs, ThatPromiseTenGigabytesAreRefused) {
 
 TEST_F(MeshInputs, AreAsFarFromTheirModelAsTheyClaim) {
   write(BRepPrimAPI_MakeCylinder(10, 20), "rod.brep");
-  const Json made = [&] {
+  const nlohmann::json made = [&] {
     const Finished ran = blossom(
         {"convert", path("rod.brep"), "-o", path("rod.stl"), "--deviation", "0.05", "--json", "-"});
-    return Json::parse(ran.out);
+    return nlohmann::json::parse(ran.out);
   }();
-  const Json found = report({"query", "distance", path("rod.stl"), path("rod.brep")});
+  const nlohmann::json found = report({"query", "distance", path("rod.stl"), path("rod.brep")});
   EXPECT_EQ(found["schema"], "blossom.mesh-distance/1");
   EXPECT_LE(found["lower"], made["distance"]);
   EXPECT_GE(found["upper"].get<double>(), 0.7 * made["distance"].get<double>());
@@ -91,7 +89,7 @@ TEST_F(MeshInputs, OfAnotherPartAreFarFromIt) {
   write(BRepPrimAPI_MakeBox(1, 1, 1), "a.brep");
   write(BRepPrimAPI_MakeBox(1, 1, 3), "b.brep");
   EXPECT_EQ(blossom({"convert", path("b.brep"), "-o", path("b.ply")}).code, 0);
-  const Json found = report({"query", "distance", path("a.brep"), path("b.ply")});
+  const nlohmann::json found = report({"query", "distance", path("a.brep"), path("b.ply")});
   // The middle of the lower lid is nearest to the walls.
   EXPECT_NEAR(found["a_to_b"]["upper"].get<double>(), 0.5, 1e-3);
   EXPECT_NEAR(found["b_to_a"]["lower"].get<double>(), 2, 1e-6);
@@ -101,7 +99,7 @@ TEST_F(MeshInputs, OfAnotherPartAreFarFromIt) {
 
 TEST_F(MeshInputs, DeepChecksOfModelsCountCrossings) {
   write(BRepPrimAPI_MakeCylinder(10, 20), "rod.brep");
-  const Json found = report({"check", path("rod.brep"), "--deep"})["triangles"];
+  const nlohmann::json found = report({"check", path("rod.brep"), "--deep"})["triangles"];
   EXPECT_EQ(found["closed"], true);
   EXPECT_EQ(found["crossings"], 0);
   EXPECT_NEAR(found["volume"].get<double>(), std::numbers::pi * 2000, 60);

@@ -20,8 +20,6 @@
 namespace blossom::testing {
 namespace {
 
-using Json = nlohmann::json;
-
 std::string cube_off(double at) {
   std::string text = "OFF\n8 6 0\n";
   for (int k = 0; k < 8; ++k) {
@@ -41,11 +39,11 @@ class MeshMeetings : public ::testing::Test {
 
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  Json report(std::vector<std::string> arguments, int code = 0) {
+  nlohmann::json report(std::vector<std::string> arguments, int code = 0) {
     arguments.insert(arguments.end(), {"--json", "-"});
     const Finished ran = blossom(arguments);
     EXPECT_EQ(ran.code, code) << ran.err;
-    return ran.code == code ? Json::parse(ran.out) : Json();
+    return ran.code == code ? nlohmann::json::parse(ran.out) : nlohmann::json();
   }
 
   int edges_in(const std::string& name) const {
@@ -58,7 +56,8 @@ class MeshMeetings : public ::testing::Test {
 };
 
 TEST_F(MeshMeetings, OfTwoMeshesAreClosedPolylines) {
-  const Json found = report({"intersect", path("a.off"), path("b.off"), "-o", path("cut.step")});
+  const nlohmann::json found =
+      report({"intersect", path("a.off"), path("b.off"), "-o", path("cut.step")});
   EXPECT_EQ(found["schema"], "blossom.mesh-intersection/1");
   EXPECT_EQ(found["status"], "complete");
   EXPECT_EQ(found["within"], 0.0);
@@ -72,9 +71,9 @@ TEST_F(MeshMeetings, ThatTouchAreWithinToleranceAndFarOnesNone) {
   const Finished text = blossom({"intersect", path("a.off"), path("a.off")});
   EXPECT_EQ(text.code, 3);
   EXPECT_NE(text.out.find("pairs of triangles in one plane overlap"), std::string::npos);
-  const Json corner = report({"intersect", path("a.off"), path("c.off")});
+  const nlohmann::json corner = report({"intersect", path("a.off"), path("c.off")});
   EXPECT_TRUE(corner["curves"].empty());
-  EXPECT_EQ(corner["points"], Json::parse("[[2.0, 2.0, 2.0]]"));
+  EXPECT_EQ(corner["points"], nlohmann::json::parse("[[2.0, 2.0, 2.0]]"));
   write_text(path("far.off"), cube_off(9));
   const Finished far = blossom(
       {"intersect", path("a.off"), path("far.off"), "--fail-on", "findings", "-o", path("n.step")});
@@ -87,14 +86,14 @@ TEST_F(MeshMeetings, OfAModelAreNearIt) {
   occt::Model ball;
   ball.add(BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 0), 1).Shape(), "ball");
   occt::write_model(ball, path("ball.step"));
-  const Json found = report({"intersect", path("ball.step"), path("a.off")}, 3);
+  const nlohmann::json found = report({"intersect", path("ball.step"), path("a.off")}, 3);
   EXPECT_EQ(found["status"], "tolerance");
   const double within = found["within"];
   EXPECT_GT(within, 0);
   EXPECT_LT(within, 1e-3);
   ASSERT_EQ(found["curves"].size(), 1u);
   EXPECT_NEAR(found["curves"][0]["length"].get<double>(), 1.5 * std::numbers::pi, 0.01);
-  for (const Json& p : found["curves"][0]["points"]) {
+  for (const nlohmann::json& p : found["curves"][0]["points"]) {
     const double x = p[0], y = p[1], z = p[2];
     EXPECT_NEAR(std::hypot(x, y, z), 1, within + 1e-12);
     EXPECT_NEAR(std::min({x, y, z}), 0, 1e-12);
@@ -102,11 +101,11 @@ TEST_F(MeshMeetings, OfAModelAreNearIt) {
 }
 
 TEST_F(MeshMeetings, WithPlanesAreReportedModelledAndDrawn) {
-  const Json found =
+  const nlohmann::json found =
       report({"query", "plane", path("a.off"), "--offsets", "0.5:1.5:3", "-o", path("cuts.dxf")});
   EXPECT_EQ(found["schema"], "blossom.mesh-sections/1");
   ASSERT_EQ(found["planes"].size(), 3u);
-  for (const Json& plane : found["planes"]) {
+  for (const nlohmann::json& plane : found["planes"]) {
     ASSERT_EQ(plane["curves"].size(), 1u);
     EXPECT_DOUBLE_EQ(plane["curves"][0]["length"].get<double>(), 8);
   }

@@ -16,14 +16,13 @@
 namespace blossom::cli {
 namespace {
 
-using Json = nlohmann::json;
 using testing::blossom;
 using testing::Finished;
 
-std::vector<Json> reports_in(const std::filesystem::path& file) {
-  std::vector<Json> lines;
+std::vector<nlohmann::json> reports_in(const std::filesystem::path& file) {
+  std::vector<nlohmann::json> lines;
   std::istringstream in(testing::text_of(file));
-  for (std::string line; std::getline(in, line);) lines.push_back(Json::parse(line));
+  for (std::string line; std::getline(in, line);) lines.push_back(nlohmann::json::parse(line));
   return lines;
 }
 
@@ -40,11 +39,11 @@ class Stages : public ::testing::Test {
 TEST_F(Stages, AreLoggedOneAfterTheOtherAndAddUpToTheWhole) {
   const std::string bowl = folder / "bowl.brep";
   ASSERT_EQ(blossom({"intersect", bowl, folder / "lid.brep", "-q", "--log", log}).code, 0);
-  const std::vector<Json> lines = reports_in(log);
+  const std::vector<nlohmann::json> lines = reports_in(log);
   bool reads = false, intersects = false;
   double end = 0;
-  Json pair;
-  for (const Json& line : lines) {
+  nlohmann::json pair;
+  for (const nlohmann::json& line : lines) {
     if (line.contains("pair")) pair = line;
     if (!line.contains("stage")) continue;
     const std::string stage = line["stage"];
@@ -55,7 +54,7 @@ TEST_F(Stages, AreLoggedOneAfterTheOtherAndAddUpToTheWhole) {
     EXPECT_GT(line["memory_mb"], 1);
   }
   EXPECT_TRUE(reads && intersects);
-  EXPECT_EQ(pair["pair"], Json::array({1, 1}));
+  EXPECT_EQ(pair["pair"], nlohmann::json::array({1, 1}));
   EXPECT_EQ(pair["curves"], 1);
   EXPECT_GT(pair["cells"], 0);
   EXPECT_EQ(lines.back()["ended"], "exit code 0");
@@ -64,7 +63,7 @@ TEST_F(Stages, AreLoggedOneAfterTheOtherAndAddUpToTheWhole) {
 TEST_F(Stages, ALogGoesOnBehindWhatIsThere) {
   for (int i = 0; i < 2; ++i) blossom({"info", folder / "bowl.brep", "-q", "--log", log});
   int ends = 0;
-  for (const Json& line : reports_in(log)) ends += line.contains("ended") ? 1 : 0;
+  for (const nlohmann::json& line : reports_in(log)) ends += line.contains("ended") ? 1 : 0;
   EXPECT_EQ(ends, 2);
 }
 
@@ -76,7 +75,7 @@ TEST_F(Stages, TheLastIsLoggedWhenItCrashes) {
     return raise(SIGFPE);
   });
   ::testing::internal::GetCapturedStderr();
-  const Json last = reports_in(log).back();
+  const nlohmann::json last = reports_in(log).back();
   EXPECT_EQ(last["stage"], "dividing by nothing");
   EXPECT_EQ(last["ended"], "an arithmetic fault");
 }
