@@ -9,7 +9,7 @@
 #include <Geom_BSplineSurface.hxx>
 #include <TopoDS_Face.hxx>
 
-#include "core/blending/strip.h"
+#include "core/blending/strips/strip.h"
 
 namespace blossom::occt {
 

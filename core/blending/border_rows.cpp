@@ -35,14 +35,32 @@ const RationalBezierPatch& patch_behind(const BezierSurface& surface, SurfaceSid
 }
 
 /// Scales each span so that the weights continue those of the span before.
-void align_weights(Border& border) {
+void align_weights(std::vector<BorderRows>& spans) {
   double weight = 1;
-  for (std::size_t span = 0; span < border.edges.size(); ++span) {
-    const double factor = weight / border.edges[span].front()[3];
-    for (Vec4& point : border.edges[span]) point *= factor;
-    for (Vec4& vector : border.across[span]) vector *= factor;
-    weight = border.edges[span].back()[3];
+  for (BorderRows& rows : spans) {
+    const double factor = weight / rows[0].front()[3];
+    for (Row& row : rows)
+      for (Vec4& point : row) point *= factor;
+    weight = rows[0].back()[3];
   }
+}
+
+/// The rows of a patch behind a border; a step of its parameter outwards is `depth` long.
+BorderRows rows_of(const PatchView& net, int order, double depth) {
+  const int m = net.inwards();
+  BorderRows rows;
+  double factor = 1;
+  for (int k = 0; k <= order; ++k) {
+    Row& row = rows.emplace_back();
+    for (int i = 0; i <= net.along(); ++i) {
+      Vec4 difference;
+      for (int j = 0; j <= std::min(k, m); ++j)
+        difference += (j % 2 == 0 ? 1 : -1) * binomial(k, j) * net(j, i);
+      row.push_back(factor * difference);
+    }
+    factor *= (m - k) / depth;
+  }
+  return rows;
 }
 
 /// The part of a row over [0, t] and the part over [t, 1], by de Casteljau.
@@ -105,7 +123,7 @@ Vec3 in_space(const Vec4& vector, const Vec4& value) {
 
 }  // namespace
 
-Border border_of(const BezierSurface& surface, SurfaceSide side) {
+Border border_of(const BezierSurface& surface, SurfaceSide side, int order) {
   const bool along_v = runs_along_v(side);
   const std::vector<double>& along = along_v ? surface.v_knots : surface.u_knots;
   const std::vector<double>& inwards = along_v ? surface.u_knots : surface.v_knots;
@@ -114,6 +132,9 @@ Border border_of(const BezierSurface& surface, SurfaceSide side) {
                                           : Interval{inwards[0], inwards[1]};
 
   Border border;
+  border.name = to_string(side);
+  border.error = surface.error;
+  border.rational = surface.rational;
   border.range = {along.front(), along.back()};
   border.law = along_v ? surface.v_law : surface.u_law;
   border.depth = length(behind);
@@ -121,17 +142,11 @@ Border border_of(const BezierSurface& surface, SurfaceSide side) {
   for (const double knot : along)
     border.breaks.push_back((knot - along.front()) / length(border.range));
 
-  const double speed = parameter_derivative(inward_law, behind, is_at_end(side) ? 1 : 0);
-  for (int span = 0; span + 1 < static_cast<int>(along.size()); ++span) {
-    const PatchView net{patch_behind(surface, side, span), side};
-    Row& edge = border.edges.emplace_back();
-    Row& across = border.across.emplace_back();
-    for (int k = 0; k <= net.along(); ++k) {
-      edge.push_back(net(0, k));
-      across.push_back((net.inwards() / speed) * (net(0, k) - net(1, k)));
-    }
-  }
-  align_weights(border);
+  const double depth = parameter_derivative(inward_law, behind, is_at_end(side) ? 1 : 0);
+  for (int span = 0; span + 1 < static_cast<int>(along.size()); ++span)
+    border.spans.push_back(
+        rows_of(PatchView{patch_behind(surface, side, span), side}, order, depth));
+  align_weights(border.spans);
   return border;
 }
 
@@ -141,14 +156,12 @@ BorderPiece piece_of(const Border& border, const Interval& x, double snap) {
   const int span = span_at(border, at(rising, 0.5));
   Interval local{local_at(border, span, rising.from, snap),
                  local_at(border, span, rising.to, snap)};
-  BorderPiece piece{.edge = part_of(border.edges[static_cast<std::size_t>(span)], local),
-                    .across = part_of(border.across[static_cast<std::size_t>(span)], local),
-                    .span = span,
-                    .local = local};
-  if (!backward) return piece;
-  std::reverse(piece.edge.begin(), piece.edge.end());
-  std::reverse(piece.across.begin(), piece.across.end());
-  piece.local = {local.to, local.from};
+  BorderPiece piece{.rows = {}, .span = span, .local = local};
+  for (const Row& row : border.spans[static_cast<std::size_t>(span)]) {
+    piece.rows.push_back(part_of(row, local));
+    if (backward) std::reverse(piece.rows.back().begin(), piece.rows.back().end());
+  }
+  if (backward) piece.local = {local.to, local.from};
   return piece;
 }
 
@@ -164,7 +177,8 @@ Vec3 across_at(const Row& edge, const Row& across, double t) {
 
 Vec3 point_at(const Border& border, double x) {
   const int span = span_at(border, x);
-  return jet_at(border.edges[static_cast<std::size_t>(span)], local_at(border, span, x, 0)).point;
+  return jet_at(border.spans[static_cast<std::size_t>(span)][0], local_at(border, span, x, 0))
+      .point;
 }
 
 Row product(const std::vector<double>& factor, const Row& row) {

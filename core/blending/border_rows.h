@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The border of a surface as rows of Bezier points: the curve, and the derivative across it.
+// The border of a surface as rows of Bezier points: the curve, and the derivatives across it.
 //
-// Notation: E(x) border curve, D(x) derivative across it, both homogeneous; x in [0, 1] along the
-// whole border, proportional to the surface's own parameter.
+// Notation: E(x) border curve, D_k(x) k-th derivative across it, D_0 = E, all homogeneous; x in
+// [0, 1] along the whole border, proportional to the surface's own parameter.
 
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/blending/surface_side.h"
@@ -17,23 +18,28 @@ namespace blossom {
 /// Homogeneous Bezier points of a curve.
 using Row = std::vector<Vec4>;
 
+/// D_0, D_1, ... over one span of a border, all of one degree. Derivatives lead out of the surface.
+using BorderRows = std::vector<Row>;
+
 struct Border {
+  std::string name;            ///< for messages, as "umin"
   std::vector<double> breaks;  ///< spans + 1 increasing values of x; first 0, last 1
   Interval range;              ///< the surface's own parameters along the border
   ParameterLaw law = ParameterLaw::Linear;
-  std::vector<Row> edges;   ///< E of each span, continuous in its weights, starting at weight 1
-  std::vector<Row> across;  ///< D of each span: outwards, by the surface's own parameter
-  double depth = 0;         ///< length of the span behind the border, own parameter
-  bool closed = false;      ///< the surface is closed along the border
+  std::vector<BorderRows> spans;  ///< continuous in their weights, starting at weight 1
+  double depth = 0;               ///< length of the span behind the border, own parameter
+  bool closed = false;            ///< the surface is closed along the border
+  bool rational = false;          ///< else all weights are 1, and 0 in derivatives
+  double error = 0;               ///< bound on how far the rows are off, model units
 };
 
-/// A border of a surface. The surface has to be valid.
-Border border_of(const BezierSurface& surface, SurfaceSide side);
+/// A border of a surface with its derivatives up to `order`. These are by a parameter that is the
+/// surface's own to first order, and the same for all spans. The surface has to be valid.
+Border border_of(const BezierSurface& surface, SurfaceSide side, int order);
 
 /// One piece of a border, inside one of its spans.
 struct BorderPiece {
-  Row edge;
-  Row across;
+  BorderRows rows;
   int span = 0;
   Interval local;  ///< of the span's local parameter; runs backwards when the piece does
 };

@@ -18,7 +18,7 @@ CORE_ROOMS = """base math math/series forms forms/algebra blossom subdivision su
     papers bounds results cells surfaces/gap surfaces/pairs surfaces/contacts surfaces/coincidence
     surfaces/branches surfaces/search tracing surfaces/assembly surfaces/retry curves plane
     distance rays regions tessellation watertight blending blending/fills blending/continuity
-    blending/balls""".split()
+    blending/strips blending/balls""".split()
 OCCT_ROOMS = """base convert faces tessellation neighbours queries splitting coincidence solids
     repair exchange documents blending blending/strips blending/sheet""".split()
 

@@ -14,7 +14,7 @@
 #include <random>
 
 #include "core/base/errors.h"
-#include "core/blending/strip.h"
+#include "core/blending/strips/strip.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
