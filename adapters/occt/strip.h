@@ -1,29 +1,44 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A strip between two faces that continues both with their tangent planes.
+// A strip between two faces that continues both: their tangent planes, curvatures, or the
+// derivatives of these.
 
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include <Geom_BSplineSurface.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
 #include "core/blending/strips/strip.h"
 
 namespace blossom::occt {
 
+/// Where a strip starts: a border of the face's parameters that edges cover, or an edge of the
+/// face. Neither means the nearest of all.
+struct StripStart {
+  std::optional<SurfaceSide> side = {};
+  TopoDS_Edge edge = {};
+};
+
 struct FaceStripOptions {
-  /// The borders to join; none means the nearest of those that have edges.
-  std::optional<SurfaceSide> side_a = {};
-  std::optional<SurfaceSide> side_b = {};
+  StripStart start_a = {};
+  StripStart start_b = {};
   StripOptions strip = {};
 };
 
+/// What a strip starts from.
+struct FaceStripEnd {
+  StripStart start;
+  bool exact = true;     ///< by the control points of the face
+  double fit_error = 0;  ///< how far fitted rows are from the edge, model units; sampled
+};
+
 struct FaceStrip {
-  Strip strip;  ///< its surface and its figures are those of `surface`
-  SurfaceSide side_a = SurfaceSide::UMin;
-  SurfaceSide side_b = SurfaceSide::UMin;
+  Strip strip;  ///< its surface and its figures are those of `surface`, beside the faces themselves
+  std::array<FaceStripEnd, 2> ends;     ///< on a, on b
   Handle(Geom_BSplineSurface) surface;  ///< inner knots as smooth as the strip is
   TopoDS_Face face;
 };
@@ -33,7 +48,8 @@ struct FaceStrip {
 std::vector<SurfaceSide> open_sides(const TopoDS_Face& face);
 
 /// The strip between two faces, in model space.
-/// throws   BadModel if a face has no iso-parameter edge, or none on the side that was named;
+/// throws   BadModel if a face has no edge to start from, or not the one that was named; or
+///          an edge cannot be followed;
 ///          InvalidInput as strip_between of core; Failure if Open CASCADE makes no valid face
 FaceStrip strip_between(const TopoDS_Face& a, const TopoDS_Face& b,
                         const FaceStripOptions& options = {});

@@ -9,6 +9,9 @@
 namespace blossom {
 namespace {
 
+/// Places on a border that are one.
+constexpr double kSameBreak = 1e-9;
+
 bool runs_along_v(SurfaceSide side) {
   return side == SurfaceSide::UMin || side == SurfaceSide::UMax;
 }
@@ -150,6 +153,15 @@ Border border_of(const BezierSurface& surface, SurfaceSide side, int order) {
   return border;
 }
 
+void reverse(Border& border) {
+  std::reverse(border.breaks.begin(), border.breaks.end());
+  for (double& x : border.breaks) x = 1 - x;
+  std::reverse(border.spans.begin(), border.spans.end());
+  for (BorderRows& rows : border.spans)
+    for (Row& row : rows) std::reverse(row.begin(), row.end());
+  align_weights(border.spans);
+}
+
 BorderPiece piece_of(const Border& border, const Interval& x, double snap) {
   const bool backward = x.from > x.to;
   const Interval rising = backward ? Interval{x.to, x.from} : x;
@@ -163,6 +175,26 @@ BorderPiece piece_of(const Border& border, const Interval& x, double snap) {
   }
   if (backward) piece.local = {local.to, local.from};
   return piece;
+}
+
+Border restarted(const Border& border, double start) {
+  Border result = border;
+  result.breaks = {0};
+  result.spans.clear();
+  std::vector<double> cuts{start};
+  for (const double x : border.breaks)
+    if (x > start + kSameBreak) cuts.push_back(x);
+  for (const double x : border.breaks)
+    if (x > kSameBreak && x < start - kSameBreak) cuts.push_back(1 + x);
+  cuts.push_back(1 + start);
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    const double turns = cuts[i - 1] >= 1 ? 1 : 0;
+    result.spans.push_back(
+        piece_of(border, {cuts[i - 1] - turns, cuts[i] - turns}, kSameBreak).rows);
+    result.breaks.push_back(i + 1 == cuts.size() ? 1 : cuts[i] - start);
+  }
+  align_weights(result.spans);
+  return result;
 }
 
 SpaceJet jet_at(const Row& row, double t) {

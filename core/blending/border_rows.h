@@ -37,6 +37,12 @@ struct Border {
 /// surface's own to first order, and the same for all spans. The surface has to be valid.
 Border border_of(const BezierSurface& surface, SurfaceSide side, int order);
 
+/// The same border the other way.
+void reverse(Border& border);
+
+/// A closed border that starts at x, in (0, 1), instead of at 0.
+Border restarted(const Border& border, double x);
+
 /// One piece of a border, inside one of its spans.
 struct BorderPiece {
   BorderRows rows;

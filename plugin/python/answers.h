@@ -14,7 +14,6 @@
 
 #include "adapters/occt/fillet.h"
 #include "adapters/occt/plane_section.h"
-#include "adapters/occt/strip.h"
 #include "core/base/status.h"
 #include "core/blending/continuity/continuity.h"
 #include "core/tessellation/facet_options.h"
@@ -25,6 +24,7 @@
 #include "plugin/python/loaded_model.h"
 #include "plugin/reports/json.h"
 #include "plugin/reports/section.h"
+#include "plugin/reports/strip.h"
 
 namespace blossom::python {
 
@@ -73,8 +73,8 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
                       const std::vector<SharedModel>& tools, const std::vector<occt::Plane>& planes,
                       const Control& control);
 Answer watertight(const SharedModel& model, const Control& control);
-Answer strip_between(const SharedModel& a, const SharedModel& b,
-                     const occt::FaceStripOptions& options, const Control& control);
+Answer strip_between(const SharedModel& a, const SharedModel& b, const reports::StripWishes& wishes,
+                     const Control& control);
 
 /// Which edges are meant, all that any member says.
 struct EdgeWish {

@@ -228,19 +228,18 @@ Answer watertight(const SharedModel& model, const Control& control) {
               }};
 }
 
-Answer strip_between(const SharedModel& a, const SharedModel& b,
-                     const occt::FaceStripOptions& options, const Control& control) {
+Answer strip_between(const SharedModel& a, const SharedModel& b, const reports::StripWishes& wishes,
+                     const Control& control) {
   return interruptible(control, [&](const Watch& watch) {
     const BothTurns turns(*a, *b, watch);
     for (const SharedModel& model : {a, b})
       if (const std::size_t count = model->faces(watch).size(); count > 1)
         throw occt::BadModel(model->name() + ": one face is wanted, got " + std::to_string(count));
+    const reports::Input &from = a->repaired_input(watch), &to = b->repaired_input(watch);
     const double start = watch.seconds();
-    const occt::FaceStrip strip =
-        occt::strip_between(a->faces(watch).front(), b->faces(watch).front(), options);
+    const occt::FaceStrip strip = reports::strip_between(from, to, wishes);
     const double seconds = watch.seconds() - start;
-    reports::Json report = reports::strip_report(a->repaired_input(watch), b->repaired_input(watch),
-                                                 options.strip, strip, seconds);
+    reports::Json report = reports::strip_report(from, to, wishes, strip, seconds);
     return made_answer(with_reading(std::move(report), {a, b}),
                        std::make_shared<LoadedModel>("strip", strip.face));
   });

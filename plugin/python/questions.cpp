@@ -2,7 +2,6 @@
 #include "plugin/python/questions.h"
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -134,29 +133,21 @@ void add_answers(py::module_& module) {
       arg("operation"), arg("part"), arg("tools"), arg("planes"), arg("control"));
 }
 
-std::optional<SurfaceSide> side_of(const std::optional<std::string>& word) {
-  static const std::map<std::string, SurfaceSide> sides = {{"umax", SurfaceSide::UMax},
-                                                           {"umin", SurfaceSide::UMin},
-                                                           {"vmax", SurfaceSide::VMax},
-                                                           {"vmin", SurfaceSide::VMin}};
-  if (!word) return std::nullopt;
-  return sides.at(*word);
-}
-
 void add_strip(py::module_& module) {
   module.def(
       "strip",
-      [](const SharedModel& a, const SharedModel& b, const std::optional<std::string>& edge_a,
-         const std::optional<std::string>& edge_b, double weight_a, double weight_b,
+      [](const SharedModel& a, const SharedModel& b, const std::string& edge_a,
+         const std::string& edge_b, int order, double weight_a, double weight_b,
          const Control& control) {
-        return strip_between(a, b,
-                             {.side_a = side_of(edge_a),
-                              .side_b = side_of(edge_b),
-                              .strip = {.weight_a = weight_a, .weight_b = weight_b}},
-                             control);
+        return strip_between(
+            a, b,
+            {.border_a = edge_a,
+             .border_b = edge_b,
+             .strip = {.order = order, .weight_a = weight_a, .weight_b = weight_b}},
+            control);
       },
-      arg("a"), arg("b"), arg("edge_a"), arg("edge_b"), arg("weight_a"), arg("weight_b"),
-      arg("control"));
+      arg("a"), arg("b"), arg("edge_a"), arg("edge_b"), arg("order"), arg("weight_a"),
+      arg("weight_b"), arg("control"));
 }
 
 using FacePair = std::optional<std::pair<int, int>>;

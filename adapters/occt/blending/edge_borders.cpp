@@ -253,22 +253,30 @@ void add_error(BorderSpans& spans, double part_of_depth) {
   }
 }
 
-std::optional<BorderSpans> iso_spans(const Chart& chart, const TopoDS_Face& face,
-                                     std::string& reason) {
+std::optional<IsoCollar> collar_of(const Chart& chart, const TopoDS_Face& face,
+                                   std::string& reason) {
   const std::optional<Segment> segment = segment_of(chart);
   const auto line = segment ? iso_line_of(chart, *segment, parameter_box(face)) : std::nullopt;
   if (!line) {
     reason = "its curve on a surface is no iso-parameter line";
     return {};
   }
-  const BezierSurface surface = bezier_surface(chart.surface, line->box);
-  if (surface.error > 0) {
-    reason = "a surface is neither polynomial nor rational";
-    return {};
-  }
-  BorderSpans spans = border_spans(surface, line->side, line->backward);
   const bool along_v = line->side == SurfaceSide::UMin || line->side == SurfaceSide::UMax;
-  add_error(spans, line->off / length(along_v ? line->box.u : line->box.v));
+  IsoCollar collar{.surface = bezier_surface(chart.surface, line->box),
+                   .side = line->side,
+                   .backward = line->backward,
+                   .off = line->off / length(along_v ? line->box.u : line->box.v)};
+  if (collar.surface.error == 0) return collar;
+  reason = "a surface is neither polynomial nor rational";
+  return {};
+}
+
+std::optional<BorderSpans> iso_spans(const Chart& chart, const TopoDS_Face& face,
+                                     std::string& reason) {
+  const std::optional<IsoCollar> collar = collar_of(chart, face, reason);
+  if (!collar) return {};
+  BorderSpans spans = border_spans(collar->surface, collar->side, collar->backward);
+  add_error(spans, collar->off);
   drop_slivers(spans);
   return spans;
 }
@@ -302,6 +310,13 @@ EdgeBorder edge_border(const TopoDS_Edge& edge, const TopoDS_Face& face) {
     }
     std::sort(border.breaks.begin(), border.breaks.end());
     return border;
+  });
+}
+
+std::optional<IsoCollar> iso_collar(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+  return guarded("looking at a face beside an edge", [&] {
+    std::string reason;
+    return collar_of(chart_of(edge, face), face, reason);
   });
 }
 

@@ -11,6 +11,7 @@
 #include <TopoDS_Face.hxx>
 
 #include "core/blending/continuity/continuity.h"
+#include "core/forms/surface.h"
 
 namespace blossom::occt {
 
@@ -33,5 +34,17 @@ struct EdgeBorder {
 /// throws   BadModel if the edge has no curve in the face's parameters, or a number of the geometry
 ///          is not finite
 EdgeBorder edge_border(const TopoDS_Edge& edge, const TopoDS_Face& face);
+
+/// The surface beside an edge that is an iso-parameter line, from the edge to the next knot.
+struct IsoCollar {
+  BezierSurface surface;
+  SurfaceSide side = SurfaceSide::UMin;  ///< that the edge is
+  bool backward = false;                 ///< the edge runs against the surface's parameter
+  double off = 0;  ///< how far the edge leaves the line, as a part of the depth
+};
+
+/// Nothing if the edge is no such line, or the surface neither polynomial nor rational.
+/// throws   BadModel as edge_border
+std::optional<IsoCollar> iso_collar(const TopoDS_Edge& edge, const TopoDS_Face& face);
 
 }  // namespace blossom::occt

@@ -6,15 +6,8 @@
 #include <cstdio>
 #include <optional>
 
-#include <BRepAdaptor_Curve.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
-#include <Geom_Surface.hxx>
-#include <gp_Vec.hxx>
-#include <gp_Vec2d.hxx>
-
 #include "adapters/occt/base/errors.h"
-#include "adapters/occt/base/points.h"
+#include "adapters/occt/blending/side_sampler.h"
 #include "adapters/occt/convert/surfaces.h"
 #include "core/forms/algebra/interpolation.h"
 #include "core/forms/evaluation.h"
@@ -34,43 +27,6 @@ constexpr double kSameParameter = 1e-11;
 constexpr int kChecks = 4;
 
 std::string name_of(const HoleEdge& edge) { return "edge " + std::to_string(edge.number); }
-
-/// The edge in the parameters of its neighbour, along the way round the hole.
-class EdgeInChart {
- public:
-  explicit EdgeInChart(const HoleEdge& edge) : backwards_(edge.backwards) {
-    pcurve_ = BRep_Tool::CurveOnSurface(edge.edge, edge.face, range_.from, range_.to);
-    if (pcurve_.IsNull()) throw BadModel(name_of(edge) + " has no curve on its face");
-    // The inside of a face lies left of its edges as the face has them, seen by the surface.
-    const bool reversed = (edge.edge.Orientation() == TopAbs_REVERSED) !=
-                          (edge.face.Orientation() == TopAbs_REVERSED);
-    away_is_left_ = reversed == backwards_;
-  }
-
-  /// x in [0, 1] along the way.
-  Vec2 at(double x) const {
-    const gp_Pnt2d p = pcurve_->Value(parameter(x));
-    return {p.X(), p.Y()};
-  }
-  /// By x.
-  Vec2 direction(double x) const {
-    gp_Pnt2d p;
-    gp_Vec2d d;
-    pcurve_->D1(parameter(x), p, d);
-    const double speed = (backwards_ ? -1 : 1) * length(range_);
-    return {speed * d.X(), speed * d.Y()};
-  }
-  /// Whether the face, so the way out of the hole, lies left of the way.
-  bool away_is_left() const { return away_is_left_; }
-
- private:
-  double parameter(double x) const { return blossom::at(range_, backwards_ ? 1 - x : x); }
-
-  Handle(Geom2d_Curve) pcurve_;
-  Interval range_{};
-  bool backwards_ = false;
-  bool away_is_left_ = false;
-};
 
 /// An iso-parameter line: `constant` in one direction, `along` in the other.
 struct IsoLine {
@@ -149,54 +105,6 @@ std::optional<FillSide> exact_side(const IsoLine& line, const BezierSurface& sur
                    SurfaceSide::VMin, false, continuity);
 }
 
-/// Value and derivatives away from the hole at one place of an edge.
-struct SideSample {
-  Vec3 point, across, bend, normal;
-};
-
-/// Samples of a general edge: the derivatives lead across it in the tangent plane, `reach` long.
-class SideSampler {
- public:
-  SideSampler(const HoleEdge& edge, double reach) : edge_(edge), reach_(reach) {
-    if (edge.face.IsNull()) {
-      curve_.Initialize(edge.edge);
-      return;
-    }
-    chart_.emplace(edge);
-    surface_ = BRep_Tool::Surface(edge.face);
-  }
-
-  SideSample at(double x) const {
-    if (!chart_) {
-      const Interval range{curve_.FirstParameter(), curve_.LastParameter()};
-      return {vec(curve_.Value(blossom::at(range, edge_.backwards ? 1 - x : x))), {}, {}, {}};
-    }
-    const Vec2 uv = chart_->at(x), along = chart_->direction(x);
-    gp_Pnt p;
-    gp_Vec u, v, uu, vv, uv2;
-    surface_->D2(uv[0], uv[1], p, u, v, uu, vv, uv2);
-    SideSample sample;
-    sample.point = vec(p);
-    const Vec3 su = vec(u), sv = vec(v);
-    const Vec3 cross_uv = cross(su, sv);
-    sample.normal = unit(cross_uv);
-    const double side = chart_->away_is_left() ? 1 : -1;
-    sample.across = (side * reach_) * unit(cross(sample.normal, along[0] * su + along[1] * sv));
-    const double square = dot(cross_uv, cross_uv);
-    const double a = dot(cross(sample.across, sv), cross_uv) / square;
-    const double b = dot(cross(su, sample.across), cross_uv) / square;
-    sample.bend = a * a * vec(uu) + 2 * a * b * vec(uv2) + b * b * vec(vv);
-    return sample;
-  }
-
- private:
-  HoleEdge edge_;
-  double reach_;
-  std::optional<EdgeInChart> chart_;
-  Handle(Geom_Surface) surface_;
-  BRepAdaptor_Curve curve_;
-};
-
 Row homogeneous(const BezierCurve& curve, double weight) {
   Row row;
   for (const Vec3& p : curve.points) row.push_back({p[0], p[1], p[2], weight});
@@ -206,10 +114,10 @@ Row homogeneous(const BezierCurve& curve, double weight) {
 HoleSide fitted(const SideSampler& sampler, int degree, bool with_face) {
   std::vector<Vec3> points, across, bend;
   for (const double x : extreme_points(degree)) {
-    const SideSample sample = sampler.at(x);
-    points.push_back(sample.point);
-    across.push_back(sample.across);
-    bend.push_back(sample.bend);
+    const SideSample sample = sampler.at(x, 2);
+    points.push_back(sample.derivatives[0]);
+    across.push_back(sample.derivatives[1]);
+    bend.push_back(sample.derivatives[2]);
   }
   HoleSide result;
   result.side.edge = homogeneous(bezier_through(points), 1);
@@ -220,9 +128,9 @@ HoleSide fitted(const SideSampler& sampler, int degree, bool with_face) {
   const int checks = kChecks * (degree + 1);
   for (int i = 0; i < checks; ++i) {
     const double x = (i + 0.5) / checks;
-    const SideSample sample = sampler.at(x);
+    const SideSample sample = sampler.at(x, 1);
     const SpaceJet jet = jet_at(result.side.edge, x);
-    result.error = std::max(result.error, distance(jet.point, sample.point));
+    result.error = std::max(result.error, distance(jet.point, sample.derivatives[0]));
     if (!with_face) continue;
     const Vec3 normal = cross(jet.derivative, across_at(result.side.edge, result.side.across, x));
     const double sine = norm(cross(unit(normal), sample.normal));
@@ -234,10 +142,7 @@ HoleSide fitted(const SideSampler& sampler, int degree, bool with_face) {
 /// Makes the fit finer until it is ten times as near as it has to be, or at least near enough.
 HoleSide fitted_side(const HoleEdge& edge, const FitTolerance& tolerance) {
   const bool with_face = !edge.face.IsNull();
-  const SideSampler rough(edge, 1);
-  const double reach = std::max(distance(rough.at(0).point, rough.at(0.5).point),
-                                distance(rough.at(0.5).point, rough.at(1).point));
-  const SideSampler sampler(edge, reach);
+  const SideSampler sampler(edge, half_chord(edge));
   HoleSide best;
   for (int degree = 1; degree <= kMaxFitDegree; ++degree) {
     HoleSide next = fitted(sampler, degree, with_face);

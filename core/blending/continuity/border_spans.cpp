@@ -88,10 +88,22 @@ Row derivative_row(const Row& row) {
   return result;
 }
 
-/// n x (w X' - w' X): square to the curve in the plane, to its left. It need not be known well, but
-/// it has to lie in the plane.
+bool has_equal_weights(const Row& row) {
+  return std::all_of(row.begin(), row.end(), [&](const Vec4& p) { return p[3] == row[0][3]; });
+}
+
+/// n x (w X' - w' X), n x X' of a polynomial: square to the curve in the plane, to its left. It
+/// need not be known well, but it has to lie in the plane.
 Row left_of(const Row& edge, const Vec3& normal) {
   const Row slope = derivative_row(edge);
+  if (has_equal_weights(edge)) {
+    Row left;
+    for (const Vec4& along : slope) {
+      const Vec3 across = cross(normal, Vec3{along[0], along[1], along[2]});
+      left.push_back({across[0], across[1], across[2], 0});
+    }
+    return left;
+  }
   const Row first = product(weights_of(edge), slope), second = product(weights_of(slope), edge);
   Row left;
   for (std::size_t i = 0; i < first.size(); ++i) {

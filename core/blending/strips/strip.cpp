@@ -19,6 +19,9 @@ constexpr int kSamples = 33;
 
 double fraction(int sample) { return sample / (kSamples - 1.0); }
 
+/// Two parameters closer than this are one; a fraction of the border.
+constexpr double kSameParameter = 1e-9;
+
 /// Curvature that counts as none, as a part of 1 / width of the strip.
 constexpr double kFlat = 1e-3;
 
@@ -29,14 +32,32 @@ void check_weight(double weight, const char* name) {
     refuse(std::string(name) + " has to be positive and finite, got " + std::to_string(weight));
 }
 
-/// Mean distance of the two borders at corresponding inner parameters.
-double mean_distance(const Border& a, const Border& b, bool backward) {
+/// Mean distance of the two borders at corresponding inner parameters; b starts at `start`.
+double mean_distance(const Border& a, const Border& b, bool backward, double start = 0) {
   double sum = 0;
   for (int i = 0; i < kSamples; ++i) {
     const double x = fraction(i);
-    sum += distance(point_at(a, x), point_at(b, backward ? 1 - x : x));
+    const double on_b = start + (backward ? 1 - x : x);
+    sum += distance(point_at(a, x), point_at(b, on_b > 1 ? on_b - 1 : on_b));
   }
   return sum / kSamples;
+}
+
+/// Where a closed border b has to start to be nearest to a closed border a: the best of a grid,
+/// refined by halving its step. A start within kSameParameter of 0 is 0.
+double nearest_start(const Border& a, const Border& b, bool backward) {
+  double best = 0, least = mean_distance(a, b, backward);
+  const auto look = [&](double start) {
+    start -= std::floor(start);
+    const double apart = mean_distance(a, b, backward, start);
+    if (!(apart < least)) return;
+    least = apart;
+    best = start;
+  };
+  for (int i = 1; i + 1 < kSamples; ++i) look(fraction(i));
+  for (double step = fraction(1) / 2; step > kSameParameter; step /= 2)
+    for (const double start : {best - step, best + step}) look(start);
+  return best > kSameParameter && best < 1 - kSameParameter ? best : 0;
 }
 
 bool nearer_backward(const Border& a, const Border& b) {
@@ -77,9 +98,6 @@ void check_border(const Border& border, int order, const std::string& of) {
   if (speed * border.depth <= point)
     refuse("the derivative across the border " + name + " vanishes, so there is no tangent plane");
 }
-
-/// Two parameters closer than this are one; a fraction of the border.
-constexpr double kSameParameter = 1e-9;
 
 /// The values of x at which a row of the strip ends: the breaks of both borders.
 struct Meeting {
@@ -202,11 +220,19 @@ BorderSpans face_beside(const std::vector<BorderPiece>& pieces, const Meeting& m
 }
 
 StripContact contact(const BezierSurface& strip, SurfaceSide side, const Border& border,
-                     const Meeting& meeting, bool backward, double width) {
-  const EdgeSides ours = edge_sides(border_spans(strip, side, false));
-  const EdgeSides theirs = edge_sides(face_beside(pieces_of(border, meeting, backward), meeting));
-  const MeasuredContinuity found = measured_continuity(ours, theirs, meeting.breaks, kFlat / width);
-  return {found.gap.value, found.angle.value, found.curvature.value, 0};
+                     const Meeting& meeting, bool backward) {
+  return strip_contact(strip, side,
+                       edge_sides(face_beside(pieces_of(border, meeting, backward), meeting)),
+                       meeting.breaks);
+}
+
+/// Mean distance of the two borders of a strip, at the middles of its spans.
+double width_of(const BezierSurface& strip) {
+  double sum = 0;
+  for (const RationalBezierPatch& patch : strip.patches.values())
+    sum += distance(jet_at(column(patch, 0), 0.5).point,
+                    jet_at(column(patch, patch.degree_v()), 0.5).point);
+  return sum / static_cast<double>(strip.patches.values().size());
 }
 
 bool is_closed(const BezierSurface& strip) {
@@ -218,24 +244,11 @@ bool is_closed(const BezierSurface& strip) {
   return true;
 }
 
-}  // namespace
-
-Strip strip_between(const Border& a, const Border& b, const StripOptions& options) {
-  check_weight(options.weight_a, "weight_a");
-  check_weight(options.weight_b, "weight_b");
-  if (options.order < 1 || options.order > kMostStripOrder)
-    refuse("the order has to be 1 to " + std::to_string(kMostStripOrder) + ", got " +
-           std::to_string(options.order));
-  const int measured = std::max(options.order, 2);
-  check_border(a, measured, "a");
-  check_border(b, measured, "b");
-
-  Strip strip;
-  strip.backward = options.pairing == Pairing::Nearest ? nearer_backward(a, b)
-                                                       : options.pairing == Pairing::Backward;
-  const double width = mean_distance(a, b, strip.backward);
+Strip strip_of(const Border& a, const Border& b, bool backward, const StripOptions& options) {
+  const double width = mean_distance(a, b, backward);
   if (width <= Tolerances{}.point) refuse("the borders coincide, there is nothing between them");
-
+  Strip strip;
+  strip.backward = backward;
   const Meeting meeting = meeting_of(a, b, strip.backward);
   const auto of_a = level_pieces(a, meeting, false, options.order);
   const auto of_b = level_pieces(b, meeting, strip.backward, options.order);
@@ -260,6 +273,28 @@ Strip strip_between(const Border& a, const Border& b, const StripOptions& option
   return strip;
 }
 
+}  // namespace
+
+Strip strip_between(const Border& a, const Border& b, const StripOptions& options) {
+  check_weight(options.weight_a, "weight_a");
+  check_weight(options.weight_b, "weight_b");
+  if (options.order < 1 || options.order > kMostStripOrder)
+    refuse("the order has to be 1 to " + std::to_string(kMostStripOrder) + ", got " +
+           std::to_string(options.order));
+  const int measured = std::max(options.order, 2);
+  check_border(a, measured, "a");
+  check_border(b, measured, "b");
+  if (options.pairing != Pairing::Nearest)
+    return strip_of(a, b, options.pairing == Pairing::Backward, options);
+  if (!a.closed || !b.closed) return strip_of(a, b, nearer_backward(a, b), options);
+  const double forward = nearest_start(a, b, false), backward = nearest_start(a, b, true);
+  const bool turns = mean_distance(a, b, true, backward) < mean_distance(a, b, false, forward);
+  const double start = turns ? backward : forward;
+  Strip strip = strip_of(a, start == 0 ? b : restarted(b, start), turns, options);
+  strip.start_b = start;
+  return strip;
+}
+
 Strip strip_between(const BezierSurface& a, SurfaceSide side_a, const BezierSurface& b,
                     SurfaceSide side_b, const StripOptions& options) {
   validate(a, "a");
@@ -269,16 +304,23 @@ Strip strip_between(const BezierSurface& a, SurfaceSide side_a, const BezierSurf
 }
 
 std::array<StripContact, 2> strip_contacts(const BezierSurface& strip, const Border& a,
-                                           const Border& b, bool backward) {
+                                           const Border& b, bool backward, double start_b) {
   validate(strip, "strip");
+  if (start_b != 0) return strip_contacts(strip, a, restarted(b, start_b), backward);
   const Meeting meeting = meeting_of(a, b, backward);
   if (strip.u_knots.size() != meeting.breaks.size() || strip.patches.columns() != 1)
     throw InvalidInput("strip_contacts: a strip of " + std::to_string(meeting.breaks.size() - 1) +
                        " spans is wanted, got " + std::to_string(strip.patches.rows()) + " x " +
                        std::to_string(strip.patches.columns()));
-  const double width = mean_distance(a, b, backward);
-  return {contact(strip, SurfaceSide::VMin, a, meeting, false, width),
-          contact(strip, SurfaceSide::VMax, b, meeting, backward, width)};
+  return {contact(strip, SurfaceSide::VMin, a, meeting, false),
+          contact(strip, SurfaceSide::VMax, b, meeting, backward)};
+}
+
+StripContact strip_contact(const BezierSurface& strip, SurfaceSide side, const EdgeSides& beside,
+                           std::span<const double> breaks) {
+  const MeasuredContinuity found = measured_continuity(edge_sides(border_spans(strip, side, false)),
+                                                       beside, breaks, kFlat / width_of(strip));
+  return {found.gap.value, found.angle.value, found.curvature.value, 0};
 }
 
 double strip_gap_bound(const BezierSurface& strip) {

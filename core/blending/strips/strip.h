@@ -12,8 +12,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "core/blending/border_rows.h"
+#include "core/blending/continuity/continuity.h"
 #include "core/blending/surface_side.h"
 #include "core/forms/surface.h"
 
@@ -21,7 +23,8 @@ namespace blossom {
 
 /// How the parameters of the two borders correspond.
 enum class Pairing {
-  Nearest,   ///< the way that brings corresponding ends nearer; inner points decide a tie
+  Nearest,   ///< the way that brings corresponding ends nearer; inner points decide a tie. Of two
+             ///< closed borders the second one starts where it is nearest, on average, to the first
   Forward,   ///< both in the direction of growing parameters
   Backward,  ///< the border of b runs backwards
 };
@@ -50,6 +53,7 @@ struct StripContact {
 struct Strip {
   BezierSurface surface;  ///< u along the borders, v from a to b; both ranges are [0, 1]
   bool backward = false;  ///< the border of b runs backwards
+  double start_b = 0;     ///< where on the border of b the strip starts, if that is closed
   std::array<StripContact, 2> contacts{};  ///< with a, with b
 };
 
@@ -89,7 +93,12 @@ Strip strip_between(const BezierSurface& a, SurfaceSide side_a, const BezierSurf
 /// a strip that went through other hands. `scale` stays 0. throws    InvalidInput if the strip has
 /// other spans
 std::array<StripContact, 2> strip_contacts(const BezierSurface& strip, const Border& a,
-                                           const Border& b, bool backward);
+                                           const Border& b, bool backward, double start_b = 0);
+
+/// The same at one side of a strip, VMin or VMax, for any face beside it.
+/// beside    by the strip's u; the face is smooth between the breaks, which are those of u too
+StripContact strip_contact(const BezierSurface& strip, SurfaceSide side, const EdgeSides& beside,
+                           std::span<const double> breaks);
 
 /// Bound on the gap between a strip and its neighbours, model units: (24 n + 32) u times the
 /// largest coordinate, n the degree along the borders and u = 2^-53. A row goes through at most

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom blend KIND ...`: surfaces between surfaces.
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
-#include <map>
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <string>
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "adapters/occt/strip.h"
 #include "plugin/cli/commands/blend_fill.h"
 #include "plugin/cli/commands/blend_parts.h"
 #include "plugin/cli/commands/commands.h"
@@ -27,18 +26,11 @@
 namespace blossom::cli {
 namespace {
 
-const std::map<std::string, SurfaceSide> kSides = {{"umin", SurfaceSide::UMin},
-                                                   {"umax", SurfaceSide::UMax},
-                                                   {"vmin", SurfaceSide::VMin},
-                                                   {"vmax", SurfaceSide::VMax}};
-
 struct StripCommand {
   std::string a;
   std::string b;
-  std::string edge_a;  ///< empty: the nearest
-  std::string edge_b;
-  double weight_a = StripOptions{}.weight_a;
-  double weight_b = StripOptions{}.weight_b;
+  reports::StripWishes wishes;
+  std::string continuity = "G1";
   CommonOptions common;
 };
 
@@ -51,11 +43,6 @@ Input read_one_face(const std::string& text) {
   return input;
 }
 
-std::optional<SurfaceSide> side_of(const std::string& word) {
-  if (word.empty()) return std::nullopt;
-  return kSides.at(word);
-}
-
 struct TimedStrip {
   occt::FaceStrip made;
   double seconds = 0;
@@ -64,26 +51,34 @@ struct TimedStrip {
 TimedStrip timed_strip(const Input& a, const Input& b, const StripCommand& command) {
   const auto start = std::chrono::steady_clock::now();
   TimedStrip timed;
-  timed.made =
-      occt::strip_between(a.faces.front(), b.faces.front(),
-                          {.side_a = side_of(command.edge_a),
-                           .side_b = side_of(command.edge_b),
-                           .strip = {.weight_a = command.weight_a, .weight_b = command.weight_b}});
+  timed.made = reports::strip_between(a, b, command.wishes);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   timed.seconds = took.count();
   return timed;
 }
 
-std::string summary(const Input& a, const Input& b, const TimedStrip& timed) {
+/// What could not be taken from the face's own control points.
+void tell_fit(std::ostream& text, const Input& input, const occt::FaceStripEnd& end) {
+  if (!end.exact)
+    text << "  " << input.name << ' ' << reports::start_text(input.shape, end.start)
+         << " is followed by polynomials within " << rounded(end.fit_error) << '\n';
+}
+
+std::string summary(const Input& a, const Input& b, const TimedStrip& timed, int order) {
   const occt::FaceStrip& made = timed.made;
   const StripContact worst = reports::worst_of(made.strip);
   std::ostringstream text;
-  text << "strip from " << a.name << " " << to_string(made.side_a) << " to " << b.name << " "
-       << to_string(made.side_b) << (made.strip.backward ? " (backwards)" : "") << ": degree "
+  text << "strip from " << a.name << ' ' << reports::start_text(a.shape, made.ends[0].start)
+       << " to " << b.name << ' ' << reports::start_text(b.shape, made.ends[1].start)
+       << (made.strip.backward ? " (backwards)" : "") << ": G" << order << ", degree "
        << made.surface->UDegree() << " x " << made.surface->VDegree() << ", "
        << counted(static_cast<std::size_t>(made.surface->NbUKnots() - 1), "span")
-       << "\n  largest gap " << worst.gap << ", largest angle between normals "
-       << worst.normal_angle << " rad, " << timed.seconds << " s\n";
+       << "\n  largest gap " << rounded(worst.gap) << ", largest angle between normals "
+       << rounded(worst.normal_angle) << " rad";
+  if (order > 1) text << ", difference of curvatures " << rounded(worst.curvature);
+  text << ", " << rounded(timed.seconds) << " s\n";
+  tell_fit(text, a, made.ends[0]);
+  tell_fit(text, b, made.ends[1]);
   return text.str();
 }
 
@@ -103,11 +98,9 @@ void write_outputs(const Input& a, const Input& b, const StripCommand& command,
     return picture;
   }));
   if (!command.common.json.empty())
-    write_json(
-        reports::strip_report(a, b, {.weight_a = command.weight_a, .weight_b = command.weight_b},
-                              timed.made, timed.seconds),
-        command.common.json);
-  print_summary(summary(a, b, timed), command.common.json);
+    write_json(reports::strip_report(a, b, command.wishes, timed.made, timed.seconds),
+               command.common.json);
+  print_summary(summary(a, b, timed, command.wishes.strip.order), command.common.json);
 }
 
 int run(const StripCommand& command) {
@@ -121,26 +114,53 @@ int run(const StripCommand& command) {
   return kExitComplete;
 }
 
+/// Words of `strip_start`, checked where a typing error is still one of usage.
+CLI::Validator border_word() {
+  return {[](const std::string& word) -> std::string {
+            for (const char* const side : {"umin", "umax", "vmin", "vmax"})
+              if (word == side) return {};
+            const bool number = !word.empty() && word.size() < 9 &&
+                                std::all_of(word.begin(), word.end(),
+                                            [](unsigned char c) { return std::isdigit(c) != 0; });
+            return number ? ""
+                          : "takes umin, umax, vmin, vmax or the number of an edge, not '" + word +
+                                "'";
+          },
+          "", "border"};
+}
+
 void add_strip(CLI::App& blend, int& exit_code) {
   CLI::App* const command = blend.add_subcommand(
-      "strip", "a strip between two faces that continues both with their tangent planes, exactly");
+      "strip", "a strip between two faces that continues both, exactly or as near as is said");
   const auto options = std::make_shared<StripCommand>();
   command->add_option("a", options->a, "face, as A#3 or a model of one")
       ->required()
       ->type_name("A");
   command->add_option("b", options->b, "likewise")->required()->type_name("B");
-  for (const auto& [name, edge] :
-       {std::pair{"--edge-a", &options->edge_a}, {"--edge-b", &options->edge_b}})
-    limit_to(*command->add_option(name, *edge, "border of the face; the nearest when not given"),
-             {"umin", "umax", "vmin", "vmax"});
+  reports::StripWishes& wishes = options->wishes;
+  for (const auto& [name, border] :
+       {std::pair{"--edge-a", &wishes.border_a}, {"--edge-b", &wishes.border_b}})
+    command
+        ->add_option(name, *border,
+                     "border of the face: umin, umax, vmin, vmax, or the number of an edge as in "
+                     "'info --edges'; the nearest when not given")
+        ->check(border_word())
+        ->type_name("BORDER");
+  limit_to(*command->add_option("--continuity", options->continuity,
+                                "what the strip continues: tangent planes (G1), curvatures (G2), "
+                                "or their derivatives too (G3)"),
+           {"G1", "G2", "G3"});
   for (const auto& [name, weight] :
-       {std::pair{"--weight-a", &options->weight_a}, {"--weight-b", &options->weight_b}})
+       {std::pair{"--weight-a", &wishes.strip.weight_a}, {"--weight-b", &wishes.strip.weight_b}})
     command->add_option(name, *weight, "how far the face's tangents reach into the strip")
         ->check(positive_number())
         ->type_name("X")
         ->capture_default_str();
   add_common_options(*command, options->common, "write the strip (.step, .brep, .iges)");
-  command->callback([options, &exit_code] { exit_code = run(*options); });
+  command->callback([options, &exit_code] {
+    options->wishes.strip.order = options->continuity[1] - '0';
+    exit_code = run(*options);
+  });
 }
 
 }  // namespace

@@ -328,21 +328,27 @@ def watertight(shape: Any, **options: Any) -> Watertight:
 def blend_strip(
     a: Any,
     b: Any,
-    edge_a: Optional[str] = None,
-    edge_b: Optional[str] = None,
+    edge_a: Union[str, int, None] = None,
+    edge_b: Union[str, int, None] = None,
+    continuity: str = "G1",
     weight_a: float = 1.0,
     weight_b: float = 1.0,
     **options: Any,
 ) -> Strip:
-    """The strip between two faces that continues both with their tangent planes, exactly.
+    """The strip between two faces that continues both, exactly or as near as it says.
 
-    edge_a, edge_b      "umin", "umax", "vmin" or "vmax"; None takes the nearest borders
-    weight_a, weight_b  how far the tangents reach into the strip; 1 is a third of its width
+    edge_a, edge_b      "umin", "umax", "vmin", "vmax", or the number of an edge of the model, from
+                        1; None takes the nearest borders
+    continuity          "G1" continues tangent planes, "G2" curvatures, "G3" their derivatives too
+    weight_a, weight_b  how far the tangents reach into the strip; 1 is the width over its degree
     """
-    side_a = None if edge_a is None else _checks.word(edge_a, "edge_a", _checks.SIDES)
-    side_b = None if edge_b is None else _checks.word(edge_b, "edge_b", _checks.SIDES)
+    start_a, start_b = _checks.border(edge_a, "edge_a"), _checks.border(edge_b, "edge_b")
+    smoothness = _checks.word(continuity, "continuity", _checks.STRIP_ORDERS)
+    order = 1 + _checks.STRIP_ORDERS.index(smoothness)
     reach_a, reach_b = _checks.number(weight_a, "weight_a"), _checks.number(weight_b, "weight_b")
     core_a, core_b = model_of(a, "a")._core, model_of(b, "b")._core
     return Strip(
-        _core.strip(core_a, core_b, side_a, side_b, reach_a, reach_b, _checks.control(options))
+        _core.strip(
+            core_a, core_b, start_a, start_b, order, reach_a, reach_b, _checks.control(options)
+        )
     )

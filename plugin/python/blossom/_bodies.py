@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Answers that are shapes: trims, solids, watertight pieces, strips."""
 
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Optional, Union, cast
 
 from ._results import Result, Selective, counted
 
@@ -164,13 +164,13 @@ class Strip(Result):
         return "complete"
 
     @property
-    def edge_a(self) -> str:
-        """The border that was joined: "umin", "umax", "vmin" or "vmax"."""
-        return str(self._told()["a"]["edge"])
+    def edge_a(self) -> Union[str, int]:
+        """The border that was joined: "umin", "umax", "vmin", "vmax", or the number of an edge."""
+        return cast(Union[str, int], self._told()["a"]["edge"])
 
     @property
-    def edge_b(self) -> str:
-        return str(self._told()["b"]["edge"])
+    def edge_b(self) -> Union[str, int]:
+        return cast(Union[str, int], self._told()["b"]["edge"])
 
     @property
     def backward(self) -> bool:
@@ -179,8 +179,8 @@ class Strip(Result):
 
     @property
     def continuity_a(self) -> Dict[str, float]:
-        """`gap` in model units, `normal_angle` in radians, `scale`: how many times the surface's
-        own cross derivative the strip's is."""
+        """`gap` in model units, `normal_angle` in radians, `curvature_difference` relative, `scale`:
+        how many times the surface's own cross derivative the strip's is."""
         return dict(self._told()["continuity"]["a"])
 
     @property
@@ -191,4 +191,8 @@ class Strip(Result):
         return [self.continuity_a, self.continuity_b]
 
     def _summary(self) -> str:
-        return f"from {self.edge_a} of a to {self.edge_b} of b"
+        from_a, to_b = (
+            f"edge {edge}" if isinstance(edge, int) else edge
+            for edge in (self.edge_a, self.edge_b)
+        )
+        return f"from {from_a} of a to {to_b} of b"

@@ -17,6 +17,7 @@ LAYOUTS = ("auto", "star", "ring", "deep-ring")
 TARGETS = ("bezier", "monomial", "triangles")
 EDGE_WORDS = ("all", "convex", "concave")
 SIDES = ("umax", "umin", "vmax", "vmin")
+STRIP_ORDERS = ("G1", "G2", "G3")
 
 
 def kind(value: object) -> str:
@@ -76,6 +77,15 @@ def word(value: Any, name: str, known: Sequence[str]) -> str:
     if value not in known:
         raise ValueError(f"{name}: '{value}' is none of {', '.join(known)}")
     return value
+
+
+def border(value: Any, name: str) -> str:
+    """A border of a face: one of SIDES, the number of an edge, or None; as text, empty for None."""
+    if value is None:
+        return ""
+    if isinstance(value, str):
+        return word(value, name, SIDES)
+    return str(whole(value, name, 1))
 
 
 def text(value: Any, name: str) -> str:

@@ -152,8 +152,9 @@ def solid(
 def strip(
     a: Model,
     b: Model,
-    edge_a: Optional[str],
-    edge_b: Optional[str],
+    edge_a: str,
+    edge_b: str,
+    order: int,
     weight_a: float,
     weight_b: float,
     control: Control,

@@ -15,12 +15,20 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepLib.hxx>
+#include <Geom2d_Circle.hxx>
+#include <Geom2d_Line.hxx>
 #include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <GeomLProp_SLProps.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax3.hxx>
@@ -81,11 +89,48 @@ double angle_between(const Handle(Geom_Surface) & strip, double x, double y,
   return std::min(angle, kPi - angle);
 }
 
+FaceStripOptions between_sides(SurfaceSide a, SurfaceSide b) {
+  return {.start_a = {.side = a}, .start_b = {.side = b}};
+}
+
+/// The disc of radius 1 round the x axis at x = 0, the outline starting at an angle to y.
+TopoDS_Face disc(double start) {
+  const gp_Ax2 frame(gp_Pnt(0, 0, 0), gp::DX(), gp_Dir(0, std::cos(start), std::sin(start)));
+  return BRepBuilderAPI_MakeFace(
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(frame, 1)).Edge()).Wire(), true);
+}
+
+TopoDS_Edge edge_on(const Handle(Geom_Surface) & surface, const Handle(Geom2d_Curve) & curve,
+                    double from, double to) {
+  const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(curve, surface, from, to);
+  BRepLib::BuildCurve3d(edge);
+  return edge;
+}
+
+/// The waves on the side of small parameters of an arc from the middle of vmin to the middle of
+/// umin, which is the first edge.
+TopoDS_Face corner_of_waves() {
+  const Handle(Geom_BSplineSurface) spline = waves();
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  spline->Bounds(u0, u1, v0, v1);
+  const double r = std::min(u1 - u0, v1 - v0) / 2;
+  const gp_Pnt2d corner(u0, v0), right(u0 + r, v0), up(u0, v0 + r);
+  BRepBuilderAPI_MakeWire wire;
+  wire.Add(edge_on(spline, new Geom2d_Circle(gp_Ax2d(corner, gp::DX2d()), r), 0, kPi / 2));
+  wire.Add(edge_on(spline, new Geom2d_Line(up, gp_Dir2d(0, -1)), 0, r));
+  wire.Add(edge_on(spline, new Geom2d_Line(corner, gp_Dir2d(1, 0)), 0, r));
+  return BRepBuilderAPI_MakeFace(spline, wire.Wire());
+}
+
+TopoDS_Edge first_edge(const TopoDS_Face& face) {
+  return TopoDS::Edge(TopExp_Explorer(face, TopAbs_EDGE).Current());
+}
+
 TEST(FaceStrip, BetweenTwoSquaresInOnePlaneIsFlatAndValid) {
   const FaceStrip made = strip_between(square(0), square(3));
 
-  EXPECT_EQ(made.side_a, SurfaceSide::UMax);
-  EXPECT_EQ(made.side_b, SurfaceSide::UMin);
+  EXPECT_EQ(made.ends[0].start.side, SurfaceSide::UMax);
+  EXPECT_EQ(made.ends[1].start.side, SurfaceSide::UMin);
   EXPECT_TRUE(BRepCheck_Analyzer(made.face).IsValid());
   const gp_Pnt middle = made.surface->Value(0.5, 0.5);
   EXPECT_NEAR(middle.X(), 2, 1e-15);
@@ -96,7 +141,7 @@ TEST(FaceStrip, JoinsARationalCylinderToABSpline) {
   const Handle(Geom_BSplineSurface) spline = waves();
 
   const FaceStrip made = strip_between(cylinder(0.4, 2.7), face_on(spline),
-                                       {.side_a = SurfaceSide::VMin, .side_b = SurfaceSide::UMin});
+                                       between_sides(SurfaceSide::VMin, SurfaceSide::UMin));
 
   EXPECT_TRUE(BRepCheck_Analyzer(made.face).IsValid());
   EXPECT_TRUE(made.surface->IsURational());
@@ -119,7 +164,7 @@ TEST(FaceStrip, KeepsFewKnots) {
   const Handle(Geom_BSplineSurface) spline = waves();
 
   const FaceStrip made = strip_between(square(-3), face_on(spline),
-                                       {.side_a = SurfaceSide::UMax, .side_b = SurfaceSide::UMin});
+                                       between_sides(SurfaceSide::UMax, SurfaceSide::UMin));
 
   ASSERT_EQ(made.surface->NbUKnots(), spline->NbVKnots());
   for (int k = 2; k < made.surface->NbUKnots(); ++k)
@@ -144,7 +189,7 @@ TEST(FaceStrip, TakesTheBordersOfTheTrimNotOfTheSurface) {
   const double cut = u0 + 0.4 * (u1 - u0);
   const TopoDS_Face part = BRepBuilderAPI_MakeFace(spline, u0, cut, v0, v1, 1e-7);
 
-  const FaceStrip made = strip_between(part, square(8), {.side_a = SurfaceSide::UMax});
+  const FaceStrip made = strip_between(part, square(8), {.start_a = {.side = SurfaceSide::UMax}});
 
   EXPECT_LE(made.surface->Value(0, 0).Distance(spline->Value(cut, v0)), 1e-12);
   EXPECT_LE(made.surface->Value(1, 0).Distance(spline->Value(cut, v1)), 1e-12);
@@ -162,16 +207,13 @@ TEST(FaceStrip, BetweenFullCylindersIsAClosedTube) {
 
   const FaceStrip made = strip_between(cylinder(0, 2 * kPi), wide);
 
-  EXPECT_EQ(made.side_a, SurfaceSide::VMin);
-  EXPECT_EQ(made.side_b, SurfaceSide::VMax);
+  EXPECT_EQ(made.ends[0].start.side, SurfaceSide::VMin);
+  EXPECT_EQ(made.ends[1].start.side, SurfaceSide::VMax);
   EXPECT_TRUE(made.surface->IsUClosed());
   EXPECT_TRUE(BRepCheck_Analyzer(made.face).IsValid());
 }
 
 TEST(FaceStrip, SaysWhyThereIsNone) {
-  const TopoDS_Wire circle =
-      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(), 1)).Edge());
-  const TopoDS_Face disc = BRepBuilderAPI_MakeFace(circle, true);
   const auto message = [](const TopoDS_Face& a, const TopoDS_Face& b,
                           const FaceStripOptions& options) -> std::string {
     try {
@@ -182,10 +224,80 @@ TEST(FaceStrip, SaysWhyThereIsNone) {
     return "nothing was thrown";
   };
 
-  EXPECT_EQ(message(square(4), disc, {}), "face b has no edge along a border of its parameters");
-  EXPECT_EQ(message(cylinder(0, 2 * kPi), square(0), {.side_a = SurfaceSide::UMin}),
+  EXPECT_EQ(message(cylinder(0, 2 * kPi), square(0), {.start_a = {.side = SurfaceSide::UMin}}),
             "face a has no edge along umin, it has vmin, vmax");
+  EXPECT_EQ(message(square(0), square(4), {.start_a = {.edge = first_edge(square(4))}}),
+            "the edge is none that a strip can start from on face a");
   EXPECT_THROW(strip_between(square(0), square(1), {}), InvalidInput);
+}
+
+// A round pipe onto the rim of a disc: both ends are exact, and the outline's start does not twist
+// it.
+TEST(FaceStrip, StartsFromTheRimOfAPlaneExactly) {
+  for (const double start : {0.0, 1.0, 4.0}) {
+    for (const int order : {1, 2, 3}) {
+      const TopoDS_Face rim = disc(start);
+
+      const FaceStrip made = strip_between(cylinder(0, 2 * kPi), rim, {.strip = {.order = order}});
+
+      EXPECT_EQ(made.ends[0].start.side, SurfaceSide::VMin);
+      EXPECT_TRUE(made.ends[1].start.edge.IsSame(first_edge(rim)));
+      EXPECT_TRUE(made.ends[1].exact);
+      EXPECT_EQ(made.surface->VDegree(), 2 * order + 1);
+      EXPECT_TRUE(made.surface->IsUClosed());
+      EXPECT_TRUE(BRepCheck_Analyzer(made.face).IsValid());
+      for (const StripContact& contact : made.strip.contacts) {
+        EXPECT_LE(contact.gap, 1e-13);
+        EXPECT_LE(contact.normal_angle, 1e-10);
+        EXPECT_LE(contact.curvature, order == 1 ? HUGE_VAL : 1e-8);
+      }
+      for (int k = 0; k < 20; ++k) {
+        const gp_Pnt a = made.surface->Value(k / 20.0, 0), b = made.surface->Value(k / 20.0, 1);
+        EXPECT_GT((a.Y() * b.Y() + a.Z() * b.Z()) / 2, 0.99) << "twisted at " << k;
+      }
+    }
+  }
+}
+
+TEST(FaceStrip, FollowsAnEdgeAcrossASurface) {
+  const TopoDS_Face part = corner_of_waves();
+  const TopoDS_Edge arc = first_edge(part);
+  for (const TopoDS_Face& a : {part, TopoDS::Face(part.Reversed())}) {
+    const FaceStrip made =
+        strip_between(a, square(4), {.start_a = {.edge = arc}, .strip = {.order = 2}});
+
+    EXPECT_FALSE(made.ends[0].exact);
+    EXPECT_GT(made.ends[0].fit_error, 0);
+    EXPECT_LE(made.ends[0].fit_error, 1e-10);
+    EXPECT_TRUE(BRepCheck_Analyzer(made.face).IsValid());
+    const StripContact& contact = made.strip.contacts[0];
+    EXPECT_LE(contact.gap, 1e-10);
+    EXPECT_LE(contact.normal_angle, 1e-7);
+    EXPECT_LE(contact.curvature, 1e-4);
+    // It leads away from the face: over the corner of the surface lies the face.
+    const gp_Pnt inner = made.surface->Value(0.5, 0.02), edge = made.surface->Value(0.5, 0);
+    const gp_Pnt corner = waves()->Pole(1, 1);
+    EXPECT_GT(inner.Distance(corner), edge.Distance(corner));
+  }
+}
+
+TEST(FaceStrip, RefusesAnEdgeWithACorner) {
+  TColgp_Array1OfPnt points(1, 3);
+  points(1) = gp_Pnt(0, 0, 0);
+  points(2) = gp_Pnt(0.5, 1, 0);
+  points(3) = gp_Pnt(1, 0, 0);
+  TColStd_Array1OfReal knots(1, 3);
+  TColStd_Array1OfInteger multiplicities(1, 3);
+  for (int i = 1; i <= 3; ++i) {
+    knots(i) = i;
+    multiplicities(i) = i == 2 ? 1 : 2;
+  }
+  const Handle(Geom_Curve) roof = new Geom_BSplineCurve(points, knots, multiplicities, 1);
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(roof).Edge());
+  wire.Add(BRepBuilderAPI_MakeEdge(points(3), points(1)).Edge());
+  const TopoDS_Face gable = BRepBuilderAPI_MakeFace(wire.Wire(), true);
+
+  EXPECT_THROW(strip_between(gable, square(4), {.start_a = {.edge = first_edge(gable)}}), BadModel);
 }
 
 }  // namespace

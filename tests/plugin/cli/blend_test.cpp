@@ -71,6 +71,29 @@ TEST_F(BlendStrip, TellsPeopleWhatItJoined) {
   EXPECT_NE(ran.out.find("largest gap"), std::string::npos) << ran.out;
 }
 
+TEST_F(BlendStrip, ContinuesCurvaturesFromAnEdgeByItsNumber) {
+  const Finished ran = blossom({"blend", "strip", path("pipe.step"), path("lids.brep#2"), "--edge-b",
+                                "6", "--continuity", "G2", "--json", "-"});
+
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const nlohmann::json report = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(report["b"]["edge"], 6);
+  EXPECT_EQ(report["b"]["exact"], true);
+  EXPECT_EQ(report["degree"][1], 5);
+  EXPECT_EQ(report["continuity"]["order"], 2);
+  EXPECT_LE(report["continuity"]["curvature_difference"], 1e-9);
+}
+
+TEST_F(BlendStrip, NamesTheEdgesOfTheFaceIfItHasNotTheOneThatWasMeant) {
+  const Finished ran =
+      blossom({"blend", "strip", path("pipe.step"), path("lids.brep#2"), "--edge-b", "1"});
+
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("lids.brep#2: edge 1 is none of the face, which has 5, 6, 7, 8"),
+            std::string::npos)
+      << ran.err;
+}
+
 TEST_F(BlendStrip, RefusesWhatIsNotOneFace) {
   const Finished ran = blossom({"blend", "strip", path("lids.brep"), path("pipe.step")});
 

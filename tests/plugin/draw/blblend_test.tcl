@@ -10,7 +10,11 @@ test {
   claim "exactly" [expr {[lindex $answer 2] < 1e-12 && [lindex $answer 3] < 1e-12}]
   claim "by one face that fills the gap" [expr {[count_of s FACE] == 1 && [near [mass_of sprops s] 100]}]
   claim "borders may be named, and weights" [expr {[lrange [blblend s a b umax umin 2 1] 0 1] eq "umax umin"}]
-  claim "there is no border left" [string match "*blblend: 'left' is none of*" [message_of blblend s a b left umin]]
+  claim "there is no border left" [string match "*blblend: a border is umin, umax, vmin, vmax*not 'left'*" [message_of blblend s a b left umin]]
+  explode a E
+  claim "or edges, by shape or number" [expr {[lrange [blblend s a b a_2 4] 0 1] eq [lrange [blblend t a b 2 4] 0 1]}]
+  claim "curvatures continue if asked" [expr {[lindex [blblend s a b umax umin G2] 3] < 1e-12}]
+  claim "there is no G4" [string match "*'G4' is none of G1, G2 and G3*" [message_of blblend s a b G4]]
   box c 1 1 1
   claim "a box is no face" [string match "*c: one face is wanted, got 6*" [message_of blblend s a c]]
 }

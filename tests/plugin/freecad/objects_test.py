@@ -253,6 +253,12 @@ def strip_joins_faces(document):
     strip.WeightA, strip.BorderB = 2.0, "umin"
     document.recompute()
     claim("weights change it", valid(strip) and strip.Shape.Area != area)
+    strip.A, strip.Continuity = [(near_one, ("Face1", "Edge1"))], "G2"
+    document.recompute()
+    claim("an edge may be picked", strip.Joined.startswith("edge 1 to "))
+    strip.A = [(near_one, ("Face1",)), (far_one, ("Edge1",))]
+    document.recompute()
+    claim("it has to be one of the face", says(strip, "is no edge of the face"))
     strip.A = [(box(document), "")]
     document.recompute()
     claim("six faces are not one", says(strip, "A: one face is wanted, there are 6"))

@@ -33,9 +33,21 @@ class Strips(unittest.TestCase):
         self.assertEqual((strip.edge_a, strip.edge_b), ("umin", "umax"))
         self.assertAlmostEqual(strip.continuity_a["scale"], 2 * strip.continuity_b["scale"])
 
+    def test_edges_may_be_numbers_and_curvatures_continue(self):
+        strip = blossom.blend_strip(square(0.0), square(3.0), edge_a=1, continuity="G2")
+
+        self.assertEqual(strip.edge_a, 1)
+        self.assertIn("from edge 1 of a", repr(strip))
+        self.assertEqual(strip.to_dict()["degree"], [1, 5])
+        self.assertLess(strip.continuity_a["curvature_difference"], 1e-9)
+
     def test_errors_are_words(self):
         with self.assertRaisesRegex(ValueError, "^edge_a: 'left' is none of umax, umin, "):
             blossom.blend_strip(square(0.0), square(3.0), edge_a="left")
+        with self.assertRaisesRegex(ValueError, "edge 7 is none of the face, which has 1, 2, 3, 4"):
+            blossom.blend_strip(square(0.0), square(3.0), edge_b=7)
+        with self.assertRaisesRegex(ValueError, "^continuity: 'G4' is none of G1, G2, G3"):
+            blossom.blend_strip(square(0.0), square(3.0), continuity="G4")
         with self.assertRaisesRegex(ValueError, "the borders coincide"):
             blossom.blend_strip(square(0.0), square(1.0))
         with self.assertRaisesRegex(ValueError, "weight_b has to be positive"):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What users write, for mypy: what it says of types is right, and nothing is Any by accident."""
 
-from typing import Any, Dict, List, Optional, assert_type
+from typing import Any, Dict, List, Optional, Union, assert_type
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,7 +50,7 @@ assert_type(blossom.subdivide(model, whole=True).splines, List[blossom.Spline])
 assert_type(blossom.subdivide(model), blossom.Subdivision)
 assert_type(model.convert("bezier").error, float)
 assert_type(blossom.convert("a.step", "a.brep"), Optional[blossom.Conversion])
-assert_type(blossom.blend_strip(model, model).edge_a, str)
+assert_type(blossom.blend_strip(model, model).edge_a, Union[str, int])
 
 model.fillet([1])  # type: ignore[call-arg]
 model.chamfer([1])  # type: ignore[call-arg]

@@ -56,10 +56,10 @@ class ModuleDoor:
     def check(self, part):
         return Answer(None, part.check(cancel=self._cancel).to_dict(samples=False))
 
-    def strip(self, a, b, edge_a, edge_b, weight_a, weight_b):
+    def strip(self, a, b, edge_a, edge_b, continuity, weight_a, weight_b):
         return self._answer(
             blossom.blend_strip(
-                a, b, edge_a, edge_b, weight_a=weight_a, weight_b=weight_b, cancel=self._cancel
+                a, b, edge_a, edge_b, continuity, weight_a, weight_b, cancel=self._cancel
             )
         )
 

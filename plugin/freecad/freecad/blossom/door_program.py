@@ -75,10 +75,10 @@ class ProgramDoor:
     def check(self, part):
         return self._ask(["check", part], {}, makes_shape=False)
 
-    def strip(self, a, b, edge_a, edge_b, weight_a, weight_b):
-        command = ["blend", "strip", a, b]
+    def strip(self, a, b, edge_a, edge_b, continuity, weight_a, weight_b):
+        command = ["blend", "strip", a, b, "--continuity", continuity]
         for name, value in (("--edge-a", edge_a), ("--edge-b", edge_b)):
-            command += [] if value is None else [name, value]
+            command += [] if value is None else [name, str(value)]
         return self._ask(command + ["--weight-a", repr(weight_a), "--weight-b", repr(weight_b)], {})
 
     def fillet(self, part, edges, radius, section, partial, **options):

@@ -83,6 +83,27 @@ def one_face(link, name):
     return made.Faces[0]
 
 
+def face_with_edge(link, name):
+    """The face of a link that has one, and the number within the face of the edge that the link
+    names beside it, or None. throws ValueError"""
+    listed = members(link)
+    edges = [each for each in listed if element_of(each[1]).startswith("Edge")]
+    face = one_face([(target, (sub,)) for target, sub in listed if (target, sub) not in edges], name)
+    if not edges:
+        return face, None
+    if len(edges) != 1:
+        raise ValueError(f"{name}: one edge at most is wanted, there are {len(edges)}")
+    whole, numbers = whole_with_edges([(target, (sub,)) for target, sub in edges], name)
+    edge = whole.Edges[numbers[0] - 1]
+    # Of a whole shape faces and edges are the same ones; those taken alone are not.
+    for own in whole.Faces:
+        if own.isPartner(face):
+            for number, each in enumerate(own.Edges, start=1):
+                if each.isSame(edge):
+                    return face, number
+    raise ValueError(f"{name}: {shown(*edges[0])} is no edge of the face")
+
+
 def whole_with_edges(link, name):
     """The whole placed shape of one object, and the numbers of the edges that the link names; of
     faces their edges; none if it names only the object. throws ValueError"""
