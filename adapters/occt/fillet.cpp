@@ -31,8 +31,12 @@ void check_request(const BodyEdges& body, const std::vector<int>& edges,
       throw InvalidInput(std::string("fillet: the ") + what + " has to be positive and finite");
   };
   check_length(options.radius, "radius");
-  check_length(options.last_radius.value_or(1), "last radius");
-  if (options.rho && !(*options.rho > 0 && *options.rho < 1))
+  if (options.law && !(options.law->extremes({0, 1}).from > 0))
+    throw InvalidInput("fillet: the law's radius has to be positive everywhere");
+  if (options.section.kind == SectionKind::Chamfer)
+    throw InvalidInput("fillet: chamfers have an option of their own");
+  if (options.section.kind == SectionKind::Conic &&
+      !(options.section.rho > 0 && options.section.rho < 1))
     throw InvalidInput("fillet: rho has to be between 0 and 1");
   if (options.chamfer) {
     check_length(options.chamfer->first, "distance");
@@ -75,8 +79,8 @@ void add_parameter(const BodyEdges& body, FilletRefusal& why) {
 // The largest radius of the chain at fault, or of all where they cannot be rounded together.
 void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
                  const FilletOptions& options, FilletRefusal& why) {
-  if (!options.largest || options.chamfer || options.last_radius || options.rho || why.largest)
-    return;
+  const bool is_ball = !options.law && options.section.kind == SectionKind::Circle;
+  if (!options.largest || options.chamfer || !is_ball || why.largest) return;
   const auto at_fault = std::ranges::find_if(
       chains, [&](const FilletEdges& chain) { return chain.count(why.edge) > 0; });
   std::vector<FilletEdges> asked = chains;

@@ -12,6 +12,8 @@
 #include <TopoDS_Solid.hxx>
 
 #include "core/base/status.h"
+#include "core/blending/balls/ball_strip.h"
+#include "core/blending/balls/radius_law.h"
 #include "core/math/vec.h"
 #include "core/results/options.h"
 
@@ -48,6 +50,13 @@ struct FilletRefusal {
   std::string text() const;
 };
 
+/// What a fillet is like across its edge.
+struct FilletSection {
+  SectionKind kind = SectionKind::Circle;  ///< but for Chamfer, which is an option of its own
+  double rho = 0.5;  ///< of conics, in (0, 1): how far the shoulder is on the way from the chord to
+                     ///< where the end tangents meet; 0.5 is a parabola
+};
+
 /// How far a chamfer reaches from its edge.
 struct ChamferSize {
   double first = 1;  ///< distance of its one border from the edge, model units
@@ -57,14 +66,12 @@ struct ChamferSize {
 };
 
 struct FilletOptions {
-  double radius = 1;  ///< model units
-  /// At the end of each run of edges, if it is another than at its start: linear along each edge's
-  /// parameter, by length over the edges of a run. Runs start where their edge of the least number
+  double radius = 1;  ///< model units; of no account with a law
+  /// Radii along each run of edges, over [0, 1]: the share of the run's length from its start, and
+  /// within an edge linear in the edge's parameter. Runs start where their edge of the least number
   /// does.
-  std::optional<double> last_radius{};
-  /// A conic in place of the circle, in (0, 1): how far its shoulder is on the way from the chord
-  /// to where its end tangents meet; 0.5 is a parabola.
-  std::optional<double> rho{};
+  std::optional<RadiusLaw> law{};
+  FilletSection section{};
   /// Chamfers in place of fillets. The first distance is on the face of the smaller number at the
   /// edge of the least number of a run, and on that side all along the run.
   std::optional<ChamferSize> chamfer{};
@@ -111,8 +118,8 @@ struct FilletResult {
 /// shape    solids, faces turned outwards
 /// edges    numbers as in `edge_facts`
 /// throws   InvalidInput if there is no edge of such a number, none is given, or the radius is not
-///          positive and finite, rho or an angle outside of its range; BadModel if a face cannot be
-///          used
+///          positive and finite, a law's below 0 somewhere, rho or an angle outside of its range;
+///          BadModel if a face cannot be used
 FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
                     const FilletOptions& options = {});
 

@@ -13,6 +13,7 @@
 
 #include "plugin/python/answers.h"
 #include "plugin/python/json.h"
+#include "plugin/reports/blend_words.h"
 
 namespace py = pybind11;
 using py::arg;
@@ -157,14 +158,15 @@ void add_edge_blends(py::module_& module) {
   module.def(
       "fillet",
       [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,
-         const FacePair& between, double radius, MaybeNumber last_radius, MaybeNumber rho,
+         const FacePair& between, double radius, const std::string& law, const std::string& section,
          bool partial, const Control& control) {
-        const occt::FilletOptions of{
-            .radius = radius, .last_radius = last_radius, .rho = rho, .partial = partial};
+        occt::FilletOptions of{
+            .radius = radius, .section = reports::fillet_section(section), .partial = partial};
+        if (!law.empty()) of.law = reports::radius_law(law);
         return blend_edges(part, {edges, kind, between}, of, control);
       },
-      arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("last_radius"),
-      arg("rho"), arg("partial"), arg("control"));
+      arg("part"), arg("edges"), arg("kind"), arg("between"), arg("radius"), arg("law"),
+      arg("section"), arg("partial"), arg("control"));
   module.def(
       "chamfer",
       [](const SharedModel& part, const std::vector<int>& edges, const std::string& kind,

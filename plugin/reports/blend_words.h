@@ -13,9 +13,17 @@ namespace blossom::reports {
 /// throws   InvalidInput if it is none of these, or a number is not positive
 void read_radius(const std::string& word, occt::FilletOptions& of);
 
-/// "circle", or "conic:0.4" with a number below 1.
+/// A law as JSON: `law` is "linear", "smooth" or "table", `radii` its numbers, of a table with the
+/// shares `at` of the run's length, from 0 to 1, where they are.
 /// throws   InvalidInput likewise
-void read_section(const std::string& word, occt::FilletOptions& of);
+RadiusLaw radius_law(const std::string& json);
+
+/// "circle", "conic:0.4" with a number below 1, or "g2".
+/// throws   InvalidInput likewise
+occt::FilletSection fillet_section(const std::string& word);
+
+/// The same the other way, "circle", "conic" or "g2".
+std::string section_name(const occt::FilletSection& section);
 
 /// "2", or "2,1" with two distances, or "2:30" with an angle in degrees.
 /// throws   InvalidInput likewise

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "plugin/reports/blend_words.h"
 #include "plugin/reports/repairs.h"
 
 namespace blossom::reports {
@@ -25,15 +26,28 @@ Json number_or_null(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+// The radii at the ends and at the knots of a law.
+Json law_json(const std::optional<RadiusLaw>& law) {
+  if (!law) return nullptr;
+  std::vector<double> at{0};
+  for (const double knot : law->knots()) at.push_back(knot);
+  at.push_back(1);
+  std::vector<double> radii;
+  for (const double share : at) radii.push_back(law->at(share).value);
+  return {{"law", to_string(law->kind())}, {"at", at}, {"radii", radii}};
+}
+
 // What was asked for across the edges.
 Json size_json(const occt::FilletOptions& of) {
   if (const auto& chamfer = of.chamfer)
     return {{"distance", chamfer->first},
             {"second_distance", number_or_null(chamfer->second)},
             {"angle", number_or_null(chamfer->angle)}};
-  return {{"radius", of.radius},
-          {"last_radius", number_or_null(of.last_radius)},
-          {"rho", number_or_null(of.rho)}};
+  const bool conic = of.section.kind == SectionKind::Conic;
+  return {{"radius", of.law ? Json(nullptr) : Json(of.radius)},
+          {"law", law_json(of.law)},
+          {"section", section_name(of.section)},
+          {"rho", conic ? Json(of.section.rho) : Json(nullptr)}};
 }
 
 Json refusal_json(const occt::FilletRefusal& refusal) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 
 #include "core/base/errors.h"
@@ -39,6 +40,16 @@ std::vector<double> second_derivatives(const std::vector<double>& x, const std::
 }
 
 }  // namespace
+
+const char* to_string(LawKind kind) {
+  switch (kind) {
+    case LawKind::Constant: return "constant";
+    case LawKind::Linear: return "linear";
+    case LawKind::Smooth: return "smooth";
+    case LawKind::Table: break;
+  }
+  return "table";
+}
 
 RadiusLaw RadiusLaw::constant(double radius) {
   check(radius);
@@ -91,9 +102,13 @@ RadiusLaw RadiusLaw::table(const std::vector<double>& parameters,
   return law;
 }
 
-RadiusJet RadiusLaw::at(double parameter) const {
+std::size_t RadiusLaw::piece_at(double parameter) const {
   const auto above = std::upper_bound(breaks_.begin() + 1, breaks_.end(), parameter);
-  const auto piece = static_cast<std::size_t>(above - breaks_.begin()) - 1;
+  return static_cast<std::size_t>(above - breaks_.begin()) - 1;
+}
+
+RadiusJet RadiusLaw::at(double parameter) const {
+  const std::size_t piece = piece_at(parameter);
   const auto& c = pieces_[piece];
   const double t = parameter - breaks_[piece];
   return {c[0] + t * (c[1] + t * (c[2] + t * c[3])), c[1] + t * (2 * c[2] + t * 3 * c[3]),
@@ -101,5 +116,47 @@ RadiusJet RadiusLaw::at(double parameter) const {
 }
 
 std::vector<double> RadiusLaw::knots() const { return {breaks_.begin() + 1, breaks_.end()}; }
+
+Interval RadiusLaw::extremes(const Interval& range) const {
+  Interval found{at(range.from).value, at(range.from).value};
+  const auto look = [&](double parameter) {
+    if (!(parameter >= range.from && parameter <= range.to)) return;
+    const double value = at(parameter).value;
+    found = {std::min(found.from, value), std::max(found.to, value)};
+  };
+  look(range.to);
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    look(breaks_[i]);
+    // Where c_1 + 2 c_2 t + 3 c_3 t^2 vanishes; a root of another piece does no harm.
+    const auto& c = pieces_[i];
+    const double q =
+        -(c[2] + std::copysign(std::sqrt(std::max(0.0, c[2] * c[2] - 3 * c[1] * c[3])), c[2]));
+    if (c[3] != 0) look(breaks_[i] + q / (3 * c[3]));
+    if (q != 0) look(breaks_[i] + c[1] / q);
+  }
+  return found;
+}
+
+RadiusLaw RadiusLaw::over(const Interval& part, const Interval& range) const {
+  check(range);
+  if (part.from == part.to) return constant(at(part.from).value);
+  const double scale = (part.to - part.from) / length(range);
+  std::vector<double> starts{part.from};
+  for (std::size_t i = 1; i < breaks_.size(); ++i)
+    if ((breaks_[i] - part.from) * (breaks_[i] - part.to) < 0) starts.push_back(breaks_[i]);
+  if (scale < 0) std::sort(starts.begin() + 1, starts.end(), std::greater<>());
+  RadiusLaw law;
+  law.kind_ = kind_;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const double end = i + 1 < starts.size() ? starts[i + 1] : part.to;
+    const auto& c = pieces_[piece_at((starts[i] + end) / 2)];
+    const double t = starts[i] - breaks_[piece_at((starts[i] + end) / 2)];
+    law.breaks_.push_back(range.from + (starts[i] - part.from) / scale);
+    law.pieces_.push_back({c[0] + t * (c[1] + t * (c[2] + t * c[3])),
+                           scale * (c[1] + t * (2 * c[2] + 3 * t * c[3])),
+                           scale * scale * (c[2] + 3 * t * c[3]), scale * scale * scale * c[3]});
+  }
+  return law;
+}
 
 }  // namespace blossom

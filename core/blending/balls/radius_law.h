@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "core/math/interval.h"
@@ -23,6 +24,9 @@ enum class LawKind {
   Smooth,  ///< the same with slopes of 0 at both ends: the cubic 3 t^2 - 2 t^3
   Table,   ///< radii at parameters, joined by the natural cubic spline
 };
+
+/// "constant", "linear", "smooth" or "table".
+const char* to_string(LawKind kind);
 
 /// r(x) over the guide's range; beside it, the polynomial of the nearest end goes on.
 class RadiusLaw {
@@ -44,7 +48,16 @@ class RadiusLaw {
   /// Where a derivative jumps, inside of the range: increasing. A blend has knots there.
   std::vector<double> knots() const;
 
+  /// The least and the largest radius over a range, which may go beyond the law's own.
+  Interval extremes(const Interval& range) const;
+
+  /// The law over `range` that goes as this one goes over `part`; from > to reverses it. Equal ends
+  /// make it constant.
+  RadiusLaw over(const Interval& part, const Interval& range) const;
+
  private:
+  std::size_t piece_at(double parameter) const;
+
   LawKind kind_ = LawKind::Constant;
   std::vector<double> breaks_;
   std::vector<std::array<double, 4>> pieces_;  // powers of (x - break)

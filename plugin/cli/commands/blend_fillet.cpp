@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -45,6 +46,7 @@ struct FilletCommand {
   std::vector<int> between;
   std::string size;              ///< --radius or --distance
   std::string section;           ///< --section
+  std::string law;               ///< --law
   occt::FilletOptions fillet{};  ///< both of them, read
   bool partial = false;
 
@@ -105,7 +107,10 @@ std::string comma_separated(const std::vector<int>& numbers) {
 std::string summary(const FilletCommand& command, const Input& part, const TimedFillets& timed) {
   std::ostringstream text;
   const occt::FilletResult& made = timed.made;
-  text << part.name << ": " << (command.is_chamfer() ? "chamfer of distance " : "fillet of radius ")
+  text << part.name << ": "
+       << (command.is_chamfer()  ? "chamfer of distance "
+           : command.law.empty() ? "fillet of radius "
+                                 : "fillet by the law ")
        << command.size << ", ";
   if (made.solids.empty())
     text << "refused";
@@ -212,6 +217,30 @@ CLI::App* add_edges_command(CLI::App& blend, const char* name, const char* about
   return command;
 }
 
+/// Longer files are no laws.
+constexpr std::streamsize kMostOfLaw = 1 << 20;
+
+std::string law_text(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw UsageError("--law: " + file + " cannot be read");
+  std::string text(kMostOfLaw, ' ');
+  stream.read(text.data(), kMostOfLaw);
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  return text;
+}
+
+/// --radius or --law.
+void read_radii(FilletCommand& command) {
+  if (command.size.empty() == command.law.empty())
+    throw UsageError("blend fillet takes --radius R or --law FILE, and just one of them");
+  if (command.law.empty()) {
+    read_size("--radius", [&] { reports::read_radius(command.size, command.fillet); });
+    return;
+  }
+  command.size = command.law;
+  read_size("--law", [&] { command.fillet.law = reports::radius_law(law_text(command.law)); });
+}
+
 }  // namespace
 
 void add_blend_fillet(CLI::App& blend, int& exit_code) {
@@ -221,17 +250,24 @@ void add_blend_fillet(CLI::App& blend, int& exit_code) {
   command
       ->add_option("--radius", options->size,
                    "of the ball, mm; 2..5: from 2 at the start of the edges to 5 at their end")
-      ->required()
       ->type_name("R");
   command
-      ->add_option("--section", options->section,
-                   "circle, or conic:RHO with RHO between 0 (flat) and 1 (sharp); circle when "
-                   "not given")
+      ->add_option(
+          "--law", options->law,
+          "radii along each run of edges, as JSON: {\"law\": \"smooth\", \"radii\": [2, 5]}, "
+          "or \"linear\", or \"table\" with \"at\": [0, 0.3, 1] beside as many radii")
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--section", options->section,
+          "circle; conic:RHO with RHO between 0 (flat) and 1 (sharp); or g2, which has the "
+          "curvatures of both faces; circle when not given")
       ->type_name("KIND");
   command->callback([options, &exit_code] {
-    read_size("--radius", [&] { reports::read_radius(options->size, options->fillet); });
+    read_radii(*options);
     if (!options->section.empty())
-      read_size("--section", [&] { reports::read_section(options->section, options->fillet); });
+      read_size("--section",
+                [&] { options->fillet.section = reports::fillet_section(options->section); });
     exit_code = run(*options);
   });
 }

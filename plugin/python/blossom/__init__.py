@@ -302,7 +302,12 @@ def solid(operation: str, part: Any, *tools: Any, planes: Any = (), **options: A
 
 
 def fillet(
-    shape: Any, edges: Any = (), *, radius: Radius, between: Any = None, **options: Any
+    shape: Any,
+    edges: Any = (),
+    *,
+    radius: Optional[Radius] = None,
+    between: Any = None,
+    **options: Any,
 ) -> Fillet:
     """Edges of solids rounded by a rolling ball; see `Model.fillet`."""
     return model_of(shape, "shape").fillet(edges, radius=radius, between=between, **options)

@@ -2,10 +2,11 @@
 """Looks at what users pass, in one place: a wrong type is a TypeError, a wrong value a ValueError,
 and both name the argument, what came and what is wanted."""
 
+import json
 import math
 import numbers
 import os
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
 
@@ -205,21 +206,35 @@ def radii(value: Any, name: str) -> Tuple[float, Optional[float]]:
     return first, last
 
 
-def conic(value: Any, name: str) -> Optional[float]:
-    """Of "conic:0.4" the 0.4, between 0 and 1; None of "circle"."""
+def radius_and_law(radius: Any, law: Any) -> Tuple[float, str]:
+    """The radius, and a law as JSON; a pair of radii is a law, too."""
+    if (radius is None) == (law is None):
+        raise TypeError("fillet: a radius or a law is wanted, and just one of them")
+    if law is None:
+        first, last = radii(radius, "radius")
+        return first, "" if last is None else json.dumps({"law": "linear", "radii": [first, last]})
+    if not isinstance(law, Mapping):
+        raise TypeError(f"law: a mapping is wanted, got {kind(law)}")
+    try:
+        return 1.0, json.dumps(dict(law))
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"law: {error}") from None
+
+
+def section(value: Any, name: str) -> str:
+    """ "circle", "conic:0.4" or "g2"."""
     told = text(value, name)
-    if told == "circle":
-        return None
     head, _, tail = told.partition(":")
     try:
         rho = float(tail)
     except ValueError:
         rho = math.nan
-    if head != "conic" or not 0 < rho < 1:
+    if told not in ("circle", "g2") and not (head == "conic" and 0 < rho < 1):
         raise ValueError(
-            f"{name}: 'circle', or 'conic:RHO' with RHO between 0 and 1 is wanted, got '{told}'"
+            f"{name}: 'circle', 'conic:RHO' with RHO between 0 and 1, or 'g2' is wanted, "
+            f"got '{told}'"
         )
-    return rho
+    return told
 
 
 def chamfer_size(

@@ -165,8 +165,8 @@ def fillet(
     kind: str,
     between: Optional[Tuple[int, int]],
     radius: float,
-    last_radius: Optional[float],
-    rho: Optional[float],
+    law: str,
+    section: str,
     partial: bool,
     control: Control,
 ) -> Answer: ...

@@ -2,7 +2,7 @@
 """A model that stays in memory, and the questions it answers."""
 
 import os
-from typing import Any, Dict, Iterator, List, Literal, Optional, Tuple, Union, overload
+from typing import Any, Dict, Iterator, List, Literal, Mapping, Optional, Tuple, Union, overload
 
 from . import _checks, _core, _results, _shapes
 from ._bodies import Chamfer, Fill, Fillet, Solid, Trim, Watertight
@@ -294,7 +294,8 @@ class Model(_results.MadeShape):
         self,
         edges: Any = (),
         *,
-        radius: Radius,
+        radius: Optional[Radius] = None,
+        law: Optional[Mapping[str, Any]] = None,
         section: str = "circle",
         between: Any = None,
         partial: bool = False,
@@ -304,13 +305,16 @@ class Model(_results.MadeShape):
 
         edges     numbers, as in "Edge1", or "all", "convex" or "concave"
         radius    a number; or a pair, from the start to the end of each run of edges
-        section   "circle", or "conic:0.4": how far the shoulder is on the way from the chord to
-                  where the end tangents meet, between 0 (flat) and 1 (sharp)
+        law       instead of it {"law": "smooth", "radii": [2, 5]}, or "linear", or "table" with
+                  shares of the run's length, as {"law": "table", "at": [0, 0.3, 1], "radii": ...}
+        section   "circle"; "conic:0.4": how far the shoulder is on the way from the chord to where
+                  the end tangents meet, between 0 (flat) and 1 (sharp); or "g2", which has the
+                  curvatures of both faces
         between   two face numbers: the edges that they have in common
         partial   round the edges that can be, instead of all or none; see `refused`
         """
         chosen = _checks.edge_wish("fillet", edges, between)
-        size = (*_checks.radii(radius, "radius"), _checks.conic(section, "section"))
+        size = (*_checks.radius_and_law(radius, law), _checks.section(section, "section"))
         whole = _checks.flag(partial, "partial")
         return Fillet(_core.fillet(self._core, *chosen, *size, whole, _checks.control(options)))
 

@@ -171,7 +171,7 @@ TEST(FilletCorner, OfChangingRadiiIsFilledSmoothly) {
     return (each.middle[0] == 0) + (each.middle[1] == 0) + (each.middle[2] == 0) == 2;
   });
   ASSERT_EQ(at_origin.size(), 3U);
-  const FilletResult made = fillet(shape, at_origin, {.radius = 1, .last_radius = 2});
+  const FilletResult made = fillet(shape, at_origin, {.law = RadiusLaw::linear({0, 1}, 1, 2)});
   expect_sound(made);
   expect_smooth(made, 3);  // the strips' ends in the far faces
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -150,8 +151,8 @@ TEST_F(BlendFillet, ChangesItsRadiusAlongAnEdge) {
 
   ASSERT_EQ(ran.code, 0) << ran.err;
   const nlohmann::json report = nlohmann::json::parse(ran.out);
-  EXPECT_EQ(report["radius"], 1);
-  EXPECT_EQ(report["last_radius"], 2);
+  EXPECT_TRUE(report["radius"].is_null());
+  EXPECT_EQ(report["law"]["radii"], nlohmann::json({1, 2}));
   // More than the lesser radius takes all along, less than the greater one.
   const double less = 1000 - report["volume"]["after"].get<double>();
   EXPECT_GT(less, 10 * kCut);
@@ -168,6 +169,34 @@ TEST_F(BlendFillet, TakesConicsForSections) {
   EXPECT_EQ(report["rho"], 0.5);
   // A parabola leaves a third of the triangle of its end tangents.
   EXPECT_NEAR(report["volume"]["after"], 1000 - 10 * 2.0 / 3, 1e-6);
+}
+
+TEST_F(BlendFillet, ReadsALawFromAFile) {
+  const auto rounded = [&](const std::string& law) {
+    std::ofstream(path("law.json")) << law;
+    return fillet({path("box.step"), "--edge", "3", "--law", path("law.json"), "--json", "-"});
+  };
+  const Finished ran = rounded(R"({"law": "table", "at": [0, 0.5, 1], "radii": [1, 2, 1]})");
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["law"]["at"], nlohmann::json({0, 0.5, 1}));
+  for (const std::string law :
+       {"", "[]", "{", R"({"law": "steep", "radii": [1, 2]})", R"({"law": "smooth", "radii": [1]})",
+        R"({"law": "linear"})", R"({"law": "linear", "radii": [1, "2"]})",
+        R"({"law": "linear", "radii": [1, -2]})", R"({"law": "table", "at": [0, 1], "radii": [1]})",
+        R"({"law": "table", "at": [0.1, 1], "radii": [1, 2]})"}) {
+    const Finished refused = rounded(law);
+    EXPECT_EQ(refused.code, 2) << law << '\n' << refused.err;
+    EXPECT_NE(refused.err.find("--law: "), std::string::npos) << law << '\n' << refused.err;
+  }
+}
+
+TEST_F(BlendFillet, TakesSectionsWithTheCurvaturesOfFaces) {
+  const Finished ran = fillet({path("box.step"), "--edge", "3", "--radius", "2", "--section", "g2",
+                               "-o", path("out.step"), "--json", "-"});
+
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["section"], "g2");
+  EXPECT_TRUE(BRepCheck_Analyzer(occt::read_model(path("out.step")).shape()).IsValid());
 }
 
 TEST_F(BlendFillet, ChamferCutsAnEdgeOff) {

@@ -49,16 +49,16 @@ def chamfer_cuts_edges_off(document):
 
 def fillets_may_change_and_be_conics(document):
     block = box(document)
-    rounded = make.fillet(document, [(block, "Edge1")], Radius="2 mm", Rho=0.5)
+    rounded = make.fillet(document, [(block, "Edge1")], Radius="2 mm", Section="conic")
     document.recompute()
     claim("a parabola leaves a third", near(rounded.Volume, 1000 - 10 * 2 / 3, 1e-4))
-    rounded.Rho, rounded.LastRadius = 0, "4 mm"
+    rounded.Section, rounded.LastRadius = "circle", "4 mm"
     document.recompute()
     mean = (4 + 8 + 16) / 3
     claim("radii from 2 to 4", abs(1000 - rounded.Volume - (1 - math.pi / 4) * mean * 10) < 0.5)
     rounded.Rho = 1.5
     document.recompute()
-    claim("sharper than sharp is none", says(rounded, "Rho: 0, or a number below 1 is wanted"))
+    claim("sharper than sharp is none", says(rounded, "Rho: a number between 0 and 1 is wanted"))
 
 
 def clash_tells_how_solids_lie(document):

@@ -71,6 +71,19 @@ class Fillets(unittest.TestCase):
         mine = BLOCK.fillet([1], radius=(2, 5), section="conic:0.4").to_dict()
         self.assertEqual(support.without_times(mine), support.without_times(told))
 
+    def test_radii_may_go_by_a_law_and_sections_have_curvatures(self):
+        law = {"law": "table", "at": [0, 0.5, 1], "radii": [2, 3, 2]}
+        made = BLOCK.fillet([1], law=law, section="g2")
+
+        self.assertEqual(made.to_dict()["law"], law)
+        self.assertEqual(made.to_dict()["section"], "g2")
+        self.assertGreater(VOLUME, made.volume)
+        for wrong in ({"law": "steep", "radii": [1, 2]}, {"law": "smooth"}, {"law": object()}):
+            with self.assertRaisesRegex(ValueError, "law"):
+                BLOCK.fillet([1], law=wrong)
+        with self.assertRaisesRegex(TypeError, "a radius or a law is wanted"):
+            BLOCK.fillet([1])
+
     def test_errors_are_words(self):
         for error, message, arguments in (
             (ValueError, "^edges: 'sharp' is none of all, convex, concave", {"edges": "sharp"}),
@@ -80,7 +93,7 @@ class Fillets(unittest.TestCase):
             (ValueError, "^radius: -1.0 is not positive", {"edges": [1], "radius": -1}),
             (TypeError, "^radius: a number is wanted, got str", {"edges": [1], "radius": "2"}),
             (ValueError, "^radius: 2 numbers are wanted, got 3", {"edges": [1], "radius": (1, 2, 3)}),
-            (ValueError, "^section: 'circle', or 'conic:RHO'", {"edges": [1], "section": "conic:1"}),
+            (ValueError, "^section: 'circle', 'conic:RHO' with", {"edges": [1], "section": "conic:1"}),
             (TypeError, "^partial: True or False is wanted", {"edges": [1], "partial": 1}),
             (ValueError, "^between: two different face numbers are wanted", {"between": [2]}),
             (ValueError, "faces 1 and 2 have no edge in common", {"between": [2, 1]}),

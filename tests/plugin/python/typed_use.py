@@ -52,7 +52,6 @@ assert_type(model.convert("bezier").error, float)
 assert_type(blossom.convert("a.step", "a.brep"), Optional[blossom.Conversion])
 assert_type(blossom.blend_strip(model, model).edge_a, Union[str, int])
 
-model.fillet([1])  # type: ignore[call-arg]
 model.chamfer([1])  # type: ignore[call-arg]
 model.solid(3)  # type: ignore[arg-type]
 blossom.read(3)  # type: ignore[arg-type]

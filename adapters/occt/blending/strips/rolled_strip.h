@@ -14,17 +14,20 @@
 
 #include "adapters/occt/blending/body_edges.h"
 #include "adapters/occt/blending/strips/ball_supports.h"
+#include "adapters/occt/fillet.h"
 #include "core/math/interval.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {
 
-/// What a strip is like across its edge.
+/// What a strip is like across and along its edge.
 struct StripProfile {
-  double first = 1, last = 1;   ///< radii of the ball at the start and the end of the forward edge
-  std::optional<double> rho{};  ///< a conic in place of the circle
+  double radius = 1;  ///< of the ball; the largest with a law
+  /// Radii along the forward edge, over [0, 1] in proportion to its parameter.
+  std::optional<RadiusLaw> law{};
+  FilletSection section{};
 
-  bool is_ball() const { return first == last && !rho; }
+  bool is_ball() const { return !law && section.kind == SectionKind::Circle; }
 };
 
 /// The distances of a chamfer's borders from the edge, on the face to the left of the forward edge

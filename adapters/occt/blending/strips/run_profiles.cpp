@@ -33,8 +33,7 @@ RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const Fillet
     chamfer_.distance[1 - chamfer_.given] = size.second.value_or(size.first);
     chamfer_.angle = size.angle;
   }
-  const double start = options.radius, end = options.last_radius.value_or(start);
-  if (start != end && run.closed)
+  if (options.law && run.closed && !options.law->is_constant())
     throw FilletRefused({FilletFault::Edge,
                          first.edge,
                          "it closes a run of edges, along which the radius cannot change",
@@ -45,14 +44,19 @@ RunProfiles::RunProfiles(const BodyEdges& body, const EdgeRun& run, const Fillet
   for (const RunEdge& each : run.edges)
     lengths.push_back(lengths.back() +
                       GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(body.edge(each.edge))));
-  const auto radius_at = [&](double length) {
+  const auto share_at = [&](double length) {
     const double share = length / lengths.back();
-    return start + (first.forward ? share : 1 - share) * (end - start);
+    return first.forward ? share : 1 - share;
   };
   for (std::size_t i = 0; i < run.edges.size(); ++i) {
-    StripProfile profile{radius_at(lengths[i]), radius_at(lengths[i + 1]), options.rho};
-    if (!run.edges[i].forward) std::swap(profile.first, profile.last);
-    of_.push_back(profile);
+    StripProfile profile{.radius = options.radius, .section = options.section};
+    if (options.law) {
+      Interval part{share_at(lengths[i]), share_at(lengths[i + 1])};
+      if (!run.edges[i].forward) std::swap(part.from, part.to);
+      profile.law = options.law->over(part, {0, 1});
+      profile.radius = profile.law->extremes({0, 1}).to;
+    }
+    of_.push_back(std::move(profile));
   }
 }
 
@@ -68,13 +72,13 @@ RolledStrip RunProfiles::strip(const BodyEdges& body, std::size_t place) const {
   }
   const StripProfile& profile = of_[place];
   if (profile.is_ball())
-    if (auto strip = swept_strip(body, edge.edge, run_.concave, profile.first))
+    if (auto strip = swept_strip(body, edge.edge, run_.concave, profile.radius))
       return *std::move(strip);
   return traced_strip(body, edge.edge, run_.concave, profile);
 }
 
 std::optional<StripProfile> RunProfiles::everywhere() const {
-  if (options_.chamfer || options_.last_radius) return std::nullopt;
+  if (options_.chamfer || options_.law) return std::nullopt;
   return of_.front();
 }
 

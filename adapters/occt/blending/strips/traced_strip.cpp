@@ -131,11 +131,7 @@ void turn_round(RolledStrip& strip, double about) {
 // A ball on its way along two faces, of which any part becomes a strip.
 struct Tracing : std::enable_shared_from_this<Tracing> {
   Tracing(const BodyEdges& of, int edge_number, bool is_concave, const StripProfile& across)
-      : body(of),
-        edge(edge_number),
-        concave(is_concave),
-        profile(across),
-        radius(std::max(across.first, across.last)) {}
+      : body(of), edge(edge_number), concave(is_concave), profile(across), radius(across.radius) {}
 
   const BodyEdges& body;
   int edge;
@@ -170,16 +166,23 @@ void Tracing::start(const std::array<BallSupport, 2>& on) {
     refuse(FilletFault::NoBall, "no ball of that radius touches both faces beside the edge", {});
 }
 
-// Radii that are linear in the edge's parameter; the edge is the guide, and goes on past its ends
-// as long as the radius stays above a part of the least one.
+// How far a law goes on past both ends of its range, at most by so much, before it takes more than
+// a part of the least radius off.
+double law_beyond(const RadiusLaw& law, const Interval& range, double most) {
+  const double least = (1 - kLeastShare) * law.extremes(range).from;
+  double beyond = most;
+  while (law.extremes({range.from - beyond, range.to + beyond}).from < least) beyond /= 2;
+  return beyond;
+}
+
+// Radii by a law over the edge's parameter; the edge is the guide, and goes on past its ends.
 void Tracing::start_by_law(const Interval& domain) {
   Interval own;
   const Handle(Geom_Curve) curve = BRep_Tool::Curve(body.edge(edge), own.from, own.to);
   const double speed = curve->DN(at(domain, 0.5), 1).Magnitude();
-  const double slope = (profile.last - profile.first) / length(domain);
-  const double least = std::min(profile.first, profile.last);
-  const double beyond = std::min(kRollWidths * std::max(supports.width, radius) / speed,
-                                 kLeastShare * least / std::abs(slope));
+  const RadiusLaw law = profile.law->over({0, 1}, domain);
+  const double beyond =
+      law_beyond(law, domain, kRollWidths * std::max(supports.width, radius) / speed);
   BallGuide guide;
   guide.range = {domain.from - beyond, domain.to + beyond};
   guide.curve = [curve](double x) {
@@ -190,8 +193,6 @@ void Tracing::start_by_law(const Interval& domain) {
                     {first.X(), first.Y(), first.Z()},
                     {second.X(), second.Y(), second.Z()}};
   };
-  const RadiusLaw law =
-      RadiusLaw::linear(guide.range, profile.first - slope * beyond, profile.last + slope * beyond);
   track = track_through(supports.of[0].whole(), supports.of[1].whole(), law, guide, at(domain, 0.5),
                         {supports.of[0].start, supports.of[1].start});
   if (!track)
@@ -229,10 +230,8 @@ void Tracing::check_reach(double end, const Vec3& vertex, double room) const {
 RolledStrip Tracing::strip(const Interval& wanted) const {
   const Interval range = turned ? Interval{-wanted.to, -wanted.from} : wanted;
   BallStripOptions options;
-  if (profile.rho) {
-    options.section = SectionKind::Conic;
-    options.rho = *profile.rho;
-  }
+  options.section = profile.section.kind;
+  options.rho = profile.section.rho;
   const BallStrip made = ball_strip(*track, range, options);
   RolledStrip strip;
   strip.edge = edge;
@@ -330,7 +329,8 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
   const auto of = std::make_shared<Tracing>(body, edge, concave, profile);
   Interval domain;
   BRep_Tool::Range(body.edge(edge), domain.from, domain.to);
-  of->supports = rolled_supports(body, edge, concave, 0.5 * (profile.first + profile.last));
+  of->supports = rolled_supports(body, edge, concave,
+                                 profile.law ? profile.law->at(0.5).value : profile.radius);
   for (const std::size_t k : {0U, 1U}) {
     const EdgeUseInFace& use = body.use(edge, k == 0);
     const Vec2 scale = body.trims(use.face).scale;
@@ -339,7 +339,7 @@ RolledStrip traced_strip(const BodyEdges& body, int edge, bool concave,
     of->near[k] = {at_middle[0] / scale[0], at_middle[1] / scale[1]};
   }
   const double beyond = kRollWidths * std::max(of->supports.width, of->radius);
-  if (profile.first != profile.last) {
+  if (profile.law) {
     of->start_by_law(domain);
     of->near_at = at(domain, 0.5);
     of->find_valid(of->near_at);

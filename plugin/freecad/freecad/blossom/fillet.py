@@ -4,7 +4,7 @@
 from .blended import LAST_CHOICES, EdgeBlend, facts_of, positive
 from .feature import Choice
 
-CIRCLE = 0.0  # as Rho
+SECTIONS = ("circle", "conic", "g2")
 
 
 class Fillet(EdgeBlend):
@@ -17,19 +17,21 @@ class Fillet(EdgeBlend):
         Choice("Radius", "length", "1 mm", "Radius", "Of the ball"),
         Choice("LastRadius", "length", "0 mm", "Radius at the end",
                "Where a run of edges ends, if it is another than at its start; 0: it is not"),
-        Choice("Rho", "number", CIRCLE, "Sharpness",
-               "0: sections are circles; else conics, 0.5 a parabola, near 1 sharp", (0.0, 0.99)),
+        Choice("Section", "word", "circle", "Section",
+               "Circles, conics, or curves that have the curvatures of both faces (g2)", SECTIONS),
+        Choice("Rho", "number", 0.5, "Sharpness",
+               "Of conics: near 0 flat, 0.5 a parabola, near 1 sharp", (0.01, 0.99)),
         *LAST_CHOICES,
     )  # fmt: skip
     FACTS = facts_of("Rounded", "rounded")
 
     def size(self, obj):
         first = positive(obj.Radius, "Radius")
-        if not 0 <= obj.Rho < 1:
-            raise ValueError(f"Rho: 0, or a number below 1 is wanted, got {obj.Rho:g}")
+        if not 0 < obj.Rho < 1:
+            raise ValueError(f"Rho: a number between 0 and 1 is wanted, got {obj.Rho:g}")
         return {
             "radius": (first, obj.LastRadius.Value) if obj.LastRadius.Value > 0 else first,
-            "section": "circle" if obj.Rho == CIRCLE else f"conic:{obj.Rho!r}",
+            "section": f"conic:{obj.Rho!r}" if obj.Section == "conic" else obj.Section,
         }
 
     def ask(self, entrance, inputs, options):

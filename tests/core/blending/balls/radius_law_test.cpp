@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/errors.h"
 
 namespace blossom {
@@ -59,6 +62,39 @@ TEST(RadiusLaw, RefusesWhatIsNoLaw) {
   EXPECT_THROW(RadiusLaw::table({0}, {1}), InvalidInput);
   EXPECT_THROW(RadiusLaw::table({0, 1}, {1}), InvalidInput);
   EXPECT_THROW(RadiusLaw::table({1, 0}, {1, 1}), InvalidInput);
+}
+
+TEST(RadiusLaw, GoesOverAPartOfItself) {
+  const Interval range{1, 3};
+  for (const RadiusLaw& law : {RadiusLaw::constant(0.3), RadiusLaw::linear(range, 0.2, 0.5),
+                               RadiusLaw::smooth(range, 0.2, 0.5),
+                               RadiusLaw::table({1, 1.5, 2.5, 3}, {0.2, 0.7, 0.5, 0.6})})
+    for (const Interval& part : {Interval{1.2, 2.8}, Interval{2.6, 1.1}, Interval{2, 2}}) {
+      const RadiusLaw own = law.over(part, {10, 14});
+      for (int i = 0; i <= 20; ++i) {
+        const double x = i / 20.0, scale = (part.to - part.from) / 4;
+        const RadiusJet here = own.at(10 + 4 * x),
+                        there = law.at(part.from + x * (part.to - part.from));
+        EXPECT_NEAR(here.value, there.value, 1e-14);
+        EXPECT_NEAR(here.first, scale * there.first, 1e-13);
+      }
+    }
+}
+
+TEST(RadiusLaw, KnowsItsExtremes) {
+  const RadiusLaw law = RadiusLaw::table({0, 0.2, 0.5, 0.9, 1}, {1, 3, 0.4, 2, 1});
+  for (const Interval& range : {Interval{0, 1}, Interval{0.3, 0.95}, Interval{-0.1, 0.1}}) {
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (int i = 0; i <= 100000; ++i) {
+      const double value = law.at(range.from + i / 100000.0 * (range.to - range.from)).value;
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+    EXPECT_NEAR(law.extremes(range).from, least, 1e-8);
+    EXPECT_NEAR(law.extremes(range).to, most, 1e-8);
+    EXPECT_LE(law.extremes(range).from, least);
+    EXPECT_GE(law.extremes(range).to, most);
+  }
 }
 
 }  // namespace
