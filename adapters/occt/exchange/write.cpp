@@ -21,6 +21,7 @@
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/repair/closed_corners.h"
 #include "adapters/occt/repair/missing_curves.h"
+#include "adapters/occt/repair/polar_faces.h"
 #include "adapters/occt/repair/spline_hyperbolas.h"
 
 namespace blossom::occt {
@@ -187,6 +188,16 @@ void tell_bent(const ClosedCorners& closed, const std::filesystem::path& file) {
   Message::SendInfo(text.str().c_str());
 }
 
+void tell_halved(std::size_t count, const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << file.string() << ": " << count
+       << (count == 1
+               ? " face that goes from pole to pole round a hole is written as two halves"
+               : " faces that go from pole to pole round holes are written as two halves each")
+       << ", since readers take the hole for the face";
+  Message::SendInfo(text.str().c_str());
+}
+
 }  // namespace
 
 void write_model(const Model& model, const std::filesystem::path& file,
@@ -198,6 +209,13 @@ void write_model(const Model& model, const std::filesystem::path& file,
       format != Format::Glb && keeps_names(file) && missing > 0)
     throw Failure(file.string() + ": the model has " + std::to_string(missing) +
                   " edges without a curve in the parameters of their face, which only BREP has");
+  if (format == Format::Step && !polar_faces(model.shape()).empty()) {
+    Model halved = model.copy();
+    const auto halves = polar_faces(halved.shape());
+    halved.replace_faces(halves);
+    tell_halved(halves.size(), file);
+    return write_model(halved, file, stop);
+  }
   std::string text;
   try {
     const std::lock_guard guard(exchange_lock());
