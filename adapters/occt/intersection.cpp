@@ -23,8 +23,8 @@
 #include "adapters/occt/faces/face_list.h"
 #include "adapters/occt/faces/shared_edges.h"
 #include "adapters/occt/neighbours/along_shared_edges.h"
-#include "adapters/occt/neighbours/border_strips.h"
 #include "adapters/occt/neighbours/neighbour_proof.h"
+#include "adapters/occt/neighbours/sliver_spans.h"
 #include "core/base/parallel.h"
 #include "core/surfaces/retry/exchanged_order.h"
 

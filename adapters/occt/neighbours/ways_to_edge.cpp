@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "adapters/occt/faces/face_trims_detail.h"
-#include "adapters/occt/neighbours/border_strips.h"
 #include "adapters/occt/neighbours/coedge_stretch.h"
 #include "adapters/occt/neighbours/limits.h"
+#include "adapters/occt/neighbours/sliver_spans.h"
 
 namespace blossom::occt {
 namespace {

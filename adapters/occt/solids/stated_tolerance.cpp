@@ -69,7 +69,7 @@ constexpr int kGapSamples = 16;  // of an edge along another one
 
 struct CorneredEdge {
   TopoDS_Edge edge;
-  EdgeCurve curve;
+  RangedCurve curve;
   double tolerance = 0;  // the lesser of its vertices
   Bnd_Box box;
 };

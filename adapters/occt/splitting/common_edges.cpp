@@ -68,7 +68,7 @@ template <class Reach>
 std::vector<BoxedEdge> boxed(const std::vector<TopoDS_Edge>& edges, const Reach& reach_of) {
   std::vector<BoxedEdge> all;
   for (const TopoDS_Edge& edge : edges) {
-    const EdgeCurve of = curve_of(edge);
+    const RangedCurve of = curve_of(edge);
     const double reach = reach_of(edge);
     const CurveSpans spans = bezier_spans(of.curve, of.range, reach);
     Box box;
@@ -117,7 +117,7 @@ bool may_keep_to(const IntersectionCurve& curve, const std::vector<BoxedEdge>& e
 // Whether some point of an edge, not its ends alone, is as near as that to what `height` measures.
 template <class Height>
 bool comes_near(const TopoDS_Edge& edge, double reach, const Height& height) {
-  const EdgeCurve of = curve_of(edge);
+  const RangedCurve of = curve_of(edge);
   return std::ranges::any_of(std::array{0.5, 0.25, 0.75}, [&](double part) {
     return std::abs(height(of.curve->Value(at(of.range, part)))) <= reach;
   });
@@ -224,7 +224,7 @@ double CommonEdges::reach(const TopoDS_Edge& edge) const {
 // In part within the tolerance, or as a whole within its own: where it leaves what is so near is
 // known no better than that.
 bool CommonEdges::lies_on(const TopoDS_Edge& edge, const SurfaceProjector& feet) {
-  const EdgeCurve of = curve_of(edge);
+  const RangedCurve of = curve_of(edge);
   const CurveBeside beside(of.curve, of.range, feet);
   const auto as_a_whole = [&](double reach) {
     const std::vector<Interval> runs = beside.runs(reach, reach);
@@ -301,7 +301,7 @@ void CommonEdges::touch(const FaceIntersection& pair, Of whose) {
 void CommonEdges::touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of whose) {
   if (limit_.is_reached()) return;
   const std::size_t known = touches_.size();
-  const EdgeCurve curve = curve_of(edge);
+  const RangedCurve curve = curve_of(edge);
   IntersectionOptions left = limit_.remaining();
   left.threads = options_.threads;
   const std::vector<CurveSurfacePoint> points = intersect(edge, face, left).points;
@@ -319,7 +319,7 @@ void CommonEdges::touch(const TopoDS_Edge& edge, const TopoDS_Face& face, Of who
 // it there, and crosses it twice by what the two are off.
 void CommonEdges::blur(const TopoDS_Edge& edge, const TopoDS_Face& face,
                        const std::vector<CurveSurfacePoint>& points) {
-  const EdgeCurve of = curve_of(edge);
+  const RangedCurve of = curve_of(edge);
   const double within = options_.tolerances.point + BRep_Tool::Tolerance(edge);
   std::optional<SurfaceProjector> feet;
   const auto add = [&](const Interval& between) {
@@ -366,7 +366,7 @@ std::vector<std::size_t> CommonEdges::curves_along(const FaceIntersection& pair)
 void CommonEdges::split(EdgeSplits& splits) const {
   for (const EdgeBlur& of : blurs_) splits.blur(of.edge, of.at);
   const auto is_end = [this](const TopoDS_Edge& edge, double t) {
-    const EdgeCurve of = curve_of(edge);
+    const RangedCurve of = curve_of(edge);
     const gp_Pnt point = of.curve->Value(t);
     return point.Distance(of.curve->Value(of.range.from)) <= reach_ ||
            point.Distance(of.curve->Value(of.range.to)) <= reach_;
@@ -382,7 +382,7 @@ void CommonEdges::split(EdgeSplits& splits) const {
 
 void CommonEdges::match(EdgeSplits& splits) const {
   const auto carry = [&](const TopoDS_Edge& from, const TopoDS_Edge& to, const Interval& range) {
-    const EdgeCurve of = curve_of(from), other = curve_of(to);
+    const RangedCurve of = curve_of(from), other = curve_of(to);
     const int count = splits.count(from);
     for (int i = 0; i < count; ++i) {
       const double t = splits.parameter(from, i);
@@ -404,7 +404,7 @@ void CommonEdges::match(EdgeSplits& splits) const {
 
 TopoDS_Edge CommonEdges::image(const TopoDS_Edge& first, const TopoDS_Edge& second,
                                bool reversed) const {
-  const EdgeCurve of = curve_of(first), other = curve_of(second);
+  const RangedCurve of = curve_of(first), other = curve_of(second);
   const EdgeFoot middle = foot_on(other, of.curve->Value(at(of.range, 0.5)));
   const double tolerance =
       std::max(reach_, BRep_Tool::Tolerance(first) + BRep_Tool::Tolerance(second));
@@ -442,7 +442,7 @@ TopoDS_Edge CommonEdges::image(const TopoDS_Edge& first, const TopoDS_Edge& seco
 std::string CommonEdges::join(EdgeSplits& splits, EdgeUnion& joined) const {
   for (const auto& [a, b] : splits.united()) joined.join(a, b);
   for (const EdgesAlong& of : along_) {
-    const EdgeCurve on_b = curve_of(of.b);
+    const RangedCurve on_b = curve_of(of.b);
     for (const EdgePiece& piece : splits.pieces(of.a)) {
       const double middle = at(piece.range, 0.5);
       if (middle < of.at_a.from || middle > of.at_a.to) continue;

@@ -21,20 +21,20 @@ constexpr double kStatedShare = 0.1;  // of an edge's length: what its tolerance
 constexpr double kLeaving = 0.5;   // of the reach: a surface so far off at the end of a run is left
 constexpr int kContactPoints = 8;  // of a contact that an edge may stand for
 
-double chord(const EdgeCurve& of, const Interval& range) {
+double chord(const RangedCurve& of, const Interval& range) {
   const gp_Pnt middle = of.curve->Value(at(range, 0.5));
   return middle.Distance(of.curve->Value(range.from)) + middle.Distance(of.curve->Value(range.to));
 }
 
 }  // namespace
 
-EdgeCurve curve_of(const TopoDS_Edge& edge) {
-  EdgeCurve of;
+RangedCurve curve_of(const TopoDS_Edge& edge) {
+  RangedCurve of;
   of.curve = BRep_Tool::Curve(edge, of.range.from, of.range.to);
   return of;
 }
 
-EdgeFoot foot_on(const EdgeCurve& of, const gp_Pnt& point) {
+EdgeFoot foot_on(const RangedCurve& of, const gp_Pnt& point) {
   EdgeFoot best{of.range.from, point.Distance(of.curve->Value(of.range.from))};
   const auto consider = [&](double parameter, double distance) {
     if (distance < best.distance) best = {parameter, distance};
@@ -45,11 +45,11 @@ EdgeFoot foot_on(const EdgeCurve& of, const gp_Pnt& point) {
   return best;
 }
 
-bool is_short(const EdgeCurve& of, const Interval& stretch, double tolerance) {
+bool is_short(const RangedCurve& of, const Interval& stretch, double tolerance) {
   return chord(of, stretch) <= kLongestTouch * std::sqrt(tolerance * chord(of, of.range));
 }
 
-bool passes(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
+bool passes(const RangedCurve& of, const Interval& stretch, const SurfaceProjector& feet,
             double reach) {
   const auto leaves = [&](double t) {
     return std::abs(feet.height(vec(of.curve->Value(t)))) > kLeaving * reach;
@@ -57,14 +57,14 @@ bool passes(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector
   return is_short(of, stretch, reach) && (leaves(stretch.from) || leaves(stretch.to));
 }
 
-bool keeps_on(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
+bool keeps_on(const RangedCurve& of, const Interval& stretch, const SurfaceProjector& feet,
               double reach) {
   return std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75, 1.0}, [&](double part) {
     return std::abs(feet.height(vec(of.curve->Value(at(stretch, part))))) <= reach;
   });
 }
 
-Interval widened_by(const EdgeCurve& of, const Interval& stretch, double length) {
+Interval widened_by(const RangedCurve& of, const Interval& stretch, double length) {
   gp_Pnt point;
   gp_Vec rate;
   of.curve->D1(at(stretch, 0.5), point, rate);
@@ -75,7 +75,7 @@ Interval widened_by(const EdgeCurve& of, const Interval& stretch, double length)
 double stated_together(const TopoDS_Edge& a, const TopoDS_Edge& b) {
   double sum = 0;
   for (const TopoDS_Edge& edge : {a, b}) {
-    const EdgeCurve of = curve_of(edge);
+    const RangedCurve of = curve_of(edge);
     sum += std::min(BRep_Tool::Tolerance(edge), kStatedShare * chord(of, of.range));
   }
   return sum;
@@ -85,7 +85,7 @@ bool stands_for_contact(const std::vector<TopoDS_Edge>& edges, const Intersectio
                         const SurfaceProjector& on_a, const SurfaceProjector& on_b,
                         double tolerance) {
   return std::ranges::any_of(edges, [&](const TopoDS_Edge& edge) {
-    const EdgeCurve of = curve_of(edge);
+    const RangedCurve of = curve_of(edge);
     const double beside = kLongestTouch * std::sqrt(tolerance * chord(of, of.range));
     const double within = tolerance + BRep_Tool::Tolerance(edge);
     for (int i = 0; i <= kContactPoints; ++i) {

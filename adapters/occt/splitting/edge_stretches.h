@@ -15,12 +15,12 @@
 
 namespace blossom::occt {
 
-struct EdgeCurve {
+struct RangedCurve {
   Handle(Geom_Curve) curve;
   Interval range;
 };
 
-EdgeCurve curve_of(const TopoDS_Edge& edge);
+RangedCurve curve_of(const TopoDS_Edge& edge);
 
 struct EdgeFoot {
   double parameter = 0;
@@ -28,23 +28,23 @@ struct EdgeFoot {
 };
 
 /// The nearest point of an edge's curve within its range, ends among them.
-EdgeFoot foot_on(const EdgeCurve& of, const gp_Pnt& point);
+EdgeFoot foot_on(const RangedCurve& of, const gp_Pnt& point);
 
 /// Whether a stretch is no longer than that of a touch may be, with a radius as long as the curve:
 /// what stays near for longer touches in no place of its own.
-bool is_short(const EdgeCurve& of, const Interval& stretch, double tolerance);
+bool is_short(const RangedCurve& of, const Interval& stretch, double tolerance);
 
 /// Whether an edge only passes a surface in a stretch within reach of it: no longer than a touch
 /// may be, and ended by leaving the surface rather than the face or by the end of the edge.
-bool passes(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
+bool passes(const RangedCurve& of, const Interval& stretch, const SurfaceProjector& feet,
             double reach);
 
 /// Whether an edge is within reach of a surface all along a stretch, by samples.
-bool keeps_on(const EdgeCurve& of, const Interval& stretch, const SurfaceProjector& feet,
+bool keeps_on(const RangedCurve& of, const Interval& stretch, const SurfaceProjector& feet,
               double reach);
 
 /// A stretch that goes on by a length at both ends; model units.
-Interval widened_by(const EdgeCurve& of, const Interval& stretch, double length);
+Interval widened_by(const RangedCurve& of, const Interval& stretch, double length);
 
 /// How far apart two edges may be by what they state; none counts for more than a part of its
 /// length. Model units.

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "plugin/draw/commands/commands.h"
-#include "plugin/draw/commands/edge_blends.h"
+#include "plugin/draw/commands/fillet_chamfer.h"
 #include "plugin/draw/commands/words.h"
 #include "plugin/reports/blend_words.h"
 

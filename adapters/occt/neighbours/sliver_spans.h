@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Strips of a face's surface that are narrower than the edge along them is exact.
+// Slivers: border spans of a face's surface that are narrower than the edge along them is exact.
 //
 // Surfaces that were approximated span by span may begin or end with a span as narrow as rounding
 // in its parameter, whose control points go to and fro by more than its width: its derivatives have
@@ -16,8 +16,8 @@
 
 namespace blossom::occt {
 
-/// A surface without such strips.
-struct StripFree {
+/// A surface without its slivers.
+struct WithoutSlivers {
   BezierSurface surface;
   double within = 0;  ///< a bound on what was left out, or moved to close a seam, model units
 };
@@ -25,7 +25,7 @@ struct StripFree {
 /// The face's surface without the border spans that lie within the tolerance of the edges along
 /// them; nothing if there are none. Where a seam runs through them, what is left is closed again by
 /// moving its border to the other side of the seam, no farther than that tolerance.
-std::optional<StripFree> without_border_strips(const FaceData& face);
+std::optional<WithoutSlivers> without_sliver_spans(const FaceData& face);
 
 /// A bound on the distance of any two points of a patch that are on one parameter line across,
 /// model units.
@@ -33,8 +33,8 @@ std::optional<StripFree> without_border_strips(const FaceData& face);
 /// across    0: lines along which u grows, 1: v
 double width_across(const RationalBezierPatch& patch, int across);
 
-/// Where the face's surface meets itself, strips aside, not clipped to the trims. The
-/// certificate counts strips as identified with their edges; what is found, if anything, is as
+/// Where the face's surface meets itself, slivers aside, not clipped to the trims. The
+/// certificate counts slivers as identified with their edges; what is found, if anything, is as
 /// exact as they are, and so within tolerance only.
 SurfaceIntersection with_itself(const FaceData& face, const IntersectionOptions& options);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Spans as narrow as an edge is exact do not keep a face from being decided.
 
-#include "adapters/occt/neighbours/border_strips.h"
+#include "adapters/occt/neighbours/sliver_spans.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ constexpr double kSwing = 3e-6;   // by which its poles go to and fro along the 
 constexpr int kDegree = 5;
 
 // A tube of radius 10 whose circle begins with a narrow span that goes to and fro.
-Handle(Geom_BSplineSurface) tube_with_strip() {
+Handle(Geom_BSplineSurface) tube_with_sliver() {
   const Handle(Geom_Circle) circle = new Geom_Circle(gp_Ax2(), 10);
   const Handle(Geom_BSplineCurve) round =
       GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(circle, 0, 2 * std::numbers::pi));
@@ -43,12 +43,12 @@ Handle(Geom_BSplineSurface) tube_with_strip() {
   TColStd_Array2OfReal weights(1, 2, 1, poles);
   for (int row = 1; row <= 2; ++row)
     for (int i = 1; i <= poles; ++i) {
-      const bool of_strip = i <= kDegree;
-      gp_Pnt p = round->Pole(of_strip ? 1 : i - kDegree);
-      if (of_strip && i > 1) p.SetY(i % 2 == 0 ? kSwing : -kSwing);
+      const bool of_sliver = i <= kDegree;
+      gp_Pnt p = round->Pole(of_sliver ? 1 : i - kDegree);
+      if (of_sliver && i > 1) p.SetY(i % 2 == 0 ? kSwing : -kSwing);
       p.SetZ(row == 1 ? 0 : 4);
       points(row, i) = p;
-      weights(row, i) = round->Weight(of_strip ? 1 : i - kDegree);
+      weights(row, i) = round->Weight(of_sliver ? 1 : i - kDegree);
     }
   TColStd_Array1OfReal u(1, 2), v(1, spans + 1);
   TColStd_Array1OfInteger of_u(1, 2), of_v(1, spans + 1);
@@ -63,7 +63,7 @@ Handle(Geom_BSplineSurface) tube_with_strip() {
 }
 
 TopoDS_Face tube_face(double seam_tolerance) {
-  const TopoDS_Face face = BRepBuilderAPI_MakeFace(tube_with_strip(), 1e-7).Face();
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(tube_with_sliver(), 1e-7).Face();
   for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
     const TopoDS_Edge& edge = TopoDS::Edge(it.Current());
     if (BRep_Tool::IsClosed(edge, face)) BRep_Builder().UpdateEdge(edge, seam_tolerance);
@@ -71,14 +71,14 @@ TopoDS_Face tube_face(double seam_tolerance) {
   return face;
 }
 
-TEST(BorderStrips, AreTheSeamWithinItsTolerance) {
-  const auto rest = without_border_strips(face_data(tube_face(1e-5), 1e-7));
+TEST(SliverSpans, AreTheSeamWithinItsTolerance) {
+  const auto rest = without_sliver_spans(face_data(tube_face(1e-5), 1e-7));
   ASSERT_TRUE(rest.has_value());
   EXPECT_EQ(rest->surface.v_knots.front(), 0);
   EXPECT_NEAR(rest->within, kSwing, 1e-12);
 }
 
-TEST(BorderStrips, KeepNoFaceFromBeingProvenNotToMeetItself) {
+TEST(SliverSpans, KeepNoFaceFromBeingProvenNotToMeetItself) {
   const auto found = self_intersect({tube_face(1e-5)}, SelfScope::EachFace);
   EXPECT_EQ(found.status, Status::Complete);
   EXPECT_TRUE(found.pairs.empty());
@@ -86,9 +86,9 @@ TEST(BorderStrips, KeepNoFaceFromBeingProvenNotToMeetItself) {
   EXPECT_NEAR(found.certificate.identified_within, kSwing, 1e-12);
 }
 
-TEST(BorderStrips, AreNoneWhereTheSeamIsMoreExactThanThey) {
+TEST(SliverSpans, AreNoneWhereTheSeamIsMoreExactThanThey) {
   const TopoDS_Face face = tube_face(1e-7);
-  EXPECT_FALSE(without_border_strips(face_data(face, 1e-7)).has_value());
+  EXPECT_FALSE(without_sliver_spans(face_data(face, 1e-7)).has_value());
   EXPECT_NE(self_intersect({face}, SelfScope::EachFace).status, Status::Complete);
 }
 

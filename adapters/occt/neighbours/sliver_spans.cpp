@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "adapters/occt/neighbours/border_strips.h"
+#include "adapters/occt/neighbours/sliver_spans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,14 +57,14 @@ double tolerance_along(const Border& border, const FaceData& face) {
   const std::vector<double>& knots = border.knots(face.surface);
   const double scale = face.trims.scale[border.across];
   const std::size_t n = knots.size();
-  const Interval strip = border.high ? Interval{knots[n - 2] * scale, knots[n - 1] * scale}
-                                     : Interval{knots[0] * scale, knots[1] * scale};
+  const Interval span = border.high ? Interval{knots[n - 2] * scale, knots[n - 1] * scale}
+                                    : Interval{knots[0] * scale, knots[1] * scale};
   double least = std::numeric_limits<double>::infinity();
   for (const auto& loop : face.trims.loops)
     for (const Coedge& coedge : loop) {
       const PlanarBox box = box_of(coedge.curve);
-      if (box.low[border.across] >= strip.from - kOnSide &&
-          box.high[border.across] <= strip.to + kOnSide)
+      if (box.low[border.across] >= span.from - kOnSide &&
+          box.high[border.across] <= span.to + kOnSide)
         least = std::min(least, coedge.tolerance);
     }
   return std::isfinite(least) ? least : 0;
@@ -89,7 +89,7 @@ double moved_by_weights(const RationalBezierPatch& patch, const Box& box) {
 }
 
 // A bound on the distance of the outer spans' points from their inner border.
-double strip_width(const Border& border, const BezierSurface& surface) {
+double sliver_width(const Border& border, const BezierSurface& surface) {
   double width = 0;
   for (int k = 0; k < border.spans_along(surface); ++k) {
     const RationalBezierPatch& patch = border.patch(surface, k);
@@ -146,12 +146,13 @@ BezierSurface without_outer_span(const Border& border, const BezierSurface& surf
   return rest;
 }
 
-// Leaves its outer span out, if that is a strip of the edges along it.
-void leave_strip_out(const Border& border, const FaceData& face, std::optional<StripFree>& rest) {
+// Leaves the outer span at a border out, if it is a sliver.
+void leave_sliver_out(const Border& border, const FaceData& face,
+                      std::optional<WithoutSlivers>& rest) {
   const BezierSurface& surface = rest ? rest->surface : face.surface;
   if (border.spans(surface) < 2) return;
   const double tolerance = tolerance_along(border, face);
-  double off = strip_width(border, surface);
+  double off = sliver_width(border, surface);
   if (!(off <= tolerance)) return;
   BezierSurface less = without_outer_span(border, surface);
   const double same = kSameBorder * (max_norm(face.box.low) + max_norm(face.box.high));
@@ -160,15 +161,15 @@ void leave_strip_out(const Border& border, const FaceData& face, std::optional<S
     if (!(off <= tolerance)) return;
     move_to_opposite(border, less);
   }
-  rest = StripFree{std::move(less), std::max(off, rest ? rest->within : 0)};
+  rest = WithoutSlivers{std::move(less), std::max(off, rest ? rest->within : 0)};
 }
 
 }  // namespace
 
-std::optional<StripFree> without_border_strips(const FaceData& face) {
-  std::optional<StripFree> rest;
+std::optional<WithoutSlivers> without_sliver_spans(const FaceData& face) {
+  std::optional<WithoutSlivers> rest;
   for (const int across : {0, 1})
-    for (const bool high : {false, true}) leave_strip_out({across, high}, face, rest);
+    for (const bool high : {false, true}) leave_sliver_out({across, high}, face, rest);
   return rest;
 }
 
@@ -188,7 +189,7 @@ double width_across(const RationalBezierPatch& patch, int across) {
 }
 
 SurfaceIntersection with_itself(const FaceData& face, const IntersectionOptions& options) {
-  const std::optional<StripFree> rest = without_border_strips(face);
+  const std::optional<WithoutSlivers> rest = without_sliver_spans(face);
   SurfaceIntersection found = self_intersect(rest ? rest->surface : face.surface, options);
   if (!rest) return found;
   identify(found.certificate, rest->within);
@@ -197,7 +198,7 @@ SurfaceIntersection with_itself(const FaceData& face, const IntersectionOptions&
     for (double* off : {&curve.deviation.a, &curve.deviation.b, &curve.deviation.between})
       *off += rest->within;
   found.status = weaker(found.status, Status::Tolerance);
-  found.certificate.reasons.emplace_back("a strip of the surface was taken for the edge along it");
+  found.certificate.reasons.emplace_back("a sliver of the surface was taken for the edge along it");
   return found;
 }
 

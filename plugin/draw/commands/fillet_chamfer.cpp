@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "plugin/draw/commands/edge_blends.h"
+#include "plugin/draw/commands/fillet_chamfer.h"
 
 #include <vector>
 
