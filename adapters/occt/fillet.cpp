@@ -76,21 +76,28 @@ void add_parameter(const BodyEdges& body, FilletRefusal& why) {
   if (!curve.IsNull()) why.parameter = nearest_on(curve, range, *why.point);
 }
 
+// The radius, or the first distance of a chamfer.
+double size_of(const FilletOptions& options) {
+  return options.chamfer ? options.chamfer->first : options.radius;
+}
+
 // The largest radius of the chain at fault, or of all where they cannot be rounded together.
 void add_largest(Filleting& work, const std::vector<FilletEdges>& chains,
                  const FilletOptions& options, FilletRefusal& why) {
   const bool is_ball = !options.law && options.section.kind == SectionKind::Circle;
-  if (!options.largest || options.chamfer || !is_ball || why.largest) return;
+  if (!options.largest || !is_ball || why.largest) return;
   const auto at_fault = std::ranges::find_if(
       chains, [&](const FilletEdges& chain) { return chain.count(why.edge) > 0; });
   std::vector<FilletEdges> asked = chains;
   if (at_fault != chains.end() && (options.partial || is_own_fault(why.fault))) asked = {*at_fault};
   try {
-    const auto found = largest_fillet(work, asked, options.radius, why);
+    const auto found = largest_fillet(work, asked, size_of(options), why);
     if (!found && why.fault != FilletFault::Edge)
-      why.cause += "; of the smaller radii tried none works either";
+      why.cause += std::string("; of the smaller ") + (options.chamfer ? "distances" : "radii") +
+                   " tried none works either";
     if (!found) return;
     why.largest = found->radius;
+    why.of_chamfer = options.chamfer.has_value();
     if (!found->stopped.empty()) why.cause += "; larger balls are stopped by " + found->stopped;
   } catch (const LimitFailure&) {
     // The refusal stands without it.
@@ -146,7 +153,7 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
   };
   try {
     while (!chains.empty() && (options.partial || result.refused.empty())) {
-      FilletAttempt made = fillet_attempt(work, chains, options.radius);
+      FilletAttempt made = fillet_attempt(work, chains, size_of(options));
       if (made.why) {
         const auto at_fault = std::ranges::find_if(
             chains, [&](const auto& chain) { return chain.count(made.why->edge) > 0; });
@@ -157,7 +164,7 @@ FilletResult fillet(const TopoDS_Shape& shape, const std::vector<int>& edges,
           chains.erase(at_fault);
           continue;
         }
-        made = as_many_as_work(work, chains, options.radius, refuse);
+        made = as_many_as_work(work, chains, size_of(options), refuse);
       }
       result.solids = std::move(made.solids);
       result.notes = std::move(made.notes);

@@ -45,6 +45,8 @@ struct FilletRefusal {
   /// The largest radius that works, model units: the edges were rounded with it, and cannot be with
   /// one 1 % larger. Of many edges at once it is only some radius that works.
   std::optional<double> largest{};
+  /// Of a chamfer: the largest is a distance, the first if there are two; the same is said of it.
+  bool of_chamfer = false;
 
   /// "edge 12: ... at (x, y, z)".
   std::string text() const;
@@ -79,8 +81,8 @@ struct FilletOptions {
   /// Measure whole solids, before and after. What fillets take and add is measured in any case, on
   /// the faces that change alone.
   bool volumes = true;
-  /// Look for the largest radius that works where a fillet of one radius is refused: the edges are
-  /// rounded with some more radii.
+  /// Look for the largest radius that works where a fillet of one radius is refused, or the largest
+  /// distance of a chamfer: the edges are rounded, or cut off, with some more of them.
   bool largest = true;
   IntersectionOptions intersection{};
 };

@@ -7,6 +7,7 @@
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <Geom_Plane.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
@@ -50,6 +51,13 @@ TopoDS_Vertex vertex_at(const Vec3& point) {
   TopoDS_Vertex vertex;
   BRep_Builder().MakeVertex(vertex, {point[0], point[1], point[2]}, Precision::Confusion());
   return vertex;
+}
+
+TopoDS_Face plane_face(const Vec3& a, const Vec3& b, const Vec3& c) {
+  TopoDS_Face face;
+  const Vec3 normal = cross(b - a, c - a);
+  BRep_Builder().MakeFace(face, new Geom_Plane(pnt(a), dir(unit(normal))), Precision::Confusion());
+  return face;
 }
 
 void cover(const TopoDS_Vertex& vertex, const Vec3& point, double tolerance) {

@@ -29,6 +29,9 @@ TopoDS_Vertex vertex_at(const Vec3& point);
 
 Vec3 point_of(const TopoDS_Vertex& vertex);
 
+/// The plane through three points, without wires, its normal to where they run against the clock.
+TopoDS_Face plane_face(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// Raises the tolerance of a vertex to cover a point with that of an edge that ends there.
 void cover(const TopoDS_Vertex& vertex, const Vec3& point, double tolerance);
 

@@ -36,7 +36,9 @@ std::string FilletRefusal::text() const {
   if (edge > 0) text << "edge " << edge << ": ";
   text << cause;
   if (point) text << ", at (" << (*point)[0] << ", " << (*point)[1] << ", " << (*point)[2] << ")";
-  if (largest) text << "; the largest radius that works is " << rounded_down(*largest);
+  if (largest)
+    text << "; the largest " << (of_chamfer ? "distance" : "radius") << " that works is "
+         << rounded_down(*largest);
   return text.str();
 }
 

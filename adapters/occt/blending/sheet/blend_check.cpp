@@ -15,7 +15,9 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_MapOfShape.hxx>
+#include <TopoDS.hxx>
 
+#include "adapters/occt/blending/blend_edges.h"
 #include "adapters/occt/blending/fillet_refusal.h"
 #include "adapters/occt/intersection.h"
 #include "adapters/occt/solids/solid_validity.h"
@@ -24,20 +26,46 @@
 namespace blossom::occt {
 namespace {
 
-// The first fault of a face that is new or was cut, if the face that it is left of had none.
-std::optional<Problem> new_fault(const BodyEdges& body, const FilletedSolid& made,
-                                 const TopTools_MapOfShape& known) {
+// The edge in whose place a face is, or one that the face borders on the strip of.
+int edge_beside(const FilletedSolid& made, const FilletFace& face, int otherwise) {
+  if (face.edge > 0) return face.edge;
+  TopTools_IndexedMapOfShape own;
+  TopExp::MapShapes(face.face, TopAbs_EDGE, own);
+  for (const FilletFace& other : made.faces)
+    for (TopExp_Explorer it(other.face, TopAbs_EDGE); other.edge > 0 && it.More(); it.Next())
+      if (own.Contains(it.Current())) return other.edge;
+  return otherwise;
+}
+
+std::string name_of(const FilletFace& face) {
+  if (face.from > 0) return "what would be left of face " + std::to_string(face.from);
+  return face.edge > 0 ? "its strip" : "what would fill its corner";
+}
+
+// The first fault of a face that is new or was cut, if the face that it is left of had none; as a
+// refusal of the edge beside it.
+std::optional<FilletRefusal> new_fault(const BodyEdges& body, const FilletedSolid& made,
+                                       const TopTools_MapOfShape& known, int first) {
   std::vector<TopoDS_Face> changed;
-  std::vector<int> from;  // of each of them: the face that it is left of, or 0
+  std::vector<const FilletFace*> of;
   for (const FilletFace& face : made.faces) {
     if (known.Contains(face.face)) continue;
     changed.push_back(face.face);
-    from.push_back(face.from);
+    of.push_back(&face);
   }
   const std::vector<std::optional<Problem>> faults = face_faults(changed);
   for (std::size_t i = 0; i < faults.size(); ++i) {
     if (!faults[i]) continue;
-    if (from[i] == 0 || !face_faults({body.face(from[i])}).front()) return faults[i];
+    if (of[i]->from > 0 && face_faults({body.face(of[i]->from)}).front()) continue;
+    FilletRefusal why;
+    why.edge = edge_beside(made, *of[i], first);
+    why.cause = name_of(*of[i]) + " is not sound: " + faults[i]->what;
+    why.point = faults[i]->place;
+    if (!why.point) {
+      const TopExp_Explorer corner(changed[i], TopAbs_VERTEX);
+      if (corner.More()) why.point = point_of(TopoDS::Vertex(corner.Current()));
+    }
+    return why;
   }
   return std::nullopt;
 }
@@ -73,19 +101,13 @@ void check_blended(const BodyEdges& body, const TopoDS_Solid& before, const Fill
   const TopTools_MapOfShape known = kept_faces(body, made);
   const bool valid = is_valid(made.solid, apart_from_changes(made, known)) ||
                      (is_valid(made.solid, known) && !BRepCheck_Analyzer(before).IsValid());
+  if (const auto fault = new_fault(body, made, known, first)) throw FilletRefused(*fault);
   if (!valid)
     throw FilletRefused({FilletFault::Result,
                          first,
                          "the solid that comes out is not valid by BRepCheck",
                          {},
                          {},
-                         {}});
-  if (const auto fault = new_fault(body, made, known))
-    throw FilletRefused({FilletFault::Result,
-                         first,
-                         "a face that comes out is not sound: " + fault->what,
-                         {},
-                         fault->place,
                          {}});
   const bool any_concave = std::ranges::any_of(edges, [](const auto& e) { return e.second; });
   const bool any_convex = std::ranges::any_of(edges, [](const auto& e) { return !e.second; });

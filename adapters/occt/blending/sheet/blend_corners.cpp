@@ -9,13 +9,10 @@
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <Geom_Line.hxx>
-#include <Geom_Plane.hxx>
 #include <Geom_SphericalSurface.hxx>
 #include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax3.hxx>
-#include <gp_Pln.hxx>
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/points.h"
@@ -98,13 +95,6 @@ Vec3 axis_apart(const Vec3& middle, const std::vector<Vec3>& corners) {
     best = axis;
   }
   return best;
-}
-
-TopoDS_Face plane_face(const Vec3& a, const Vec3& b, const Vec3& c) {
-  TopoDS_Face face;
-  const Vec3 normal = cross(b - a, c - a);
-  BRep_Builder().MakeFace(face, new Geom_Plane(pnt(a), dir(unit(normal))), Precision::Confusion());
-  return face;
 }
 
 }  // namespace
@@ -263,55 +253,6 @@ void BlendSheet::turn_path(const HalfEdge& half) {
   for (PathEdge& each : path) each.forward = !each.forward;
 }
 
-// Chamfers that are planes leave a plane corner between the places where their borders cross.
-void BlendSheet::flat_corner(const Ring& ring) {
-  const std::size_t count = ring.size();
-  std::vector<TopoDS_Vertex> places(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const HalfEdge half = ring[i].half, next = ring[(i + 1) % count].half;
-    const RolledStrip &of = strip_of(half).strip, &after = strip_of(next).strip;
-    if (Handle(Geom_Plane)::DownCast(of.surface).IsNull() || of.concave != after.concave)
-      refuse(half, FilletFault::Corner,
-             "only plane chamfers of one kind can be joined in a corner of several");
-    const auto crossing = contacts_cross(body_, of, left_side(half), end_t(half), after,
-                                         right_side(next), end_t(next));
-    if (!crossing)
-      refuse(half, FilletFault::Corner,
-             "its border does not cross that of edge " + std::to_string(next.edge));
-    end_of(half).t[left_side(half)] = (*crossing)[0];
-    end_of(next).t[right_side(next)] = (*crossing)[1];
-    places[i] = new_vertex(vec(of.contacts[left_side(half)].curve->Value((*crossing)[0]).XYZ()));
-    end_of(half).vertices[left_side(half)] = places[i];
-    end_of(next).vertices[right_side(next)] = places[i];
-  }
-  const HalfEdge first = ring.front().half;
-  BlendPatch patch;
-  // Seen from outside the edges are met against the clock.
-  patch.face = plane_face(point_of(places[0]), point_of(places[1]), point_of(places[count - 1]));
-  const SurfaceProjector feet(patch.face, Precision::Confusion());
-  for (const TopoDS_Vertex& each : places)
-    if (std::abs(feet.height(point_of(each))) > tolerance_)
-      refuse(first, FilletFault::Corner, "the chamfers of its corner leave no plane between them");
-  for (std::size_t i = 0; i < count; ++i) {
-    const HalfEdge half = ring[i].half;
-    const RolledStrip& of = strip_of(half).strip;
-    const TopoDS_Vertex &from = places[i], &to = places[(i + count - 1) % count];
-    const Vec3 way = point_of(to) - point_of(from);
-    const TopoDS_Edge edge =
-        edge_on(new Geom_Line(pnt(point_of(from)), dir(unit(way))), {0, norm(way)}, from, to);
-    for (const TopoDS_Face& face : {of.bare_face(), patch.face}) {
-      const SurfaceProjector on(face, Precision::Confusion());
-      Interval range;
-      const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, range.from, range.to);
-      add_chart(edge, image_of(curve, range, on, std::nullopt, tolerance_).chart, face);
-    }
-    end_of(half).path = {{edge, true}};
-    turn_path(half);
-    patch.edges.push_back(TopoDS::Edge(edge.Oriented(TopAbs_REVERSED)));
-  }
-  patches_.push_back(std::move(patch));
-}
-
 // Where all edges at a vertex have strips of one radius and kind, and one ball touches all faces
 // there: the strips end in great circles of it. False, and nothing is done, where none does.
 bool BlendSheet::ball_corner(const Ring& ring) {
@@ -377,15 +318,7 @@ bool BlendSheet::ball_corner(const Ring& ring) {
 
 // Several strips meet in a vertex.
 void BlendSheet::corner(const Ring& ring) {
-  if (!is_chamfer_) {
-    if (!ball_corner(ring)) set_back(ring);
-    return;
-  }
-  if (std::ranges::all_of(ring,
-                          [&](const VertexSector& each) { return is_filleted(each.half.edge); }))
-    return flat_corner(ring);
-  refuse(ring.front().half, FilletFault::Corner,
-         "not all edges at its end have chamfers: such a corner cannot be built yet");
+  if (!(is_chamfer_ ? crossed_corner(ring) : ball_corner(ring))) set_back(ring);
 }
 
 }  // namespace blossom::occt

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include <Geom2d_BezierCurve.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -138,17 +139,32 @@ class BlendSheet {
   PathEdge mitre_edge(const HalfEdge& a, const HalfEdge& b, const TopoDS_Vertex& from,
                       const TopoDS_Vertex& to, double reach);
   void turn_path(const HalfEdge& half);
-  void flat_corner(const Ring& ring);
+  std::optional<std::vector<TopoDS_Vertex>> borders_cross(const Ring& ring);
+  bool flat_corner(const Ring& ring, const std::vector<TopoDS_Vertex>& places);
+  std::optional<TopoDS_Edge> flat_end(const HalfEdge& half, const TopoDS_Face& plane,
+                                      const TopoDS_Vertex& from, const TopoDS_Vertex& to);
+  bool crossed_corner(const Ring& ring);
   bool ball_corner(const Ring& ring);
   void corner(const Ring& ring);
-  struct SetbackSide;
+  /// A side of the hole that a fill closes in a corner: a section of a strip, a slanting line on
+  /// one, or a path in a face.
+  struct SetbackSide {
+    FillSide side;
+    TopoDS_Vertex from{};
+    std::optional<HalfEdge> half{};      // of a strip
+    int face = 0;                        // of a path
+    Handle(Geom2d_BezierCurve) chart{};  // of a path, or a slanting line
+  };
   double setback_t(const Ring& ring, std::size_t sector);
   std::optional<double> stop_beside(const Ring& ring, std::size_t sector, bool on_left);
   double setback_cut(const Ring& ring, std::size_t sector);
   SetbackSide section_side_of(const HalfEdge& half);
+  SetbackSide slanted_side(const HalfEdge& half);
   SetbackSide path_side(const Ring& ring, std::size_t sector,
                         const std::map<std::size_t, double>& cuts);
+  PathEdge section_edge(const HalfEdge& half, const FillBorder& border);
   PathEdge setback_edge(const SetbackSide& side, const FillBorder& border);
+  void fill_corner(const Ring& ring, const std::vector<SetbackSide>& sides);
   void set_back(const Ring& ring);
 
   [[noreturn]] void refuse_miss(const HalfEdge& half, std::size_t side, const EdgeUseInFace& use,

@@ -220,7 +220,7 @@ FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group
   };
   FilletedSolid made;
   try {
-    made = next.made(in_next.edges, options_.radius).front();
+    made = next.made(in_next.edges, size()).front();
   } catch (const FilletRefused& refusal) {
     FilletRefusal why = refusal.why();
     why.edge = old_number(why.edge);
@@ -242,8 +242,18 @@ FilletedSolid Filleting::with_next(const Grouped& done, const FilletEdges& group
   return made;
 }
 
-std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double radius) {
-  options_.radius = radius;
+void Filleting::set_size(double size) {
+  if (!options_.chamfer) {
+    options_.radius = size;
+    return;
+  }
+  ChamferSize& chamfer = *options_.chamfer;
+  if (chamfer.second) *chamfer.second *= size / chamfer.first;
+  chamfer.first = size;
+}
+
+std::vector<FilletedSolid> Filleting::made(const FilletEdges& edges, double size) {
+  set_size(size);
   std::vector<FilletedSolid> all;
   notes_.clear();
   for (SolidPart& part : parts_) {

@@ -62,8 +62,10 @@ class Filleting {
 
   /// All these edges, or a refusal.
   ///
-  /// radius   in place of that of the options, model units
-  std::vector<FilletedSolid> made(const FilletEdges& edges, double radius);
+  /// size   in place of the radius of the options, or of the first distance of a chamfer, to which
+  ///        the second one keeps its ratio; model units
+  std::vector<FilletedSolid> made(const FilletEdges& edges, double size);
+  bool is_chamfer() const { return options_.chamfer.has_value(); }
   /// Of what was made last.
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -80,6 +82,8 @@ class Filleting {
   FilletedSolid closed(const SolidPart& part, const std::vector<TrimmedFace>& faces,
                        const FilletEdges& edges);
   Grouped with_group(const SolidPart& part, const FilletEdges& edges);
+  double size() const { return is_chamfer() ? options_.chamfer->first : options_.radius; }
+  void set_size(double size);
   struct Renamed {
     FilletEdges edges;      // with those in which they go on
     std::map<int, int> of;  // numbers before, by numbers now

@@ -62,8 +62,9 @@ bool RadiusTrials::works(double radius) {
   return false;
 }
 
-// Of the edge that was at fault last.
+// Of the edge that was at fault last; of balls alone.
 std::optional<FilletLimit> RadiusTrials::limit() const {
+  if (work_.is_chamfer()) return std::nullopt;
   for (const FilletEdges& chain : chains_) {
     const auto edge = chain.find(why_.edge);
     if (edge == chain.end()) continue;

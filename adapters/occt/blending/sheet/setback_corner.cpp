@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Corners of several strips that no one ball touches, or of different radii or kinds: the strips
-// end in sections before they meet, curves in the faces lead from the one to the next, and a fill
-// of many sides closes the hole between them.
+// Corners of several strips that no one ball touches, or of different radii or kinds, or of
+// chamfers whose borders do not cross all round: the strips end in sections before they meet,
+// curves in the faces lead from the one to the next, and a fill of many sides closes the hole
+// between them.
 //
 // Where an edge without a fillet comes to the corner, the fill ends in a point of it, and meets the
 // faces beside it in creases that begin there and end where the strips do.
@@ -15,7 +16,6 @@
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2dAPI_Interpolate.hxx>
 #include <Geom2d_BSplineCurve.hxx>
-#include <Geom2d_BezierCurve.hxx>
 #include <Precision.hxx>
 #include <TColStd_HArray1OfReal.hxx>
 #include <TColgp_HArray1OfPnt2d.hxx>
@@ -84,14 +84,6 @@ bool folds(const RationalBezierPatch& patch) {
 
 }  // namespace
 
-struct BlendSheet::SetbackSide {
-  FillSide side;
-  TopoDS_Vertex from{};
-  std::optional<HalfEdge> half{};  // of a section
-  int face = 0;                    // of a path, with its chart
-  Handle(Geom2d_BezierCurve) chart{};
-};
-
 // Where a contact meets that of the strip beside it, or the edge.
 std::optional<double> BlendSheet::stop_beside(const Ring& ring, std::size_t sector, bool on_left) {
   const std::size_t count = ring.size(), before = (sector + count - 1) % count;
@@ -126,7 +118,7 @@ double BlendSheet::setback_t(const Ring& ring, std::size_t sector) {
   const double room = kShare * inwards * (of.inside - t);
   if (room <= 0)
     refuse(half, FilletFault::EdgeConsumed,
-           "what is beside its strip meets it beyond its middle: the radius is too large");
+           "what is beside its strip meets it beyond its middle: " + too_large());
   const double speed = strip.contacts[0].curve->DN(t, 1).Magnitude();
   const double width = distance(contact_at(strip, 0, t), contact_at(strip, 1, t));
   return t + inwards * std::min(room, kSetback * width / speed);
@@ -158,7 +150,7 @@ double BlendSheet::setback_cut(const Ring& ring, std::size_t sector) {
   const double whole = GCPnts_AbscissaPoint::Length(curve);
   if (reach >= kShare * whole)
     refuse(half, FilletFault::EdgeConsumed,
-           "the strips beside it take more of it than half: the radius is too large");
+           "the strips beside it take more of it than half: " + too_large());
   const double cut = std::min(reach + kSetback * width, kShare * (reach + whole));
   return GCPnts_AbscissaPoint(curve, sign * cut, start).Parameter();
 }
@@ -179,7 +171,7 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(body_.face(face));
   SetbackSide made;
   made.face = face;
-  made.side.continuity = FillContinuity::G1;
+  made.side.continuity = is_chamfer_ ? FillContinuity::G0 : FillContinuity::G1;
   const auto end_in = [&](std::size_t at, bool on_left) {
     const HalfEdge half = ring[at].half;
     PathEnd end;
@@ -197,12 +189,13 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
     const std::size_t side = on_left ? left_side(half) : right_side(half);
     const double t = end_of(half).t[side], outwards = is_low_end(half) ? -1 : 1;
     if (strip.contacts[side].face != face)
-      refuse(half, FilletFault::Corner, "its ball has left the faces of its corner");
+      refuse(half, FilletFault::Corner, "its strip has left the faces of its corner");
     gp_Pnt2d place;
     gp_Vec2d rate;
     strip.contacts[side].chart->D1(t, place, rate);
     const double speed = strip.contacts[side].curve->DN(t, 1).Magnitude();
     end.chart = {place.X(), place.Y()};
+    if (is_chamfer_) return end;
     end.ahead = (outwards / speed) * Vec2{rate.X(), rate.Y()};
     if (const auto met = stop_beside(ring, at, on_left); met && outwards * (*met - t) > 0)
       end.leg = distance(contact_at(strip, side, *met), contact_at(strip, side, t));
@@ -213,9 +206,8 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
   const RolledContact path{face, {}, made.chart, 0};
   for (int i = 1; i < kPathSamples; ++i)
     if (!lies_inside(body_, path, static_cast<double>(i) / kPathSamples))
-      refuse(
-          ring[sector].half, FilletFault::Corner,
-          "face " + std::to_string(face) + " has no room for its corner: the radius is too large");
+      refuse(ring[sector].half, FilletFault::Corner,
+             "face " + std::to_string(face) + " has no room for its corner: " + too_large());
   TopoDS_Edge edge;
   const BRep_Builder builder;
   builder.MakeEdge(edge);
@@ -230,40 +222,77 @@ BlendSheet::SetbackSide BlendSheet::path_side(const Ring& ring, std::size_t sect
   return made;
 }
 
-// Half a side as an edge of the sheet, with its charts on both faces.
+// Half a strip's section as an edge of the sheet, with its charts on the strip and the fill.
+PathEdge BlendSheet::section_edge(const HalfEdge& half, const FillBorder& border) {
+  const RolledStrip& strip = strip_of(half).strip;
+  const double t = end_of(half).t[0];
+  const Handle(Geom_Curve) arc = strip.along_u ? strip.surface->UIso(t) : strip.surface->VIso(t);
+  const double start = strip.contacts[right_side(half)].w, end = strip.contacts[left_side(half)].w;
+  const TopoDS_Vertex& middle = border.half == 0 ? border.to : border.from;
+  const double cut =
+      nearest_on(arc, {std::min(start, end), std::max(start, end)}, point_of(middle));
+  const bool forward = start < end;
+  const Interval way = border.half == 0 ? Interval{start, cut} : Interval{cut, end};
+  const Interval range = forward ? way : Interval{way.to, way.from};
+  const TopoDS_Edge edge =
+      edge_on(arc, range, forward ? border.from : border.to, forward ? border.to : border.from);
+  add_chart(edge, strip.section_line(t), strip.bare_face());
+  add_chart(edge, beside_border(arc, range, border), border.patch);
+  return {edge, forward};
+}
+
+// Half a side as an edge of the sheet, which the strip or the face beside it uses the other way.
 PathEdge BlendSheet::setback_edge(const SetbackSide& side, const FillBorder& border) {
-  if (side.half) {
-    const HalfEdge half = *side.half;
-    const RolledStrip& strip = strip_of(half).strip;
-    const double t = end_of(half).t[0];
-    const Handle(Geom_Curve) arc = strip.along_u ? strip.surface->UIso(t) : strip.surface->VIso(t);
-    const double start = strip.contacts[right_side(half)].w,
-                 end = strip.contacts[left_side(half)].w;
-    const TopoDS_Vertex& middle = border.half == 0 ? border.to : border.from;
-    const double cut =
-        nearest_on(arc, {std::min(start, end), std::max(start, end)}, point_of(middle));
-    const bool forward = start < end;
-    const Interval way = border.half == 0 ? Interval{start, cut} : Interval{cut, end};
-    const Interval range = forward ? way : Interval{way.to, way.from};
-    const TopoDS_Edge edge =
-        edge_on(arc, range, forward ? border.from : border.to, forward ? border.to : border.from);
-    add_chart(edge, strip.section_line(t), strip.bare_face());
-    add_chart(edge, beside_border(arc, range, border), border.patch);
-    // The strip's end is walked from left to right.
-    end_of(half).path.insert(end_of(half).path.begin(), {edge, !forward});
-    return {edge, forward};
-  }
+  // A strip's end is walked from left to right, the fill from right to left.
+  const auto ends_strip = [&](const PathEdge& made) {
+    std::vector<PathEdge>& path = end_of(*side.half).path;
+    path.insert(path.begin(), {made.edge, !made.forward});
+    return made;
+  };
+  if (side.chart.IsNull()) return ends_strip(section_edge(*side.half, border));
   const TopoDS_Edge edge = edge_on(border.curve, {0, 1}, border.along ? border.from : border.to,
                                    border.along ? border.to : border.from);
   add_chart(edge, border.chart, border.patch);
   const Handle(Geom2d_BezierCurve) chart = Handle(Geom2d_BezierCurve)::DownCast(side.chart->Copy());
   chart->Segment(0.5 * border.half, 0.5 * (border.half + 1));
   if (!border.along) chart->Reverse();
+  if (side.half) {
+    add_chart(edge, chart, strip_of(*side.half).strip.bare_face());
+    return ends_strip({edge, border.along});
+  }
   const TopoDS_Face& face = body_.face(side.face);
   add_chart(edge, chart_near_face(chart, 0.5, body_.trims(side.face)), face);
   added_[side.face].push_back(
       TopoDS::Edge(edge.Oriented(border.along ? TopAbs_REVERSED : TopAbs_FORWARD)));
   return {edge, border.along};
+}
+
+// Closes the hole between sides that follow each other, seen from outside against the clock.
+void BlendSheet::fill_corner(const Ring& ring, const std::vector<SetbackSide>& sides) {
+  if (sides.size() > kMaxFillSides)
+    refuse(ring.front().half, FilletFault::Corner,
+           "its corner has " + std::to_string(sides.size()) + " sides, and " +
+               std::to_string(kMaxFillSides) + " can be filled");
+  std::vector<FillSide> given;
+  std::vector<TopoDS_Vertex> corners;
+  for (const SetbackSide& each : sides) {
+    given.push_back(each.side);
+    if (is_chamfer_) given.back().continuity = FillContinuity::G0;
+    corners.push_back(each.from);
+  }
+  const Fill made = fill(given, {.tolerances = {.point = kSamePlace * tolerance_}});
+  if (made.problem != FillProblem::None)
+    refuse(ring.front().half, FilletFault::Corner, "its corner cannot be filled: " + made.message);
+  if (std::ranges::any_of(made.patches, folds))
+    refuse(ring.front().half, FilletFault::Corner,
+           "what would fill its corner turns back on itself: " + too_large());
+  const auto border = [&](const FillBorder& of) {
+    return setback_edge(sides[static_cast<std::size_t>(of.side)], of);
+  };
+  for (FillFace& each : fill_faces(made, corners, border))
+    patches_.push_back({each.face, std::move(each.edges), 0});
+  for (const VertexSector& each : ring)
+    if (is_filleted(each.half.edge)) turn_path(each.half);
 }
 
 void BlendSheet::set_back(const Ring& ring) {
@@ -292,29 +321,7 @@ void BlendSheet::set_back(const Ring& ring) {
     sides.push_back(path_side(ring, i, cuts));
     sides.back().from = is_strip ? end_of(half).vertices[left_side(half)] : feet[i];
   }
-  if (sides.size() > kMaxFillSides)
-    refuse(ring.front().half, FilletFault::Corner,
-           "its corner has " + std::to_string(sides.size()) + " sides, and " +
-               std::to_string(kMaxFillSides) + " can be filled");
-  std::vector<FillSide> given;
-  std::vector<TopoDS_Vertex> corners;
-  for (const SetbackSide& each : sides) {
-    given.push_back(each.side);
-    corners.push_back(each.from);
-  }
-  const Fill made = fill(given, {.tolerances = {.point = kSamePlace * tolerance_}});
-  if (made.problem != FillProblem::None)
-    refuse(ring.front().half, FilletFault::Corner, "its corner cannot be filled: " + made.message);
-  if (std::ranges::any_of(made.patches, folds))
-    refuse(ring.front().half, FilletFault::Corner,
-           "what would fill its corner turns back on itself: the radius is too large");
-  const auto border = [&](const FillBorder& of) {
-    return setback_edge(sides[static_cast<std::size_t>(of.side)], of);
-  };
-  for (FillFace& each : fill_faces(made, corners, border))
-    patches_.push_back({each.face, std::move(each.edges), 0});
-  for (const VertexSector& each : ring)
-    if (is_filleted(each.half.edge)) turn_path(each.half);
+  fill_corner(ring, sides);
 }
 
 }  // namespace blossom::occt

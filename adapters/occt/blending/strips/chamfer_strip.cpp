@@ -23,6 +23,7 @@
 #include <Geom_Circle.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
+#include <Geom_ElementarySurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
@@ -275,12 +276,38 @@ bool is_constant(const Borders& borders, std::size_t side, double room, const Va
   return true;
 }
 
+bool is_elementary(const Handle(Geom_Surface) & surface) {
+  return !Handle(Geom_ElementarySurface)::DownCast(surface).IsNull();
+}
+
+// The chart of a border by the edge's parameter, through points that Newton's method found in it.
+Handle(Geom2d_Curve) fitted_chart(const Chamfering& of, std::size_t side,
+                                  const Handle(Geom_Curve) & curve, const Interval& range) {
+  const Handle(Geom_Surface)& surface = of.surfaces[side];
+  for (int steps = kFewest;; steps *= 2) {
+    const Borders borders = borders_over(of, range, steps);
+    const Handle(Geom2d_Curve) chart = chart_through(borders, side);
+    double error = 0;
+    for (std::size_t i = 0; i + 1 < borders.at.size(); ++i) {
+      const double x = 0.5 * (borders.at[i] + borders.at[i + 1]);
+      const gp_Pnt2d uv = chart->Value(x);
+      error = std::max(error, curve->Value(x).Distance(surface->Value(uv.X(), uv.Y())));
+    }
+    if (steps >= kMost || error <= kFitError) return chart;
+  }
+}
+
 void add_border(const Chamfering& of, std::size_t side, const Handle(Geom_Curve) & curve, double w,
                 const BorderPoint& middle, RolledStrip& strip) {
-  const TopoDS_Face& face = of.body.face(of.body.use(of.edge, side == 0).face);
-  const SurfaceProjector feet(face, Precision::Confusion());
-  const ChartImage image = image_of(curve, strip.range, feet, middle.uv, Precision::Confusion());
-  strip.contacts[side] = {of.body.use(of.edge, side == 0).face, curve, image.chart, w};
+  const int number = of.body.use(of.edge, side == 0).face;
+  Handle(Geom2d_Curve) chart;
+  if (is_elementary(of.surfaces[side])) {
+    const SurfaceProjector feet(of.body.face(number), Precision::Confusion());
+    chart = image_of(curve, strip.range, feet, middle.uv, Precision::Confusion()).chart;
+  } else {
+    chart = fitted_chart(of, side, curve, strip.range);
+  }
+  strip.contacts[side] = {number, curve, chart, w};
 }
 
 // Of a line whose borders are lines: a plane.

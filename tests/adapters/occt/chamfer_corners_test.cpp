@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Corners of three and more chamfers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Tool.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Plane.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <gp_Ax1.hxx>
+
+#include "adapters/occt/edge_facts.h"
+#include "adapters/occt/fillet.h"
+#include "adapters/occt/soundness.h"
+
+namespace blossom::occt {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+template <class Fits>
+std::vector<int> convex_edges(const TopoDS_Shape& shape, const Fits& fits) {
+  std::vector<int> found;
+  for (const EdgeFacts& each : edge_facts(shape))
+    if (each.kind == EdgeKind::Convex && fits(each)) found.push_back(each.number);
+  return found;
+}
+
+std::vector<int> convex_edges(const TopoDS_Shape& shape) {
+  return convex_edges(shape, [](const EdgeFacts&) { return true; });
+}
+
+FilletResult chamfered(const TopoDS_Shape& shape, const std::vector<int>& edges, double distance) {
+  FilletOptions options;
+  options.chamfer = ChamferSize{distance};
+  return fillet(shape, edges, options);
+}
+
+// One sound solid, smaller than before.
+void expect_sound(const FilletResult& made) {
+  std::string told;
+  for (const FilletRefusal& each : made.refused) told += each.text() + "; ";
+  ASSERT_EQ(made.solids.size(), 1U) << told;
+  EXPECT_TRUE(made.refused.empty()) << told;
+  EXPECT_TRUE(BRepCheck_Analyzer(made.solids.front().solid).IsValid());
+  for (const FaceSoundness& face : soundness(made.solids.front().solid).faces)
+    for (const Problem& problem : face.problems) ADD_FAILURE() << problem.text();
+  EXPECT_LT(made.solids.front().volume, made.volume_before);
+}
+
+std::vector<TopoDS_Face> corners(const FilletResult& made) {
+  std::vector<TopoDS_Face> found;
+  for (const FilletFace& each : made.solids.front().faces)
+    if (each.from == 0 && each.edge == 0) found.push_back(each.face);
+  return found;
+}
+
+// Squares at heights 0, 10 and 20, turned by an angle each time: the sides are twisted.
+TopoDS_Shape twisted_loft() {
+  BRepOffsetAPI_ThruSections maker(true);
+  for (const double z : {0., 10., 20.}) {
+    BRepBuilderAPI_MakePolygon square;
+    for (int i = 0; i < 4; ++i) {
+      const double angle = 0.02 * z + (i + 0.5) * kPi / 2;
+      square.Add(gp_Pnt(8 * std::cos(angle), 8 * std::sin(angle), z));
+    }
+    square.Close();
+    maker.AddWire(square.Wire());
+  }
+  return maker.Shape();
+}
+
+TopoDS_Shape chamfered_box() {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(20, 16, 12).Shape();
+  return chamfered(box, convex_edges(box), 2).solids.front().solid;
+}
+
+// Under a spline, half a turn round.
+TopoDS_Shape half_dome() {
+  TColgp_Array1OfPnt points(1, 4);
+  points(1) = {9, 0, 0};
+  points(2) = {10, 0, 5};
+  points(3) = {6, 0, 11};
+  points(4) = {5, 0, 17};
+  const Handle(Geom_BSplineCurve) side = GeomAPI_PointsToBSpline(points).Curve();
+  BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), points(1)).Edge(),
+                               BRepBuilderAPI_MakeEdge(side).Edge(),
+                               BRepBuilderAPI_MakeEdge(points(4), gp_Pnt(0, 0, 17)).Edge(),
+                               BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 17), gp_Pnt(0, 0, 0)).Edge());
+  const TopoDS_Shape face = BRepBuilderAPI_MakeFace(wire.Wire()).Shape();
+  return BRepPrimAPI_MakeRevol(face, gp_Ax1(gp::Origin(), gp::DZ()), kPi).Shape();
+}
+
+TEST(ChamferCorner, OfThreeBesideCurvedFacesIsAPlane) {
+  const TopoDS_Shape shape = twisted_loft();
+  const FilletResult made = chamfered(shape, convex_edges(shape), 0.3);
+  expect_sound(made);
+  const std::vector<TopoDS_Face> found = corners(made);
+  EXPECT_GE(found.size(), 8U);
+  for (const TopoDS_Face& each : found)
+    EXPECT_FALSE(Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(each)).IsNull());
+}
+
+TEST(ChamferCorner, OfFourThatLieInNoPlaneIsFilled) {
+  const TopoDS_Shape shape = chamfered_box();
+  const std::vector<int> edges = convex_edges(shape);
+  ASSERT_EQ(edges.size(), 48U);
+  const FilletResult made = chamfered(shape, edges, 0.2);
+  expect_sound(made);
+  EXPECT_EQ(corners(made).size(), 24U * 4);
+}
+
+// The fill goes on to the edge that stays, and begins in its point.
+TEST(ChamferCorner, LeavesOneOfFourEdgesAsItIs) {
+  const TopoDS_Shape shape = chamfered_box();
+  // At the vertex (0, 2, 2) of the face x = 0.
+  std::vector<int> edges;
+  for (const EdgeFacts& each : edge_facts(shape)) {
+    Vec3 end = each.middle - Vec3{0, 2, 2};
+    if (std::abs(norm(end) - 0.5 * each.length) < 1e-9) edges.push_back(each.number);
+  }
+  ASSERT_EQ(edges.size(), 4U);
+  for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+    std::vector<int> three = edges;
+    three.erase(three.begin() + static_cast<std::ptrdiff_t>(left_out));
+    expect_sound(chamfered(shape, three, 0.2));
+  }
+}
+
+TEST(ChamferOfARevolvedSpline, IsMadeOfHalfCirclesAndAllEdges) {
+  const TopoDS_Shape shape = half_dome();
+  const auto circles = convex_edges(shape, [](const EdgeFacts& each) {
+    return std::abs(each.middle[0]) < 1e-9 && each.middle[1] > 1;
+  });
+  ASSERT_EQ(circles.size(), 2U);
+  for (const int each : circles) expect_sound(chamfered(shape, {each}, 0.2));
+  expect_sound(chamfered(shape, convex_edges(shape), 0.2));
+}
+
+}  // namespace
+}  // namespace blossom::occt
