@@ -116,6 +116,11 @@ Handle(Geom2d_Curve) plane_curve_of(const TopoDS_Edge& edge, const TopoDS_Face& 
   return plane.IsNull() ? nullptr : in_plane(edge, plane, place, range);
 }
 
+Handle(Geom2d_Curve) plane_curve_of(const Handle(Geom_Curve) & curve, const TopoDS_Face& face) {
+  const auto plane = Handle(Geom_Plane)::DownCast(BRep_Tool::Surface(face));
+  return plane.IsNull() ? nullptr : in_plane(curve, PlaneChart(plane->Position()));
+}
+
 bool is_seam(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   if (!BRep_Tool::IsClosed(edge, face)) return false;
   int uses = 0;

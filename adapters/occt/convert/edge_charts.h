@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Geom2d_Curve.hxx>
+#include <Geom_Curve.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 
@@ -23,6 +24,7 @@ Handle(Geom2d_Curve)
 /// The same for a line, circle or ellipse in the plane of a face, whether or not one is stored;
 /// null for every other curve or surface. Its parameter is that of the curve in space.
 Handle(Geom2d_Curve) plane_curve_of(const TopoDS_Edge& edge, const TopoDS_Face& face);
+Handle(Geom2d_Curve) plane_curve_of(const Handle(Geom_Curve) & curve, const TopoDS_Face& face);
 
 /// Whether a face has an edge twice, and so lies on both sides of it. An edge that keeps two curves
 /// on a closed surface need not be a seam of each face there: two halves may have it once each.

@@ -314,7 +314,7 @@ FaceTrims face_trims(const TopoDS_Face& face) {
 }
 
 PlanarCurve chart_curve(const FaceTrims& trims, const Spline2& chart) {
-  return transformed(planar_curve(chart), trims.scale, {});
+  return transformed(simplest_curve(chart), trims.scale, {});
 }
 
 std::vector<Vec2> period_shifts(const FaceTrims& trims, const PlanarCurve& curve) {

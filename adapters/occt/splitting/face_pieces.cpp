@@ -16,6 +16,7 @@
 #include "adapters/occt/base/points.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/edge_charts.h"
+#include "adapters/occt/convert/pcurves.h"
 #include "adapters/occt/splitting/face_splitter.h"
 #include "adapters/occt/splitting/limits.h"
 
@@ -86,7 +87,15 @@ Handle(Geom2d_Curve) FaceSplitter::chart_of(const TopoDS_Edge& edge,
   Spline2 chart = cut.chart;
   const Vec2 shift{lifted_cut.shift[0] / trims_.scale[0], lifted_cut.shift[1] / trims_.scale[1]};
   for (Vec2& point : chart.points) point += shift;
-  return to_occt(chart);
+  return simplest_to_occt(chart);
+}
+
+// In a plane a conic is itself, in fewer spans than its spline.
+PlanarCurve FaceSplitter::chart_of(const FaceCut& cut) const {
+  if (cut.conic)
+    if (const auto flat = plane_curve_of(to_occt(*cut.conic), trims_.face); !flat.IsNull())
+      return transformed(planar_curve(flat, cut.chart.domain()), trims_.scale, {});
+  return chart_curve(trims_, cut.chart);
 }
 
 // One edge for both neighbours. Its curves are the whole cut's; only its range is its own.

@@ -129,7 +129,7 @@ void FaceSplitter::note(int cut, const std::string& what) {
 
 void FaceSplitter::add_lifted_cuts() {
   for (std::size_t i = 0; i < cuts_.size(); ++i) {
-    const PlanarCurve curve = chart_curve(trims_, cuts_[i].chart);
+    const PlanarCurve curve = chart_of(cuts_[i]);
     for (const Vec2& shift : period_shifts(trims_, curve))
       lifted_cuts_.push_back(
           {static_cast<int>(i), shift, transformed(curve, {1, 1}, shift), {}, {}, {}});

@@ -159,6 +159,7 @@ class FaceSplitter {
     std::vector<CutUse> repeats = {};  // of cuts that repeat this one
   };
 
+  PlanarCurve chart_of(const FaceCut& cut) const;
   void add_lifted_cuts();
   void widen_touch(const LiftedCut& lifted_cut, const TrimMeeting& meeting, int vertex);
   void add_wire_stops(LiftedCut& lifted_cut);

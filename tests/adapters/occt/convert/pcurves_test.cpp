@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Line.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
@@ -62,6 +63,40 @@ TEST(PlanarCurve, OfAPeriodicSplineGoesOnOverItsStart) {
   const Handle(Geom2d_BSplineCurve) curve =
       new Geom2d_BSplineCurve(poles, knots, multiplicities, 3, Standard_True);
   for (const double start : {-1.5, 0.0, 0.7, 3.2, 9.5}) expect_same(curve, {start, start + 3.5});
+}
+
+// From (0, 2) to (9, 2), with knots where another image of the same curve needs them.
+Spline2 level_line(double along, double height) {
+  return {3, {0, 1, 3}, {4, 2, 4}, {{0, 2}, {1, 2}, {along, height}, {5, 2}, {7, 2}, {9, 2}}};
+}
+
+TEST(SimplestCurve, OfASplineThatRunsEvenlyAlongALineIsOneSpan) {
+  const Spline2 line = level_line(2, 2);
+  EXPECT_TRUE(is_even_line(line));
+  const PlanarCurve curve = simplest_curve(line);
+  ASSERT_EQ(curve.spans.size(), 1U);
+  EXPECT_EQ(curve.spans.front().curve.degree(), 1);
+  const Handle(Geom2d_Curve) written = simplest_to_occt(line);
+  for (const double t : {0.0, 0.4, 1.0, 2.5, 3.0}) {
+    EXPECT_NEAR(point_at(curve, t)[0], 3 * t, 1e-14);
+    EXPECT_NEAR(written->Value(t).X(), 3 * t, 1e-14);
+    EXPECT_EQ(point_at(curve, t)[1], 2);
+  }
+}
+
+TEST(SimplestCurve, OfUnitSpeedIsALineOfOpenCascade) {
+  const Spline2 line{1, {2, 5}, {2, 2}, {{1, -2}, {4, -2}}};
+  const auto written = Handle(Geom2d_Line)::DownCast(simplest_to_occt(line));
+  ASSERT_FALSE(written.IsNull());
+  EXPECT_NEAR(written->Value(3.5).X(), 2.5, 1e-15);
+}
+
+TEST(SimplestCurve, OfASplineThatRunsUnevenlyOrAsideIsTheSpline) {
+  for (const Spline2& other : {level_line(2.1, 2), level_line(2, 2 + 1e-9)}) {
+    EXPECT_FALSE(is_even_line(other));
+    EXPECT_EQ(simplest_curve(other).spans.size(), 2U);
+    EXPECT_TRUE(Handle(Geom2d_Line)::DownCast(simplest_to_occt(other)).IsNull());
+  }
 }
 
 }  // namespace
