@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -441,8 +440,8 @@ SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, const IntersectionOp
     return rest;
   };
   Pending untold;
-  const ShapeIntersection first =
-      intersect(a.faces, b.faces, options, Extent::Extended, ArcCuts::Even);
+  const ShapeIntersection first = intersect(a.faces, b.faces, options, Extent::Extended,
+                                            ArcCuts::Even, ConicDeviations::Sampled);
   SolidPieces found =
       pieces_of(a, b, first, EdgeTouches::LeftOut, EdgesLie::WithinTolerance, left(), untold);
   if (found.obstacles.empty()) return found;
@@ -464,7 +463,8 @@ SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, const IntersectionOp
                                      {Extent::Trims, ArcCuts::Shifted}}) {
     if (limit.is_reached()) break;
     SolidPieces other =
-        again(intersect(a.faces, b.faces, left(), extent, cuts), EdgesLie::WithinTolerance);
+        again(intersect(a.faces, b.faces, left(), extent, cuts, ConicDeviations::Sampled),
+              EdgesLie::WithinTolerance);
     if (other.obstacles.empty()) return other;
   }
   // The search for where cuts break off has no limit of its own.
