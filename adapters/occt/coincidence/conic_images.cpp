@@ -65,7 +65,13 @@ class Conics {
   bool is_pole(std::size_t k, double t) const {
     return sheets_[k]->feet.pole_at(point_at(conic_, t)) != nullptr;
   }
-  Places both(double t, const Places& near) const { return {uv(0, t, near[0]), uv(1, t, near[1])}; }
+  // Where windows are looked for, which a chart without periods has none of.
+  Vec2 place(std::size_t k, double t, const std::optional<Vec2>& near) const {
+    return sheets_[k]->period == Vec2{} ? Vec2{} : uv(k, t, near);
+  }
+  Places both(double t, const Places& near) const {
+    return {place(0, t, near[0]), place(1, t, near[1])};
+  }
   Windows windows(const Places& at, const Windows& before, double slack = kSame) const;
   void add_changes(const Interval& run, std::vector<double>& found) const;
   void add_between(std::vector<double>& all, std::vector<Places>& places, double least) const;
@@ -146,7 +152,7 @@ std::vector<double> Conics::lookouts(const Interval& run) const {
   for (int i = 0; i <= kSamples + 1; ++i) {
     const double part = (i - kAside) / kSamples;
     all.push_back(at(run, std::clamp(part, kBeside, 1 - kBeside)));
-    places.push_back(i == 0 ? Places{uv(0, all[0], {}), uv(1, all[0], {})}
+    places.push_back(i == 0 ? Places{place(0, all[0], {}), place(1, all[0], {})}
                             : both(all.back(), places.back()));
   }
   add_between(all, places, kSame * length(run));
@@ -171,7 +177,7 @@ std::vector<double> Conics::lookouts(const Interval& run) const {
 // The changes of windows on a run without poles. Between two lookouts there may be several.
 void Conics::add_changes(const Interval& run, std::vector<double>& found) const {
   const std::vector<double> all = lookouts(run);
-  Places here{uv(0, all[0], {}), uv(1, all[0], {})};
+  Places here{place(0, all[0], {}), place(1, all[0], {})};
   Windows known = windows(here, {});
   double t = all[0];
   for (std::size_t i = 1; i < all.size();) {
@@ -223,8 +229,10 @@ Vec2 on_seam(const ChartSheet& sheet, Vec2 uv) {
 Conics::Chart Conics::chart_of(std::size_t k, const Interval& part) const {
   const ChartSheet& sheet = *sheets_[k];
   const Vec2 middle = uv(k, at(part, 0.5), std::nullopt);
-  Chart chart{false, {}, {}, in_sheet(sheet, middle) - middle};
   const Vec2 low = uv(k, at(part, 0.25), middle), high = uv(k, at(part, 0.75), middle);
+  // A part may touch the seam in its middle, but has a mean beside it.
+  const Vec2 mean = 0.25 * low + 0.5 * middle + 0.25 * high;
+  Chart chart{false, {}, {}, in_sheet(sheet, mean) - mean};
   chart.step = 2 * (high - low);
   chart.start = middle - 0.5 * chart.step + chart.shift;
   // What passes a pole within the slack goes through it.

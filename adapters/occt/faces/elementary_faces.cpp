@@ -9,6 +9,7 @@
 #include <GeomAdaptor_Surface.hxx>
 #include <GeomAdaptor_SurfaceOfLinearExtrusion.hxx>
 #include <GeomAdaptor_SurfaceOfRevolution.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
@@ -119,6 +120,25 @@ std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface) {
     return elementary_of(static_cast<const Adaptor3d_Surface&>(adaptor));
   }
   return elementary_of(static_cast<const Adaptor3d_Surface&>(GeomAdaptor_Surface(basis)));
+}
+
+std::optional<Elementary> flat_spline(const Handle(Geom_Surface) & surface) {
+  const auto spline = Handle(Geom_BSplineSurface)::DownCast(basis_of(surface));
+  if (spline.IsNull() || spline->UDegree() != 1 || spline->VDegree() != 1 ||
+      spline->NbUPoles() != 2 || spline->NbVPoles() != 2 || spline->IsURational() ||
+      spline->IsVRational())
+    return {};
+  const Vec3 corner = vec(spline->Pole(1, 1).XYZ()), far = vec(spline->Pole(2, 2).XYZ());
+  const Vec3 u = vec(spline->Pole(2, 1).XYZ()) - corner, v = vec(spline->Pole(1, 2).XYZ()) - corner;
+  const double size = std::max({max_norm(corner), max_norm(far), norm(u), norm(v)});
+  const Vec3 normal = cross(u, v);
+  if (!(norm(normal) > kMinSine * norm(u) * norm(v)) ||
+      max_norm(far - (corner + u + v)) > kRounding * size)
+    return {};
+  Elementary plane;
+  plane.centre = corner;
+  plane.axis = unit(normal);
+  return plane;
 }
 
 std::optional<SurfaceIntersection> crossing_of_planes(const Handle(Geom_Surface) & a,

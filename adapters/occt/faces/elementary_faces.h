@@ -18,6 +18,9 @@ namespace blossom::occt {
 /// and surfaces of revolution and of extrusion that it knows as such. Nothing for others.
 std::optional<Elementary> elementary_of(const Handle(Geom_Surface) & surface);
 
+/// The plane of a parallelogram that is written as a B-spline of degree 1; nothing for others.
+std::optional<Elementary> flat_spline(const Handle(Geom_Surface) & surface);
+
 /// The line in which two planes cross, as far as a box holds it and a little more on either end.
 ///
 /// a, b      Geom_Plane, or trimmed ones

@@ -19,6 +19,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/curves.h"
 #include "adapters/occt/convert/surfaces.h"
+#include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/faces/elementary_faces.h"
 
 namespace blossom::occt {
@@ -66,7 +67,7 @@ ParameterBox box_of(const TopoDS_Face& face, const FaceTrims& trims) {
 // the surface. So it goes on beyond it, as may those that are one; then they have to be clipped.
 BezierSurface surface_of(const TopoDS_Face& face, Extent extent, double tolerance, ArcCuts cuts,
                          FaceTrims& trims) {
-  const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
+  const Handle(Geom_Surface) surface = basis_of(BRep_Tool::Surface(face));
   ParameterBox box = box_of(face, trims);
   if ((!trims.natural || extent == Extent::Extended) && goes_on(GeomAdaptor_Surface(surface))) {
     const ParameterBox own = box;
@@ -303,6 +304,7 @@ FaceData face_data(const TopoDS_Face& face, double tolerance, Extent extent, Arc
   data.surface = surface_of(face, extent, tolerance, cuts, data.trims);
   data.box = box_of(data.surface, data.surface.error + tolerance);
   data.elementary = elementary_of(BRep_Tool::Surface(face));
+  if (!data.elementary) data.elementary = flat_spline(BRep_Tool::Surface(face));
   return data;
 }
 

@@ -20,6 +20,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/convert/edge_charts.h"
 #include "adapters/occt/convert/pcurves.h"
+#include "adapters/occt/convert/surfaces_detail.h"
 #include "adapters/occt/faces/face_trims_detail.h"
 #include "core/plane/loops.h"
 
@@ -304,8 +305,10 @@ FaceTrims face_trims(const TopoDS_Face& face) {
       set_curve(coedge, transformed(std::move(coedge.curve), trims.scale, {}));
   for (Coedge& coedge : trims.inner)
     set_curve(coedge, transformed(std::move(coedge.curve), trims.scale, {}));
-  trims.period = {surface->IsUPeriodic() ? surface->UPeriod() * trims.scale[0] : 0,
-                  surface->IsVPeriodic() ? surface->VPeriod() * trims.scale[1] : 0};
+  // A rectangle of a surface has its period, even where Open CASCADE gives it none.
+  const Handle(Geom_Surface) whole = basis_of(surface);
+  trims.period = {whole->IsUPeriodic() ? whole->UPeriod() * trims.scale[0] : 0,
+                  whole->IsVPeriodic() ? whole->VPeriod() * trims.scale[1] : 0};
   for (Meeting& meeting : meetings(trims)) join(std::move(meeting), trims);
   trims.box = box_of_loops(trims);
   trims.overshoot = overshoot(surface, trims);

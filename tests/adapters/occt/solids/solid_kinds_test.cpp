@@ -9,11 +9,14 @@
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepOffsetAPI_MakePipe.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <ShapeFix_ShapeTolerance.hxx>
@@ -188,6 +191,45 @@ TEST(SolidKinds, OctantsOfOneBallWithOtherAxesAreDivided) {
   const SolidTrimResult common = combined_solids(straight, turned, SolidOperation::Common);
   ASSERT_EQ(first_obstacle(common), "");
   EXPECT_NEAR(common.total.result, kCommon, 1e-4);
+}
+
+// The ball's equator goes round the base, and its seam touches a side's circle at a corner.
+TEST(SolidKinds, ABallMayPassThroughTheCornersOfThePrismThatItsSeamTouches) {
+  for (const int sides : {5, 7}) {
+    BRepBuilderAPI_MakePolygon outline;
+    for (int i = 0; i < sides; ++i)
+      outline.Add({10 * std::cos(2 * kPi * i / sides), 10 * std::sin(2 * kPi * i / sides), 0});
+    outline.Close();
+    const TopoDS_Shape prism =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 10));
+    const double height = 10 * (1 - std::cos(kPi / sides));  // of the ball past a side
+    const double past = kPi * height * height * (30 - height) / 6;
+    expect_volumes(prism, 500 * sides * std::sin(2 * kPi / sides),
+                   BRepPrimAPI_MakeSphere(10).Shape(), 4000 * kPi / 3,
+                   2000 * kPi / 3 - sides * past);
+  }
+}
+
+// Open CASCADE sweeps a circle along an arc to a rectangle of a torus, which it gives no period.
+TEST(SolidKinds, ABoxMayStandOnTheEndOfABentPipe) {
+  const gp_Circ way(gp_Ax2({20, 0, 0}, {0, -1, 0}, {1, 0, 0}), 20);  // downwards
+  const gp_Circ section(gp_Ax2({0, 0, 0}, {0, 0, 1}), 4);
+  const TopoDS_Wire along =
+      BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(way, kPi, 1.5 * kPi).Edge()).Wire();
+  const TopoDS_Wire round = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(section).Edge()).Wire();
+  const TopoDS_Shape pipe =
+      BRepOffsetAPI_MakePipe(along, BRepBuilderAPI_MakeFace(round).Face()).Shape();
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(-3, -3, 0), gp_Pnt(3, 3, 5)).Shape();
+  expect_volumes(pipe, 160 * kPi * kPi, box, 180, 0);
+}
+
+TEST(SolidKinds, AFlatFaceMayBeASpline) {
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+  const TopoDS_Shape spline = BRepBuilderAPI_NurbsConvert(box).Shape();
+  const SolidTrimResult made = combined_solids(box, spline, SolidOperation::Fuse);
+  ASSERT_EQ(first_obstacle(made), "");
+  EXPECT_EQ(made.status, Status::Complete);
+  EXPECT_NEAR(made.total.result, 6, 1e-12);
 }
 
 TEST(SolidKinds, InternalEdgesInFacesBoundNothing) {
