@@ -17,7 +17,6 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
-#include "adapters/occt/faces/area.h"
 #include "adapters/occt/faces/face_data.h"
 #include "adapters/occt/repair/true_inputs.h"
 #include "adapters/occt/solids/combined_pair.h"
@@ -56,6 +55,7 @@ void give_out(const SolidTrimResult& made, SolidTrimResult& result) {
 // The steps of one operation on layers, and what was told of them.
 struct LayerWork {
   const SharedLimit& limit;
+  ConeVolumes& cones;
   SolidTrimResult told;  // no solids
 
   bool is_refused() const { return !told.obstacles.empty(); }
@@ -73,7 +73,8 @@ struct LayerWork {
 
 SolidTrimResult LayerWork::step(const LabelledSolid& first, const LabelledSolid& second,
                                 SolidOperation operation) {
-  SolidTrimResult made = combined_pair(first.solid, second.solid, operation, limit.remaining());
+  SolidTrimResult made =
+      combined_pair(first.solid, second.solid, operation, limit.remaining(), cones);
   for (SolidFace& face : made.faces) {
     const LabelledSolid& of = face.tool < 0 ? first : second;
     const SolidFace& origin = of.faces[static_cast<std::size_t>(face.from)];
@@ -167,12 +168,13 @@ SolidTrimResult fused(const std::vector<std::vector<LabelledSolids>>& sets, Laye
   return all;
 }
 
-// What splits a part: the tools as one, and each half-space.
+// What splits a part: the closed tools as one, each sheet and each half-space.
 LabelledSolids splitters(const LabelledSolids& cutters, std::size_t half_spaces, LayerWork& work) {
   const auto first = cutters.end() - static_cast<std::ptrdiff_t>(half_spaces);
-  const LabelledSolids united(cutters.begin(), first);
-  LabelledSolids all;
-  if (!united.empty()) all.push_back(fused(united, work));
+  LabelledSolids united, all;
+  for (auto tool = cutters.begin(); tool != first; ++tool)
+    (tool->solid.is_solid() ? united : all).push_back(*tool);
+  if (!united.empty()) all.insert(all.begin(), fused(united, work));
   all.insert(all.end(), first, cutters.end());
   return all;
 }
@@ -223,26 +225,26 @@ void check_solids(const TopTools_MapOfShape& given, const WorkLimit& limit,
   });
 }
 
-double volume_of(const std::vector<TopoDS_Face>& faces, const Vec3& apex) {
+double volume_of(const std::vector<TopoDS_Face>& faces, ConeVolumes& cones) {
   double volume = 0;
-  for (const TopoDS_Face& face : faces) volume += cone_volume(face, apex);
+  for (const TopoDS_Face& face : faces) volume += cones.of(face);
   return volume;
 }
 
-double volume_of(const TopoDS_Solid& solid, const Vec3& apex) {
+double volume_of(const TopoDS_Solid& solid, ConeVolumes& cones) {
   double volume = 0;
   for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next())
-    volume += cone_volume(TopoDS::Face(it.Current()), apex);
+    volume += cones.of(TopoDS::Face(it.Current()));
   return volume;
 }
 
 // Steps measure what they combine, which is not always all of an input.
 TotalVolumes total_of(const TrimTool& part, const std::vector<TrimTool>& tools,
-                      const std::vector<TopoDS_Solid>& solids) {
-  const Vec3 apex = cone_apex(part);
-  TotalVolumes total{volume_of(part.faces, apex), 0, 0};
-  for (const TrimTool& tool : tools) total.tools += volume_of(tool.faces, apex);
-  for (const TopoDS_Solid& solid : solids) total.result += volume_of(solid, apex);
+                      const std::vector<TopoDS_Solid>& solids, ConeVolumes& cones) {
+  TotalVolumes total{volume_of(part.faces, cones), 0, 0};
+  for (const TrimTool& tool : tools)
+    if (tool.is_solid()) total.tools += volume_of(tool.faces, cones);
+  for (const TopoDS_Solid& solid : solids) total.result += volume_of(solid, cones);
   return total;
 }
 
@@ -255,14 +257,15 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
   try {
     const TrueInputs sound(part, tools, own_limit);
     StagedInputs inputs(sound.part(), sound.tools(), options.tolerances.point, limit);
-    LayerWork work{limit, {}};
+    ConeVolumes cones(cone_apex(sound.part()));
+    LayerWork work{limit, cones, {}};
     result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
                                                : divided(inputs, operation, half_spaces, work);
     note(work.told, result);
     result.tolerances = sound.told();
     if (result.obstacles.empty()) check_solids(faces_of(part, tools), own_limit, result);
     if (result.obstacles.empty())
-      result.total = total_of(sound.part(), sound.tools(), result.solids);
+      result.total = total_of(sound.part(), sound.tools(), result.solids, cones);
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
     if (own_limit.reached_after_search() != nullptr) result.status = Status::Stopped;
@@ -309,7 +312,8 @@ SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& t
   if (half_spaces > tools.size()) throw InvalidInput("trim: more half-spaces than tools");
   if (tools.empty()) throw InvalidInput("trim: there is no tool");
   check_closed(part, part_name(part));
-  for (std::size_t i = 0; i < tools.size(); ++i) check_closed(tools[i], tool_name(tools, i));
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    if (operation != SolidOperation::Split) check_closed(tools[i], tool_name(tools, i));
   SolidTrimResult result;
   with_threads(options.threads,
                [&] { result = trimmed_at_corners(part, tools, operation, options, half_spaces); });

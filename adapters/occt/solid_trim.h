@@ -18,7 +18,8 @@ enum class SolidOperation {
   Cut,     ///< the part without the tools
   Common,  ///< what lies in the part and in all tools
   Fuse,    ///< what lies in any of them
-  Split,   ///< the part in pieces: outside of all tools and inside of any, with common faces
+  Split,   ///< the part in pieces: outside of all tools and inside of any, with common faces; and
+           ///< on the sides of sheets
 };
 
 /// Volumes by our own integration over faces and pieces, cubic model units.
@@ -83,6 +84,10 @@ std::string describe_open_shell(const TrimTool& tool);
 /// of one input that touch each other are worked on apart, in layers, and stay apart; fused, they
 /// become one only where solids of another input join them.
 ///
+/// A sheet, a tool that is no closed solid, splits: each divides all pieces. What of it ends freely
+/// inside of a piece, or has one body on both sides, divides nothing; one that ends in the middle
+/// of a face of the part, and divides that only so far, is refused.
+///
 /// Pieces of two solids that have the same border and are less than two tolerances apart count as
 /// one, and so do cuts of a face that keep within tolerance of each other from end to end; what is
 /// between them is in no result; they are told, with the status Tolerance.
@@ -99,9 +104,11 @@ std::string describe_open_shell(const TrimTool& tool);
 ///
 /// options       its time limit is that of the whole work; when it is reached, volumes and solids
 ///               too are left with the obstacle and the status Stopped
-/// part, tools   each one or several solids that do not overlap; at least one tool
+/// part, tools   each one or several solids that do not overlap; at least one tool; to split, tools
+///               may be sheets
 /// half_spaces   how many of the tools, the last ones, stand for what is above a plane
-/// throws        InvalidInput if an input is no closed solid, or there is no tool; BadModel if a
+/// throws        InvalidInput if an input that has to be one is no closed solid, or there is no
+/// tool; BadModel if a
 ///               face cannot be converted
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
                             SolidOperation operation, const IntersectionOptions& options = {},

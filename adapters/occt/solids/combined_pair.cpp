@@ -16,8 +16,8 @@
 
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/base/shared_limit.h"
-#include "adapters/occt/faces/area.h"
 #include "adapters/occt/solids/contact_scale.h"
+#include "adapters/occt/solids/sheet_split.h"
 #include "adapters/occt/solids/solid_pieces.h"
 #include "adapters/occt/solids/solid_shells.h"
 #include "adapters/occt/splitting/common_edges.h"
@@ -46,37 +46,29 @@ struct Chosen {
   }
 };
 
-// The cones under a solid's faces.
-std::vector<double> cones_of(const TrimTool& solid, const Vec3& apex, const WorkLimit& limit) {
-  std::vector<double> cones;
+// Under all faces of a solid.
+double volume_of(const TrimTool& solid, ConeVolumes& cones, const WorkLimit& limit) {
+  double volume = 0;
   for (const TopoDS_Face& face : solid.faces) {
     check_limit(&limit, kMeasuring);
-    cones.push_back(cone_volume(face, apex));
+    volume += cones.of(face);
   }
-  return cones;
-}
-
-double sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
+  return volume;
 }
 
 // What cannot be measured was not divided well: its wires may be open.
-double volume_of(const SolidPiece& piece, const Vec3& apex) try {
-  return cone_volume(piece.face, apex);
+double volume_of(const SolidPiece& piece, ConeVolumes& cones) try {
+  return cones.of(piece.face);
 } catch (const BadModel& error) {
   throw Failure("a piece of face " + std::to_string(piece.from + 1) + ": " + error.what());
 }
 
-std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, const TrimTool& solid,
-                               const std::vector<double>& cones, const Vec3& apex,
+std::vector<Measured> measured(const std::vector<SolidPiece>& pieces, ConeVolumes& cones,
                                const WorkLimit& limit) {
   std::vector<Measured> all;
   for (const SolidPiece& piece : pieces) {
     check_limit(&limit, kMeasuring);
-    const auto from = static_cast<std::size_t>(piece.from);
-    // Turned round, the face has a cone of the other sign.
-    const bool whole = piece.face.IsEqual(solid.faces[from]);
-    all.push_back({piece, whole ? cones[from] : volume_of(piece, apex)});
+    all.push_back({piece, volume_of(piece, cones)});
   }
   return all;
 }
@@ -125,13 +117,12 @@ void add_solids(const Chosen& chosen, const WorkLimit& limit, SolidTrimResult& r
 
 // Measures the results of pieces and makes the solids that are asked for.
 void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimTool& tool,
-                  SolidOperation operation, const WorkLimit& limit, SolidTrimResult& result) {
-  const Vec3 apex = cone_apex(part);
-  const std::vector<double> of_part = cones_of(part, apex, limit);
-  const std::vector<double> of_tool = cones_of(tool, apex, limit);
-  const Results made = results_of(measured(pieces.a, part, of_part, apex, limit),
-                                  measured(pieces.b, tool, of_tool, apex, limit));
-  const SolidVolumes volumes{sum(of_part), sum(of_tool), made.cut.volume(), made.common.volume(),
+                  SolidOperation operation, ConeVolumes& cones, const WorkLimit& limit,
+                  SolidTrimResult& result) {
+  const double of_part = volume_of(part, cones, limit), of_tool = volume_of(tool, cones, limit);
+  const Results made =
+      results_of(measured(pieces.a, cones, limit), measured(pieces.b, cones, limit));
+  const SolidVolumes volumes{of_part, of_tool, made.cut.volume(), made.common.volume(),
                              made.fuse.volume()};
   result.volumes.push_back(volumes);
   if (operation == SolidOperation::Cut || operation == SolidOperation::Split)
@@ -146,7 +137,7 @@ void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimToo
 
 // What is within the options' tolerance is one.
 SolidTrimResult combined_at(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                            const IntersectionOptions& options) {
+                            const IntersectionOptions& options, ConeVolumes& cones) {
   const WorkLimit limit(options);
   const SolidPieces pieces = solid_pieces(part, tool, options);
   SolidTrimResult result;
@@ -156,7 +147,10 @@ SolidTrimResult combined_at(const TrimTool& part, const TrimTool& tool, SolidOpe
   result.thin = pieces.thin;
   if (!result.obstacles.empty()) return result;
   try {
-    put_together(pieces, part, tool, operation, limit, result);
+    if (tool.is_solid())
+      put_together(pieces, part, tool, operation, cones, limit, result);
+    else
+      divide_by_sheet(pieces, part, cones, limit, result);
   } catch (const Failure& error) {
     result.obstacles.emplace_back(error.what());
     if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
@@ -180,16 +174,16 @@ double SolidVolumes::fuse_error() const {
 }
 
 SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                              const IntersectionOptions& options) {
+                              const IntersectionOptions& options, ConeVolumes& cones) {
   const SharedLimit limit(options);
-  SolidTrimResult result = combined_at(part, tool, operation, options);
+  SolidTrimResult result = combined_at(part, tool, operation, options, cones);
   if (result.obstacles.empty() || limit.is_reached()) return result;
   const double point = options.tolerances.point;
   IntersectionOptions scaled = limit.remaining();
   scaled.tolerances.point =
       contact_scale(contact_gaps(part, tool, kLiesReach * kLiesReach * point, limit), point);
   if (scaled.tolerances.point == point) return result;
-  SolidTrimResult other = combined_at(part, tool, operation, scaled);
+  SolidTrimResult other = combined_at(part, tool, operation, scaled, cones);
   if (!other.obstacles.empty()) return result;
   std::ostringstream text;
   text << "what is nearer to each other than " << scaled.tolerances.point << " counts as one";

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "adapters/occt/solid_trim.h"
+#include "adapters/occt/solids/cone_volumes.h"
 #include "core/math/vec.h"
 
 namespace blossom::occt {
@@ -19,12 +20,13 @@ Vec3 cone_apex(const TrimTool& part);
 /// Where the options' tolerance leads to obstacles, the two are combined once more at the scale of
 /// the gaps between them (contact_scale.h), which is told.
 ///
-/// part, tool   closed solids
+/// part, tool   closed solids; the tool may be a sheet, which splits whatever the operation is
+/// cones        under faces of both and of what is made of them
 /// returns      volumes of this step; faces as pieces of the part (`tool` is -1) and of the tool
 /// (0);
 ///              what stands against the result in `obstacles`, with Stopped if it is the time limit
 /// throws       BadModel if a face cannot be converted
 SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                              const IntersectionOptions& options);
+                              const IntersectionOptions& options, ConeVolumes& cones);
 
 }  // namespace blossom::occt

@@ -38,8 +38,10 @@ StagedInputs::StagedInputs(const TrimTool& part, const std::vector<TrimTool>& to
   contacts_.emplace(solids_, tolerance, limit);
   SolidPlaces all(solids_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  for (std::size_t input = 0; input < faces_.size(); ++input)
-    layers_.push_back(layers_of(all, static_cast<int>(input)));
+  layers_.push_back(layers_of(all, 0));
+  for (std::size_t i = 0; i < tools.size(); ++i)
+    layers_.push_back(tools[i].is_solid() ? layers_of(all, static_cast<int>(i) + 1)
+                                          : LabelledSolids{{tools[i], faces_[i + 1]}});
 }
 
 LabelledSolids StagedInputs::layers_of(const SolidPlaces& places, int input) {

@@ -11,7 +11,7 @@
 
 namespace blossom::occt {
 
-/// Solids that touch none of each other, with the origins of their faces.
+/// Solids that touch none of each other, or a sheet, with the origins of their faces.
 struct LabelledSolid {
   TrimTool solid;
   std::vector<SolidFace> faces;  ///< one for each of the solid's

@@ -96,17 +96,24 @@ void measure(std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces)
 // About an edge that many faces use, bodies and what is outside of them take turns.
 enum class Across { Body, Air };
 
+// Whether the next use is the other side of the same face: between the two is nothing.
+bool is_other_side(const EdgeUse& use, const EdgeUse& next,
+                   const std::vector<BoundingFace>& faces) {
+  return use.forward && !next.forward && faces[use.face].face.IsSame(faces[next.face].face);
+}
+
 // Sorts the uses about their edge: the body lies behind the faces, so from a reversed use on to the
 // next one, which is a forward one. Returns why that cannot be told.
 std::string sort_about(std::vector<EdgeUse>& uses, const std::vector<BoundingFace>& faces) {
   measure(uses, faces);
-  std::sort(uses.begin(), uses.end(),
-            [](const EdgeUse& a, const EdgeUse& b) { return a.angle < b.angle; });
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return a.angle < b.angle || (a.angle == b.angle && a.forward && !b.forward);
+  });
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const bool at_last = i + 1 == uses.size();
     const EdgeUse &use = uses[i], &next = uses[at_last ? 0 : i + 1];
     const double turn = next.angle - use.angle + (at_last ? 2 * std::numbers::pi : 0);
-    if (turn < kMinAngle || use.forward == next.forward)
+    if (use.forward == next.forward || (turn < kMinAngle && !is_other_side(use, next, faces)))
       return "faces that meet in one edge cannot be told apart";
   }
   return {};
@@ -162,11 +169,15 @@ Groups joined(std::size_t faces, const std::vector<std::vector<EdgeUse>>& edges,
   return groups;
 }
 
+Groups bodies_behind(std::size_t faces, const std::vector<std::vector<EdgeUse>>& edges) {
+  return joined(faces, edges, [](const auto&) { return Across::Body; });
+}
+
 // Bodies that meet in an edge only are apart. Where one body meets itself in an edge, the edge
 // joins what is outside of it instead: so a void that touches the skin round it is a shell of its
 // own.
 Groups connected(std::size_t faces, const std::vector<std::vector<EdgeUse>>& edges) {
-  const Groups bodies = joined(faces, edges, [](const auto&) { return Across::Body; });
+  const Groups bodies = bodies_behind(faces, edges);
   return joined(faces, edges, [&](const std::vector<EdgeUse>& uses) {
     const bool one = std::all_of(uses.begin(), uses.end(), [&](const EdgeUse& use) {
       return bodies[use.face] == bodies[uses.front().face];
@@ -249,6 +260,14 @@ std::size_t around(const Shell& hollow, const std::vector<Shell>& shells) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> bodies_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
+                                   const WorkLimit* limit) {
+  const UsedEdges edges = used_edges(faces, limit);
+  if (edges.obstacle.empty()) return bodies_behind(faces.size(), edges.uses);
+  obstacle = edges.obstacle;
+  return {};
+}
 
 std::vector<TopoDS_Solid> solids_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
                                     const WorkLimit* limit) {

@@ -19,6 +19,12 @@ struct BoundingFace {
   double volume = 0;  ///< cubic model units, signed
 };
 
+/// By face a number of the body behind it. Edges are as for `solids_of`; a face may be there twice,
+/// turned both ways, with a body on each side of it.
+/// obstacle, limit, throws   as `solids_of`; no numbers if there is an obstacle
+std::vector<std::size_t> bodies_of(const std::vector<BoundingFace>& faces, std::string& obstacle,
+                                   const WorkLimit* limit = nullptr);
+
 /// The solids that faces bound.
 ///
 /// Faces hang together over their edges, each of which has to be used as often in one direction as

@@ -96,13 +96,18 @@ using Models = std::vector<occt::Model>;
 void check_solid(const occt::TrimTool& input, const std::string& name) {
   if (input.is_solid()) return;
   throw UsageError(name + " is no closed solid: " + occt::describe_open_shell(input) +
-                   "; --solid takes closed solids, and planes by --plane; a sheet cuts faces with "
-                   "--keep");
+                   "; --solid takes closed solids, and planes by --plane; a sheet may be a tool of "
+                   "--solid split, or cut faces with --keep");
+}
+
+occt::TrimTool named_tool(const occt::Model& model, const std::string& name) {
+  occt::TrimTool tool = occt::trim_tool(model.shape());
+  tool.name = name;
+  return tool;
 }
 
 occt::TrimTool named_solid(const occt::Model& model, const std::string& name) {
-  occt::TrimTool tool = occt::trim_tool(model.shape());
-  tool.name = name;
+  occt::TrimTool tool = named_tool(model, name);
   check_solid(tool, name);
   return tool;
 }
@@ -113,7 +118,8 @@ TimedSolids timed_trim(const SolidTrim& options, const occt::Model& part, const 
   const occt::TrimTool solid = named_solid(part, options.part);
   std::vector<occt::TrimTool> others;
   for (std::size_t i = 0; i < options.tools.size(); ++i)
-    others.push_back(named_solid(tools[i], options.tools[i]));
+    others.push_back(options.operation == "split" ? named_tool(tools[i], options.tools[i])
+                                                  : named_solid(tools[i], options.tools[i]));
   for (std::size_t i = 0; i < options.planes.size(); ++i)
     others.push_back(
         occt::half_space_tool(options.planes[i], part.shape(), reports::plane_name(i)));
