@@ -35,6 +35,7 @@ class CancelledWork : public std::runtime_error {
 /// What a caller says of the way a question is answered; each has what it needs of it.
 struct Control {
   IntersectionOptions engine{};
+  int nice = 0;  ///< how far the work gives way to the caller, see workers.h
   std::shared_ptr<Cancel> cancel{};
   pybind11::object progress = pybind11::none();  ///< called with the seconds since the start
 };
@@ -76,7 +77,7 @@ template <class Work>
 auto interruptible(const Control& control, Work&& work) {
   constexpr std::chrono::milliseconds kPause{20};
   Watch watch(control);
-  auto answer = start_in_worker([&] { return work(watch); });
+  auto answer = start_in_worker([&] { return work(watch); }, control.nice);
   bool interrupted = false;
   {
     const pybind11::gil_scoped_release released;

@@ -35,8 +35,8 @@ namespace blossom::python {
 namespace {
 
 Control control_of(double tolerance, const std::string& form, double time_limit,
-                   std::optional<long> budget, int threads, std::shared_ptr<Cancel> cancel,
-                   py::object progress) {
+                   std::optional<long> budget, int threads, int nice,
+                   std::shared_ptr<Cancel> cancel, py::object progress) {
   static const std::map<std::string, CellForm> forms = {
       {"auto", CellForm::Auto}, {"bezier", CellForm::Bezier}, {"monomial", CellForm::Monomial}};
   Control control;
@@ -45,6 +45,7 @@ Control control_of(double tolerance, const std::string& form, double time_limit,
   control.engine.time_limit = time_limit;
   if (budget) control.engine.budget = *budget;
   control.engine.threads = threads;
+  control.nice = nice;
   control.cancel = std::move(cancel);
   control.progress = std::move(progress);
   return control;
@@ -135,7 +136,7 @@ void add_control(py::module_& module) {
       .def_property_readonly("cancelled", [](const Cancel& c) { return c.asked.load(); });
   py::class_<Control>(module, "Control")
       .def(py::init(&control_of), arg("tolerance"), arg("form"), arg("time_limit"), arg("budget"),
-           arg("threads"), arg("cancel"), arg("progress"));
+           arg("threads"), arg("nice"), arg("cancel"), arg("progress"));
 }
 
 void add_model(py::module_& module) {

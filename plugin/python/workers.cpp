@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "plugin/python/workers.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <map>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include <oneapi/tbb/task_scheduler_observer.h>
 
 #if defined(__unix__)
 #include <pthread.h>
@@ -33,6 +36,8 @@ Pool& pool() {
   return *the_pool;
 }
 
+constexpr int kLastPriority = 19;  // of Linux; larger ones come later
+
 // Of the calling thread.
 int current_priority() {
 #if defined(__linux__)
@@ -41,6 +46,26 @@ int current_priority() {
   return 0;
 #endif
 }
+
+// For the calling thread, if it has a higher one, and those that it makes. A system that has no
+// such thing runs as it does.
+void give_way([[maybe_unused]] int priority) {
+#if defined(__linux__)
+  if (priority > current_priority()) ::setpriority(PRIO_PROCESS, 0, priority);
+#endif
+}
+
+// Threads that help the one that made it give way as it does. They may be older: Open CASCADE has
+// them from the same pool, to show shapes. (They stay like that, as all that have given way.)
+class Helpers : public oneapi::tbb::task_scheduler_observer {
+ public:
+  explicit Helpers(int priority) : priority_(priority) { observe(true); }
+  ~Helpers() override { observe(false); }
+  void on_scheduler_entry(bool) override { give_way(priority_); }
+
+ private:
+  const int priority_;
+};
 
 // Only the thread that forks goes on in the child.
 void forget_workers_in_children() {
@@ -54,6 +79,8 @@ void forget_workers_in_children() {
 }
 
 void serve(Worker* worker) {
+  give_way(worker->priority);
+  const Helpers helpers(worker->priority);
   while (true) {
     std::function<void()> task;
     {
@@ -79,10 +106,10 @@ Worker* waiting_worker(int priority) {
 
 }  // namespace
 
-void run_in_worker(std::function<void()> task) {
+void run_in_worker(std::function<void()> task, int nice) {
   static std::once_flag once;
   std::call_once(once, forget_workers_in_children);
-  const int priority = current_priority();
+  const int priority = std::min(current_priority() + nice, kLastPriority);
   Worker* worker = waiting_worker(priority);
   if (worker == nullptr) {
     worker = new Worker{.priority = priority};

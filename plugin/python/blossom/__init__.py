@@ -23,6 +23,8 @@ Every question takes these options:
     time_limit   seconds before giving up with the status "stopped"; 0 is no limit
     budget       pairs of cells examined before giving up; None is the engine's own
     threads      how many may work at the same time; 0 is one a core
+    nice         0 to 19: how far the work gives way to the calling thread, as to that of a window;
+                 0 is not at all (Linux)
     form         "auto", "bezier" or "monomial": what the nets of cells are made from
     cancel       a `Cancel`; its cancel(), from any thread, ends the work with `Cancelled`
     progress     a function that is called with the seconds since the start, some 50 times a

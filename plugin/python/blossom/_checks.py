@@ -339,7 +339,10 @@ def edge_wish(question: str, chosen: Any, between: Any) -> EdgeWish:
     return listed, word_of, pair
 
 
-_KNOWN_OPTIONS = ("tolerance", "form", "time_limit", "budget", "threads", "cancel", "progress")
+_KNOWN_OPTIONS = (
+    "tolerance", "form", "time_limit", "budget", "threads", "nice", "cancel", "progress",
+)  # fmt: skip
+_MOST_NICE = 19  # of the system's priorities
 
 Progress = Callable[[float], object]
 
@@ -362,6 +365,14 @@ def control(options: Dict[str, Any]) -> _core.Control:
         time_limit=not_negative(options.get("time_limit", 0), "time_limit"),
         budget=None if budget is None else whole(budget, "budget", 1),
         threads=whole(options.get("threads", 0), "threads", 0),
+        nice=_niceness(options.get("nice", 0)),
         cancel=cancel,
         progress=progress,
     )
+
+
+def _niceness(value: Any) -> int:
+    made = whole(value, "nice", 0)
+    if made > _MOST_NICE:
+        raise ValueError(f"nice: {made} is more than {_MOST_NICE}")
+    return made

@@ -28,6 +28,7 @@ class Control:
         time_limit: float,
         budget: Optional[int],
         threads: int,
+        nice: int,
         cancel: Optional[Cancel],
         progress: Optional[Callable[[float], object]],
     ) -> None: ...

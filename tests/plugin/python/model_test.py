@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A model that stays loaded: known figures, and the reports of the command line."""
 
+import os
 import pickle
+import sys
 import tempfile
 import threading
 import unittest
@@ -302,6 +304,24 @@ class Ending(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "enough"):
             blossom.intersect(*HARD, time_limit=60, progress=progress, **HARD_OPTIONS)
         self.assertEqual(told, sorted(told))
+
+    @unittest.skipUnless(sys.platform == "linux", "only there threads have priorities")
+    def test_work_gives_way_and_its_caller_does_not(self):
+        """That would keep Python's lock from others for as long as it waits for its turn."""
+        own = os.getpriority(os.PRIO_PROCESS, threading.get_native_id())
+        seen = set()
+
+        def progress(seconds):
+            threads = (int(each) for each in os.listdir("/proc/self/task"))
+            seen.update(os.getpriority(os.PRIO_PROCESS, each) for each in threads)
+            raise KeyError("enough")
+
+        with self.assertRaisesRegex(KeyError, "enough"):
+            blossom.intersect(*HARD, time_limit=60, nice=7, progress=progress, **HARD_OPTIONS)
+        self.assertIn(own + 7, seen)
+        self.assertEqual(os.getpriority(os.PRIO_PROCESS, threading.get_native_id()), own)
+        with self.assertRaisesRegex(ValueError, "^nice: 20 is more than 19$"):
+            blossom.intersect(FLOOR, WALL, nice=20)
 
     def test_two_threads_may_ask_one_model(self):
         model, lengths = blossom.read(BLOCK), []

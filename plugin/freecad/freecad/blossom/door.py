@@ -24,6 +24,16 @@ Answer = collections.namedtuple("Answer", "shape report")
 Choice = collections.namedtuple("Choice", "kind reason program")
 
 
+LATER = 10  # how far work is behind the window, in the system's priorities
+
+
+def niceness():
+    """How far work gives way to this process's other threads: a window's goes before it. Only the
+    engine's own threads do. One that gave way while it has Python's lock would keep the window
+    waiting for as long as other programs keep it waiting."""
+    return LATER if FreeCAD.GuiUp else 0
+
+
 class NoEngine(RuntimeError):
     """Neither the package nor the program `blossom` can be used."""
 

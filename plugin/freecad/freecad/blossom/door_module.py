@@ -7,7 +7,7 @@ import tempfile
 import blossom
 import Mesh
 
-from .door import Answer
+from .door import Answer, niceness
 from .mesh import with_segments
 
 
@@ -19,6 +19,7 @@ class ModuleDoor:
 
     def __init__(self):
         self._cancel = blossom.Cancel()
+        self._way = {"cancel": self._cancel, "nice": niceness()}
 
     def cancel(self):
         self._cancel.cancel()
@@ -28,10 +29,10 @@ class ModuleDoor:
         return blossom.shape(shape, name)
 
     def intersect(self, a, b, **options):
-        return self._answer(a.intersect(b, **self._with_cancel(options)))
+        return self._answer(a.intersect(b, **options, **self._way))
 
     def sections(self, part, planes, **options):
-        made = part.sections(planes, **self._with_cancel(options))
+        made = part.sections(planes, **options, **self._way)
         return self._answer(
             made,
             lambda report: any(
@@ -43,56 +44,53 @@ class ModuleDoor:
 
     def draw_sections(self, part, planes, file, **options):
         """Writes a drawing, .dxf or .svg."""
-        part.sections(planes, **self._with_cancel(options)).write(file, cancel=self._cancel)
+        part.sections(planes, **options, **self._way).write(file, **self._way)
 
     def trim(self, part, tools, keep, **options):
-        made = part.trim(*tools, keep=keep, **self._with_cancel(options))
+        made = part.trim(*tools, keep=keep, **options, **self._way)
         return self._answer(made, lambda report: any(each["kept"] for each in report["pieces"]))
 
     def solid(self, operation, part, tools, **options):
-        made = part.solid(operation, *tools, **self._with_cancel(options))
+        made = part.solid(operation, *tools, **options, **self._way)
         return self._answer(made, lambda report: report["solids"])
 
     def check(self, part):
-        return Answer(None, part.check(cancel=self._cancel).to_dict(samples=False))
+        return Answer(None, part.check(**self._way).to_dict(samples=False))
 
     def strip(self, a, b, edge_a, edge_b, continuity, weight_a, weight_b):
         return self._answer(
             blossom.blend_strip(
-                a, b, edge_a, edge_b, continuity, weight_a, weight_b, cancel=self._cancel
+                a, b, edge_a, edge_b, continuity, weight_a, weight_b, **self._way
             )
         )
 
     def fillet(self, part, edges, **options):
-        made = part.fillet(edges, **self._with_cancel(options))
+        made = part.fillet(edges, **options, **self._way)
         return self._answer(made, lambda report: report["edges"])
 
     def chamfer(self, part, edges, **options):
-        made = part.chamfer(edges, **self._with_cancel(options))
+        made = part.chamfer(edges, **options, **self._way)
         return self._answer(made, lambda report: report["edges"])
 
     def clash(self, a, b, clearance, **options):
-        found = a.clash(b, clearance=clearance, **self._with_cancel(options))
+        found = a.clash(b, clearance=clearance, **options, **self._way)
         return self._answer(found, lambda report: any("common" in each for each in report["pairs"]))
 
     def mesh(self, part, **options):
-        made = part.mesh(**self._with_cancel(options))
+        made = part.mesh(**options, **self._way)
         groups = [(number, rows.start) for number, rows in made.groups.items()]
         with tempfile.TemporaryDirectory(prefix="blossom-") as folder:
             file = os.path.join(folder, "mesh.ply")  # which FreeCAD reads the fastest
-            made.write(file, cancel=self._cancel)
+            made.write(file, **self._way)
             triangles = Mesh.Mesh(file)
         return Answer(with_segments(triangles, groups), {**made.to_dict(samples=False), "groups": groups})
 
     def subdivide(self, part, rectangle, levels):
-        return self._answer(part.subdivide(rectangle, levels=levels, cancel=self._cancel))
+        return self._answer(part.subdivide(rectangle, levels=levels, **self._way))
 
     def fill(self, part, edges, continuity, sew, **options):
-        options = self._with_cancel(options)
-        return self._answer(part.fill(edges, continuity=continuity, sew=sew, **options))
-
-    def _with_cancel(self, options):
-        return {**options, "cancel": self._cancel}
+        made = part.fill(edges, continuity=continuity, sew=sew, **options, **self._way)
+        return self._answer(made)
 
     @staticmethod
     def _answer(result, has_shape=lambda report: True):

@@ -12,7 +12,7 @@ import tempfile
 import Mesh
 import Part
 
-from .door import Answer
+from .door import Answer, niceness
 from .mesh import with_segments
 
 # Exit codes of the program that come with an answer: complete, within tolerance, stopped, findings.
@@ -154,6 +154,7 @@ class ProgramDoor:
         with subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors
         ) as process:
+            _give_way(process)
             while True:
                 try:
                     return process.wait(PAUSE)
@@ -162,6 +163,14 @@ class ProgramDoor:
                         process.terminate()
                         process.wait()
                         raise Cancelled("the work was cancelled") from None
+
+
+def _give_way(process):
+    """(Where a system has priorities; it is no harm if that is not to be had.)"""
+    try:
+        os.setpriority(os.PRIO_PROCESS, process.pid, os.getpriority(os.PRIO_PROCESS, 0) + niceness())
+    except (AttributeError, OSError):
+        pass
 
 
 def _groups_of(file):

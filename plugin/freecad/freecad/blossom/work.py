@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Questions in threads of their own, so that the window goes on answering."""
 
-import os
 import threading
 
 import FreeCAD
 
-LATER = 10  # niceness of work beside a window
 PAUSE = 0.02  # seconds between looks at the work
 
 
@@ -21,8 +19,6 @@ class Job(threading.Thread):
         self._error = None
 
     def run(self):
-        if FreeCAD.GuiUp:
-            _give_way()
         try:
             self._answer = self._ask(self._door)
         except BaseException as error:  # noqa: B902 - it is raised again by answer()
@@ -44,15 +40,6 @@ class Job(threading.Thread):
         if self._error is not None:
             raise self._error
         return self._answer
-
-
-def _give_way():
-    """The window's thread goes before this one and those that it starts. (On Linux, where a thread
-    has a priority of its own; it is no harm if that is not to be had.)"""
-    try:
-        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), LATER)
-    except (AttributeError, OSError):
-        pass
 
 
 def answer_of(job, text):
