@@ -63,8 +63,8 @@ class Clash(Result):
 
     @property
     def pairs(self) -> List[ClashPair]:
-        told = self._told()
-        return [_pair(pair, told["parts"]) for pair in told["pairs"]]
+        parts = self._told()["parts"]
+        return self._once("pairs", lambda: [_pair(each, parts) for each in self._told()["pairs"]])
 
     @property
     def findings(self) -> List[ClashPair]:

@@ -68,10 +68,7 @@ class NetResult(Result):
 
     @property
     def nets(self) -> List[Net]:
-        known: Optional[List[Net]] = self.__dict__.get("_known")
-        if known is None:
-            known = self.__dict__["_known"] = [Net.of(each) for each in self._made()["nets"]]
-        return known
+        return self._once("nets", lambda: [Net.of(each) for each in self._made()["nets"]])
 
     @property
     def status(self) -> str:
@@ -136,7 +133,9 @@ class Whole(Result):
 
     @property
     def splines(self) -> List[Spline]:
-        return [Spline.of(each) for each in self._told()["splines"]]
+        return self._once(
+            "splines", lambda: [Spline.of(each) for each in self._told()["splines"]]
+        )
 
     @property
     def status(self) -> str:

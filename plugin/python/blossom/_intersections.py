@@ -4,38 +4,24 @@
 from dataclasses import dataclass
 from typing import Any, Dict, List, Optional, Tuple
 
-from ._results import Array, Indices, Record, Result
+from ._results import Array, FoundCurve, Record, Result
 
 
 @dataclass(eq=False, repr=False)
-class Curve(Record):
+class Curve(FoundCurve):
     """A curve, from border or node to border or node, or closed.
 
-    points, uv_a, uv_b   samples in order with their parameters: (n, 3), (n, 2), (n, 2)
-    degree, poles, weights, knots, multiplicities
-                         the B-spline in space; weights are None where all are 1
-    conic                a dict if it is a line or a conic, as in the report
-    deviation            bounds on distances: "a", "b" from the faces, "between" both images
-    face_a, face_b       numbers from 1 on
+    uv_a, uv_b       parameters of `points`, (n, 2) each
+    deviation        bounds on distances: "a", "b" from the faces, "between" both images
+    face_a, face_b   numbers from 1 on
     """
 
-    points: Array
     uv_a: Array
     uv_b: Array
-    closed: bool
-    tangential: bool
-    length: float
     least_angle: float
     deviation: Dict[str, float]
-    deviation_proven: bool
     face_a: int
     face_b: int
-    conic: Optional[Dict[str, Any]]
-    degree: int
-    poles: Array
-    weights: Optional[Array]
-    knots: Array
-    multiplicities: Indices
 
 
 @dataclass(eq=False, repr=False)
@@ -91,10 +77,7 @@ class Intersection(Result):
     """All intersections of two models; a list of curves."""
 
     def _parts(self, name: str, record: Any) -> List[Any]:
-        known: Dict[str, List[Any]] = self.__dict__.setdefault("_known", {})
-        if name not in known:
-            known[name] = [record(**each) for each in self._made()[name]]
-        return known[name]
+        return self._once(name, lambda: [record(**each) for each in self._made()[name]])
 
     @property
     def status(self) -> str:

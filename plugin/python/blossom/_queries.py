@@ -6,7 +6,7 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from ._results import Array, Record, Result, counted
+from ._results import Array, Record, Report, Result, counted
 
 
 @dataclass(eq=False, repr=False)
@@ -25,16 +25,17 @@ class Hit(Record):
     status: str
 
 
+def _hit(told: Report) -> Hit:
+    arrays = ("point", "uv", "normal")
+    return Hit(**{k: np.array(v, float) if k in arrays else v for k, v in told.items()})
+
+
 class RayHits(Result):
     """What a ray hits, in order; a list of hits."""
 
     @property
     def hits(self) -> List[Hit]:
-        arrays = ("point", "uv", "normal")
-        return [
-            Hit(**{k: np.array(v, float) if k in arrays else v for k, v in hit.items()})
-            for hit in self._told()["hits"]
-        ]
+        return self._once("hits", lambda: [_hit(told) for told in self._told()["hits"]])
 
     def _items(self) -> List[Any]:
         return self.hits

@@ -3,8 +3,8 @@
 
 import copy
 import os
-from dataclasses import fields
-from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
+from dataclasses import dataclass, fields
+from typing import Any, Callable, Dict, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,13 +69,12 @@ class MadeShape:
 class Result(MadeShape):
     """An answer. `to_dict()` is the report of the command line, `blossom ... --json`."""
 
-    _words: Tuple[str, ...] = ()
-
     def __init__(self, answer: _core.Answer) -> None:
         self._answer: Optional[_core.Answer] = answer
         self._report: Optional[Report] = None
         self._records: Optional[Dict[str, Any]] = None
         self._model: Optional[_core.Model] = None
+        self._lists: Dict[str, List[Any]] = {}
 
     def _told(self) -> Report:
         if self._report is None:
@@ -88,6 +87,12 @@ class Result(MadeShape):
             assert self._answer is not None
             self._records = self._answer.records()
         return self._records
+
+    def _once(self, name: str, make: Callable[[], List[Any]]) -> List[Any]:
+        """A list that is made when it is first asked for."""
+        if name not in self._lists:
+            self._lists[name] = make()
+        return self._lists[name]
 
     def _model_or_none(self) -> Optional[_core.Model]:
         if self._model is None and self._answer is not None:
@@ -133,6 +138,7 @@ class Result(MadeShape):
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self._answer = None
+        self._lists = {}
         self._report = state["report"]
         self._records = state["records"]
         brep = state["brep"]
@@ -203,3 +209,26 @@ class Record:
                 else f"{field.name}={value!r}"
             )
         return f"{type(self).__name__}({', '.join(told)})"
+
+
+@dataclass(eq=False, repr=False)
+class FoundCurve(Record):
+    """A curve that was found.
+
+    points            samples in order, (n, 3)
+    conic             a dict if it is a line or a conic, as in the report
+    degree, poles, weights, knots, multiplicities
+                      the curve as a B-spline; weights are None where all are 1
+    """
+
+    points: Array
+    closed: bool
+    tangential: bool
+    length: float
+    conic: Optional[Dict[str, Any]]
+    deviation_proven: bool
+    degree: int
+    poles: Array
+    weights: Optional[Array]
+    knots: Array
+    multiplicities: Indices

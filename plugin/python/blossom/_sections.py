@@ -8,34 +8,21 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _checks, _core
-from ._results import Array, Indices, Record, Report, Result, counted
+from ._results import Array, FoundCurve, Record, Report, Result, counted
 
 
 @dataclass(eq=False, repr=False)
-class SectionCurve(Record):
+class SectionCurve(FoundCurve):
     """A curve of a section.
 
-    points            samples in order, (n, 3)
-    degree, poles, weights, knots, multiplicities
-                      the curve as a B-spline; weights are None where all are 1
-    on                what it lies on: {"kind": "face", "number": 3}, or an edge in the plane
-    nodes             places in the section's nodes; -1 of a loop
+    on          what it lies on: {"kind": "face", "number": 3}, or an edge in the plane
+    nodes       places in the section's nodes; -1 of a loop
+    deviation   a bound on its distance from the face and the plane
     """
 
-    points: Array
     on: Dict[str, Any]
     nodes: List[int]
-    closed: bool
-    tangential: bool
-    length: float
-    conic: Optional[Dict[str, Any]]
     deviation: float
-    deviation_proven: bool
-    degree: int
-    poles: Array
-    weights: Optional[Array]
-    knots: Array
-    multiplicities: Indices
 
 
 @dataclass(eq=False, repr=False)
@@ -97,11 +84,11 @@ class Section(Drawable):
 
     @property
     def curves(self) -> List[SectionCurve]:
-        return _curves(self._told(), self._made()["splines"])
+        return self._once("curves", lambda: _curves(self._told(), self._made()["splines"]))
 
     @property
     def wires(self) -> List[Wire]:
-        return _wires(self._told())
+        return self._once("wires", lambda: _wires(self._told()))
 
     @property
     def points(self) -> Array:
@@ -173,6 +160,9 @@ class Sections(Drawable):
 
     @property
     def planes(self) -> List[PlaneSection]:
+        return self._once("planes", self._all_planes)
+
+    def _all_planes(self) -> List[PlaneSection]:
         splines = iter(self._made()["splines"])
         planes = []
         for plane in self._told()["planes"]:

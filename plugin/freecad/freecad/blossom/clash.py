@@ -87,9 +87,10 @@ class Clash(Feature):
     def shape(self, obj, answer, inputs):
         if obj.Show == PARTS:
             return Part.makeCompound([solid for each in inputs.values() for solid in each.Solids])
-        if answer.shape is None:
-            raise RuntimeError("Show: no parts have a common body")
-        return answer.shape
+        return super().shape(obj, answer, inputs)
+
+    def nothing(self, obj):
+        return "Show: no parts have a common body"
 
     def colours(self, obj):
         solids = obj.Shape.Solids

@@ -107,9 +107,13 @@ class Feature:
 
     def shape(self, obj, answer, inputs):
         """The object's shape. throws RuntimeError if there is none"""
-        if answer.shape is None:
-            raise RuntimeError("there is no result")
+        if answer.shape is None or answer.shape.isNull():
+            raise RuntimeError(self.nothing(obj))
         return answer.shape
+
+    def nothing(self, obj):
+        """Why there is no shape."""
+        return "there is no result"
 
     def give(self, obj, answer, inputs):
         """Gives the object what was made. throws RuntimeError as `shape`"""

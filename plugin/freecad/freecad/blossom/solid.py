@@ -48,8 +48,9 @@ class Solid(Feature):
         }
 
     def shape(self, obj, answer, inputs):
-        if answer.report["obstacles"]:
-            raise RuntimeError(answer.report["obstacles"][0])
-        if answer.shape is None or answer.shape.isNull():
-            raise RuntimeError(f"the result of {obj.Operation} is empty")
-        return answer.shape
+        if obj.Obstacles:  # what there is cannot be used
+            raise RuntimeError(self.nothing(obj))
+        return super().shape(obj, answer, inputs)
+
+    def nothing(self, obj):
+        return obj.Obstacles[0] if obj.Obstacles else f"the result of {obj.Operation} is empty"

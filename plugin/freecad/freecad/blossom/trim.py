@@ -67,10 +67,12 @@ class Trim(Feature):
         }
 
     def shape(self, obj, answer, inputs):
-        if answer.shape is None or answer.shape.isNull():
-            raise RuntimeError(f"Keep: nothing is {obj.Keep}")
-        obj.Area = answer.shape.Area
-        return answer.shape
+        kept = super().shape(obj, answer, inputs)
+        obj.Area = kept.Area
+        return kept
+
+    def nothing(self, obj):
+        return f"Keep: nothing is {obj.Keep}"
 
     def colours(self, obj):
         if obj.Keep != "all":
