@@ -19,9 +19,14 @@ namespace {
 
 // The volume of what a pair has in common; else a proven bound on how far it is apart.
 std::string figure_of(const reports::ClashRow& row) {
-  if (row.clash == nullptr) return tcl_number(row.lower);
   if (row.clash->common) return tcl_number(row.clash->common->volume);
   return tcl_number(row.clash->measured ? row.clash->upper : row.clash->lower);
+}
+
+// What is far apart is most of a large assembly, so it is only counted.
+bool is_listed(const reports::ClashRow& row, double clearance) {
+  return row.clash != nullptr &&
+         (row.clash->relation != occt::Relation::Disjoint || reports::is_finding(row, clearance));
 }
 
 std::string clash_answer(const Words& words) {
@@ -39,15 +44,18 @@ std::string clash_answer(const Words& words) {
   found.found = occt::clashes_of(shapes, {.clearance = clearance});
 
   std::string list;
+  std::size_t listed = 0;
   std::vector<TopoDS_Solid> common;
-  for (const reports::ClashRow& row : reports::rows_of(found, reports::ClashRows::All)) {
+  for (const reports::ClashRow& row : reports::rows_of(found, reports::ClashRows::Near)) {
+    if (!is_listed(row, clearance)) continue;
+    ++listed;
     list += (list.empty() ? "{" : " {") + words[row.a + 2] + " " + words[row.b + 2] + " " +
             reports::clash_word(row) + " " + figure_of(row) + "}";
-    if (row.clash != nullptr && row.clash->common)
+    if (row.clash->common)
       for (const TopoDS_Solid& solid : row.clash->common->solids) common.push_back(solid);
   }
   if (!common.empty()) DBRep::Set(words[0].c_str(), occt::compound_of(common));
-  return list;
+  return "pairs {" + list + "} clear " + std::to_string(reports::pair_count(found) - listed);
 }
 
 int blclash(Draw_Interpretor& interpreter, int count, const char** words) {
@@ -60,10 +68,12 @@ void add_blclash(Draw_Interpretor& interpreter) {
   interpreter.Add(
       "blclash",
       "blclash result clearance part part [part ...]"
-      "\n\t\t: how parts, closed solids or faces, lie to each other. Distances up to the clearance"
-      "\n\t\t: are measured. The answer is a list for each pair: the parts, penetrates, contained,"
-      "\n\t\t: equal, touches, clear or unknown, and the volume that they have in common, or"
-      "\n\t\t: the distance; result is what they have in common.",
+      "\n\t\t: how parts, closed solids or faces, lie to each other. The answer is a Tcl "
+      "dictionary:"
+      "\n\t\t: pairs that meet, or are nearer than the clearance, each a list of the parts, of"
+      "\n\t\t: penetrates, contained, equal, touches, clear or unknown, and of the volume that"
+      "\n\t\t: they have in common, or the distance; and the number of pairs that are clear of each"
+      "\n\t\t: other by more. result is what parts have in common.",
       "plugin/draw/commands/blclash.cpp", blclash, kGroup);
 }
 
