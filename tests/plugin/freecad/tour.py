@@ -48,6 +48,7 @@ def intersection():
     look(document, 0.6)  # containers have an origin with long axes
     yield SETTLED
     claim("the panel says that nothing is missing", "complete" in said())
+    claim("and lengths with their unit", " mm" in said().split("Length")[1].split("Deviation")[0])
     picture("intersection")
     press("Ok")
     curves = document.Objects[-1]
@@ -186,6 +187,7 @@ def chamfer():
     select(document, ("Block", "Face6"))
     FreeCADGui.runCommand("Blossom_Chamfer")
     yield found
+    claim("what does not count is grey", not widget(QtWidgets.QWidget, "BlossomAngle").isEnabled())
     widget(QtWidgets.QComboBox, "BlossomSize").setCurrentText("distance and angle")
     widget(QtWidgets.QWidget, "BlossomDistance").setProperty("rawValue", 4)
     widget(QtWidgets.QWidget, "BlossomAngle").setProperty("rawValue", 30)

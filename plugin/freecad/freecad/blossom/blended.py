@@ -20,7 +20,7 @@ def facts_of(done, doing):
     return (
         Fact("Status", "word", "complete, or stopped"),
         Fact(done, "counts", f"The numbers of the edges that are {doing}"),
-        Fact("Volume", "number", "Afterwards, cubic mm"),
+        Fact("Volume", "volume", "Afterwards, cubic mm"),
         Fact("Refused", "words", f"Edges that cannot be {doing}, and why"),
         Fact("Notes", "words", "How strips end, where that is not what one would think"),
     )

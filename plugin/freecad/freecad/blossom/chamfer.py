@@ -26,6 +26,9 @@ class Chamfer(EdgeBlend):
     )  # fmt: skip
     FACTS = facts_of("CutOff", "cut off")
 
+    def unused(self, obj):
+        return {EQUAL: {"SecondDistance", "Angle"}, TWO: {"Angle"}, ANGLE: {"SecondDistance"}}[obj.Size]
+
     def size(self, obj):
         first = positive(obj.Distance, "Distance")
         if obj.Size == TWO:

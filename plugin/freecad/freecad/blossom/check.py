@@ -20,8 +20,8 @@ class Check(Feature):
     FACTS = (
         Fact("Verdict", "word", "sound or not sound"),
         Fact("Problems", "words", "Each with the face or edge that has it"),
-        Fact("Gap", "number", "The largest between curves and surfaces, mm"),
-        Fact("StatedTolerance", "number", "The largest of edges and vertices, mm"),
+        Fact("Gap", "length", "The largest between curves and surfaces, mm"),
+        Fact("StatedTolerance", "length", "The largest of edges and vertices, mm"),
         Fact("OpenEdges", "count", "Edges of one face only"),
         Fact("Grades", "counts", "Of each face: 0 sound, 1 beside a faulty edge, 2 faulty"),
     )

@@ -36,7 +36,7 @@ class Clash(Feature):
         Fact("Clashes", "count", "Pairs that have an inside in common"),
         Fact("Touching", "count", "Pairs that touch"),
         Fact("TooNear", "count", "Pairs that are nearer than the clearance, and clear"),
-        Fact("Volume", "number", "Of all that pairs have in common, cubic mm"),
+        Fact("Volume", "volume", "Of all that pairs have in common, cubic mm"),
         Fact("Pairs", "words", "Each pair that was looked at, as a line"),
         Fact("Solids", "words", "What solids are called"),
         Fact("Grades", "counts", "Of each solid: 0 clear, 1 too near, 2 touches, 3 clashes"),

@@ -17,7 +17,8 @@ Link = collections.namedtuple("Link", "name label tip")
 # A choice of the user's. kind: "length", "distance", "angle", "number", "count", "flag", "word",
 # "vector", "points". of: its words, or its least and largest number.
 Choice = collections.namedtuple("Choice", "name kind default label tip of", defaults=(None,))
-# A fact of the answer. kind: "word", "count", "number", "words", "flag".
+# A fact of the answer. kind: "word", "words", "count", "counts", or a number: "length", "area",
+# "volume", "angle".
 Fact = collections.namedtuple("Fact", "name kind tip")
 
 TOLERANCE = Choice(
@@ -38,7 +39,10 @@ _TYPES = {
 _FACT_TYPES = {
     "word": "App::PropertyString",
     "count": "App::PropertyInteger",
-    "number": "App::PropertyFloat",
+    "length": "App::PropertyFloat",
+    "area": "App::PropertyFloat",
+    "volume": "App::PropertyFloat",
+    "angle": "App::PropertyFloat",
     "words": "App::PropertyStringList",
     "counts": "App::PropertyIntegerList",
 }
@@ -96,8 +100,12 @@ class Feature:
         """The answer. In a thread of its own: it must not touch the document."""
         raise NotImplementedError
 
+    def unused(self, obj):
+        """Names of choices that do not count, as others are."""
+        return set()
+
     def facts(self, report):
-        """The values of FACTS."""
+        """The values of FACTS: in millimetres, or radians."""
         return {}
 
     @classmethod

@@ -24,8 +24,8 @@ class Fill(Feature):
         Fact("Holes", "count", "How many holes are filled"),
         Fact("Patches", "count", "With how many faces"),
         Fact("Reached", "words", "The continuity of each hole"),
-        Fact("Gap", "number", "From neighbours, at most, mm"),
-        Fact("Angle", "number", "Between the normals, at most, radians"),
+        Fact("Gap", "length", "From neighbours, at most, mm"),
+        Fact("Angle", "angle", "Between the normals, at most, radians"),
         Fact("Refused", "words", "Holes that stay, and why"),
     )
 

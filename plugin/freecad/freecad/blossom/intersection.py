@@ -20,8 +20,8 @@ class Intersection(Feature):
         Fact("Curves", "count", "How many curves there are"),
         Fact("Points", "count", "How many points there are in which faces only touch"),
         Fact("Overlaps", "count", "How many common areas there are"),
-        Fact("Length", "number", "Of all curves, mm"),
-        Fact("Deviation", "number", "How far curves are from both faces at most, mm"),
+        Fact("Length", "length", "Of all curves, mm"),
+        Fact("Deviation", "length", "How far curves are from both faces at most, mm"),
         Fact("Reasons", "words", "What could not be decided"),
     )
 

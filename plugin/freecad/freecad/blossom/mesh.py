@@ -29,7 +29,7 @@ class Mesh(Feature):
     FACTS = (
         Fact("Triangles", "count", "How many there are"),
         Fact("Points", "count", "How many points they have"),
-        Fact("Within", "number", "How far faces and triangles are apart, at most, mm: proven"),
+        Fact("Within", "length", "How far faces and triangles are apart, at most, mm: proven"),
         Fact("Closed", "word", "yes: each edge has two faces, and none is left out"),
         Fact("Refused", "words", "Faces that are left out, and why"),
         Fact("FaceNumbers", "counts", "The faces that have triangles"),

@@ -65,6 +65,7 @@ class Panel:
                 self.fields[choice.name] = made
                 label = [] if choice.kind == "flag" else [choice.label]
                 rows.addRow(*label, made.widget)
+        self._enable_fields()
         self.extra = panel_parts.extra_of(self)
         if self.extra is not None:
             layout.addWidget(self.extra)
@@ -83,6 +84,7 @@ class Panel:
             return
         self._typed.add(name)
         self._write()
+        self._enable_fields()
         self.stop()
         self._delay.start()
 
@@ -207,6 +209,11 @@ class Panel:
             setattr(self.obj, box.link.name, box.members)
         for name in self._typed.intersection(self.fields):  # widgets round what nobody typed
             setattr(self.obj, name, self.fields[name].read())
+
+    def _enable_fields(self):
+        unused = self.feature.unused(self.obj)
+        for name, field in self.fields.items():
+            field.widget.setEnabled(name not in unused)
 
     def _hide_links(self):
         for box in self.links:

@@ -11,6 +11,7 @@ from . import check, clash, links, selection, trim
 
 _ROW = 18  # pixels of a line in lists
 _TABLE = 150  # pixels, at most
+_UNITS = {"length": "mm", "area": "mm²", "volume": "mm³", "angle": "rad"}  # of facts
 
 
 class LinkBox(QtGui.QGroupBox):
@@ -89,7 +90,7 @@ class StateBox(QtGui.QFrame):
         """The facts of the object in a table."""
         rows = []
         for fact in obj.Proxy.FACTS:
-            value = shown_fact(getattr(obj, fact.name))
+            value = shown_fact(getattr(obj, fact.name), _UNITS.get(fact.kind, ""))
             if value and fact.name not in obj.Proxy.TABLED:
                 rows.append((f"{spaced(fact.name)}&nbsp;&nbsp;", _escaped(value)))
         rows.append(("Time", f"{seconds:.2f} s"))
@@ -102,10 +103,10 @@ class StateBox(QtGui.QFrame):
         self.text.setText(text)
 
 
-def shown_fact(value, most=3):
+def shown_fact(value, unit="", most=3):
     """A fact in a few words; nothing of an empty list."""
     if isinstance(value, float):
-        return f"{value:.6g}"
+        return f"{value:.6g} {unit}".rstrip()
     if isinstance(value, (list, tuple)):
         more = f", ... {len(value)} in all" if len(value) > most else ""
         return ", ".join(str(each) for each in value[:most]) + more

@@ -32,7 +32,7 @@ class Section(Feature):
         Fact("Status", "word", "The weakest of all planes"),
         Fact("Wires", "count", "How many wires there are"),
         Fact("Closed", "count", "How many of them are closed"),
-        Fact("Length", "number", "Of all wires, mm"),
+        Fact("Length", "length", "Of all wires, mm"),
         Fact("WiresOfPlanes", "counts", "How many wires each plane makes"),
     )
 
@@ -49,6 +49,10 @@ class Section(Feature):
             "normal": tuple(normal),
             "tolerance": obj.Tolerance.Value,
         }
+
+    def unused(self, obj):
+        of_plane = {"Point", "Normal"} if obj.Plane else set()
+        return of_plane | ({"Spacing"} if obj.Count == 1 else set())
 
     def ask(self, entrance, inputs, options):
         planes = self.planes(options)

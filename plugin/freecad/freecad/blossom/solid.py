@@ -23,7 +23,7 @@ class Solid(Feature):
     FACTS = (
         Fact("Status", "word", "That of the intersection"),
         Fact("Solids", "count", "How many solids came out"),
-        Fact("Volume", "number", "Of what came out, cubic mm"),
+        Fact("Volume", "volume", "Of what came out, cubic mm"),
         Fact("Obstacles", "words", "Why there is no result"),
     )
 

@@ -30,8 +30,8 @@ class Strip(Feature):
     )  # fmt: skip
     FACTS = (
         Fact("Joined", "word", "The borders that were joined"),
-        Fact("Gap", "number", "From the faces, at most, mm"),
-        Fact("Angle", "number", "Between the normals, at most, radians"),
+        Fact("Gap", "length", "From the faces, at most, mm"),
+        Fact("Angle", "angle", "Between the normals, at most, radians"),
     )
 
     def inputs(self, obj):

@@ -28,7 +28,7 @@ class SubPatch(Feature):
     FACTS = (
         Fact("Pieces", "count", "How many faces there are"),
         Fact("Degrees", "words", "Of the pieces, along u and v"),
-        Fact("Deviation", "number", "How far they are from the face's surface, at most, mm"),
+        Fact("Deviation", "length", "How far they are from the face's surface, at most, mm"),
     )
 
     def inputs(self, obj):

@@ -36,7 +36,7 @@ class Trim(Feature):
     FACTS = (
         Fact("Status", "word", "That of the intersection"),
         Fact("Pieces", "count", "In how many pieces the faces fall"),
-        Fact("Area", "number", "Of what is kept, square mm"),
+        Fact("Area", "area", "Of what is kept, square mm"),
         Fact("Notes", "words", "What was left out, and why"),
     )
 
