@@ -296,9 +296,20 @@ def _some(listed: List[NamedPlane], name: str) -> List[NamedPlane]:
     return listed
 
 
+_OF_MODELS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
 _OF_TRIANGLES = (".stl", ".ply", ".obj", ".off", ".glb")
 _OF_DRAWINGS = (".dxf", ".svg")
 FACET_ANGLE = 0.5  # radians; FacetOptions in core/tessellation/facet_options.h
+
+
+def shape_file(value: Any, name: str) -> str:
+    """The name of a file that shapes are written to."""
+    file = path(value, name)
+    if is_of_drawings(file):
+        raise ValueError(f"{name}: {file} is a drawing, which sections are written to alone")
+    if not file.lower().endswith(_OF_MODELS + _OF_TRIANGLES):
+        raise ValueError(f"{name}: {file} ends with none of {' '.join(_OF_MODELS + _OF_TRIANGLES)}")
+    return file
 
 
 def is_of_triangles(file: str) -> bool:

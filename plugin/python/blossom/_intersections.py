@@ -4,7 +4,7 @@
 from dataclasses import dataclass
 from typing import Any, Dict, List, Optional, Tuple
 
-from ._results import Array, FoundCurve, Record, Result
+from ._results import Array, FoundCurve, Record, Result, counted
 
 
 @dataclass(eq=False, repr=False)
@@ -142,8 +142,8 @@ class Intersection(Result):
 
     def _summary(self) -> str:
         return (
-            f"{self.status}, {len(self.chains)} curves, {len(self.points)} points, "
-            f"{len(self.places)} places"
+            f"{self.status}, {counted(len(self.chains), 'curve')}, "
+            f"{counted(len(self.points), 'point')}, {counted(len(self.places), 'place')}"
         )
 
 

@@ -53,11 +53,9 @@ class MadeShape:
         deviation, angle, edge_length   of triangles, see `Model.mesh`
         text                            .stl, .ply and .off are not binary
         """
-        file, control = _checks.path(path, "path"), _checks.control(options)
+        file, control = _checks.shape_file(path, "path"), _checks.control(options)
         facets = _checks.facets(deviation, angle, edge_length)
         as_text = _checks.flag(text, "text")
-        if _checks.is_of_drawings(file):
-            raise ValueError(f"path: {file} is a drawing, which sections are written to alone")
         if _checks.is_of_triangles(file):
             _core.write_mesh(self._core_model(), *facets, file, as_text, control)
         elif as_text or any(each is not None for each in (deviation, angle, edge_length)):

@@ -222,6 +222,7 @@ def _written_by_breptools(tools: Any, shape: Any) -> bytes:
 def part_shape(model: _core.Model) -> Any:
     """A shape of FreeCAD's Part."""
     try:
+        importlib.import_module("FreeCAD")  # without it, Part ends the process
         part = importlib.import_module("Part")
     except ImportError as missing:
         raise _core.Error(f"to_part: FreeCAD's Part cannot be imported: {missing}") from missing

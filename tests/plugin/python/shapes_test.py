@@ -122,6 +122,17 @@ class Nets(unittest.TestCase):
 
 @unittest.skipIf(Part is None, NO_PART)
 class FreeCADShapes(unittest.TestCase):
+    def test_one_may_be_the_first_use_of_freecad(self):
+        """Part ends the process if FreeCAD itself was not imported before it."""
+        lines = f"""if True:
+            import sys
+            sys.path = {sys.path!r}
+            import blossom
+            print(blossom.surface([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]).to_part().Area)
+        """
+        said = subprocess.run([sys.executable, "-c", lines], capture_output=True, text=True)
+        self.assertEqual((said.returncode, said.stdout[:4]), (0, "1.28"), said.stderr)
+
     def test_they_come_and_go_without_a_copy(self):
         if not _shapes._has_bridge(Part):
             self.skipTest("there is no bridge")
