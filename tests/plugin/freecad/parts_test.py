@@ -10,7 +10,7 @@ import Part
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from claims import claim, near, run, says, valid  # noqa: E402
-from freecad.blossom import clash, make  # noqa: E402
+from freecad.blossom import clash, drawing, make  # noqa: E402
 
 V = FreeCAD.Vector
 
@@ -145,10 +145,42 @@ def mesh_is_of_freecads_kind(document):
     claim("nothing is an error", says(mesh, "Part: a face is wanted, and there is none"))
 
 
+def message_of(call):
+    try:
+        call()
+    except (TypeError, ValueError) as error:
+        return f"{type(error).__name__}: {error}"
+    return "no error"
+
+
+def wrong_lines_are_told_and_leave_nothing(document):
+    block = box(document)
+    count = len(document.Objects)
+    for said, call in {
+        "ValueError: Operation: one of cut, common, fuse, split is wanted, got 'minus'":
+            lambda: make.solid(document, "minus", block, block),
+        "TypeError: there is no choice Radus; there are Radius, LastRadius, Rho, Partial, Tolerance":
+            lambda: make.fillet(document, block, Radus=3),
+        "TypeError: A: objects of a document, or pairs of one and its elements, "
+        'as (box, "Face1"), are wanted, got int': lambda: make.intersection(document, 3, block),
+        "TypeError: Part: objects of a document, or pairs of one and its elements, "
+        'as (box, "Face1"), are wanted, got Solid': lambda: make.section(document, block.Shape.Solids),
+        "TypeError: a document is wanted, got NoneType": lambda: make.check(None, block),
+    }.items():  # fmt: skip
+        told = message_of(call)
+        claim(told, told == said)
+    told = message_of(lambda: make.fillet(document, block, Radius="wide"))
+    claim(told, told.startswith("ValueError: Radius: 'wide' cannot be taken"))
+    told = message_of(lambda: drawing.write(block, "block.dxf"))
+    claim(told, told == "ValueError: Box: is no Section of Blossom, which drawings are of")
+    claim("no object is left half made", len(document.Objects) == count)
+
+
 run(
     chamfer_cuts_edges_off,
     fillets_may_change_and_be_conics,
     clash_tells_how_solids_lie,
     clash_follows_containers_and_refuses_faces,
     mesh_is_of_freecads_kind,
+    wrong_lines_are_told_and_leave_nothing,
 )

@@ -24,6 +24,8 @@ def export(objects, filename):
 
 def write(obj, file):
     """Writes what the object's choices say now. throws ValueError, RuntimeError"""
+    if not is_section(obj):
+        raise ValueError(f"{getattr(obj, 'Label', obj)}: is no Section of Blossom, which drawings are of")
     if not file.lower().endswith((".dxf", ".svg")):
         raise ValueError(f"{file}: does not end with .dxf or .svg")
 

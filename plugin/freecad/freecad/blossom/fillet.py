@@ -25,6 +25,9 @@ class Fillet(EdgeBlend):
     )  # fmt: skip
     FACTS = facts_of("Rounded", "rounded")
 
+    def unused(self, obj):
+        return set() if obj.Section == "conic" else {"Rho"}
+
     def size(self, obj):
         first = positive(obj.Radius, "Radius")
         if not 0 < obj.Rho < 1:

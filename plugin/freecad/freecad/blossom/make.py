@@ -26,27 +26,62 @@ from .trim import Trim
 
 
 def of_kind(kind, document, *given, **choices):
-    """A new object with its links in order, and its choices by name."""
+    """A new object with its links in order, and its choices by name. throws TypeError, ValueError;
+    there is no object then"""
+    if not hasattr(document, "addObject"):
+        raise TypeError(f"a document is wanted, got {type(document).__name__}")
+    members = {link.name: _link(link, each) for link, each in zip(kind.LINKS, given)}
     obj = document.addObject(kind.OBJECT, kind.NAME)
-    kind(obj)
+    try:
+        kind(obj)
+        for name, value in {**members, **choices}.items():
+            _set(obj, kind, name, value)
+    except BaseException:
+        document.removeObject(obj.Name)
+        raise
     if FreeCAD.GuiUp:
         from .view import ViewProvider
 
         ViewProvider(obj.ViewObject)
-    for link, members in zip(kind.LINKS, given):
-        setattr(obj, link.name, _link(members))
-    for name, value in choices.items():
-        setattr(obj, name, value)
     return obj
 
 
-def _link(members):
-    """A link as FreeCAD takes it; a lone object or pair is a list of one."""
-    if hasattr(members, "Name"):
-        members = [(members, "")]
-    elif isinstance(members, tuple) and len(members) == 2 and hasattr(members[0], "Name"):
-        members = [members]
-    return [each if isinstance(each, tuple) else (each, "") for each in members]
+def _link(link, given):
+    """A link as FreeCAD takes it; a lone object or pair is a list of one. throws TypeError"""
+    alone = _is_object(given) or (isinstance(given, tuple) and given and _is_object(given[0]))
+    try:
+        members = [given] if alone else list(given)
+    except TypeError:
+        members = [given]
+    pairs = [(each, "") if _is_object(each) else each for each in members]
+    for pair in pairs:
+        if not (isinstance(pair, tuple) and len(pair) == 2 and _is_object(pair[0])):
+            raise TypeError(
+                f"{link.name}: objects of a document, or pairs of one and its elements, as "
+                f'(box, "Face1"), are wanted, got {type(pair).__name__}'
+            )
+    return pairs
+
+
+def _is_object(thing):
+    return isinstance(thing, FreeCAD.DocumentObject)
+
+
+def _set(obj, feature, name, value):
+    """A property, with messages that users can read. throws TypeError, ValueError"""
+    known = {choice.name: choice for choice in feature.CHOICES}
+    if name not in obj.PropertiesList:
+        raise TypeError(f"there is no choice {name}; there are {', '.join(known)}")
+    if name in known and known[name].kind == "word" and value not in known[name].of:
+        words = ", ".join(known[name].of)
+        raise ValueError(f"{name}: one of {words} is wanted, got {value!r}")
+    try:
+        setattr(obj, name, value)
+    except Exception as error:  # FreeCAD has kinds of its own, with dictionaries in them
+        told = error.args[0] if error.args else ""
+        words = told.get("sErrMsg", "") if isinstance(told, dict) else told
+        kind = TypeError if isinstance(error, TypeError) else ValueError
+        raise kind(f"{name}: {value!r} cannot be taken: {words}") from None
 
 
 def intersection(document, a, b, **choices):
