@@ -13,7 +13,9 @@ import Part
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from claims import claim, near, run, says, valid  # noqa: E402
-from freecad.blossom import door, drawing, feature, kinds, make, work  # noqa: E402
+from freecad.blossom import (  # noqa: E402
+    door, door_program, drawing, feature, kinds, make, work,
+)  # fmt: skip
 
 V = FreeCAD.Vector
 
@@ -274,6 +276,22 @@ def without_the_module_the_program_answers(document):
         door.choice = kept
 
 
+def a_full_disk_is_an_error_of_the_object(document):
+    block, rod = box_and_rod(document)
+    made = make.solid(document, "cut", block, rod)
+    kept, room = door.choice, door_program.ProgramDoor._new_file
+    door.choice = lambda: door.Choice("program", "a test", os.environ["BLOSSOM_PROGRAM"])
+    door_program.ProgramDoor._new_file = lambda self, *_: "/dev/full"
+    try:
+        document.recompute()
+        claim("it says that there is no room", says(made, "/dev/full cannot be written: No space left"))
+        door_program.ProgramDoor._new_file = room
+        document.recompute()
+        claim("with room it computes again", valid(made) and made.Volume > 0)
+    finally:
+        door.choice, door_program.ProgramDoor._new_file = kept, room
+
+
 def _alike(a, b):
     if isinstance(a, (list, tuple)):
         return len(a) == len(b) and all(map(_alike, a, b))
@@ -300,4 +318,5 @@ run(
     control_c_is_an_error_of_the_object,
     without_the_module_the_program_answers,
     another_open_cascade_keeps_the_module_away,
+    a_full_disk_is_an_error_of_the_object,
 )

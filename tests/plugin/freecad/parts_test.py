@@ -159,7 +159,8 @@ def wrong_lines_are_told_and_leave_nothing(document):
     for said, call in {
         "ValueError: Operation: one of cut, common, fuse, split is wanted, got 'minus'":
             lambda: make.solid(document, "minus", block, block),
-        "TypeError: there is no choice Radus; there are Radius, LastRadius, Rho, Partial, Tolerance":
+        "TypeError: there is no choice Radus; there are Radius, LastRadius, Section, Rho, Partial, "
+        "Tolerance":
             lambda: make.fillet(document, block, Radus=3),
         "TypeError: A: objects of a document, or pairs of one and its elements, "
         'as (box, "Face1"), are wanted, got int': lambda: make.intersection(document, 3, block),

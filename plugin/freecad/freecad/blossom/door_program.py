@@ -41,8 +41,12 @@ class ProgramDoor:
 
     def hold(self, shape, name):
         """A shape of Part as a file; messages call it by the name."""
-        file = os.path.join(self._folder.name, f"{name}.brep")
-        shape.exportBrep(file)
+        file = self._new_file("brep", name)
+        try:  # exportBrep does not tell of a full disk
+            with open(file, "w", encoding="ascii") as stream:
+                stream.write(shape.exportBrepToString())
+        except OSError as error:
+            raise OSError(f"{name}: {file} cannot be written: {error.strerror}") from None
         return file
 
     def intersect(self, a, b, **options):
@@ -117,9 +121,9 @@ class ProgramDoor:
         command += ["--edges", ",".join(map(str, edges))] if edges else []
         return self._ask(command, options)
 
-    def _new_file(self, ending):
+    def _new_file(self, ending, name=""):
         self._files += 1
-        return os.path.join(self._folder.name, f"{self._files}.{ending}")
+        return os.path.join(self._folder.name, f"{name or self._files}.{ending}")
 
     def _ask(self, command, options, makes_shape=True, ending="brep"):
         """The answer; its shape is the name of the file unless that is a BREP."""

@@ -7,6 +7,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from . import drawing
+from .feature import MENDABLE
 
 FILTERS = "DXF (*.dxf);;SVG (*.svg)"
 
@@ -23,5 +24,5 @@ def save(obj):
         file += ".svg" if kind.startswith("SVG") else ".dxf"
     try:
         drawing.write(obj, file)
-    except (ValueError, RuntimeError) as error:
+    except MENDABLE as error:
         QtGui.QMessageBox.warning(window, "Save as drawing", str(error))

@@ -46,6 +46,8 @@ _FACT_TYPES = {
     "words": "App::PropertyStringList",
     "counts": "App::PropertyIntegerList",
 }
+# What users can mend; a full disk is an OSError.
+MENDABLE = (ValueError, RuntimeError, OSError)
 _READ_ONLY, _HIDDEN = 1, 4  # as addProperty wants them
 
 
@@ -136,8 +138,7 @@ class Feature:
     def execute(self, obj):
         try:
             self.compute(obj)
-        except (ValueError, RuntimeError) as error:
-            # What users can mend is a message, without the way that it came.
+        except MENDABLE as error:  # a message, without the way that it came
             raise error.with_traceback(None) from None
         except KeyboardInterrupt:
             raise RuntimeError("interrupted by Ctrl-C") from None

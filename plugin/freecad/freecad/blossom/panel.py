@@ -13,6 +13,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from . import door, fields, links, panel_parts
+from .feature import MENDABLE
 from .view import icon_of, paint
 
 QUIET = 200  # milliseconds without a change before a preview begins
@@ -143,7 +144,7 @@ class Panel:
     def _is_known_to_fail(self):
         try:
             question = self.feature.question(self.obj)
-        except (ValueError, RuntimeError) as error:
+        except MENDABLE as error:
             self.state.say_wrong(str(error))
             return True
         known = self._wrong is not None and self._wrong[0].same_as(question)
@@ -164,7 +165,7 @@ class Panel:
         try:
             self._question = self.feature.question(self.obj)
             self._job = self._question.job()
-        except (ValueError, RuntimeError) as error:
+        except MENDABLE as error:
             self.state.say_wrong(str(error))
             return
         self._began = time.monotonic()
@@ -186,7 +187,7 @@ class Panel:
         try:
             answer = job.answer()
             self.feature.take(self.obj, question, answer)
-        except (ValueError, RuntimeError) as error:
+        except MENDABLE as error:
             self._wrong = question, str(error)
             self.state.say_wrong(str(error))
             return
