@@ -118,6 +118,30 @@ std::optional<double> in_span(double t, int period) {
   return std::nullopt;
 }
 
+// Where the way from a point beside the patches to one in them comes into them; nothing if the point
+// is in them already.
+std::optional<Point4> entry_of(const Point4& from, const Point4& to) {
+  double t = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double out = from[k] < -kOnBorder ? -from[k] : from[k] > 1 + kOnBorder ? from[k] - 1 : 0;
+    if (out > 0) t = std::max(t, out / std::max(std::abs(to[k] - from[k]), out));
+  }
+  if (t == 0) return std::nullopt;
+  Point4 x;
+  for (std::size_t k = 0; k < 4; ++k)
+    x[k] = std::clamp((1 - t) * from[k] + t * to[k], 0.0, 1.0);
+  return x;
+}
+
+// The point, if it is in the patches whose parameters it has.
+std::optional<Point4> within_patch(Point4 x) {
+  for (double& t : x) {
+    if (!(t >= -kOnBorder && t <= 1 + kOnBorder)) return std::nullopt;
+    t = std::clamp(t, 0.0, 1.0);
+  }
+  return x;
+}
+
 }  // namespace
 
 Point4 in_patches(const SurfaceCells& a, const SurfaceCells& b, int from_a, int from_b,
@@ -187,12 +211,17 @@ ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const Surfa
     for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = arc.arc.to[k] - arc.arc.from[k];
     return end;
   }
-  const Point4 start = in_patches(a, b, arc.patch_a, arc.patch_b, x, to);
-  double step = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (start[k] < -kOnBorder || start[k] > 1 + kOnBorder) return end;
-    step = std::max(step, std::abs(start[k] - to.x[k]));
+  Point4 start = in_patches(a, b, arc.patch_a, arc.patch_b, x, to);
+  if (const auto entry = entry_of(start, to.x)) {
+    const auto here = within_patch(
+        in_patches(a, b, to.patch_a, to.patch_b, *entry, {arc.patch_a, arc.patch_b, {}}));
+    if (!here) return end;
+    x = *here;
+    for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = arc.arc.to[k] - arc.arc.from[k];
+    start = *entry;
   }
+  double step = 0;
+  for (std::size_t k = 0; k < 4; ++k) step = std::max(step, std::abs(start[k] - to.x[k]));
   if (step <= kOnBorder) return end;
   FoundArc link{to.patch_a, to.patch_b, kNoBox, {start, to.x}, {-1, -1}};
   for (std::size_t k = 0; k < 4; ++k) link.arc.direction[k] = to.x[k] - start[k];
