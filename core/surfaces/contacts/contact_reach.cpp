@@ -118,8 +118,8 @@ std::optional<double> in_span(double t, int period) {
   return std::nullopt;
 }
 
-// Where the way from a point beside the patches to one in them comes into them; nothing if the point
-// is in them already.
+// Where the way from a point beside the patches to one in them comes into them; nothing if the
+// point is in them already.
 std::optional<Point4> entry_of(const Point4& from, const Point4& to) {
   double t = 0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -128,8 +128,7 @@ std::optional<Point4> entry_of(const Point4& from, const Point4& to) {
   }
   if (t == 0) return std::nullopt;
   Point4 x;
-  for (std::size_t k = 0; k < 4; ++k)
-    x[k] = std::clamp((1 - t) * from[k] + t * to[k], 0.0, 1.0);
+  for (std::size_t k = 0; k < 4; ++k) x[k] = std::clamp((1 - t) * from[k] + t * to[k], 0.0, 1.0);
   return x;
 }
 

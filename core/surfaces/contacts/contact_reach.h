@@ -39,9 +39,9 @@ bool runs_in_contact(SurfaceCells& a, SurfaceCells& b, const FoundArc& arc, doub
 ContactArm arm_of(const PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
                   ArcEnd end, const ContactPoint& contact);
 
-/// Lengthens an arc to a contact: moves its end, to the border of the contact's patches if it lies in
-/// others beside them, and adds an arc in these if the contact is no point of the border. Returns the
-/// end that is at the contact then.
+/// Lengthens an arc to a contact: moves its end, to the border of the contact's patches if it lies
+/// in others beside them, and adds an arc in these if the contact is no point of the border.
+/// Returns the end that is at the contact then.
 ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const SurfaceCells& b,
                      ArcEnd end, const ContactPoint& to);
 

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <vector>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -19,6 +21,10 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_ConicalSurface.hxx>
+#include <Geom_CylindricalSurface.hxx>
+#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -34,6 +40,17 @@ std::vector<TopoDS_Face> faces_of(const TopoDS_Shape& shape) {
   for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
     faces.push_back(TopoDS::Face(it.Current()));
   return faces;
+}
+
+// A face on a surface that ends after one turn, or before, and has no period.
+TopoDS_Face trimmed(const Handle(Geom_Surface) & surface, double v_from, double v_to) {
+  constexpr double kPi = std::numbers::pi;
+  const Handle(Geom_Surface) part =
+      new Geom_RectangularTrimmedSurface(surface, kPi, 3 * kPi, v_from, v_to);
+  EXPECT_FALSE(part->IsUPeriodic());
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(part, kTolerance).Face();
+  EXPECT_EQ(BRep_Tool::Surface(face), part);
+  return face;
 }
 
 // All kinds of faces, whole and in parts, with seams, poles and holes.
@@ -53,6 +70,11 @@ std::vector<TopoDS_Face> all_kinds() {
       all.push_back(face);
       all.push_back(TopoDS::Face(face.Reversed()));
     }
+  const gp_Ax3 place(axes);
+  all.push_back(trimmed(new Geom_CylindricalSurface(place, 1), -1, 1.5));
+  all.push_back(trimmed(new Geom_SphericalSurface(place, 1.5), -0.5, 1));
+  all.push_back(
+      trimmed(new Geom_ToroidalSurface(place, 2, 0.5), std::numbers::pi, 3 * std::numbers::pi));
   return all;
 }
 
