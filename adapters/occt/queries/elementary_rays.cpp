@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 
 #include <BRep_Tool.hxx>
@@ -32,8 +31,6 @@ constexpr double kMaxStretch = 4;
 constexpr int kHalvings = 24;  // of wires, as for points in face_trims.cpp
 // Of the coefficients of a quartic, whose sums have some twenty roundings.
 constexpr double kQuarticRounding = 1e-14;
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 using Roots = std::optional<std::vector<double>>;
 
@@ -166,10 +163,7 @@ Vec2 ElementaryFace::parameters(const gp_Pnt& point) const {
 
 // The values of a chart coordinate, whole periods apart, that may lie in the trims or beside them.
 ElementaryFace::Turns ElementaryFace::turns(double parameter, int k) const {
-  // By the kind: a surface that is trimmed to one turn tells of no period, whatever turn that is.
-  const GeomAbs_SurfaceType type = surface_.GetType();
-  const bool closed = k == 0 ? type != GeomAbs_Plane : type == GeomAbs_Torus;
-  const double x = parameter * trims_.scale[k], period = closed ? kTurn * trims_.scale[k] : 0;
+  const double x = parameter * trims_.scale[k], period = trims_.period[k];
   if (period == 0) return {{x}, 1};
   const double first = x - std::floor((x - trims_.box.low[k]) / period) * period;
   return {{first, first - period, first + period}, 3};

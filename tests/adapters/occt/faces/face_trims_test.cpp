@@ -23,6 +23,7 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_ToroidalSurface.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
@@ -286,6 +287,20 @@ TEST(PartSide, KnowsPeriods) {
   const double turn = 2 * kPi;
   EXPECT_NE(part_side(trims, {6.2 - turn, 6.4 - turn}, {0.2, 0.8}), PartSide::Outside);
   EXPECT_EQ(part_side(trims, {3, 4}, {0.2, 0.8}), PartSide::Outside);
+}
+
+// Points of a whole turn are in a face that is trimmed to another turn of the same surface.
+TEST(FaceTrims, KnowThePeriodOfASurfaceThatEndsAfterOneTurn) {
+  const Handle(Geom_Surface) torus = new Geom_ToroidalSurface(gp_Ax3(), 3, 1);
+  const Handle(Geom_Surface) turn =
+      new Geom_RectangularTrimmedSurface(torus, 0, 0.5 * kPi, kPi, 3 * kPi);
+  ASSERT_FALSE(turn->IsVPeriodic());
+  const FaceTrims trims = face_trims(BRepBuilderAPI_MakeFace(turn, 1e-7).Face());
+  EXPECT_NEAR(trims.period[1], 2 * kPi * trims.scale[1], 1e-12);
+  for (const double v : {0.5 * kPi, 1.5 * kPi, 2.5 * kPi}) {
+    EXPECT_EQ(part_side(trims, {1, 1}, {v, v}), PartSide::Inside) << v;
+    EXPECT_EQ(part_side(trims, {2, 2}, {v, v}), PartSide::Outside) << v;
+  }
 }
 
 }  // namespace
