@@ -132,6 +132,12 @@ std::optional<Point4> entry_of(const Point4& from, const Point4& to) {
   return x;
 }
 
+double apart(const Point4& p, const Point4& q) {
+  double most = 0;
+  for (std::size_t k = 0; k < 4; ++k) most = std::max(most, std::abs(p[k] - q[k]));
+  return most;
+}
+
 // The point, if it is in the patches whose parameters it has.
 std::optional<Point4> within_patch(Point4 x) {
   for (double& t : x) {
@@ -211,17 +217,17 @@ ArcEnd reach_contact(PairSearchResult& found, const SurfaceCells& a, const Surfa
     return end;
   }
   Point4 start = in_patches(a, b, arc.patch_a, arc.patch_b, x, to);
-  if (const auto entry = entry_of(start, to.x)) {
+  const auto entry = entry_of(start, to.x);
+  if (entry && apart(*entry, to.x) > kOnBorder) {
     const auto here = within_patch(
         in_patches(a, b, to.patch_a, to.patch_b, *entry, {arc.patch_a, arc.patch_b, {}}));
     if (!here) return end;
     x = *here;
     for (std::size_t k = 0; k < 4; ++k) arc.arc.direction[k] = arc.arc.to[k] - arc.arc.from[k];
     start = *entry;
+  } else if (entry || apart(start, to.x) <= kOnBorder) {
+    return end;  // the contact is a point of the border, where the end is
   }
-  double step = 0;
-  for (std::size_t k = 0; k < 4; ++k) step = std::max(step, std::abs(start[k] - to.x[k]));
-  if (step <= kOnBorder) return end;
   FoundArc link{to.patch_a, to.patch_b, kNoBox, {start, to.x}, {-1, -1}};
   for (std::size_t k = 0; k < 4; ++k) link.arc.direction[k] = to.x[k] - start[k];
   found.joins.push_back({end, 2 * found.arcs.size()});
