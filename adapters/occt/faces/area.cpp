@@ -38,6 +38,8 @@ constexpr double kValueRounding = 1e-12;
 // below the tolerance unless the density there is a thousand times its mean.
 constexpr double kNoHeight = 1e-14;
 
+constexpr int kCells = 4;  // each way: where a density is looked at to see its size
+
 // A value, and what its rounding is relative to: more, where it is a difference.
 struct Sample {
   double value = 0;
@@ -198,12 +200,13 @@ class Density {
     inner_ = lines_ == Lines::Turning || (lines_ == Lines::Any && u.size() <= v.size()) ? 0 : 1;
     x_knots_ = inner_ == 0 ? u : v;
     y_knots_ = inner_ == 0 ? v : u;
+    const int cells = is_constant() ? 1 : kCells;
     double rough = 0, size = 0;
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) {
-        const Sample sample = sample_in_cell(i, j);
-        rough += std::abs(sample.value) / 16;
-        size += sample.size / 16;
+    for (int i = 0; i < cells; ++i)
+      for (int j = 0; j < cells; ++j) {
+        const Sample sample = sample_in_cell(i, j, cells);
+        rough += std::abs(sample.value) / (cells * cells);
+        size += sample.size / (cells * cells);
       }
     double rounding = kCoordinateRounding * rough;
     for (int k = 0; k < 2; ++k) {
@@ -262,10 +265,10 @@ class Density {
   Sample sample_at(double x, double y) const {
     return AreaLine(surface_, along(), y, x).sample(integrand_, x);
   }
-  // In the middle of one of 4 x 4 cells.
-  Sample sample_in_cell(int i, int j) const {
-    const Vec2 at =
-        low_ + Vec2{(i + 0.5) / 4 * (high_[0] - low_[0]), (j + 0.5) / 4 * (high_[1] - low_[1])};
+  // In the middle of one of so many cells each way.
+  Sample sample_in_cell(int i, int j, int cells) const {
+    const Vec2 at = low_ + Vec2{(i + 0.5) / cells * (high_[0] - low_[0]),
+                                (j + 0.5) / cells * (high_[1] - low_[1])};
     return sample_at(at[inner_], at[1 - inner_]);
   }
 
