@@ -255,6 +255,18 @@ PlanarBox box_of_poles(const Spline2& chart, const Vec2& scale) {
   return box;
 }
 
+// Inside or outside as a whole where no wire comes near the box of the poles. Of a chart with
+// periods other moves of the box may be inside.
+PartSide side_of_poles(const FaceTrims& trims, const Spline2& chart, double tolerance) {
+  const PlanarBox box = box_of_poles(chart, trims.scale);
+  const auto range = [&](int k) {
+    return Interval{(box.low[k] - tolerance) / trims.scale[k],
+                    (box.high[k] + tolerance) / trims.scale[k]};
+  };
+  const PartSide side = part_side(trims, range(0), range(1));
+  return side == PartSide::Outside && trims.period != Vec2{} ? PartSide::Mixed : side;
+}
+
 // Makes parts that are nowhere farther than tolerance from a wire intervals without length.
 void shrink_touches(const FaceTrims& trims, const PlanarCurve& curve,
                     std::vector<Interval>& inside) {
@@ -391,8 +403,16 @@ std::vector<Interval> clip_to_trims(const TopoDS_Face& face, const Spline2& char
 std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart,
                                     double tolerance) {
   // Most curves on whole surfaces need not be made: all poles are in the box.
-  if (trims.natural && holds(trims.box, box_of_poles(chart, trims.scale)))
-    return {{chart.knots.front(), chart.knots.back()}};
+  const PlanarBox poles = box_of_poles(chart, trims.scale);
+  if (trims.natural && holds(trims.box, poles)) {
+    std::vector<Interval> whole{chart.domain()};
+    if (norm(poles.high - poles.low) <= tangency_length(trims, kOnBorder))
+      shrink_touches(trims, chart_curve(trims, chart), whole);
+    return whole;
+  }
+  const PartSide side = side_of_poles(trims, chart, tolerance);
+  if (side == PartSide::Outside) return {};
+  if (side == PartSide::Inside) return {chart.domain()};
   const PlanarCurve curve = chart_curve(trims, chart);
   if (trims.natural && holds(trims.box, box_of(curve))) return {curve.domain()};
   std::vector<Interval> inside;
@@ -412,7 +432,7 @@ std::vector<Interval> clip_to_trims(const FaceTrims& trims, const Spline2& chart
 
 std::optional<double> distance_along_wires(const FaceTrims& trims, const Spline2& chart,
                                            const std::vector<ChartSample>& samples) {
-  if (trims.natural) return {};
+  if (trims.natural || side_of_poles(trims, chart, 0) != PartSide::Mixed) return {};
   const PlanarCurve curve = chart_curve(trims, chart);
   const std::vector<double> places = quarters(curve);
   std::optional<double> largest;

@@ -15,6 +15,7 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepOffsetAPI_MakePipe.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
@@ -208,6 +209,16 @@ TEST(SolidKinds, ABallMayPassThroughTheCornersOfThePrismThatItsSeamTouches) {
                    BRepPrimAPI_MakeSphere(10).Shape(), 4000 * kPi / 3,
                    2000 * kPi / 3 - sides * past);
   }
+}
+
+// It does so along 1e-4, nowhere farther than 1e-8 from the rim.
+TEST(SolidKinds, ARimMayReachThroughAWallByLessThanTheTolerance) {
+  constexpr double kRadius = 0.717, kLess = 0.75 * kRadius;
+  const TopoDS_Shape wall = BRepPrimAPI_MakeCylinder(3.2, 2).Shape();
+  const gp_Ax2 place({3.2 - kRadius + 1.5e-9, 0, 1}, {0, 0, -1});
+  const TopoDS_Shape cone = BRepPrimAPI_MakeCone(place, kRadius, 0, 4).Shape();
+  const double common = kPi / 3 * (kRadius * kRadius + kRadius * kLess + kLess * kLess);
+  expect_volumes(wall, kPi * 3.2 * 3.2 * 2, cone, kPi / 3 * kRadius * kRadius * 4, common);
 }
 
 // Open CASCADE sweeps a circle along an arc to a rectangle of a torus, which it gives no period.
