@@ -38,7 +38,7 @@ constexpr double kValueRounding = 1e-12;
 // below the tolerance unless the density there is a thousand times its mean.
 constexpr double kNoHeight = 1e-14;
 
-constexpr int kCells = 4;  // each way: where a density is looked at to see its size
+constexpr int kDensityCells = 4;  // each way: where a density is looked at to see its size
 
 // A value, and what its rounding is relative to: more, where it is a difference.
 struct Sample {
@@ -200,7 +200,7 @@ class Density {
     inner_ = lines_ == Lines::Turning || (lines_ == Lines::Any && u.size() <= v.size()) ? 0 : 1;
     x_knots_ = inner_ == 0 ? u : v;
     y_knots_ = inner_ == 0 ? v : u;
-    const int cells = is_constant() ? 1 : kCells;
+    const int cells = is_constant() ? 1 : kDensityCells;
     double rough = 0, size = 0;
     for (int i = 0; i < cells; ++i)
       for (int j = 0; j < cells; ++j) {

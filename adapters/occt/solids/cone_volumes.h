@@ -16,7 +16,7 @@ class ConeVolumes {
   /// apex   of all cones
   explicit ConeVolumes(const Vec3& apex) : apex_(apex) {}
 
-  /// As `cone_volume` (faces/area.h); of a face that was turned round since, the negative.
+  /// As `cone_volume` (adapters/occt/faces/area.h); of a face turned round since, the negative.
   /// throws   BadModel as that
   double of(const TopoDS_Face& face);
 

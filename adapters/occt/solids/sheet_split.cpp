@@ -19,7 +19,7 @@
 namespace blossom::occt {
 namespace {
 
-bool bounds(const TopoDS_Shape& edge) {
+bool bounds_piece(const TopoDS_Shape& edge) {
   return edge.Orientation() != TopAbs_INTERNAL && !BRep_Tool::Degenerated(TopoDS::Edge(edge));
 }
 
@@ -29,7 +29,7 @@ class EdgeUses {
   void add(const std::vector<SolidPiece>& pieces) {
     for (const SolidPiece& piece : pieces)
       for (TopExp_Explorer it(piece.face, TopAbs_EDGE); it.More(); it.Next()) {
-        if (!bounds(it.Current())) continue;
+        if (!bounds_piece(it.Current())) continue;
         if (int* const count = uses_.ChangeSeek(it.Current()))
           ++*count;
         else
@@ -38,7 +38,7 @@ class EdgeUses {
   }
   bool has_free(const SolidPiece& piece) const {
     for (TopExp_Explorer it(piece.face, TopAbs_EDGE); it.More(); it.Next())
-      if (bounds(it.Current()) && uses_.Find(it.Current()) == 1) return true;
+      if (bounds_piece(it.Current()) && uses_.Find(it.Current()) == 1) return true;
     return false;
   }
 
