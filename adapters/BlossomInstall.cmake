@@ -3,7 +3,10 @@
 # who wants core alone needs nothing else. What links CGAL's GPL parts is never among them.
 include(CMakePackageConfigHelpers)
 
+include(BlossomPublicHeaders)
+
 set(BLOSSOM_EXPORTED)
+set(folders)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Blossom)
 foreach(part core occt cgal openmesh)
   if(NOT TARGET blossom_${part})
@@ -15,10 +18,35 @@ foreach(part core occt cgal openmesh)
   install(EXPORT Blossom-${part} NAMESPACE Blossom:: DESTINATION ${package_folder})
   get_target_property(folder blossom_${part} SOURCE_DIR)
   cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/
-          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/blossom/${folder}
-          FILES_MATCHING PATTERN "*.h" PATTERN "gpl" EXCLUDE)
+  list(APPEND folders ${folder})
 endforeach()
+
+# Which they are is found when they are installed: headers change more often than these files.
+install(CODE "
+  include(\"${CMAKE_CURRENT_LIST_DIR}/BlossomPublicHeaders.cmake\")
+  blossom_public_headers(\"${PROJECT_SOURCE_DIR}\" \"${folders}\" headers)
+  foreach(header \${headers})
+    cmake_path(GET header PARENT_PATH folder)
+    file(INSTALL \"${PROJECT_SOURCE_DIR}/\${header}\"
+         DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/blossom/\${folder}\")
+  endforeach()")
+
+# Pages of them, where Doxygen is installed: cmake --build build/release --target api makes
+# build/release/api/html/index.html
+find_package(Doxygen QUIET)
+if(DOXYGEN_FOUND)
+  blossom_public_headers(${PROJECT_SOURCE_DIR} "${folders}" headers)
+  set(DOXYGEN_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/api)
+  set(DOXYGEN_PROJECT_BRIEF "${PROJECT_DESCRIPTION}")
+  set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR})
+  set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/core/README.md)
+  set(DOXYGEN_EXTRACT_ALL YES)
+  set(DOXYGEN_HAVE_DOT NO)
+  set(DOXYGEN_QUIET YES)
+  set(DOXYGEN_WARN_IF_UNDOCUMENTED NO)
+  file(GLOB pages RELATIVE ${PROJECT_SOURCE_DIR} core/*.md core/*/README.md)
+  doxygen_add_docs(api ${headers} ${pages} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endif()
 
 get_target_property(core_libraries blossom_core LINK_LIBRARIES)
 set(BLOSSOM_CORE_NEEDS_TBB FALSE)

@@ -54,6 +54,18 @@ for prefix in /usr /usr/local /opt/somewhere; do
   claim "and what it was built with" grep -q 'OCCT = "7' "$addon/freecad/blossom/built_with.py"
 done
 
+# Headers: what users include and all that these include, but no other.
+include=$folder/opt/somewhere/include/blossom
+has_what_headers_include() {
+  local header
+  grep -rhoE '^#include "[^"]+' "$include" | sed 's/.*"//' | sort -u | while read -r header; do
+    test -s "$include/$header" || { echo "missing: $header"; return 1; }
+  done
+}
+claim "headers that users call are installed" test -s "$include/core/surface_intersection.h"
+claim "with all that they include" has_what_headers_include
+claim "and no others" test ! -e "$include/core/cells" -a ! -e "$include/core/tracing"
+
 # A program in C++ without CMake.
 builds_by_pkg_config() {
   local flags
