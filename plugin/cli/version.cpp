@@ -2,6 +2,7 @@
 #include "plugin/cli/version.h"
 
 #include <oneapi/tbb/version.h>
+#include <sys/stat.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -26,6 +27,13 @@ std::string libraries() {
 }  // namespace
 
 std::string version_number() { return BLOSSOM_VERSION; }
+
+std::string build_name() {
+  struct stat program {};
+  stat("/proc/self/exe", &program);
+  return version_number() + "/" + std::to_string(program.st_size) + "/" +
+         std::to_string(program.st_mtim.tv_sec) + "." + std::to_string(program.st_mtim.tv_nsec);
+}
 
 std::string version_text() {
   constexpr bool kGpl = BLOSSOM_LINKS_GPL != 0;

@@ -13,4 +13,7 @@ std::string version_text();
 /// "0.1.0"
 std::string version_number();
 
+/// The same with what tells builds of it apart: the size of the program and when it was made.
+std::string build_name();
+
 }  // namespace blossom::cli

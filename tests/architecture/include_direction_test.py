@@ -20,7 +20,7 @@ CORE_ROOMS = """base math math/series forms forms/algebra blossom subdivision su
     distance rays regions tessellation watertight blending blending/fills blending/continuity
     blending/strips blending/balls""".split()
 OCCT_ROOMS = """base convert faces tessellation neighbours queries splitting coincidence solids
-    repair exchange documents blending blending/strips blending/sheet""".split()
+    repair exact exchange documents blending blending/strips blending/sheet""".split()
 
 STANDARD = r"<[a-z_0-9]+>"
 CORE_LIBRARIES = r"<(Eigen|tbb|oneapi/tbb|boost/multiprecision)/.*>|<immintrin\.h>"

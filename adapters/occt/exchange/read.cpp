@@ -9,6 +9,7 @@
 #include "adapters/occt/base/errors.h"
 #include "adapters/occt/exchange/detail.h"
 #include "adapters/occt/exchange/file_text.h"
+#include "adapters/occt/exchange/kept_folder.h"
 #include "adapters/occt/exchange/listening.h"
 #include "adapters/occt/exchange/modules.h"
 #include "adapters/occt/exchange/numbers.h"
@@ -48,16 +49,22 @@ void read_format(Format format, Reading& reading) {
   }
 }
 
-/// Into the contents of the reading; returns the format.
-Format read_into(Reading& reading) {
+/// A model that is kept was read like this before.
+void read_into(Reading& reading, StatedTolerances& stated) {
   reading.begin("opening");
   FileText content = file_text(reading.file);
   reading.text = std::move(content.text);
+  const KeptModel kept(reading);
+  if (!content.cut && kept.take(reading, stated)) return;
   if (content.cut) reading.report.add({"the packed file", "it is damaged or cut off", true});
   read_format(content.format, reading);
   reading.begin("checking the numbers");
   leave_out_bad_numbers(content.format, reading);
-  return content.format;
+  reading.contents.refresh();
+  require_shape(reading.contents.shape, reading.report);
+  // Only BREP files state tolerances; others have those that Open CASCADE's readers find.
+  if (content.format != Format::Brep) stated = StatedTolerances::Raised;
+  if (!content.cut) kept.keep(reading, stated);
 }
 
 }  // namespace
@@ -68,11 +75,7 @@ Model read_model(const std::filesystem::path& file, const ReadOptions& options) 
   Model::Impl& impl = *model.impl_;
   Reading reading{impl, file, options, impl.reading};
   try {
-    const Format format = read_into(reading);
-    impl.refresh();
-    require_shape(impl.shape, impl.reading);
-    // Only BREP files state tolerances; others have those that Open CASCADE's readers find.
-    if (format != Format::Brep) impl.stated = StatedTolerances::Raised;
+    read_into(reading, impl.stated);
   } catch (const BadModel& error) {
     throw BadModel(file.string() + ": " + error.what());
   } catch (const Failure&) {

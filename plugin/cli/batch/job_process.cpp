@@ -18,8 +18,10 @@
 #include <cstring>
 #include <iostream>
 #include <new>
+#include <set>
 
 #include "adapters/occt/base/errors.h"
+#include "adapters/occt/kept_models.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/verbosity.h"
@@ -67,7 +69,15 @@ void reset_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
+// Commands that change no model that they read.
+bool only_looks(const Job& job) {
+  static const std::set<std::string> kLooking = {"check",     "clash", "info",
+                                                 "intersect", "query", "self-intersect"};
+  return kLooking.contains(job.arguments.front());
+}
+
 int exit_code_of(const Job& job, const JobSetup& setup) {
+  if (!only_looks(job)) occt::keep_models_in({}, {});
   const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
                                             static_cast<std::size_t>(setup.threads));
   std::vector<std::string> words{"blossom"};

@@ -29,6 +29,7 @@ struct JobSetup {
   double megabytes = 0;  ///< of data that a job may have; 0 for what the machine has
   int threads = 1;       ///< at most, whatever the job says
   std::string folder;    ///< where it works; empty for this folder
+  std::string cache;     ///< folder of models kept for other jobs, see kept_models.h; or empty
 };
 
 inline constexpr long kMaxJobOutput = 1L << 28;    ///< bytes on stdout; more stops the job

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "adapters/occt/kept_models.h"
 #include "plugin/cli/batch/driver.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/exit_code.h"
@@ -20,6 +21,7 @@
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
 #include "plugin/cli/verbosity.h"
+#include "plugin/cli/version.h"
 
 namespace blossom::cli {
 namespace {
@@ -58,6 +60,7 @@ BatchPolicy policy_of(const BatchCommand& options) {
   std::error_code ignored;
   if (!policy.setup.folder.empty() && !std::filesystem::is_directory(policy.setup.folder, ignored))
     throw UsageError(policy.setup.folder + ": there is no such folder");
+  occt::keep_models_in(policy.setup.cache, build_name());  // jobs' processes have it from this one
   return policy;
 }
 
@@ -217,6 +220,10 @@ void add_batch(CLI::App& app, int& exit_code) {
   command->add_option("--shard", options->shard, "do only a part of the jobs, such as 3/16")
       ->type_name("I/N");
   command->add_option("--folder", options->folder, "where the jobs work; else where the list is")
+      ->type_name("DIR");
+  command
+      ->add_option("--cache", options->policy.setup.cache,
+                   "keep models that were read, for other jobs")
       ->type_name("DIR");
   command->add_flag("--list", options->list, "only print the jobs that have no result");
   command->add_option("--json", options->json, "write a report; - is stdout")->type_name("FILE");

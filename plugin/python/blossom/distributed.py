@@ -254,6 +254,7 @@ def parsed(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--folder", metavar="DIR", help="where the jobs work; else where the list is")
     for name in ("--time-limit", "--memory-limit", "--retries"):
         parser.add_argument(name, help="as `blossom batch` has it")
+    parser.add_argument("--cache", metavar="DIR", help="as `blossom batch` has it; on each worker")
     parser.add_argument("--threads", default="1", help="of a job")
     parser.add_argument("--patience", metavar="S", type=float, default=60, help="seconds to wait for workers")
     parser.add_argument("--program", default="blossom", help="the program, on the workers, too")
@@ -270,7 +271,7 @@ def passed(given: argparse.Namespace, *names: str) -> list[str]:
 def work(given: argparse.Namespace, lines: list[bytes]) -> None:
     command = [given.program, "batch", "-", "-o", "-", "-q", "-j", "1", "--folder",
                os.path.abspath(given.folder or Path(given.jobs).parent),
-               *passed(given, "--time-limit", "--memory-limit", "--retries", "--threads")]  # fmt: skip
+               *passed(given, "--time-limit", "--memory-limit", "--retries", "--threads", "--cache")]  # fmt: skip
     results = Results(given.output)
     with client_of(given) as client:
         try:
@@ -286,6 +287,8 @@ def work(given: argparse.Namespace, lines: list[bytes]) -> None:
 
 def all_done(given: argparse.Namespace) -> int:
     """The exit code."""
+    if given.cache:
+        given.cache = os.path.abspath(given.cache)
     if os.sep in given.program:
         given.program = os.path.abspath(given.program)
     if shutil.which(given.program) is None:

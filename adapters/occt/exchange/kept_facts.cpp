@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/exchange/kept_facts.h"
+
+#include <cstdint>
+#include <cstring>
+#include <ios>
+#include <stdexcept>
+#include <utility>
+
+#include <TopExp.hxx>
+
+namespace blossom::occt {
+namespace {
+
+// Each goes over the members of all structures in the same order, `Out` appending them to bytes and
+// `In` taking them from there.
+class Out {
+ public:
+  void operator()(const std::int64_t& number) {
+    bytes.append(reinterpret_cast<const char*>(&number), sizeof(number));
+  }
+  void operator()(const int& number) { (*this)(std::int64_t{number}); }
+  void operator()(const bool& is) { (*this)(std::int64_t{is}); }
+  void operator()(const std::string& text) {
+    (*this)(static_cast<std::int64_t>(text.size()));
+    bytes += text;
+  }
+  template <class Each>
+  void operator()(const std::vector<Each>& all);
+
+  std::string bytes;
+};
+
+class In {
+ public:
+  explicit In(const std::string& bytes) : bytes_(bytes) {}
+
+  bool is_at_end() const { return at_ == bytes_.size(); }
+
+  void operator()(std::int64_t& number) {
+    std::memcpy(&number, take(sizeof(number)), sizeof(number));
+  }
+  void operator()(int& number) { number = static_cast<int>(next()); }
+  void operator()(bool& is) { is = next() != 0; }
+  void operator()(std::string& text) {
+    const std::size_t size = count();
+    text.assign(take(size), size);
+  }
+  template <class Each>
+  void operator()(std::vector<Each>& all);
+
+ private:
+  const char* take(std::size_t size) {
+    if (size > bytes_.size() - at_) throw std::ios_base::failure("the facts are cut off");
+    at_ += size;
+    return bytes_.data() + at_ - size;
+  }
+  std::int64_t next() {
+    std::int64_t number = 0;
+    (*this)(number);
+    return number;
+  }
+  // Nothing takes less than a byte.
+  std::size_t count() {
+    const std::int64_t number = next();
+    if (number < 0 || static_cast<std::uint64_t>(number) > bytes_.size())
+      throw std::ios_base::failure("a count of the facts is damaged");
+    return static_cast<std::size_t>(number);
+  }
+
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+};
+
+template <class Way, class Value>
+void go(Way& way, Value& value) {
+  way(value);
+}
+
+template <class Way>
+void go(Way& way, Loss& loss) {
+  way(loss.what), way(loss.cause), way(loss.of_shape), way(loss.count);
+  way(loss.which), way(loss.belongs_to);
+}
+
+template <class Way>
+void go(Way& way, AssemblyNode& node) {
+  way(node.name), way(node.product), way(node.path);
+  way(node.solids), way(node.faces), way(node.parts);
+}
+
+template <class Way>
+void go(Way& way, KeptFacts& facts) {
+  way(facts.unit), way(facts.raised), way(facts.losses);
+  way(facts.names), way(facts.paths), way(facts.parts), way(facts.assembly);
+}
+
+template <class Each>
+void Out::operator()(const std::vector<Each>& all) {
+  (*this)(static_cast<std::int64_t>(all.size()));
+  for (Each each : all) go(*this, each);
+}
+
+template <class Each>
+void In::operator()(std::vector<Each>& all) {
+  all.assign(count(), {});
+  for (Each& each : all) go(*this, each);
+}
+
+[[noreturn]] void refuse_change() {
+  throw std::logic_error("a model of the folder of models is to be changed or written");
+}
+
+class KeptDocument : public DocumentInterface {
+ public:
+  KeptDocument(const TopoDS_Shape& shape, KeptFacts facts)
+      : shape_(shape), facts_(std::move(facts)) {
+    TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+  }
+
+  TopoDS_Shape shape() const override { return shape_; }
+  std::vector<std::string> face_names(const Faces&) const override { return facts_.names; }
+  std::vector<std::string> part_paths(const Faces&) const override { return facts_.paths; }
+  std::vector<AssemblyNode> assembly(const TopoDS_Shape&, const Faces&) const override {
+    return facts_.assembly;
+  }
+  std::string part_name(const TopoDS_Face& face) const override {
+    const int number = faces_.FindIndex(face);
+    return number == 0 ? "" : facts_.parts.at(static_cast<std::size_t>(number) - 1);
+  }
+
+  std::shared_ptr<DocumentInterface> copy() const override { refuse_change(); }
+  void add(const TopoDS_Shape&, const std::string&, const std::vector<double>&) override {
+    refuse_change();
+  }
+  void add_assembly(const std::vector<std::pair<std::string, TopoDS_Shape>>&,
+                    const std::string&) override {
+    refuse_change();
+  }
+  void add_combined(const TopoDS_Shape&, const std::string&,
+                    const std::vector<FaceOrigin>&) override {
+    refuse_change();
+  }
+  void replace_faces(const Faces&, const std::map<int, std::vector<TopoDS_Face>>&) override {
+    refuse_change();
+  }
+  void replace_solids(Model&, const std::vector<CombinedSolid>&, CommonFaces) override {
+    refuse_change();
+  }
+  void leave_out_bad_faces(const NumberSource&, ReadingReport&) override { refuse_change(); }
+  std::string text(Format, const std::string&) const override { refuse_change(); }
+
+ private:
+  TopoDS_Shape shape_;
+  KeptFacts facts_;
+  Faces faces_;
+};
+
+}  // namespace
+
+std::string bytes_of(const KeptFacts& facts) {
+  Out out;
+  KeptFacts copy = facts;
+  go(out, copy);
+  return std::move(out.bytes);
+}
+
+KeptFacts facts_of(const std::string& bytes) {
+  In in(bytes);
+  KeptFacts facts;
+  go(in, facts);
+  if (!in.is_at_end()) throw std::ios_base::failure("there are too many facts");
+  return facts;
+}
+
+std::shared_ptr<DocumentInterface> kept_document(const TopoDS_Shape& shape, KeptFacts facts) {
+  return std::make_shared<KeptDocument>(shape, std::move(facts));
+}
+
+}  // namespace blossom::occt
