@@ -1,6 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # What all of Blossom's targets have in common.
 
+if(BLOSSOM_SANITIZE STREQUAL ON)
+  set(BLOSSOM_SANITIZERS -fsanitize=address,undefined)
+elseif(BLOSSOM_SANITIZE)
+  set(BLOSSOM_SANITIZERS -fsanitize=${BLOSSOM_SANITIZE})
+endif()
+
 # Warnings and sanitizers of our own build; never exported.
 function(blossom_own target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow)
@@ -13,9 +19,9 @@ function(blossom_own target)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(BLOSSOM_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all
+    target_compile_options(${target} PRIVATE ${BLOSSOM_SANITIZERS} -fno-sanitize-recover=all
                                              -fno-omit-frame-pointer)
-    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+    target_link_options(${target} PUBLIC ${BLOSSOM_SANITIZERS})
   endif()
 endfunction()
 

@@ -3,7 +3,8 @@
 # Installs what is missing, builds everything and runs the tests.
 #
 #   tests/run.sh           the quick tests
-#   tests/run.sh --full    all tests, and the quick ones once more under the sanitizers
+#   tests/run.sh --full    all tests, the quick ones once more under the sanitizers, and those with
+#                          threads under ThreadSanitizer
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/support/setup.sh"
 
@@ -13,6 +14,10 @@ case "${1-}" in
   --full) full=yes ;;
   *) echo "usage: tests/run.sh [--full]" >&2; exit 2 ;;
 esac
+
+# Of core's tests those that have several threads.
+in_threads=Threads.*:*AreTheSameForAnyNumberOfThreads*:ShapeFacets.DoNotDependOnTheNumberOfThreads
+in_threads+=:FillOperator.IsOneForThreadsThatAskAtTheSameTime
 
 step "packages"
 install_packages "${build_packages[@]}" "${test_packages[@]}"
@@ -38,6 +43,10 @@ if [ "$full" = yes ]; then
   cmake --build "$root/build/asan" -j "$(build_jobs)"
   step "test with sanitizers"
   (cd "$root" && ctest --preset asan -j "$(nproc)")
+  step "what works in parallel, with ThreadSanitizer"
+  configure tsan
+  cmake --build "$root/build/tsan" -j "$(build_jobs)" --target test_core
+  "$root/build/tsan/tests/test_core" --gtest_brief=1 --gtest_filter="$in_threads"
 fi
 
 printf '\nAll passed. Program: %s\nTest report: %s\n' "$build/plugin/cli/blossom" "$build/tests.xml"

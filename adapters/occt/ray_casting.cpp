@@ -9,8 +9,6 @@
 #include <string>
 #include <utility>
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -22,6 +20,7 @@
 #include "adapters/occt/faces/chart_region.h"
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/intersection_edges.h"
+#include "core/base/parallel.h"
 #include "core/forms/evaluation.h"
 
 namespace blossom::occt {
@@ -305,14 +304,14 @@ template <class Ask>
 std::vector<std::vector<ShapeHit>> for_all(const ShapeRays& shape, std::span<const Ray> rays,
                                            Ask ask) {
   std::vector<std::vector<ShapeHit>> results(rays.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), kBatch),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      ShapeRayQuery query(shape);
-                      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-                        const std::span<const ShapeHit> hits = ask(query, rays[i]);
-                        results[i].assign(hits.begin(), hits.end());
-                      }
-                    });
+  parallel_for((rays.size() + kBatch - 1) / kBatch, 1, [&](std::size_t batch) {
+    ShapeRayQuery query(shape);
+    const std::size_t end = std::min(rays.size(), (batch + 1) * kBatch);
+    for (std::size_t i = batch * kBatch; i < end; ++i) {
+      const std::span<const ShapeHit> hits = ask(query, rays[i]);
+      results[i].assign(hits.begin(), hits.end());
+    }
+  });
   return results;
 }
 

@@ -5,7 +5,6 @@
 #include <exception>
 #include <optional>
 
-#include <oneapi/tbb/parallel_for.h>
 #include <BRepCheck_Analyzer.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -16,6 +15,7 @@
 #include "adapters/occt/solids/faces_to_check.h"
 #include "adapters/occt/solids/polygon_faces.h"
 #include "adapters/occt/soundness.h"
+#include "core/base/parallel.h"
 
 namespace blossom::occt {
 namespace {
@@ -58,15 +58,14 @@ std::vector<std::string> checked(const TopoDS_Face& face) try {
 // Checks only read what faces share; making copies writes to vertices, so one thread does it.
 std::vector<std::vector<std::string>> found_in_threads(const std::vector<TopoDS_Face>& faces) {
   std::vector<std::optional<std::vector<std::string>>> known(faces.size());
-  tbb::parallel_for(std::size_t{0}, faces.size(),
-                    [&](std::size_t i) { known[i] = known_of(faces[i]); });
+  parallel_for(faces.size(), 1, [&](std::size_t i) { known[i] = known_of(faces[i]); });
   FacesToCheck copies;
   std::vector<TopoDS_Face> copy(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
     if (!known[i]) copy[i] = copies.add(faces[i]);
   std::vector<std::vector<std::string>> found(faces.size());
-  tbb::parallel_for(std::size_t{0}, faces.size(),
-                    [&](std::size_t i) { found[i] = known[i] ? *known[i] : checked(copy[i]); });
+  parallel_for(faces.size(), 1,
+               [&](std::size_t i) { found[i] = known[i] ? *known[i] : checked(copy[i]); });
   return found;
 }
 

@@ -42,6 +42,8 @@ struct Places {
     return from + x * row + z * column;
   }
 };
+template <class Value, class Row, class Column>
+Places(Value*, Row, Column) -> Places<Value, Row, Column>;  // clang before 17 asks for it
 
 template <class Value>
 using FreePlaces = Places<Value, std::ptrdiff_t, std::ptrdiff_t>;
