@@ -168,25 +168,11 @@ SolidTrimResult fused(const std::vector<std::vector<LabelledSolids>>& sets, Laye
   return all;
 }
 
-// What splits a part: the closed tools as one, each sheet and each half-space.
-LabelledSolids splitters(const LabelledSolids& cutters, std::size_t half_spaces, LayerWork& work) {
-  const auto first = cutters.end() - static_cast<std::ptrdiff_t>(half_spaces);
-  LabelledSolids united, all;
-  for (auto tool = cutters.begin(); tool != first; ++tool)
-    (tool->solid.is_solid() ? united : all).push_back(*tool);
-  if (!united.empty()) all.insert(all.begin(), fused(united, work));
-  all.insert(all.end(), first, cutters.end());
-  return all;
-}
-
 // Each layer of the part by itself.
-SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation,
-                        std::size_t half_spaces, LayerWork& work) {
+SolidTrimResult divided(const StagedInputs& inputs, SolidOperation operation, LayerWork& work) {
   const std::vector<LabelledSolids> tools = inputs.tools();
   LabelledSolids cutters;
   if (operation != SolidOperation::Common) cutters = each_fused(tools, work);
-  if (operation == SolidOperation::Split && !work.is_refused())
-    cutters = splitters(cutters, half_spaces, work);
   SolidTrimResult all;
   for (const LabelledSolid& layer : inputs.part()) {
     if (work.is_refused()) break;
@@ -249,8 +235,7 @@ TotalVolumes total_of(const TrimTool& part, const std::vector<TrimTool>& tools,
 }
 
 SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools,
-                        SolidOperation operation, const IntersectionOptions& options,
-                        std::size_t half_spaces) {
+                        SolidOperation operation, const IntersectionOptions& options) {
   const SharedLimit limit(options);
   const WorkLimit own_limit(options);
   SolidTrimResult result;
@@ -260,7 +245,7 @@ SolidTrimResult trimmed(const TrimTool& part, const std::vector<TrimTool>& tools
     ConeVolumes cones(cone_apex(sound.part()));
     LayerWork work{limit, cones, {}};
     result = operation == SolidOperation::Fuse ? fused(inputs.joined(), work)
-                                               : divided(inputs, operation, half_spaces, work);
+                                               : divided(inputs, operation, work);
     note(work.told, result);
     result.tolerances = sound.told();
     if (result.obstacles.empty()) check_solids(faces_of(part, tools), own_limit, result);
@@ -286,19 +271,18 @@ double corner_gap(const TrimTool& part, const std::vector<TrimTool>& tools) {
 
 // Where corners state that edges are one, points are one within the gap between these.
 SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimTool>& tools,
-                                   SolidOperation operation, const IntersectionOptions& options,
-                                   std::size_t half_spaces) {
+                                   SolidOperation operation, const IntersectionOptions& options) {
   const SharedLimit limit(options);
   IntersectionOptions stated = options;
   stated.tolerances.point =
       std::max(options.tolerances.point, kCornerMargin * corner_gap(part, tools));
-  SolidTrimResult result = trimmed(part, tools, operation, stated, half_spaces);
+  SolidTrimResult result = trimmed(part, tools, operation, stated);
   if (result.obstacles.empty() || stated.tolerances.point == options.tolerances.point ||
       limit.is_reached())
     return result;
   IntersectionOptions left = limit.remaining();
   left.threads = options.threads;
-  SolidTrimResult finer = trimmed(part, tools, operation, left, half_spaces);
+  SolidTrimResult finer = trimmed(part, tools, operation, left);
   if (!finer.obstacles.empty()) return result;
   finer.status = weaker(finer.status, Status::Tolerance);
   return finer;
@@ -307,16 +291,14 @@ SolidTrimResult trimmed_at_corners(const TrimTool& part, const std::vector<TrimT
 }  // namespace
 
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
-                            SolidOperation operation, const IntersectionOptions& options,
-                            std::size_t half_spaces) {
-  if (half_spaces > tools.size()) throw InvalidInput("trim: more half-spaces than tools");
+                            SolidOperation operation, const IntersectionOptions& options) {
   if (tools.empty()) throw InvalidInput("trim: there is no tool");
   check_closed(part, part_name(part));
   for (std::size_t i = 0; i < tools.size(); ++i)
     if (operation != SolidOperation::Split) check_closed(tools[i], tool_name(tools, i));
   SolidTrimResult result;
   with_threads(options.threads,
-               [&] { result = trimmed_at_corners(part, tools, operation, options, half_spaces); });
+               [&] { result = trimmed_at_corners(part, tools, operation, options); });
   if (!result.obstacles.empty()) {
     // Two ends of curves may have one cause.
     std::vector<std::string> causes;

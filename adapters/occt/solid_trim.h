@@ -18,8 +18,8 @@ enum class SolidOperation {
   Cut,     ///< the part without the tools
   Common,  ///< what lies in the part and in all tools
   Fuse,    ///< what lies in any of them
-  Split,   ///< the part in pieces: outside of all tools and inside of any, with common faces; and
-           ///< on the sides of sheets
+  Split,   ///< the part in pieces, each of them inside or outside of every tool, with common faces;
+           ///< and on the sides of sheets
 };
 
 /// Volumes by our own integration over faces and pieces, cubic model units.
@@ -79,10 +79,10 @@ std::string describe_open_shell(const TrimTool& tool);
 /// of the inputs, as they were.
 ///
 /// Tools are taken one after the other: the part, and then the result so far, is combined with the
-/// next one, until the result is empty. To split, the tools are fused first, but half-spaces: each
-/// of these divides all pieces, which have copies of the common faces that it goes through. Solids
-/// of one input that touch each other are worked on apart, in layers, and stay apart; fused, they
-/// become one only where solids of another input join them.
+/// next one, until the result is empty. To split, each of them divides all pieces, which have
+/// copies of the common faces that it goes through. Solids of one input that touch each other are
+/// worked on apart, in layers, and stay apart; fused, they become one only where solids of another
+/// input join them.
 ///
 /// A sheet, a tool that is no closed solid, splits: each divides all pieces. What of it ends freely
 /// inside of a piece, or has one body on both sides, divides nothing; one that ends in the middle
@@ -106,12 +106,10 @@ std::string describe_open_shell(const TrimTool& tool);
 ///               too are left with the obstacle and the status Stopped
 /// part, tools   each one or several solids that do not overlap; at least one tool; to split, tools
 ///               may be sheets
-/// half_spaces   how many of the tools, the last ones, stand for what is above a plane
 /// throws        InvalidInput if an input that has to be one is no closed solid, or there is no
-/// tool; BadModel if a
+///               tool; BadModel if a
 ///               face cannot be converted
 SolidTrimResult trim_solids(const TrimTool& part, const std::vector<TrimTool>& tools,
-                            SolidOperation operation, const IntersectionOptions& options = {},
-                            std::size_t half_spaces = 0);
+                            SolidOperation operation, const IntersectionOptions& options = {});
 
 }  // namespace blossom::occt

@@ -159,8 +159,7 @@ Answer combine_solids(const std::string& operation, const SharedModel& part,
       origins.push_back(&plane_models.back());
     }
     const double start = watch.seconds();
-    answer.made =
-        occt::trim_solids(solid_of(input), cutters, *wanted, watch.engine(), planes.size());
+    answer.made = occt::trim_solids(solid_of(input), cutters, *wanted, watch.engine());
     answer.seconds = watch.seconds() - start;
     reports::note_faces(answer);
     watch.stop();

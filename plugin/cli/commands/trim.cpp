@@ -234,7 +234,7 @@ void add_trim(CLI::App& app, int& exit_code) {
       ->add_option(
           "--solid", options->solid,
           "combine closed solids instead: cut, common, fuse or split (cut and common side by "
-          "side), with all tools; each plane or sheet splits all pieces")
+          "side), with all tools; each tool, sheet or plane splits all pieces")
       ->type_name("OPERATION");
   command->add_flag("--allow-incomplete", options->allow_incomplete,
                     "write the model even if the intersection was stopped");

@@ -128,8 +128,8 @@ TimedSolids timed_trim(const SolidTrim& options, const occt::Model& part, const 
                      .tools = options.tools,
                      .planes = options.planes,
                      .operation = options.operation};
-  result.made = occt::trim_solids(solid, others, *reports::solid_operation(options.operation),
-                                  engine, options.planes.size());
+  result.made =
+      occt::trim_solids(solid, others, *reports::solid_operation(options.operation), engine);
   const auto seconds = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };

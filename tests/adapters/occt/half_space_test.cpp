@@ -45,7 +45,7 @@ SolidTrimResult cut(const TopoDS_Shape& part, const std::vector<Plane>& planes,
                     SolidOperation operation) {
   std::vector<TrimTool> tools;
   for (const Plane& plane : planes) tools.push_back(half_space_tool(plane, part, "plane"));
-  return trim_solids(trim_tool(part), tools, operation, {}, planes.size());
+  return trim_solids(trim_tool(part), tools, operation);
 }
 
 double total(const SolidTrimResult& made) {
@@ -167,7 +167,7 @@ TEST(HalfSpaces, SplitWhatOtherToolsHaveSplit) {
   const SolidTrimResult pieces =
       trim_solids(trim_tool(part),
                   {trim_tool(ball), half_space_tool({{0, 0, 0.5}, {0, 0, 1}}, part, "plane 1")},
-                  SolidOperation::Split, {}, 1);
+                  SolidOperation::Split);
   EXPECT_TRUE(pieces.obstacles.empty());
   ASSERT_EQ(pieces.solids.size(), 4U);
   EXPECT_NEAR(total(pieces), 64, 1e-9);

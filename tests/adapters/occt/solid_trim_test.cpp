@@ -351,7 +351,7 @@ TEST(TrimSolids, TakesSeveralTools) {
   }
   const SolidTrimResult split = trim_solids(plate, tools, SolidOperation::Split);
   ASSERT_EQ(words(split), "");
-  EXPECT_EQ(split.solids.size(), 3u);
+  EXPECT_EQ(split.solids.size(), 4u);  // what the first and the last one cut out lies side by side
   EXPECT_NEAR(volume(split.solids), 8, 1e-9);
   const SolidTrimResult fuse = trim_solids(plate, tools, SolidOperation::Fuse);
   ASSERT_EQ(words(fuse), "");
@@ -360,6 +360,20 @@ TEST(TrimSolids, TakesSeveralTools) {
   const SolidTrimResult common = trim_solids(plate, tools, SolidOperation::Common);
   EXPECT_EQ(words(common), "");
   EXPECT_TRUE(common.solids.empty());
+}
+
+// Slabs side by side fill all of the part, and others go across them.
+TEST(TrimSolids, AreSplitByEachOfSeveralTools) {
+  const TrimTool part = trim_tool(ball({0, 0, 0}, 1));
+  std::vector<TrimTool> tools;
+  for (const double from : {-2.0, -0.25, 0.5}) {
+    tools.push_back(trim_tool(box({from, -2, -2}, {from < -1 ? -0.25 : from + 0.75, 2, 2})));
+    tools.push_back(trim_tool(box({-2, -2, from}, {2, 2, from < -1 ? -0.25 : from + 0.75})));
+  }
+  const SolidTrimResult split = trim_solids(part, tools, SolidOperation::Split);
+  ASSERT_EQ(words(split), "");
+  EXPECT_EQ(split.solids.size(), 9u);
+  EXPECT_NEAR(volume(split.solids), 4 * std::numbers::pi / 3, 1e-6);
 }
 
 TEST(TrimSolids, AreWholeOrStoppedWheneverTheyAreCancelled) {
