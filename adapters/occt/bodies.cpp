@@ -324,8 +324,10 @@ class BodyRelations {
       const Body &body_a = a_.bodies[i], &body_b = b_.bodies[j];
       if (!body_a.is_solid()) return add_trimmed(body_a, body_b, a);
       if (!body_b.is_solid()) return add_trimmed(body_b, body_a, b);
-      const SolidPieces pieces =
-          solid_pieces(trim_tool(body_a.shape), trim_tool(body_b.shape), limit_.remaining());
+      const TrimTool solid_a = trim_tool(body_a.shape), solid_b = trim_tool(body_b.shape);
+      SolidPieces pieces = solid_pieces(solid_a, solid_b, Attempt::First, limit_.remaining());
+      if (!pieces.obstacles.empty())
+        pieces = solid_pieces(solid_a, solid_b, Attempt::Others, limit_.remaining());
       if (!pieces.obstacles.empty()) return std::nullopt;
       count_sides(pieces.a, a);
       count_sides(pieces.b, b);

@@ -137,9 +137,10 @@ void put_together(const SolidPieces& pieces, const TrimTool& part, const TrimToo
 
 // What is within the options' tolerance is one.
 SolidTrimResult combined_at(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
-                            const IntersectionOptions& options, ConeVolumes& cones) {
+                            Attempt attempt, const IntersectionOptions& options,
+                            ConeVolumes& cones) {
   const WorkLimit limit(options);
-  const SolidPieces pieces = solid_pieces(part, tool, options);
+  const SolidPieces pieces = solid_pieces(part, tool, attempt, options);
   SolidTrimResult result;
   result.status = pieces.status;
   result.certificate = pieces.certificate;
@@ -156,6 +157,13 @@ SolidTrimResult combined_at(const TrimTool& part, const TrimTool& tool, SolidOpe
     if (limit.reached_after_search() != nullptr) result.status = Status::Stopped;
   }
   return result;
+}
+
+void tell_scale(double scale, SolidTrimResult& result) {
+  std::ostringstream text;
+  text << "what is nearer to each other than " << scale << " counts as one";
+  result.thin.push_back(text.str());
+  result.status = weaker(result.status, Status::Tolerance);
 }
 
 }  // namespace
@@ -176,20 +184,27 @@ double SolidVolumes::fuse_error() const {
 SolidTrimResult combined_pair(const TrimTool& part, const TrimTool& tool, SolidOperation operation,
                               const IntersectionOptions& options, ConeVolumes& cones) {
   const SharedLimit limit(options);
-  SolidTrimResult result = combined_at(part, tool, operation, options, cones);
-  if (result.obstacles.empty() || limit.is_reached()) return result;
+  const SolidTrimResult first = combined_at(part, tool, operation, Attempt::First, options, cones);
+  if (first.obstacles.empty() || limit.is_reached()) return first;
   const double point = options.tolerances.point;
-  IntersectionOptions scaled = limit.remaining();
-  scaled.tolerances.point =
+  const double scale =
       contact_scale(contact_gaps(part, tool, kLiesReach * kLiesReach * point, limit), point);
-  if (scaled.tolerances.point == point) return result;
-  SolidTrimResult other = combined_at(part, tool, operation, scaled, cones);
-  if (!other.obstacles.empty()) return result;
-  std::ostringstream text;
-  text << "what is nearer to each other than " << scaled.tolerances.point << " counts as one";
-  other.thin.push_back(text.str());
-  other.status = weaker(other.status, Status::Tolerance);
-  return other;
+  struct Way {
+    Attempt attempt;
+    double tolerance;
+  };
+  std::vector<Way> ways{{Attempt::Others, point}};
+  if (scale != point) ways = {{Attempt::First, scale}, ways.front(), {Attempt::Others, scale}};
+  for (const auto& [attempt, tolerance] : ways) {
+    if (limit.is_reached()) break;
+    IntersectionOptions left = limit.remaining();
+    left.tolerances.point = tolerance;
+    SolidTrimResult other = combined_at(part, tool, operation, attempt, left, cones);
+    if (!other.obstacles.empty()) continue;
+    if (tolerance != point) tell_scale(tolerance, other);
+    return other;
+  }
+  return first;
 }
 
 }  // namespace blossom::occt

@@ -2,6 +2,7 @@
 #include "adapters/occt/solids/contact_scale.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -25,6 +26,8 @@ namespace blossom::occt {
 namespace {
 
 constexpr double kMargin = 1.1;  // of a gap: what is so much farther counts as one with it
+
+constexpr std::array kLooks{0.0, 0.25, 0.5, 0.75, 1.0};  // at a run
 
 Bnd_Box box_of(const TopoDS_Shape& shape, double margin) {
   Bnd_Box box;
@@ -117,12 +120,16 @@ class Gaps {
       }
   }
 
-  // Crossings have no gap; contacts have that of their points.
+  // Crossings have no gap; contacts have that of their points, and runs that at some of theirs:
+  // bounds that are proven for them may be far above it.
   void between(const TopoDS_Edge& a, const TopoDS_Edge& b) {
     const CurveIntersection common = intersect(a, b, options());
-    for (const CurvePoint& point : common.points)
-      add(point_of(a, point.a).Distance(point_of(b, point.b)));
-    for (const CurveOverlap& run : common.overlaps) add(run.gap_high);
+    const auto add_at = [&](double t) {
+      if (const auto gap = distance_from(point_of(a, t), b)) add(*gap);
+    };
+    for (const CurvePoint& point : common.points) add_at(point.a);
+    for (const CurveOverlap& run : common.overlaps)
+      for (const double part : kLooks) add_at(at(run.a, part));
   }
 
   void between(const TopoDS_Edge& edge, const TopoDS_Face& face) {
@@ -130,7 +137,12 @@ class Gaps {
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
     for (const CurveSurfacePoint& point : common.points)
       add(point_of(edge, point.t).Distance(surface->Value(point.uv[0], point.uv[1])));
-    for (const CurveSurfaceOverlap& run : common.overlaps) add(run.gap_high);
+    const SurfaceProjector feet(face, reach_);
+    for (const CurveSurfaceOverlap& run : common.overlaps)
+      for (const double part : kLooks) {
+        const Vec3 point = vec(point_of(edge, at(run.t, part)));
+        add(feet.gap(point, feet.foot(point, {})));
+      }
   }
 
   const double reach_;
@@ -157,15 +169,17 @@ double contact_scale(const std::vector<double>& gaps, double tolerance) {
     if (above * widest.from > widest.to * below) widest = {below, above};
   };
   for (const double gap : gaps) {
-    if (gap > kLiesReach * tolerance) {
+    if (gap > kMargin * kLiesReach * tolerance) {
       end_range(std::min(gap, reach));
       break;
     }
     if (gap > below) end_range(gap);
     below = std::max(below, kMargin * gap);
   }
-  if (gaps.empty() || gaps.back() <= kLiesReach * tolerance) end_range(reach);
-  return std::min(std::sqrt(widest.from * widest.to), kLiesReach * tolerance);
+  if (gaps.empty() || gaps.back() <= kMargin * kLiesReach * tolerance)
+    end_range(kMargin * kMargin * reach);  // it is wider than what was looked at
+  return std::min(std::sqrt(widest.from * widest.to),
+                  std::max(kLiesReach * tolerance, widest.from));
 }
 
 }  // namespace blossom::occt

@@ -26,7 +26,8 @@ std::vector<double> contact_gaps(const TrimTool& a, const TrimTool& b, double re
 ///
 /// gaps      increasing; at least all up to the square of `kLiesReach` in tolerances
 /// returns   the geometric mean of the ends of the widest range, by their ratio, without gaps
-///           above the tolerance that begins within `kLiesReach` of it; no more than that
+///           above the tolerance that begins within `kLiesReach` of it; no more than that, or than
+///           what covers a gap as wide as that
 double contact_scale(const std::vector<double>& gaps, double tolerance);
 
 }  // namespace blossom::occt

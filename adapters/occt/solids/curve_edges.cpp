@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <BRep_Tool.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
 
 namespace blossom::occt {
 namespace {
@@ -70,6 +72,14 @@ double length_of(const Spline& curve, const Interval& range) {
   return length;
 }
 
+// Of the vertices at both ends, the larger one.
+double end_tolerance(const TopoDS_Edge& edge) {
+  double largest = 0;
+  for (TopoDS_Iterator it(edge); it.More(); it.Next())
+    largest = std::max(largest, BRep_Tool::Tolerance(TopoDS::Vertex(it.Value())));
+  return largest;
+}
+
 }  // namespace
 
 void CurveEdges::add(const CutUse& use) {
@@ -103,17 +113,24 @@ bool join_matching(const CurveEdges& a, const CurveEdges& b, const CommonEdges& 
 }
 
 double longest_rest(const Spline& curve, const CurveEdges& a, const CurveEdges& b) {
-  std::vector<Interval> covered;
-  for (const auto* edges : {&a.along, &b.along, &a.made})
-    for (const CurveEdge& edge : *edges) covered.push_back(edge.at);
-  std::sort(covered.begin(), covered.end(),
-            [](const Interval& x, const Interval& y) { return x.from < y.from; });
-  double longest = 0, from = curve.knots.front();
-  for (const Interval& each : covered) {
-    longest = std::max(longest, length_of(curve, {from, std::max(from, each.from)}));
-    from = std::max(from, each.to);
+  struct Covered {
+    Interval at;
+    double beyond;  // so far do its ends reach
+  };
+  std::vector<Covered> covered;
+  for (const auto* edges : {&a.along, &b.along, &a.made, &b.made})
+    for (const CurveEdge& edge : *edges) covered.push_back({edge.at, end_tolerance(edge.edge)});
+  std::ranges::sort(covered, {}, [](const Covered& each) { return each.at.from; });
+  covered.push_back({{curve.knots.back(), curve.knots.back()}, 0});
+  double longest = 0, from = curve.knots.front(), beyond = 0;
+  for (const Covered& each : covered) {
+    const double rest = length_of(curve, {from, std::max(from, each.at.from)});
+    longest = std::max(longest, rest - beyond - each.beyond);
+    if (each.at.to > from) beyond = 0;
+    if (each.at.to >= from) beyond = std::max(beyond, each.beyond);
+    from = std::max(from, each.at.to);
   }
-  return std::max(longest, length_of(curve, {from, std::max(from, curve.knots.back())}));
+  return longest;
 }
 
 }  // namespace blossom::occt

@@ -39,7 +39,8 @@ bool match(const CurveEdges& a, const CurveEdges& b);
 bool join_matching(const CurveEdges& a, const CurveEdges& b, const CommonEdges& common,
                    EdgeUnion& joined);
 
-/// The length of the longest piece of a curve that became no edge and runs along none.
+/// The length of the longest piece of a curve that became no edge and runs along none, but for what
+/// the tolerances of edges' vertices cover. Model units.
 double longest_rest(const Spline& curve, const CurveEdges& a, const CurveEdges& b);
 
 }  // namespace blossom::occt

@@ -19,6 +19,7 @@
 #include "adapters/occt/solids/kept_tolerances.h"
 #include "adapters/occt/solids/solid_loose_ends.h"
 #include "adapters/occt/solids/stated_tolerance.h"
+#include "adapters/occt/solids/touching_curves.h"
 #include "adapters/occt/splitting/common_edges.h"
 #include "adapters/occt/splitting/edge_images.h"
 #include "adapters/occt/splitting/edge_union.h"
@@ -30,10 +31,6 @@ namespace {
 
 // In tolerances of the faces' edges: how long a piece of an intersection may be left out.
 constexpr double kMaxRest = 10;
-// How far beside a contact the surfaces are looked at: of its length, and of the root of that times
-// the tolerance, within which surfaces with a radius of that length do not leave each other.
-constexpr double kBeside = 1e-2;
-constexpr double kLeave = 4;
 
 // One solid on its way through the work; one entry for each face.
 struct Side {
@@ -55,38 +52,6 @@ struct CurveUse {
   std::size_t face_b = 0, cut_b = 0;
   bool touch = false;  // the faces do not cross there
 };
-
-// Beside a tangential curve, the sides of the second face on which the first one lies.
-struct Beside {
-  bool above = false, below = false, open = false;
-};
-
-void look_beside(const IntersectionCurve& curve, const SurfaceProjector& on_a,
-                 const SurfaceProjector& on_b, double tolerance, Beside& beside) {
-  const double step =
-      std::max(kBeside * curve.length, kLeave * std::sqrt(tolerance * curve.length));
-  for (const double part : {0.2, 0.5, 0.8}) {
-    const double s = at(curve.curve.domain(), part);
-    const SurfaceFrame frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
-    const Vec3 across = cross(cross(frame.du, frame.dv), derivative_at(curve.curve, s));
-    for (const double sign : {1.0, -1.0}) {
-      const Vec3 aside = frame.point + (sign * step / norm(across)) * across;
-      const double height = on_b.height(frame_at(on_a.surface(), on_a.foot(aside, {})).point);
-      (std::abs(height) <= tolerance ? beside.open
-       : height > 0                  ? beside.above
-                                     : beside.below) = true;
-    }
-  }
-}
-
-// Whether surfaces that touch along a curve stay on one side of each other.
-bool only_touch(const IntersectionCurve& curve, const TopoDS_Face& a, const TopoDS_Face& b,
-                double tolerance) {
-  Beside beside;
-  look_beside(curve, SurfaceProjector(a, tolerance), SurfaceProjector(b, tolerance), tolerance,
-              beside);
-  return !beside.open && beside.above != beside.below;
-}
 
 void add_curve(const FaceIntersection& pair, std::size_t place, Side& a, Side& b,
                std::vector<CurveUse>& uses) {
@@ -431,20 +396,33 @@ SolidPieces pieces_of(const TrimTool& a, const TrimTool& b, const ShapeIntersect
   return result;
 }
 
-// At the options' tolerance.
-SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+SolidPieces first_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+  const SharedLimit limit(options);
+  Pending untold;
+  const ShapeIntersection faces = intersect(a.faces, b.faces, options, Extent::Extended,
+                                            ArcCuts::Even, ConicDeviations::Sampled);
+  IntersectionOptions left = limit.remaining();
+  left.threads = options.threads;
+  SolidPieces found =
+      pieces_of(a, b, faces, EdgeTouches::LeftOut, EdgesLie::WithinTolerance, left, untold);
+  if (found.obstacles.empty()) return found;
+  // The search for where cuts break off has no limit of its own.
+  if (limit.is_reached()) untold.curves.clear();
+  tell(untold, a, b, found);
+  return found;
+}
+
+// Those of the last attempt, if none leads to pieces.
+SolidPieces other_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
   const SharedLimit limit(options);
   const auto left = [&] {
     IntersectionOptions rest = limit.remaining();
     rest.threads = options.threads;
     return rest;
   };
-  Pending untold;
   const ShapeIntersection first = intersect(a.faces, b.faces, options, Extent::Extended,
                                             ArcCuts::Even, ConicDeviations::Sampled);
-  SolidPieces found =
-      pieces_of(a, b, first, EdgeTouches::LeftOut, EdgesLie::WithinTolerance, left(), untold);
-  if (found.obstacles.empty()) return found;
+  SolidPieces other;
   const auto again = [&](const ShapeIntersection& faces, EdgesLie lying) {
     Pending ignored;
     return pieces_of(a, b, faces, EdgeTouches::Sought, lying, left(), ignored);
@@ -452,7 +430,7 @@ SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, const IntersectionOp
   for (const EdgesLie lying : {EdgesLie::WithinTolerance, EdgesLie::WithinOwn}) {
     if (limit.is_reached() || (lying == EdgesLie::WithinOwn && !has_loose_edge(a, b, options)))
       break;
-    SolidPieces other = again(first, lying);
+    other = again(first, lying);
     if (other.obstacles.empty()) return other;
   }
   // Borders of surfaces that do not go on are easier to tell from those of others where these end
@@ -462,24 +440,27 @@ SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, const IntersectionOp
                                      {Extent::Extended, ArcCuts::Shifted},
                                      {Extent::Trims, ArcCuts::Shifted}}) {
     if (limit.is_reached()) break;
-    SolidPieces other =
-        again(intersect(a.faces, b.faces, left(), extent, cuts, ConicDeviations::Sampled),
-              EdgesLie::WithinTolerance);
+    other = again(intersect(a.faces, b.faces, left(), extent, cuts, ConicDeviations::Sampled),
+                  EdgesLie::WithinTolerance);
     if (other.obstacles.empty()) return other;
   }
-  // The search for where cuts break off has no limit of its own.
-  if (limit.is_reached()) untold.curves.clear();
-  tell(untold, a, b, found);
-  return found;
+  return other;
+}
+
+// At the options' tolerance.
+SolidPieces pieces_at(const TrimTool& a, const TrimTool& b, Attempt attempt,
+                      const IntersectionOptions& options) {
+  return attempt == Attempt::First ? first_pieces(a, b, options) : other_pieces(a, b, options);
 }
 
 }  // namespace
 
-SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options) {
+SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, Attempt attempt,
+                         const IntersectionOptions& options) {
   const SharedLimit limit(options);
   IntersectionOptions stated = options;
   stated.tolerances.point = stated_tolerance(a, b, options.tolerances.point);
-  SolidPieces found = pieces_at(a, b, stated);
+  SolidPieces found = pieces_at(a, b, attempt, stated);
   if (found.obstacles.empty() || limit.is_reached() ||
       stated.tolerances.point == options.tolerances.point)
     return found;
@@ -487,7 +468,7 @@ SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const Intersectio
   // clear without it.
   IntersectionOptions left = limit.remaining();
   left.threads = options.threads;
-  SolidPieces finer = pieces_at(a, b, left);
+  SolidPieces finer = pieces_at(a, b, attempt, left);
   if (!finer.obstacles.empty()) return found;
   finer.status = weaker(finer.status, Status::Tolerance);
   std::ostringstream text;

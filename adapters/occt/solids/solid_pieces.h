@@ -23,6 +23,12 @@ struct SolidPieces {
   double between = 0;                  ///< about the volume between such pieces, cubic model units
 };
 
+/// What of the work is done: as a rule, or what comes after that where it led to obstacles.
+enum class Attempt {
+  First,   ///< the faces as they are, and edges where the faces' intersection tells of them
+  Others,  ///< edges' own contacts, their own tolerances, and surfaces cut elsewhere, one by one
+};
+
 /// Splits the faces of two solids along each other.
 ///
 /// Every intersection curve becomes edges that pieces of both solids share, with curves in the
@@ -37,6 +43,7 @@ struct SolidPieces {
 /// seam that it touches, takes the place of the other side's.
 ///
 /// throws   BadModel if a face cannot be converted
-SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, const IntersectionOptions& options);
+SolidPieces solid_pieces(const TrimTool& a, const TrimTool& b, Attempt attempt,
+                         const IntersectionOptions& options);
 
 }  // namespace blossom::occt

@@ -68,8 +68,9 @@ struct FaceSplit {
 
 /// A place where a cut is divided.
 struct CutStop {
-  double parameter = 0;  ///< of the cut
-  TopoDS_Vertex vertex;  ///< of the split of a wire's edge; null inside of the face
+  double parameter = 0;    ///< of the cut
+  TopoDS_Vertex vertex;    ///< of the split of a wire's edge; null inside of the face
+  double uncertainty = 0;  ///< how far from the vertex the cut may be divided, chart coordinates
 };
 
 /// Splits a face in three steps, each for all faces of a model before the next, so that all have
@@ -108,8 +109,9 @@ class FaceSplitter {
   std::vector<CutStop> stops(int cut) const;
 
   /// Records that on the other face this cut ends at the border's vertex `stop.vertex`. If this
-  /// face has a stop of the cut within that vertex's tolerance, both are one vertex, even where the
-  /// edges' tolerances took them farther apart. Call it for all stops, then `tidy`, then `divide`.
+  /// face has a stop of the cut within that vertex's tolerance or the uncertainty, both are one
+  /// vertex, even where the edges' tolerances took them farther apart. Call it for all stops, then
+  /// `tidy`, then `divide`.
   void meet(int cut, const CutStop& stop);
 
   /// Removes all but one of the neighbouring stops that `meet` made one vertex.
@@ -173,7 +175,10 @@ class FaceSplitter {
   void tie(int vertex, const TopoDS_Vertex& other);
   int border_vertex(const TopoDS_Vertex& other);
   void unite(int kept, int left);
+  // Whether the curve stays within `reach` between the two parameters.
+  static bool is_near(const PlanarCurve& curve, double s, double t, double reach);
   void unite_blurred();
+  void unite_loose_ends();
   int vertex_of(const TrimMeeting& meeting, double uncertainty, double inverse_sine = 1);
   double inverse_sine(const LiftedCut& lifted_cut, const TrimMeeting& meeting) const;
   int vertex_at_split(int loop, int coedge, int split);

@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
 
 #include "adapters/occt/base/compounds.h"
 #include "adapters/occt/solid_trim.h"
@@ -27,6 +29,7 @@ TEST(ContactScale, IsInTheMiddleOfTheWidestRangeWithoutGaps) {
   EXPECT_DOUBLE_EQ(contact_scale({0, 1e-12, 2e-6}, 1e-7), std::sqrt(1e-7 * 2e-6));
   EXPECT_DOUBLE_EQ(contact_scale({2e-7, 1.5e-6}, 1e-7), std::sqrt(1.1 * 2e-7 * 1.5e-6));
   EXPECT_DOUBLE_EQ(contact_scale({1.5e-7, 5e-4}, 1e-7), 1e-6);
+  EXPECT_DOUBLE_EQ(contact_scale({1e-6}, 1e-7), 1.1e-6);  // what covers a gap of ten tolerances
 }
 
 TEST(ContactScale, IsTheToleranceWhereGapsAreEverywhere) {
@@ -67,6 +70,49 @@ TEST(SolidsBetweenTouchingAndApart, AreCombined) {
         for (const EdgeSoundness& edge : soundness(all).edges)
           EXPECT_TRUE(edge.problems.empty()) << edge.problems.front().text();
       }
+  }
+}
+
+// Copies that are moved by a few tolerances, up to the ten within which things lie on each other.
+TEST(SolidsBetweenTouchingAndApart, AreCombinedWithTheirMovedCopies) {
+  for (const double off : {2e-7, 6e-7, 1e-6}) {
+    gp_Trsf move;
+    move.SetTranslation({0.48 * off, 0.6 * off, 0.64 * off});
+    for (const TopoDS_Shape& solid : {testing::box({0, 0, 0}, {10, 10, 10}),
+                                      TopoDS_Shape(BRepPrimAPI_MakeCylinder(5, 10).Shape())}) {
+      SCOPED_TRACE(off);
+      const TopoDS_Shape copy = BRepBuilderAPI_Transform(solid, move, true).Shape();
+      const SolidTrimResult fused =
+          trim_solids(trim_tool(solid), {trim_tool(copy)}, SolidOperation::Fuse);
+      ASSERT_TRUE(fused.obstacles.empty()) << fused.obstacles.front();
+      ASSERT_EQ(fused.solids.size(), 1u);
+      EXPECT_TRUE(BRepCheck_Analyzer(fused.solids.front()).IsValid());
+      EXPECT_NEAR(fused.total.result, fused.total.part, 1e-6 * fused.total.part);
+      EXPECT_LE(fused.faces.size(), 6u);
+    }
+  }
+}
+
+// A rim and its moved copy cross at an angle of the way over their radius. Two of the curves that
+// meet there end where they do by less than the tolerance, divided by that angle.
+TEST(SolidsBetweenTouchingAndApart, MeetTheirMovedCopiesAtSmallAngles) {
+  constexpr double kRadius = 5, kHeight = 10;
+  for (const double off : {1e-4, 1e-3, 1e-2}) {
+    SCOPED_TRACE(off);
+    gp_Trsf move;
+    move.SetTranslation({0.48 * off, 0.6 * off, 0.64 * off});
+    const TopoDS_Shape solid = BRepPrimAPI_MakeCylinder(kRadius, kHeight).Shape();
+    const TopoDS_Shape copy = BRepBuilderAPI_Transform(solid, move, true).Shape();
+    const double half = 0.5 * std::hypot(0.48 * off, 0.6 * off);
+    const double lens = 2 * (kRadius * kRadius * std::acos(half / kRadius) -
+                             half * std::sqrt(kRadius * kRadius - half * half));
+    const SolidTrimResult common =
+        trim_solids(trim_tool(solid), {trim_tool(copy)}, SolidOperation::Common);
+    ASSERT_TRUE(common.obstacles.empty()) << common.obstacles.front();
+    ASSERT_EQ(common.solids.size(), 1u);
+    EXPECT_TRUE(BRepCheck_Analyzer(common.solids.front()).IsValid());
+    EXPECT_NEAR(common.total.result, lens * (kHeight - 0.64 * off), 1e-7 * common.total.part);
+    EXPECT_EQ(common.faces.size(), 5u);  // a seam divides one of the two sides
   }
 }
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "adapters/occt/solids/touching_curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapters/occt/faces/surface_projector.h"
+
+namespace blossom::occt {
+namespace {
+
+// How far beside a contact the surfaces are looked at: of its length, and of the root of that times
+// the tolerance, within which surfaces with a radius of that length do not leave each other.
+constexpr double kBeside = 1e-2;
+constexpr double kLeave = 4;
+
+// Beside a tangential curve, the sides of the second face on which the first one lies.
+struct Beside {
+  bool above = false, below = false, open = false;
+};
+
+void look_beside(const IntersectionCurve& curve, const SurfaceProjector& on_a,
+                 const SurfaceProjector& on_b, double tolerance, Beside& beside) {
+  const double step =
+      std::max(kBeside * curve.length, kLeave * std::sqrt(tolerance * curve.length));
+  for (const double part : {0.2, 0.5, 0.8}) {
+    const double s = at(curve.curve.domain(), part);
+    const SurfaceFrame frame = frame_at(on_a.surface(), point_at(curve.chart_a, s));
+    const Vec3 across = cross(cross(frame.du, frame.dv), derivative_at(curve.curve, s));
+    for (const double sign : {1.0, -1.0}) {
+      const Vec3 aside = frame.point + (sign * step / norm(across)) * across;
+      const double height = on_b.height(frame_at(on_a.surface(), on_a.foot(aside, {})).point);
+      (std::abs(height) <= tolerance ? beside.open
+       : height > 0                  ? beside.above
+                                     : beside.below) = true;
+    }
+  }
+}
+
+}  // namespace
+
+bool only_touch(const IntersectionCurve& curve, const TopoDS_Face& a, const TopoDS_Face& b,
+                double tolerance) {
+  Beside beside;
+  look_beside(curve, SurfaceProjector(a, tolerance), SurfaceProjector(b, tolerance), tolerance,
+              beside);
+  return !beside.open && beside.above != beside.below;
+}
+
+}  // namespace blossom::occt
