@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Models as triangles, beside BRepMesh_IncrementalMesh.
 //
-//   bench_meshes [--part P] [--angle A] [--samples N] [--no-crossings] [--faces] FILE...
+//   bench_meshes [--part P] [--angle A] [--samples N] [--no-crossings] [--faces] [--ours] FILE...
 //
 // A row for each model: Open CASCADE's mesh at a deflection of P of the diagonal, and ours at the
 // deviation at which the measured distance is about the same: triangles, measured and proven
 // distance over the deflection, processor seconds, whether it is closed, and pairs of triangles
 // that cross, by CGAL. Distances are measured both ways at N samples (meshes_measure.h). The last
-// columns have ours at the deflection itself. --faces lists faces of many triangles and of large
-// distances.
+// columns have ours at the deflection itself. --ours has these alone. --faces lists faces of many
+// triangles and of large distances.
 
 #include <algorithm>
 #include <cstdio>
@@ -38,7 +38,7 @@ struct Settings {
   double part = 1e-3;
   double angle = 0.5;
   int samples = 100'000;
-  bool crossings = true, faces = false;
+  bool crossings = true, faces = false, ours = false;
   std::vector<std::string> files;
 };
 
@@ -109,6 +109,19 @@ void run(const std::string& file, const Settings& settings) {
   std::fflush(stdout);
 }
 
+// Ours alone, at the deflection.
+void run_ours(const std::string& file, const Settings& settings) {
+  const occt::Model model = testing::repaired_model(file);
+  const double deflection = settings.part * diagonal_of(model.shape());
+  const FacetMesh mesh =
+      our_mesh(model.shape(), {.deviation = deflection, .angle = settings.angle});
+  const double measured = measured_distance(model.shape(), mesh, settings.samples);
+  std::printf("| %s | %s | %.2f |\n", std::filesystem::path(file).stem().c_str(),
+              told(mesh, measured, deflection, settings).c_str(),
+              measured > 0 ? mesh.proven / measured : 1.0);
+  std::fflush(stdout);
+}
+
 std::optional<Settings> settings_from(int argc, char** argv) {
   Settings settings;
   for (int i = 1; i < argc; ++i) {
@@ -124,6 +137,8 @@ std::optional<Settings> settings_from(int argc, char** argv) {
       settings.crossings = false;
     else if (word == "--faces")
       settings.faces = true;
+    else if (word == "--ours")
+      settings.ours = true;
     else
       settings.files.push_back(word);
   }
@@ -132,6 +147,15 @@ std::optional<Settings> settings_from(int argc, char** argv) {
 }
 
 int run_all(const Settings& settings) {
+  if (settings.ours) {
+    std::printf(
+        "| model | triangles | measured | proven | s | closed, crossings | proven over measured |\n"
+        "|---|---:|---:|---:|---:|---|---:|\n");
+    with_threads(1, [&] {
+      for (const std::string& file : settings.files) run_ours(file, settings);
+    });
+    return 0;
+  }
   std::printf(
       "| model | BRepMesh: triangles | measured | proven | s | closed, crossings | ours at the "
       "same "
@@ -149,8 +173,8 @@ int run_all(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace blossom::bench;
-  return run_command(
-      settings_from(argc, argv),
-      "bench_meshes [--part P] [--angle A] [--samples N] [--no-crossings] [--faces] FILE...",
-      run_all);
+  return run_command(settings_from(argc, argv),
+                     "bench_meshes [--part P] [--angle A] [--samples N] [--no-crossings] [--faces] "
+                     "[--ours] FILE...",
+                     run_all);
 }
