@@ -24,14 +24,20 @@ Vec2 wanted(const CurvatureSample& at, const FacetOptions& options) {
     if (options.edge_length > 0) facets = std::max(facets, length / options.edge_length);
     return facets;
   };
-  return {along(at.uu, at.length_u, at.length_v), along(at.vv, at.length_v, at.length_u)};
+  Vec2 facets{along(at.uu, at.length_u, at.length_v), along(at.vv, at.length_v, at.length_u)};
+  if (options.aspect > 0 && at.length_u > 0 && at.length_v > 0) {
+    const double even = at.length_u / at.length_v;
+    const double u = facets[0], v = facets[1];
+    facets = {std::max(u, v * even / options.aspect), std::max(v, u / even / options.aspect)};
+  }
+  return facets;
 }
 
 // Along both directions equal numbers of facets, as far as these do not become too long for it.
-Vec2 scale_of(const Vec2& facets, const Vec2& lengths) {
+Vec2 scale_of(const Vec2& facets, const Vec2& lengths, double most_long) {
   const double even = lengths[1] > 0 && lengths[0] > 0 ? lengths[0] / lengths[1] : 1;
   const double ratio = facets[0] / facets[1];  // may be infinite or no number
-  const double least = even / kMostLong, most = even * kMostLong;
+  const double least = even / most_long, most = even * most_long;
   if (!(facets[0] > 0) && !(facets[1] > 0)) return {even, 1};
   return {ratio > most ? most : ratio > least ? ratio : least, 1};
 }
@@ -54,7 +60,7 @@ FacetDensity filled(std::vector<double> u, std::vector<double> v,
       facets += area * density.facets(i, j);
       lengths += area * Vec2{at.length_u, at.length_v};
     }
-  density.scale = scale_of(facets, lengths);
+  density.scale = scale_of(facets, lengths, options.aspect > 0 ? options.aspect : kMostLong);
   return density;
 }
 

@@ -13,6 +13,9 @@ struct FacetOptions {
   double angle = 0.5;
   /// Largest length of a side, about; model units, 0 for any.
   double edge_length = 0;
+  /// How much longer than wide facets may be, about, where the surface bends; 0 for 16. They follow
+  /// the curvature, which in one direction may be much less than in the other.
+  double aspect = 0;
 };
 
 }  // namespace blossom

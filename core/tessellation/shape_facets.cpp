@@ -23,6 +23,9 @@ void check(const ShapeModel& model, const FacetOptions& options) {
                        std::to_string(options.deviation));
   if (!(options.angle >= 0) || !(options.edge_length >= 0))
     throw InvalidInput("shape_facets: the angle and the length must not be negative");
+  if (options.aspect != 0 && !(options.aspect >= 1))
+    throw InvalidInput("shape_facets: nothing is less long than wide, got the aspect " +
+                       std::to_string(options.aspect));
   const auto is_in = [](int i, std::size_t count) { return i >= 0 && index(i) < count; };
   for (const ModelEdge& edge : model.edges)
     if (!is_in(edge.from, model.vertices.size()) || !is_in(edge.to, model.vertices.size()))

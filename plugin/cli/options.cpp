@@ -88,7 +88,7 @@ std::vector<Output> wanted_outputs(const CommonOptions& options, Outputs outputs
   if (outputs == Outputs::ModelsAndNets || outputs == Outputs::ModelsNetsAndTriangles)
     model.endings.emplace_back(".json");
   if (outputs == Outputs::ModelsNetsAndTriangles)
-    for (const char* ending : {".stl", ".ply", ".obj", ".off", ".glb"})
+    for (const char* ending : {".stl", ".ply", ".obj", ".off", ".3mf", ".glb"})
       model.endings.emplace_back(ending);
   if (outputs == Outputs::ModelsAndDrawings)
     for (const char* ending : {".dxf", ".svg", ".json"}) model.endings.emplace_back(ending);

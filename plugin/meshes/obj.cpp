@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Wavefront's .obj, which OpenMesh writes without groups.
-#include "plugin/meshes/mesh_files.h"
+// Wavefront's .obj, with groups.
+#include "plugin/meshes/mesh_formats.h"
 #include "plugin/meshes/text_words.h"
 
 namespace blossom::meshes {

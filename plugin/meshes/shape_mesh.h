@@ -26,15 +26,16 @@ struct ShapeMesh {
 
 /// What the chosen faces of an input are called in groups: "Face3", or with the part's instance as
 /// inputs of the command line have it, "machine:1/Shaft/Face3": its third face.
-std::vector<std::string> group_names(const reports::Input& input);
+/// With its colour, where the model has one.
+std::vector<MeshGroup> face_groups(const reports::Input& input);
 
 /// numbers   of the shape's faces, for the report
-/// names     of their groups
+/// groups    of these faces
 /// options   a deviation of 0 is a thousandth of the shape's size
 /// ask       see shape_facets; when it ends the work, `made.facets.stopped` is all that is said
 /// throws    BadModel, with the name, if no face can be meshed
 ShapeMesh mesh_of(const std::string& name, const TopoDS_Shape& shape,
-                  const std::vector<int>& numbers, const std::vector<std::string>& names,
+                  const std::vector<int>& numbers, const std::vector<MeshGroup>& groups,
                   const FacetOptions& options, const std::function<bool()>& ask);
 
 }  // namespace blossom::meshes

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// STL as text, which OpenMesh writes as one solid without a name.
+// STL: as text a solid for each group, in binary without groups.
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
 #include "core/math/index.h"
-#include "plugin/meshes/mesh_files.h"
+#include "plugin/meshes/mesh_formats.h"
 #include "plugin/meshes/text_words.h"
 
 namespace blossom::meshes {
@@ -12,12 +18,17 @@ void add_vector(std::string& text, const Vec3& v) {
   text += '\n';
 }
 
+// 0 of a triangle without area.
+Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 across = cross(b - a, c - a);
+  const double length = norm(across);
+  return length > 0 ? across * (1 / length) : Vec3{};
+}
+
 void add_facet(const FileMesh& mesh, const std::array<int, 3>& triangle, std::string& text) {
   const auto corner = [&](std::size_t k) { return mesh.points[index(triangle[k])]; };
-  const Vec3 across = cross(corner(1) - corner(0), corner(2) - corner(0));
-  const double length = norm(across);
   text += "facet normal";
-  add_vector(text, length > 0 ? across * (1 / length) : Vec3{});
+  add_vector(text, unit_normal(corner(0), corner(1), corner(2)));
   text += "outer loop\n";
   for (std::size_t k = 0; k < 3; ++k) {
     text += "vertex";
@@ -26,7 +37,35 @@ void add_facet(const FileMesh& mesh, const std::array<int, 3>& triangle, std::st
   text += "endloop\nendfacet\n";
 }
 
+template <class Number>
+void add_bytes(std::string& bytes, const Number& value) {
+  std::array<char, sizeof value> raw{};
+  std::memcpy(raw.data(), &value, sizeof value);
+  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(raw);
+  bytes.append(raw.data(), raw.size());
+}
+
+void add_floats(const Vec3& v, std::string& bytes) {
+  for (const double x : v.coordinates) add_bytes(bytes, static_cast<float>(x));
+}
+
 }  // namespace
+
+std::string stl_bytes(const FileMesh& mesh) {
+  constexpr std::size_t kHeader = 80;
+  constexpr std::size_t kFacet = 50;
+  std::string bytes = "binary STL";  // and never "solid", which text begins with
+  bytes.resize(kHeader, ' ');
+  bytes.reserve(kHeader + 4 + kFacet * mesh.triangles.size());
+  add_bytes(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const std::array<int, 3>& triangle : mesh.triangles) {
+    const auto corner = [&](std::size_t k) { return mesh.points[index(triangle[k])]; };
+    add_floats(unit_normal(corner(0), corner(1), corner(2)), bytes);
+    for (std::size_t k = 0; k < 3; ++k) add_floats(corner(k), bytes);
+    add_bytes(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
 
 std::string stl_text(const FileMesh& mesh) {
   std::vector<MeshGroup> groups = mesh.groups;

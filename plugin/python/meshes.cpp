@@ -46,11 +46,12 @@ py::dict mesh_records(const meshes::ShapeMesh& made, const std::vector<int>& num
 }
 
 meshes::ShapeMesh meshed(const std::string& name, const TopoDS_Shape& shape,
-                         const std::vector<int>& numbers, const std::vector<std::string>& names,
-                         const FacetOptions& options, const Watch& watch) {
+                         const std::vector<int>& numbers,
+                         const std::vector<meshes::MeshGroup>& groups, const FacetOptions& options,
+                         const Watch& watch) {
   const IntersectionOptions left = watch.engine();
   const WorkLimit limit(left);
-  meshes::ShapeMesh made = meshes::mesh_of(name, shape, numbers, names, options,
+  meshes::ShapeMesh made = meshes::mesh_of(name, shape, numbers, groups, options,
                                            [&limit] { return limit.reached() == nullptr; });
   watch.stop();
   if (made.made.facets.stopped)
@@ -61,7 +62,7 @@ meshes::ShapeMesh meshed(const std::string& name, const TopoDS_Shape& shape,
 meshes::ShapeMesh meshed(LoadedModel& model, const FacetOptions& options, const Watch& watch) {
   model.faces(watch);
   const reports::Input& input = model.repaired_input(watch);
-  return meshed(input.name, reports::chosen_shape(input), input.numbers, meshes::group_names(input),
+  return meshed(input.name, reports::chosen_shape(input), input.numbers, meshes::face_groups(input),
                 options, watch);
 }
 
@@ -85,8 +86,9 @@ void write_glb(LoadedModel& model, const FacetOptions& options, const std::strin
   const occt::Model copy = own_copy(model, watch);
   std::vector<int> numbers(static_cast<std::size_t>(copy.face_count()));
   std::iota(numbers.begin(), numbers.end(), 1);
-  const std::vector<std::string> names(numbers.size());  // it has those of the model
-  const meshes::ShapeMesh made = meshed(model.name(), copy.shape(), numbers, names, options, watch);
+  const std::vector<meshes::MeshGroup> groups(numbers.size());  // it has those of the model
+  const meshes::ShapeMesh made =
+      meshed(model.name(), copy.shape(), numbers, groups, options, watch);
   occt::put_on_faces(made.made, copy.shape());
   occt::write_model(copy, file, [&watch] { watch.stop(); });
 }

@@ -21,6 +21,7 @@
 #include "plugin/python/control.h"
 #include "plugin/python/json.h"
 #include "plugin/python/loaded_model.h"
+#include "plugin/python/mesh_questions.h"
 #include "plugin/python/nets.h"
 #include "plugin/python/questions.h"
 #include "plugin/python/swig_bridge.h"
@@ -204,4 +205,5 @@ PYBIND11_MODULE(_core, module) {
   bp::add_model(module);
   bp::add_nets(module);
   bp::add_questions(module);
+  bp::add_mesh_questions(module);
 }

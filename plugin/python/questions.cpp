@@ -180,49 +180,27 @@ void add_edge_blends(py::module_& module) {
       arg("angle"), arg("partial"), arg("control"));
 }
 
-FacetOptions facets_of(double deviation, double angle, double edge_length) {
-  return {.deviation = deviation, .angle = angle, .edge_length = edge_length};
-}
-
-using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Corners = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
-
-meshes::FileMesh mesh_from(const Rows& points, const Corners& triangles,
-                           const std::vector<std::pair<std::string, std::size_t>>& groups) {
-  meshes::FileMesh mesh;
-  const auto p = points.unchecked<2>();
-  for (py::ssize_t i = 0; i < p.shape(0); ++i) mesh.points.push_back({p(i, 0), p(i, 1), p(i, 2)});
-  const auto t = triangles.unchecked<2>();
-  for (py::ssize_t i = 0; i < t.shape(0); ++i)
-    mesh.triangles.push_back({t(i, 0), t(i, 1), t(i, 2)});
-  for (const auto& [name, first] : groups) mesh.groups.push_back({name, first});
-  return mesh;
+FacetOptions facets_of(double deviation, double angle, double edge_length, double aspect) {
+  return {.deviation = deviation, .angle = angle, .edge_length = edge_length, .aspect = aspect};
 }
 
 void add_meshes(py::module_& module) {
   module.def(
       "mesh",
       [](const SharedModel& model, double deviation, double angle, double edge_length,
-         const Control& control) {
-        return mesh(model, facets_of(deviation, angle, edge_length), control);
+         double aspect, const Control& control) {
+        return mesh(model, facets_of(deviation, angle, edge_length, aspect), control);
       },
-      arg("model"), arg("deviation"), arg("angle"), arg("edge_length"), arg("control"));
+      arg("model"), arg("deviation"), arg("angle"), arg("edge_length"), arg("aspect"),
+      arg("control"));
   module.def(
       "write_mesh",
       [](const SharedModel& model, double deviation, double angle, double edge_length,
-         const std::string& path, bool text, const Control& control) {
-        write_mesh(model, facets_of(deviation, angle, edge_length), path, text, control);
+         double aspect, const std::string& path, bool text, const Control& control) {
+        write_mesh(model, facets_of(deviation, angle, edge_length, aspect), path, text, control);
       },
-      arg("model"), arg("deviation"), arg("angle"), arg("edge_length"), arg("path"), arg("text"),
-      arg("control"));
-  module.def(
-      "write_triangles",
-      [](const Rows& points, const Corners& triangles,
-         const std::vector<std::pair<std::string, std::size_t>>& groups, const std::string& path,
-         bool text, const Control& control) {
-        write_triangles(mesh_from(points, triangles, groups), path, text, control);
-      },
-      arg("vertices"), arg("triangles"), arg("groups"), arg("path"), arg("text"), arg("control"));
+      arg("model"), arg("deviation"), arg("angle"), arg("edge_length"), arg("aspect"), arg("path"),
+      arg("text"), arg("control"));
 }
 
 nets::Cut cut_of(const std::vector<double>& interval, const std::vector<double>& rectangle,

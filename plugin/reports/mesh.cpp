@@ -59,6 +59,7 @@ Json mesh_report(const std::string& file, const std::string& output, const MeshA
           {"deviation", answer.options.deviation},
           {"angle", answer.options.angle},
           {"edge_length", answer.options.edge_length},
+          {"aspect", answer.options.aspect},
           {"points", answer.points},
           {"triangles", answer.triangles},
           {"distance", answer.distance},
@@ -67,7 +68,6 @@ Json mesh_report(const std::string& file, const std::string& output, const MeshA
            answer.edges.open.empty() && answer.edges.crowded.empty() && answer.refused.empty()},
           {"open_edges", answer.edges.open},
           {"non_manifold_edges", answer.edges.crowded},
-          {"apart", answer.apart},
           {"folded", answer.folded},
           {"crossings", answer.crossings ? Json(*answer.crossings) : Json(nullptr)},
           {"crossing_faces", answer.crossing_faces},
@@ -84,9 +84,6 @@ std::string mesh_notes(const MeshAnswer& answer) {
   if (!answer.edges.crowded.empty())
     text << "  it is no manifold at " << counted(answer.edges.crowded.size(), "edge")
          << " of more than two faces:" << named(answer.edges.crowded, number) << "\n";
-  if (answer.apart > 0)
-    text << "  " << counted(static_cast<std::size_t>(answer.apart), "triangle")
-         << " with vertices apart, where it is no manifold\n";
   if (answer.crossings && *answer.crossings > 0)
     text << "  " << counted(*answer.crossings, "pair") << " of triangles cross, of faces"
          << named(answer.crossing_faces,

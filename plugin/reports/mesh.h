@@ -30,7 +30,6 @@ struct MeshAnswer {
   std::size_t points = 0, triangles = 0;
   double distance = 0;  ///< proven, rounding to single precision included
   double rounding = 0;
-  int apart = 0;  ///< triangles with vertices of their own
   int folded = 0;
   BorderEdges edges;
   std::vector<std::pair<int, std::string>> refused;  ///< faces and why

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,7 @@ class Document final : public DocumentInterface {
   TopoDS_Shape shape() const override;
   std::vector<std::string> face_names(const Faces& faces) const override;
   std::vector<std::string> part_paths(const Faces& faces) const override;
+  std::vector<std::optional<FaceColour>> face_colours(const Faces& faces) const override;
   std::vector<AssemblyNode> assembly(const TopoDS_Shape& whole, const Faces& faces) const override;
   std::string part_name(const TopoDS_Face& face) const override;
   std::shared_ptr<DocumentInterface> copy() const override;

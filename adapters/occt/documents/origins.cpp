@@ -52,6 +52,22 @@ std::vector<Looks> all_looks(const Document& document, const TopTools_IndexedMap
   return looks;
 }
 
+std::vector<std::optional<FaceColour>> Document::face_colours(const Faces& faces) const {
+  std::vector<std::optional<FaceColour>> found;
+  for (const Looks& looks : all_looks(*this, faces)) {
+    // That of surfaces goes before the general one.
+    const auto& colour = looks.colours[1] ? looks.colours[1] : looks.colours[0];
+    if (!colour) {
+      found.emplace_back();
+      continue;
+    }
+    FaceColour parts{};
+    colour->GetRGB().Values(parts[0], parts[1], parts[2], Quantity_TOC_sRGB);
+    found.emplace_back(parts);
+  }
+  return found;
+}
+
 void paint(const Document& document, const TDF_Label& label, const Looks& looks) {
   const auto colours = XCAFDoc_DocumentTool::ColorTool(document.main());
   for (std::size_t i = 0; i < kColourTypes.size(); ++i)

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "adapters/occt/exchange/plain_parts.h"
+#include "adapters/occt/face_colours.h"
 #include "adapters/occt/shapes.h"
 
 namespace blossom::occt {
@@ -43,9 +45,10 @@ class DocumentInterface {
   /// All parts at their places; null if there are none.
   virtual TopoDS_Shape shape() const = 0;
 
-  // As the functions of Model are.
+  // As the functions of Model are, and face_colours.
   virtual std::vector<std::string> face_names(const Faces& faces) const = 0;
   virtual std::vector<std::string> part_paths(const Faces& faces) const = 0;
+  virtual std::vector<std::optional<FaceColour>> face_colours(const Faces& faces) const = 0;
   virtual std::vector<AssemblyNode> assembly(const TopoDS_Shape& whole,
                                              const Faces& faces) const = 0;
   virtual std::string part_name(const TopoDS_Face& face) const = 0;

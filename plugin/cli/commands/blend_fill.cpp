@@ -11,6 +11,8 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "plugin/cli/commands/fill_of_mesh.h"
+#include "plugin/cli/commands/meshed_input.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
@@ -144,6 +146,12 @@ int code_of(const reports::FillAnswer& holes) {
 }
 
 int run(const FillCommand& command) {
+  if (is_mesh_input(command.model)) {
+    if (!command.edges.empty() || command.sew || command.layout != "auto")
+      throw UsageError(command.model +
+                       ": of triangles all holes are filled, without these options");
+    return run_fill_of_mesh(command.model, command.common);
+  }
   const reports::FillWishes wishes = wishes_of(command);
   check_files(command.common, {command.model});
   const Input input = read_input(command.model);
@@ -160,7 +168,11 @@ void add_blend_fill(CLI::App& blend, int& exit_code) {
   CLI::App* const command = blend.add_subcommand(
       "fill", "patches in holes of 3 to 12 sides that continue their neighbours, exactly");
   const auto options = std::make_shared<FillCommand>();
-  command->add_option("model", options->model, "model with the hole")->required()->type_name("A");
+  command
+      ->add_option("model", options->model,
+                   "model with the hole, or a mesh (.stl, .ply, .obj, .off)")
+      ->required()
+      ->type_name("A");
   command
       ->add_option("--edges", options->edges,
                    "edges round the hole by number, in any order; all open ones when not given")
@@ -186,7 +198,9 @@ void add_blend_fill(CLI::App& blend, int& exit_code) {
       ->type_name("X")
       ->capture_default_str();
   command->add_flag("--sew", options->sew, "write the model with the fill joined to it");
-  add_common_options(*command, options->common, "write the fill (.step, .brep, .iges)");
+  add_common_options(
+      *command, options->common,
+      "write the fill (.step, .brep, .iges), or the filled mesh (.stl, .ply, .obj, .off)");
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 

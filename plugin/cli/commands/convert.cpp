@@ -14,6 +14,8 @@
 #include "core/regions/border_arcs.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/commands/convert_mesh.h"
+#include "plugin/cli/commands/convert_of_mesh.h"
+#include "plugin/cli/commands/meshed_input.h"
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/interruption.h"
 #include "plugin/cli/nets/net_input.h"
@@ -29,11 +31,14 @@ namespace {
 
 using Form = nets::TargetForm;
 
+constexpr double kCrease = 0.7;  // radians, 40 degrees: what most programs smooth over
+
 struct ConvertCommand {
   std::string input;
   std::string to;  ///< empty: the forms stay
   double tolerance = RegionOptions{}.tolerance;
   MeshConversion mesh;
+  double crease = kCrease;
   CommonOptions common;
 };
 
@@ -98,6 +103,9 @@ std::string summary(const ConvertCommand& options, const Made& made) {
 
 int run(const ConvertCommand& options) {
   check_files(options.common, {options.input}, Outputs::ModelsNetsAndTriangles);
+  if (is_mesh_input(options.input))
+    return run_conversion_of_mesh(options.input, options.common,
+                                  {options.to, options.crease, options.mesh.text});
   if (is_of_triangles(options.common.output)) {
     if (!options.to.empty())
       throw UsageError(options.common.output + ": is of flat triangles, --to is of surfaces");
@@ -122,13 +130,15 @@ void add_convert(CLI::App& app, int& exit_code) {
   CLI::App* const command = app.add_subcommand(
       "convert", "between file formats and forms; what was repaired in reading is written so");
   const auto options = std::make_shared<ConvertCommand>();
-  command->add_option("input", options->input, "model, nets (.json), or some faces or nets")
+  command
+      ->add_option("input", options->input,
+                   "model, nets (.json), triangles (.stl, .ply, .obj, .off), or some of one")
       ->required()
       ->type_name("FILE");
   command
-      ->add_option(
-          "-o,--output", options->common.output,
-          "write .step, .brep, .iges or .json; or triangles, as .stl, .ply, .obj, .off or .glb")
+      ->add_option("-o,--output", options->common.output,
+                   "write .step, .brep, .iges or .json; or triangles, as .stl, .ply, .obj, .off, "
+                   ".3mf or .glb")
       ->required()
       ->type_name("FILE");
   limit_to(*command->add_option("--to", options->to,
@@ -142,6 +152,13 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->default_str(number_text(options->tolerance))
       ->type_name("T");
   add_mesh_options(*command, options->mesh);
+  command
+      ->add_option("--crease", options->crease,
+                   "of a file of triangles, --to triangles or bezier: sides at which neighbours "
+                   "turn by so much stay sharp, radians")
+      ->check(positive_number())
+      ->default_str(number_text(options->crease))
+      ->type_name("A");
   add_report_options(*command, options->common);
   command->callback([options, &exit_code] { exit_code = run(*options); });
 }

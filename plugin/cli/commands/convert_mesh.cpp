@@ -12,12 +12,12 @@
 #include "plugin/cli/exit_code.h"
 #include "plugin/cli/inputs.h"
 #include "plugin/cli/interruption.h"
-#include "plugin/cli/mesh_judge.h"
 #include "plugin/cli/nets/net_input.h"
 #include "plugin/cli/output.h"
 #include "plugin/cli/progress.h"
 #include "plugin/cli/supervision.h"
 #include "plugin/cli/values.h"
+#include "plugin/meshes/mesh_judge.h"
 #include "plugin/meshes/shape_mesh.h"
 #include "plugin/reports/mesh.h"
 #include "plugin/reports/repairs.h"
@@ -28,21 +28,21 @@ namespace {
 // Looking for crossings takes longer than meshing; of so many triangles some seconds.
 constexpr std::size_t kMostJudged = 2'000'000;
 
-meshes::ShapeMesh meshed(const Input& input, const std::vector<std::string>& names,
+meshes::ShapeMesh meshed(const Input& input, const std::vector<meshes::MeshGroup>& groups,
                          const FacetOptions& options) {
   Progress progress("meshing");
   const std::function<bool()> cancelled = interrupted;
   const WorkLimit limit(seconds_left(), cancelled);
-  return meshes::mesh_of(input.name, input.model.shape(), input.numbers, names, options, [&] {
+  return meshes::mesh_of(input.name, input.model.shape(), input.numbers, groups, options, [&] {
     progress.tick();
     return limit.reached() == nullptr;
   });
 }
 
-void look_for_crossings(const FileMesh& mesh, const std::vector<int>& face_of,
+void look_for_crossings(const meshes::FileMesh& mesh, const std::vector<int>& face_of,
                         const std::vector<int>& numbers, reports::MeshAnswer& answer) {
   if (mesh.triangles.size() > kMostJudged) return;
-  const auto judged = judged_mesh(mesh);
+  const auto judged = meshes::judged_mesh(mesh, stop_if_interrupted);
   if (!judged) return;
   answer.crossings = judged->crossings;
   std::set<std::array<int, 2>> pairs;
@@ -85,23 +85,29 @@ void add_mesh_options(CLI::App& command, MeshConversion& options) {
                   "of triangles: how long sides may be, about; model units")
       ->check(positive_number())
       ->type_name("L");
-  command.add_flag("--text", options.text, "of triangles: .stl, .ply and .off as text");
+  command
+      .add_option("--aspect", options.facets.aspect,
+                  "of triangles: how much longer than wide they may be where faces bend, about; "
+                  "16 when not given")
+      ->check(CLI::Range(1.0, 1e6))
+      ->type_name("X");
+  command.add_flag("--text", options.text, "of triangles: .stl and .ply as text");
 }
 
 bool is_of_triangles(const std::string& file) {
-  return meshes::is_mesh_file(file) || meshes::is_glb_file(file);
+  return meshes::is_written_mesh_file(file) || meshes::is_glb_file(file);
 }
 
 int run_mesh_conversion(const std::string& name, const CommonOptions& common,
                         const MeshConversion& conversion) {
   Input input = read_input(name);
   const Json repairs = Json::array({reports::repairs_json(input)});
-  const std::vector<std::string> names = meshes::group_names(input);
+  const std::vector<meshes::MeshGroup> groups = meshes::face_groups(input);
   drop_other_faces(input);
   stop_if_interrupted();
   FacetOptions options = conversion.facets;
   options.deviation = conversion.deviation;
-  meshes::ShapeMesh made = meshed(input, names, options);
+  meshes::ShapeMesh made = meshed(input, groups, options);
   stop_if_interrupted();
   if (made.made.facets.stopped) {
     tell_unwritten(common.output, "the time limit was reached while it was meshed");
@@ -118,7 +124,6 @@ int run_mesh_conversion(const std::string& name, const CommonOptions& common,
         meshes::write_mesh_file(made.mesh, common.output, conversion.text, stop_if_interrupted);
     answer.rounding = written.rounding;
     answer.distance += written.rounding;
-    answer.apart = written.apart;
   }
   if (!common.json.empty()) {
     Json report = reports::mesh_report(name, common.output, answer);

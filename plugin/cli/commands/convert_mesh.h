@@ -21,7 +21,7 @@ struct MeshConversion {
 /// --deviation, --angle, --edge-length, --text.
 void add_mesh_options(CLI::App& command, MeshConversion& options);
 
-/// Whether an output is of triangles: .stl, .ply, .obj, .off, .glb.
+/// Whether an output is of triangles: .stl, .ply, .obj, .off, .3mf, .glb.
 bool is_of_triangles(const std::string& file);
 
 /// Reads, meshes, writes, reports.

@@ -3,11 +3,9 @@
 
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <string>
 
-#include "plugin/cli/inputs.h"
+#include "plugin/meshes/mesh_distance.h"
 #include "plugin/meshes/mesh_files.h"
 
 namespace blossom::cli {
@@ -15,29 +13,11 @@ namespace blossom::cli {
 /// Whether an input, as the user wrote it, is a file of triangles.
 bool is_mesh_input(const std::string& input);
 
-/// An input as triangles, and how far these may be from it.
-class MeshedInput {
- public:
-  /// A model has few triangles at first, for its size alone.
-  explicit MeshedInput(const std::string& name);
+/// The triangles of FILE, or of some of its groups: FILE#Face3, FILE#2,4-6. A stage of its own.
+/// throws   UsageError as parse_input; occt::BadModel
+meshes::FileMesh read_mesh_input(const std::string& input);
 
-  const std::string& name() const { return name_; }
-  const meshes::FileMesh& mesh() const { return mesh_; }
-  double distance() const { return distance_; }  ///< proven, both ways; 0 of a file of triangles
-  bool is_model() const { return model_ != nullptr; }
-  double size() const;  ///< the diagonal of its box
-
-  /// Triangles of a model within a deviation. False if it was told to end.
-  /// throws   occt::BadModel, with the face, if one cannot be meshed
-  bool refine(double deviation, const std::function<bool()>& ask);
-
- private:
-  bool mesh_model(double deviation, double angle, const std::function<bool()>& ask);
-
-  std::string name_;
-  meshes::FileMesh mesh_;
-  std::unique_ptr<Input> model_;
-  double distance_ = 0;
-};
+/// Either as triangles.
+meshes::MeshSource mesh_source_of(const std::string& input);
 
 }  // namespace blossom::cli

@@ -65,6 +65,14 @@ from ._queries import (
 from ._results import Result
 from ._sections import PartSection, PlaneSection, Section, SectionCurve, Sections, Wire
 from ._shapes import spline_model
+from ._triangles import (
+    MeshCheck,
+    MeshDistance,
+    MeshIntersection,
+    MeshSections,
+    Triangles,
+    from_mesh,
+)
 
 __all__ = [
     "Cancel",
@@ -88,6 +96,10 @@ __all__ = [
     "Intersection",
     "Meeting",
     "Mesh",
+    "MeshCheck",
+    "MeshDistance",
+    "MeshIntersection",
+    "MeshSections",
     "Model",
     "Net",
     "Overlap",
@@ -104,6 +116,7 @@ __all__ = [
     "Spline",
     "Strip",
     "Subdivision",
+    "Triangles",
     "Trim",
     "Watertight",
     "Whole",
@@ -121,6 +134,7 @@ __all__ = [
     "fill",
     "fillet",
     "foot_points",
+    "from_mesh",
     "info",
     "intersect",
     "mesh",

@@ -297,7 +297,7 @@ def _some(listed: List[NamedPlane], name: str) -> List[NamedPlane]:
 
 
 _OF_MODELS = (".step", ".stp", ".iges", ".igs", ".brep", ".brp")
-_OF_TRIANGLES = (".stl", ".ply", ".obj", ".off", ".glb")
+_OF_TRIANGLES = (".stl", ".ply", ".obj", ".off", ".3mf", ".glb")
 _OF_DRAWINGS = (".dxf", ".svg")
 FACET_ANGLE = 0.5  # radians; FacetOptions in core/tessellation/facet_options.h
 
@@ -322,12 +322,15 @@ def is_of_drawings(file: str) -> bool:
     return file.lower().endswith(_OF_DRAWINGS)
 
 
-def facets(deviation: Any, angle: Any, edge_length: Any) -> Tuple[float, float, float]:
+def facets(
+    deviation: Any, angle: Any, edge_length: Any, aspect: Any
+) -> Tuple[float, float, float, float]:
     """How fine triangles are; 0 is what is not given, and of a deviation a part of the size."""
     return (
         0.0 if deviation is None else positive(deviation, "deviation"),
         FACET_ANGLE if angle is None else positive(angle, "angle"),
         0.0 if edge_length is None else positive(edge_length, "edge_length"),
+        0.0 if aspect is None else positive(aspect, "aspect"),
     )
 
 

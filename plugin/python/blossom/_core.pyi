@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # The compiled part; for the package's own modules.
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -113,25 +113,51 @@ def clash(
     a: Model, b: Optional[Model], clearance: Optional[float], far: bool, control: Control
 ) -> Answer: ...
 def mesh(
-    model: Model, deviation: float, angle: float, edge_length: float, control: Control
+    model: Model,
+    deviation: float,
+    angle: float,
+    edge_length: float,
+    aspect: float,
+    control: Control,
 ) -> Answer: ...
 def write_mesh(
     model: Model,
     deviation: float,
     angle: float,
     edge_length: float,
+    aspect: float,
     path: str,
     text: bool,
     control: Control,
 ) -> None: ...
-def write_triangles(
-    vertices: NDArray[np.float64],
-    triangles: NDArray[np.int32],
-    groups: List[Tuple[str, int]],
-    path: str,
-    text: bool,
-    control: Control,
-) -> None: ...
+Colour = Tuple[int, int, int]
+Groups = List[Tuple[str, int, Optional[Colour]]]
+Plane = Tuple[Triple, Triple, str, Optional[float]]
+
+class Triangles:
+    @property
+    def name(self) -> str: ...
+    @property
+    def vertices(self) -> NDArray[np.float64]: ...
+    @property
+    def triangles(self) -> NDArray[np.int32]: ...
+    @property
+    def groups(self) -> Groups: ...
+    @property
+    def notes(self) -> List[str]: ...
+
+def read_mesh(path: str, control: Control) -> Triangles: ...
+def mesh_of_arrays(
+    name: str, vertices: NDArray[np.float64], triangles: NDArray[np.int32], groups: Groups
+) -> Triangles: ...
+def check_mesh(mesh: Triangles, control: Control) -> Answer: ...
+def intersect_mesh(a: Triangles, b: Union[Triangles, Model], control: Control) -> Answer: ...
+def section_mesh(mesh: Triangles, planes: List[Plane], control: Control) -> Answer: ...
+def mesh_distance(
+    a: Triangles, b: Union[Triangles, Model], tolerance: float, control: Control
+) -> Answer: ...
+def fill_mesh(mesh: Triangles, control: Control) -> Tuple[Triangles, Answer]: ...
+def write_triangles(mesh: Triangles, path: str, text: bool, control: Control) -> None: ...
 def ray(
     model: Model, origin: Triple, direction: Triple, first: bool, line: bool, control: Control
 ) -> Answer: ...

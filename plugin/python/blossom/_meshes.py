@@ -4,8 +4,8 @@
 import os
 from typing import Any, Dict, Iterator, List, Tuple, Union
 
-from . import _checks, _core
 from ._results import Array, Indices, Selective, counted
+from ._triangles import from_mesh
 
 
 class Mesh(Selective):
@@ -39,7 +39,7 @@ class Mesh(Selective):
 
     @property
     def names(self) -> Dict[int, str]:
-        """What faces are called in .obj files, and .stl as text: "Face3", or with its part "Shaft/Face3"."""
+        """What faces are called in .obj, .ply and .off files, and .stl as text: "Face3", or with its part "Shaft/Face3"."""
         return {int(self.faces[first]): name for name, first in self._groups()}
 
     @property
@@ -56,15 +56,9 @@ class Mesh(Selective):
     def write(self, path: Union[str, "os.PathLike[str]"], text: bool = False, **options: Any) -> None:
         """Writes the triangles to a file: .stl, .ply, .obj, .off; .glb is written by models.
 
-        text   .stl, .ply and .off are not binary
+        text   .stl and .ply are not binary
         """
-        file = _checks.path(path, "path")
-        if not _checks.is_of_triangles(file) or file.lower().endswith(".glb"):
-            raise ValueError(f"path: {file} does not end with .stl, .ply, .obj or .off")
-        control = _checks.control(options)
-        _core.write_triangles(
-            self.vertices, self.triangles, self._groups(), file, _checks.flag(text, "text"), control
-        )
+        from_mesh(self).write(path, text, **options)
 
     def _groups(self) -> List[Tuple[str, int]]:
         return list(self._made()["groups"])

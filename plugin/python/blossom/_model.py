@@ -214,6 +214,7 @@ class Model(_results.MadeShape):
         *,
         angle: Optional[float] = None,
         edge_length: Optional[float] = None,
+        aspect: Optional[float] = None,
         **options: Any,
     ) -> Mesh:
         """Triangles of its faces, which meet in common points along edges.
@@ -221,8 +222,9 @@ class Model(_results.MadeShape):
         deviation     how far they may be from the faces, model units; a thousandth of the size
         angle         how far normals may turn along a side, about; 0.5 radians
         edge_length   how long sides may be, about; any
+        aspect        how much longer than wide they may be where faces bend, about; 16
         """
-        facets = _checks.facets(deviation, angle, edge_length)
+        facets = _checks.facets(deviation, angle, edge_length, aspect)
         return Mesh(_core.mesh(self._core, *facets, _checks.control(options)))
 
     def ray(

@@ -44,21 +44,22 @@ class MadeShape:
         deviation: Optional[float] = None,
         angle: Optional[float] = None,
         edge_length: Optional[float] = None,
+        aspect: Optional[float] = None,
         text: bool = False,
         **options: Any,
     ) -> None:
         """Writes the shape to a file: .step, .iges, .brep; or its triangles: .stl, .ply, .obj, .off,
         .glb. The file is there whole or not at all.
 
-        deviation, angle, edge_length   of triangles, see `Model.mesh`
-        text                            .stl, .ply and .off are not binary
+        deviation, angle, edge_length, aspect   of triangles, see `Model.mesh`
+        text                                    .stl and .ply are not binary
         """
         file, control = _checks.shape_file(path, "path"), _checks.control(options)
-        facets = _checks.facets(deviation, angle, edge_length)
+        facets = _checks.facets(deviation, angle, edge_length, aspect)
         as_text = _checks.flag(text, "text")
         if _checks.is_of_triangles(file):
             _core.write_mesh(self._core_model(), *facets, file, as_text, control)
-        elif as_text or any(each is not None for each in (deviation, angle, edge_length)):
+        elif as_text or any(each is not None for each in (deviation, angle, edge_length, aspect)):
             raise ValueError(f"path: {file} has no triangles, which these options are of")
         else:
             self._core_model().write(file, control)

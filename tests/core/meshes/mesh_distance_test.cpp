@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "core/tessellation/mesh_distance.h"
+#include "core/meshes/mesh_distance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What is wrong with triangles. It takes CGAL.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plugin/meshes/mesh_files.h"
+#include "plugin/reports/json.h"
+
+namespace blossom::meshes {
+
+/// What is wrong with triangles, see adapters/cgal/mesh_judge.h.
+struct JudgedMesh {
+  std::size_t open_sides = 0, crowded_sides = 0, turned_sides = 0;
+  std::size_t degenerate = 0, parts = 0, crossings = 0;
+  double area = 0, volume = 0;
+  std::vector<std::array<int, 2>> crossing_pairs;
+
+  bool closed() const { return open_sides == 0 && crowded_sides == 0 && turned_sides == 0; }
+  bool sound() const { return closed() && degenerate == 0 && crossings == 0 && volume > 0; }
+};
+
+/// Nothing if it was built without CGAL.
+/// stop   asked now and then; may throw to end the work
+std::optional<JudgedMesh> judged_mesh(const FileMesh& mesh, const std::function<void()>& stop);
+
+/// Schema blossom.mesh-check/1.
+reports::Json mesh_check_report(const std::string& file, const FileMesh& mesh,
+                                const JudgedMesh& found);
+
+/// The same in lines.
+std::string mesh_check_text(const std::string& file, const FileMesh& mesh, const JudgedMesh& found);
+
+/// Notes of a file that was read, a line each.
+std::string notes_text(const FileMesh& mesh);
+
+}  // namespace blossom::meshes

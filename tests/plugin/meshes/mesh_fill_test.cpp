@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Meshes whose holes are filled, and parts of meshes.
+
+#include "plugin/meshes/mesh_fill.h"
+
+#include <gtest/gtest.h>
+
+#include "adapters/occt/base/errors.h"
+#include "plugin/meshes/mesh_parts.h"
+
+namespace blossom::meshes {
+namespace {
+
+// A unit cube without the upper side.
+FileMesh box() {
+  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
+          {{0, 2, 1},
+           {0, 3, 2},
+           {0, 1, 5},
+           {0, 5, 4},
+           {1, 2, 6},
+           {1, 6, 5},
+           {2, 3, 7},
+           {2, 7, 6},
+           {3, 0, 4},
+           {3, 4, 7}},
+          {{"floor", 0}, {"walls", 2}}};
+}
+
+TEST(FilledMeshes, AreClosedAndTellTheirHoles) {
+  const FilledMesh filled = with_holes_filled(box(), {});
+  ASSERT_EQ(filled.holes.size(), 1u);
+  EXPECT_EQ(filled.holes[0].sides, (std::vector<std::size_t>{4}));
+  EXPECT_EQ(filled.holes[0].triangles, 2u);
+  EXPECT_TRUE(filled.holes[0].flat);
+  EXPECT_EQ(filled.mesh.groups, (std::vector<MeshGroup>{{"floor", 0}, {"walls", 2}, {"fill", 10}}));
+  if (!filled.judged) GTEST_SKIP() << "without CGAL";
+  EXPECT_TRUE(filled.judged->sound());
+  EXPECT_DOUBLE_EQ(filled.judged->volume, 1);
+}
+
+TEST(FilledMeshes, CountPointsAtOnePlaceAsOne) {
+  FileMesh mesh = box();
+  mesh.points.push_back(mesh.points[4]);
+  mesh.triangles[8][2] = 8;
+  const FilledMesh filled = with_holes_filled(mesh, {});
+  EXPECT_EQ(filled.holes.size(), 1u);
+  EXPECT_EQ(filled.left_sides, 0u);
+  EXPECT_EQ(filled.mesh.notes.size(), 1u);
+}
+
+TEST(MeshParts, AreGroupsByNumberAndName) {
+  const FileMesh walls = chosen_groups(box(), {2}, {}, "a.ply");
+  EXPECT_EQ(walls.triangles.size(), 8u);
+  EXPECT_EQ(walls.groups, (std::vector<MeshGroup>{{"walls", 0}}));
+  EXPECT_EQ(chosen_groups(box(), {}, {"floor"}, "a.ply").points.size(), 4u);
+  EXPECT_THROW(chosen_groups(box(), {3}, {}, "a.ply"), occt::BadModel);
+  EXPECT_THROW(chosen_groups(box(), {}, {"roof"}, "a.ply"), occt::BadModel);
+}
+
+}  // namespace
+}  // namespace blossom::meshes
