@@ -147,8 +147,7 @@ class PairIntersector {
     if (is_settled_by_neighbours(a, b, edges, result)) return;
     std::vector<Touch> touches;
     if (const auto gap = gap_of_one_surface(a, b); gap && *gap <= options_.tolerances.point) {
-      result.found = on_surface_of_both({result.face_a, result.face_b}, *gap, within);
-      drop_along_edges(result.found, touches, edges, options_.tolerances.point);
+      result.found = on_surface_of_both({result.face_a, result.face_b}, edges, *gap, within);
     } else {
       touches = find_known(i, j, edges, within, result.found)
                     ? clip_known(a, b, result.found)
@@ -162,6 +161,7 @@ class PairIntersector {
     if (shared_ == Shared::Listed) {
       add_edges(edges, result);
     } else if (&a != &b) {
+      if (!edges.empty()) drop_places_along_edges(result.found, edges, options_.tolerances.point);
       const auto is_shared = [&](const SurfacePoint& x) { return lies_on_shared(a, b, x); };
       std::erase_if(result.found.points, is_shared);
       std::erase_if(touches, [&](const Touch& touch) { return is_shared(touch.at); });
@@ -207,14 +207,15 @@ class PairIntersector {
   }
 
   // What the outlines leave open is listed.
-  SurfaceIntersection on_surface_of_both(const std::pair<int, int>& pair, double gap,
+  SurfaceIntersection on_surface_of_both(const std::pair<int, int>& pair,
+                                         const std::vector<SharedEdge>& edges, double gap,
                                          double within) const {
     const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
     const IntersectionOptions left = limit_.remaining();
     SurfaceIntersection found;
     try {
       found = guarded("laying two outlines over each other", [&] {
-        return on_one_surface(faces_a_.face(i), faces_b_.face(j), gap, within,
+        return on_one_surface(faces_a_.face(i), faces_b_.face(j), edges, gap, within,
                               left.tolerances.point, WorkLimit(left));
       });
     } catch (const std::exception& error) {

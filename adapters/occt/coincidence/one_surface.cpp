@@ -18,6 +18,7 @@
 #include "adapters/occt/faces/face_trims.h"
 #include "adapters/occt/faces/run_curves.h"
 #include "adapters/occt/faces/surface_projector.h"
+#include "adapters/occt/neighbours/along_shared_edges.h"
 #include "core/bounds/box_tree.h"
 
 namespace blossom::occt {
@@ -58,10 +59,11 @@ bool lies_inside(const FaceTrims& trims, const Vec2& uv) {
 
 class OneSurface {
  public:
-  OneSurface(const TopoDS_Face& a, const TopoDS_Face& b, double gap, double within,
-             double tolerance)
+  OneSurface(const TopoDS_Face& a, const TopoDS_Face& b, const std::vector<SharedEdge>& edges,
+             double gap, double within, double tolerance)
       : a_(TopoDS::Face(a.Oriented(TopAbs_FORWARD))),
         b_(TopoDS::Face(b.Oriented(TopAbs_FORWARD))),
+        edges_(edges),
         gap_(gap),
         within_(within),
         tolerance_(tolerance),
@@ -124,6 +126,7 @@ class OneSurface {
 
   void add_curve(const OutlineRun& run) {
     IntersectionCurve curve = run_curve(run, a_, b_, tolerance_);
+    if (keeps_to_edges(curve, edges_, tolerance_)) return;
     found_.places.push_back(
         place_of(curve.samples, PlaceKind::Tangential, std::max(run.gap, gap_), tolerance_));
     found_.curves.push_back(std::move(curve));
@@ -147,7 +150,8 @@ class OneSurface {
   bool is_known(const Vec3& point) const {
     // Borders are where they are to the tolerances of their edges.
     const double reach = kOnIt * std::max({tolerance_, loosest_edge(a_), loosest_edge(b_)});
-    return std::ranges::any_of(found_.overlaps,
+    return keeps_to_edges(point, edges_, tolerance_) ||
+           std::ranges::any_of(found_.overlaps,
                                [&](const Overlap& region) {
                                  return distance_to(region.boundary, point) <= reach;
                                }) ||
@@ -166,6 +170,7 @@ class OneSurface {
   }
 
   const TopoDS_Face a_, b_;
+  const std::vector<SharedEdge>& edges_;
   const double gap_, within_, tolerance_;
   const OutlineContacts contacts_;
   SurfaceIntersection found_;
@@ -173,9 +178,10 @@ class OneSurface {
 
 }  // namespace
 
-SurfaceIntersection on_one_surface(const TopoDS_Face& a, const TopoDS_Face& b, double gap,
-                                   double within, double tolerance, const WorkLimit& limit) {
-  return OneSurface(a, b, gap, within, tolerance).run(limit);
+SurfaceIntersection on_one_surface(const TopoDS_Face& a, const TopoDS_Face& b,
+                                   const std::vector<SharedEdge>& edges, double gap, double within,
+                                   double tolerance, const WorkLimit& limit) {
+  return OneSurface(a, b, edges, gap, within, tolerance).run(limit);
 }
 
 }  // namespace blossom::occt

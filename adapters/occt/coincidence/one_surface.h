@@ -3,8 +3,11 @@
 
 #pragma once
 
+#include <vector>
+
 #include <TopoDS_Face.hxx>
 
+#include "adapters/occt/faces/shared_edges.h"
 #include "core/base/work_limit.h"
 #include "core/results/result.h"
 
@@ -18,11 +21,13 @@ namespace blossom::occt {
 /// is Complete if the surfaces and every contact of two edges, but for proven crossings, are within
 /// `within`; these contacts are identified. It is Tolerance if some are farther apart.
 ///
+/// edges       that both faces have: what lies along them is left out, and no contact
 /// gap         bound on the distance of the two surfaces, model units, within the tolerance
 /// within      what is as near as this is one (core/base/tolerances.h)
 /// tolerance   model units
 /// throws      Failure or BadModel if the outlines cannot be laid over each other
-SurfaceIntersection on_one_surface(const TopoDS_Face& a, const TopoDS_Face& b, double gap,
-                                   double within, double tolerance, const WorkLimit& limit);
+SurfaceIntersection on_one_surface(const TopoDS_Face& a, const TopoDS_Face& b,
+                                   const std::vector<SharedEdge>& edges, double gap, double within,
+                                   double tolerance, const WorkLimit& limit);
 
 }  // namespace blossom::occt

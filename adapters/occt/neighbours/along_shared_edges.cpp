@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "adapters/occt/neighbours/limits.h"
+
 namespace blossom::occt {
 namespace {
 
-constexpr double kEdgeReach = 4;     // of a shared edge's tolerance: what is so near is the edge
-constexpr double kEdgeStrip = 2e-3;  // of the faces' size: so near, smooth faces are one
-constexpr int kFootSteps = 8;        // to the nearest point of a shared edge
+constexpr double kEdgeReach = 4;  // of a shared edge's tolerance: what is so near is the edge
+constexpr int kFootSteps = 8;     // to the nearest point of a shared edge
 
 // From the nearest chord between its samples on by Newton's method.
 double distance_to(const IntersectionCurve& edge, const Vec3& p) {
@@ -33,6 +34,23 @@ double distance_to(const IntersectionCurve& edge, const Vec3& p) {
   return distance(p, point_at(edge.curve, nearest));
 }
 
+double distance_to(const std::vector<SharedEdge>& edges, const Vec3& p) {
+  double least = 1e300;
+  for (const SharedEdge& edge : edges) least = std::min(least, distance_to(edge.curve, p));
+  return least;
+}
+
+double loosest(const std::vector<SharedEdge>& edges, double tolerance) {
+  for (const SharedEdge& edge : edges) tolerance = std::max(tolerance, edge.tolerance);
+  return tolerance;
+}
+
+// Where the search could not tell what is beside a known curve, it lists the curve's box without
+// parameters.
+bool is_known_curve(const Place& place) {
+  return place.kind == PlaceKind::Tangential && place.parameters == Place{}.parameters;
+}
+
 }  // namespace
 
 KnownCurve known_curve(const SharedEdge& edge, double size) {
@@ -42,19 +60,41 @@ KnownCurve known_curve(const SharedEdge& edge, double size) {
   return known;
 }
 
+bool keeps_to_edges(const Vec3& point, const std::vector<SharedEdge>& edges, double tolerance) {
+  return std::ranges::any_of(edges, [&](const SharedEdge& edge) {
+    return distance_to(edge.curve, point) <= kEdgeReach * std::max(edge.tolerance, tolerance);
+  });
+}
+
+bool keeps_to_edges(const IntersectionCurve& curve, const std::vector<SharedEdge>& edges,
+                    double tolerance) {
+  return std::ranges::all_of(curve.samples, [&](const SurfacePoint& x) {
+    return keeps_to_edges(x.point, edges, tolerance);
+  });
+}
+
 void drop_along_edges(SurfaceIntersection& found, std::vector<Touch>& touches,
                       const std::vector<SharedEdge>& edges, double tolerance) {
-  const auto along_edge = [&](const Vec3& p) {
-    return std::any_of(edges.begin(), edges.end(), [&](const SharedEdge& edge) {
-      return distance_to(edge.curve, p) <= kEdgeReach * std::max(edge.tolerance, tolerance);
-    });
-  };
   std::erase_if(found.curves, [&](const IntersectionCurve& curve) {
-    return std::all_of(curve.samples.begin(), curve.samples.end(),
-                       [&](const SurfacePoint& x) { return along_edge(x.point); });
+    return keeps_to_edges(curve, edges, tolerance);
   });
-  std::erase_if(found.points, [&](const SurfacePoint& x) { return along_edge(x.point); });
-  std::erase_if(touches, [&](const Touch& touch) { return along_edge(touch.at.point); });
+  std::erase_if(found.points,
+                [&](const SurfacePoint& x) { return keeps_to_edges(x.point, edges, tolerance); });
+  std::erase_if(touches, [&](const Touch& touch) {
+    return keeps_to_edges(touch.at.point, edges, tolerance);
+  });
+}
+
+void drop_places_along_edges(SurfaceIntersection& found, const std::vector<SharedEdge>& edges,
+                             double tolerance) {
+  const double reach = kEdgeReach * loosest(edges, tolerance);
+  std::erase_if(found.places, [&](const Place& place) {
+    if (is_known_curve(place)) return true;
+    if (place.kind == PlaceKind::Open || place.kind == PlaceKind::Overlap) return false;
+    const double half = 0.5 * distance(place.box_low, place.box_high);
+    return half <= reach &&
+           distance_to(edges, 0.5 * (place.box_low + place.box_high)) + half <= reach;
+  });
 }
 
 }  // namespace blossom::occt

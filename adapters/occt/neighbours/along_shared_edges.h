@@ -21,11 +21,29 @@ namespace blossom::occt {
 /// size   of the smaller face, model units
 KnownCurve known_curve(const SharedEdge& edge, double size);
 
+/// Whether a point lies so near to a shared edge that it is of the edge: within four times the
+/// larger one of its tolerance and the given one.
+///
+/// tolerance   of the intersection, model units
+bool keeps_to_edges(const Vec3& point, const std::vector<SharedEdge>& edges, double tolerance);
+
+/// Whether all samples of a curve do.
+bool keeps_to_edges(const IntersectionCurve& curve, const std::vector<SharedEdge>& edges,
+                    double tolerance);
+
 /// Takes out curves, points and touches that keep to shared edges: what was found along an edge is
-/// the edge. Curves are judged by their samples.
+/// the edge.
 ///
 /// tolerance   of the intersection, model units
 void drop_along_edges(SurfaceIntersection& found, std::vector<Touch>& touches,
                       const std::vector<SharedEdge>& edges, double tolerance);
+
+/// Takes out places that keep to shared edges, and those in which the search could not tell what is
+/// beside one; but what is unresolved stays. The status stays as it is, and reasons say why.
+///
+/// edges       at least one
+/// tolerance   of the intersection, model units
+void drop_places_along_edges(SurfaceIntersection& found, const std::vector<SharedEdge>& edges,
+                             double tolerance);
 
 }  // namespace blossom::occt

@@ -116,7 +116,8 @@ double parameter_where(const PlanarCurve& curve, Interval range, int k, double v
 }
 
 // Whether another curve is proven to keep on the inner side of a piece of a stretch, in as much of
-// the box as both go along: by a line beside the piece, along its chord.
+// the box as both go along: by a line beside the piece, along its chord. It may begin or end on the
+// line, as at a corner, but not run along it: the face may be on the other side then.
 bool keeps_inside(const PlanarBezier& other, const PlanarBezier& piece,
                   const CoedgeStretch& stretch, const PlanarBox& box, int halvings) {
   const int k = stretch.along;
@@ -126,12 +127,15 @@ bool keeps_inside(const PlanarBezier& other, const PlanarBezier& piece,
     return true;
   const Vec2 chord = projected(piece.points.back()) - projected(piece.points.front());
   const double side = stretch.inner * (k == 0 ? chord[0] : -chord[1]) > 0 ? 1 : -1;
-  double highest = -1e300, lowest = 1e300;
+  double highest = -1e300, lowest = 1e300, farthest = -1e300;
   for (const Vec3& p : piece.points)
     highest = std::max(highest, side * cross(chord, projected(p) - of_piece.low));
-  for (const Vec3& p : other.points)
-    lowest = std::min(lowest, side * cross(chord, projected(p) - of_piece.low));
-  if (lowest > highest) return true;
+  for (const Vec3& p : other.points) {
+    const double height = side * cross(chord, projected(p) - of_piece.low);
+    lowest = std::min(lowest, height);
+    farthest = std::max(farthest, height);
+  }
+  if (lowest >= highest && farthest > highest) return true;
   if (halvings == 0) return false;
   const bool of_stretch = width(of_piece, k) > width(of_other, k);
   for (const Interval& half : {Interval{0, 0.5}, Interval{0.5, 1}})

@@ -9,4 +9,9 @@ namespace blossom::occt {
 /// below what its parameter is worth, and what is still open then counts as meeting.
 inline constexpr int kMaxHalvings = 40;
 
+/// Of the smaller face's size: so near a common edge, faces that go on nearly in one direction are
+/// one. A choice: at an angle of a degree, borders that are a tolerance of 1e-7 apart make surfaces
+/// of size 1 cross 6e-6 beside the edge, and at an angle of 5e-5 as far as this.
+inline constexpr double kEdgeStrip = 2e-3;
+
 }  // namespace blossom::occt

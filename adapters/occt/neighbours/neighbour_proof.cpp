@@ -15,6 +15,7 @@
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
 
+#include "adapters/occt/neighbours/limits.h"
 #include "adapters/occt/neighbours/neighbour_edge.h"
 #include "adapters/occt/neighbours/ways_to_edge.h"
 #include "core/bounds/patch_boxes.h"
@@ -108,6 +109,7 @@ class Proof {
         origin_(0.5 * (a.box.low + a.box.high)),
         rounding_(kRounding * (max_norm(origin_) + diagonal(a.box))),
         gap_(a.surface.error + b.surface.error),
+        strip_(kEdgeStrip * std::min(diagonal(a.box), diagonal(b.box))),
         vertices_(common_vertices(a, b, tolerance)),
         balls_(balls_of(vertices_), origin_),
         a_(a, origin_),
@@ -244,7 +246,9 @@ class Proof {
                          std::max(to->on_edge.to, from->on_edge.to)};
     const double jumps = edge.gap(range) + to->shortfall + from->shortfall + a_data_.surface.error +
                          b_data_.surface.error + rounding_;
-    return path_reach(across, edge.directions(range)) * jumps <= reach;
+    const double most = path_reach(across, edge.directions(range)) * jumps;
+    // Each face may be off the edge by its tolerance.
+    return most <= reach || (jumps <= 2 * std::max(tolerance_, edge.tolerance()) && most <= strip_);
   }
 
   // Whether a cell stays on one side of all of the other face's surface, which it touches at the
@@ -288,7 +292,8 @@ class Proof {
   const WorkLimit& limit_;
   const Vec3 origin_;
   const double rounding_;
-  double gap_;  // by more than it cells are apart
+  double gap_;          // by more than it cells are apart
+  const double strip_;  // so far beside an edge faces may meet that are nearly tangent there
   const std::vector<CommonVertex> vertices_;
   const KnownCurves balls_;  // round them
   FaceCells a_, b_;

@@ -35,7 +35,10 @@ struct NeighbourProof {
 /// edges       that both faces share; nothing is proven where a face has one of them twice
 /// tolerance   of points, model units. What the faces have in common lies no farther from a common
 ///             edge or vertex than four times the larger one of this and its own tolerance; where
-///             they are tangent, it lies beside the edge where the gap is less than this
+///             they are tangent, it lies beside the edge where the gap is less than this. Where
+///             they are nearly tangent and each of them is as near to the edge as the larger
+///             tolerance, they may cross beside the edge, within `kEdgeStrip`: as deep as the
+///             borders are apart
 /// limit       nothing is proven once it is reached
 /// cost        no more than some 30,000 pairs of cells for each pair of patches whose boxes meet;
 ///             the first place where nothing is proven ends it

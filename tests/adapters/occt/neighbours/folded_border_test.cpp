@@ -125,5 +125,37 @@ TEST(FoldedBorder, IsFoundWhereItLeavesTheTolerance) {
   EXPECT_TRUE(found.status != Status::Complete || !found.pairs.empty());
 }
 
+// Two sheets from one edge, 1.6 degrees apart. The lower one begins higher and crosses the upper
+// one beside the edge, 35 times as far from it as it begins higher.
+std::vector<TopoDS_Face> closed_fold(double higher, double tolerance) {
+  const TopoDS_Edge common = edge_at({0, 0, 0});
+  const BRep_Builder builder;
+  builder.UpdateEdge(common, tolerance);
+  for (const TopoDS_Vertex& end : {TopExp::FirstVertex(common), TopExp::LastVertex(common)})
+    builder.UpdateVertex(end, 1.1 * higher);
+  const Knots one_span{{0, 1}, {3, 3}};
+  const auto upper = moved_along_y({{0, 0, 0}, {1, 0, 0}, {2, 0, 1}}, one_span, 2);
+  const auto lower =
+      moved_along_y({{0, 0, higher}, {1, 0, higher - 1 / 35.0}, {2, 0, -1}}, one_span, 2);
+  return {face_between(upper, common, edge_at({2, 0, 1})),
+          face_between(lower, common, edge_at({2, 0, -1}))};
+}
+
+TEST(NearlyTangentNeighbours, CrossBesideTheirEdgeNoDeeperThanItIsExact) {
+  for (const double higher : {7.5e-8, 7.5e-6}) {
+    const auto found = self_intersect(closed_fold(higher, 1.1 * higher), SelfScope::AllFaces);
+    EXPECT_EQ(found.status, Status::Complete) << higher;
+    EXPECT_TRUE(found.pairs.empty()) << higher;
+  }
+}
+
+// What is not proven beside a shared edge is no find: the edge is what the model says of it.
+TEST(NearlyTangentNeighbours, LeaveNoPlaceBesideAnEdgeThatIsLessExactThanItSays) {
+  const auto found = self_intersect(closed_fold(1e-6, 1e-7), SelfScope::AllFaces);
+  EXPECT_EQ(found.status, Status::Tolerance);
+  EXPECT_TRUE(found.pairs.empty());
+  EXPECT_FALSE(found.certificate.reasons.empty());
+}
+
 }  // namespace
 }  // namespace blossom::occt
