@@ -10,6 +10,7 @@
 #include "core/bounds/box_tree.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/direction_cones.h"
+#include "core/cells/flat_border.h"
 #include "core/subdivision/patch_subdivision.h"
 
 namespace blossom {
@@ -112,6 +113,10 @@ class SelfPairSearch {
     for (int i = 0; i < cells.patches(); ++i)
       slopes_.push_back(slope_nets(cells.tree(i).patch(), cells.surface().rational,
                                    cells.tree(i).given_rounding()));
+    for (int side = 0; side < 4; ++side)
+      if (auto border =
+              FlatBorder::of(cells, static_cast<PoleSide>(side), options.tolerances.point))
+        flat_borders_.push_back(*std::move(border));
     build({.u0 = 0, .u1 = patches.rows(), .v0 = 0, .v1 = patches.columns()});
   }
 
@@ -271,6 +276,7 @@ class SelfPairSearch {
       ++result_.excluded;
       return;
     }
+    if (is_injective_at_flat_border(a, b)) return;
     const double tolerance = options_.tolerances.point;
     const bool tiny = diagonal(box(a)) <= tolerance && diagonal(box(b)) <= tolerance;
     if (tiny || !(may_halve(a) || may_halve(b))) return keep(pair, tiny);
@@ -296,7 +302,9 @@ class SelfPairSearch {
       return;
     }
     if (is_cell(a) && is_cell(b)) {
-      if (!out_of_budget() && (pole_between(a, b) || in_one_piece(a, b))) return;
+      if (!out_of_budget() &&
+          (pole_between(a, b) || in_one_piece(a, b) || is_injective_at_flat_border(a, b)))
+        return;
       const bool forward =
           place(a).u.from < place(b).u.from ||
           (place(a).u.from == place(b).u.from && place(a).v.from < place(b).v.from);
@@ -326,6 +334,24 @@ class SelfPairSearch {
     if (!is_injective(cones_of(nets, u, v, axes_))) return false;
     ++result_.excluded;
     return true;
+  }
+
+  // Whether both cells lie in a rectangle that does not meet itself, of one patch or across the
+  // lines between a few.
+  bool is_injective_at_flat_border(const Part& a, const Part& b) {
+    if (!is_cell(a) || !is_cell(b)) return false;
+    const Place p = place(a), q = place(b);
+    const auto hull = [](const Interval& x, const Interval& y) {
+      return Interval{std::min(x.from, y.from), std::max(x.to, y.to)};
+    };
+    const Interval u = hull(p.u, q.u), v = hull(p.v, q.v);
+    return std::ranges::any_of(flat_borders_, [&](const FlatBorder& border) {
+      const std::optional<DirectionCones> cones = border.cones(slopes_, u, v);
+      if (!cones || !is_injective(*cones)) return false;
+      result_.moved_into_plane = std::max(result_.moved_into_plane.value_or(0), border.within());
+      ++result_.excluded;
+      return true;
+    });
   }
 
   // Cells at the same pole; true if nothing is left to be done for them.
@@ -383,6 +409,7 @@ class SelfPairSearch {
   const WorkLimit limit_;
   const Axes axes_;
   std::vector<SlopeNets> slopes_;  // of the patches
+  std::vector<FlatBorder> flat_borders_;
   long examined_ = 0;
   std::vector<Block> blocks_;
   std::vector<PartPair> apart_;

@@ -25,6 +25,8 @@ struct SelfPairs {
   long excluded = 0;                   ///< cells and pairs proven to have nothing in common
   int depth = 0;                       ///< deepest bisection of a patch
   bool stopped = false;
+  /// What was proven with control points moved into a plane, by so much: see `FlatBorder`.
+  std::optional<double> moved_into_plane{};
   std::vector<std::string> reasons{};  ///< why something is singular or left out
 };
 

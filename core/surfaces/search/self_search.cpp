@@ -28,6 +28,7 @@ PairSearchResult search_itself(SurfaceCells& cells, const Vec3& origin, double s
   Certificate& certificate = found.certificate;
   certificate.limited = certificate.limited || pairs.stopped;
   certificate.excluded += pairs.excluded;
+  if (pairs.moved_into_plane) identify(certificate, *pairs.moved_into_plane);
   certificate.critical += static_cast<long>(pairs.singular.size());
   certificate.depth = std::max(certificate.depth, pairs.depth);
   for (const std::string& reason : pairs.reasons)
