@@ -23,6 +23,8 @@ namespace fs = std::filesystem;
 /// Words that tell a format stand within so many bytes of the first that is no comment.
 constexpr std::size_t kHead = 4096;
 
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 std::uintmax_t memory_of_machine() {
   const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
   return pages > 0 && size > 0
@@ -94,7 +96,6 @@ std::string all_of_no_format(const fs::path& file) {
 bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0 || c == '\0'; }
 
 std::string_view after_preface(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   for (;;) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -122,11 +123,12 @@ std::optional<Format> format_of_content(std::string_view text) {
 }
 
 FileText file_text(const std::filesystem::path& file) {
-  auto [text, cut] = unpacked(bytes_of(file));
+  auto [text, cut, name, others] = unpacked(bytes_of(file));
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   if (std::ranges::all_of(text, is_blank)) throw BadModel("is empty");
   const std::optional<Format> format = format_of_content(text);
   if (!format) throw BadModel(all_of_no_format(file));
-  return {*format, std::move(text), cut};
+  return {*format, std::move(text), cut, std::move(name), std::move(others)};
 }
 
 }  // namespace blossom::occt

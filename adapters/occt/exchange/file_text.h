@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "adapters/occt/exchange/detail.h"
 
@@ -16,13 +17,17 @@ namespace blossom::occt {
 struct FileText {
   Format format = Format::Step;
   std::string text;
-  bool cut = false;  ///< unpacking ended before the end
+  bool cut = false;                      ///< unpacking ended before the end
+  std::string name = {};                 ///< in an archive of several models
+  std::vector<std::string> others = {};  ///< the names of those that are not read
 };
 
 /// Bytes that were packed.
 struct Unpacked {
   std::string text;
-  bool cut = false;  ///< what is there came before a place where the packing is damaged
+  bool cut = false;       ///< what is there came before a place where the packing is damaged
+  std::string name = {};  ///< in an archive of several models
+  std::vector<std::string> others = {};  ///< the names of other models in the archive
 };
 
 /// Reads a file, unpacks it if it is packed by gzip or zip, and finds its format. A zip archive

@@ -4,6 +4,7 @@
 // Source: RFC 1952 (gzip); the record layouts of PKWARE's application note on ZIP files.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -129,12 +130,20 @@ Unpacked content_of(std::string_view bytes, const Entry& entry) {
 }
 
 Unpacked first_model(std::string_view bytes) {
+  std::optional<Unpacked> first;
   for (const Entry& entry : entries_of(bytes)) {
     if (entry.name.ends_with('/')) continue;
     Unpacked content = content_of(bytes, entry);
-    if (format_of_content(content.text)) return content;
+    if (!format_of_content(content.text)) continue;
+    if (first) {
+      first->others.emplace_back(entry.name);
+    } else {
+      first = std::move(content);
+      first->name = entry.name;
+    }
   }
-  throw BadModel("is a zip archive without a STEP, IGES or BREP file");
+  if (!first) throw BadModel("is a zip archive without a STEP, IGES or BREP file");
+  return *std::move(first);
 }
 
 }  // namespace

@@ -57,6 +57,9 @@ void read_into(Reading& reading, StatedTolerances& stated) {
   const KeptModel kept(reading);
   if (!content.cut && kept.take(reading, stated)) return;
   if (content.cut) reading.report.add({"the packed file", "it is damaged or cut off", true});
+  for (const std::string& other : content.others)
+    reading.report.add(
+        {"model", "of an archive the first one alone is read, " + content.name, true, 1, {other}});
   read_format(content.format, reading);
   reading.begin("checking the numbers");
   leave_out_bad_numbers(content.format, reading);

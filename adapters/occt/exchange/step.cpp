@@ -184,6 +184,7 @@ Handle(Standard_Transient) read_step(Reading& reading) {
   if (reader.ReadStream(reading.file.c_str(), in) != IFSelect_RetDone)
     refuse("is no readable STEP file", reading.report);
   const auto model = Handle(StepData_StepModel)::DownCast(reader.Model());
+  if (model->NbEntities() == 0) refuse("has a header, but nothing in it", reading.report);
   const StepOwners owners(*model, reader.WS()->Graph());
   const auto left_out = leave_out_damage(owners, reading.report);
 

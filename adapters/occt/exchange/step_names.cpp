@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <NCollection_DataMap.hxx>
@@ -27,6 +28,8 @@
 #include <TransferBRep.hxx>
 #include <Transfer_Binder.hxx>
 
+#include "adapters/occt/exchange/file_text.h"
+
 namespace blossom::occt {
 namespace {
 
@@ -36,9 +39,10 @@ TopoDS_Shape shape_of(const Handle(Standard_Transient) & entity,
   return binder.IsNull() ? TopoDS_Shape() : TransferBRep::ShapeResult(binder);
 }
 
-/// In UTF-8; what is none is replaced.
+/// In UTF-8; what is none is replaced. Its own length in use would not count letters beyond ASCII.
 std::string text_of(const Handle(TCollection_HAsciiString) & name) {
-  if (name.IsNull() || name->UsefullLength() == 0) return {};
+  if (name.IsNull() || std::ranges::all_of(std::string_view(name->ToCString()), is_blank))
+    return {};
   return TCollection_AsciiString(TCollection_ExtendedString(name->ToCString(), true)).ToCString();
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
+#include <utility>
 
 #include "adapters/occt/exchange/file_text.h"
 
@@ -73,6 +75,84 @@ void close(std::string& text, ReadingReport& report) {
     report.add({"the rest of the file", "it is cut off", true});
 }
 
+// --- letters that STEP has codes for
+
+bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
+/// What no text file has: STEP gives it no meaning, and a terminal may obey it.
+bool is_control(char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0 && !is_blank(c); }
+
+void append_hex(std::uint32_t number, int digits, std::string& text) {
+  for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
+    text += "0123456789ABCDEF"[number >> shift & 0xFU];
+}
+
+/// A letter's code in UTF-8 at the front of a text, and its length; 0 if it is none.
+struct Utf8Letter {
+  std::uint32_t code = 0;
+  std::size_t length = 0;
+};
+Utf8Letter utf8_letter(std::string_view text) {
+  const auto byte = [&](std::size_t i) -> std::uint32_t {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const std::uint32_t first = byte(0);
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC2 ? 2 : 0;
+  if (length == 0 || first > 0xF4) return {};
+  std::uint32_t code = first & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return {};
+    code = code << 6U | (byte(i) & 0x3FU);
+  }
+  constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_half = 0xD800 <= code && code <= 0xDFFF;
+  return code < kLeast[length] || code > 0x10FFFF || is_half ? Utf8Letter{}
+                                                             : Utf8Letter{code, length};
+}
+
+/// UTF-16 in hexadecimal, as "\X2\" has it; empty if the letters are no UTF-8.
+std::string utf16_digits(std::string_view letters) {
+  std::string digits;
+  while (!letters.empty()) {
+    const auto [code, length] = utf8_letter(letters);
+    if (length == 0) return {};
+    if (code >= 0x10000) append_hex(0xD800U + ((code - 0x10000U) >> 10U), 4, digits);
+    append_hex(code >= 0x10000 ? 0xDC00U + (code & 0x3FFU) : code, 4, digits);
+    letters.remove_prefix(length);
+  }
+  return digits;
+}
+
+/// Letters beyond ASCII in STEP's codes. Programs write them as UTF-8, or in the code page of their
+/// system, of which Latin-1 is a part.
+void append_coded(std::string_view letters, std::string& text) {
+  if (const std::string digits = utf16_digits(letters); !digits.empty()) {
+    text += "\\X2\\" + digits + "\\X0\\";
+    return;
+  }
+  for (const char c : letters) {
+    text += "\\X\\";
+    append_hex(static_cast<unsigned char>(c), 2, text);
+  }
+}
+
+void code_letters(std::string& text) {
+  if (std::ranges::none_of(text, [](char c) { return !is_ascii(c) || is_control(c); })) return;
+  std::string coded;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && !is_ascii(text[end])) ++end;
+    if (end > i) {
+      append_coded(std::string_view(text).substr(i, end - i), coded);
+      i = end;
+    } else {
+      coded += is_control(text[i]) ? ' ' : text[i];
+      ++i;
+    }
+  }
+  text = std::move(coded);
+}
+
 }  // namespace
 
 void mend_step_text(std::string& text, ReadingReport& report) {
@@ -83,6 +163,7 @@ void mend_step_text(std::string& text, ReadingReport& report) {
   else
     text.replace(end, text.size() - end, "END-ISO-10303-21;\n");
   if (has_small_keywords(text)) capitalize(text);
+  code_letters(text);
 }
 
 }  // namespace blossom::occt

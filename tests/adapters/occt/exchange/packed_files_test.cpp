@@ -37,8 +37,9 @@ std::string number(std::size_t value, int size) {
   return bytes;
 }
 
-/// An archive of a text file "readme.txt", stored, and of a packed model in a folder.
-std::string archive(const std::string& model) {
+/// An archive of a text file "readme.txt", stored, and of packed models in a folder, the first of
+/// which is "parts/machine.stp", others "parts/other1.stp" and so on.
+std::string archive(const std::string& model, int others = 0) {
   std::string bytes, directory;
   int count = 0;
   const auto add = [&](const std::string& name, const std::string& text, bool packed) {
@@ -57,6 +58,7 @@ std::string archive(const std::string& model) {
   };
   add("readme.txt", "A model.", false);
   add("parts/machine.stp", model, true);
+  for (int i = 1; i <= others; ++i) add("parts/other" + std::to_string(i) + ".stp", model, true);
   const std::size_t start = bytes.size();
   const std::string counts = number(static_cast<std::size_t>(count), 2);
   return bytes + directory + "PK\x05\x06" + number(0, 4) + counts + counts +
@@ -94,6 +96,16 @@ TEST_F(PackedFiles, AreReadFromZipBehindOtherFiles) {
     EXPECT_EQ(model.face_count(), 18) << name;
     EXPECT_EQ(model.part_name(1), "Base plate") << name;
   }
+}
+
+TEST_F(PackedFiles, NameTheModelsOfAnArchiveThatAreNotRead) {
+  const Model model = read("machine.zip", archive(text_, 2));
+  EXPECT_EQ(model.face_count(), 18);
+  EXPECT_EQ(model.reading().grade(), ReadingGrade::ShapesLost);
+  const std::string said = model.reading().summary();
+  EXPECT_NE(said.find("other1.stp"), std::string::npos) << said;
+  EXPECT_NE(said.find("machine.stp"), std::string::npos) << said;
+  EXPECT_EQ(read("machine.zip", archive(text_)).reading().grade(), ReadingGrade::Whole);
 }
 
 TEST_F(PackedFiles, GiveWhatIsWholeWhenTheyAreCutOff) {

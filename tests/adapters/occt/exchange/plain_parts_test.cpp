@@ -100,6 +100,15 @@ TEST(ReadingWithoutLooks, NamesPartsOfSeveralSolidsAndSeveralParts) {
   EXPECT_EQ(read.part_paths().back(), "Größe");
 }
 
+TEST(ReadingWithoutLooks, TakesANameWithoutAnyLetterOfASCII) {
+  const Folder folder;
+  Model made;
+  made.add(box(0), "\xE9\xBD\xBF\xE8\xBD\xAE");  // a gear
+  write_model(made, folder / "gear.step");
+  expect_same_names(folder / "gear.step");
+  EXPECT_EQ(without_looks(folder / "gear.step").part_name(1), "\xE9\xBD\xBF\xE8\xBD\xAE");
+}
+
 TEST(ReadingWithoutLooks, KeepsTheNamesWhenItIsWrittenAfterAll) {
   const Folder folder;
   testing::write_gauge(folder / "gauge.step");

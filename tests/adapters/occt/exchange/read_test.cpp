@@ -190,6 +190,24 @@ TEST(ReadingStep, TakesOddBeginningsAndSmallLetters) {
   }
 }
 
+TEST(ReadingStep, TakesNamesAsOtherProgramsWriteThem) {
+  const Folder folder;
+  const auto name_of_first = [&](const std::string& written) {
+    std::string text = sample(".step");
+    while (text.find("Base plate") != std::string::npos)
+      text = replaced(text, "Base plate", written);
+    testing::write_content(folder / "named.step", text);
+    const Model model = read_model(folder / "named.step");
+    EXPECT_EQ(model.reading().grade(), ReadingGrade::Whole) << written;
+    return model.part_name(1);
+  };
+  EXPECT_EQ(name_of_first("\xE6\x97\xA5\xE6\x9C\xAC"), "\xE6\x97\xA5\xE6\x9C\xAC");
+  EXPECT_EQ(name_of_first("gear \xF0\x9F\x94\xA9"), "gear \xF0\x9F\x94\xA9");  // beyond 16 bits
+  EXPECT_EQ(name_of_first("W\xE4lzlager"), "W\xC3\xA4lzlager");                // Latin-1
+  EXPECT_EQ(name_of_first("\xED\xA0\x80"), "\xC3\xAD\xC2\xA0\xC2\x80");        // half a pair
+  EXPECT_EQ(name_of_first("red\x1B[31m"), "red [31m");
+}
+
 /// The number of an entity, "#40", that has `text` in it.
 std::string entity_with(const std::string& step, const std::string& text) {
   const std::size_t place = step.find(text);
@@ -288,6 +306,10 @@ TEST(ReadingStep, RefusesFilesWithoutAShape) {
                          "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n"
                          "#1 = CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n");
   EXPECT_EQ(refusal(folder / "none.step"), "holds no shape");
+  testing::write_content(folder / "none.step",
+                         replaced(testing::content(folder / "none.step"),
+                                  "#1 = CARTESIAN_POINT('',(0.,0.,0.));\n", ""));
+  EXPECT_EQ(refusal(folder / "none.step"), "has a header, but nothing in it");
 }
 
 TEST(ReadingBrep, LeavesOutTheFaceWhoseNumbersAreNoGood) {
@@ -430,6 +452,12 @@ TEST(ReadingBrep, TakesTheBinaryForm) {
     testing::write_content(folder / "box.brep", bytes.str().substr(0, bytes.str().size() * k / 20));
     EXPECT_NE(refusal(folder / "box.brep"), "accepted") << k;
   }
+}
+
+TEST(ReadingIges, TakesAByteOrderMark) {
+  const Folder folder;
+  testing::write_content(folder / "marked.iges", "\xef\xbb\xbf" + sample(".iges"));
+  EXPECT_EQ(faces_of(folder / "marked.iges"), 18);
 }
 
 TEST(ReadingIges, CountsTheLinesOfEachSection) {
