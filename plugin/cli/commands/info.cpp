@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // `blossom info F`: what a model is made of, and whether it is sound.
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <memory>
 #include <sstream>
@@ -8,6 +10,7 @@
 #include <vector>
 
 #include "adapters/occt/soundness.h"
+#include "core/bounds/box_tree.h"
 #include "plugin/cli/commands/commands.h"
 #include "plugin/cli/edge_list.h"
 #include "plugin/cli/exit_code.h"
@@ -27,7 +30,9 @@ namespace {
 using reports::FaceFacts;
 using reports::ModelFacts;
 
-constexpr double kUsualPrecision = 2e-7;  // of a box, model units: what is not told
+constexpr double kUsualPrecision = 2e-7;   // of a box, model units: what is not told
+constexpr double kCornerRounding = 1e-12;  // of a box's size: so small, a coordinate is 0
+constexpr int kCornerDigits = 6;           // of a coordinate
 
 std::string face_line(const FaceFacts& face) {
   std::ostringstream line;
@@ -48,10 +53,24 @@ std::string face_line(const FaceFacts& face) {
   return line.str();
 }
 
-std::string corner_text(const Vec3& corner) {
+int decimal_exponent(double x) { return static_cast<int>(std::floor(std::log10(std::abs(x)))); }
+
+// Six digits, and as many more as a box far from the origin takes to show its size.
+std::string corner_text(const Vec3& corner, double size) {
   std::ostringstream text;
-  text << "[" << corner[0] << ", " << corner[1] << ", " << corner[2] << "]";
+  for (int k = 0; k < 3; ++k) {
+    const double x = std::abs(corner[k]) <= kCornerRounding * size ? 0 : corner[k];
+    const int beyond = x != 0 && size > 0 ? decimal_exponent(x) - decimal_exponent(size) : 0;
+    text << (k == 0 ? "[" : ", ")
+         << std::setprecision(std::clamp(kCornerDigits + beyond, kCornerDigits, 17)) << x;
+  }
+  text << "]";
   return text.str();
+}
+
+std::string box_text(const Box& box) {
+  const double size = diagonal(box);
+  return corner_text(box.low, size) + " to " + corner_text(box.high, size);
 }
 
 std::string info_text(const Input& input, const ModelFacts& facts) {
@@ -59,11 +78,9 @@ std::string info_text(const Input& input, const ModelFacts& facts) {
   text << input.name << "\n ";
   for (const auto& [number, one, many] : reports::shape_counts(input.model.shape()))
     text << " " << number << " " << (number == 1 ? one : many);
-  text << "\n  surfaces:";
+  text << "\n  surfaces:" << (facts.surfaces.empty() ? " none" : "");
   for (const auto& [word, number] : facts.surfaces) text << " " << number << " " << word;
-  if (facts.box)
-    text << "\n  box (mm): " << corner_text(facts.box->box.low) << " to "
-         << corner_text(facts.box->box.high);
+  if (facts.box) text << "\n  box (mm): " << box_text(facts.box->box);
   if (facts.box && facts.box->precision > kUsualPrecision) text << ", to " << facts.box->precision;
   text << "\n  tolerances: " << facts.least_tolerance << " to " << facts.largest_tolerance << "\n  "
        << (facts.valid ? "valid" : "NOT VALID") << ", file in " << input.model.file_unit() << "\n";

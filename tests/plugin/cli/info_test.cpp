@@ -50,6 +50,23 @@ TEST(InfoCommand, TellsSurfaceDegreeSpansAndValidityOfEachFace) {
   EXPECT_EQ(pipe["valid"], true);
 }
 
+TEST(InfoCommand, ShowsTheSizeOfABoxFarFromTheOriginAndNoRoundings) {
+  const testing::TestFolder folder;
+  testing::write({BRepPrimAPI_MakeBox(gp_Pnt(1e7, -1e-16, 0), 1, 2, 3).Shape()},
+                 folder / "far.brep");
+  const Finished run = blossom({"info", folder / "far.brep"});
+  EXPECT_NE(run.out.find("box (mm): [10000000, 0, 0] to [10000001, 2, 3]"), std::string::npos)
+      << run.out;
+}
+
+TEST(InfoCommand, SaysThatAModelHasNoSurface) {
+  const testing::TestFolder folder;
+  testing::write({BRepBuilderAPI_MakePolygon(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape()},
+                 folder / "wire.brep");
+  const Finished run = blossom({"info", folder / "wire.brep"});
+  EXPECT_NE(run.out.find("surfaces: none"), std::string::npos) << run.out;
+}
+
 TEST(InfoCommand, NamesFacesAfterTheirParts) {
   const testing::TestFolder folder;
   testing::write({testing::bowl(), testing::half_pipe()}, folder / "parts.step");
