@@ -38,8 +38,24 @@ bool has_small_keywords(std::string_view text) {
   return letter != kNone && std::islower(static_cast<unsigned char>(text[letter])) != 0;
 }
 
-/// Capitals outside of strings and comments.
-void capitalize(std::string& text) {
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
+/// Whether a letter is the exponent's of a number, as in "1.5e-3", or looks like that in a string.
+bool is_small_exponent(std::string_view text, std::size_t place) {
+  if (text[place] != 'e' || place == 0 || place + 1 >= text.size()) return false;
+  const char before = text[place - 1], after = text[place + 1];
+  return (is_digit(before) || before == '.') && (is_digit(after) || after == '+' || after == '-');
+}
+
+bool has_small_exponents(std::string_view text) {
+  for (std::size_t i = text.find('e'); i != kNone; i = text.find('e', i + 1))
+    if (is_small_exponent(text, i)) return true;
+  return false;
+}
+
+/// Capitals outside of strings and comments, of all letters or of exponents alone.
+enum class Letters { All, Exponents };
+void capitalize(std::string& text, Letters letters) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     std::size_t end = kNone;
     if (text[i] == '\'' || text[i] == '"')
@@ -48,7 +64,7 @@ void capitalize(std::string& text) {
       end = text.find("*/", i + 2);
     if (end != kNone)
       i = end;
-    else
+    else if (letters == Letters::All || is_small_exponent(text, i))
       text[i] = upper(text[i]);
   }
 }
@@ -162,7 +178,10 @@ void mend_step_text(std::string& text, ReadingReport& report) {
     close(text, report);
   else
     text.replace(end, text.size() - end, "END-ISO-10303-21;\n");
-  if (has_small_keywords(text)) capitalize(text);
+  if (has_small_keywords(text))
+    capitalize(text, Letters::All);
+  else if (has_small_exponents(text))
+    capitalize(text, Letters::Exponents);
   code_letters(text);
 }
 
