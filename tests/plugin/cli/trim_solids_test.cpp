@@ -299,7 +299,7 @@ TEST_F(TrimSolidsCommand, RefusesWhatItCannotMean) {
   const Finished open = combine("bowl.brep", {"cut"});
   EXPECT_EQ(open.code, 2);
   EXPECT_NE(open.err.find("bowl.brep is no closed solid"), std::string::npos) << open.err;
-  EXPECT_NE(open.err.find("planes by --plane; a sheet cuts faces with --keep"), std::string::npos)
+  EXPECT_NE(open.err.find("a sheet may be a tool of --solid split, or cut faces with --keep"), std::string::npos)
       << open.err;
 }
 

@@ -336,7 +336,7 @@ class Package(unittest.TestCase):
     def test_an_answer_describes_itself(self):
         self.assertEqual(
             repr(blossom.intersect(FLOOR, WALL)),
-            "<blossom.Intersection: complete, 1 curves, 0 points, 0 places>",
+            "<blossom.Intersection: complete, 1 curve, 0 points, 0 places>",
         )
 
 

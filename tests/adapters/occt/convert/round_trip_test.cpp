@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -26,12 +27,15 @@
 #include <Bnd_Box.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Hyperbola.hxx>
+#include <STEPControl_Writer.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp.hxx>
 #include <gp_Trsf.hxx>
 
 #include "adapters/occt/faces/area.h"
+#include "adapters/occt/repair/polar_faces.h"
 #include "adapters/occt/repair/spline_hyperbolas.h"
 #include "adapters/occt/shapes.h"
 #include "adapters/occt/solid_trim.h"
@@ -69,7 +73,8 @@ Sizes change_of(const TopoDS_Shape& shape, const std::string& ending) {
   write_model(model, folder / ("shape" + ending));
   const Model back = read_model(folder / ("shape" + ending));
   EXPECT_TRUE(BRepCheck_Analyzer(back.shape()).IsValid());
-  EXPECT_EQ(back.face_count(), model.face_count());
+  const int halves = ending == ".step" ? static_cast<int>(polar_faces(shape).size()) : 0;
+  EXPECT_EQ(back.face_count(), model.face_count() + halves);
   const Sizes before = sizes_of(shape), after = sizes_of(back.shape());
   return {std::abs(after.volume - before.volume), std::abs(after.area - before.area)};
 }
@@ -284,13 +289,14 @@ TEST(IgesFiles, AreCutAndWritten) {
   EXPECT_NEAR(sizes_of(back.shape()).volume, 36 * 30 * 10 + 2 * 8 * 8 * 20, 1e-6);
 }
 
-// Open CASCADE loses all but the hole of a sphere in this model; that is told.
+// Of a ball with a hole in its seam, as Open CASCADE writes it, its reader gives the hole alone.
 TEST(StepFiles, TellFacesThatOpenCascadeReadsWrong) {
-  const char* folder = std::getenv("BLOSSOM_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "set BLOSSOM_TEST_DATA";
   const Folder own;
-  write_model(testing::repaired_model(std::string(folder) + "/models/ball.brep"),
-              own / "ball.step");
+  const TopoDS_Shape rod = BRepPrimAPI_MakeCylinder(gp_Ax2(gp::Origin(), gp::DX()), 2, 25).Shape();
+  STEPControl_Writer writer;
+  writer.Transfer(BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(10).Shape(), rod).Shape(),
+                  STEPControl_AsIs);
+  ASSERT_EQ(writer.Write((own / "ball.step").c_str()), IFSelect_RetDone);
   const Model back = read_model(own / "ball.step");
   EXPECT_EQ(back.reading().grade(), ReadingGrade::ShapesLost);
   const std::string told = back.reading().summary();
