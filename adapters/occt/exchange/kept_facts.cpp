@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <ios>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -121,6 +122,10 @@ class KeptDocument : public DocumentInterface {
   TopoDS_Shape shape() const override { return shape_; }
   std::vector<std::string> face_names(const Faces&) const override { return facts_.names; }
   std::vector<std::string> part_paths(const Faces&) const override { return facts_.paths; }
+  /// Models that are read with their looks are not kept.
+  std::vector<std::optional<FaceColour>> face_colours(const Faces& faces) const override {
+    return std::vector<std::optional<FaceColour>>(static_cast<std::size_t>(faces.Extent()));
+  }
   std::vector<AssemblyNode> assembly(const TopoDS_Shape&, const Faces&) const override {
     return facts_.assembly;
   }
