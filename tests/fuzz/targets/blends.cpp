@@ -34,10 +34,13 @@ occt::FilletOptions options_of(Choices& choices) {
   options.intersection.time_limit = 2;  // seconds
   options.intersection.threads = 1;
   options.radius = choices.within(0, 7) == 7 ? choices.any() : 0.05 * choices.within(1, 40);
-  const int kind = choices.within(0, 7);
-  if (kind == 1) options.last_radius = 0.05 * choices.within(1, 40);
-  if (kind == 2) options.rho = choices.between(0, 1);
-  if (kind < 4) return options;
+  const int kind = choices.within(0, 8);
+  const auto radius = [&] { return 0.05 * choices.within(1, 40); };
+  if (kind == 1) options.law = RadiusLaw::smooth({0, 1}, radius(), radius());
+  if (kind == 2) options.section = {SectionKind::Conic, choices.between(0, 1)};
+  if (kind == 3) options.section = {SectionKind::Curvature};
+  if (kind == 8) options.law = RadiusLaw::table({0, 0.4, 1}, {radius(), radius(), radius()});
+  if (kind < 4 || kind == 8) return options;
   options.chamfer = occt::ChamferSize{options.radius, {}, {}};
   if (kind == 5) options.chamfer->second = 0.05 * choices.within(1, 40);
   if (kind == 6) options.chamfer->angle = choices.between(0, 3.2);
