@@ -52,8 +52,9 @@ TEST(InfoCommand, TellsSurfaceDegreeSpansAndValidityOfEachFace) {
 
 TEST(InfoCommand, ShowsTheSizeOfABoxFarFromTheOriginAndNoRoundings) {
   const testing::TestFolder folder;
-  testing::write({BRepPrimAPI_MakeBox(gp_Pnt(1e7, -1e-16, 0), 1, 2, 3).Shape()},
-                 folder / "far.brep");
+  occt::Model model;
+  model.add(BRepPrimAPI_MakeBox(gp_Pnt(1e7, -1e-16, 0), 1, 2, 3).Shape(), "far");
+  occt::write_model(model, folder / "far.brep");
   const Finished run = blossom({"info", folder / "far.brep"});
   EXPECT_NE(run.out.find("box (mm): [10000000, 0, 0] to [10000001, 2, 3]"), std::string::npos)
       << run.out;
@@ -61,8 +62,9 @@ TEST(InfoCommand, ShowsTheSizeOfABoxFarFromTheOriginAndNoRoundings) {
 
 TEST(InfoCommand, SaysThatAModelHasNoSurface) {
   const testing::TestFolder folder;
-  testing::write({BRepBuilderAPI_MakePolygon(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape()},
-                 folder / "wire.brep");
+  occt::Model model;
+  model.add(BRepBuilderAPI_MakePolygon(gp_Pnt(0, 0, 0), gp_Pnt(1, 0, 0)).Shape(), "wire");
+  occt::write_model(model, folder / "wire.brep");
   const Finished run = blossom({"info", folder / "wire.brep"});
   EXPECT_NE(run.out.find("surfaces: none"), std::string::npos) << run.out;
 }
