@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/bounds/interval_pairs.h"
+#include "core/curves/overlap_place.h"
 #include "core/surfaces/contacts/contact_length.h"
 
 namespace blossom {
@@ -302,20 +304,8 @@ void CurveAssembly::write(CurveIntersection& result) const {
   result.places.insert(result.places.end(), places_.begin(), places_.end());
   result.overlaps = overlaps_;
   for (const CurveOverlap& run : overlaps_) {
-    CurvePlace place{PlaceKind::Overlap,
-                     Vec3{1e300, 1e300, 1e300},
-                     Vec3{-1e300, -1e300, -1e300},
-                     0,
-                     run.gap_high,
-                     run.a,
-                     increasing(run.b)};
-    for (int i = 0; i < a_.spans(); ++i)
-      for (int k = 0; k < 3; ++k) {
-        const Interval span = a_.curve().spans[static_cast<std::size_t>(i)].place;
-        if (!overlap(span, run.a)) continue;
-        place.box_low[k] = std::min(place.box_low[k], a_[i].low[k]);
-        place.box_high[k] = std::max(place.box_high[k], a_[i].high[k]);
-      }
+    CurvePlace place = overlap_place(a_, run.a, run.gap_high);
+    place.b = increasing(run.b);
     result.places.push_back(place);
   }
 }

@@ -18,10 +18,6 @@ inline Interval increasing(const Interval& x) {
   return {std::min(x.from, x.to), std::max(x.from, x.to)};
 }
 
-inline bool overlap(const Interval& a, const Interval& b) {
-  return a.from <= b.to && b.from <= a.to;
-}
-
 class CurveAssembly {
  public:
   CurveAssembly(CurveTree& a, CurveTree& b, double tolerance);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/disjoint_sets.h"
+#include "core/bounds/interval_pairs.h"
 #include "core/curves/curve_assembly.h"
 #include "core/curves/shared_curve.h"
 #include "core/surfaces/contacts/contact_length.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/curves/overlap_place.h"
 #include "core/surfaces/contacts/contact_length.h"
 
 namespace blossom {
@@ -392,24 +393,8 @@ void CurveSurfaceAssembly::write(CurveSurfaceIntersection& result) const {
             [](const CurveSurfacePoint& x, const CurveSurfacePoint& y) { return x.t < y.t; });
   result.places.insert(result.places.end(), places_.begin(), places_.end());
   result.overlaps = overlaps_;
-  for (const CurveSurfaceOverlap& run : overlaps_) {
-    CurvePlace place{PlaceKind::Overlap,
-                     Vec3{1e300, 1e300, 1e300},
-                     Vec3{-1e300, -1e300, -1e300},
-                     0,
-                     run.gap_high,
-                     run.t,
-                     {0, 0}};
-    for (int i = 0; i < curve_.spans(); ++i) {
-      const Interval span = curve_.curve().spans[static_cast<std::size_t>(i)].place;
-      if (!(span.from <= run.t.to && run.t.from <= span.to)) continue;
-      for (int k = 0; k < 3; ++k) {
-        place.box_low[k] = std::min(place.box_low[k], curve_[i].low[k]);
-        place.box_high[k] = std::max(place.box_high[k], curve_[i].high[k]);
-      }
-    }
-    result.places.push_back(place);
-  }
+  for (const CurveSurfaceOverlap& run : overlaps_)
+    result.places.push_back(overlap_place(curve_, run.t, run.gap_high));
 }
 
 CurveSurfaceIntersection CurveSurfaceAssembly::finish(const std::vector<CurveInSurface>& inside,

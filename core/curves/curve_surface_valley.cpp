@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bounds/interval_pairs.h"
+#include "core/bounds/value_arithmetic.h"
 #include "core/cells/cell_bend.h"
 #include "core/curves/limits.h"
 #include "core/surfaces/gap/convex_gap.h"
@@ -27,23 +29,9 @@ ValueRange along(const VectorBounds& bounds, const Vec3& d) {
   return {middle - radius, middle + radius};
 }
 
-double magnitude(const ValueRange& range) {
-  return std::max(std::abs(range.low), std::abs(range.high));
-}
-
-ValueRange times(const ValueRange& a, const ValueRange& b) {
-  const auto [least, most] =
-      std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
-  return {least, most};
-}
-
 ValueRange square(const ValueRange& a) {
   const double low = a.low > 0 ? a.low : a.high < 0 ? a.high : 0, most = magnitude(a);
   return {low * low, most * most};
-}
-
-bool is_within(const Interval& inner, const Interval& outer) {
-  return outer.from <= inner.from && inner.to <= outer.to;
 }
 
 class CurveSurfaceValley {
@@ -59,7 +47,7 @@ class CurveSurfaceValley {
     const auto middle = first_foot();
     if (!middle) return std::nullopt;
     const auto feet = feet_round(*middle);
-    if (is_within(feet[0], {0, 1}) && is_within(feet[1], {0, 1}))
+    if (within(feet[0], {0, 1}) && within(feet[1], {0, 1}))
       return prove_convex(cell_) && decide() ? std::optional(result_) : std::nullopt;
     return points_beyond(feet);
   }
@@ -76,7 +64,7 @@ class CurveSurfaceValley {
       const double wider = kWider * length(feet[k]);
       const Interval hull{std::min(0.0, feet[k].from - wider), std::max(1.0, feet[k].to + wider)};
       region_[k] = {at(region_[k], hull.from), at(region_[k], hull.to)};
-      if (!is_within(region_[k], {-kBeyond, 1 + kBeyond})) return std::nullopt;
+      if (!within(region_[k], {-kBeyond, 1 + kBeyond})) return std::nullopt;
     }
     const CellTree extended = tree_.piece(region_[0], region_[1]);
     const Cell whole = extended[0];
@@ -84,7 +72,7 @@ class CurveSurfaceValley {
     const auto middle = first_foot();
     if (!middle) return std::nullopt;
     for (const Interval& range : feet_round(*middle))
-      if (!is_within(range, {0, 1})) return std::nullopt;
+      if (!within(range, {0, 1})) return std::nullopt;
     return prove_convex(whole) && decide() ? std::optional(result_) : std::nullopt;
   }
 

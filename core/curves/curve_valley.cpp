@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bounds/value_arithmetic.h"
 #include "core/curves/limits.h"
 #include "core/surfaces/gap/convex_gap.h"
 
@@ -319,9 +320,6 @@ class LineValley {
     double x, gap, slope, bend;
   };
 
-  static double magnitude(const ValueRange& a) {
-    return std::max(std::abs(a.low), std::abs(a.high));
-  }
   static double least_of(const ValueRange& a) { return std::max({0.0, a.low, -a.high}); }
 
   // Contacts are no longer than what others do not look for.

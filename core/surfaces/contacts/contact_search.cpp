@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/bounds/interval_pairs.h"
 #include "core/cells/cell_pair.h"
 #include "core/cells/cell_part.h"
 #include "core/forms/evaluation.h"

@@ -2,11 +2,6 @@
 #include "core/surfaces/gap/chart_ownership.h"
 
 namespace blossom {
-bool overlap(const Interval& a, const Interval& b) { return a.from <= b.to && b.from <= a.to; }
-
-bool within(const Interval& inner, const Interval& outer) {
-  return inner.from >= outer.from && inner.to <= outer.to;
-}
 
 bool within(const Box2& inner, const Box2& outer) {
   return within(inner[0], outer[0]) && within(inner[1], outer[1]);

@@ -11,6 +11,7 @@
 #include <set>
 #include <vector>
 
+#include "core/bounds/interval_pairs.h"
 #include "core/math/interval.h"
 
 namespace blossom {
@@ -18,8 +19,6 @@ namespace blossom {
 /// A rectangle of a patch's parameters.
 using Box2 = std::array<Interval, 2>;
 
-bool overlap(const Interval& a, const Interval& b);
-bool within(const Interval& inner, const Interval& outer);
 bool within(const Box2& inner, const Box2& outer);
 
 class ChartOwnership {
